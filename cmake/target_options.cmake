@@ -1,0 +1,21 @@
+# What every target of the project is compiled with.
+function(linkwright_target_options target)
+  set_target_properties(${target} PROPERTIES CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+  target_compile_options(
+    ${target}
+    PRIVATE -ffp-contract=off # same bits on every machine: no fused multiply-add behind our back
+            -fno-math-errno # lets sqrt become one instruction; nobody reads errno
+            -Wall
+            -Wextra
+            -Wpedantic
+            -Wshadow
+            -Wcast-align
+            -Wnon-virtual-dtor
+            -Woverloaded-virtual
+            -Wmissing-declarations
+            -Wfloat-conversion
+            -Wno-missing-field-initializers # designated initializers name what they set
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # g++ 12 finds it in every string + literal (its bug 105651)
+            $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical> # masks of packs of one are bools
+            $<$<BOOL:${LINKWRIGHT_WERROR}>:-Werror>)
+endfunction()

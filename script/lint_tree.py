@@ -1,0 +1,148 @@
+#!/usr/bin/python3
+"""Checks the rules of the tree; one line per violation, exit status 1 if there is any.
+
+1. Who may include whom: a folder of the library includes only itself and the ranks below its own.
+2. Public headers include only public headers and the standard library.
+3. include/linkwright/<folder>/<noun>.hpp has its tests in tests/<folder>/<noun>_test.cpp.
+
+usage: lint_tree.py [--self-test]
+"""
+
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+# From the bottom up; folders of one rank do not include each other. The faces (apps, bindings) stand above all.
+RANKS = (
+    ("core",),
+    ("algebra",),
+    ("attitude",),
+    ("mechanism",),
+    ("analysis",),
+    ("region",),
+    ("planar", "spherical", "infinitesimal"),
+    ("straight_line",),
+    ("robust",),
+    ("io",),
+)
+RANK_OF = {folder: rank for rank, folders in enumerate(RANKS) for folder in folders}
+PUBLIC = Path("include/linkwright")
+PRIVATE = Path("src")
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def includes_of(file):
+    """(line number, is quoted, path) of every #include of the file."""
+    for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), start=1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match[1] == '"', match[2]
+
+
+def order_problem(folder, included):
+    """What is wrong with `included` in a file of `folder`; None if nothing is."""
+    parts = included.removeprefix("linkwright/").split("/")
+    if ".." in parts:
+        return f'"{included}": write the path from include/ or src/, without ..'
+    if len(parts) == 1:
+        return None  # a neighbour in the same folder
+    other = parts[0]
+    if other not in RANK_OF:
+        return f'"{included}": no folder of the library is called {other}'
+    if other == folder or RANK_OF[other] < RANK_OF[folder]:
+        return None
+    relation = "stands beside" if RANK_OF[other] == RANK_OF[folder] else "stands above"
+    return f'"{included}": {folder} may not include {other}, which {relation} it'
+
+
+def public_header_problem(quoted, included):
+    """What is wrong with `included` in a public header; None if nothing is."""
+    if included.startswith("linkwright/"):
+        return None
+    if quoted:
+        return f'"{included}": a public header includes other public headers as "linkwright/…"'
+    if "/" in included or "." in included:
+        return f"<{included}>: a public header needs nothing but the standard library"
+    return None
+
+
+def file_violations(root, base, file):
+    folder = file.relative_to(root / base).parts[0]
+    place = file.relative_to(root)
+    if folder not in RANK_OF:
+        yield f"{place}: the library has no folder {folder}; its folders and their order are in script/lint_tree.py"
+        return
+    for number, quoted, included in includes_of(file):
+        problem = public_header_problem(quoted, included) if base == PUBLIC else None
+        if not problem and (quoted or included.startswith("linkwright/")):
+            problem = order_problem(folder, included)
+        if problem:
+            yield f"{place}:{number}: {problem}"
+
+
+def include_violations(root):
+    for base in (PUBLIC, PRIVATE):
+        for file in sorted((root / base).rglob("*.[ch]pp")):
+            yield from file_violations(root, base, file)
+
+
+def test_violations(root):
+    for header in sorted((root / PUBLIC).rglob("*.hpp")):
+        noun = header.relative_to(root / PUBLIC)
+        test = Path("tests") / noun.with_name(noun.stem + "_test.cpp")
+        if not (root / test).exists():
+            yield f"{header.relative_to(root)}: has no {test}"
+
+
+def violations(root):
+    return [*include_violations(root), *test_violations(root)]
+
+
+def self_test():
+    """Each case: files of a tree, and a piece of every message that it must draw, in order."""
+    header = "include/linkwright/{}.hpp"
+    tested = {header.format("core/angle"): "#pragma once\n#include <cmath>\n", "tests/core/angle_test.cpp": ""}
+    cases = [
+        (tested, []),
+        ({header.format("core/angle"): ""}, ["has no tests/core/angle_test.cpp"]),
+        ({"src/planar/a.cpp": '#include "linkwright/core/angle.hpp"\n#include "b.hpp"\n#include <Eigen/Core>\n'}, []),
+        ({"src/planar/a.cpp": '#include "region/kernel.hpp"\n#include "planar/b.hpp"\n'}, []),
+        ({"src/region/a.cpp": '\n #  include "linkwright/planar/b.hpp"\n'}, ["src/region/a.cpp:2: ", "stands above"]),
+        ({"src/region/a.cpp": "#include <linkwright/planar/b.hpp>\n"}, ["region may not include planar"]),
+        ({"src/planar/a.cpp": '#include "spherical/b.hpp"\n'}, ["planar may not include spherical, which stands beside"]),
+        ({"src/core/a.cpp": '// #include "io/b.hpp"\n'}, []),
+        ({"src/core/a.cpp": '#include "../io/b.hpp"\n'}, ["without .."]),
+        ({"src/core/a.cpp": '#include "apps/b.hpp"\n'}, ["no folder of the library is called apps"]),
+        ({"src/utils/a.cpp": ""}, ["src/utils/a.cpp: the library has no folder utils"]),
+        (tested | {header.format("core/angle"): "#include <Eigen/Core>\n"}, ["angle.hpp:1: <Eigen/Core>"]),
+        (tested | {header.format("core/angle"): '#include "core/b.hpp"\n'}, ['includes other public headers as']),
+    ]
+    failures = 0
+    for files, expected in cases:
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            for name, text in files.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text, encoding="utf-8")
+            found = violations(root)
+        if bool(found) != bool(expected) or not all(piece in "\n".join(found) for piece in expected):
+            failures += 1
+            print(f"self-test: {files}: expected {expected}, found {found}")
+    print(f"self-test: {len(cases) - failures} of {len(cases)} cases passed")
+    return failures
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return 1 if self_test() else 0
+    if arguments:
+        print(__doc__, file=sys.stderr)
+        return 2
+    found = violations(Path(__file__).resolve().parent.parent)
+    print("\n".join(found) or "the tree keeps its rules")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
