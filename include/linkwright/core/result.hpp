@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace linkwright {
+
+/// The caller's mistake: what is wrong, where, and the way out.
+struct Error {
+  std::string code;     ///< stable identifier, e.g. `repeated_pose`
+  std::string place;    ///< where, e.g. `task.poses[2].theta_deg`; empty when it is the whole input
+  std::string message;  ///< one sentence: what is wrong and the way out
+};
+
+/// A value, or the caller's mistakes (at least one). Mathematics that says "no" is a value, not an error.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : content_(std::move(value)) {}
+  Result(Error error) : content_(std::vector<Error>{std::move(error)}) {}
+  Result(std::vector<Error> errors) : content_(std::move(errors)) { assert(!this->errors().empty()); }
+
+  [[nodiscard]] bool ok() const { return std::holds_alternative<T>(content_); }
+  explicit operator bool() const { return ok(); }
+
+  [[nodiscard]] const T& value() const& { return *checked(std::get_if<T>(&content_)); }
+  [[nodiscard]] T& value() & { return *checked(std::get_if<T>(&content_)); }
+  [[nodiscard]] T&& value() && { return std::move(*checked(std::get_if<T>(&content_))); }
+  [[nodiscard]] const T& operator*() const& { return value(); }
+  [[nodiscard]] T& operator*() & { return value(); }
+  [[nodiscard]] const T* operator->() const { return &value(); }
+  [[nodiscard]] T* operator->() { return &value(); }
+  [[nodiscard]] const std::vector<Error>& errors() const {
+    return *checked(std::get_if<std::vector<Error>>(&content_));
+  }
+
+ private:
+  template <class P>
+  static P* checked(P* pointer) {
+    assert(pointer != nullptr);
+    return pointer;
+  }
+
+  std::variant<T, std::vector<Error>> content_;
+};
+
+}  // namespace linkwright

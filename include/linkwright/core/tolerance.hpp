@@ -1,0 +1,51 @@
+#pragma once
+
+/// All tolerances: pure numbers, each with the reason for its size.
+namespace linkwright::tolerance {
+
+/// |w| of a unit homogeneous vector in the working frame below which a point counts as at infinity:
+/// a pivot 1e9 task lengths away leaves 7 digits of a position.
+inline constexpr double infinity = 1e-9;
+
+/// A Grashof excess Tᵢ, or a link, below this share of the perimeter is zero: a change point, a degenerate link.
+/// Pivots computed through two rotations carry 1e-13; four orders of room.
+inline constexpr double change_point = 1e-9;
+
+/// A diagonal short of a dead point by less than this share of the perimeter lies at it: the diagonal, and dead points'
+/// input angles brought back to diagonals, carry a few 1e-16.
+inline constexpr double dead_point = 1e-14;
+
+/// |sin μ| below which velocities are noise: sin² μ carries the diagonal's 1e-16, which leaves it two digits here.
+inline constexpr double dead_point_sine = 1e-7;
+
+/// Smallest singular value σ of the loop Jacobian (lengths over the perimeter) below which strands of the configuration
+/// curve cannot be told apart: they are some σ apart, and loop closure to 1e-15 leaves them uncertain by 1e-15 / σ.
+inline constexpr double crossing_strands = 1e-6;
+
+/// Smallest singular value of the condition rows relative to the largest below which they are dependent:
+/// rows of unit size carry rounding of a few 1e-16.
+inline constexpr double dependent_rows = 1e-14;
+
+/// Condition of the rows above which the answer is given with a warning: 7 digits are left in the dyads.
+inline constexpr double ill_conditioned = 1e9;
+
+/// Coefficient of a cubic of orthonormal rows below which it is zero (rounding of a 3×3 determinant: a few 1e-16,
+/// magnified by the conditioning of real tasks).
+inline constexpr double vanishing_coefficient = 1e-10;
+
+/// |κ| below which the two branches of a focal cubic meet: a node. κ carries 1e-13.
+inline constexpr double node = 1e-11;
+
+/// Relative distance of a translation's rotation |q| below which the poses only translate.
+inline constexpr double pure_translation = 1e-11;
+
+/// Second singular value of the unit-row dyad system below which a point has a whole line of partners.
+inline constexpr double line_of_partners = 1e-8;
+
+/// Two poses closer than this (position over characteristic length, angle in radians) are the same pose.
+inline constexpr double repeated_pose = 1e-12;
+
+/// Two linkages closer than this share of the characteristic length in all four pivots are one.
+inline constexpr double same_linkage = 1e-6;
+
+}  // namespace linkwright::tolerance

@@ -1,0 +1,57 @@
+#include "linkwright/core/result.hpp"
+
+#include <gtest/gtest.h>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace linkwright {
+namespace {
+
+Result<int> half(int number) {
+  if (number % 2 != 0) return Error{"odd", "number", "the number is odd: give an even one"};
+  return number / 2;
+}
+
+TEST(Result, HoldsAValue) {
+  const Result<int> result = half(6);
+  EXPECT_TRUE(result.ok());
+  EXPECT_TRUE(result);
+  EXPECT_EQ(*result, 3);
+  EXPECT_EQ(result.value(), 3);
+}
+
+TEST(Result, HoldsTheMistakeWithItsPlaceAndTheWayOut) {
+  const Result<int> result = half(7);
+  ASSERT_FALSE(result);
+  ASSERT_EQ(result.errors().size(), 1u);
+  EXPECT_EQ(result.errors()[0].code, "odd");
+  EXPECT_EQ(result.errors()[0].place, "number");
+}
+
+TEST(Result, HoldsAllMistakes) {
+  const Result<int> result = std::vector<Error>{{"first", "", ""}, {"second", "", ""}};
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.errors().size(), 2u);
+  EXPECT_EQ(result.errors()[1].code, "second");
+}
+
+TEST(Result, GivesUpAValueThatCannotBeCopied) {
+  Result<std::unique_ptr<int>> result = std::make_unique<int>(5);
+  const std::unique_ptr<int> value = std::move(result).value();
+  EXPECT_EQ(*value, 5);
+}
+
+TEST(Result, LetsItsValueBeChanged) {
+  Result<std::string> result = std::string("crank");
+  result->append("_rocker");
+  EXPECT_EQ(*result, "crank_rocker");
+}
+
+TEST(ResultDeathTest, AsksOfTheCallerToLookFirst) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_DEBUG_DEATH({ [[maybe_unused]] const auto& errors = half(6).errors(); }, "");
+}
+
+}  // namespace
+}  // namespace linkwright
