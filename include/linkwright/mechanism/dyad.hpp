@@ -1,0 +1,16 @@
+#pragma once
+
+#include "linkwright/algebra/homogeneous.hpp"
+
+namespace linkwright {
+
+/// A side link: the centre point (fixed pivot) and the circle point (moving pivot, as it lies in position 1), both in
+/// the fixed frame and homogeneous. Centre at infinity: the moving pivot slides on a fixed line normal to (x, y).
+/// Circle point at infinity: a guide of the body, normal to (x, y) in position 1, slides through the fixed pivot.
+struct Dyad {
+  Homogeneous center;
+  Homogeneous circle;
+  double coordinate = 0;  ///< τ, the place on the curve of dyads (identity of the dyad)
+};
+
+}  // namespace linkwright

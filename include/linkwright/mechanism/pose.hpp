@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "linkwright/algebra/point.hpp"
+
+namespace linkwright {
+
+/// Pose of the moving frame in the fixed frame: origin in the user's length unit, angle in radians, counter-clockwise.
+struct Pose {
+  Point origin{};
+  double angle = 0;
+};
+
+/// One derivative of a pose with respect to any parameter that increases along the task
+/// (user's length, radians, per power of the parameter).
+struct PoseDerivative {
+  Point origin{};
+  double angle = 0;
+};
+
+/// A pose and its first, second, … derivatives. With m derivatives it counts as m + 1 infinitesimally close positions.
+struct PrescribedPose {
+  Pose pose;
+  std::vector<PoseDerivative> derivatives;
+
+  [[nodiscard]] int multiplicity() const { return 1 + static_cast<int>(derivatives.size()); }
+};
+
+/// Where the moving point that lies at `point` when the body is at `from` lies when the body is at `to` (fixed frame).
+[[nodiscard]] inline Point displaced(Point point, const Pose& from, const Pose& to) {
+  return to.origin + direction(to.angle - from.angle) * (point - from.origin);
+}
+
+/// The multiplicities in the field's notation: P-P-P-P, PP-P-P, PPPP, …
+[[nodiscard]] std::string pattern(const std::vector<PrescribedPose>& poses);
+
+/// Number of positions, each with its multiplicity.
+[[nodiscard]] int position_count(const std::vector<PrescribedPose>& poses);
+
+}  // namespace linkwright
