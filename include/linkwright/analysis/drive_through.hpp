@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "linkwright/analysis/defects.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/mechanism/pose.hpp"
+
+namespace linkwright {
+
+struct DriveThroughOptions {
+  double step = 5e-2;          ///< longest arc length of a step on the unit torus of the three link angles, radians;
+                               ///< steps are shorter where strands of the curve pass close to each other
+  double corrector = 1e-13;    ///< loop closure error, relative to the perimeter, at which a corrector step ends
+  double miss = 1e-3;          ///< most by which a configuration may miss a pose (radians on the torus) and meet it
+  int most_steps = 4'000'000;  ///< for one circuit
+};
+
+/// What driving showed: an answer that shares nothing with find_defects.
+struct DriveThroughReport {
+  /// The circuit closed. Otherwise the rest is meaningless: no linkage, a change point (the circuit crosses itself:
+  /// tolerance::crossing_strands), most_steps.
+  bool completed = false;
+  Defects defects;
+  /// Pose indices on the circuit, in the order in which the input meets them from pose 0, in the sense that reaches
+  /// pose 1 first.
+  std::vector<int> visited;
+  double worst_closure = 0;     ///< largest loop closure error met, relative to the perimeter
+  double worst_pose_error = 0;  ///< largest distance of the coupler's pivots from where a visited pose wants them
+};
+
+/// Drives the four-bar by its input through the poses, slowly: traces the whole circuit of configurations by
+/// arc-length continuation of the loop equation with a Newton corrector, notes where each pose is met and where the
+/// input's dead points lie (the loop Jacobian by coupler and output angle changes sign), and reads the defects off.
+/// Steps are bounded so that the walk provably stays on its strand of the curve (src/analysis/configuration_curve.cpp).
+/// `poses` as in find_defects, but their derivatives, and with them the direction in which they are passed, are
+/// ignored. A pose that the linkage does not reach at all counts as one on another circuit.
+[[nodiscard]] DriveThroughReport drive_through(const FourBar& four_bar, std::span<const PrescribedPose> poses,
+                                               const DriveThroughOptions& options = {});
+
+}  // namespace linkwright

@@ -1,0 +1,101 @@
+#include "linkwright/analysis/defects.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "linkwright/analysis/driver_order.hpp"
+#include "linkwright/core/tolerance.hpp"
+
+#define LINKWRIGHT_ISA isa_single
+#include "analysis/pair_verdict.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::array<std::string_view, 4> sense_names = {"", "ccw", "cw", "either"};
+
+struct SideLink {
+  Point center, circle;
+  std::vector<Point> arm;  // from centre to circle point at each pose
+};
+
+SideLink side_link(Point center, Point circle, std::span<const PrescribedPose> poses) {
+  SideLink link{center, circle, {}};
+  for (const PrescribedPose& pose : poses)
+    link.arm.push_back(displaced(circle, poses.front().pose, pose.pose) - center);
+  return link;
+}
+
+template <class Side>
+void place(Side& side, const SideLink& link) {
+  side.center_x = link.center.real();
+  side.center_y = link.center.imag();
+  side.circle_x = link.circle.real();
+  side.circle_y = link.circle.imag();
+  side.length = std::abs(link.circle - link.center);
+  for (std::size_t j = 0; j < link.arm.size(); ++j) {
+    side.arm_x[j] = link.arm[j].real();
+    side.arm_y[j] = link.arm[j].imag();
+  }
+}
+
+int bits(bool ccw, bool cw) { return (ccw ? isa_single::ccw_bit : 0) | (cw ? isa_single::cw_bit : 0); }
+
+template <int Poses>
+isa_single::PairVerdict<1> verdict(const SideLink& input, const SideLink& output, const DriverOrder& order) {
+  isa_single::Driver<Poses> driver{};
+  isa_single::Driven<1, Poses> driven{};
+  place(driver, input);
+  place(driven, output);
+  driver.senses = bits(order.ccw, order.cw);
+  driver.wide = bits(order.is_wide_ccw(), order.is_wide_cw());
+  return isa_single::pair_verdict<1, Poses>(driver, driven, tolerance::change_point);
+}
+
+isa_single::PairVerdict<1> verdict_of(const SideLink& input, const SideLink& output, const DriverOrder& order) {
+  switch (input.arm.size()) {
+    case 1:
+      return verdict<1>(input, output, order);
+    case 2:
+      return verdict<2>(input, output, order);
+    case 3:
+      return verdict<3>(input, output, order);
+    case 4:
+      return verdict<4>(input, output, order);
+    default:
+      assert(input.arm.size() == 5);
+      return verdict<5>(input, output, order);
+  }
+}
+
+}  // namespace
+
+std::string_view name(DriveSense sense) { return sense_names[static_cast<std::size_t>(sense)]; }
+
+DriveSense drive_sense(bool ccw, bool cw) {
+  if (ccw) return cw ? DriveSense::either : DriveSense::ccw;
+  return cw ? DriveSense::cw : DriveSense::none;
+}
+
+DefectReport find_defects(const FourBar& four_bar, std::span<const PrescribedPose> poses, bool respect_direction) {
+  assert(!poses.empty() && poses.size() <= 5);
+  const SideLink input = side_link(four_bar.input_center, four_bar.input_circle, poses);
+  const SideLink output = side_link(four_bar.output_center, four_bar.output_circle, poses);
+  const DriverOrder order = driver_order(input.center, four_bar.input_circle, poses, respect_direction);
+  const auto v = verdict_of(input, output, order);
+  DefectReport report;
+  report.type = static_cast<LinkageType>(v.type);
+  report.defects = Defects{static_cast<std::uint8_t>(v.defects)};
+  if (v.clean) {
+    report.sense = drive_sense(v.travels_ccw, v.travels_cw);
+    report.worst_transmission_cosine = std::min(v.worst / v.hb, 1.0);
+    report.sweep = v.travels_ccw ? order.sweep_ccw : order.sweep_cw();
+  }
+  if (v.turns) report.worst_transmission_cosine_full_turn = std::min(v.worst_turn / v.hb, 1.0);
+  return report;
+}
+
+}  // namespace linkwright

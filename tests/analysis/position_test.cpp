@@ -1,0 +1,291 @@
+#include "linkwright/analysis/position.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <set>
+
+#include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/core/angle.hpp"
+#include "support/random_four_bar.hpp"
+
+namespace linkwright {
+namespace {
+
+using testing::four_bar_at;
+using testing::loop_gap;
+using testing::RandomFourBars;
+
+constexpr std::array<Assembly, 2> assemblies = {Assembly::negative, Assembly::positive};
+
+// The condition of assembly as it is drawn: the circles of coupler and output link meet.
+bool circles_meet(const LinkLengths& l, double input_angle) {
+  const double diagonal = std::abs(l.input * direction(input_angle) - l.ground);
+  return diagonal <= l.coupler + l.output && diagonal >= std::abs(l.coupler - l.output);
+}
+
+bool in_ranges(const std::vector<AngleRange>& ranges, double angle) {
+  return std::any_of(ranges.begin(), ranges.end(),
+                     [&](const AngleRange& r) { return wrap_positive(angle - r.from) <= r.to - r.from; });
+}
+
+LinkLengths scaled(const LinkLengths& l, double s) { return {s * l.ground, s * l.input, s * l.coupler, s * l.output}; }
+
+// ---- forward kinematics
+// ----------------------------------------------------------------------------------------------
+
+TEST(Assemble, ClosesTheLoopInTheAssemblyAskedFor) {
+  RandomFourBars random(11);
+  std::set<LinkageType> types;
+  for (int i = 0; i < 20000; ++i) {
+    const LinkLengths lengths = random.lengths();
+    types.insert(linkage_type(lengths));
+    const double angle = random.input_angle(lengths);
+    for (const Assembly assembly : assemblies) {
+      const auto c = assemble(lengths, angle, assembly);
+      ASSERT_TRUE(c.has_value());
+      EXPECT_EQ(c->input_angle, angle);
+      EXPECT_LT(loop_gap(lengths, *c), 1e-14 * lengths.perimeter());
+      EXPECT_EQ(assembly_of(four_bar_at(lengths, angle, assembly)), assembly);
+    }
+  }
+  EXPECT_EQ(types.size(), 8u) << "all but change points and degenerate ones";
+}
+
+TEST(Assemble, GivesMirrorImagesForMirroredInputs) {
+  const LinkLengths lengths{4, 1, 3, 2.5};
+  const auto up = assemble(lengths, 1, Assembly::positive), down = assemble(lengths, -1, Assembly::negative);
+  EXPECT_NEAR(up->coupler_angle, -down->coupler_angle, 1e-15);
+  EXPECT_NEAR(up->output_angle, -down->output_angle, 1e-15);
+}
+
+TEST(Assemble, GivesTheSameAnglesAtAnySize) {
+  RandomFourBars random(12);
+  for (int i = 0; i < 1000; ++i) {
+    const LinkLengths lengths = random.lengths();
+    const double angle = random.input_angle(lengths);
+    const auto c = assemble(lengths, angle, Assembly::positive);
+    for (const double scale : {1e-150, 1e-6, 1e6, 1e150}) {
+      const auto again = assemble(scaled(lengths, scale), angle, Assembly::positive);
+      ASSERT_TRUE(again.has_value());
+      EXPECT_NEAR(wrap_signed(again->coupler_angle - c->coupler_angle), 0, 1e-9);
+      EXPECT_NEAR(wrap_signed(again->output_angle - c->output_angle), 0, 1e-9);
+    }
+  }
+}
+
+TEST(Assemble, RefusesWhatCannotBeAssembled) {
+  const LinkLengths rocker{3, 2, 2.2, 2.1};
+  EXPECT_TRUE(assemble(rocker, radians(117.2), Assembly::positive));
+  EXPECT_FALSE(assemble(rocker, radians(117.3), Assembly::positive));
+  EXPECT_FALSE(assemble({10, 1, 1, 1}, 0, Assembly::positive));
+}
+
+// Kinzel's course notes, example 5.1: r₁ = 1, r₂ = 2, r₃ = 3.5, r₄ = 4 in, input angle 0 (θ₄ computed independently).
+TEST(Assemble, GivesBothOutputAnglesOfKinzelsExample51) {
+  const LinkLengths lengths{1, 2, 3.5, 4};
+  EXPECT_NEAR(degrees(assemble(lengths, 0, Assembly::positive)->output_angle), -53.57642635766884, 1e-12);
+  EXPECT_NEAR(degrees(assemble(lengths, 0, Assembly::negative)->output_angle), +53.57642635766884, 1e-12);
+}
+
+TEST(Assemble, KeepsItsDigitsWhereThePivotsNearlyMeet) {
+  const LinkLengths kite{1, 1, 0.5, 0.5};
+  for (const double angle : {1e-3, 1e-8, 1e-12}) {
+    const auto c = assemble(kite, angle, Assembly::negative);
+    ASSERT_TRUE(c.has_value());
+    EXPECT_NEAR(std::abs(c->output_angle), pi - angle / 2, 2 * angle + 1e-15) << "output square to the diagonal";
+    EXPECT_LT(loop_gap(kite, *c), 1e-15);
+  }
+  EXPECT_LT(loop_gap(kite, *assemble(kite, 0, Assembly::negative)), 1e-15) << "any output angle will do";
+}
+
+TEST(Assemble, AnswersHostileInputWithNothing) {
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  for (const double bad : {0.0, -1.0, nan, infinite, -infinite}) {
+    for (const LinkLengths& lengths :
+         {LinkLengths{bad, 1, 3, 2.5}, {4, bad, 3, 2.5}, {4, 1, bad, 2.5}, {4, 1, 3, bad}}) {
+      EXPECT_FALSE(assemble(lengths, 1, Assembly::positive));
+      EXPECT_TRUE(input_ranges(lengths).empty());
+      EXPECT_TRUE(dead_points(lengths).empty());
+    }
+  }
+  EXPECT_FALSE(assemble({4, 1, 3, 2.5}, nan, Assembly::positive));
+  EXPECT_FALSE(assemble({4, 1, 3, 2.5}, infinite, Assembly::positive));
+  EXPECT_TRUE(input_ranges({1e308, 1e308, 1e308, 1e308}).empty()) << "the perimeter overflows";
+}
+
+// ---- a four-bar and its configuration
+// --------------------------------------------------------------------------------
+
+TEST(Configuration, IsThatInWhichTheFourBarLies) {
+  RandomFourBars random(13);
+  for (int i = 0; i < 3000; ++i) {
+    const FourBar four_bar = random.four_bar();
+    const Configuration c = configuration_of(four_bar);
+    const FourBar again = placed(four_bar, c);
+    EXPECT_LT(std::abs(again.input_circle - four_bar.input_circle), 1e-14);
+    EXPECT_LT(std::abs(again.output_circle - four_bar.output_circle), 1e-14);
+    EXPECT_EQ(again.input_center, four_bar.input_center);
+    EXPECT_EQ(again.output_center, four_bar.output_center);
+    EXPECT_LT(loop_gap(four_bar.lengths(), c), 1e-14);
+    const auto found = assemble(four_bar.lengths(), c.input_angle, assembly_of(four_bar));
+    ASSERT_TRUE(found.has_value());
+    EXPECT_LT(std::abs(placed(four_bar, *found).output_circle - four_bar.output_circle), 1e-7);
+  }
+}
+
+TEST(Configuration, OfADegenerateFourBarIsFinite) {
+  const Configuration c = configuration_of({{1, 1}, {1, 1}, {1, 1}, {1, 1}});
+  EXPECT_TRUE(std::isfinite(c.input_angle) && std::isfinite(c.coupler_angle) && std::isfinite(c.output_angle));
+}
+
+TEST(Placed, KeepsTheLengths) {
+  RandomFourBars random(14);
+  for (int i = 0; i < 3000; ++i) {
+    const FourBar reference = random.four_bar();
+    const LinkLengths wanted = reference.lengths();
+    const double angle = random.input_angle(wanted);
+    const LinkLengths l = placed(reference, *assemble(wanted, angle, random.assembly())).lengths();
+    EXPECT_NEAR(l.input, wanted.input, 1e-14);
+    EXPECT_NEAR(l.coupler, wanted.coupler, 2e-14);
+    EXPECT_NEAR(l.output, wanted.output, 1e-14);
+  }
+}
+
+// ---- where the input can be
+// ------------------------------------------------------------------------------------------
+
+TEST(InputRanges, AgreeWithScanningTheConditionOfAssembly) {
+  RandomFourBars random(15);
+  for (int i = 0; i < 3000; ++i) {
+    LinkLengths lengths = random.lengths();
+    if (i % 3 == 0) lengths.ground *= random.uniform(1, 3);  // some cannot be assembled
+    const auto ranges = input_ranges(lengths);
+    for (int step = 0; step < 360; ++step) {
+      const double angle = -pi + two_pi * (step + 0.5) / 360;
+      ASSERT_EQ(in_ranges(ranges, angle), circles_meet(lengths, angle)) << "linkage " << i << " at " << degrees(angle);
+    }
+  }
+}
+
+TEST(InputRanges, EndWhereAssemblyEnds) {
+  RandomFourBars random(16);
+  for (int i = 0; i < 3000; ++i) {
+    const LinkLengths lengths = random.lengths();
+    for (const AngleRange& range : input_ranges(lengths)) {
+      if (range.is_full_turn()) continue;
+      EXPECT_TRUE(assemble(lengths, range.from, Assembly::positive) && assemble(lengths, range.to, Assembly::positive));
+      const double margin = 1e-9;
+      EXPECT_FALSE(assemble(lengths, range.from - margin, Assembly::positive));
+      EXPECT_FALSE(assemble(lengths, range.to + margin, Assembly::positive));
+    }
+  }
+}
+
+TEST(InputRanges, AreAFullTurnForCranksTwoForRockersOfAGrashofLinkageOneOtherwise) {
+  RandomFourBars random(17);
+  for (int i = 0; i < 3000; ++i) {
+    const LinkLengths lengths = random.lengths();
+    const LinkageType type = linkage_type(lengths);
+    const auto ranges = input_ranges(lengths);
+    ASSERT_EQ(ranges.size(), is_grashof(type) && !input_is_crank(type) ? 2u : 1u);
+    EXPECT_EQ(ranges[0].is_full_turn(), input_is_crank(type));
+    EXPECT_TRUE(std::all_of(ranges.begin(), ranges.end(), [](const AngleRange& r) { return r.from < r.to; }));
+    if (ranges.size() == 2) {
+      EXPECT_LT(ranges[0].to, ranges[1].from);
+      EXPECT_EQ(ranges[0].from, -ranges[1].to);
+      EXPECT_EQ(ranges[0].to, -ranges[1].from);
+    }
+  }
+}
+
+TEST(InputRanges, OfAChangePointAreAsWideAsTheLinksAllow) {
+  EXPECT_TRUE(input_ranges({3, 2, 3, 2})[0].is_full_turn()) << "parallelogram";
+  EXPECT_TRUE(input_ranges({0.3, 0.2, 0.3, 0.2})[0].is_full_turn()) << "rounding of the lengths does not matter";
+  EXPECT_TRUE(input_ranges({4, 1, 3, 2})[0].is_full_turn()) << "flat at 180°";
+  EXPECT_TRUE(input_ranges({2, 2, 2, 2})[0].is_full_turn()) << "rhombus";
+}
+
+TEST(InputRanges, ShrinkToAPointWhereTheLinksJustReach) {
+  const auto ranges = input_ranges({3, 1, 1, 1});
+  ASSERT_EQ(ranges.size(), 1u);
+  EXPECT_NEAR(ranges[0].from, 0, 1e-7);
+  EXPECT_NEAR(ranges[0].to, 0, 1e-7);
+  EXPECT_TRUE(input_ranges({3.001, 1, 1, 1}).empty());
+}
+
+TEST(InputRanges, DoNotDependOnSize) {
+  RandomFourBars random(18);
+  for (int i = 0; i < 500; ++i) {
+    const LinkLengths lengths = random.lengths();
+    const auto ranges = input_ranges(lengths);
+    for (const double scale : {1e-6, 1e6}) {
+      const auto again = input_ranges(scaled(lengths, scale));
+      ASSERT_EQ(again.size(), ranges.size());
+      for (std::size_t k = 0; k < ranges.size(); ++k) {
+        EXPECT_NEAR(again[k].from, ranges[k].from, 1e-10);
+        EXPECT_NEAR(again[k].to, ranges[k].to, 1e-10);
+      }
+    }
+  }
+}
+
+// ---- dead points
+// -----------------------------------------------------------------------------------------------------
+
+TEST(DeadPoints, HaveCouplerAndOutputInOneLine) {
+  RandomFourBars random(19);
+  for (int i = 0; i < 3000; ++i) {
+    const LinkLengths lengths = random.lengths();
+    for (const DeadPoint& dead : dead_points(lengths)) {
+      const Configuration& c = dead.configuration;
+      EXPECT_LT(loop_gap(lengths, c), 1e-13 * lengths.perimeter());
+      const double joint = c.coupler_angle - c.output_angle;
+      EXPECT_NEAR(std::sin(joint), 0, 1e-14) << "the joint sign vanishes";
+      EXPECT_NEAR(std::cos(joint), dead.extended ? -1 : 1, 1e-14);
+      const double diagonal = std::abs(lengths.input * direction(c.input_angle) - lengths.ground);
+      EXPECT_NEAR(diagonal,
+                  dead.extended ? lengths.coupler + lengths.output : std::abs(lengths.coupler - lengths.output),
+                  1e-13 * lengths.perimeter());
+    }
+  }
+}
+
+TEST(DeadPoints, AreTheEndsOfTheInputsRanges) {
+  RandomFourBars random(20);
+  for (int i = 0; i < 3000; ++i) {
+    const LinkLengths lengths = random.lengths();
+    const auto ranges = input_ranges(lengths);
+    const auto points = dead_points(lengths);
+    ASSERT_EQ(points.size(), ranges[0].is_full_turn() ? 0u : 2 * ranges.size());
+    for (const DeadPoint& dead : points) {
+      const double angle = dead.configuration.input_angle;
+      EXPECT_TRUE(std::any_of(ranges.begin(), ranges.end(), [&](const AngleRange& r) {
+        return std::abs(wrap_signed(r.from - angle)) < 1e-14 || std::abs(wrap_signed(r.to - angle)) < 1e-14;
+      }));
+    }
+    EXPECT_TRUE(std::is_sorted(points.begin(), points.end(), [](const DeadPoint& a, const DeadPoint& b) {
+      return a.configuration.input_angle < b.configuration.input_angle;
+    }));
+  }
+}
+
+TEST(DeadPoints, OfAChangePointAreWhereItLiesFlat) {
+  const auto at_pi = dead_points({4, 1, 3, 2});
+  ASSERT_EQ(at_pi.size(), 1u);
+  EXPECT_EQ(at_pi[0].configuration.input_angle, pi);
+  EXPECT_TRUE(at_pi[0].extended);
+  const auto parallelogram = dead_points({3, 2, 3, 2});
+  ASSERT_EQ(parallelogram.size(), 2u);
+  EXPECT_EQ(parallelogram[0].configuration.input_angle, 0);
+  EXPECT_FALSE(parallelogram[0].extended);
+  EXPECT_EQ(parallelogram[1].configuration.input_angle, pi);
+  const auto barely = dead_points({1, 1, 3, 1});  // output reaches the coupler's end only at φ = π
+  ASSERT_EQ(barely.size(), 1u);
+  EXPECT_EQ(barely[0].configuration.input_angle, pi);
+}
+
+}  // namespace
+}  // namespace linkwright
