@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "linkwright/region/requirement_filter.hpp"
+
+namespace linkwright {
+
+/// What ranks linkages: the largest least transmission angle, the smallest link ratio, the smallest longest link.
+enum class Objective { min_transmission_angle, link_ratio, size };
+[[nodiscard]] std::string_view name(Objective objective);
+
+/// A cell that passes a filter, and how good it is: larger is better for every objective.
+struct RankedCell {
+  std::size_t row = 0, column = 0;
+  double score = 0;
+};
+
+/// Score of a linkage: 1 − cos γ, −ratio or −longest link.
+[[nodiscard]] double score_of(Objective objective, double versine, double link_ratio, double longest);
+
+/// Cells that pass and that no neighbour of the same type, up to a hundredth of the map away, betters, best first, at
+/// most `most`. Neighbours on another branch of the curve do not count. From each a hill can be climbed in the two
+/// curve coordinates.
+[[nodiscard]] std::vector<RankedCell> hill_tops(const RegionMap& map, const RequirementFilter& filter,
+                                                Objective objective, std::size_t most);
+
+/// The best passing cell of each tile of a `tiles` × `tiles` grid over the map, best first.
+[[nodiscard]] std::vector<RankedCell> tile_bests(const RegionMap& map, const RequirementFilter& filter,
+                                                 Objective objective, std::size_t tiles);
+
+}  // namespace linkwright

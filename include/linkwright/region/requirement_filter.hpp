@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "linkwright/region/region_map.hpp"
+#include "linkwright/region/requirements.hpp"
+
+namespace linkwright {
+
+/// The requirements one by one, as bits of what a cell fails.
+enum class RequirementKind : std::uint8_t {
+  types,
+  no_defects,
+  min_transmission_angle,
+  max_link_ratio,
+  max_length,
+  ground_pivots_within,
+  moving_pivots_within,
+};
+inline constexpr std::size_t requirement_kinds = 7;
+/// Key in the problem file: types, no_defects, min_transmission_angle_deg, …
+[[nodiscard]] std::string_view key(RequirementKind kind);
+
+/// What one requirement costs, and the value that would leave something.
+struct Relaxation {
+  RequirementKind requirement = RequirementKind::types;
+  std::int64_t only_this = 0;   ///< cells that fail this requirement and no other: what dropping it would add
+  std::optional<double> value;  ///< a round value that would do (radians; a number; user's length); nothing: drop it
+  std::int64_t leaves = 0;      ///< cells that `value` (or dropping it) would leave
+};
+
+/// How the cells of a region fare under the requirements.
+struct RequirementCensus {
+  std::int64_t meeting = 0;
+  /// Cells, the degenerate left out, by the set of requirements they fail (bit RequirementKind).
+  std::array<std::int64_t, 1u << requirement_kinds> failing{};
+
+  /// Cells that fail exactly these.
+  [[nodiscard]] std::int64_t failing_only(RequirementKind kind) const {
+    return failing[std::size_t{1} << static_cast<std::size_t>(kind)];
+  }
+};
+
+/// A region under requirements whose max_length is set. Refers to the map, which must outlive it.
+class RequirementFilter {
+ public:
+  /// `origin`, `unit`: the axes' frame in the user's, for the boxes.
+  RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit);
+
+  /// Bits of the requirements that a cell fails; all of them for a degenerate cell.
+  [[nodiscard]] std::uint8_t failures(std::size_t row, std::size_t column) const;
+  [[nodiscard]] bool passes(std::size_t row, std::size_t column) const { return failures(row, column) == 0; }
+
+  [[nodiscard]] RequirementCensus census() const;
+  /// Dearest first, the requirements whose relaxation alone would leave (more) cells.
+  [[nodiscard]] std::vector<Relaxation> relaxations(const RequirementCensus& census) const;
+
+ private:
+  [[nodiscard]] double violated_value(RequirementKind kind, std::size_t cell) const;
+
+  const RegionMap* map_;
+  Requirements requirements_;
+  std::array<bool, 10> type_wanted_{};
+  float least_versine_ = 0, largest_ratio_ = 0, largest_length_ = 0;
+  std::vector<std::uint8_t> input_box_failures_, output_box_failures_;
+};
+
+}  // namespace linkwright

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "linkwright/algebra/point.hpp"
+#include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/core/result.hpp"
+
+namespace linkwright {
+
+/// Axis-parallel rectangle, borders included, user's unit.
+struct Box {
+  double x_low = 0, x_high = 0, y_low = 0, y_high = 0;
+  [[nodiscard]] bool contains(Point p) const {
+    return p.real() >= x_low && p.real() <= x_high && p.imag() >= y_low && p.imag() <= y_high;
+  }
+};
+
+/// What the user asks of a linkage beside the task. They choose and rank; they never change the curve or the counts.
+struct Requirements {
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+  std::vector<LinkageType> types;  ///< wanted types; empty: any but degenerate
+  bool no_defects = true;
+  double min_transmission_angle = 0;  ///< over the task, radians; 0: any
+  double max_link_ratio = 20;         ///< longest over shortest of the four links; unlimited: any
+  std::optional<double> max_length;   ///< longest of the four links, user's unit; nothing: 10 × L; unlimited: any
+  std::optional<Box> ground_pivots_within;  ///< both centre points
+  std::optional<Box> moving_pivots_within;  ///< both circle points, position 1
+  bool respect_direction = true;            ///< poses with derivatives are passed in their direction
+};
+
+/// Default of max_length in characteristic lengths.
+inline constexpr double default_max_length = 10;
+
+/// The caller's mistakes: out of range or contradictory. Places are `requirements.…`.
+[[nodiscard]] std::vector<Error> mistakes_in(const Requirements& requirements);
+
+}  // namespace linkwright

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace linkwright {
+
+inline constexpr int most_poses = 5;
+
+/// One axis of a region as plain arrays; those of the output are readable up to a multiple of kernel_padding.
+struct KernelAxis {
+  const double *center_x, *center_y, *circle_x, *circle_y, *length;
+  const double* arm_x[most_poses];
+  const double* arm_y[most_poses];
+  const std::uint8_t *senses, *wide;  ///< as in RegionAxis
+};
+inline constexpr std::size_t kernel_padding = 8;
+
+/// Rows [row_begin, row_end) of a region and where its cells go (row-major).
+struct KernelTask {
+  KernelAxis input, output;
+  std::size_t row_begin, row_end, columns;
+  int poses;
+  double unit;        ///< user's length of one unit of the axes
+  double zero_share;  ///< tolerance::change_point
+  std::uint8_t *type, *defects;
+  float *versine, *full_versine, *ratio, *longest;
+};
+
+void region_kernel_scalar(const KernelTask& task);
+void region_kernel_baseline(const KernelTask& task);
+#if defined(__x86_64__)
+void region_kernel_avx2(const KernelTask& task);
+void region_kernel_avx512(const KernelTask& task);
+#endif
+
+}  // namespace linkwright

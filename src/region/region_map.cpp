@@ -1,0 +1,197 @@
+#include "linkwright/region/region_map.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <mutex>
+
+#include "linkwright/algebra/homogeneous.hpp"
+#include "linkwright/analysis/driver_order.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/parallel.hpp"
+#include "linkwright/core/tolerance.hpp"
+#include "region/kernel.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::array<std::string_view, 5> simd_names = {"automatic", "scalar", "baseline", "avx2", "avx512"};
+
+using Kernel = void (*)(const KernelTask&);
+
+Kernel kernel_for(Simd simd) {
+  switch (simd) {
+    case Simd::automatic: return kernel_for(best_simd());
+    case Simd::scalar: return region_kernel_scalar;
+    case Simd::baseline: return region_kernel_baseline;
+#if defined(__x86_64__)
+    case Simd::avx2: return region_kernel_avx2;
+    case Simd::avx512: return region_kernel_avx512;
+#else
+    default: break;
+#endif
+  }
+  return region_kernel_baseline;
+}
+
+KernelAxis plain_arrays(const RegionAxis& axis) {
+  KernelAxis plain{axis.center_x.data(), axis.center_y.data(), axis.circle_x.data(), axis.circle_y.data(),
+                   axis.length.data(),   {},                   {},                   axis.senses.data(),
+                   axis.wide.data()};
+  for (std::size_t j = 0; j < axis.pose_count(); ++j) {
+    plain.arm_x[j] = axis.arm_x[j].data();
+    plain.arm_y[j] = axis.arm_y[j].data();
+  }
+  return plain;
+}
+
+std::uint8_t bits(bool ccw, bool cw) { return static_cast<std::uint8_t>((ccw ? 1 : 0) | (cw ? 2 : 0)); }
+
+// Rows that a thread takes before it looks whether to stop.
+constexpr std::size_t rows_at_once = 16;
+
+}  // namespace
+
+std::string_view name(Simd simd) { return simd_names[static_cast<std::size_t>(simd)]; }
+
+bool is_supported(Simd simd) {
+#if defined(__x86_64__)
+  if (simd == Simd::avx2) return __builtin_cpu_supports("avx2");
+  if (simd == Simd::avx512)
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
+  return true;
+#else
+  return simd != Simd::avx2 && simd != Simd::avx512;
+#endif
+}
+
+Simd best_simd() {
+  for (const Simd simd : {Simd::avx512, Simd::avx2})
+    if (is_supported(simd)) return simd;
+  return Simd::baseline;
+}
+
+RegionAxis::RegionAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> poses, bool respect_direction)
+    : dyads(std::move(samples)) {
+  assert(!poses.empty() && poses.size() <= most_poses);
+  const std::size_t count = dyads.size();
+  const std::size_t padded = (count + kernel_padding - 1) / kernel_padding * kernel_padding;
+  for (std::vector<double>* column : {&center_x, &center_y, &circle_x, &circle_y, &length}) column->assign(padded, 0);
+  arm_x.assign(poses.size(), std::vector<double>(padded, 0));
+  arm_y.assign(poses.size(), std::vector<double>(padded, 0));
+  senses.assign(count, 0);
+  wide.assign(count, 0);
+  sweep_ccw.assign(count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto center = finite_point(dyads[i].center), circle = finite_point(dyads[i].circle);
+    if (!center || !circle) continue;  // a slider: length 0 makes its pairs degenerate
+    center_x[i] = center->real();
+    center_y[i] = center->imag();
+    circle_x[i] = circle->real();
+    circle_y[i] = circle->imag();
+    length[i] = std::abs(*circle - *center);
+    for (std::size_t j = 0; j < poses.size(); ++j) {
+      const Point arm = displaced(*circle, poses.front().pose, poses[j].pose) - *center;
+      arm_x[j][i] = arm.real();
+      arm_y[j][i] = arm.imag();
+    }
+    const DriverOrder order = driver_order(*center, *circle, poses, respect_direction);
+    senses[i] = bits(order.ccw, order.cw);
+    wide[i] = bits(order.is_wide_ccw(), order.is_wide_cw());
+    sweep_ccw[i] = static_cast<float>(order.sweep_ccw);
+  }
+}
+
+RegionMap::RegionMap(const RegionAxis& input, const RegionAxis& output, double unit, const RegionOptions& options,
+                     const Progress& progress) {
+  recompute(input, output, unit, options, progress);
+}
+
+void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, double unit, const RegionOptions& options,
+                          const Progress& progress) {
+  assert(input.pose_count() == output.pose_count());
+  const std::size_t cells = input.size() * output.size();
+  type_.resize(cells);
+  defects_.resize(cells);
+  for (Column<float>* column : {&versine_, &full_versine_, &ratio_, &longest_}) column->resize(cells);
+  rows_ = input.size();
+  columns_ = output.size();
+  input_dyads_ = input.dyads;
+  output_dyads_ = output.dyads;
+  senses_ = input.senses;
+  sweep_ccw_ = input.sweep_ccw;
+
+  KernelTask task{plain_arrays(input), plain_arrays(output), 0, rows_, columns_, static_cast<int>(input.pose_count()),
+                  unit, tolerance::change_point, type_.data(), defects_.data(), versine_.data(),
+                  full_versine_.data(), ratio_.data(), longest_.data()};
+  const Kernel kernel = kernel_for(options.simd);
+  parallel_for((rows_ + rows_at_once - 1) / rows_at_once, options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t chunk = begin; chunk < end; ++chunk) {
+      KernelTask part = task;
+      part.row_begin = chunk * rows_at_once;
+      part.row_end = std::min(part.row_begin + rows_at_once, rows_);
+      if (progress.is_cancelled())
+        leave_empty(part.row_begin, part.row_end);
+      else
+        kernel(part);
+    }
+  });
+}
+
+void RegionMap::leave_empty(std::size_t row_begin, std::size_t row_end) {
+  const auto begin = static_cast<std::ptrdiff_t>(row_begin * columns_), end = static_cast<std::ptrdiff_t>(row_end * columns_);
+  std::fill(type_.data() + begin, type_.data() + end, static_cast<std::uint8_t>(LinkageType::degenerate));
+  std::fill(defects_.data() + begin, defects_.data() + end, std::uint8_t{0});
+  for (Column<float>* column : {&versine_, &full_versine_, &ratio_, &longest_})
+    std::fill(column->data() + begin, column->data() + end, 0.0F);
+}
+
+double angle_of_versine(double versine) { return 2 * std::asin(std::sqrt(std::min(versine, 2.0) / 2)); }
+
+double RegionMap::min_transmission_angle(std::size_t cell) const { return angle_of_versine(versine_[cell]); }
+
+double RegionMap::min_transmission_angle_full_turn(std::size_t cell) const {
+  return angle_of_versine(full_versine_[cell]);
+}
+
+DriveSense RegionMap::drive_sense(std::size_t row, std::size_t column) const {
+  const std::size_t cell = index(row, column);
+  if (type(cell) == LinkageType::degenerate || !defects(cell).none()) return DriveSense::none;
+  return linkwright::drive_sense(senses_[row] & 1, senses_[row] & 2);
+}
+
+double RegionMap::driver_sweep(std::size_t row, std::size_t column) const {
+  const DriveSense sense = drive_sense(row, column);
+  if (sense == DriveSense::none) return 0;
+  const double ccw = static_cast<double>(sweep_ccw_[row]);
+  return sense == DriveSense::cw && ccw > 0 ? two_pi - ccw : ccw;
+}
+
+RegionCounts RegionMap::counts() const {
+  RegionCounts total;
+  std::mutex adding;
+  parallel_for(rows_, 0, [&](std::size_t begin, std::size_t end) {
+    std::array<std::int64_t, 80> of_code{};  // type · 8 + defects
+    for (std::size_t cell = begin * columns_; cell < end * columns_; ++cell)
+      ++of_code[static_cast<std::size_t>(type_[cell] * 8 + defects_[cell])];
+    for (std::size_t row = begin; row < end; ++row)
+      for (std::size_t column = 0; column < columns_; ++column)
+        if (is_diagonal(row, column)) --of_code[static_cast<std::size_t>(type_[index(row, column)] * 8)];
+    const std::lock_guard lock(adding);
+    for (std::size_t code = 0; code < of_code.size(); ++code) {
+      const std::int64_t n = of_code[code];
+      const Defects d{static_cast<std::uint8_t>(code % 8)};
+      const bool whole = code / 8 != static_cast<std::size_t>(LinkageType::degenerate);
+      total.types[code / 8] += n;
+      total.pairs += n;
+      total.order += d.order() ? n : 0;
+      total.branch += d.branch() ? n : 0;
+      total.circuit += d.circuit() ? n : 0;
+      total.defect_free += whole && d.none() ? n : 0;
+    }
+  });
+  return total;
+}
+
+}  // namespace linkwright

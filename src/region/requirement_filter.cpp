@@ -1,0 +1,130 @@
+#include "linkwright/region/requirement_filter.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <mutex>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/parallel.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::array<std::string_view, requirement_kinds> keys = {
+    "types",      "no_defects",           "min_transmission_angle_deg", "max_link_ratio",
+    "max_length", "ground_pivots_within", "moving_pivots_within"};
+
+constexpr std::uint8_t bit(RequirementKind kind) {
+  return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));
+}
+constexpr std::uint8_t all_failures = (1u << requirement_kinds) - 1;
+
+std::uint8_t box_failures(const Dyad& dyad, const Requirements& wanted, Point origin, double unit) {
+  const auto center = finite_point(dyad.center), circle = finite_point(dyad.circle);
+  const auto outside = [&](const std::optional<Box>& box, const std::optional<Point>& p) {
+    return box && !(p && box->contains(origin + unit * *p));
+  };
+  return static_cast<std::uint8_t>(
+      (outside(wanted.ground_pivots_within, center) ? bit(RequirementKind::ground_pivots_within) : 0) |
+      (outside(wanted.moving_pivots_within, circle) ? bit(RequirementKind::moving_pivots_within) : 0));
+}
+
+// A value with two digits at most, on the given side of `exact`.
+double rounded(double exact, bool upwards) {
+  if (!(exact > 0)) return 0;
+  const double step = std::pow(10, std::floor(std::log10(exact)) - 1);
+  return (upwards ? std::ceil(exact / step) : std::floor(exact / step)) * step;
+}
+
+}  // namespace
+
+std::string_view key(RequirementKind kind) { return keys[static_cast<std::size_t>(kind)]; }
+
+RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit)
+    : map_(&map), requirements_(requirements) {
+  assert(requirements.max_length);
+  for (std::size_t t = 0; t < type_wanted_.size(); ++t)
+    type_wanted_[t] = requirements.types.empty() || std::find(requirements.types.begin(), requirements.types.end(),
+                                                              static_cast<LinkageType>(t)) != requirements.types.end();
+  const double half = std::sin(requirements.min_transmission_angle / 2);
+  least_versine_ = static_cast<float>(2 * half * half);
+  largest_ratio_ = static_cast<float>(requirements.max_link_ratio);
+  largest_length_ = static_cast<float>(*requirements.max_length);
+  for (const Dyad& dyad : map.input_dyads())
+    input_box_failures_.push_back(box_failures(dyad, requirements, origin, unit));
+  for (const Dyad& dyad : map.output_dyads())
+    output_box_failures_.push_back(box_failures(dyad, requirements, origin, unit));
+}
+
+std::uint8_t RequirementFilter::failures(std::size_t row, std::size_t column) const {
+  const std::size_t cell = map_->index(row, column);
+  const LinkageType type = map_->type(cell);
+  if (type == LinkageType::degenerate) return all_failures;
+  unsigned failed = input_box_failures_[row] | output_box_failures_[column];
+  if (!type_wanted_[static_cast<std::size_t>(type)]) failed |= bit(RequirementKind::types);
+  if (requirements_.no_defects && !map_->defects(cell).none()) failed |= bit(RequirementKind::no_defects);
+  if (map_->transmission_versines()[cell] < least_versine_) failed |= bit(RequirementKind::min_transmission_angle);
+  if (map_->link_ratios()[cell] > largest_ratio_) failed |= bit(RequirementKind::max_link_ratio);
+  if (map_->longest_links()[cell] > largest_length_) failed |= bit(RequirementKind::max_length);
+  return static_cast<std::uint8_t>(failed);
+}
+
+RequirementCensus RequirementFilter::census() const {
+  RequirementCensus total;
+  std::mutex adding;
+  parallel_for(map_->rows(), 0, [&](std::size_t begin, std::size_t end) {
+    RequirementCensus part;
+    for (std::size_t row = begin; row < end; ++row)
+      for (std::size_t column = 0; column < map_->columns(); ++column)
+        if (map_->type(map_->index(row, column)) != LinkageType::degenerate) ++part.failing[failures(row, column)];
+    const std::lock_guard lock(adding);
+    for (std::size_t set = 0; set < part.failing.size(); ++set) total.failing[set] += part.failing[set];
+  });
+  total.meeting = total.failing[0];
+  return total;
+}
+
+double RequirementFilter::violated_value(RequirementKind kind, std::size_t cell) const {
+  switch (kind) {
+    case RequirementKind::min_transmission_angle:
+      return degrees(map_->min_transmission_angle(cell));
+    case RequirementKind::max_link_ratio:
+      return static_cast<double>(map_->link_ratios()[cell]);
+    case RequirementKind::max_length:
+      return static_cast<double>(map_->longest_links()[cell]);
+    default:
+      return 0;
+  }
+}
+
+std::vector<Relaxation> RequirementFilter::relaxations(const RequirementCensus& census) const {
+  std::vector<Relaxation> found;
+  std::array<std::vector<double>, requirement_kinds> values;
+  for (std::size_t row = 0; row < map_->rows(); ++row)
+    for (std::size_t column = 0; column < map_->columns(); ++column)
+      for (const RequirementKind kind :
+           {RequirementKind::min_transmission_angle, RequirementKind::max_link_ratio, RequirementKind::max_length})
+        if (failures(row, column) == bit(kind))
+          values[static_cast<std::size_t>(kind)].push_back(violated_value(kind, map_->index(row, column)));
+  for (std::size_t k = 0; k < requirement_kinds; ++k) {
+    const auto kind = static_cast<RequirementKind>(k);
+    if (census.failing_only(kind) == 0) continue;
+    Relaxation relaxation{kind, census.failing_only(kind), std::nullopt, census.meeting + census.failing_only(kind)};
+    if (!values[k].empty()) {
+      const bool is_angle = kind == RequirementKind::min_transmission_angle;
+      const auto [least, largest] = std::minmax_element(values[k].begin(), values[k].end());
+      const double value = is_angle ? rounded(*largest, false) : rounded(*least, true);
+      const auto freed = std::count_if(values[k].begin(), values[k].end(),
+                                       [&](double v) { return is_angle ? v >= value : v <= value; });
+      relaxation.value = is_angle ? radians(value) : value;
+      relaxation.leaves = census.meeting + freed;
+    }
+    found.push_back(relaxation);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Relaxation& a, const Relaxation& b) { return a.only_this > b.only_this; });
+  return found;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,80 @@
+#include "linkwright/region/best_cells.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "linkwright/planar/pose_conditions.hpp"
+#include "support/case_region.hpp"
+#include "support/planar_case.hpp"
+
+namespace linkwright {
+namespace {
+
+class BestCells : public ::testing::Test {
+ protected:
+  BestCells() { wanted.max_length = 5000; }
+  [[nodiscard]] double score(Objective objective, std::size_t cell) const {
+    return score_of(objective, static_cast<double>(map.transmission_versines()[cell]),
+                    static_cast<double>(map.link_ratios()[cell]), static_cast<double>(map.longest_links()[cell]));
+  }
+
+  std::vector<PrescribedPose> poses = testing::planar_case("landing_gear").poses;
+  WorkingFrame frame = pose_conditions(poses).frame;
+  RegionMap map = testing::region_of(poses, 250);
+  Requirements wanted;
+};
+
+constexpr std::array<Objective, 3> objectives = {Objective::min_transmission_angle, Objective::link_ratio,
+                                                 Objective::size};
+
+TEST_F(BestCells, FirstHillTopIsTheBestCellOfAll) {
+  const RequirementFilter filter(map, wanted, frame.origin, frame.scale);
+  for (const Objective objective : objectives) {
+    double best = -1e300;
+    for (std::size_t row = 0; row < map.rows(); ++row)
+      for (std::size_t column = 0; column < map.columns(); ++column)
+        if (filter.passes(row, column)) best = std::max(best, score(objective, map.index(row, column)));
+    const auto tops = hill_tops(map, filter, objective, 50);
+    ASSERT_FALSE(tops.empty());
+    EXPECT_EQ(tops[0].score, best) << name(objective);
+    EXPECT_TRUE(std::is_sorted(tops.begin(), tops.end(), [](auto a, auto b) { return a.score > b.score; }));
+  }
+}
+
+TEST_F(BestCells, NoNeighbourOfTheSameTypeIsBetter) {
+  const RequirementFilter filter(map, wanted, frame.origin, frame.scale);
+  for (const RankedCell& top : hill_tops(map, filter, Objective::min_transmission_angle, 1000)) {
+    EXPECT_TRUE(filter.passes(top.row, top.column));
+    for (std::size_t row = top.row - (top.row > 0); row <= std::min(top.row + 1, map.rows() - 1); ++row) {
+      const std::size_t other = map.index(row, top.column);
+      const bool same_branch =
+          std::floor(map.input_dyads()[row].coordinate) == std::floor(map.input_dyads()[top.row].coordinate);
+      if (!same_branch || !filter.passes(row, top.column)) continue;
+      if (map.type(other) != map.type(map.index(top.row, top.column))) continue;
+      EXPECT_LE(score(Objective::min_transmission_angle, other), top.score);
+    }
+  }
+}
+
+TEST_F(BestCells, AreAtMostAsManyAsAsked) {
+  const RequirementFilter filter(map, wanted, frame.origin, frame.scale);
+  EXPECT_EQ(hill_tops(map, filter, Objective::size, 1).size(), 1u);
+}
+
+TEST_F(BestCells, TilesHoldOneCellEach) {
+  const RequirementFilter filter(map, wanted, frame.origin, frame.scale);
+  const auto cells = tile_bests(map, filter, Objective::link_ratio, 10);
+  EXPECT_LE(cells.size(), 100u);
+  EXPECT_EQ(cells[0].score, hill_tops(map, filter, Objective::link_ratio, 1)[0].score);
+  for (const RankedCell& cell : cells) EXPECT_TRUE(filter.passes(cell.row, cell.column));
+}
+
+TEST_F(BestCells, NothingPassesNothingIsFound) {
+  wanted.max_length = 1e-3;
+  const RequirementFilter filter(map, wanted, frame.origin, frame.scale);
+  EXPECT_TRUE(hill_tops(map, filter, Objective::size, 10).empty());
+  EXPECT_TRUE(tile_bests(map, filter, Objective::size, 10).empty());
+}
+
+}  // namespace
+}  // namespace linkwright

@@ -1,0 +1,124 @@
+#include "linkwright/region/requirement_filter.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
+#include "support/case_region.hpp"
+#include "support/planar_case.hpp"
+
+namespace linkwright {
+namespace {
+
+class LandingGearFilter : public ::testing::Test {
+ protected:
+  LandingGearFilter() {
+    wanted.min_transmission_angle = radians(30);
+    wanted.max_link_ratio = 5;
+    wanted.max_length = 2000;
+    wanted.ground_pivots_within = Box{-2000, 2000, -2000, 2000};
+  }
+  [[nodiscard]] RequirementFilter filter() const { return {map, wanted, frame.origin, frame.scale}; }
+  [[nodiscard]] std::int64_t meeting() const { return filter().census().meeting; }
+
+  // Slowly and from the pivots.
+  [[nodiscard]] bool meets(std::size_t row, std::size_t column) const {
+    const Dyad a = map.input_dyads()[row], b = map.output_dyads()[column];
+    const auto p = finite_point(a.center), q = finite_point(a.circle), r = finite_point(b.center),
+               s = finite_point(b.circle);
+    if (row == column || !p || !q || !r || !s) return false;
+    const FourBar bars{frame.to_user(*p), frame.to_user(*q), frame.to_user(*r), frame.to_user(*s)};
+    const LinkLengths lengths = bars.lengths();
+    const DefectReport report = find_defects(bars, poses);
+    return report.defects.none() && std::acos(report.worst_transmission_cosine) >= wanted.min_transmission_angle &&
+           lengths.longest() <= wanted.max_link_ratio * lengths.shortest() && lengths.longest() <= *wanted.max_length &&
+           wanted.ground_pivots_within->contains(bars.input_center) &&
+           wanted.ground_pivots_within->contains(bars.output_center);
+  }
+
+  std::vector<PrescribedPose> poses = testing::planar_case("landing_gear").poses;
+  WorkingFrame frame = pose_conditions(poses).frame;
+  RegionMap map = testing::region_of(poses, 150);
+  Requirements wanted;
+};
+
+TEST_F(LandingGearFilter, PassesExactlyTheLinkagesThatMeetEverything) {
+  int differing = 0;
+  for (std::size_t row = 0; row < map.rows(); ++row)
+    for (std::size_t column = 0; column < map.columns(); ++column)
+      differing += filter().passes(row, column) != meets(row, column);
+  EXPECT_EQ(differing, 0);
+  EXPECT_GT(meeting(), 100);
+}
+
+TEST_F(LandingGearFilter, DroppingARequirementAddsWhatTheCensusPromised) {
+  const RequirementCensus census = filter().census();
+  const std::int64_t before = census.meeting;
+  const Requirements all = wanted;
+  wanted.min_transmission_angle = 0;
+  EXPECT_EQ(meeting() - before, census.failing_only(RequirementKind::min_transmission_angle));
+  wanted = all;
+  wanted.max_link_ratio = Requirements::unlimited;
+  EXPECT_EQ(meeting() - before, census.failing_only(RequirementKind::max_link_ratio));
+  wanted = all;
+  wanted.max_length = Requirements::unlimited;
+  EXPECT_EQ(meeting() - before, census.failing_only(RequirementKind::max_length));
+  wanted = all;
+  wanted.ground_pivots_within.reset();
+  EXPECT_EQ(meeting() - before, census.failing_only(RequirementKind::ground_pivots_within));
+}
+
+TEST_F(LandingGearFilter, CensusCountsEveryLinkageOnce) {
+  const RequirementCensus census = filter().census();
+  std::int64_t sum = 0;
+  for (const std::int64_t n : census.failing) sum += n;
+  const RegionCounts counts = map.counts();
+  EXPECT_EQ(sum, counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)]);
+}
+
+TEST_F(LandingGearFilter, TypesAreKeptOrDropped) {
+  wanted.types = {LinkageType::double_rocker};
+  const RequirementFilter only = filter();
+  for (std::size_t row = 0; row < map.rows(); ++row)
+    for (std::size_t column = 0; column < map.columns(); ++column) {
+      if (!only.passes(row, column)) continue;
+      EXPECT_EQ(map.type(map.index(row, column)), LinkageType::double_rocker);
+    }
+}
+
+TEST_F(LandingGearFilter, RelaxedValueLeavesWhatItPromises) {
+  wanted.min_transmission_angle = radians(89.9);
+  const RequirementFilter strict = filter();
+  const auto relaxed = strict.relaxations(strict.census());
+  ASSERT_FALSE(relaxed.empty());
+  EXPECT_EQ(relaxed[0].requirement, RequirementKind::min_transmission_angle);
+  ASSERT_TRUE(relaxed[0].value);
+  EXPECT_GT(relaxed[0].leaves, 0);
+  wanted.min_transmission_angle = *relaxed[0].value;
+  EXPECT_EQ(meeting(), relaxed[0].leaves);
+}
+
+TEST_F(LandingGearFilter, RelaxedLengthAndRatioLeaveWhatTheyPromise) {
+  wanted.max_length = 1;
+  for (const Relaxation& relaxation : filter().relaxations(filter().census())) {
+    if (relaxation.requirement != RequirementKind::max_length) continue;
+    Requirements looser = wanted;
+    looser.max_length = *relaxation.value;
+    const RequirementFilter after(map, looser, frame.origin, frame.scale);
+    EXPECT_EQ(after.census().meeting, relaxation.leaves);
+    EXPECT_GT(relaxation.leaves, 0);
+  }
+}
+
+TEST_F(LandingGearFilter, DegenerateCellsFailEverything) {
+  EXPECT_EQ(filter().failures(3, 3), (1u << requirement_kinds) - 1);
+}
+
+TEST(RequirementKind, HasTheKeyOfTheProblemFile) {
+  EXPECT_EQ(key(RequirementKind::min_transmission_angle), "min_transmission_angle_deg");
+  EXPECT_EQ(key(RequirementKind::moving_pivots_within), "moving_pivots_within");
+}
+
+}  // namespace
+}  // namespace linkwright

@@ -1,0 +1,62 @@
+#include "linkwright/region/requirements.hpp"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+std::string place_of_only_mistake(const Requirements& wanted) {
+  const auto found = mistakes_in(wanted);
+  return found.size() == 1 ? found[0].place : std::to_string(found.size()) + " mistakes";
+}
+
+TEST(Requirements, DefaultsAreFine) { EXPECT_TRUE(mistakes_in(Requirements{}).empty()); }
+
+TEST(Requirements, LimitsOutOfRangeAreNamed) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Requirements wanted;
+  for (const double bad : {-0.1, pi / 2, nan}) {
+    wanted = {};
+    wanted.min_transmission_angle = bad;
+    EXPECT_EQ(place_of_only_mistake(wanted), "requirements.min_transmission_angle_deg");
+  }
+  for (const double bad : {0.99, -1.0, nan}) {
+    wanted = {};
+    wanted.max_link_ratio = bad;
+    EXPECT_EQ(place_of_only_mistake(wanted), "requirements.max_link_ratio");
+  }
+  for (const double bad : {0.0, -5.0, nan}) {
+    wanted = {};
+    wanted.max_length = bad;
+    EXPECT_EQ(place_of_only_mistake(wanted), "requirements.max_length");
+  }
+}
+
+TEST(Requirements, ContradictionsAreNamed) {
+  Requirements wanted;
+  wanted.ground_pivots_within = Box{5, 1, 0, 1};
+  EXPECT_EQ(place_of_only_mistake(wanted), "requirements.ground_pivots_within.x");
+  wanted = {};
+  wanted.moving_pivots_within = Box{0, 1, 3, 2};
+  EXPECT_EQ(place_of_only_mistake(wanted), "requirements.moving_pivots_within.y");
+  wanted = {};
+  wanted.types = {LinkageType::degenerate};
+  EXPECT_EQ(place_of_only_mistake(wanted), "requirements.types");
+  wanted = {};
+  wanted.no_defects = false;
+  wanted.min_transmission_angle = 0.5;
+  EXPECT_EQ(place_of_only_mistake(wanted), "requirements.min_transmission_angle_deg");
+}
+
+TEST(Box, ContainsItsBorder) {
+  const Box box{0, 2, -1, 1};
+  EXPECT_TRUE(box.contains({0, -1}));
+  EXPECT_TRUE(box.contains({2, 1}));
+  EXPECT_FALSE(box.contains({2.0001, 0}));
+}
+
+}  // namespace
+}  // namespace linkwright
