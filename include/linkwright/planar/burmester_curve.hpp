@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "linkwright/algebra/circular_cubic.hpp"
+#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
+
+namespace linkwright {
+
+/// How samples are laid along the curve: equal steps of τ, or equal steps of the sum of the great-circle lengths
+/// run by the unit vectors of circle point and centre point.
+enum class Spacing { coordinate, arc_length };
+
+/// All dyads that satisfy three pose conditions, in order: the circle-point curve with, to each of its points,
+/// the partner on the centre-point curve (L. Burmester, Lehrbuch der Kinematik, 1888). Working frame throughout.
+///
+/// The circle-point curve's own branches come first. A component of the centre-point curve that belongs to a
+/// single circle point (where the conditions leave a whole line of centres) follows as a branch `center_line`,
+/// so that the list of dyads is complete for both curves. A component of the circle-point curve may likewise
+/// share one centre.
+class BurmesterCurve {
+ public:
+  /// `conditions` has three rows. Rank below three gives kind every_point and no branches.
+  explicit BurmesterCurve(const PoseConditions& conditions);
+
+  [[nodiscard]] CubicKind kind() const { return circle_curve_.kind(); }
+  [[nodiscard]] CubicKind center_kind() const { return center_curve_.kind(); }
+  [[nodiscard]] std::optional<double> kappa() const { return circle_curve_.kappa(); }
+  [[nodiscard]] const std::vector<CurveBranch>& branches() const { return branches_; }
+  [[nodiscard]] const CircularCubic& circle_curve() const { return circle_curve_; }
+  [[nodiscard]] const CircularCubic& center_curve() const { return center_curve_; }
+
+  /// End of the range of τ: a whole number of branches; 0 where every point is a circle point.
+  [[nodiscard]] double coordinate_length() const { return branches_.empty() ? 0 : branches_.back().to; }
+
+  /// The dyad at τ (taken modulo coordinate_length()), polished to |Zᵀ M C| ≈ 1e-16, unit vectors.
+  [[nodiscard]] Dyad dyad(double tau) const;
+
+  /// `count` coordinates: τᵢ = length·(i + ½)/count, or the same in arc length.
+  [[nodiscard]] std::vector<double> samples(int count, Spacing spacing) const;
+
+  /// Centre points that belong to a circle point, and the reverse: null vector of the conditions.
+  [[nodiscard]] Homogeneous center_of(Homogeneous circle) const;
+  [[nodiscard]] Homogeneous circle_of(Homogeneous center) const;
+
+  /// Largest |Zᵀ M C| over the conditions for unit Z and C.
+  [[nodiscard]] double residual(const Dyad& dyad) const;
+
+ private:
+  struct PartnerLine {
+    Homogeneous circle, from, to;  ///< centres from·cos πt + to·sin πt
+  };
+  void find_partner_lines();
+  [[nodiscard]] std::vector<double> evenly_by_length(int count) const;
+
+  std::array<Matrix3, 3> conditions_{};
+  CircularCubic circle_curve_, center_curve_;
+  std::vector<CurveBranch> branches_;
+  std::vector<PartnerLine> partner_lines_;
+};
+
+}  // namespace linkwright

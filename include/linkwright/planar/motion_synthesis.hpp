@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwright/analysis/defects.hpp"
+#include "linkwright/core/progress.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/planar/burmester_curve.hpp"
+#include "linkwright/planar/motion_task.hpp"
+#include "linkwright/region/best_cells.hpp"
+#include "linkwright/region/region_map.hpp"
+#include "linkwright/region/requirement_filter.hpp"
+#include "linkwright/region/requirements.hpp"
+
+namespace linkwright {
+
+/// Part of the region: intervals of τ of the input and of the output side link.
+struct RegionWindow {
+  std::array<double, 2> input{}, output{};
+};
+
+struct SynthesisOptions {
+  static constexpr int least_samples = 8, most_samples = 20'000, most_best = 1000;
+
+  int region_samples = 400;                                 ///< N of the N×N region
+  Spacing spacing = Spacing::coordinate;                    ///< of the samples along the curve
+  Objective objective = Objective::min_transmission_angle;  ///< largest angle, smallest ratio, smallest longest link
+  int best = 10;                                            ///< how many linkages, ≥ 0
+  std::optional<RegionWindow> window;                       ///< nothing: the whole region
+  RegionOptions region;
+};
+
+/// The caller's mistakes. Places are `options.…`.
+[[nodiscard]] std::vector<Error> mistakes_in(const SynthesisOptions& options);
+
+enum class SolutionStatus { solved, no_solution, degenerate };
+[[nodiscard]] std::string_view name(SolutionStatus status);
+[[nodiscard]] std::string_view name(Spacing spacing);
+
+struct Warning {
+  std::string code;     ///< e.g. ill_conditioned
+  std::string message;  ///< one sentence with the way out
+};
+
+/// A four-bar found, fixed frame, user's unit, checked in user coordinates.
+struct FourBarSolution {
+  Dyad input, output;                              ///< fixed frame; circle points in position 1
+  double input_residual = 0, output_residual = 0;  ///< worst relative change of the side link's length over the poses
+  FourBar four_bar;
+  LinkLengths lengths;
+  DefectReport report;               ///< type, defects, drive sense, transmission angle, sweep
+  DefectReport swapped;              ///< the same bars driven from the other side
+  double residual = 0;               ///< the larger of the two side links' residuals
+  bool local_optimum = false;        ///< refined to the top of its hill; otherwise a distinct linkage beside those
+  bool verified_by_driving = false;  ///< drive_through confirms the defects
+};
+
+/// Everything found for a four-position task.
+struct MotionSolution {
+  SolutionStatus status = SolutionStatus::solved;
+  std::string reason;  ///< a sentence; always set
+  std::string pattern;
+  PoseConditions conditions;
+  std::vector<Warning> warnings;
+  std::shared_ptr<const BurmesterCurve> curve;
+  std::vector<Dyad> samples;  ///< of the curve, fixed frame, by rising τ
+  RegionMap region;
+  RegionCounts counts;
+  Requirements requirements;              ///< as used: defaults filled in
+  SynthesisOptions options;               ///< as used
+  std::int64_t meeting_requirements = 0;  ///< cells
+  std::vector<FourBarSolution> linkages;  ///< best first
+  std::vector<Relaxation> relax;          ///< when no linkage meets the requirements, dearest first
+};
+
+/// All four-bars that guide a body through four finite poses.
+[[nodiscard]] Result<MotionSolution> solve_motion(const MotionTask& task, const Requirements& requirements,
+                                                  const SynthesisOptions& options, const Progress& progress = {});
+
+/// The four-bar of two dyads of a task (fixed frame), analysed, its residuals in user coordinates; with
+/// `verify`, driven through as well. Nothing where a pivot is at infinity (to `frame`) or a link has no length.
+[[nodiscard]] std::optional<FourBarSolution> make_four_bar(const MotionTask& task, const WorkingFrame& frame,
+                                                           const Dyad& input, const Dyad& output,
+                                                           bool respect_direction, bool verify);
+
+}  // namespace linkwright

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "linkwright/algebra/homogeneous.hpp"
+#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/pose.hpp"
+
+namespace linkwright {
+
+/// The frame in which the solvers work: origin at the moving frame's origin in position 1, directions as in
+/// the fixed frame, lengths divided by the characteristic length L = rms|a| / rms|1 − r| over the condition
+/// rows (a typical pole distance), so that answers do not depend on where the drawing lies or how big it is.
+struct WorkingFrame {
+  Point origin{};
+  double scale = 1;  ///< L, user's unit
+
+  [[nodiscard]] Point to_user(Point p) const { return origin + scale * p; }
+  [[nodiscard]] Point to_working(Point p) const { return (p - origin) / scale; }
+  [[nodiscard]] Homogeneous to_user(Homogeneous p) const;
+  [[nodiscard]] Homogeneous to_working(Homogeneous p) const;
+  [[nodiscard]] Dyad to_user(const Dyad& dyad) const;
+  /// The finite point of a homogeneous one in the fixed frame; nothing where it is at infinity, which is judged in the
+  /// working frame.
+  [[nodiscard]] std::optional<Point> finite_user_point(Homogeneous user) const;
+  [[nodiscard]] std::vector<PrescribedPose> to_working(const std::vector<PrescribedPose>& poses) const;
+};
+
+/// What the task asks of a dyad (circle point Z, centre point C, working frame): Zᵀ M C = 0 for every M.
+/// With Z(t) = a + r z the moved circle point, the condition |Z(t) − C|² = const and its derivatives are
+/// bilinear in the homogeneous Z and C; n positions, each counted with its multiplicity, give n − 1 of them.
+struct PoseConditions {
+  WorkingFrame frame;
+  std::vector<Matrix3> rows;  ///< orthonormal (as 9-vectors) basis of the conditions, by falling singular value
+  std::vector<double> singular_values;
+  int rank = 0;                    ///< rows that are independent to tolerance::dependent_rows
+  bool only_translations = false;  ///< all poses are parallel
+
+  /// Largest over smallest singular value; above tolerance::ill_conditioned the poses are too close for the arithmetic.
+  [[nodiscard]] double condition() const;
+};
+
+/// Conditions of any pattern of positions (docs/theory/planar.md, section 2). At least two positions.
+[[nodiscard]] PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses);
+
+}  // namespace linkwright

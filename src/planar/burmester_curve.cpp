@@ -1,0 +1,192 @@
+#include "linkwright/planar/burmester_curve.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
+
+namespace linkwright {
+namespace {
+
+std::array<Matrix3, 3> first_three(const std::vector<Matrix3>& rows) {
+  assert(rows.size() == 3);
+  return {rows[0], rows[1], rows[2]};
+}
+
+std::array<Matrix3, 3> transposed(const std::array<Matrix3, 3>& m) {
+  return {linkwright::transposed(m[0]), linkwright::transposed(m[1]), linkwright::transposed(m[2])};
+}
+
+// Rank below three leaves more than a curve: every point.
+PlaneCubic cubic_of(const PoseConditions& conditions, bool of_centers) {
+  if (conditions.rank < 3) return {};
+  const auto rows = first_three(conditions.rows);
+  return determinant_cubic(of_centers ? transposed(rows) : rows);
+}
+
+std::array<Homogeneous, 3> dyad_system(const std::array<Matrix3, 3>& conditions, Homogeneous circle) {
+  return {circle * conditions[0], circle * conditions[1], circle * conditions[2]};
+}
+
+// The vector that the three rows annihilate best: the longest of the cross products of their directions.
+Homogeneous null_vector(std::array<Homogeneous, 3> rows) {
+  for (Homogeneous& row : rows) row = normalized(row);
+  const std::array<Homogeneous, 3> products = {cross(rows[0], rows[1]), cross(rows[1], rows[2]),
+                                               cross(rows[2], rows[0])};
+  return normalized(*std::max_element(products.begin(), products.end(),
+                                      [](Homogeneous a, Homogeneous b) { return dot(a, a) < dot(b, b); }));
+}
+
+Homogeneous without_component(Homogeneous v, Homogeneous unit) { return v - dot(v, unit) * unit; }
+
+// One step of least length towards Zᵀ M_k C = 0 on the unit spheres. False where the three conditions do not
+// determine it (a whole line of partners): the pair stays as it is.
+bool newton_step(const std::array<Matrix3, 3>& conditions, Homogeneous& circle, Homogeneous& center) {
+  std::array<Homogeneous, 3> by_circle, by_center;
+  std::array<double, 3> residual;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Homogeneous mc = conditions[k] * center, zm = circle * conditions[k];
+    residual[k] = dot(circle, mc);
+    by_circle[k] = without_component(mc, circle);
+    by_center[k] = without_component(zm, center);
+  }
+  Matrix3 gram;
+  const auto inner = [&](std::size_t i, std::size_t j) {
+    return dot(by_circle[i], by_circle[j]) + dot(by_center[i], by_center[j]);
+  };
+  for (std::size_t i = 0; i < 3; ++i) gram.row[i] = {inner(i, 0), inner(i, 1), inner(i, 2)};
+  const double volume = determinant(gram.row[0], gram.row[1], gram.row[2]);
+  if (!(volume > tolerance::dependent_rows)) return false;
+  const Homogeneous r{residual[0], residual[1], residual[2]};
+  const Homogeneous weight{determinant(r, gram.row[1], gram.row[2]) / volume,
+                           determinant(gram.row[0], r, gram.row[2]) / volume,
+                           determinant(gram.row[0], gram.row[1], r) / volume};
+  circle = normalized(circle - (weight.w * by_circle[0] + weight.x * by_circle[1] + weight.y * by_circle[2]));
+  center = normalized(center - (weight.w * by_center[0] + weight.x * by_center[1] + weight.y * by_center[2]));
+  return true;
+}
+
+double great_circle(Homogeneous a, Homogeneous b) { return std::atan2(norm(cross(a, b)), std::abs(dot(a, b))); }
+
+// Length run by both unit vectors together.
+double run_between(const Dyad& a, const Dyad& b) {
+  return great_circle(a.circle, b.circle) + great_circle(a.center, b.center);
+}
+
+}  // namespace
+
+BurmesterCurve::BurmesterCurve(const PoseConditions& conditions)
+    : conditions_(first_three(conditions.rows)),
+      circle_curve_(cubic_of(conditions, false)),
+      center_curve_(cubic_of(conditions, true)),
+      branches_(circle_curve_.branches()) {
+  if (kind() != CubicKind::every_point) find_partner_lines();
+}
+
+void BurmesterCurve::find_partner_lines() {
+  const double first = coordinate_length();
+  for (const Homogeneous circle : circle_curve_.double_points()) {
+    const auto rows = dyad_system(conditions_, circle);
+    const Homogeneous longest =
+        *std::max_element(rows.begin(), rows.end(), [](Homogeneous a, Homogeneous b) { return dot(a, a) < dot(b, b); });
+    double independent = 0;
+    for (const Homogeneous row : rows) independent = std::max(independent, norm(cross(row, normalized(longest))));
+    if (independent > tolerance::line_of_partners) continue;
+    const Homogeneous line = normalized(longest);
+    const double direction = std::hypot(line.x, line.y);
+    const Homogeneous from = direction > tolerance::line_of_partners
+                                 ? Homogeneous{0, -line.y / direction, line.x / direction}
+                                 : Homogeneous{0, 1, 0};
+    partner_lines_.push_back({circle, from, normalized(cross(line, from))});
+    const double begin = first + static_cast<double>(partner_lines_.size()) - 1;
+    branches_.push_back({"center_line", begin, begin + 1});
+  }
+}
+
+Homogeneous BurmesterCurve::center_of(Homogeneous circle) const {
+  return null_vector(dyad_system(conditions_, circle));
+}
+
+Homogeneous BurmesterCurve::circle_of(Homogeneous center) const {
+  return null_vector(dyad_system(transposed(conditions_), center));
+}
+
+Dyad BurmesterCurve::dyad(double tau) const {
+  assert(coordinate_length() > 0);
+  // The end itself is a coordinate: that of an isolated point.
+  const bool inside = tau >= 0 && tau <= coordinate_length();
+  const double on_curve = inside ? tau : wrap_period(tau, coordinate_length());
+  const double own_length = coordinate_length() - static_cast<double>(partner_lines_.size());
+  if (on_curve >= own_length && !partner_lines_.empty()) {
+    const auto which = std::min(static_cast<std::size_t>(on_curve - own_length), partner_lines_.size() - 1);
+    const PartnerLine& line = partner_lines_[which];
+    const double t = pi * (on_curve - own_length - static_cast<double>(which));
+    return {std::cos(t) * line.from + std::sin(t) * line.to, line.circle, on_curve};
+  }
+  Homogeneous circle = circle_curve_.point(on_curve);
+  Homogeneous center = center_of(circle);
+  for (int step = 0; step < 2; ++step)
+    if (!newton_step(conditions_, circle, center)) break;
+  return {center, circle, on_curve};
+}
+
+double BurmesterCurve::residual(const Dyad& dyad) const {
+  const Homogeneous circle = normalized(dyad.circle), center = normalized(dyad.center);
+  double worst = 0;
+  for (const Matrix3& m : conditions_) worst = std::max(worst, std::abs(dot(circle, m * center)));
+  return worst;
+}
+
+std::vector<double> BurmesterCurve::samples(int count, Spacing spacing) const {
+  assert(count > 0);
+  if (coordinate_length() == 0) return {};
+  if (spacing == Spacing::arc_length) return evenly_by_length(count);
+  std::vector<double> coordinates;
+  for (int i = 0; i < count; ++i) coordinates.push_back(coordinate_length() * (i + 0.5) / count);
+  return coordinates;
+}
+
+std::vector<double> BurmesterCurve::evenly_by_length(int count) const {
+  // A polygon fine enough that linear interpolation along a side is exact to the eye and far below a sample's step.
+  constexpr int first_sides = 256, deepest = 24;
+  constexpr double longest_side = 2e-3;
+  std::vector<double> tau, run;
+  double total = 0;
+  for (const CurveBranch& branch : branches_) {
+    if (branch.from == branch.to) continue;
+    // The end of a branch is its beginning: stop just short of it, or the next branch's beginning is met.
+    const double step = (branch.to - branch.from) / first_sides, last = std::nextafter(branch.to, branch.from);
+    Dyad at = dyad(branch.from);
+    tau.push_back(at.coordinate);
+    run.push_back(total);
+    for (int side = 1; side <= first_sides; ++side) {
+      std::vector<Dyad> ahead = {dyad(side == first_sides ? last : branch.from + side * step)};
+      while (!ahead.empty()) {
+        const double length = run_between(at, ahead.back()), width = ahead.back().coordinate - at.coordinate;
+        if (length > longest_side && width > step * std::ldexp(1.0, -deepest)) {
+          ahead.push_back(dyad(at.coordinate + width / 2));
+          continue;
+        }
+        total += length;
+        at = ahead.back();
+        ahead.pop_back();
+        tau.push_back(at.coordinate);
+        run.push_back(total);
+      }
+    }
+  }
+  std::vector<double> coordinates;
+  std::size_t side = 1;
+  for (int i = 0; i < count; ++i) {
+    const double wanted = total * (i + 0.5) / count;
+    while (side + 1 < run.size() && run[side] < wanted) ++side;
+    const double width = run[side] - run[side - 1];
+    const double share = width > 0 ? (wanted - run[side - 1]) / width : 0.5;
+    coordinates.push_back(tau[side - 1] + share * (tau[side] - tau[side - 1]));
+  }
+  return coordinates;
+}
+
+}  // namespace linkwright

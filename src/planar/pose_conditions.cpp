@@ -1,0 +1,152 @@
+#include "linkwright/planar/pose_conditions.hpp"
+
+#include <Eigen/SVD>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "linkwright/core/tolerance.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::array<std::array<double, 5>, 5> binomial = {
+    {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}}};
+
+// 1 − e^{iφ} through the half angle: exact for small turns.
+Point one_minus_direction(double phi) { return Point{0, -2 * std::sin(phi / 2)} * direction(phi / 2); }
+
+// The displacement from position 1 and its derivatives: Z(t) = a(t) + r(t) z, q = 1 − r; index = order of derivative.
+struct Displacement {
+  std::vector<Point> a, r, q;
+};
+
+Displacement displacement(const Pose& from, const PrescribedPose& to) {
+  const std::size_t orders = to.derivatives.size() + 1;
+  assert(orders <= binomial.size());
+  Displacement d;
+  const double phi = to.pose.angle - from.angle;
+  d.a.push_back(to.pose.origin - from.origin);
+  d.r.push_back(direction(phi));
+  d.q.push_back(one_minus_direction(phi));
+  // r' = iθ'r, differentiated by the product rule.
+  for (std::size_t m = 0; m + 1 < orders; ++m) {
+    Point sum = 0;
+    for (std::size_t k = 0; k <= m; ++k) sum += binomial[m][k] * to.derivatives[k].angle * d.r[m - k];
+    d.r.push_back(Point{0, 1} * sum);
+    d.a.push_back(to.derivatives[m].origin);
+    d.q.push_back(-d.r.back());
+  }
+  return d;
+}
+
+// m-th derivative of the matrix M of f = (|Z(t) − C|² − |z − C|²)/2 = Zᵀ M C.
+Matrix3 condition_matrix(const Displacement& d, std::size_t m) {
+  Point b = 0;
+  double k = 0;
+  for (std::size_t i = 0; i <= m; ++i) {
+    b += binomial[m][i] * d.r[i] * std::conj(d.a[m - i]);
+    k += binomial[m][i] * dot(d.a[i], d.a[m - i]) / 2;
+  }
+  const Point a = d.a[m], q = d.q[m];
+  return {{{{k, -a.real(), -a.imag()}, {b.real(), q.real(), q.imag()}, {-b.imag(), -q.imag(), q.real()}}}};
+}
+
+double root_mean_square(const std::vector<Point>& values) {
+  double sum = 0;
+  for (const Point v : values) sum += std::norm(v);
+  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// Position 1 itself is no condition; its derivatives are.
+std::size_t first_order(std::size_t pose) { return pose == 0 ? 1 : 0; }
+
+struct Lengths {
+  double a = 0, q = 0;
+};
+
+Lengths typical_lengths(const std::vector<PrescribedPose>& poses) {
+  std::vector<Point> a, q;
+  for (std::size_t j = 0; j < poses.size(); ++j) {
+    const Displacement d = displacement(poses.front().pose, poses[j]);
+    for (std::size_t m = first_order(j); m < d.a.size(); ++m) {
+      a.push_back(d.a[m]);
+      q.push_back(d.q[m]);
+    }
+  }
+  return {root_mean_square(a), root_mean_square(q)};
+}
+
+// Unit rows, so that the singular values tell how the conditions lie to each other and not how long the moves are.
+Eigen::MatrixXd stacked_rows(const std::vector<PrescribedPose>& poses) {
+  Eigen::MatrixXd rows(position_count(poses) - 1, 9);
+  int row = 0;
+  for (std::size_t j = 0; j < poses.size(); ++j) {
+    const Displacement d = displacement(poses.front().pose, poses[j]);
+    for (std::size_t m = first_order(j); m < d.a.size(); ++m, ++row) {
+      const Matrix3 matrix = condition_matrix(d, m);
+      for (int i = 0; i < 3; ++i) {
+        const Homogeneous& r = matrix.row[static_cast<std::size_t>(i)];
+        rows.block<1, 3>(row, 3 * i) << r.w, r.x, r.y;
+      }
+      rows.row(row).normalize();
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+Homogeneous WorkingFrame::to_user(Homogeneous p) const {
+  const Point v = scale * p.vector() + p.w * origin;
+  return {p.w, v.real(), v.imag()};
+}
+
+Homogeneous WorkingFrame::to_working(Homogeneous p) const {
+  const Point v = (p.vector() - p.w * origin) / scale;
+  return {p.w, v.real(), v.imag()};
+}
+
+Dyad WorkingFrame::to_user(const Dyad& dyad) const {
+  return {to_user(dyad.center), to_user(dyad.circle), dyad.coordinate};
+}
+
+std::optional<Point> WorkingFrame::finite_user_point(Homogeneous user) const {
+  const auto point = finite_point(to_working(user));
+  return point ? std::optional(to_user(*point)) : std::nullopt;
+}
+
+std::vector<PrescribedPose> WorkingFrame::to_working(const std::vector<PrescribedPose>& poses) const {
+  std::vector<PrescribedPose> result = poses;
+  for (PrescribedPose& pose : result) {
+    pose.pose.origin = to_working(pose.pose.origin);
+    for (PoseDerivative& derivative : pose.derivatives) derivative.origin /= scale;
+  }
+  return result;
+}
+
+double PoseConditions::condition() const {
+  return singular_values.empty() ? 1 : singular_values.front() / singular_values.back();
+}
+
+PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses) {
+  assert(position_count(poses) >= 2);
+  PoseConditions conditions;
+  const Lengths typical = typical_lengths(poses);
+  conditions.only_translations = typical.q < tolerance::pure_translation;
+  const double scale = conditions.only_translations ? typical.a : typical.a / typical.q;
+  conditions.frame = {poses.front().pose.origin, scale > 0 ? scale : 1};
+
+  const Eigen::MatrixXd rows = stacked_rows(conditions.frame.to_working(poses));
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
+  for (int k = 0; k < rows.rows(); ++k) {
+    const Eigen::VectorXd v = svd.matrixV().col(k);
+    conditions.rows.push_back({{{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}}}});
+    const double value = svd.singularValues()[k];
+    conditions.singular_values.push_back(value);
+    if (value >= tolerance::dependent_rows * svd.singularValues()[0]) ++conditions.rank;
+  }
+  return conditions;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,124 @@
+// What must not change the answer: where the drawing lies, how big it is, which of the two side links is named first.
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/planar/motion_synthesis.hpp"
+#include "support/case_region.hpp"
+#include "support/random_task.hpp"
+
+namespace linkwright {
+namespace {
+
+SynthesisOptions small() {
+  SynthesisOptions options;
+  options.region_samples = 60;
+  options.best = 3;
+  return options;
+}
+
+MotionSolution solved(const std::vector<PrescribedPose>& poses) {
+  auto result = solve_motion({poses}, {}, small());
+  EXPECT_TRUE(result.ok());
+  return std::move(result).value();
+}
+
+// Cells whose verdict rounding may turn.
+constexpr std::int64_t borderline_cells = 6;
+
+void expect_same_counts(const RegionCounts& a, const RegionCounts& b) {
+  for (std::size_t type = 0; type < a.types.size(); ++type)
+    EXPECT_LE(std::abs(a.types[type] - b.types[type]), borderline_cells);
+  EXPECT_LE(std::abs(a.defect_free - b.defect_free), borderline_cells);
+  EXPECT_LE(std::abs(a.circuit - b.circuit), borderline_cells);
+  EXPECT_LE(std::abs(a.branch - b.branch), borderline_cells);
+}
+
+TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapAndMoveTheLinkages) {
+  std::mt19937_64 random(99);
+  for (int trial = 0; trial < 25; ++trial) {
+    const auto poses = testing::random_poses(random);
+    const MotionSolution before = solved(poses);
+    for (const double scale : {1e-6, 1.0, 1e6}) {
+      const double angle = testing::uniform(random, -pi, pi);
+      const Point shift = scale * Point{testing::uniform(random, -50, 50), testing::uniform(random, -50, 50)};
+      const MotionSolution after = solved(testing::moved(poses, scale, angle, shift));
+      EXPECT_NEAR(*before.curve->kappa(), *after.curve->kappa(), 1e-8);
+      EXPECT_NEAR(before.conditions.condition() / after.conditions.condition(), 1, 1e-8);
+      expect_same_counts(before.counts, after.counts);
+      ASSERT_EQ(before.linkages.empty(), after.linkages.empty());
+      if (before.linkages.empty()) continue;
+      const FourBarSolution &a = before.linkages[0], &b = after.linkages[0];
+      EXPECT_NEAR(a.report.worst_transmission_cosine, b.report.worst_transmission_cosine, 1e-6);
+      EXPECT_NEAR(b.lengths.ground / (scale * a.lengths.ground), 1, 1e-3);
+      EXPECT_NEAR(
+          std::abs(b.four_bar.input_center - (scale * direction(angle) * a.four_bar.input_center + shift)) / scale, 0,
+          1e-3 * (1 + std::abs(a.four_bar.input_center)));
+    }
+  }
+}
+
+TEST(InvarianceLaw, ACellAndItsMirrorAreTheSameBarsDrivenFromTheOtherSide) {
+  const auto swapped = [](LinkageType type) {
+    switch (type) {
+      case LinkageType::crank_rocker:
+        return LinkageType::rocker_crank;
+      case LinkageType::rocker_crank:
+        return LinkageType::crank_rocker;
+      case LinkageType::triple_rocker_input:
+        return LinkageType::triple_rocker_output;
+      case LinkageType::triple_rocker_output:
+        return LinkageType::triple_rocker_input;
+      default:
+        return type;
+    }
+  };
+  std::mt19937_64 random(98);
+  for (int trial = 0; trial < 20; ++trial) {
+    const RegionMap map = testing::region_of(testing::random_poses(random), 70);
+    for (std::size_t row = 0; row < map.rows(); ++row)
+      for (std::size_t column = 0; column < row; ++column) {
+        const std::size_t cell = map.index(row, column), mirror = map.index(column, row);
+        EXPECT_EQ(map.type(cell), swapped(map.type(mirror)));
+        EXPECT_EQ(map.defects(cell).circuit(), map.defects(mirror).circuit());
+        EXPECT_EQ(map.link_ratios()[cell], map.link_ratios()[mirror]);
+        EXPECT_EQ(map.longest_links()[cell], map.longest_links()[mirror]);
+      }
+  }
+}
+
+TEST(InvarianceLaw, WholeTurnsAddedToAPoseChangeNothing) {
+  std::mt19937_64 random(97);
+  auto poses = testing::random_poses(random);
+  const MotionSolution before = solved(poses);
+  poses[1].pose.angle += two_pi;
+  poses[3].pose.angle -= 2 * two_pi;
+  expect_same_counts(before.counts, solved(poses).counts);
+}
+
+TEST(InvarianceLaw, VisitingThePosesBackwardsTurnsTheDriveRound) {
+  // The curve of dyads is the same set; only circle points are told in another position.
+  std::mt19937_64 random(96);
+  for (int trial = 0; trial < 10; ++trial) {
+    auto poses = testing::random_poses(random);
+    const MotionSolution forwards = solved(poses);
+    std::reverse(poses.begin(), poses.end());
+    const MotionTask backwards{poses};
+    for (const FourBarSolution& linkage : forwards.linkages) {
+      const FourBar& f = linkage.four_bar;
+      const Pose &first = poses.back().pose, &last = poses.front().pose;
+      const FourBar from_last{f.input_center, displaced(f.input_circle, first, last), f.output_center,
+                              displaced(f.output_circle, first, last)};
+      const DefectReport report = find_defects(from_last, poses);
+      EXPECT_EQ(report.type, linkage.report.type);
+      EXPECT_EQ(report.defects, linkage.report.defects);
+      EXPECT_NEAR(report.sweep, linkage.report.sweep, 1e-9);
+      EXPECT_NE(report.sense, linkage.report.sense);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace linkwright

@@ -1,0 +1,266 @@
+#include "linkwright/planar/motion_synthesis.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "linkwright/core/angle.hpp"
+#include "support/planar_case.hpp"
+#include "support/random_task.hpp"
+
+namespace linkwright {
+namespace {
+
+MotionTask tailgate() {
+  MotionTask task;
+  for (const Pose& pose : {Pose{{0, 0}, 0}, Pose{{-125, 75}, radians(-25)}, Pose{{-220, 220}, radians(-52)},
+                           Pose{{-220, 450}, radians(-82)}})
+    task.poses.push_back({pose, {}});
+  return task;
+}
+
+Requirements tailgate_requirements() {
+  Requirements wanted;
+  wanted.min_transmission_angle = radians(30);
+  wanted.max_link_ratio = 8;
+  wanted.max_length = 450;
+  wanted.ground_pivots_within = Box{70, 430, 270, 410};
+  wanted.moving_pivots_within = Box{-60, 200, 90, 380};
+  return wanted;
+}
+
+MotionSolution solved(const MotionTask& task, const Requirements& wanted = {}, const SynthesisOptions& options = {}) {
+  auto result = solve_motion(task, wanted, options);
+  EXPECT_TRUE(result.ok());
+  return std::move(result).value();
+}
+
+double transmission_angle(const FourBarSolution& linkage) {
+  return std::acos(linkage.report.worst_transmission_cosine);
+}
+
+TEST(SolveMotion, TailgateHasItsKnownMap) {
+  const MotionSolution solution = solved(tailgate(), tailgate_requirements());
+  EXPECT_EQ(solution.status, SolutionStatus::solved);
+  EXPECT_EQ(solution.pattern, "P-P-P-P");
+  EXPECT_EQ(solution.curve->kind(), CubicKind::two_branches);
+  EXPECT_NEAR(*solution.curve->kappa(), 0.0021, 5e-5);
+  EXPECT_NEAR(solution.conditions.condition(), 86, 0.5);
+  EXPECT_EQ(solution.counts.pairs, 159'600);
+  // Two independent implementations count 97 478; one cell is a change point to 5e-10, which we stop at.
+  EXPECT_NEAR(static_cast<double>(solution.counts.defect_free), 97'478, 1);
+  EXPECT_EQ(solution.meeting_requirements, 25'608);
+}
+
+TEST(SolveMotion, TailgateHasTheLinkageOfTheMap) {
+  // A cell computed elsewhere: τ = (1.3125, 1.1125), lengths to a hundredth.
+  const MotionTask task = tailgate();
+  const MotionSolution solution = solved(task);
+  const WorkingFrame& frame = solution.conditions.frame;
+  const auto linkage = make_four_bar(task, frame, frame.to_user(solution.curve->dyad(1.3125)),
+                                     frame.to_user(solution.curve->dyad(1.1125)), true, true);
+  ASSERT_TRUE(linkage);
+  EXPECT_EQ(linkage->report.type, LinkageType::triple_rocker_output);
+  EXPECT_NEAR(degrees(transmission_angle(*linkage)), 73.5, 0.05);
+  EXPECT_NEAR(linkage->lengths.ground, 65.03, 0.005);
+  EXPECT_NEAR(linkage->lengths.input, 211.05, 0.005);
+  EXPECT_NEAR(linkage->lengths.coupler, 53.92, 0.005);
+  EXPECT_NEAR(linkage->lengths.output, 255.90, 0.005);
+  EXPECT_TRUE(linkage->verified_by_driving);
+}
+
+TEST(SolveMotion, LinkagesMeetTheRequirementsAndAreChecked) {
+  const Requirements wanted = tailgate_requirements();
+  for (const Objective objective : {Objective::min_transmission_angle, Objective::link_ratio, Objective::size}) {
+    SynthesisOptions options;
+    options.objective = objective;
+    const MotionSolution solution = solved(tailgate(), wanted, options);
+    ASSERT_EQ(solution.linkages.size(), 10u) << name(objective);
+    double before = 1e300;
+    for (const FourBarSolution& linkage : solution.linkages) {
+      EXPECT_TRUE(linkage.verified_by_driving);
+      EXPECT_TRUE(linkage.report.defects.none());
+      EXPECT_LT(linkage.residual, 1e-12);
+      EXPECT_GE(transmission_angle(linkage), wanted.min_transmission_angle);
+      const double ratio = linkage.lengths.longest() / linkage.lengths.shortest();
+      EXPECT_LE(ratio, wanted.max_link_ratio);
+      EXPECT_LE(linkage.lengths.longest(), *wanted.max_length * (1 + 1e-12));
+      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.input_center));
+      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.output_center));
+      EXPECT_TRUE(wanted.moving_pivots_within->contains(linkage.four_bar.input_circle));
+      EXPECT_TRUE(wanted.moving_pivots_within->contains(linkage.four_bar.output_circle));
+      const double score =
+          score_of(objective, 1 - linkage.report.worst_transmission_cosine, ratio, linkage.lengths.longest());
+      EXPECT_LE(score, before);
+      before = score;
+    }
+  }
+}
+
+TEST(SolveMotion, BestIsAtLeastAsGoodAsTheBestCellAndAFinerMap) {
+  const MotionSolution coarse = solved(tailgate(), tailgate_requirements());
+  SynthesisOptions fine;
+  fine.region_samples = 1600;
+  const MotionSolution finer = solved(tailgate(), tailgate_requirements(), fine);
+  const auto best_cell = [](const MotionSolution& s) {
+    const RequirementFilter filter(s.region, s.requirements, s.conditions.frame.origin, s.conditions.frame.scale);
+    return angle_of_versine(hill_tops(s.region, filter, Objective::min_transmission_angle, 1)[0].score);
+  };
+  EXPECT_GE(transmission_angle(coarse.linkages[0]), best_cell(coarse) - 1e-6);
+  EXPECT_GE(transmission_angle(coarse.linkages[0]), best_cell(finer) - 1e-4);
+  EXPECT_NEAR(transmission_angle(coarse.linkages[0]), transmission_angle(finer.linkages[0]), 1e-4);
+}
+
+double pivots_apart(const FourBar& a, const FourBar& b) {
+  return std::max({std::abs(a.input_center - b.input_center), std::abs(a.input_circle - b.input_circle),
+                   std::abs(a.output_center - b.output_center), std::abs(a.output_circle - b.output_circle)});
+}
+
+TEST(SolveMotion, LinkagesAreDistinctAndAppearOnceWhicheverSideDrives) {
+  SynthesisOptions options;
+  options.best = 40;
+  const MotionSolution solution = solved(tailgate(), {}, options);
+  const double least = 1e-2 * solution.conditions.frame.scale;
+  for (std::size_t i = 0; i < solution.linkages.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_GT(pivots_apart(solution.linkages[i].four_bar, solution.linkages[j].four_bar), least);
+      EXPECT_GT(pivots_apart(solution.linkages[i].four_bar, solution.linkages[j].four_bar.swapped()), least);
+    }
+  for (const FourBarSolution& linkage : solution.linkages) {
+    if (!linkage.swapped.defects.none()) continue;
+    EXPECT_LE(linkage.report.worst_transmission_cosine, linkage.swapped.worst_transmission_cosine);
+  }
+}
+
+TEST(SolveMotion, SizeLimitIsTenCharacteristicLengthsUnlessSwitchedOff) {
+  const MotionSolution limited = solved(tailgate());
+  EXPECT_EQ(limited.requirements.max_length, 10 * limited.conditions.frame.scale);
+  Requirements unlimited;
+  unlimited.max_length = Requirements::unlimited;
+  unlimited.max_link_ratio = Requirements::unlimited;
+  EXPECT_GT(solved(tailgate(), unlimited).meeting_requirements, limited.meeting_requirements);
+}
+
+TEST(SolveMotion, SaysWhichRequirementCostsMostWhenNothingIsLeft) {
+  Requirements wanted = tailgate_requirements();
+  wanted.min_transmission_angle = radians(89);
+  const MotionSolution solution = solved(tailgate(), wanted);
+  EXPECT_EQ(solution.status, SolutionStatus::solved);
+  EXPECT_TRUE(solution.linkages.empty());
+  EXPECT_NE(solution.reason.find("min_transmission_angle_deg costs most"), std::string::npos) << solution.reason;
+  ASSERT_FALSE(solution.relax.empty());
+  wanted.min_transmission_angle = *solution.relax[0].value;
+  EXPECT_EQ(solved(tailgate(), wanted).meeting_requirements, solution.relax[0].leaves);
+}
+
+TEST(SolveMotion, SaysWhyNothingIsFreeOfDefects) {
+  const MotionSolution solution = solved({testing::planar_case("foldable_table").poses});
+  EXPECT_EQ(solution.counts.defect_free, 0);
+  EXPECT_NE(solution.reason.find("none is free of defects"), std::string::npos) << solution.reason;
+}
+
+TEST(SolveMotion, DefectsMayBeAllowed) {
+  Requirements wanted;
+  wanted.no_defects = false;
+  SynthesisOptions options;
+  options.objective = Objective::link_ratio;
+  const MotionSolution solution = solved({testing::planar_case("foldable_table").poses}, wanted, options);
+  ASSERT_FALSE(solution.linkages.empty());
+  for (const FourBarSolution& linkage : solution.linkages) EXPECT_TRUE(linkage.verified_by_driving);
+}
+
+std::vector<PrescribedPose> turns_about(Point pole, const std::vector<double>& angles) {
+  std::vector<PrescribedPose> poses;
+  for (const double angle : angles) poses.push_back({{pole + direction(angle) * Point{3, 1}, angle}, {}});
+  return poses;
+}
+
+TEST(SolveMotion, NamesTheDegeneracy) {
+  const MotionSolution one_pole = solved({turns_about({5, -7}, {0, 0.5, 1.2, 2})});
+  EXPECT_EQ(one_pole.status, SolutionStatus::degenerate);
+  EXPECT_NE(one_pole.reason.find("common pole, (5, -7)"), std::string::npos) << one_pole.reason;
+  const MotionSolution on_circle = solved({testing::planar_case("translations_on_circle").poses});
+  EXPECT_EQ(on_circle.status, SolutionStatus::degenerate);
+  EXPECT_NE(on_circle.reason.find("(-2, 0) from it"), std::string::npos) << on_circle.reason;
+  const MotionSolution shifts = solved({testing::planar_case("pure_translations").poses});
+  EXPECT_EQ(shifts.status, SolutionStatus::degenerate);
+  EXPECT_NE(shifts.reason.find("only shifts"), std::string::npos) << shifts.reason;
+}
+
+TEST(SolveMotion, WarnsOfParallelAndOfClosePoses) {
+  const MotionSolution parallel = solved({testing::planar_case("three_parallel").poses});
+  ASSERT_EQ(parallel.warnings.size(), 3u);
+  EXPECT_EQ(parallel.warnings[0].code, "parallel_poses");
+  const MotionSolution close = solved({testing::planar_case("tiny_1e-6").poses});
+  ASSERT_FALSE(close.warnings.empty());
+  EXPECT_EQ(close.warnings[0].code, "ill_conditioned");
+  EXPECT_NE(close.warnings[0].message.find("derivatives"), std::string::npos);
+}
+
+TEST(SolveMotion, ReportsMistakesOfAllThreeParts) {
+  Requirements wanted;
+  wanted.max_link_ratio = 0;
+  SynthesisOptions options;
+  options.region_samples = 7;
+  options.best = -1;
+  const auto result = solve_motion({}, wanted, options);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.errors().size(), 4u);
+}
+
+TEST(SolveMotion, WindowSamplesAPartOfTheMap) {
+  SynthesisOptions options;
+  options.window = RegionWindow{{1.2, 1.4}, {1.0, 1.2}};
+  options.region_samples = 50;
+  const MotionSolution solution = solved(tailgate(), {}, options);
+  EXPECT_NEAR(solution.region.input_dyads()[0].coordinate, 1.202, 1e-12);
+  EXPECT_NEAR(solution.region.output_dyads()[49].coordinate, 1.198, 1e-12);
+  options.window = RegionWindow{{0.2, 0.1}, {0, 1}};
+  EXPECT_FALSE(solve_motion(tailgate(), {}, options).ok());
+}
+
+TEST(SolveMotion, CanBeStopped) {
+  std::atomic<bool> stop{true};
+  Progress progress;
+  progress.cancelled = &stop;
+  const auto result = solve_motion(tailgate(), {}, {}, progress);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.errors()[0].code, "cancelled");
+}
+
+TEST(SolveMotion, TellsHowFarItIs) {
+  double last = 0;
+  Progress progress;
+  progress.report = [&](double done) {
+    EXPECT_GE(done, last);
+    last = done;
+  };
+  ASSERT_TRUE(solve_motion(tailgate(), {}, {}, progress).ok());
+  EXPECT_EQ(last, 1);
+}
+
+TEST(SolveMotion, SameInputSameOutput) {
+  SynthesisOptions one_thread;
+  one_thread.region.threads = 1;
+  const MotionSolution a = solved(tailgate(), tailgate_requirements()),
+                       b = solved(tailgate(), tailgate_requirements(), one_thread);
+  ASSERT_EQ(a.linkages.size(), b.linkages.size());
+  for (std::size_t i = 0; i < a.linkages.size(); ++i) {
+    EXPECT_EQ(a.linkages[i].four_bar.input_center, b.linkages[i].four_bar.input_center);
+    EXPECT_EQ(a.linkages[i].input.coordinate, b.linkages[i].input.coordinate);
+  }
+}
+
+TEST(MakeFourBar, SlidersAndTheSameDyadTwiceAreNoFourBar) {
+  const MotionTask task{testing::planar_case("cardan").poses};
+  const MotionSolution solution = solved(task);
+  const WorkingFrame& frame = solution.conditions.frame;
+  const Dyad on_circle = frame.to_user(solution.curve->dyad(1.3)), on_line = frame.to_user(solution.curve->dyad(0.3));
+  EXPECT_FALSE(make_four_bar(task, frame, on_circle, on_line, true, false));
+  EXPECT_FALSE(make_four_bar(task, frame, on_line, on_line, true, false));
+  EXPECT_TRUE(make_four_bar(task, frame, on_line, frame.to_user(solution.curve->dyad(0.6)), true, false));
+}
+
+}  // namespace
+}  // namespace linkwright
