@@ -36,6 +36,6 @@ struct Requirements {
 inline constexpr double default_max_length = 10;
 
 /// The caller's mistakes: out of range or contradictory. Places are `requirements.…`.
-[[nodiscard]] std::vector<Error> mistakes_in(const Requirements& requirements);
+[[nodiscard]] std::vector<Error> mistakes_in(const Requirements& wanted);
 
 }  // namespace linkwright

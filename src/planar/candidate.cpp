@@ -1,0 +1,54 @@
+#include "planar/candidate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace linkwright {
+
+Judge::Judge(const MotionTask& task, const MotionSolution& solution)
+    : solution_(&solution), poses_(solution.conditions.frame.to_working(task.poses)) {}
+
+std::optional<Candidate> Judge::candidate(Place place) const {
+  const Dyad input = solution_->curve->dyad(place.input), output = solution_->curve->dyad(place.output);
+  const auto a = finite_point(input.center), b = finite_point(input.circle);
+  const auto c = finite_point(output.center), d = finite_point(output.circle);
+  if (!a || !b || !c || !d) return std::nullopt;
+  return judged(place, {*a, *b, *c, *d});
+}
+
+std::optional<Candidate> Judge::judged(Place place, const FourBar& bars) const {
+  const Requirements& wanted = solution_->requirements;
+  const DefectReport report = find_defects(bars, poses_, wanted.respect_direction);
+  if (report.type == LinkageType::degenerate) return std::nullopt;
+  const auto& types = wanted.types;
+  if (!types.empty() && std::find(types.begin(), types.end(), report.type) == types.end()) return std::nullopt;
+  if (wanted.no_defects && !report.defects.none()) return std::nullopt;
+  if (std::acos(report.worst_transmission_cosine) < wanted.min_transmission_angle) return std::nullopt;
+  const LinkLengths lengths = bars.lengths();
+  const double ratio = lengths.longest() / lengths.shortest();
+  const double longest = solution_->conditions.frame.scale * lengths.longest();
+  if (ratio > wanted.max_link_ratio || longest > wanted.max_length.value_or(Requirements::unlimited))
+    return std::nullopt;
+  if (!inside(wanted.ground_pivots_within, bars.input_center, bars.output_center)) return std::nullopt;
+  if (!inside(wanted.moving_pivots_within, bars.input_circle, bars.output_circle)) return std::nullopt;
+  const double score = score_of(solution_->options.objective, 1 - report.worst_transmission_cosine, ratio, longest);
+  return Candidate{place, bars, report, score, false};
+}
+
+bool Judge::inside(const std::optional<Box>& box, Point p, Point q) const {
+  const WorkingFrame& frame = solution_->conditions.frame;
+  return !box || (box->contains(frame.to_user(p)) && box->contains(frame.to_user(q)));
+}
+
+Candidate Judge::from_better_side(const Candidate& here) const {
+  auto there = judged({here.place.output, here.place.input}, here.bars.swapped());
+  if (!there) return here;
+  there->local_optimum = here.local_optimum;
+  if (here.report.defects.none() != there->report.defects.none()) return here.report.defects.none() ? here : *there;
+  if (here.score != there->score) return here.score > there->score ? here : *there;
+  const double cosine = here.report.worst_transmission_cosine, other = there->report.worst_transmission_cosine;
+  if (cosine != other) return cosine < other ? here : *there;
+  return here.place.input < there->place.input ? here : *there;
+}
+
+}  // namespace linkwright
