@@ -1,0 +1,112 @@
+"""Output files are written whole or not at all; what cannot be written is said, with exit status 1."""
+
+import json
+import os
+import pty
+import resource
+import signal
+import subprocess
+import time
+import unittest
+
+from face_support import CLI, TAILGATE, FaceTest, run
+
+SMALL = ("--samples", "64")
+
+
+class OutputFiles(FaceTest):
+    def files(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+    def test_results_may_be_replaced(self):
+        result = self.write("result.json", "an old result")
+        self.assertEqual(run("solve", TAILGATE, *SMALL, "-o", result)[0], 0)
+        self.assertEqual(json.loads(result.read_text())["status"], "solved")
+        self.assertEqual(self.files(), ["result.json"])
+
+    def test_only_regular_files_are_replaced(self):
+        (self.folder / "folder").mkdir()
+        for path, reason in ((self.folder / "folder", "a directory"), ("/dev/full", "a device"), ("/dev/null", "a device")):
+            for option in ("-o", "--svg"):
+                self.assert_failure(run("solve", TAILGATE, *SMALL, option, path), str(path), reason)
+        self.assertTrue(os.path.exists("/dev/full"))
+
+    def test_missing_folder(self):
+        path = self.folder / "missing/result.json"
+        self.assert_failure(run("solve", TAILGATE, *SMALL, "-o", path), str(path), "No such file or directory")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_without_permission(self):
+        self.folder.chmod(0o500)
+        self.assert_failure(run("solve", TAILGATE, *SMALL, "-o", self.folder / "result.json"), "Permission denied")
+
+    def test_full_disk_leaves_nothing(self):
+        def allow_little():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+        old = self.write("old.json", "an old result")
+        for name in ("new.json", "old.json"):
+            ran = run("solve", TAILGATE, *SMALL, "--region", "-o", self.folder / name, preexec_fn=allow_little)
+            self.assert_failure(ran, name, "File too large")
+        self.assertEqual(self.files(), ["old.json"])
+        self.assertEqual(old.read_text(), "an old result")
+
+    def test_full_standard_output(self):
+        for arguments in (("solve", TAILGATE, *SMALL), ("solve", TAILGATE, *SMALL, "-o", "-"), ("--help",)):
+            with open("/dev/full", "wb") as full:
+                done = subprocess.run([CLI, *map(str, arguments)], stdout=full, stderr=subprocess.PIPE, check=False, timeout=60)
+            self.assertEqual(done.returncode, 1, arguments)
+
+    def test_standard_output_holds_only_the_json(self):
+        status, output, error = run("solve", TAILGATE, *SMALL, "-o", "-")
+        self.assertEqual((status, error), (0, ""))
+        self.assertEqual(json.loads(output)["status"], "solved")
+
+    def test_an_empty_memory_is_said(self):
+        def allow_little():
+            resource.setrlimit(resource.RLIMIT_AS, (600 << 20, 600 << 20))
+
+        ran = run("solve", TAILGATE, "--samples", 20000, "-o", self.folder / "result.json", preexec_fn=allow_little)
+        self.assert_failure(ran, "memory")
+        self.assertEqual(self.files(), [])
+
+
+class Interruption(FaceTest):
+    def interrupt(self, signal_number, after):
+        """Interrupts a long solve after some seconds; its exit status and standard error."""
+        command = [CLI, "solve", TAILGATE, "--samples", "6000", "-o", self.folder / "result.json"]
+        process = subprocess.Popen([*map(str, command)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        time.sleep(after)
+        process.send_signal(signal_number)
+        _, error = process.communicate(timeout=30)
+        return process.returncode, error.decode()
+
+    def test_stops_cleanly(self):
+        for signal_number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            for after in (0.1, 0.2):
+                returned, error = self.interrupt(signal_number, after)
+                if returned == 0:
+                    continue  # it was faster
+                self.assertEqual(returned, status)
+                self.assertIn("stopped; nothing was written", error)
+                self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class Progress(FaceTest):
+    def test_is_shown_on_a_terminal_only(self):
+        _, _, error = run("solve", TAILGATE, "--samples", 1000)
+        self.assertEqual(error, "")
+        leader, follower = pty.openpty()
+        done = subprocess.run([CLI, "solve", str(TAILGATE), "--samples", "1000"], stdout=subprocess.DEVNULL,
+                              stderr=follower, check=False, timeout=60)
+        os.close(follower)
+        shown = os.read(leader, 1 << 16).decode()
+        os.close(leader)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("%", shown)
+        self.assertTrue(shown.endswith("\r\033[K"), repr(shown))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,141 @@
+"""The published schemas agree with what the program reads and writes."""
+
+import copy
+import json
+import unittest
+
+from face_support import ROOT, TAILGATE, FaceTest, load, run, without_comments
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+# Files that no schema can refuse: what is wrong is no matter of structure.
+BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_angle_with_defects", "box_upside_down",
+                 "window_reversed"}
+
+
+def schemas():
+    problem = load(ROOT / "schema/problem.schema.json")
+    result = load(ROOT / "schema/result.schema.json")
+    resolver = jsonschema.RefResolver.from_schema(result, store={problem["$id"]: problem})
+    kind = jsonschema.Draft202012Validator
+    return kind(problem), kind(result, resolver=resolver)
+
+
+@unittest.skipIf(jsonschema is None, "python3-jsonschema is not installed")
+class Schemas(FaceTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.problem, cls.result = schemas()
+
+    def test_are_schemas(self):
+        for validator in (self.problem, self.result):
+            validator.check_schema(validator.schema)
+
+    def test_examples_are_problems(self):
+        examples = sorted((ROOT / "examples").glob("*.json"))
+        self.assertTrue(examples)
+        for path in examples:
+            with self.subTest(path.name):
+                self.problem.validate(load(path))
+
+    def test_results_are_results(self):
+        for arguments in ((), ("--region",)):
+            result = load(self.solve_tailgate(*arguments))
+            self.result.validate(result)
+            self.problem.validate(result["problem"])
+
+    def test_results_without_answer_are_results(self):
+        tailgate = load(TAILGATE)
+        nothing = copy.deepcopy(tailgate)
+        nothing["requirements"]["max_length"] = 1
+        shifts = copy.deepcopy(tailgate)
+        for pose in shifts["task"]["poses"]:
+            pose["theta_deg"] = 0
+        with_defects = copy.deepcopy(tailgate)
+        with_defects["requirements"] = {"no_defects": False, "max_link_ratio": None, "max_length": None}
+        symmetric = copy.deepcopy(tailgate)
+        symmetric["task"]["poses"] = [{"x": x, "y": y, "theta_deg": theta}
+                                      for x, y, theta in ((-2, 0, 30), (-1, 1, 10), (1, 1, -10), (2, 0, -30))]
+        for problem in (nothing, shifts, with_defects, symmetric):
+            status, output, _ = run("solve", self.write("problem.json", problem), "--samples", 40, "-o", "-", "--region")
+            self.assertEqual(status, 0)
+            self.result.validate(json.loads(output))
+
+    def test_bad_problems_are_refused_alike(self):
+        checked = 0
+        for path in sorted((ROOT / "data/bad_problems").glob("*.json")):
+            if path.name == "expected.json" or path.stem in BEYOND_SCHEMA:
+                continue
+            try:
+                content = json.loads(without_comments(path.read_text(encoding="utf-8")), parse_constant=lambda _: None,
+                                     object_pairs_hook=dict)
+            except ValueError:
+                continue  # not JSON
+            if path.stem.startswith(("duplicate_key", "overflow", "nested_too_deep")):
+                continue  # not visible in a tree
+            with self.subTest(path.name):
+                self.assertFalse(self.problem.is_valid(content))
+                checked += 1
+        self.assertGreater(checked, 40)
+
+    def test_what_the_schema_accepts_the_reader_accepts(self):
+        variants = [
+            ("title", ""), ("length_unit", ""), ("view", {}), ("view", {"a": [None, True, "x"]}),
+            ("requirements", {}), ("requirements", {"types": None}), ("requirements", {"types": []}),
+            ("requirements", {"types": ["double_crank", "change_point"], "no_defects": False}),
+            ("requirements", {"min_transmission_angle_deg": None, "max_link_ratio": None, "max_length": None,
+                              "ground_pivots_within": None, "moving_pivots_within": None}),
+            ("requirements", {"max_link_ratio": 1, "max_length": 1e-3, "min_transmission_angle_deg": 0}),
+            ("requirements", {"ground_pivots_within": {"x": [0, 0], "y": [-1e300, 1e300]}}),
+            ("options", {}), ("options", {"region_samples": 8, "best": 0}), ("options", {"region_samples": 8.0}),
+            ("options", {"spacing": "arc_length", "objective": "size", "region_samples": 8}),
+            ("options", {"window": None, "region_samples": 8}), ("options", {"window": [[0, 1], [0.5, 2]], "region_samples": 8}),
+        ]
+        for key, value in variants:
+            problem = load(TAILGATE) | {key: value}
+            with self.subTest(key, value=value):
+                self.problem.validate(problem)
+                status, _, error = run("solve", self.write("problem.json", problem), "--samples", 8)
+                self.assertEqual((status, error), (0, ""))
+
+    def test_what_the_schema_refuses_the_reader_refuses(self):
+        """Every value of the example replaced by values of other types, every member dropped or renamed."""
+        problem = load(TAILGATE) | {"options": {"region_samples": 8, "spacing": "coordinate", "best": 2}}
+        for path in list(paths(problem)):
+            for change in (None, True, -1.5, "text", [], {}, [1, 2, 3], "dropped", "renamed"):
+                changed = copy.deepcopy(problem)
+                apply(changed, path, change)
+                valid = self.problem.is_valid(changed)
+                status, _, error = run("solve", self.write("problem.json", changed))
+                with self.subTest(path=path, change=change):
+                    self.assertIn(status, (0, 2), error)
+                    if not valid:
+                        self.assertEqual(status, 2)
+                    elif status == 2:  # more than structure
+                        self.assertTrue("same" in error or "above the upper" in error or "max_length" in error, error)
+
+
+def paths(value, path=()):
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, member in items:
+        yield (*path, key)
+        yield from paths(member, (*path, key))
+
+
+def apply(tree, path, change):
+    *way, last = path
+    for key in way:
+        tree = tree[key]
+    if change == "dropped":
+        del tree[last]
+    elif change == "renamed" and isinstance(tree, dict):
+        tree[last + "_"] = tree.pop(last)
+    else:
+        tree[last] = change
+
+
+if __name__ == "__main__":
+    unittest.main()
