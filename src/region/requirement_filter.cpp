@@ -85,6 +85,13 @@ RequirementCensus RequirementFilter::census() const {
   return total;
 }
 
+template <class Visit>
+void RequirementFilter::for_each_failing_only(RequirementKind kind, const Visit& visit) const {
+  for (std::size_t row = 0; row < map_->rows(); ++row)
+    for (std::size_t column = 0; column < map_->columns(); ++column)
+      if (failures(row, column) == bit(kind)) visit(violated_value(kind, map_->index(row, column)));
+}
+
 double RequirementFilter::violated_value(RequirementKind kind, std::size_t cell) const {
   switch (kind) {
     case RequirementKind::min_transmission_angle:
@@ -98,27 +105,28 @@ double RequirementFilter::violated_value(RequirementKind kind, std::size_t cell)
   }
 }
 
+std::optional<double> RequirementFilter::round_value_that_would_do(RequirementKind kind) const {
+  const bool is_angle = kind == RequirementKind::min_transmission_angle;
+  if (!is_angle && kind != RequirementKind::max_link_ratio && kind != RequirementKind::max_length) return std::nullopt;
+  std::optional<double> nearest;
+  for_each_failing_only(kind, [&](double value) {
+    if (!nearest || (is_angle ? value > *nearest : value < *nearest)) nearest = value;
+  });
+  return nearest ? std::optional(rounded(*nearest, !is_angle)) : std::nullopt;
+}
+
 std::vector<Relaxation> RequirementFilter::relaxations(const RequirementCensus& census) const {
   std::vector<Relaxation> found;
-  std::array<std::vector<double>, requirement_kinds> values;
-  for (std::size_t row = 0; row < map_->rows(); ++row)
-    for (std::size_t column = 0; column < map_->columns(); ++column)
-      for (const RequirementKind kind :
-           {RequirementKind::min_transmission_angle, RequirementKind::max_link_ratio, RequirementKind::max_length})
-        if (failures(row, column) == bit(kind))
-          values[static_cast<std::size_t>(kind)].push_back(violated_value(kind, map_->index(row, column)));
   for (std::size_t k = 0; k < requirement_kinds; ++k) {
     const auto kind = static_cast<RequirementKind>(k);
-    if (census.failing_only(kind) == 0) continue;
-    Relaxation relaxation{kind, census.failing_only(kind), std::nullopt, census.meeting + census.failing_only(kind)};
-    if (!values[k].empty()) {
+    const std::int64_t only_this = census.failing_only(kind);
+    if (only_this == 0) continue;
+    Relaxation relaxation{kind, only_this, std::nullopt, census.meeting + only_this};
+    if (const auto value = round_value_that_would_do(kind)) {
       const bool is_angle = kind == RequirementKind::min_transmission_angle;
-      const auto [least, largest] = std::minmax_element(values[k].begin(), values[k].end());
-      const double value = is_angle ? rounded(*largest, false) : rounded(*least, true);
-      const auto freed = std::count_if(values[k].begin(), values[k].end(),
-                                       [&](double v) { return is_angle ? v >= value : v <= value; });
-      relaxation.value = is_angle ? radians(value) : value;
-      relaxation.leaves = census.meeting + freed;
+      relaxation.value = is_angle ? radians(*value) : *value;
+      relaxation.leaves = census.meeting;
+      for_each_failing_only(kind, [&](double v) { relaxation.leaves += is_angle ? v >= *value : v <= *value; });
     }
     found.push_back(relaxation);
   }

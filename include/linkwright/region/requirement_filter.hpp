@@ -62,7 +62,11 @@ class RequirementFilter {
   [[nodiscard]] std::vector<Relaxation> relaxations(const RequirementCensus& census) const;
 
  private:
+  /// The limited property of each cell that fails this requirement alone (degrees; ratio; user's length).
+  template <class Visit>
+  void for_each_failing_only(RequirementKind kind, const Visit& visit) const;
   [[nodiscard]] double violated_value(RequirementKind kind, std::size_t cell) const;
+  [[nodiscard]] std::optional<double> round_value_that_would_do(RequirementKind kind) const;
 
   const RegionMap* map_;
   Requirements requirements_;
