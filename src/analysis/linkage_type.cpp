@@ -40,6 +40,16 @@ LinkageType linkage_type(const LinkLengths& lengths) {
   return type_of_signs[signs];
 }
 
+LinkageType swapped(LinkageType type) {
+  switch (type) {
+    case LinkageType::crank_rocker: return LinkageType::rocker_crank;
+    case LinkageType::rocker_crank: return LinkageType::crank_rocker;
+    case LinkageType::triple_rocker_input: return LinkageType::triple_rocker_output;
+    case LinkageType::triple_rocker_output: return LinkageType::triple_rocker_input;
+    default: return type;
+  }
+}
+
 ChangePointKind change_point_kind(const LinkLengths& l) {
   if (linkage_type(l) != LinkageType::change_point) return ChangePointKind::none;
   const double zero = tolerance::change_point * l.perimeter();

@@ -51,20 +51,6 @@ TEST(LinkageType, GrashofMeansShortestPlusLongestBelowTheOthers) {
 TEST(LinkageType, SwappingTheDriverExchangesCrankRockerAndRockerCrank) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> length(0.1, 1);
-  const auto swapped = [](LinkageType type) {
-    switch (type) {
-      case LinkageType::crank_rocker:
-        return LinkageType::rocker_crank;
-      case LinkageType::rocker_crank:
-        return LinkageType::crank_rocker;
-      case LinkageType::triple_rocker_input:
-        return LinkageType::triple_rocker_output;
-      case LinkageType::triple_rocker_output:
-        return LinkageType::triple_rocker_input;
-      default:
-        return type;
-    }
-  };
   for (int trial = 0; trial < 5'000; ++trial) {
     const LinkLengths l{length(random), length(random), length(random), length(random)};
     EXPECT_EQ(linkage_type(l.swapped()), swapped(linkage_type(l)));

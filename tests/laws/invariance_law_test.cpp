@@ -61,20 +61,6 @@ TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapAndMoveTheLinkages) {
 }
 
 TEST(InvarianceLaw, ACellAndItsMirrorAreTheSameBarsDrivenFromTheOtherSide) {
-  const auto swapped = [](LinkageType type) {
-    switch (type) {
-      case LinkageType::crank_rocker:
-        return LinkageType::rocker_crank;
-      case LinkageType::rocker_crank:
-        return LinkageType::crank_rocker;
-      case LinkageType::triple_rocker_input:
-        return LinkageType::triple_rocker_output;
-      case LinkageType::triple_rocker_output:
-        return LinkageType::triple_rocker_input;
-      default:
-        return type;
-    }
-  };
   std::mt19937_64 random(98);
   for (int trial = 0; trial < 20; ++trial) {
     const RegionMap map = testing::region_of(testing::random_poses(random), 70);

@@ -63,7 +63,7 @@ TEST(RegionMap, CasesAgreeInEveryCountAndInTheBestTransmissionAngle) {
     const int n = region["N"];
     const double branches = c.json["circle_point_curve"]["branches"];
     for (int i = 0; i < n; ++i) theirs.push_back(branches * (i + 0.5) / n);
-    const RegionMap map = region_of(c.poses, case_dyads(c, curve, theirs));
+    const RegionMap map = region_of(c.poses, testing::axis_of(c.poses, case_dyads(c, curve, theirs)));
     expect_counts(region["driver_A"], map.counts(), c.name);
     ++compared;
     const bool has_best = region["driver_A"].contains("best_gamma_task");
@@ -154,15 +154,7 @@ TEST(RegionMap, NoNumberIsEverNotANumber) {
 
 TEST(RegionMap, RectangularMapsTakeTheirOwnAxes) {
   const auto& poses = planar_case("landing_gear").poses;
-  const PoseConditions conditions = pose_conditions(poses);
-  const BurmesterCurve curve(conditions);
-  const auto working = conditions.frame.to_working(poses);
-  const auto axis = [&](std::initializer_list<double> coordinates) {
-    std::vector<Dyad> dyads;
-    for (const double tau : coordinates) dyads.push_back(curve.dyad(tau));
-    return RegionAxis(dyads, working);
-  };
-  const RegionMap map(axis({0.1, 0.3}), axis({0.3, 0.7, 1.1}), 1);
+  const RegionMap map(testing::axis_at(poses, {0.1, 0.3}), testing::axis_at(poses, {0.3, 0.7, 1.1}), 1);
   EXPECT_EQ(map.rows(), 2u);
   EXPECT_EQ(map.columns(), 3u);
   EXPECT_TRUE(map.is_diagonal(1, 0));
@@ -174,26 +166,17 @@ TEST(RegionMap, CancelledWorkLeavesDegenerateCells) {
   std::atomic<bool> stop{true};
   Progress progress;
   progress.cancelled = &stop;
-  const auto& poses = planar_case("landing_gear").poses;
-  const PoseConditions conditions = pose_conditions(poses);
-  const BurmesterCurve curve(conditions);
-  std::vector<Dyad> dyads;
-  for (const double tau : curve.samples(40, Spacing::coordinate)) dyads.push_back(curve.dyad(tau));
-  const RegionAxis axis(dyads, conditions.frame.to_working(poses));
+  const RegionAxis axis = testing::axis_of(planar_case("landing_gear").poses, 40);
   const RegionMap map(axis, axis, 1, {}, progress);
   for (const std::uint8_t type : map.types()) EXPECT_EQ(type, static_cast<std::uint8_t>(LinkageType::degenerate));
 }
 
 TEST(RegionMap, RecomputingGivesTheSameAsANewMap) {
-  RegionMap map = region_of(planar_case("drawer_hinge").poses, 50);
-  const RegionMap fresh = region_of(planar_case("landing_gear").poses, 50);
   const auto& poses = planar_case("landing_gear").poses;
-  const PoseConditions conditions = pose_conditions(poses);
-  const BurmesterCurve curve(conditions);
-  std::vector<Dyad> dyads;
-  for (const double tau : curve.samples(50, Spacing::coordinate)) dyads.push_back(curve.dyad(tau));
-  const RegionAxis axis(dyads, conditions.frame.to_working(poses));
-  map.recompute(axis, axis, conditions.frame.scale);
+  RegionMap map = region_of(planar_case("drawer_hinge").poses, 50);
+  const RegionMap fresh = region_of(poses, 50);
+  const RegionAxis axis = testing::axis_of(poses, 50);
+  map.recompute(axis, axis, pose_conditions(poses).frame.scale);
   EXPECT_TRUE(std::ranges::equal(map.types(), fresh.types()));
   EXPECT_TRUE(std::ranges::equal(map.longest_links(), fresh.longest_links()));
 }

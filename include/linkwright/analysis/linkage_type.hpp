@@ -46,6 +46,9 @@ struct GrashofExcesses {
 /// degenerate where a link is.
 [[nodiscard]] LinkageType linkage_type(const LinkLengths& lengths);
 
+/// Type of the same bars driven from the other side link.
+[[nodiscard]] LinkageType swapped(LinkageType type);
+
 /// True for the four Grashof types.
 [[nodiscard]] inline bool is_grashof(LinkageType type) { return type <= LinkageType::double_rocker; }
 
