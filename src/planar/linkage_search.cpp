@@ -7,7 +7,7 @@
 namespace linkwright {
 namespace {
 
-// Two linkages count as different designs when a pivot differs by this share of the characteristic length.
+// Two linkages count as different designs when a pivot differs by this share of the size of the design.
 constexpr double different_design = 0.02;
 constexpr double clearly_different_design = 0.15;
 
@@ -73,11 +73,14 @@ std::vector<Candidate> chosen(const MotionSolution& solution, const Judge& judge
     tops.push_back(judge.from_better_side(climbed(judge, foot, first_step)));
   }
   std::sort(tops.begin(), tops.end(), better);
+  // With small rotations the characteristic length is far larger than the machine: then the user's limit is its size.
+  const double size = std::min(
+      1.0, solution.requirements.max_length.value_or(Requirements::unlimited) / solution.conditions.frame.scale);
   Choice choice(wanted);
-  for (const Candidate& top : tops) choice.offer(top, different_design);
+  for (const Candidate& top : tops) choice.offer(top, different_design * size);
   if (!choice.full())
     for (const Candidate& other : candidates_at(map, judge, tile_bests(map, filter, objective, tiles)))
-      choice.offer(judge.from_better_side(other), clearly_different_design);
+      choice.offer(judge.from_better_side(other), clearly_different_design * size);
   return std::move(choice).best_first();
 }
 

@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from face_support import CLI, TAILGATE, FaceTest, run
+from face_support import CLI, TAILGATE, FaceTest, as_nobody, nobody_may_run, run
 
 SMALL = ("--samples", "64")
 
@@ -35,10 +35,14 @@ class OutputFiles(FaceTest):
         path = self.folder / "missing/result.json"
         self.assert_failure(run("solve", TAILGATE, *SMALL, "-o", path), str(path), "No such file or directory")
 
-    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
     def test_without_permission(self):
-        self.folder.chmod(0o500)
-        self.assert_failure(run("solve", TAILGATE, *SMALL, "-o", self.folder / "result.json"), "Permission denied")
+        if not nobody_may_run():
+            self.skipTest("the program lies where only root may run it")
+        self.folder.chmod(0o555)
+        problem = TAILGATE.read_text(encoding="utf-8")
+        ran = run("solve", "-", *SMALL, "-o", self.folder / "result.json", input=problem, preexec_fn=as_nobody)
+        self.assert_failure(ran, "Permission denied")
+        self.assertEqual(self.files(), [])
 
     def test_full_disk_leaves_nothing(self):
         def allow_little():

@@ -1,0 +1,247 @@
+"""The examples hold what they promise: every linkage found is measured and driven again here, from its pivots alone."""
+
+import bisect
+import cmath
+import json
+import math
+import re
+import unittest
+
+from face_support import ROOT, FaceTest, load, run
+
+EXAMPLES = sorted((ROOT / "examples").glob("*.json"))
+STEPS = 4000  # of a drive; the transmission angle is smooth, so the sampled least is off by far less than 0.01 degrees
+
+
+def point(pair):
+    return complex(*pair)
+
+
+def cross(u, v):
+    return (u.conjugate() * v).imag
+
+
+class FourBar:
+    """Pivots in position 1, and what follows from them."""
+
+    def __init__(self, linkage):
+        self.input_center, self.input_circle = (point(linkage["input"][end]) for end in ("center_point", "circle_point"))
+        self.output_center, self.output_circle = (point(linkage["output"][end]) for end in ("center_point", "circle_point"))
+        self.ground = abs(self.output_center - self.input_center)
+        self.input = abs(self.input_circle - self.input_center)
+        self.coupler = abs(self.output_circle - self.input_circle)
+        self.output = abs(self.output_circle - self.output_center)
+
+    def lengths(self):
+        return {"ground": self.ground, "input": self.input, "coupler": self.coupler, "output": self.output}
+
+    def driven_to(self, turned, near):
+        """Moving pivots with the input turned by that angle (radians), the output's nearer to `near`; None if it cannot be."""
+        moved = self.input_center + (self.input_circle - self.input_center) * cmath.rect(1, turned)
+        diagonal = self.output_center - moved
+        along = (self.coupler**2 - self.output**2 + abs(diagonal) ** 2) / (2 * abs(diagonal))
+        height = self.coupler**2 - along**2
+        if height < 0:
+            return None
+        direction = diagonal / abs(diagonal)
+        sides = [moved + direction * complex(along, sign * math.sqrt(height)) for sign in (1, -1)]
+        return moved, min(sides, key=lambda joint: abs(joint - near))
+
+    def transmission_angle(self, moved, joint):
+        """Degrees between coupler and output link, the acute one."""
+        between = abs(math.degrees(cmath.phase((moved - joint) / (self.output_center - joint))))
+        return min(between, 180 - between)
+
+
+class Pose:
+    def __init__(self, written):
+        self.origin, self.angle = complex(written["x"], written["y"]), math.radians(written["theta_deg"])
+
+    def carries(self, where, first):
+        """Where the point of the body lies that lies at `where` in the first pose."""
+        return self.origin + cmath.rect(1, self.angle - first.angle) * (where - first.origin)
+
+
+def input_turns(bars, poses, sense):
+    """Angles by which the input has turned from the first pose to each, turning that way (+1 or -1) less than once."""
+    arm = bars.input_circle - bars.input_center
+    turned = []
+    for pose in poses:
+        angle = cmath.phase((pose.carries(bars.input_circle, poses[0]) - bars.input_center) / arm)
+        turned.append(angle % (sense * math.tau) if pose is not poses[0] else 0.0)
+    return turned
+
+
+def drive(bars, poses, sense):
+    """Drives in small steps through the poses; (least transmission angle in degrees, worst miss of a pose), or None."""
+    stops = input_turns(bars, poses, sense)
+    if any(sense * later <= sense * sooner for sooner, later in zip(stops, stops[1:])):
+        return None
+    ticks = {stops[-1] * i / STEPS for i in range(STEPS + 1)} | set(stops)
+    joint, least, miss = bars.output_circle, 90.0, 0.0
+    for turned in sorted(ticks, key=abs):
+        state = bars.driven_to(turned, joint)
+        if state is None:
+            return None
+        moved, joint = state
+        least = min(least, bars.transmission_angle(moved, joint))
+        if turned in stops:
+            pose = poses[stops.index(turned)]
+            miss = max(miss, abs(moved - pose.carries(bars.input_circle, poses[0])),
+                       abs(joint - pose.carries(bars.output_circle, poses[0])))
+    return least, miss
+
+
+class Surroundings:
+    """The body's outline in the first pose (fixed frame) and the rectangles (x, x, y, y) that it must not touch."""
+
+    def __init__(self, outline, *obstacles):
+        edges = zip(outline, outline[1:] + outline[:1])
+        self.outline = [complex(*a) + (complex(*b) - complex(*a)) * i / 24 for a, b in edges for i in range(24)]
+        self.obstacles = obstacles
+
+    def deepest(self, bars, moved, joint):
+        """How deep the body reaches into an obstacle, with its two pivots there."""
+        turned = (joint - moved) / (bars.output_circle - bars.input_circle)
+        body = [moved + turned * (corner - bars.input_circle) for corner in self.outline]
+        return max(min(p.real - left, right - p.real, p.imag - low, high - p.imag)
+                   for p in body for left, right, low, high in self.obstacles)
+
+
+FAR = 1e4
+SURROUNDINGS = {
+    "drawer_hinge": Surroundings([(0, 0), (19, 0), (19, 150), (0, 150)],
+                                 (-FAR, -1, 0, 16), (-FAR, 19, -FAR, -4)),  # the drawer's floor; the front below
+    "dump_bucket": Surroundings([(0, 0), (-700, 150), (-650, -250), (-250, -350)],
+                                (150, FAR, -FAR, 560), (-FAR, FAR, -FAR, -385)),  # the hopper; the ground
+    "folding_table": Surroundings([(300, 420), (325, 420), (325, 1020), (300, 1020)],
+                                  (-FAR, 300, -FAR, 405), (-FAR, 300, 1035, FAR), (-FAR, 0, -FAR, FAR)),  # cabinet; wall
+    "lift_platform": Surroundings([(0, 0), (600, 0)], (-FAR, FAR, -FAR, -1e-6)),  # the floor
+}
+
+
+def longest_row(text):
+    return max(map(len, text.splitlines()))
+
+
+class Examples(FaceTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.results = {}
+        for path in EXAMPLES:
+            status, output, error = run("solve", path, "-o", "-")
+            if (status, error) != (0, ""):
+                raise AssertionError(f"{path.name}: exit status {status}: {error}")
+            cls.results[path.stem] = json.loads(output)
+
+    def for_each_linkage(self, check):
+        """Calls check(requirements, poses, linkage as written, its FourBar)."""
+        for name, result in self.results.items():
+            poses = [Pose(pose) for pose in result["problem"]["task"]["poses"]]
+            for number, linkage in enumerate(result["linkages"], start=1):
+                with self.subTest(example=name, linkage=number):
+                    check(result["problem"]["requirements"], poses, linkage, FourBar(linkage))
+
+    def test_there_are_six(self):
+        self.assertEqual(set(self.results), {"tailgate", "drawer_hinge", "dump_bucket", "landing_gear", "folding_table",
+                                             "lift_platform"})
+
+    def test_each_tells_its_story_first(self):
+        for path in EXAMPLES:
+            with self.subTest(path.name):
+                text = path.read_text(encoding="utf-8")
+                story = re.match(r"(?://[^\n]*\n)+", text)
+                self.assertIsNotNone(story)
+                self.assertIn(story[0].count("\n"), range(3, 8))
+                self.assertLessEqual(longest_row(text), 120)
+                self.assertTrue(load(path)["title"] and load(path)["length_unit"])
+
+    def test_each_is_solved(self):
+        for name, result in self.results.items():
+            with self.subTest(name):
+                self.assertEqual(result["status"], "solved")
+                self.assertEqual(result["warnings"], [])
+                self.assertGreaterEqual(len(result["linkages"]), 3)
+                self.assertGreater(result["region"]["meeting_requirements"], 0)
+                self.assertGreaterEqual(result["region"]["counts"]["defect_free"], result["region"]["meeting_requirements"])
+
+    def test_linkages_are_verified_and_exact(self):
+        def check(_wanted, _poses, linkage, _bars):
+            self.assertIs(linkage["verified_by_driving"], True)
+            self.assertLess(linkage["residual"], 1e-9)
+            self.assertFalse(any(linkage["defects"].values()))
+
+        self.for_each_linkage(check)
+
+    def test_side_links_keep_their_lengths(self):
+        def check(_wanted, poses, _linkage, bars):
+            for center, circle, length in ((bars.input_center, bars.input_circle, bars.input),
+                                           (bars.output_center, bars.output_circle, bars.output)):
+                for pose in poses:
+                    self.assertLess(abs(abs(pose.carries(circle, poses[0]) - center) / length - 1), 1e-9)
+
+        self.for_each_linkage(check)
+
+    def test_lengths_are_those_of_the_pivots(self):
+        def check(_wanted, _poses, linkage, bars):
+            for name, length in bars.lengths().items():
+                self.assertAlmostEqual(linkage["lengths"][name] / length, 1, delta=1e-12)
+            self.assertAlmostEqual(linkage["link_ratio"], max(bars.lengths().values()) / min(bars.lengths().values()), places=9)
+
+        self.for_each_linkage(check)
+
+    def test_requirements_are_met(self):
+        def check(wanted, _poses, linkage, bars):
+            lengths = bars.lengths().values()
+            self.assertLessEqual(max(lengths) / min(lengths), wanted["max_link_ratio"] * (1 + 1e-9))
+            self.assertLessEqual(max(lengths), wanted["max_length"] * (1 + 1e-9))
+            self.assertGreaterEqual(linkage["min_transmission_angle_deg"], wanted["min_transmission_angle_deg"])
+            for box, pivots in (("ground_pivots_within", (bars.input_center, bars.output_center)),
+                                ("moving_pivots_within", (bars.input_circle, bars.output_circle))):
+                for pivot in pivots:
+                    for axis, value in (("x", pivot.real), ("y", pivot.imag)):
+                        low, high = wanted[box][axis]
+                        self.assertEqual(bisect.bisect((low - 1e-9 * (high - low), high + 1e-9 * (high - low)), value), 1)
+
+        self.for_each_linkage(check)
+
+    def test_driving_gives_the_poses_and_the_transmission_angle(self):
+        def check(_wanted, poses, linkage, bars):
+            senses = {"ccw": (1,), "cw": (-1,), "either": (1, -1)}[linkage["drive"]]
+            drives = [drive(bars, poses, sense) for sense in senses]
+            self.assertNotIn(None, drives)
+            size = max(bars.lengths().values())
+            self.assertLess(max(miss for _, miss in drives), 1e-8 * size)
+            self.assertAlmostEqual(max(least for least, _ in drives), linkage["min_transmission_angle_deg"], delta=0.01)
+
+        self.for_each_linkage(check)
+
+    def test_the_body_touches_nothing_on_its_way(self):
+        for name, surroundings in SURROUNDINGS.items():
+            poses = [Pose(pose) for pose in self.results[name]["problem"]["task"]["poses"]]
+            for number, linkage in enumerate(self.results[name]["linkages"], start=1):
+                bars = FourBar(linkage)
+                last = input_turns(bars, poses, {"ccw": 1, "cw": -1}[linkage["drive"]])[-1]
+                joint, deepest = bars.output_circle, -math.inf
+                for step in range(101):
+                    moved, joint = bars.driven_to(last * step / 100, joint)
+                    deepest = max(deepest, surroundings.deepest(bars, moved, joint))
+                with self.subTest(example=name, linkage=number):
+                    self.assertLessEqual(deepest, 1e-9)
+
+    def test_the_list_of_examples_is_true(self):
+        text = (ROOT / "examples/README.md").read_text(encoding="utf-8")
+        rows = re.findall(r"^\| \[`(\w+)\.json`\]\(\1\.json\) \|(.+)\|$", text, re.MULTILINE)
+        self.assertEqual({name for name, _ in rows}, set(self.results))
+        for name, row in rows:
+            result = self.results[name]
+            best = result["linkages"][0]
+            expected = [f"{result['region']['counts']['defect_free']:,}".replace(",", " "),
+                        f"{result['region']['meeting_requirements']:,}".replace(",", " "),
+                        str(len(result["linkages"])), best["type"], f"{best['min_transmission_angle_deg']:.1f}°"]
+            with self.subTest(name):
+                self.assertEqual([cell.strip().strip("`") for cell in row.split("|")][1:], expected)
+
+
+if __name__ == "__main__":
+    unittest.main()
