@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "linkwright/core/result.hpp"
+
+namespace linkwright {
+
+/// An output file that appears whole or not at all: written to a temporary file beside it, which takes its name when
+/// all is on the disk. What existed under the name stays untouched until then, and its permissions are kept.
+class AtomicFile {
+ public:
+  /// Refuses a path that exists and is not a regular file. A symbolic link is followed.
+  explicit AtomicFile(const std::filesystem::path& path);
+  ~AtomicFile();  ///< without commit() nothing is left behind
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Adds text. After the first failure it does nothing; commit() tells.
+  void write(std::string_view text);
+
+  /// Flushes, closes and renames. What went wrong since the constructor, in a sentence with the system's reason.
+  [[nodiscard]] std::optional<Error> commit();
+
+ private:
+  void fail(std::string_view what, int error_number);
+  void open_temporary(int mode);
+  void flush_buffer();
+  void abandon();
+
+  std::filesystem::path target_, temporary_;
+  std::string buffer_;
+  int descriptor_ = -1;
+  std::optional<Error> failure_;
+};
+
+/// The whole text as a file, or why not.
+[[nodiscard]] std::optional<Error> write_atomically(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace linkwright

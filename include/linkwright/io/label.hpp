@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string_view>
+
+#include "linkwright/algebra/circular_cubic.hpp"
+#include "linkwright/analysis/defects.hpp"
+#include "linkwright/analysis/linkage_type.hpp"
+
+namespace linkwright {
+
+// The words that people read, in tables and drawings, for the words of the files.
+
+/// "Crank-rocker", "Triple rocker, input longest", "Slider or zero link", …
+[[nodiscard]] std::string_view label(LinkageType type);
+
+/// At most 22 characters: "Triple rocker, input", …
+[[nodiscard]] std::string_view short_label(LinkageType type);
+
+/// "counter-clockwise", "clockwise", "either way"; empty for none.
+[[nodiscard]] std::string_view label(DriveSense sense);
+
+/// "two branches", "a line and a circle", …
+[[nodiscard]] std::string_view label(CubicKind kind);
+
+/// Of a CurveBranch's name: "branch through infinity", "closed branch", …
+[[nodiscard]] std::string_view branch_label(std::string_view name);
+
+/// "parallelogram or kite", … as Barker divides change points; empty for none.
+[[nodiscard]] std::string_view label(ChangePointKind kind);
+
+}  // namespace linkwright

@@ -1,0 +1,118 @@
+#include "curve_path.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace linkwright {
+namespace {
+
+constexpr int first_steps = 256;     // of a branch
+constexpr int most_halvings = 12;    // of a first step
+constexpr double longest_step = 3;   // px
+constexpr double longest_line = 60;  // px of what is seen
+
+/// A place on both curves, with their points in px.
+struct Sample {
+  double tau = 0;
+  Homogeneous center, circle;  ///< fixed frame
+};
+
+/// Traces the curves of one solution in one window.
+class CurveTracer {
+ public:
+  CurveTracer(const BurmesterCurve& curve, const WorkingFrame& frame, const PlaneWindow& window)
+      : curve_(curve), frame_(frame), window_(window) {}
+
+  CurvePaths trace() {
+    for (const CurveBranch& branch : curve_.branches()) {
+      if (branch.to > branch.from) trace_branch(branch);
+    }
+    return std::move(paths_);
+  }
+
+ private:
+  [[nodiscard]] Sample sample(double tau) const {
+    const Dyad dyad = frame_.to_user(curve_.dyad(tau));
+    return {tau, normalized(dyad.center), normalized(dyad.circle)};
+  }
+
+  void trace_branch(const CurveBranch& branch) {
+    const auto at = [&](int step) { return branch.from + (branch.to - branch.from) * (step + 0.5) / first_steps; };
+    Sample last = sample(at(0));
+    for (int step = 1; step <= first_steps; ++step) {
+      const Sample next = sample(step < first_steps ? at(step) : at(0));  // branches are closed
+      connect(last, next, branch, at(step), most_halvings);
+      last = next;
+      last.tau = at(step);
+    }
+  }
+
+  /// `end_tau`: τ of `to`, which may lie beyond the branch's end where it closes.
+  void connect(const Sample& from, const Sample& to, const CurveBranch& branch, double end_tau, int halvings) {
+    const bool fine = is_fine(from.center, to.center) && is_fine(from.circle, to.circle);
+    if (fine || halvings == 0) {  // what is still a leap after all halvings is one: no line
+      add(paths_.centers, from.center, to.center);
+      add(paths_.circles, from.circle, to.circle);
+      return;
+    }
+    const double middle_tau = (from.tau + end_tau) / 2;
+    Sample middle = sample(middle_tau < branch.to ? middle_tau : middle_tau - (branch.to - branch.from));
+    middle.tau = middle_tau;
+    connect(from, middle, branch, middle_tau, halvings - 1);
+    connect(middle, to, branch, end_tau, halvings - 1);
+  }
+
+  /// The stretch between two points of a curve in px; nothing where it runs through infinity.
+  [[nodiscard]] std::optional<std::pair<Point, Point>> stretch(Homogeneous from, Homogeneous to) const {
+    if (dot(from, to) < 0) to = -1 * to;
+    if (!(from.w * to.w > 0)) return std::nullopt;
+    return std::pair{window_.to_px(Point{from.x / from.w, from.y / from.w}),
+                     window_.to_px(Point{to.x / to.w, to.y / to.w})};
+  }
+
+  /// Short enough to be drawn, or far enough away not to be.
+  [[nodiscard]] bool is_fine(Homogeneous from, Homogeneous to) const {
+    const auto ends = stretch(from, to);
+    if (!ends) return far_away(from) && far_away(to);
+    const double length = std::abs(ends->second - ends->first);
+    if (length <= longest_step) return true;
+    const double nearest = std::min(distance_to_window(ends->first), distance_to_window(ends->second));
+    return nearest > 2 * length;  // a smooth curve does not come back within so short a stretch
+  }
+
+  [[nodiscard]] bool far_away(Homogeneous p) const {
+    if (p.w == 0) return true;
+    const PixelBox& box = window_.box();
+    return distance_to_window(window_.to_px(Point{p.x / p.w, p.y / p.w})) > 4 * (box.width + box.height);
+  }
+
+  [[nodiscard]] double distance_to_window(Point px) const {
+    const PixelBox& box = window_.box();
+    const double dx = std::max({box.left - px.real(), px.real() - box.right(), 0.0});
+    const double dy = std::max({box.top - px.imag(), px.imag() - box.bottom(), 0.0});
+    return std::hypot(dx, dy);
+  }
+
+  void add(std::vector<std::vector<Point>>& paths, Homogeneous from, Homogeneous to) const {
+    const auto ends = stretch(from, to);
+    if (!ends) return;
+    const auto seen = window_.clipped(ends->first, ends->second);
+    if (!seen || std::abs(seen->second - seen->first) > longest_line) return;
+    const bool continues = !paths.empty() && paths.back().back() == seen->first && seen->first == ends->first;
+    if (!continues) paths.push_back({seen->first});
+    paths.back().push_back(seen->second);
+  }
+
+  const BurmesterCurve& curve_;
+  const WorkingFrame& frame_;
+  const PlaneWindow& window_;
+  CurvePaths paths_;
+};
+
+}  // namespace
+
+CurvePaths visible_curves(const BurmesterCurve& curve, const WorkingFrame& frame, const PlaneWindow& window) {
+  return CurveTracer(curve, frame, window).trace();
+}
+
+}  // namespace linkwright

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "linkwright/planar/burmester_curve.hpp"
+#include "plane_window.hpp"
+
+namespace linkwright {
+
+/// The two Burmester curves as they are seen in a window: paths in px, broken at infinity and where they leave it.
+struct CurvePaths {
+  std::vector<std::vector<Point>> centers, circles;
+};
+
+/// Follows both curves by τ, with smaller steps where the window shows them.
+[[nodiscard]] CurvePaths visible_curves(const BurmesterCurve& curve, const WorkingFrame& frame,
+                                        const PlaneWindow& window);
+
+}  // namespace linkwright

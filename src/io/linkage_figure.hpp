@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/mechanism/pose.hpp"
+#include "linkwright/region/requirements.hpp"
+#include "plane_window.hpp"
+#include "svg_canvas.hpp"
+
+namespace linkwright {
+
+// The parts of a drawing of a linkage, from back to front. All sizes in px, the same at every scale.
+
+void draw_grid(SvgCanvas& svg, const PlaneWindow& window);
+
+/// A dotted rectangle with its name in the lower right corner.
+void draw_box(SvgCanvas& svg, const PlaneWindow& window, const Box& box, std::string_view name);
+
+/// A path in px, dotted, in the accent colour: the task's stretch, or thinner what lies beyond it.
+void draw_traced_path(SvgCanvas& svg, const PlaneWindow& window, std::span<const Point> path, bool is_task);
+
+/// The side links and the coupler as thin lines.
+void draw_ghost(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar);
+
+/// The coupler as a body that carries the moving frame.
+void draw_body(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar, Point frame_origin);
+
+/// Links and ground symbols in the colours of their roles.
+void draw_bars(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar);
+
+/// The pins of the four pivots; poses go between bars and pins, so that neither hides the other.
+void draw_pins(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar);
+
+/// The moving frame in a pose: a disc with the pose's number, x and y arms. `strong`: position 1.
+void draw_pose(SvgCanvas& svg, const PlaneWindow& window, const Pose& pose, std::size_t number, bool strong);
+
+/// A bar of a round length with its name, its left end at `left`.
+void draw_scale_bar(SvgCanvas& svg, const PlaneWindow& window, Point left, std::string_view unit);
+
+/// A sample of a line with its name, and where the next entry starts.
+double draw_line_key(SvgCanvas& svg, Point left, std::string_view attributes, std::string_view name);
+
+}  // namespace linkwright

@@ -1,0 +1,55 @@
+#include "linkage_positions.hpp"
+
+#include <algorithm>
+
+#include "linkwright/analysis/coupler_curve.hpp"
+#include "linkwright/analysis/defects.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr int fine_samples = 7201;         // near change points a coupler whips round within a degree of the input
+constexpr double path_resolution = 0.002;  // of the path's extent: finer than a drawing shows
+
+/// The path without points that lie closer to the last one than can be seen; the ends stay.
+std::vector<Point> thinned(const std::vector<Point>& path) {
+  double extent = 0;
+  for (const Point p : path) extent = std::max(extent, std::abs(p - path.front()));
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == path.size();
+    if (is_end || std::abs(path[i] - kept.back()) >= path_resolution * extent) kept.push_back(path[i]);
+  }
+  return kept;
+}
+
+std::vector<Point> traced_points(std::span<const MotionState> motion) {
+  std::vector<Point> path;
+  path.reserve(motion.size());
+  for (const MotionState& state : motion) path.push_back(state.coupler_point);
+  return path;
+}
+
+}  // namespace
+
+FourBar in_pose(const FourBar& four_bar, std::span<const PrescribedPose> poses, std::size_t pose) {
+  FourBar bars = four_bar;
+  const Pose &from = poses.front().pose, &to = poses[pose].pose;
+  bars.input_circle = displaced(bars.input_circle, from, to);
+  bars.output_circle = displaced(bars.output_circle, from, to);
+  return bars;
+}
+
+std::vector<Point> path_of_task(const FourBar& four_bar, std::span<const PrescribedPose> poses, Point traced) {
+  if (poses.size() < 2) return {};
+  const DefectReport report = find_defects(four_bar, poses);
+  if (report.sense == DriveSense::none) return {};
+  const double sweep = report.sense == DriveSense::cw ? -report.sweep : report.sweep;
+  return thinned(traced_points(motion_sweep(four_bar, traced, sweep, fine_samples)));
+}
+
+std::vector<Point> path_of_cycle(const FourBar& four_bar, Point traced) {
+  return thinned(traced_points(motion_cycle(four_bar, traced, fine_samples)));
+}
+
+}  // namespace linkwright

@@ -1,0 +1,27 @@
+#include "mistakes.hpp"
+
+#include <fmt/format.h>
+
+namespace linkwright {
+
+void Mistakes::add(std::string code, std::string place, std::string message) {
+  if (errors_.size() < most_listed) {
+    errors_.push_back({std::move(code), std::move(place), std::move(message)});
+  } else {
+    ++unlisted_;
+  }
+}
+
+void Mistakes::add(const std::vector<Error>& errors) {
+  for (const Error& error : errors) add(error.code, error.place, error.message);
+}
+
+std::vector<Error> Mistakes::take() {
+  if (unlisted_ > 0) {
+    errors_.push_back({"more_mistakes", "", fmt::format("{} more mistakes of this kind are not listed", unlisted_)});
+  }
+  unlisted_ = 0;
+  return std::move(errors_);
+}
+
+}  // namespace linkwright

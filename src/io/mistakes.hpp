@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "linkwright/core/result.hpp"
+
+namespace linkwright {
+
+/// The mistakes found in a file, in the order in which they were found. A hostile file can hold millions: after
+/// `most_listed` they are only counted.
+class Mistakes {
+ public:
+  static constexpr std::size_t most_listed = 100;
+
+  void add(std::string code, std::string place, std::string message);
+  void add(const std::vector<Error>& errors);
+  [[nodiscard]] bool empty() const { return errors_.empty(); }
+  [[nodiscard]] std::size_t size() const { return errors_.size() + unlisted_; }
+  /// The list, with a last entry for those that were only counted.
+  [[nodiscard]] std::vector<Error> take();
+
+ private:
+  std::vector<Error> errors_;
+  std::size_t unlisted_ = 0;
+};
+
+}  // namespace linkwright

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace linkwright {
+
+/// Least number of inserted, removed, replaced or exchanged neighbouring characters that turns `a` into `b`
+/// (V. Levenshtein 1966, with F. Damerau's exchange of 1964).
+[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The known name nearest to what was written; the first of equals. `known` is not empty.
+[[nodiscard]] std::string_view nearest_name(std::string_view written, std::span<const std::string_view> known);
+
+/// A name from a file as messages show it: control characters replaced, cut when long.
+[[nodiscard]] std::string presentable(std::string_view name);
+
+/// The same in double quotes.
+[[nodiscard]] std::string in_quotes(std::string_view name);
+
+}  // namespace linkwright

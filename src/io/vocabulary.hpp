@@ -1,0 +1,12 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace linkwright {
+
+// The words of task.kind and task.mechanism, those not built yet included: they are refused by name.
+inline constexpr std::array<std::string_view, 3> task_kinds = {"motion", "function", "straight_line"};
+inline constexpr std::array<std::string_view, 3> mechanism_names = {"four_bar", "six_bar", "spherical_four_bar"};
+
+}  // namespace linkwright

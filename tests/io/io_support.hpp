@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "linkwright/io/problem_file.hpp"
+#include "linkwright/planar/motion_synthesis.hpp"
+
+namespace linkwright::testing {
+
+/// A folder of its own for a test, removed afterwards.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::size_t file_count() const;
+
+ private:
+  std::filesystem::path path_;
+};
+[[nodiscard]] inline std::filesystem::path operator/(const Folder& folder, const std::string& name) {
+  return folder.path() / name;
+}
+
+[[nodiscard]] std::string text_of(const std::filesystem::path& path);
+
+/// examples/tailgate.json, and its solution on a small region.
+[[nodiscard]] const Problem& tailgate();
+[[nodiscard]] const MotionSolution& solved_tailgate();
+
+/// The problem with other poses: x, y, degrees.
+[[nodiscard]] Problem problem_of(const std::vector<std::array<double, 3>>& poses);
+[[nodiscard]] MotionSolution solution_of(const Problem& problem);
+
+}  // namespace linkwright::testing

@@ -1,0 +1,163 @@
+#include "linkwright/io/problem_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "io_support.hpp"
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string with(std::string_view members) {
+  return R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar", "poses": [
+    {"x": 0, "y": 0, "theta_deg": 0}, {"x": -125, "y": 75, "theta_deg": -25},
+    {"x": -220, "y": 220, "theta_deg": -52}, {"x": -220, "y": 450, "theta_deg": -82}]})" +
+         std::string(members) + "}";
+}
+
+Problem read(const std::string& text) {
+  auto problem = read_problem(text);
+  EXPECT_TRUE(problem.ok()) << (problem.ok() ? "" : problem.errors()[0].place + ": " + problem.errors()[0].message);
+  return problem.ok() ? problem.value() : Problem{};
+}
+
+TEST(ProblemFile, ReadsTheExample) {
+  const auto problem = read_problem_file(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / "tailgate.json");
+  ASSERT_TRUE(problem.ok());
+  EXPECT_EQ(problem->title, "Tailgate hinge");
+  EXPECT_EQ(problem->length_unit, "mm");
+  ASSERT_EQ(problem->task.poses.size(), 4u);
+  EXPECT_EQ(problem->task.poses[3].pose.origin, Point(-220, 450));
+  EXPECT_EQ(problem->task.poses[3].pose.angle, radians(-82));
+  EXPECT_EQ(problem->requirements.min_transmission_angle, radians(30));
+  EXPECT_EQ(problem->requirements.max_length, 450);
+  ASSERT_TRUE(problem->requirements.moving_pivots_within);
+  EXPECT_EQ(problem->requirements.moving_pivots_within->y_high, 380);
+}
+
+TEST(ProblemFile, WithoutOptionalMembersHasTheDefaults) {
+  const Problem problem = read(with(""));
+  const Requirements defaults;
+  EXPECT_EQ(problem.title, "");
+  EXPECT_TRUE(problem.requirements.no_defects);
+  EXPECT_EQ(problem.requirements.max_link_ratio, defaults.max_link_ratio);
+  EXPECT_FALSE(problem.requirements.max_length);
+  EXPECT_EQ(problem.options.region_samples, SynthesisOptions{}.region_samples);
+  EXPECT_EQ(problem.view, "");
+}
+
+TEST(ProblemFile, NullSwitchesALimitOff) {
+  const Problem problem = read(with(R"(, "requirements": {"types": null, "min_transmission_angle_deg": null,
+    "max_link_ratio": null, "max_length": null, "ground_pivots_within": null, "moving_pivots_within": null})"));
+  EXPECT_TRUE(problem.requirements.types.empty());
+  EXPECT_EQ(problem.requirements.min_transmission_angle, 0);
+  EXPECT_EQ(problem.requirements.max_link_ratio, Requirements::unlimited);
+  EXPECT_EQ(problem.requirements.max_length, Requirements::unlimited);
+  EXPECT_FALSE(problem.requirements.ground_pivots_within);
+}
+
+TEST(ProblemFile, ReadsRequirementsAndOptions) {
+  const Problem problem =
+      read(with(R"(, "requirements": {"types": ["double_crank", "change_point"], "no_defects": false,
+      "respect_direction": false},
+    "options": {"region_samples": 33.0, "spacing": "arc_length", "objective": "size", "best": 3,
+      "window": [[0, 0.5], [0.25, 1]]})"));
+  EXPECT_EQ(problem.requirements.types, (std::vector{LinkageType::double_crank, LinkageType::change_point}));
+  EXPECT_FALSE(problem.requirements.no_defects);
+  EXPECT_FALSE(problem.requirements.respect_direction);
+  EXPECT_EQ(problem.options.region_samples, 33);
+  EXPECT_EQ(problem.options.spacing, Spacing::arc_length);
+  EXPECT_EQ(problem.options.objective, Objective::size);
+  EXPECT_EQ(problem.options.best, 3);
+  ASSERT_TRUE(problem.options.window);
+  EXPECT_EQ(problem.options.window->output[0], 0.25);
+}
+
+TEST(ProblemFile, MayHoldCommentsAndAByteOrderMark) {
+  EXPECT_TRUE(read_problem("\xEF\xBB\xBF// a comment with \"quotes\" and {{{ brackets\n" + with("// more\n")).ok());
+}
+
+TEST(ProblemFile, ViewIsKeptAndNeverRead) {
+  const Problem problem = read(with(R"(, "view": {"pins": [1.5, null], "outline": {"poses": "Tür"}})"));
+  EXPECT_EQ(nlohmann::json::parse(problem.view),
+            nlohmann::json::parse(R"({"pins":[1.5,null],"outline":{"poses":"Tür"}})"));
+}
+
+TEST(ProblemFile, WrittenProblemReadsBackAsItself) {
+  const Problem problem = read(with(R"(, "title": "Tür \"A\" \\ \u0007 ∞", "length_unit": "in",
+    "requirements": {"types": ["crank_rocker"], "min_transmission_angle_deg": 33.3, "max_link_ratio": null,
+      "max_length": 0.1, "ground_pivots_within": {"x": [-1e-3, 1e9], "y": [0.1, 0.3]}},
+    "options": {"region_samples": 17, "spacing": "arc_length", "objective": "link_ratio", "best": 0,
+      "window": [[0.1, 0.7], [0.2, 0.3]]}, "view": {"a": [1e-7]})"));
+  const std::string once = write_problem(problem);
+  EXPECT_EQ(write_problem(read(once)), once);
+  EXPECT_EQ(read(once).task.poses[1].pose.angle, problem.task.poses[1].pose.angle);
+  EXPECT_EQ(read(once).title, problem.title);
+  EXPECT_EQ(read(once).view, problem.view);
+}
+
+TEST(ProblemFile, EchoesTheAngleThatWasGiven) {
+  const std::string text = with("");
+  const auto echo = nlohmann::json::parse(write_problem(read(text)));
+  EXPECT_EQ(echo["task"]["poses"], nlohmann::json::parse(text)["task"]["poses"]);
+}
+
+TEST(ProblemFile, BadProblemsAreRefusedWithEveryMistakeInItsPlace) {
+  const auto folder = std::filesystem::path(LINKWRIGHT_DATA_DIR) / "bad_problems";
+  const auto expected = nlohmann::json::parse(testing::text_of(folder / "expected.json"))["files"];
+  ASSERT_GE(expected.size(), 40u);
+  for (const auto& [name, mistakes] : expected.items()) {
+    SCOPED_TRACE(name);
+    const auto problem = read_problem_file(folder / name);
+    ASSERT_FALSE(problem.ok());
+    ASSERT_EQ(problem.errors().size(), mistakes.size());
+    for (std::size_t i = 0; i < mistakes.size(); ++i) {
+      EXPECT_EQ(problem.errors()[i].place, mistakes[i][0].get<std::string>());
+      EXPECT_THAT(problem.errors()[i].message, HasSubstr(mistakes[i][1].get<std::string>()));
+      EXPECT_FALSE(problem.errors()[i].code.empty());
+    }
+  }
+}
+
+TEST(ProblemFile, HostileTextsAreRefusedQuickly) {
+  const std::string brackets(1'000'000, '['), objects = [] {
+    std::string text;
+    for (int i = 0; i < 100'000; ++i) text += "{\"a\":";
+    return text;
+  }();
+  for (const std::string& text :
+       {brackets, objects, std::string(17 << 20, ' '), std::string(17 << 20, '1'), std::string(1 << 20, '"'),
+        std::string(1 << 20, '\\'), std::string(1 << 20, '\xFF')}) {
+    EXPECT_FALSE(read_problem(text).ok());
+  }
+}
+
+TEST(ProblemFile, AMillionUnknownKeysAreCountedNotListed) {
+  std::string members;
+  for (int i = 0; i < 300'000; ++i) members += ",\"k" + std::to_string(i) + "\":0";
+  const auto problem = read_problem(with(members));
+  ASSERT_FALSE(problem.ok());
+  EXPECT_LE(problem.errors().size(), 101u);
+  EXPECT_THAT(problem.errors().back().message, StartsWith("299900 more mistakes"));
+}
+
+TEST(ProblemFile, AnEndlessKeyIsCutInTheMessage) {
+  const auto problem = read_problem(with(", \"" + std::string(5 << 20, 'k') + "\": 1"));
+  ASSERT_FALSE(problem.ok());
+  EXPECT_LT(problem.errors()[0].place.size(), 100u);
+}
+
+TEST(ProblemFile, EveryCutOfAFileIsRefused) {
+  const std::string text = testing::text_of(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / "tailgate.json");
+  const std::size_t end = text.rfind('}');
+  for (std::size_t length = 0; length <= end; ++length)
+    EXPECT_FALSE(read_problem(text.substr(0, length)).ok()) << length;
+}
+
+}  // namespace
+}  // namespace linkwright
