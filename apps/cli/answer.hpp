@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "linkwright/io/problem_file.hpp"
+#include "linkwright/planar/motion_synthesis.hpp"
+
+namespace linkwright::cli {
+
+/// What was found, in words and tables for people, at most 100 columns wide.
+[[nodiscard]] std::string answer(const Problem& problem, const MotionSolution& solution);
+
+}  // namespace linkwright::cli

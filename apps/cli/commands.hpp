@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "console.hpp"
+
+namespace linkwright::cli {
+
+struct SolveArguments {
+  std::string problem;  ///< path, or "-" for standard input
+  std::string result;   ///< path, "-" for standard output, or empty
+  std::string picture;  ///< path or empty
+  bool with_region = false;
+  std::optional<int> samples;  ///< nothing: as the problem says
+};
+[[nodiscard]] int solve(const SolveArguments& arguments);
+
+struct AnalyzeArguments {
+  std::string linkage;
+  std::string drive = "input";  ///< input or output
+  std::string report;           ///< path ending in .json or .csv, "-" for JSON on standard output, or empty
+};
+[[nodiscard]] int analyze(const AnalyzeArguments& arguments);
+
+struct ExportArguments {
+  std::string result;
+  int linkage = 1;     ///< from 1
+  std::string format;  ///< svg, dxf, csv or json
+  std::string output = "-";
+};
+[[nodiscard]] int export_linkage(const ExportArguments& arguments);
+
+}  // namespace linkwright::cli

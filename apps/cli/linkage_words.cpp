@@ -1,0 +1,102 @@
+#include "linkage_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/io/label.hpp"
+#include "linkwright/io/number_text.hpp"
+#include "text_table.hpp"
+
+namespace linkwright::cli {
+namespace {
+
+std::string angle(double radians) { return rounded_text(degrees(radians), 2) + "°"; }
+
+std::string lengths_words(const LinkageAnalysis& analysis) {
+  const LinkLengths& lengths = analysis.lengths;
+  const int decimals = std::min(length_decimals(lengths.longest()) + 1, 12);
+  const std::string unit = printable(analysis.linkage.length_unit);
+  TextTable table({"ground", "input", "coupler", "output", "longest / shortest"});
+  table.add_row({rounded_text(lengths.ground, decimals), rounded_text(lengths.input, decimals),
+                 rounded_text(lengths.coupler, decimals), rounded_text(lengths.output, decimals),
+                 rounded_text(lengths.longest() / lengths.shortest(), 3)});
+  return (unit.empty() ? std::string("Lengths:\n") : fmt::format("Lengths in {}:\n", unit)) + table.text();
+}
+
+std::string type_words(const LinkageAnalysis& analysis) {
+  std::string text = fmt::format("Type: {}", label(analysis.type));
+  if (analysis.change_point != ChangePointKind::none) {
+    text += fmt::format(" ({})", label(analysis.change_point));
+    return wrapped(text + ". The links can lie in one line, where the linkage may change its mode of motion.");
+  }
+  return wrapped(text + (is_grashof(analysis.type) ? " (Grashof: the shortest link turns fully against the others)."
+                                                   : " (not Grashof: no link turns fully against the others)."));
+}
+
+std::string range_words(const LinkageAnalysis& analysis) {
+  if (!analysis.input_ranges.empty() && analysis.input_ranges.front().is_full_turn()) {
+    return analysis.dead_points.empty()
+               ? "The input turns fully; it has no dead points.\n"
+               : "The input turns fully, through dead points where all links lie in one line.\n";
+  }
+  std::string text = "The input swings";
+  for (std::size_t i = 0; i < analysis.input_ranges.size(); ++i) {
+    const AngleRange& range = analysis.input_ranges[i];
+    text += fmt::format("{} from {} to {} ({})", i == 0 ? "" : ", or when put together the other way,",
+                        angle(range.from), angle(range.to), angle(range.to - range.from));
+  }
+  return wrapped(text + ", measured from the ground link.");
+}
+
+std::string dead_point_words(const LinkageAnalysis& analysis) {
+  if (analysis.dead_points.empty()) return "";
+  TextTable table({"dead point:", "input", "coupler", "output", "<coupler and output link"});
+  for (const DeadPoint& dead_point : analysis.dead_points) {
+    const Configuration& at = dead_point.configuration;
+    table.add_row({"", angle(wrap_signed(at.input_angle)), angle(wrap_signed(at.coupler_angle)),
+                   angle(wrap_signed(at.output_angle)), dead_point.extended ? "stretched" : "folded"});
+  }
+  return table.text();
+}
+
+std::string transmission_words(const LinkageAnalysis& analysis) {
+  std::string text = fmt::format("Transmission angle as it lies: {}", angle(analysis.transmission_angle));
+  if (input_is_crank(analysis.type)) {
+    text += fmt::format("; least over a full turn: {}", angle(analysis.min_transmission_angle_full_turn));
+  } else if (!analysis.motion.empty()) {
+    const auto best =
+        std::max_element(analysis.motion.begin(), analysis.motion.end(),
+                         [](const auto& a, const auto& b) { return a.transmission_angle < b.transmission_angle; });
+    text += fmt::format("; it is 0 at the dead points and largest, {}, at input angle {}",
+                        angle(best->transmission_angle), angle(wrap_signed(best->configuration.input_angle)));
+  }
+  return wrapped(text + ".");
+}
+
+std::string rate_words(const LinkageAnalysis& analysis) {
+  double least = 0, most = 0;
+  bool is_first = true;
+  for (const MotionState& state : analysis.motion) {
+    if (!state.rates) continue;
+    least = is_first ? state.rates->output : std::min(least, state.rates->output);
+    most = is_first ? state.rates->output : std::max(most, state.rates->output);
+    is_first = false;
+  }
+  if (is_first || !input_is_crank(analysis.type)) return "";  // unbounded next to dead points
+  return wrapped(fmt::format("The output turns {} to {} times as fast as the input.", rounded_text(least, 3),
+                             rounded_text(most, 3)));
+}
+
+}  // namespace
+
+std::string linkage_words(const LinkageAnalysis& analysis, std::string_view drive) {
+  const std::string title = analysis.linkage.title.empty() ? "Four-bar linkage" : printable(analysis.linkage.title);
+  const std::string driven =
+      drive == "output" ? " driven by the file's output link (called input here)" : " driven by its input link";
+  return wrapped(title + "," + driven) + lengths_words(analysis) + type_words(analysis) + range_words(analysis) +
+         dead_point_words(analysis) + transmission_words(analysis) + rate_words(analysis);
+}
+
+}  // namespace linkwright::cli

@@ -1,0 +1,96 @@
+// The program `linkwright`: reads files, calls the library, prints for people or writes files.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <fmt/format.h>
+#include <new>
+#include <string>
+
+#include "commands.hpp"
+
+namespace linkwright::cli {
+namespace {
+
+constexpr int mistake = static_cast<int>(Status::mistake), failure = static_cast<int>(Status::failure);
+
+void add_solve(CLI::App& app, SolveArguments& arguments) {
+  CLI::App* command = app.add_subcommand("solve", "Find every linkage that does a task, and the best of them");
+  command->add_option("PROBLEM", arguments.problem, "Problem file (JSON; - reads standard input)")->required();
+  command->add_option("-o,--output", arguments.result, "Write the result as JSON to this file (- for standard output)");
+  command->add_option("--svg", arguments.picture, "Draw the solution to this SVG file");
+  command->add_flag("--region", arguments.with_region, "Write the region's arrays into the result, too");
+  command->add_option("--samples", arguments.samples,
+                      "Samples per side of the region (wins over options.region_samples)");
+}
+
+void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {
+  CLI::App* command = app.add_subcommand("analyze", "Type, ranges, dead points and transmission angles of one linkage");
+  command->add_option("LINKAGE", arguments.linkage, "Linkage file (JSON: pivots, lengths, or an exported linkage)")
+      ->required();
+  command->add_option("--drive", arguments.drive, "Which side link drives: input (default) or output")
+      ->check(CLI::IsMember({"input", "output"}));
+  command->add_option("-o,--output", arguments.report,
+                      "Write the analysis to FILE.json or the motion to FILE.csv (- for JSON on standard output)");
+}
+
+void add_export(CLI::App& app, ExportArguments& arguments) {
+  CLI::App* command = app.add_subcommand("export", "Take one linkage of a result away as a drawing or a table");
+  command->add_option("RESULT", arguments.result, "Result file written by solve -o")->required();
+  command->add_option("--linkage", arguments.linkage, "Which linkage of the result, from 1 (default 1, the best)");
+  command->add_option("--format", arguments.format, "svg, dxf, csv (its motion) or json")
+      ->required()
+      ->check(CLI::IsMember({"svg", "dxf", "csv", "json"}));
+  command->add_option("-o,--output", arguments.output, "Output file (default: standard output)");
+}
+
+/// One line that says what is wrong with the command line.
+std::string usage_mistake(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "linkwright" : "linkwright " + chosen.front()->get_name();
+  std::string message = error.what();
+  while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.pop_back();
+  for (char& c : message) c = c == '\n' ? ' ' : c;
+  return fmt::format("{}; see {} --help", message, command);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Linkwright finds linkages: every four-bar that guides a body through given poses, on one map.",
+               "linkwright");
+  app.set_version_flag("--version", "linkwright " LINKWRIGHT_VERSION);
+  app.require_subcommand(0, 1);
+  SolveArguments solve_arguments;
+  AnalyzeArguments analyze_arguments;
+  ExportArguments export_arguments;
+  add_solve(app, solve_arguments);
+  add_analyze(app, analyze_arguments);
+  add_export(app, export_arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    app.exit(success);
+    return std::fflush(stdout) == 0 ? 0 : failure;
+  } catch (const CLI::ParseError& error) {
+    print_failure(usage_mistake(app, error));
+    return mistake;
+  }
+  if (app.got_subcommand("solve")) return solve(solve_arguments);
+  if (app.got_subcommand("analyze")) return analyze(analyze_arguments);
+  if (app.got_subcommand("export")) return export_linkage(export_arguments);
+  std::fputs(app.help().c_str(), stderr);
+  return mistake;
+}
+
+}  // namespace
+}  // namespace linkwright::cli
+
+int main(int argc, char** argv) {
+  try {
+    return linkwright::cli::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    linkwright::cli::print_failure("there is not enough memory for this; use fewer samples (--samples)");
+  } catch (const std::exception& error) {
+    linkwright::cli::print_failure(error.what());
+  }
+  return linkwright::cli::failure;
+}

@@ -1,0 +1,112 @@
+#include "requirement_words.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/io/label.hpp"
+#include "linkwright/io/number_text.hpp"
+
+namespace linkwright::cli {
+namespace {
+
+constexpr int digits = 6;           // of a limit in words
+constexpr double touching = 0.005;  // of the limit, or of a box's side
+
+std::string length_words(double length, std::string_view unit) {
+  const std::string number = significant_text(length, digits);
+  return unit.empty() ? number : fmt::format("{} {}", number, unit);
+}
+
+std::string angle_words(double angle) { return significant_text(degrees(angle), digits) + "°"; }
+
+std::string box_words(const Box& box) {
+  return fmt::format("x {}…{}, y {}…{}", significant_text(box.x_low, digits), significant_text(box.x_high, digits),
+                     significant_text(box.y_low, digits), significant_text(box.y_high, digits));
+}
+
+std::string type_list(const std::vector<LinkageType>& types) {
+  std::string text;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == types.size() ? " or " : ", ") + std::string(name(types[i]));
+  }
+  return text;
+}
+
+/// "its input's fixed pivot at the border x = 70", or nothing.
+void add_border(std::vector<std::string>& touched, const std::optional<Box>& box, Point pivot, std::string_view which) {
+  if (!box) return;
+  const auto check = [&](double value, double low, double high, char axis) {
+    const double room = touching * (high - low);
+    if (value - low > room && high - value > room) return;
+    const double border = value - low <= room ? low : high;
+    touched.push_back(
+        fmt::format("{} at the border {} = {} of its box", which, axis, significant_text(border, digits)));
+  };
+  check(pivot.real(), box->x_low, box->x_high, 'x');
+  check(pivot.imag(), box->y_low, box->y_high, 'y');
+}
+
+}  // namespace
+
+std::string requirement_words(const Requirements& requirements, std::string_view unit) {
+  std::string text = requirements.no_defects ? "no defects" : "defects allowed";
+  const auto add = [&text](std::string_view words) { text += fmt::format(", {}", words); };
+  if (!requirements.types.empty()) add("type " + type_list(requirements.types));
+  if (requirements.min_transmission_angle > 0) {
+    add("transmission angle over the task at least " + angle_words(requirements.min_transmission_angle));
+  }
+  if (std::isfinite(requirements.max_link_ratio)) {
+    add("link ratio at most " + significant_text(requirements.max_link_ratio, digits));
+  }
+  if (requirements.max_length && std::isfinite(*requirements.max_length)) {
+    add("longest link at most " + length_words(*requirements.max_length, unit));
+  }
+  if (requirements.ground_pivots_within) add("fixed pivots in " + box_words(*requirements.ground_pivots_within));
+  if (requirements.moving_pivots_within) {
+    add("moving pivots (position 1) in " + box_words(*requirements.moving_pivots_within));
+  }
+  return text;
+}
+
+std::vector<std::string> limits_touched(const Requirements& requirements, const FourBarSolution& found,
+                                        std::string_view unit) {
+  std::vector<std::string> touched;
+  const double gamma = std::acos(std::min(1.0, std::abs(found.report.worst_transmission_cosine)));
+  const double ratio = found.lengths.longest() / found.lengths.shortest(), longest = found.lengths.longest();
+  const double least_gamma = requirements.min_transmission_angle;
+  if (least_gamma > 0 && gamma <= (1 + touching) * least_gamma) {
+    touched.push_back("transmission angle at least " + angle_words(least_gamma));
+  }
+  if (ratio >= (1 - touching) * requirements.max_link_ratio) {
+    touched.push_back("link ratio at most " + significant_text(requirements.max_link_ratio, digits));
+  }
+  if (requirements.max_length && longest >= (1 - touching) * *requirements.max_length) {
+    touched.push_back("longest link at most " + length_words(*requirements.max_length, unit));
+  }
+  add_border(touched, requirements.ground_pivots_within, found.four_bar.input_center, "the input's fixed pivot");
+  add_border(touched, requirements.ground_pivots_within, found.four_bar.output_center, "the output's fixed pivot");
+  add_border(touched, requirements.moving_pivots_within, found.four_bar.input_circle, "the input's moving pivot");
+  add_border(touched, requirements.moving_pivots_within, found.four_bar.output_circle, "the output's moving pivot");
+  return touched;
+}
+
+std::string relaxation_words(const Relaxation& relaxation, std::string_view unit) {
+  const std::string leaves = grouped_text(relaxation.leaves);
+  if (!relaxation.value) return fmt::format("Without {} there would be {}.", key(relaxation.requirement), leaves);
+  switch (relaxation.requirement) {
+    case RequirementKind::min_transmission_angle:
+      return fmt::format("A transmission angle of at least {} would leave {}.", angle_words(*relaxation.value), leaves);
+    case RequirementKind::max_link_ratio:
+      return fmt::format("A link ratio of at most {} would leave {}.", significant_text(*relaxation.value, digits),
+                         leaves);
+    case RequirementKind::max_length:
+      return fmt::format("A longest link of at most {} would leave {}.", length_words(*relaxation.value, unit), leaves);
+    default:
+      break;
+  }
+  return fmt::format("{} = {} would leave {}.", key(relaxation.requirement),
+                     significant_text(*relaxation.value, digits), leaves);
+}
+
+}  // namespace linkwright::cli

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "linkwright/planar/motion_synthesis.hpp"
+
+namespace linkwright::cli {
+
+/// The requirements in plain words, "no defects, transmission angle at least 30°, …".
+[[nodiscard]] std::string requirement_words(const Requirements& requirements, std::string_view unit);
+
+/// The limits at which a linkage lies (to half a percent), in words.
+[[nodiscard]] std::vector<std::string> limits_touched(const Requirements& requirements, const FourBarSolution& found,
+                                                      std::string_view unit);
+
+/// "a transmission angle of at least 24° would leave 112", or what dropping the requirement would.
+[[nodiscard]] std::string relaxation_words(const Relaxation& relaxation, std::string_view unit);
+
+}  // namespace linkwright::cli

@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include "answer.hpp"
+#include "commands.hpp"
+#include "linkwright/io/problem_file.hpp"
+#include "linkwright/io/result_file.hpp"
+#include "linkwright/io/svg_drawing.hpp"
+
+namespace linkwright::cli {
+namespace {
+
+constexpr int mistake = static_cast<int>(Status::mistake), failure = static_cast<int>(Status::failure);
+
+int stopped() {
+  print_failure("stopped; nothing was written");
+  return Interruption::exit_status();
+}
+
+Result<MotionSolution> solve_with_progress(const Problem& problem) {
+  ProgressLine line;
+  Progress progress;
+  progress.report = [&line](double done) { line.show(done); };
+  progress.cancelled = Interruption::flag();
+  return solve_motion(problem.task, problem.requirements, problem.options, progress);
+}
+
+/// The files that were asked for; false where one cannot be written.
+bool write_files(const SolveArguments& arguments, const Problem& problem, const MotionSolution& solution) {
+  const bool drawn = arguments.picture.empty() || write_output(arguments.picture, [&](const TextSink& sink) {
+                       sink(draw_solution(problem, solution));
+                     });
+  return drawn && (arguments.result.empty() || write_output(arguments.result, [&](const TextSink& sink) {
+                     write_result(sink, problem, solution, arguments.with_region);
+                   }));
+}
+
+}  // namespace
+
+int solve(const SolveArguments& arguments) {
+  const Interruption interruption;
+  const std::string file = arguments.problem == "-" ? "standard input" : arguments.problem;
+  auto problem = read_problem_file(arguments.problem);
+  if (!problem) {
+    print_mistakes(file, problem.errors());
+    return mistake;
+  }
+  if (arguments.samples) problem->options.region_samples = *arguments.samples;
+  const auto option_mistakes = mistakes_in(problem->options);
+  if (!option_mistakes.empty()) {
+    print_mistakes("--samples", option_mistakes);
+    return mistake;
+  }
+  const auto solution = solve_with_progress(*problem);
+  if (Interruption::happened()) return stopped();
+  if (!solution) {
+    print_mistakes(file, solution.errors());
+    return mistake;
+  }
+  const bool written = write_files(arguments, *problem, *solution);
+  if (Interruption::happened()) return stopped();
+  if (!written) return failure;
+  const bool text_goes_elsewhere = arguments.result == "-" || arguments.picture == "-";
+  return text_goes_elsewhere || print_answer(answer(*problem, *solution)) ? 0 : failure;
+}
+
+}  // namespace linkwright::cli
