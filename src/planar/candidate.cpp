@@ -18,6 +18,7 @@ std::optional<Candidate> Judge::candidate(Place place) const {
 
 std::optional<Candidate> Judge::judged(Place place, const FourBar& bars) const {
   const Requirements& wanted = solution_->requirements;
+  if (!in_window(place)) return std::nullopt;
   const DefectReport report = find_defects(bars, poses_, wanted.respect_direction);
   if (report.type == LinkageType::degenerate) return std::nullopt;
   const auto& types = wanted.types;
@@ -33,6 +34,12 @@ std::optional<Candidate> Judge::judged(Place place, const FourBar& bars) const {
   if (!inside(wanted.moving_pivots_within, bars.input_circle, bars.output_circle)) return std::nullopt;
   const double score = score_of(solution_->options.objective, 1 - report.worst_transmission_cosine, ratio, longest);
   return Candidate{place, bars, report, score, false};
+}
+
+bool Judge::in_window(Place place) const {
+  if (!solution_->options.window) return true;
+  const auto& [input, output] = *solution_->options.window;
+  return place.input >= input[0] && place.input <= input[1] && place.output >= output[0] && place.output <= output[1];
 }
 
 bool Judge::inside(const std::optional<Box>& box, Point p, Point q) const {

@@ -27,7 +27,7 @@ class Judge {
   /// `solution` has its curve, requirements and options; it must outlive the judge.
   Judge(const MotionTask& task, const MotionSolution& solution);
 
-  /// The linkage at a place, or nothing where it does not meet the requirements.
+  /// The linkage at a place, or nothing where it does not meet the requirements or lies outside the window.
   [[nodiscard]] std::optional<Candidate> candidate(Place place) const;
 
   /// The same bars driven from the better side that meets the requirements: no defects, score, transmission angle,
@@ -36,6 +36,7 @@ class Judge {
 
  private:
   [[nodiscard]] std::optional<Candidate> judged(Place place, const FourBar& bars) const;
+  [[nodiscard]] bool in_window(Place place) const;
   [[nodiscard]] bool inside(const std::optional<Box>& box, Point p, Point q) const;
 
   const MotionSolution* solution_;

@@ -49,6 +49,25 @@ RegionMap region_of(const MotionTask& task, const MotionSolution& solution, cons
   return RegionMap(input, output, frame.scale, options.region, progress);
 }
 
+// Groups of parallel poses, in words: "1 and 3", "1, 2 and 4".
+std::vector<std::string> parallel_poses(const MotionTask& task) {
+  std::vector<std::string> groups;
+  std::vector<bool> told(task.poses.size(), false);
+  for (std::size_t i = 0; i < task.poses.size(); ++i) {
+    std::vector<std::size_t> group = {i + 1};
+    for (std::size_t j = i + 1; j < task.poses.size(); ++j) {
+      if (told[i] || !are_parallel(task.poses[i].pose, task.poses[j].pose)) continue;
+      group.push_back(j + 1);
+      told[j] = true;
+    }
+    if (group.size() == 1) continue;
+    const std::size_t last = group.back();
+    group.pop_back();
+    groups.push_back(fmt::format("{} and {}", fmt::join(group, ", "), last));
+  }
+  return groups;
+}
+
 void warn(MotionSolution& solution, const MotionTask& task) {
   if (solution.conditions.condition() > tolerance::ill_conditioned)
     solution.warnings.push_back(
@@ -57,28 +76,30 @@ void warn(MotionSolution& solution, const MotionTask& task) {
              "The poses are so close that rounding shows (condition {:.1e}); replace poses that lie close together by "
              "one pose with derivatives (direction of travel, curvature).",
              solution.conditions.condition())});
-  if (solution.conditions.only_translations) return;
-  for (std::size_t j = 1; j < task.poses.size(); ++j)
-    for (std::size_t i = 0; i < j; ++i)
-      if (are_parallel(task.poses[i].pose, task.poses[j].pose))
-        solution.warnings.push_back(
-            {"parallel_poses",
-             fmt::format("Poses {} and {} are parallel: their pole lies at infinity. This is fine.", i + 1, j + 1)});
+  for (const auto& group : parallel_poses(task))
+    solution.warnings.push_back(
+        {"parallel_poses", fmt::format("Poses {} are parallel: their poles lie at infinity. This is fine.", group)});
 }
 
 std::string percent(std::int64_t part, std::int64_t whole) {
-  return fmt::format("{:.0f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+  const double share = 100 * static_cast<double>(part) / static_cast<double>(whole);
+  if (part < whole && share > 99) return "over 99 %";
+  return share < 1 ? "under 1 %" : fmt::format("{:.0f} %", share);
 }
 
 std::string nothing_defect_free(const RegionCounts& counts) {
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+  std::vector<std::string> causes;
+  const auto blame = [&](std::int64_t cells, std::string_view what) {
+    if (cells > 0) causes.push_back(fmt::format("{} {}", percent(cells, whole), what));
+  };
+  blame(counts.circuit, "need taking apart (circuit)");
+  blame(counts.branch - counts.circuit, "lock between two poses (branch)");
+  blame(counts.order, "visit them in another order");
   return fmt::format(
-      "{} four-bars pass through all poses and none is free of defects: {} need taking apart (circuit), {} lock "
-      "between "
-      "two poses (branch), {} visit them in another order. Try another order of the poses, allow a defect "
-      "(no_defects: false), or move a pose.",
-      whole, percent(counts.circuit, whole), percent(counts.branch - counts.circuit, whole),
-      percent(counts.order, whole));
+      "{} four-bars pass through all poses and none is free of defects: {}. Try another order of the poses, allow a "
+      "defect (no_defects: false), or move a pose.",
+      whole, fmt::join(causes, ", "));
 }
 
 std::string nothing_left(const MotionSolution& solution) {
@@ -146,16 +167,16 @@ Result<MotionSolution> solve_motion(const MotionTask& task, const Requirements& 
   solution.requirements = requirements;
   if (!requirements.max_length) solution.requirements.max_length = default_max_length * frame.scale;
   solution.options = options;
-  warn(solution, task);
   solution.curve = std::make_shared<const BurmesterCurve>(solution.conditions);
+  for (const Dyad& dyad : dyads_at(*solution.curve, solution.curve->samples(options.region_samples, options.spacing)))
+    solution.samples.push_back(frame.to_user(dyad));
   if (const auto degeneracy = degeneracy_of(task, solution.conditions, *solution.curve)) {
     solution.status = SolutionStatus::degenerate;
     solution.reason = *degeneracy;
     return solution;
   }
 
-  for (const Dyad& dyad : dyads_at(*solution.curve, solution.curve->samples(options.region_samples, options.spacing)))
-    solution.samples.push_back(frame.to_user(dyad));
+  warn(solution, task);
   progress(0.1);
   solution.region = region_of(task, solution, progress);
   progress(0.6);
