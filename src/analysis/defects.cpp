@@ -29,16 +29,20 @@ SideLink side_link(Point center, Point circle, std::span<const PrescribedPose> p
   return link;
 }
 
+// A field of the driver, or of the driven links, of which there is one.
+double& only(double& value) { return value; }
+double& only(double (&values)[1]) { return values[0]; }
+
 template <class Side>
 void place(Side& side, const SideLink& link) {
-  side.center_x = link.center.real();
-  side.center_y = link.center.imag();
-  side.circle_x = link.circle.real();
-  side.circle_y = link.circle.imag();
-  side.length = std::abs(link.circle - link.center);
+  only(side.center_x) = link.center.real();
+  only(side.center_y) = link.center.imag();
+  only(side.circle_x) = link.circle.real();
+  only(side.circle_y) = link.circle.imag();
+  only(side.length) = std::abs(link.circle - link.center);
   for (std::size_t j = 0; j < link.arm.size(); ++j) {
-    side.arm_x[j] = link.arm[j].real();
-    side.arm_y[j] = link.arm[j].imag();
+    only(side.arm_x[j]) = link.arm[j].real();
+    only(side.arm_y[j]) = link.arm[j].imag();
   }
 }
 
@@ -47,12 +51,13 @@ int bits(bool ccw, bool cw) { return (ccw ? isa_single::ccw_bit : 0) | (cw ? isa
 template <int Poses>
 isa_single::PairVerdict<1> verdict(const SideLink& input, const SideLink& output, const DriverOrder& order) {
   isa_single::Driver<Poses> driver{};
-  isa_single::Driven<1, Poses> driven{};
+  isa_single::DrivenLinks<Poses, 1> driven{};
   place(driver, input);
   place(driven, output);
   driver.senses = bits(order.ccw, order.cw);
   driver.wide = bits(order.is_wide_ccw(), order.is_wide_cw());
-  return isa_single::pair_verdict<1, Poses>(driver, driven, tolerance::change_point);
+  return isa_single::pair_verdict<1>(driver, driven, 0, isa_single::distances<1>(driver, driven, 0),
+                                     tolerance::change_point);
 }
 
 isa_single::PairVerdict<1> verdict_of(const SideLink& input, const SideLink& output, const DriverOrder& order) {

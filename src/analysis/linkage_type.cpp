@@ -42,11 +42,16 @@ LinkageType linkage_type(const LinkLengths& lengths) {
 
 LinkageType swapped(LinkageType type) {
   switch (type) {
-    case LinkageType::crank_rocker: return LinkageType::rocker_crank;
-    case LinkageType::rocker_crank: return LinkageType::crank_rocker;
-    case LinkageType::triple_rocker_input: return LinkageType::triple_rocker_output;
-    case LinkageType::triple_rocker_output: return LinkageType::triple_rocker_input;
-    default: return type;
+    case LinkageType::crank_rocker:
+      return LinkageType::rocker_crank;
+    case LinkageType::rocker_crank:
+      return LinkageType::crank_rocker;
+    case LinkageType::triple_rocker_input:
+      return LinkageType::triple_rocker_output;
+    case LinkageType::triple_rocker_output:
+      return LinkageType::triple_rocker_input;
+    default:
+      return type;
   }
 }
 

@@ -2,6 +2,9 @@
 
 // The verdict over one pair of side links, or several at once: type, defects and what ranks it, by sign tests alone.
 // docs/theory/planar.md derives them. One source for find_defects (one pair) and for the region kernels (packs).
+//
+// Neighbours on a map mostly share their fate, so what no lane of a pack asks for is left out; what is left out never
+// shows in the verdict.
 
 #include "core/pack.hpp"
 
@@ -20,152 +23,220 @@ struct Driver {
   int wide;                           ///< turning that way, half a turn or more from first to last pose
 };
 
-/// The other side link(s) at each pose.
-template <int Width, int Poses>
-struct Driven {
-  using Real = typename Pack<Width>::Real;
-  Real center_x, center_y, length;
-  Real circle_x, circle_y;
-  Real arm_x[Poses], arm_y[Poses];
+/// `Count` other side links at each pose.
+template <int Poses, int Count>
+struct DrivenLinks {
+  double center_x[Count], center_y[Count], length[Count];
+  double circle_x[Count], circle_y[Count];
+  double arm_x[Poses][Count], arm_y[Poses][Count];
 };
 
 template <int Width>
 struct PairVerdict {
   using Real = typename Pack<Width>::Real;
-  typename Pack<Width>::Integer type, defects;         ///< codes of LinkageType and Defects
-  typename Pack<Width>::Mask whole;                    ///< not degenerate
-  typename Pack<Width>::Mask clean;                    ///< not degenerate and without defects
-  typename Pack<Width>::Mask turns;                    ///< the input is a crank
-  typename Pack<Width>::Mask travels_ccw, travels_cw;  ///< senses in which it does the task, where clean
+  unsigned long long type, defects;  ///< codes of LinkageType and Defects, a byte for each lane
+  Mask whole;                        ///< not degenerate
+  Mask clean;                        ///< not degenerate and without defects
+  Mask turns;                        ///< the input is a crank
+  Mask travels_ccw, travels_cw;      ///< senses in which it does the task, where clean
   /// |cos μ|·hb at its largest over the travel (where clean) and over the full turn (where `turns`), and hb.
   Real worst, worst_turn, hb;
   Real longest, shortest;
 };
 
-/// Whether values keep their sign from pose to pose.
+/// What the lengths of ground and coupler are made of. Apart from the rest because a square root takes long: a kernel
+/// takes those of the next pack while it judges this one.
 template <int Width>
-struct SignWatch {
-  using Integer = typename Pack<Width>::Integer;
-  Integer first{}, changed{};
-
-  LINKWRIGHT_INLINE void see(typename Pack<Width>::Real value, bool is_first) {
-    const Integer bits = __builtin_bit_cast(Integer, value);
-    if (is_first)
-      first = bits;
-    else
-      changed = changed | (bits ^ first);
-  }
-  LINKWRIGHT_INLINE typename Pack<Width>::Mask changes() const { return changed < Integer{}; }
+struct Distances {
+  using Real = typename Pack<Width>::Real;
+  Real frame_x, frame_y;  ///< from the input's centre to the output's
+  Real gg, hh, g, h;      ///< lengths of ground and coupler, and their squares
 };
+
+template <int Width, int Poses, int Count>
+LINKWRIGHT_INLINE Distances<Width> distances(const Driver<Poses>& driver, const DrivenLinks<Poses, Count>& driven,
+                                             int first) {
+  using Real = typename Pack<Width>::Real;
+  Distances<Width> d;
+  d.frame_x = load<Width>(driven.center_x + first) - driver.center_x;
+  d.frame_y = load<Width>(driven.center_y + first) - driver.center_y;
+  const Real link_x = driver.circle_x - load<Width>(driven.circle_x + first);
+  const Real link_y = driver.circle_y - load<Width>(driven.circle_y + first);
+  d.gg = d.frame_x * d.frame_x + d.frame_y * d.frame_y;
+  d.hh = link_x * link_x + link_y * link_y;
+  d.g = square_root<Width>(d.gg);
+  d.h = square_root<Width>(d.hh);
+  return d;
+}
+
+/// The pairs of a driver and a pack of driven links, and the joint signs: at each pose, the vector products of the
+/// frame and the driver, of driver and coupler, of coupler and driven link.
+template <int Width, int Poses, int Count>
+struct Pairs {
+  using Real = typename Pack<Width>::Real;
+  const Driver<Poses>& driver;
+  const DrivenLinks<Poses, Count>& driven;
+  int first;
+  Distances<Width> d;
+
+  LINKWRIGHT_INLINE Real arm_x(int j) const { return load<Width>(driven.arm_x[j] + first); }
+  LINKWRIGHT_INLINE Real arm_y(int j) const { return load<Width>(driven.arm_y[j] + first); }
+  LINKWRIGHT_INLINE Real at_input_center(int j) const {
+    return d.frame_x * driver.arm_y[j] - d.frame_y * driver.arm_x[j];
+  }
+  LINKWRIGHT_INLINE Real at_input_circle(int j) const {
+    return (arm_x(j) + d.frame_x) * driver.arm_y[j] - (arm_y(j) + d.frame_y) * driver.arm_x[j];
+  }
+  LINKWRIGHT_INLINE Real at_output_circle(int j) const {
+    return arm_x(j) * (driver.arm_y[j] - d.frame_y) - arm_y(j) * (driver.arm_x[j] - d.frame_x);
+  }
+};
+
+/// Lanes in which a value changes its sign from pose to pose. An exact zero has the sign that its arithmetic gave it,
+/// the same on every machine: + where the two products of a vector product are equal.
+template <int Width, int Poses, class ValueAt>
+LINKWRIGHT_INLINE Mask changes_sign(ValueAt value_at) {
+  using Integer = typename Pack<Width>::Integer;
+  const Integer first = __builtin_bit_cast(Integer, value_at(0));
+  Integer changed{};
+  for (int j = 1; j < Poses; ++j) changed = changed | (first ^ __builtin_bit_cast(Integer, value_at(j)));
+  return sign_bits<Width>(changed);
+}
+
+/// Lanes by the signs of Grashof's excesses: positive and negative beyond rounding.
+struct ExcessSigns {
+  Mask p1, p2, p3, n1, n2, n3;
+  Mask change_point, whole;
+
+  [[nodiscard]] LINKWRIGHT_INLINE Mask input_meets_frame() const { return (p1 & p2) | (n1 & n2); }
+  [[nodiscard]] LINKWRIGHT_INLINE Mask input_is_crank() const { return p3 & input_meets_frame(); }
+  [[nodiscard]] LINKWRIGHT_INLINE Mask rocker_crank() const { return p1 & n2 & n3; }
+  [[nodiscard]] LINKWRIGHT_INLINE Mask double_rocker() const { return n1 & p2 & n3; }
+};
+
+template <int Width, class Real = typename Pack<Width>::Real>
+LINKWRIGHT_INLINE ExcessSigns excess_signs(Real g, Real a, Real h, Real b, Real shortest, double zero_share) {
+  const Real gh = g + h, ab = a + b, zero = zero_share * (gh + ab);
+  const Real t1 = gh - ab, t2 = (g + b) - (a + h), t3 = (h + b) - (g + a);
+  const Real m1 = magnitude<Width>(t1), m2 = magnitude<Width>(t2), m3 = magnitude<Width>(t3);
+  const Mask n1 = negative<Width>(t1), n2 = negative<Width>(t2), n3 = negative<Width>(t3);
+  ExcessSigns s = {negated<Width>(n1), negated<Width>(n2), negated<Width>(n3), n1, n2, n3, 0, all_lanes<Width>};
+  const Mask beyond_rounding = less<Width>(zero, smaller(smaller(m1, m2), smaller(m3, shortest)));
+  if (beyond_rounding != all_lanes<Width>) [[unlikely]] {
+    const Mask not_1 = negated<Width>(less<Width>(zero, m1)), not_2 = negated<Width>(less<Width>(zero, m2)),
+               not_3 = negated<Width>(less<Width>(zero, m3));
+    s.p1 &= ~not_1, s.p2 &= ~not_2, s.p3 &= ~not_3;
+    s.n1 &= ~not_1, s.n2 &= ~not_2, s.n3 &= ~not_3;
+    s.change_point = not_1 | not_2 | not_3;
+    s.whole = less<Width>(zero, shortest);
+  }
+  return s;
+}
+
+/// Codes of LinkageType, bit by bit.
+template <int Width>
+LINKWRIGHT_INLINE unsigned long long type_codes(const ExcessSigns& s) {
+  const Mask regular = s.whole & ~s.change_point;
+  const Mask bit_0 = (regular & ((s.p2 & s.n1) | (s.n2 & s.n3))) | negated<Width>(s.whole);
+  const Mask bit_1 = regular & ((s.p2 & s.n1) | (s.n2 & s.p3));
+  const Mask bit_2 = regular & ~(s.p1 ^ s.p2 ^ s.p3);
+  const Mask bit_3 = negated<Width>(regular);
+  return bytes<Width>(bit_0) | bytes<Width>(bit_1) << 1 | bytes<Width>(bit_2) << 2 | bytes<Width>(bit_3) << 3;
+}
+
+struct LostWays {
+  Mask circuit, branch;
+};
+
+/// The joint that tells the circuits apart is the one that is not at the shortest link: of a crank-rocker and a double
+/// crank the output's, of a rocker-crank the input's moving joint, of a double rocker its fixed one.
+template <int Width, int Poses, int Count>
+LINKWRIGHT_INLINE LostWays lost_ways(const Pairs<Width, Poses, Count>& pairs, const ExcessSigns& s) {
+  const Mask output_changes = changes_sign<Width, Poses>([&](int j) { return pairs.at_output_circle(j); });
+  Mask circuit = s.input_is_crank() & output_changes;
+  if (const Mask lanes = s.rocker_crank())
+    circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_circle(j); });
+  if (const Mask lanes = s.double_rocker())
+    circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_center(j); });
+  return {circuit, circuit | output_changes};
+}
 
 /// What the driver can do (can_pass: along the frame, opposite to it) and |cos μ|·hb there.
 template <int Width>
 struct DriverLimits {
-  typename Pack<Width>::Mask can_pass_0, can_pass_pi;
+  Mask can_pass_0, can_pass_pi;
   typename Pack<Width>::Real worst_at_ends, worst_0, worst_pi;
 };
 
 template <int Width>
 struct Travel {
-  typename Pack<Width>::Mask possible;
-  typename Pack<Width>::Real worst;
+  Mask possible{};
+  typename Pack<Width>::Real worst{};
 };
 
 /// The turn from one arm to another in one sense. `turn_in`, `turn_out`: vector products of the frame's direction with
-/// the arm that comes first and last when turning counter-clockwise.
-template <int Width, class Real = typename Pack<Width>::Real, class Mask = typename Pack<Width>::Mask>
+/// the arm that comes first and last when turning counter-clockwise. An arm exactly along the frame is on neither side.
+template <int Width, class Real = typename Pack<Width>::Real>
 LINKWRIGHT_INLINE Travel<Width> travel(Real turn_in, Real turn_out, bool wide, const DriverLimits<Width>& limits) {
-  const Mask in_negative = turn_in < 0.0, in_positive = turn_in > 0.0;
-  const Mask out_negative = turn_out < 0.0, out_positive = turn_out > 0.0;
-  const Mask passes_0 = wide ? Mask(in_negative | out_positive) : Mask(in_negative & out_positive);
-  const Mask passes_pi = wide ? Mask(in_positive | out_negative) : Mask(in_positive & out_negative);
-  const Mask blocked = (passes_0 & negated(limits.can_pass_0)) | (passes_pi & negated(limits.can_pass_pi));
-  Real worst = limits.worst_at_ends;
-  worst = select(passes_0, larger(worst, limits.worst_0), worst);
-  worst = select(passes_pi, larger(worst, limits.worst_pi), worst);
-  return {negated(blocked), worst};
+  const Mask in_negative = less<Width>(turn_in, Real{}), in_positive = less<Width>(Real{}, turn_in);
+  const Mask out_negative = less<Width>(turn_out, Real{}), out_positive = less<Width>(Real{}, turn_out);
+  const Mask passes_0 = wide ? in_negative | out_positive : in_negative & out_positive;
+  const Mask passes_pi = wide ? in_positive | out_negative : in_positive & out_negative;
+  const Mask blocked = (passes_0 & ~limits.can_pass_0) | (passes_pi & ~limits.can_pass_pi);
+  const Real worst_0 = where<Width>(passes_0, limits.worst_0), worst_pi = where<Width>(passes_pi, limits.worst_pi);
+  return {negated<Width>(blocked), larger(limits.worst_at_ends, larger(worst_0, worst_pi))};
 }
 
-template <int Width, int Poses>
-LINKWRIGHT_INLINE PairVerdict<Width> pair_verdict(const Driver<Poses>& driver, const Driven<Width, Poses>& driven,
-                                                  double zero_share) {
+/// The better of two senses.
+template <int Width>
+LINKWRIGHT_INLINE typename Pack<Width>::Real better(const Travel<Width>& ccw, const Travel<Width>& cw) {
+  const auto of_either = select<Width>(cw.possible, smaller(ccw.worst, cw.worst), ccw.worst);
+  return select<Width>(ccw.possible, of_either, cw.worst);
+}
+
+template <int Width, int Poses, int Count>
+LINKWRIGHT_INLINE PairVerdict<Width> pair_verdict(const Driver<Poses>& driver, const DrivenLinks<Poses, Count>& driven,
+                                                  int first, const Distances<Width>& d, double zero_share) {
   using Real = typename Pack<Width>::Real;
-  using Mask = typename Pack<Width>::Mask;
-  using Integer = typename Pack<Width>::Integer;
-  const auto code = [](int value) { return Integer{} + value; };
-
-  const Real frame_x = driven.center_x - driver.center_x, frame_y = driven.center_y - driver.center_y;
-  const Real link_x = driver.circle_x - driven.circle_x, link_y = driver.circle_y - driven.circle_y;
-  const Real a = Real{} + driver.length, b = driven.length;
-  const Real gg = frame_x * frame_x + frame_y * frame_y, hh = link_x * link_x + link_y * link_y;
-  const Real g = square_root<Width>(gg), h = square_root<Width>(hh);
-
-  // Joint signs at each pose: of the frame and the driver, of driver and coupler, of coupler and driven link.
-  SignWatch<Width> at_input_center, at_input_circle, at_output_circle;
-  Real turn_first{}, turn_last{};
-  for (int j = 0; j < Poses; ++j) {
-    const Real turn = frame_x * driver.arm_y[j] - frame_y * driver.arm_x[j];
-    const Real driven_turn = frame_x * driven.arm_y[j] - frame_y * driven.arm_x[j];
-    const Real between = driven.arm_x[j] * driver.arm_y[j] - driven.arm_y[j] * driver.arm_x[j];
-    at_input_center.see(turn, j == 0);
-    at_input_circle.see(between + turn, j == 0);
-    at_output_circle.see(between + driven_turn, j == 0);
-    if (j == 0) turn_first = turn;
-    if (j == Poses - 1) turn_last = turn;
-  }
-
-  // Grashof's excesses, positive and negative beyond rounding.
-  const Real gh = g + h, ab = a + b, gb = g + b, ah = a + h, hb = h + b, ga = g + a;
-  const Real t1 = gh - ab, t2 = gb - ah, t3 = hb - ga, zero = zero_share * (gh + ab);
-  const Mask p1 = t1 > zero, p2 = t2 > zero, p3 = t3 > zero, n1 = t1 < -zero, n2 = t2 < -zero, n3 = t3 < -zero;
-  const Mask change_point = negated(Mask((p1 | n1) & (p2 | n2) & (p3 | n3)));
-  const Real shortest = smaller(smaller(a, b), smaller(g, h)), longest = larger(larger(a, b), larger(g, h));
-  const Mask whole = shortest > zero;
-  const Integer t1_positive = select(p2, select(p3, code(0), code(4)), select(p3, code(6), code(1)));
-  const Integer t1_negative = select(p2, select(p3, code(7), code(3)), select(p3, code(2), code(5)));
-  Integer type = select(p1, t1_positive, t1_negative);
-  type = select(whole, select(change_point, code(8), type), code(9));
-
-  // The joint that tells the circuits apart is the one that is not at the shortest link: of a crank-rocker (+++) and a
-  // double crank (−−+) the output's, of a rocker-crank (+−−) the input's moving joint, of a double rocker (−+−) its fixed one.
-  const Mask output_changes = at_output_circle.changes();
-  const Mask input_cranks = p3 & ((p1 & p2) | (n1 & n2));
-  const Mask lost_circuit = (input_cranks & output_changes) | (n3 & p1 & n2 & at_input_circle.changes()) |
-                            (n3 & n1 & p2 & at_input_center.changes());
+  const Pairs<Width, Poses, Count> pairs = {driver, driven, first, d};
+  const Real a = Real{} + driver.length, b = load<Width>(driven.length + first);
+  const Real shortest = smaller(smaller(a, b), smaller(d.g, d.h)), longest = larger(larger(a, b), larger(d.g, d.h));
+  const ExcessSigns s = excess_signs<Width>(d.g, a, d.h, b, shortest, zero_share);
+  LostWays lost = lost_ways(pairs, s);
 
   // hb cos μ = (h² + b² − a² − g²)/2 + ga cos φ, φ from the frame to the driver.
-  const Real still = 0.5 * ((hh - gg) + (b * b - a * a)), swing = g * a;
+  const Real still = 0.5 * ((d.hh - d.gg) + (b * b - a * a)), swing = d.g * a;
   const auto at_pose = [&](int j) {
-    return magnitude<Width>(still + (frame_x * driver.arm_x[j] + frame_y * driver.arm_y[j]));
+    return magnitude<Width>(still + (d.frame_x * driver.arm_x[j] + d.frame_y * driver.arm_y[j]));
   };
-  const DriverLimits<Width> limits = {Mask((p1 & p2) | (n1 & n2)), p3, larger(at_pose(0), at_pose(Poses - 1)),
-                                      magnitude<Width>(still + swing), magnitude<Width>(still - swing)};
-  const Mask none = Mask{} != Mask{};
-  Travel<Width> ccw = {none, Real{}}, cw = {none, Real{}};
-  if (driver.senses & ccw_bit) ccw = travel<Width>(turn_first, turn_last, driver.wide & ccw_bit, limits);
-  if (driver.senses & cw_bit) cw = travel<Width>(turn_last, turn_first, driver.wide & cw_bit, limits);
+  const Real worst_0 = magnitude<Width>(still + swing), worst_pi = magnitude<Width>(still - swing);
+  Travel<Width> ccw, cw;
+  Real worst{};
+  if (driver.senses && lost.branch != all_lanes<Width>) {
+    const Real first_turn = pairs.at_input_center(0), last_turn = pairs.at_input_center(Poses - 1);
+    const DriverLimits<Width> limits = {s.input_meets_frame(), s.p3, larger(at_pose(0), at_pose(Poses - 1)), worst_0,
+                                        worst_pi};
+    if (driver.senses & ccw_bit) ccw = travel<Width>(first_turn, last_turn, driver.wide & ccw_bit, limits);
+    if (driver.senses & cw_bit) cw = travel<Width>(last_turn, first_turn, driver.wide & cw_bit, limits);
+    worst = driver.senses == ccw_bit ? ccw.worst : driver.senses == cw_bit ? cw.worst : better(ccw, cw);
+  }
   const Mask in_order = ccw.possible | cw.possible;
   // A change point between the poses stops the drive like a dead point.
-  const Mask stopped = driver.senses ? Mask(change_point & negated(in_order)) : none;
-  const Mask lost_branch = output_changes | lost_circuit | stopped;
-  const Integer defects = select(lost_circuit, code(6), select(lost_branch, code(2), select(in_order, code(0), code(1))));
+  if (driver.senses) lost.branch |= s.change_point & ~in_order;
+  const Mask lost_order = negated<Width>(lost.branch | in_order);
 
   PairVerdict<Width> verdict;
-  verdict.type = type;
-  verdict.defects = select(whole, defects, code(0));
-  verdict.whole = whole;
-  verdict.clean = whole & in_order & negated(lost_branch);
-  verdict.turns = whole & input_cranks;
+  verdict.type = type_codes<Width>(s);
+  verdict.defects = bytes<Width>(s.whole & lost_order) | bytes<Width>(s.whole & lost.branch) << 1 |
+                    bytes<Width>(s.whole & lost.circuit) << 2;
+  verdict.whole = s.whole;
+  verdict.clean = s.whole & in_order & ~lost.branch;
+  verdict.turns = s.whole & s.input_is_crank();
   verdict.travels_ccw = ccw.possible;
   verdict.travels_cw = cw.possible;
-  verdict.worst = ccw.worst;
-  if (driver.senses == cw_bit) verdict.worst = cw.worst;
-  if (driver.senses == (ccw_bit | cw_bit)) {
-    const Real of_either = select(cw.possible, smaller(ccw.worst, cw.worst), ccw.worst);
-    verdict.worst = select(ccw.possible, of_either, cw.worst);
-  }
-  verdict.worst_turn = larger(limits.worst_0, limits.worst_pi);
-  verdict.hb = h * b;
+  verdict.worst = worst;
+  verdict.worst_turn = larger(worst_0, worst_pi);
+  verdict.hb = d.h * b;
   verdict.longest = longest;
   verdict.shortest = shortest;
   return verdict;

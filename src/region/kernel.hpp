@@ -7,24 +7,28 @@ namespace linkwright {
 
 inline constexpr int most_poses = 5;
 
-/// One axis of a region as plain arrays; those of the output are readable up to a multiple of kernel_padding.
+/// One axis of a region as plain arrays.
 struct KernelAxis {
   const double *center_x, *center_y, *circle_x, *circle_y, *length;
   const double* arm_x[most_poses];
   const double* arm_y[most_poses];
   const std::uint8_t *senses, *wide;  ///< as in RegionAxis
 };
-inline constexpr std::size_t kernel_padding = 8;
 
-/// Rows [row_begin, row_end) of a region and where its cells go (row-major).
+/// Where cells go, row-major.
+struct KernelCells {
+  std::uint8_t *type, *defects;
+  float *versine, *full_versine, *ratio, *longest;
+};
+
+/// Rows [row_begin, row_end) of a region.
 struct KernelTask {
   KernelAxis input, output;
   std::size_t row_begin, row_end, columns;
   int poses;
   double unit;        ///< user's length of one unit of the axes
   double zero_share;  ///< tolerance::change_point
-  std::uint8_t *type, *defects;
-  float *versine, *full_versine, *ratio, *longest;
+  KernelCells cells;
 };
 
 void region_kernel_scalar(const KernelTask& task);

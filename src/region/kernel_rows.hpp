@@ -7,9 +7,10 @@
 
 namespace linkwright::LINKWRIGHT_ISA {
 
-/// Columns worked on for all rows of a task before going on: short enough for what they need to stay in the nearest
-/// caches, long enough for the writes to run in streams.
-inline constexpr std::size_t block_columns = 512;
+/// Columns worked on for all rows of a task before going on: few enough to stay in the nearest cache.
+inline constexpr int block = 256;
+/// Lanes that are read past the last column of a block, and thrown away.
+inline constexpr int margin = 16;
 
 template <int Poses>
 LINKWRIGHT_INLINE Driver<Poses> driver_of(const KernelAxis& axis, std::size_t row) {
@@ -28,70 +29,98 @@ LINKWRIGHT_INLINE Driver<Poses> driver_of(const KernelAxis& axis, std::size_t ro
   return driver;
 }
 
-template <int Width, int Poses>
-LINKWRIGHT_INLINE Driven<Width, Poses> driven_of(const KernelAxis& axis, std::size_t column) {
-  Driven<Width, Poses> driven;
-  driven.center_x = load<Width>(axis.center_x + column);
-  driven.center_y = load<Width>(axis.center_y + column);
-  driven.length = load<Width>(axis.length + column);
-  driven.circle_x = load<Width>(axis.circle_x + column);
-  driven.circle_y = load<Width>(axis.circle_y + column);
+template <int Poses>
+using Block = DrivenLinks<Poses, block + margin>;
+
+template <int Poses>
+LINKWRIGHT_INLINE void fetch(const KernelAxis& axis, std::size_t column, std::size_t count, Block<Poses>& driven) {
+  const auto copy = [&](const double* from, double* to) {
+    __builtin_memcpy(to, from + column, count * sizeof(double));
+    __builtin_memset(to + count, 0, margin * sizeof(double));
+  };
+  copy(axis.center_x, driven.center_x);
+  copy(axis.center_y, driven.center_y);
+  copy(axis.length, driven.length);
+  copy(axis.circle_x, driven.circle_x);
+  copy(axis.circle_y, driven.circle_y);
   for (int j = 0; j < Poses; ++j) {
-    driven.arm_x[j] = load<Width>(axis.arm_x[j] + column);
-    driven.arm_y[j] = load<Width>(axis.arm_y[j] + column);
+    copy(axis.arm_x[j], driven.arm_x[j]);
+    copy(axis.arm_y[j], driven.arm_y[j]);
   }
-  return driven;
 }
 
-/// The first `count` lanes.
-template <int Width, class Value, class Lane>
-LINKWRIGHT_INLINE void store(const Value& value, Lane* to, std::size_t count) {
-  static_assert(sizeof value == Width * sizeof(Lane));
-  if (Width == 1 || count == Width)
-    __builtin_memcpy(to, &value, sizeof value);
-  else
-    __builtin_memcpy(to, &value, count * sizeof(Lane));
-}
-
-template <int Width, int Poses>
-LINKWRIGHT_INLINE void write_cells(const KernelTask& task, const PairVerdict<Width>& v, std::size_t cell,
-                                   std::size_t count) {
+template <int Width>
+LINKWRIGHT_INLINE void put(const PairVerdict<Width>& v, float unit, const KernelCells& cells, std::size_t cell) {
   using Real = typename Pack<Width>::Real;
   using Single = typename Pack<Width>::Single;
-  using Byte = typename Pack<Width>::Byte;
-  const Real none = Real{}, one = Real{} + 1.0;
+  Real hb = v.hb, longest = v.longest, shortest = v.shortest;
+  if (v.whole != all_lanes<Width>) [[unlikely]] {
+    const Real one = Real{} + 1.0;
+    hb = select<Width>(v.whole, hb, one);
+    longest = where<Width>(v.whole, longest);
+    shortest = select<Width>(v.whole, shortest, one);
+  }
   // 1 − cos γ: subtracted in double, where digits are lost, divided in single.
-  const Single versine = converted<Width, Single>(select(v.clean, larger(v.hb - v.worst, none), none));
-  const Single full_versine = converted<Width, Single>(select(v.turns, larger(v.hb - v.worst_turn, none), none));
-  const Single hb = converted<Width, Single>(select(v.whole, v.hb, one));
-  const Single longest = converted<Width, Single>(select(v.whole, v.longest, none));
-  const Single shortest = converted<Width, Single>(select(v.whole, v.shortest, one));
-  const Single ratio = longest / shortest, task_versine = versine / hb, turn_versine = full_versine / hb;
-  const Single longest_in_units = longest * static_cast<float>(task.unit);
-  store<Width>(converted<Width, Byte>(v.type), task.type + cell, count);
-  store<Width>(converted<Width, Byte>(v.defects), task.defects + cell, count);
-  store<Width>(task_versine, task.versine + cell, count);
-  store<Width>(turn_versine, task.full_versine + cell, count);
-  store<Width>(ratio, task.ratio + cell, count);
-  store<Width>(longest_in_units, task.longest + cell, count);
+  const auto versine = [&](Mask mask, Real worst) {
+    return mask ? single<Width>(where<Width>(mask, larger(hb - worst, Real{}))) / single<Width>(hb) : Single{};
+  };
+  const Single longest_single = single<Width>(longest);
+  store<Width>(v.type, cells.type + cell);
+  store<Width>(v.defects, cells.defects + cell);
+  store<Width>(versine(v.clean, v.worst), cells.versine + cell);
+  store<Width>(versine(v.turns, v.worst_turn), cells.full_versine + cell);
+  store<Width>(longest_single / single<Width>(shortest), cells.ratio + cell);
+  store<Width>(longest_single * unit, cells.longest + cell);
+}
+
+/// The first `count` lanes only.
+template <int Width>
+LINKWRIGHT_INLINE void put_some(const PairVerdict<Width>& v, float unit, const KernelCells& cells, std::size_t cell,
+                                std::size_t count) {
+  std::uint8_t type[Width], defects[Width];
+  float versine[Width], full_versine[Width], ratio[Width], longest[Width];
+  put<Width>(v, unit, {type, defects, versine, full_versine, ratio, longest}, 0);
+  __builtin_memcpy(cells.type + cell, type, count);
+  __builtin_memcpy(cells.defects + cell, defects, count);
+  __builtin_memcpy(cells.versine + cell, versine, count * sizeof(float));
+  __builtin_memcpy(cells.full_versine + cell, full_versine, count * sizeof(float));
+  __builtin_memcpy(cells.ratio + cell, ratio, count * sizeof(float));
+  __builtin_memcpy(cells.longest + cell, longest, count * sizeof(float));
+}
+
+/// Asks for the memory of cells that will be written soon. The machine does not see six columns, in runs of a block,
+/// coming by itself; without this, maps larger than the caches take up to half as long again.
+LINKWRIGHT_INLINE void expect(const KernelCells& cells, std::size_t cell) {
+  constexpr std::size_t floats_ahead = 96, bytes_ahead = 192;
+  __builtin_prefetch(cells.type + cell + bytes_ahead, 1);
+  __builtin_prefetch(cells.defects + cell + bytes_ahead, 1);
+  __builtin_prefetch(cells.versine + cell + floats_ahead, 1);
+  __builtin_prefetch(cells.full_versine + cell + floats_ahead, 1);
+  __builtin_prefetch(cells.ratio + cell + floats_ahead, 1);
+  __builtin_prefetch(cells.longest + cell + floats_ahead, 1);
 }
 
 template <int Width, int Poses>
 void region_rows(const KernelTask& task) {
-  for (std::size_t block = 0; block < task.columns; block += block_columns) {
-    const std::size_t end = block + block_columns < task.columns ? block + block_columns : task.columns;
+  alignas(64) Block<Poses> driven;
+  const auto unit = static_cast<float>(task.unit);
+  for (std::size_t column = 0; column < task.columns; column += block) {
+    const int count = static_cast<int>(task.columns - column < block ? task.columns - column : block);
+    fetch<Poses>(task.output, column, static_cast<std::size_t>(count), driven);
     for (std::size_t row = task.row_begin; row < task.row_end; ++row) {
       const Driver<Poses> driver = driver_of<Poses>(task.input, row);
-      const std::size_t base = row * task.columns;
-      std::size_t column = block;
-      for (; column + Width <= end; column += Width)
-        write_cells<Width, Poses>(
-            task, pair_verdict<Width, Poses>(driver, driven_of<Width, Poses>(task.output, column), task.zero_share),
-            base + column, Width);
-      if (column < end)
-        write_cells<Width, Poses>(
-            task, pair_verdict<Width, Poses>(driver, driven_of<Width, Poses>(task.output, column), task.zero_share),
-            base + column, end - column);
+      std::size_t cell = row * task.columns + column;
+      Distances<Width> next = distances<Width>(driver, driven, 0);
+      for (int at = 0; at < count; at += Width, cell += Width) {
+        const Distances<Width> here = next;
+        next = distances<Width>(driver, driven, at + Width);
+        expect(task.cells, cell);
+        const auto verdict = pair_verdict<Width>(driver, driven, at, here, task.zero_share);
+        if (at + Width <= count)
+          put<Width>(verdict, unit, task.cells, cell);
+        else
+          put_some<Width>(verdict, unit, task.cells, cell, static_cast<std::size_t>(count - at));
+      }
     }
   }
 }
@@ -99,12 +128,18 @@ void region_rows(const KernelTask& task) {
 template <int Width>
 void region_kernel(const KernelTask& task) {
   switch (task.poses) {
-    case 1: return region_rows<Width, 1>(task);
-    case 2: return region_rows<Width, 2>(task);
-    case 3: return region_rows<Width, 3>(task);
-    case 4: return region_rows<Width, 4>(task);
-    case 5: return region_rows<Width, 5>(task);
-    default: __builtin_unreachable();
+    case 1:
+      return region_rows<Width, 1>(task);
+    case 2:
+      return region_rows<Width, 2>(task);
+    case 3:
+      return region_rows<Width, 3>(task);
+    case 4:
+      return region_rows<Width, 4>(task);
+    case 5:
+      return region_rows<Width, 5>(task);
+    default:
+      __builtin_unreachable();
   }
 }
 

@@ -3,7 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <mutex>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 #include "linkwright/algebra/homogeneous.hpp"
 #include "linkwright/analysis/driver_order.hpp"
@@ -21,22 +27,34 @@ using Kernel = void (*)(const KernelTask&);
 
 Kernel kernel_for(Simd simd) {
   switch (simd) {
-    case Simd::automatic: return kernel_for(best_simd());
-    case Simd::scalar: return region_kernel_scalar;
-    case Simd::baseline: return region_kernel_baseline;
+    case Simd::automatic:
+      return kernel_for(best_simd());
+    case Simd::scalar:
+      return region_kernel_scalar;
+    case Simd::baseline:
+      return region_kernel_baseline;
 #if defined(__x86_64__)
-    case Simd::avx2: return region_kernel_avx2;
-    case Simd::avx512: return region_kernel_avx512;
+    case Simd::avx2:
+      return region_kernel_avx2;
+    case Simd::avx512:
+      return region_kernel_avx512;
 #else
-    default: break;
+    default:
+      break;
 #endif
   }
   return region_kernel_baseline;
 }
 
 KernelAxis plain_arrays(const RegionAxis& axis) {
-  KernelAxis plain{axis.center_x.data(), axis.center_y.data(), axis.circle_x.data(), axis.circle_y.data(),
-                   axis.length.data(),   {},                   {},                   axis.senses.data(),
+  KernelAxis plain{axis.center_x.data(),
+                   axis.center_y.data(),
+                   axis.circle_x.data(),
+                   axis.circle_y.data(),
+                   axis.length.data(),
+                   {},
+                   {},
+                   axis.senses.data(),
                    axis.wide.data()};
   for (std::size_t j = 0; j < axis.pose_count(); ++j) {
     plain.arm_x[j] = axis.arm_x[j].data();
@@ -49,6 +67,9 @@ std::uint8_t bits(bool ccw, bool cw) { return static_cast<std::uint8_t>((ccw ? 1
 
 // Rows that a thread takes before it looks whether to stop.
 constexpr std::size_t rows_at_once = 16;
+
+// A smaller map is ready before a second thread is awake.
+constexpr std::size_t cells_worth_a_thread = 30'000;
 
 }  // namespace
 
@@ -72,14 +93,26 @@ Simd best_simd() {
   return Simd::baseline;
 }
 
+void* allocate_cells(std::size_t bytes) {
+  constexpr std::size_t line = 64, large_page = std::size_t{1} << 21;
+  const std::size_t unit = bytes < 2 * large_page ? line : large_page;
+  void* cells = std::aligned_alloc(unit, (bytes / unit + 1) * unit);
+  if (!cells) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+  if (unit == large_page) madvise(cells, bytes, MADV_HUGEPAGE);  // a wish; without it the map is only slower
+#endif
+  return cells;
+}
+
+void FreeCells::operator()(void* cells) const { std::free(cells); }
+
 RegionAxis::RegionAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> poses, bool respect_direction)
     : dyads(std::move(samples)) {
   assert(!poses.empty() && poses.size() <= most_poses);
   const std::size_t count = dyads.size();
-  const std::size_t padded = (count + kernel_padding - 1) / kernel_padding * kernel_padding;
-  for (std::vector<double>* column : {&center_x, &center_y, &circle_x, &circle_y, &length}) column->assign(padded, 0);
-  arm_x.assign(poses.size(), std::vector<double>(padded, 0));
-  arm_y.assign(poses.size(), std::vector<double>(padded, 0));
+  for (std::vector<double>* column : {&center_x, &center_y, &circle_x, &circle_y, &length}) column->assign(count, 0);
+  arm_x.assign(poses.size(), std::vector<double>(count, 0));
+  arm_y.assign(poses.size(), std::vector<double>(count, 0));
   senses.assign(count, 0);
   wide.assign(count, 0);
   sweep_ccw.assign(count, 0);
@@ -122,11 +155,19 @@ void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, dou
   senses_ = input.senses;
   sweep_ccw_ = input.sweep_ccw;
 
-  KernelTask task{plain_arrays(input), plain_arrays(output), 0, rows_, columns_, static_cast<int>(input.pose_count()),
-                  unit, tolerance::change_point, type_.data(), defects_.data(), versine_.data(),
-                  full_versine_.data(), ratio_.data(), longest_.data()};
+  KernelTask task{
+      plain_arrays(input),
+      plain_arrays(output),
+      0,
+      rows_,
+      columns_,
+      static_cast<int>(input.pose_count()),
+      unit,
+      tolerance::change_point,
+      {type_.data(), defects_.data(), versine_.data(), full_versine_.data(), ratio_.data(), longest_.data()}};
   const Kernel kernel = kernel_for(options.simd);
-  parallel_for((rows_ + rows_at_once - 1) / rows_at_once, options.threads, [&](std::size_t begin, std::size_t end) {
+  const int threads = cells < cells_worth_a_thread ? 1 : options.threads;
+  parallel_for((rows_ + rows_at_once - 1) / rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t chunk = begin; chunk < end; ++chunk) {
       KernelTask part = task;
       part.row_begin = chunk * rows_at_once;
@@ -140,7 +181,8 @@ void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, dou
 }
 
 void RegionMap::leave_empty(std::size_t row_begin, std::size_t row_end) {
-  const auto begin = static_cast<std::ptrdiff_t>(row_begin * columns_), end = static_cast<std::ptrdiff_t>(row_end * columns_);
+  const auto begin = static_cast<std::ptrdiff_t>(row_begin * columns_),
+             end = static_cast<std::ptrdiff_t>(row_end * columns_);
   std::fill(type_.data() + begin, type_.data() + end, static_cast<std::uint8_t>(LinkageType::degenerate));
   std::fill(defects_.data() + begin, defects_.data() + end, std::uint8_t{0});
   for (Column<float>* column : {&versine_, &full_versine_, &ratio_, &longest_})
@@ -171,13 +213,19 @@ double RegionMap::driver_sweep(std::size_t row, std::size_t column) const {
 RegionCounts RegionMap::counts() const {
   RegionCounts total;
   std::mutex adding;
+  std::vector<double> output_coordinates;
+  for (const Dyad& dyad : output_dyads_) output_coordinates.push_back(dyad.coordinate);
   parallel_for(rows_, 0, [&](std::size_t begin, std::size_t end) {
-    std::array<std::int64_t, 80> of_code{};  // type · 8 + defects
+    // By type · 8 + defects; four times over, since neighbours are mostly alike and would wait for each other.
+    std::array<std::array<std::int64_t, 80>, 4> of_code_by_turns{};
     for (std::size_t cell = begin * columns_; cell < end * columns_; ++cell)
-      ++of_code[static_cast<std::size_t>(type_[cell] * 8 + defects_[cell])];
+      ++of_code_by_turns[cell % 4][static_cast<std::size_t>(type_[cell] * 8 + defects_[cell])];
+    std::array<std::int64_t, 80> of_code{};
+    for (const auto& turn : of_code_by_turns)
+      for (std::size_t code = 0; code < of_code.size(); ++code) of_code[code] += turn[code];
     for (std::size_t row = begin; row < end; ++row)
-      for (std::size_t column = 0; column < columns_; ++column)
-        if (is_diagonal(row, column)) --of_code[static_cast<std::size_t>(type_[index(row, column)] * 8)];
+      of_code[static_cast<std::size_t>(LinkageType::degenerate) * 8] -=
+          std::count(output_coordinates.begin(), output_coordinates.end(), input_dyads_[row].coordinate);
     const std::lock_guard lock(adding);
     for (std::size_t code = 0; code < of_code.size(); ++code) {
       const std::int64_t n = of_code[code];

@@ -22,6 +22,17 @@ struct Trial {
   std::vector<PrescribedPose> poses;
 };
 
+// A wrong sign may hide while the frame lies along an axis.
+void turn_drawing(Trial& trial, double angle, Point shift) {
+  FourBar& bars = trial.bars;
+  for (Point* pivot : {&bars.input_center, &bars.input_circle, &bars.output_center, &bars.output_circle})
+    *pivot = direction(angle) * *pivot + shift;
+  for (PrescribedPose& pose : trial.poses) {
+    pose.pose.origin = direction(angle) * pose.pose.origin + shift;
+    pose.pose.angle += angle;
+  }
+}
+
 // Poses that a linkage passes, in or out of order, on one assembly or on both.
 Trial random_trial(RandomFourBars& random) {
   const LinkLengths lengths = random.lengths();
@@ -37,6 +48,7 @@ Trial random_trial(RandomFourBars& random) {
     if (trial.poses.empty()) trial.bars = at;
     trial.poses.push_back({testing::coupler_pose(at), {}});
   }
+  turn_drawing(trial, random.uniform(-3, 3), {random.uniform(-2, 2), random.uniform(-2, 2)});
   return trial;
 }
 

@@ -15,21 +15,21 @@
 namespace linkwright {
 
 /// One axis of a region: everything that belongs to a single side link, computed once per sample (structure of arrays).
-/// All coordinates in one frame, the working frame of the task. Arrays of numbers are padded with zeros.
+/// All coordinates in one frame, the working frame of the task.
 struct RegionAxis {
   /// `poses`: the distinct poses, in the same frame as the dyads.
-  RegionAxis(std::vector<Dyad> dyads, std::span<const PrescribedPose> poses, bool respect_direction = true);
+  RegionAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> poses, bool respect_direction = true);
 
   [[nodiscard]] std::size_t size() const { return dyads.size(); }
   [[nodiscard]] std::size_t pose_count() const { return arm_x.size(); }
 
   std::vector<Dyad> dyads;
   std::vector<double> center_x, center_y, circle_x, circle_y;  ///< circle points at the first pose
-  std::vector<std::vector<double>> arm_x, arm_y;        ///< [pose][sample]: from centre to circle point at each pose
-  std::vector<double> length;                           ///< of the side link; 0 where a point is at infinity
-  std::vector<std::uint8_t> senses;   ///< bit 1: the side link, as driver, meets the poses in order turning ccw; bit 2: cw
-  std::vector<std::uint8_t> wide;     ///< the same bits: that turn, from first to last pose, is half a turn or more
-  std::vector<float> sweep_ccw;       ///< angle from first to last pose turning ccw, radians in [0, 2π)
+  std::vector<std::vector<double>> arm_x, arm_y;  ///< [pose][sample]: from centre to circle point at each pose
+  std::vector<double> length;                     ///< of the side link; 0 where a point is at infinity
+  std::vector<std::uint8_t> senses;  ///< as driver, it meets the poses in order turning ccw (bit 1), cw (bit 2)
+  std::vector<std::uint8_t> wide;    ///< the same bits: that turn, from first to last pose, is half a turn or more
+  std::vector<float> sweep_ccw;      ///< angle from first to last pose turning ccw, radians in [0, 2π)
 };
 
 /// Instruction set of the kernel. All give the same bits.
@@ -44,6 +44,13 @@ struct RegionOptions {
   Simd simd = Simd::automatic;
 };
 
+/// Memory that is not cleared, in large pages where the system has them (a map of 10⁸ cells is half a million small
+/// ones). Throws std::bad_alloc.
+[[nodiscard]] void* allocate_cells(std::size_t bytes);
+struct FreeCells {
+  void operator()(void* cells) const;
+};
+
 /// Memory of one property over the cells, not cleared when made: the kernel writes every cell.
 template <class T>
 class Column {
@@ -52,7 +59,7 @@ class Column {
     if (size == size_) return;
     size_ = 0;
     values_.reset();
-    values_.reset(new T[size]);
+    values_.reset(static_cast<T*>(allocate_cells(size * sizeof(T))));
     size_ = size;
   }
   [[nodiscard]] T* data() { return values_.get(); }
@@ -60,11 +67,12 @@ class Column {
   [[nodiscard]] const T& operator[](std::size_t i) const { return values_[i]; }
 
  private:
-  std::unique_ptr<T[]> values_;
+  std::unique_ptr<T[], FreeCells> values_;
   std::size_t size_ = 0;
 };
 
-/// Number of cells of each kind; ordered pairs without the diagonal. Slider four-bars count as degenerate and in nothing else.
+/// Number of cells of each kind; ordered pairs without the diagonal. Slider four-bars count as degenerate and in
+/// nothing else.
 struct RegionCounts {
   std::array<std::int64_t, 10> types{};  ///< by LinkageType
   std::int64_t order = 0, branch = 0, circuit = 0, defect_free = 0, pairs = 0;
@@ -96,7 +104,8 @@ class RegionMap {
   [[nodiscard]] std::span<const float> transmission_versines() const { return versine_.view(); }
   /// The same over the full turn of a crank; 0 for other types.
   [[nodiscard]] std::span<const float> full_turn_versines() const { return full_versine_.view(); }
-  [[nodiscard]] std::span<const float> link_ratios() const { return ratio_.view(); }      ///< longest / shortest; 0 degenerate
+  /// Longest over shortest link; 0 degenerate.
+  [[nodiscard]] std::span<const float> link_ratios() const { return ratio_.view(); }
   [[nodiscard]] std::span<const float> longest_links() const { return longest_.view(); }  ///< user's unit; 0 degenerate
 
   [[nodiscard]] LinkageType type(std::size_t cell) const { return static_cast<LinkageType>(type_[cell]); }

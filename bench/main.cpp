@@ -1,0 +1,21 @@
+// linkwright_bench [options of Google Benchmark]
+// linkwright_bench --dump TASK SAMPLES     the sampled side links and the kernel's counts, JSON, for the peers
+
+#include <benchmark/benchmark.h>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <string_view>
+
+#include "bench_task.hpp"
+
+int main(int argc, char** argv) {
+  if (argc == 4 && std::string_view(argv[1]) == "--dump") {
+    fmt::print("{}\n", linkwright::bench::dump(argv[2], std::atoi(argv[3])));
+    return 0;
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

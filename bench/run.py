@@ -1,0 +1,130 @@
+#!/usr/bin/python3
+"""Linkwright's region kernel beside numpy, in one run: script/bench calls this.
+
+The two take turns, so that what else the machine does hits both; a ratio within a run counts, an absolute figure does
+not. Options of Google Benchmark (--benchmark_filter=…) run the benchmarks alone.
+
+usage: run.py linkwright_bench [--rounds N] [--samples N] [--save FILE]
+"""
+
+import argparse
+import json
+import os
+import platform
+import statistics
+import subprocess
+import sys
+
+from peers import region_numpy
+
+TASKS = ("landing_gear", "drawer_hinge", "tailgate")
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(prog="script/bench", description=__doc__.split("\n", 1)[0])
+    parser.add_argument("bench", help="path of linkwright_bench")
+    parser.add_argument("--rounds", type=int, default=5, help="turns of each (default 5)")
+    parser.add_argument("--samples", type=int, default=1000, help="N of the N×N region (default 1000; 100 … 10000)")
+    parser.add_argument("--save", metavar="FILE", help="write the figures as JSON, as bench/results/region.json")
+    return parser.parse_known_args(arguments)
+
+
+def run_benchmarks(bench, pattern, seconds="0.1"):
+    """Benchmarks that match, by name, as Google Benchmark reports them."""
+    command = [bench, f"--benchmark_filter={pattern}", "--benchmark_format=json", f"--benchmark_min_time={seconds}"]
+    answer = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    found = json.loads(answer)["benchmarks"] if answer.strip() else []
+    return {entry["name"].removesuffix("/real_time"): entry for entry in found if not entry.get("error_occurred")}
+
+
+def add_round(figures, bench, samples, dumps):
+    """One turn of each: nanoseconds a mechanism, by task and contender."""
+    for task in TASKS:
+        for name, entry in run_benchmarks(bench, f"^region/{task}/.*/{samples}/").items():
+            contender = name.removeprefix(f"region/{task}/").removesuffix(f"/{samples}")
+            figures.setdefault((task, contender), []).append(entry["ns_per_mechanism"])
+        figures.setdefault((task, "numpy"), []).append(min(region_numpy.measure(dumps[task], 1)))
+
+
+def summary(values):
+    return {"median": statistics.median(values), "min": min(values), "max": max(values)}
+
+
+def processor():
+    """The machine's name for itself."""
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            lines = dict(line.split(":", 1) for line in file.read().split("\n\n")[0].splitlines())
+        values = {key.strip(): value.strip() for key, value in lines.items()}
+        return f"{values['model name']} (family {values['cpu family']}, model {values['model']})"
+    except (OSError, KeyError, ValueError):
+        return platform.processor() or platform.machine()
+
+
+def print_table(title, rows):
+    print(f"\n{title}")
+    for label, s, ratio in rows:
+        print(f"  {label:<24}{s['median']:8.2f}{s['min']:8.2f}{s['max']:8.2f}{ratio:9.1f}×")
+
+
+def contender_tables(table):
+    for task in TASKS:
+        best = min(s["min"] for (of, contender), s in table.items() if of == task and "threads:1" in contender)
+        rows = [(contender, s, s["min"] / best) for (of, contender), s in table.items() if of == task]
+        print_table(f"{task}: ns a mechanism, median, min, max; min over the best of one thread", rows)
+
+
+def other_figures(bench, table):
+    """The widest instruction set over sizes, 10⁴ to 10⁸ mechanisms, on one and two threads; first maps; readers of maps."""
+    widest = [contender for _, contender in table if contender.endswith("/threads:1")][-1].split("/")[0]
+    found = run_benchmarks(bench, f"^region/tailgate/{widest}/|^first_region|^counts|^filter")
+    return {name: entry["ns_per_mechanism"] for name, entry in found.items()}
+
+
+def main(arguments):
+    options, rest = parse(arguments)
+    if rest:
+        os.execv(options.bench, [options.bench, *rest])
+    dumps = {task: json.loads(subprocess.run([options.bench, "--dump", task, str(options.samples)], check=True,
+                                             capture_output=True, text=True).stdout) for task in TASKS}
+    figures = {}
+    for done in range(options.rounds):
+        print(f"\rround {done + 1} of {options.rounds} …", end="", file=sys.stderr, flush=True)
+        add_round(figures, options.bench, options.samples, dumps)
+    print(file=sys.stderr)
+    table = {key: summary(values) for key, values in figures.items()}
+    sizes = other_figures(options.bench, table)
+    roofline = {name: entry["per_ns"] for name, entry in run_benchmarks(options.bench, "mul_add|sqrt|^write").items()}
+
+    print(f"{processor()}, {os.cpu_count()} threads; {options.samples} × {options.samples} pairs, 18 bytes each")
+    print("numpy's counts of types and defects equal the kernel's on all tasks")
+    contender_tables(table)
+    print("\nns a mechanism, over sizes, and beside the kernel")
+    for name, ns in sizes.items():
+        print(f"  {name:<52}{ns:8.2f}")
+    print("\nthis machine, one thread: results (bytes, for write) a ns")
+    for name, rate in roofline.items():
+        print(f"  {name:<24}{rate:8.2f}")
+    if options.save:
+        save(options, table, sizes, roofline)
+    return 0
+
+
+def save(options, table, sizes, roofline):
+    figures = {
+        "machine": processor(),
+        "threads": os.cpu_count(),
+        "samples": options.samples,
+        "rounds": options.rounds,
+        "ns_per_mechanism": {task: {contender: s for (of, contender), s in table.items() if of == task} for task in TASKS},
+        "sizes_ns_per_mechanism": sizes,
+        "roofline_per_ns": roofline,
+    }
+    os.makedirs(os.path.dirname(options.save) or ".", exist_ok=True)
+    with open(options.save, "w", encoding="utf-8") as file:
+        json.dump(figures, file, indent=1)
+        file.write("\n")
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
