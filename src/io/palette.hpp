@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 
@@ -21,11 +22,11 @@ inline constexpr std::array<std::uint32_t, 10> types = {0x3B63C1, 0x27D0FC, 0x3B
                                                         0xEC5112, 0xC684A8, 0x4B4B2B, 0x101418, 0xFFFFFF};
 
 /// `share` of a colour on another, share in [0, 1].
-[[nodiscard]] constexpr std::uint32_t mixed(std::uint32_t color, std::uint32_t ground, double share) {
+[[nodiscard]] inline std::uint32_t mixed(std::uint32_t color, std::uint32_t ground, double share) {
   std::uint32_t result = 0;
   for (int shift = 0; shift < 24; shift += 8) {
     const double c = (color >> shift) & 255, g = (ground >> shift) & 255;
-    result |= static_cast<std::uint32_t>(g + (c - g) * share + 0.5) << shift;
+    result |= static_cast<std::uint32_t>(std::lround(g + (c - g) * share)) << shift;
   }
   return result;
 }

@@ -130,8 +130,9 @@ std::vector<Relaxation> RequirementFilter::relaxations(const RequirementCensus& 
     }
     found.push_back(relaxation);
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Relaxation& a, const Relaxation& b) { return a.only_this > b.only_this; });
+  std::sort(found.begin(), found.end(), [](const Relaxation& a, const Relaxation& b) {
+    return a.only_this != b.only_this ? a.only_this > b.only_this : a.requirement < b.requirement;
+  });
   return found;
 }
 

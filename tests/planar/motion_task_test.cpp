@@ -8,7 +8,7 @@
 namespace linkwright {
 namespace {
 
-MotionTask task(std::vector<Pose> poses) {
+MotionTask task(const std::vector<Pose>& poses) {
   MotionTask result;
   for (const Pose& pose : poses) result.poses.push_back({pose, {}});
   return result;

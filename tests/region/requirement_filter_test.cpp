@@ -104,7 +104,7 @@ TEST_F(LandingGearFilter, RelaxedLengthAndRatioLeaveWhatTheyPromise) {
   for (const Relaxation& relaxation : filter().relaxations(filter().census())) {
     if (relaxation.requirement != RequirementKind::max_length) continue;
     Requirements looser = wanted;
-    looser.max_length = *relaxation.value;
+    looser.max_length = relaxation.value;
     const RequirementFilter after(map, looser, frame.origin, frame.scale);
     EXPECT_EQ(after.census().meeting, relaxation.leaves);
     EXPECT_GT(relaxation.leaves, 0);
