@@ -111,46 +111,54 @@ CircularCubic::CircularCubic(const PlaneCubic& cubic) {
     classify_proper(cubic);
 }
 
-void CircularCubic::classify_proper(const PlaneCubic& cubic) {
+// Turns the axes along the leading part, moves the origin to the singular focus: (x + a)(x² + y²) + dx + ey, a ≥ 0.
+void CircularCubic::bring_to_focal_form(const PlaneCubic& cubic) {
   const auto& c = cubic.coefficient;
   const Point lead{(c[6] + c[8]) / 2, (c[7] + c[9]) / 2};
   const double size = std::abs(lead);
-  Point axis = lead / size;
+  const Point axis = lead / size;
   const double u = axis.real(), v = axis.imag();
   const double a2 = (c[3] * u * u + c[4] * u * v + c[5] * v * v) / size;
   const double b2 = (2 * (c[5] - c[3]) * u * v + c[4] * (u * u - v * v)) / size;
   const double c2 = (c[3] * v * v - c[4] * u * v + c[5] * u * u) / size;
   const double d2 = (c[1] * u + c[2] * v) / size, e2 = (c[2] * u - c[1] * v) / size;
   const double p = (c2 - a2) / 2, q = -b2 / 2;
-  double a = p + c2;
-  const double d = 3 * p * p + q * q + 2 * a2 * p + b2 * q + d2;
-  const double e = 2 * p * q + b2 * p + 2 * c2 * q + e2;
-  const double scale = std::sqrt(std::max({a * a, std::abs(d), std::abs(e)}));
   focal_.focus = axis * Point{p, q};
-  const bool symmetric = std::abs(a) < tolerance::vanishing_coefficient * scale;
-  const bool reverse = symmetric ? (axis.real() < 0 || (axis.real() == 0 && axis.imag() < 0)) : a < 0;
-  if (reverse) {
-    axis = -axis;
-    a = -a;
-  }
-  focal_.axis = axis;
-  focal_.a = a;
-  focal_.d = d;
-  focal_.e = e;
+  focal_.a = p + c2;
+  focal_.d = 3 * p * p + q * q + 2 * a2 * p + b2 * q + d2;
+  focal_.e = 2 * p * q + b2 * p + 2 * c2 * q + e2;
+  const double scale = std::sqrt(std::max({focal_.a * focal_.a, std::abs(focal_.d), std::abs(focal_.e)}));
   focal_.scale = scale > 0 ? scale : 1;
+  // Where a vanishes its sign is rounding: then x points to the right.
+  const bool leftwards = axis.real() < 0 || (axis.real() == 0 && axis.imag() < 0);
+  const bool reverse = has_central_asymptote() ? leftwards : focal_.a < 0;
+  focal_.axis = reverse ? -axis : axis;
+  focal_.a = reverse ? -focal_.a : focal_.a;
+}
 
-  const double h = std::hypot(d, e);
-  if (h < tolerance::vanishing_coefficient * a * a || scale == 0) {
+bool CircularCubic::has_central_asymptote() const {
+  return std::abs(focal_.a) < tolerance::vanishing_coefficient * focal_.scale;
+}
+
+// A line and a circle, or a line and the focus: true where the cubic is one of these.
+bool CircularCubic::take_apart() {
+  const auto& f = focal_;
+  if (std::hypot(f.d, f.e) < tolerance::vanishing_coefficient * f.a * f.a || (f.a == 0 && f.d == 0 && f.e == 0)) {
     kind_ = CubicKind::line_and_point;
     branches_ = unit_branches({"line"});
     branches_.push_back(isolated_point(1));
-    return;
+    return true;
   }
-  if (symmetric && std::abs(e) < tolerance::vanishing_coefficient * scale * scale) {
-    kind_ = d < 0 ? CubicKind::line_and_circle : CubicKind::line;
-    branches_ = d < 0 ? unit_branches({"line", "circle"}) : unit_branches({"line"});
-    return;
-  }
+  if (!has_central_asymptote() || std::abs(f.e) >= tolerance::vanishing_coefficient * f.scale * f.scale) return false;
+  kind_ = f.d < 0 ? CubicKind::line_and_circle : CubicKind::line;
+  branches_ = f.d < 0 ? unit_branches({"line", "circle"}) : unit_branches({"line"});
+  return true;
+}
+
+void CircularCubic::classify_proper(const PlaneCubic& cubic) {
+  bring_to_focal_form(cubic);
+  if (take_apart()) return;
+  const double a = focal_.a, d = focal_.d, e = focal_.e, h = std::hypot(d, e);
   // A + B without cancellation for d > 0.
   const double sum = d >= 0 ? a * a + 2 * e * e / (h + d) : a * a - 2 * d + 2 * h;
   focal_.phi0 = std::atan2(-e, -d) / 2;
@@ -299,48 +307,60 @@ double line_coordinate(const std::array<Homogeneous, 2>& ends, Homogeneous p) {
 
 }  // namespace
 
+double CircularCubic::focal_coordinate(Homogeneous unit) const {
+  const auto& [focus, axis, a, d, e, scale, kappa, phi0, s0] = focal_;
+  const Point local = std::conj(axis) * (unit.vector() - unit.w * focus);
+  const double length = std::abs(local);
+  // At the focus itself the direction is that of the tangent there.
+  const bool at_focus = length <= 1e-14 * scale * std::abs(unit.w);
+  const double phi = at_focus ? std::atan2(-d, e) : std::arg(local);
+  const double c = std::cos(phi), s = std::sin(phi);
+  const double root = at_focus                             ? a
+                      : length <= scale * std::abs(unit.w) ? a + 2 * c * length / unit.w
+                                                           : -a - 2 * (d * c + e * s) * unit.w / length;
+  const double chi = std::remainder(phi - phi0, pi);
+  if (kind_ == CubicKind::one_branch)
+    return wrap_period(std::atan2(std::sin(chi) * std::sqrt(1 - kappa), root / s0) / two_pi, 1);
+  if (kind_ == CubicKind::two_branches) return wrap_period(chi / pi, 1) + (root < 0 ? 0 : 1);
+  return wrap_period((root < 0 ? chi + pi : chi) / two_pi, 1);
+}
+
+// The nearest coordinate on each component of a reducible curve.
+std::vector<double> CircularCubic::component_coordinates(Homogeneous unit) const {
+  if (kind_ == CubicKind::line_and_point)
+    return {branches_.front().name == "line_at_infinity" ? wrap_period(std::atan2(unit.y, unit.x) / pi, 1)
+                                                         : asymptote_coordinate(unit),
+            1};
+  if (branches_.front().name != "line_at_infinity") {
+    std::vector<double> found = {asymptote_coordinate(unit)};
+    const Point local = std::conj(focal_.axis) * (unit.vector() - unit.w * focal_.focus);
+    if (kind_ == CubicKind::line_and_circle)
+      found.push_back(1 + wrap_period(std::arg(unit.w < 0 ? -local : local) / two_pi, 1));
+    return found;
+  }
+  std::vector<double> found = {wrap_period(std::atan2(unit.y, unit.x) / pi, 1)};
+  if (kind_ == CubicKind::line_at_infinity_and_conic) {
+    const auto& axes = conic_.axes.row;
+    const double c = dot(unit, axes[0]) / dot(axes[0], axes[0]), s = dot(unit, axes[1]) / dot(axes[1], axes[1]);
+    const bool opposite = dot(unit, axes[2]) < 0;
+    found.push_back(1 + wrap_period(std::atan2(opposite ? -s : s, opposite ? -c : c) / two_pi, 1));
+  }
+  if (kind_ == CubicKind::line_at_infinity_and_lines)
+    for (std::size_t line = 0; line + 1 < branches_.size(); ++line)
+      found.push_back(static_cast<double>(line) + 1 + line_coordinate(points_spanning(lines_[line]), unit));
+  return found;
+}
+
+double CircularCubic::asymptote_coordinate(Homogeneous unit) const {
+  const Point local = std::conj(focal_.axis) * (unit.vector() - unit.w * focal_.focus);
+  return wrap_period(std::atan2(local.imag() / focal_.scale, unit.w) / pi, 1);
+}
+
 std::optional<double> CircularCubic::coordinate_of(Homogeneous p) const {
   if (kind_ == CubicKind::every_point) return std::nullopt;
   const Homogeneous unit = normalized(p);
-  const bool focal = kind_ == CubicKind::one_branch || kind_ == CubicKind::two_branches || kind_ == CubicKind::nodal;
-  const Point local = std::conj(focal_.axis) * (unit.vector() - unit.w * focal_.focus);
-  std::vector<double> candidates;
-  if (focal) {
-    const auto& [focus, axis, a, d, e, scale, kappa, phi0, s0] = focal_;
-    // At the focus itself the direction is that of the tangent there.
-    const bool at_focus = std::abs(local) <= 1e-14 * scale * std::abs(unit.w);
-    const double phi = at_focus ? std::atan2(-d, e) : std::arg(local);
-    const double c = std::cos(phi), s = std::sin(phi), length = std::abs(local);
-    const double root = at_focus                             ? a
-                        : length <= scale * std::abs(unit.w) ? a + 2 * c * length / unit.w
-                                                             : -a - 2 * (d * c + e * s) * unit.w / length;
-    const double chi = std::remainder(phi - phi0, pi);
-    if (kind_ == CubicKind::one_branch)
-      candidates = {wrap_period(std::atan2(std::sin(chi) * std::sqrt(1 - kappa), root / s0) / two_pi, 1)};
-    else if (kind_ == CubicKind::two_branches)
-      candidates = {wrap_period(chi / pi, 1) + (root < 0 ? 0 : 1)};
-    else
-      candidates = {wrap_period((root < 0 ? chi + pi : chi) / two_pi, 1)};
-  } else if (branches_.front().name == "line_at_infinity") {
-    candidates.push_back(wrap_period(std::atan2(unit.y, unit.x) / pi, 1));
-    if (kind_ == CubicKind::line_at_infinity_and_conic) {
-      const auto& axes = conic_.axes.row;
-      const double c = dot(unit, axes[0]) / dot(axes[0], axes[0]), s = dot(unit, axes[1]) / dot(axes[1], axes[1]);
-      const bool opposite = dot(unit, axes[2]) < 0;
-      candidates.push_back(1 + wrap_period(std::atan2(opposite ? -s : s, opposite ? -c : c) / two_pi, 1));
-    } else if (kind_ == CubicKind::line_at_infinity_and_lines) {
-      candidates.push_back(1 + line_coordinate(points_spanning(lines_[0]), unit));
-      if (branches_.size() > 2) candidates.push_back(2 + line_coordinate(points_spanning(lines_[1]), unit));
-    } else if (kind_ == CubicKind::line_and_point) {
-      candidates.push_back(1);
-    }
-  } else {
-    candidates.push_back(wrap_period(std::atan2(local.imag() / focal_.scale, unit.w) / pi, 1));
-    if (kind_ == CubicKind::line_and_circle)
-      candidates.push_back(1 + wrap_period(std::arg(unit.w < 0 ? -local : local) / two_pi, 1));
-    else if (kind_ == CubicKind::line_and_point)
-      candidates.push_back(1);
-  }
+  if (kappa_) return focal_coordinate(unit);
+  const std::vector<double> candidates = component_coordinates(unit);
   return *std::min_element(candidates.begin(), candidates.end(), [&](double s, double t) {
     return great_circle(point(s), unit) < great_circle(point(t), unit);
   });

@@ -82,11 +82,17 @@ class CircularCubic {
     Matrix3 axes{};  ///< columns as rows: points are x₀cosθ + x₁ sinθ + x₂ (axes.row)
   };
 
+  void bring_to_focal_form(const PlaneCubic& cubic);
+  [[nodiscard]] bool has_central_asymptote() const;
+  [[nodiscard]] bool take_apart();  ///< true where it is reducible
   void classify_proper(const PlaneCubic& cubic);
   void classify_with_line_at_infinity(const PlaneCubic& cubic);
   [[nodiscard]] Homogeneous from_focal(double w, double x, double y) const;
   [[nodiscard]] Homogeneous focal_point(double tau) const;
   [[nodiscard]] Homogeneous line_or_circle_point(double tau) const;
+  [[nodiscard]] double focal_coordinate(Homogeneous unit) const;
+  [[nodiscard]] double asymptote_coordinate(Homogeneous unit) const;
+  [[nodiscard]] std::vector<double> component_coordinates(Homogeneous unit) const;
 
   CubicKind kind_ = CubicKind::every_point;
   std::vector<CurveBranch> branches_;
