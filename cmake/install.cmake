@@ -6,6 +6,7 @@ set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/linkwright")
 install(TARGETS linkwright EXPORT linkwright_targets FILE_SET HEADERS)
 if(TARGET linkwright_cli)
   install(TARGETS linkwright_cli)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/build/web/" DESTINATION "${CMAKE_INSTALL_DATADIR}/linkwright/web" OPTIONAL)
 endif()
 install(EXPORT linkwright_targets FILE linkwrightTargets.cmake NAMESPACE linkwright:: DESTINATION "${package_dir}")
 

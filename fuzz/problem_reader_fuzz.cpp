@@ -35,6 +35,7 @@ void check_problem(std::string_view text) {
   for (std::size_t i = 0; i < problem->task.poses.size(); ++i) {
     require(again->task.poses[i].pose.origin == problem->task.poses[i].pose.origin);
     require(again->task.poses[i].pose.angle == problem->task.poses[i].pose.angle);
+    require(again->task.poses[i].multiplicity() == problem->task.poses[i].multiplicity());
   }
 }
 

@@ -10,6 +10,12 @@ fail() {
   exit "${2:-1}"
 }
 
+# The Node that script/bootstrap got, where the system's is too old.
+use_kept_node() {
+  if [[ -x build/node/bin/node ]]; then export PATH="$PWD/build/node/bin:$PATH"; fi
+}
+use_kept_node
+
 # Configures and builds a preset, quietly: one line, or the log of what went wrong.
 build_preset() {
   local preset=$1 start=$SECONDS log
@@ -19,7 +25,21 @@ build_preset() {
   printf 'build/%s: ' "$preset"
   if ! { cmake --preset "$preset" && cmake --build --preset "$preset" --parallel "$(nproc)" -- -k 0; } >"$log" 2>&1; then
     printf 'failed\n'
-    cat "$log"
+    cut -c1-1000 "$log"
+    return 1
+  fi
+  printf 'built in %d s\n' $((SECONDS - start))
+}
+
+# The workbench: its engine (WebAssembly), the picture of the example that is shown until the engine is ready, the page.
+build_web() {
+  local start log=build/web.log
+  build_preset wasm || return
+  start=$SECONDS
+  printf 'build/web: '
+  if ! { npm --prefix web run --silent bake && npm --prefix web run --silent build; } >"$log" 2>&1; then
+    printf 'failed\n'
+    cut -c1-300 "$log"
     return 1
   fi
   printf 'built in %d s\n' $((SECONDS - start))

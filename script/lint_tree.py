@@ -4,6 +4,7 @@
 1. Who may include whom: a folder of the library includes only itself and the ranks below its own.
 2. Public headers include only public headers and the standard library.
 3. include/linkwright/<folder>/<noun>.hpp has its tests in tests/<folder>/<noun>_test.cpp.
+4. Files are named snake_case; in web/src the components (.svelte) UpperCamel.
 
 usage: lint_tree.py [--self-test]
 """
@@ -27,6 +28,8 @@ RANKS = (
     ("io",),
 )
 RANK_OF = {folder: rank for rank, folders in enumerate(RANKS) for folder in folders}
+NAMED = ("include", "src", "apps", "bindings", "tests", "bench", "fuzz", "web/src", "web/tests", "web/e2e")
+FILE_NAME = re.compile(r"[a-z0-9_]+(\.(test|spec|svelte|d))?\.(cpp|hpp|py|ts)$|[A-Z][A-Za-z0-9]*\.svelte$")
 PUBLIC = Path("include/linkwright")
 PRIVATE = Path("src")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -95,8 +98,16 @@ def test_violations(root):
             yield f"{header.relative_to(root)}: has no {test}"
 
 
+def name_violations(root):
+    kinds = {".cpp", ".hpp", ".py", ".ts", ".svelte"}
+    for folder in NAMED:
+        for file in sorted((root / folder).rglob("*")):
+            if file.suffix in kinds and file.name != "vite-env.d.ts" and not FILE_NAME.match(file.name):
+                yield f"{file.relative_to(root)}: files are named snake_case, components of the page (.svelte) UpperCamel"
+
+
 def violations(root):
-    return [*include_violations(root), *test_violations(root)]
+    return [*include_violations(root), *test_violations(root), *name_violations(root)]
 
 
 def self_test():
@@ -116,6 +127,9 @@ def self_test():
         ({"src/core/a.cpp": '#include "apps/b.hpp"\n'}, ["no folder of the library is called apps"]),
         ({"src/utils/a.cpp": ""}, ["src/utils/a.cpp: the library has no folder utils"]),
         (tested | {header.format("core/angle"): "#include <Eigen/Core>\n"}, ["angle.hpp:1: <Eigen/Core>"]),
+        ({"web/src/drawing/snapping.test.ts": "", "web/src/Linkage.svelte": "", "web/src/state/a.svelte.ts": ""}, []),
+        ({"web/src/MyModule.ts": "", "web/src/view.svelte": "", "apps/cli/textTable.cpp": ""},
+         ["web/src/MyModule.ts: files", "web/src/view.svelte: files", "apps/cli/textTable.cpp: files"]),
         (tested | {header.format("core/angle"): '#include "core/b.hpp"\n'}, ['includes other public headers as']),
     ]
     failures = 0

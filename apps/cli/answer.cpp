@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <vector>
 
 #include "linkwright/core/angle.hpp"
@@ -138,15 +139,21 @@ std::string why_the_best(const Problem& problem, const MotionSolution& solution,
 
 std::string check_words(const MotionSolution& solution) {
   double worst = 0;
+  std::optional<double> worst_of_derivatives;
   bool all_driven = true;
   for (const FourBarSolution& found : solution.linkages) {
     worst = std::max(worst, found.residual);
+    worst_of_derivatives = std::max(worst_of_derivatives, found.residual_derivatives);
     all_driven = all_driven && found.verified_by_driving;
   }
-  return wrapped(fmt::format(
-      "Side links keep their lengths over the positions to {} of themselves; {}.", significant_text(worst, 2),
-      all_driven ? "driving every linkage listed through the task confirmed the table"
-                 : "driving did not confirm every linkage listed, which is our mistake: please report it"));
+  const std::string of_derivatives = worst_of_derivatives ? fmt::format(", and their derivatives vanish to {}",
+                                                                        significant_text(*worst_of_derivatives, 2))
+                                                          : "";
+  return wrapped(
+      fmt::format("Side links keep their lengths over the positions to {} of themselves{}; {}.",
+                  significant_text(worst, 2), of_derivatives,
+                  all_driven ? "driving every linkage listed through the task confirmed the table"
+                             : "driving did not confirm every linkage listed, which is our mistake: please report it"));
 }
 
 std::string linkages_words(const Problem& problem, const MotionSolution& solution) {
@@ -159,7 +166,7 @@ std::string linkages_words(const Problem& problem, const MotionSolution& solutio
 
 std::string nothing_words(const Problem& problem, const MotionSolution& solution) {
   if (!solution.linkages.empty() || solution.options.best == 0) return "";
-  std::string text = "\n" + wrapped(solution.reason);
+  std::string text = "\n" + wrapped(solution.reason.message);
   for (const Relaxation& relaxation : solution.relax) {
     text += wrapped("  " + relaxation_words(relaxation, problem.length_unit), 4);
   }
@@ -168,7 +175,7 @@ std::string nothing_words(const Problem& problem, const MotionSolution& solution
 
 std::string warnings_words(const MotionSolution& solution) {
   std::string text;
-  for (const Warning& warning : solution.warnings) text += wrapped("Note: " + warning.message, 6);
+  for (const Notice& warning : solution.warnings) text += wrapped("Note: " + warning.message, 6);
   return text;
 }
 

@@ -31,4 +31,10 @@ struct ExportArguments {
 };
 [[nodiscard]] int export_linkage(const ExportArguments& arguments);
 
+struct StudioArguments {
+  std::optional<int> port;  ///< 0: any free one; nothing: the usual one, or any free one
+  std::string folder;       ///< of the built workbench; empty: where the program was installed or built
+};
+[[nodiscard]] int studio(const StudioArguments& arguments);
+
 }  // namespace linkwright::cli

@@ -1,4 +1,4 @@
-// The program `linkwright`: reads files, calls the library, prints for people or writes files.
+// The program `linkwright`: reads files, calls the library, prints for people or writes files; serves the workbench.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -44,6 +44,13 @@ void add_export(CLI::App& app, ExportArguments& arguments) {
   command->add_option("-o,--output", arguments.output, "Output file (default: standard output)");
 }
 
+void add_studio(CLI::App& app, StudioArguments& arguments) {
+  CLI::App* command = app.add_subcommand("studio", "Serve the workbench to a browser on this machine");
+  command->add_option("--port", arguments.port, "Port on 127.0.0.1 (0: any free one; default 4180, or any free one)")
+      ->check(CLI::Range(0, 65535));
+  command->add_option("--folder", arguments.folder, "Serve this built workbench instead of the one that came along");
+}
+
 /// One line that says what is wrong with the command line.
 std::string usage_mistake(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
@@ -62,9 +69,11 @@ int run(int argc, char** argv) {
   SolveArguments solve_arguments;
   AnalyzeArguments analyze_arguments;
   ExportArguments export_arguments;
+  StudioArguments studio_arguments;
   add_solve(app, solve_arguments);
   add_analyze(app, analyze_arguments);
   add_export(app, export_arguments);
+  add_studio(app, studio_arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version
@@ -77,6 +86,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("solve")) return solve(solve_arguments);
   if (app.got_subcommand("analyze")) return analyze(analyze_arguments);
   if (app.got_subcommand("export")) return export_linkage(export_arguments);
+  if (app.got_subcommand("studio")) return studio(studio_arguments);
   std::fputs(app.help().c_str(), stderr);
   return mistake;
 }

@@ -225,6 +225,12 @@ std::optional<Point> CircularCubic::focus() const {
   return focal_.focus;
 }
 
+std::optional<std::array<Point, 2>> CircularCubic::asymptote() const {
+  if (!kappa_) return std::nullopt;
+  const Point axis = focal_.axis;
+  return std::array{focal_.focus - focal_.a * axis, Point{0, 1} * axis};
+}
+
 Homogeneous CircularCubic::from_focal(double w, double x, double y) const {
   const Point p = focal_.axis * Point{x, y} + w * focal_.focus;
   return normalized({w, p.real(), p.imag()});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/range_around.hpp"
 #include "analysis/triangle.hpp"
 #include "linkwright/analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
@@ -54,22 +55,6 @@ Assembly other(Assembly assembly) { return assembly == Assembly::positive ? Asse
 
 bool can_be_driven(const FourBar& four_bar, Point traced, int samples) {
   return samples >= 2 && is_finite(traced) && are_links(four_bar.lengths());
-}
-
-/// The range in which the input is, shifted by whole turns to hold `angle`. The four-bar was measured as it lies, so
-/// an angle outside all ranges misses one by rounding: the nearest is meant.
-AngleRange range_around(const std::vector<AngleRange>& ranges, double angle) {
-  AngleRange best = ranges.front();
-  double best_distance = two_pi;
-  for (const AngleRange& range : ranges) {
-    const double middle = (range.from + range.to) / 2, half = (range.to - range.from) / 2;
-    const double offset = wrap_signed(angle - middle);
-    const double distance = std::max(0.0, std::abs(offset) - half);
-    if (distance >= best_distance) continue;
-    best_distance = distance;
-    best = {angle - offset - half, angle - offset + half};
-  }
-  return best;
 }
 
 }  // namespace

@@ -8,23 +8,37 @@
 #include <vector>
 
 #include "analysis/configuration_curve.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
 
-/// Where the poses want the moving pivots, and the configuration that puts them there; the four-bar's own frame.
+/// Velocities of the coupler's two pivots, in the four-bar's own frame: as a vector of four numbers.
+struct PivotRates {
+  Point input_circle, output_circle;
+};
+
+double dot(const PivotRates& a, const PivotRates& b) {
+  return linkwright::dot(a.input_circle, b.input_circle) + linkwright::dot(a.output_circle, b.output_circle);
+}
+double norm(const PivotRates& a) { return std::hypot(std::abs(a.input_circle), std::abs(a.output_circle)); }
+
+/// Where the poses want the moving pivots, how to move there, and the configuration that puts them there; the
+/// four-bar's own frame.
 struct Target {
   TorusVector configuration;
   Point input_circle, output_circle;
+  std::optional<PivotRates> rates;  ///< any length
   bool met = false;
 };
 
 /// A pose met on the circuit of pose 0.
 struct Meeting {
   int pose = 0;
-  double arc = 0;   ///< arc length on the torus from pose 0
-  int stretch = 0;  ///< dead points passed on the way
+  double arc = 0;                          ///< arc length on the torus from pose 0
+  int stretch = 0;                         ///< dead points passed on the way
+  bool forwards = true, backwards = true;  ///< passed as the pose wants when walking on, when walking back
 };
 
 /// The circuit of configurations through pose 0, from there with the input turning counter-clockwise and round.
@@ -33,15 +47,26 @@ struct Circuit {
   double length = 0;  ///< radians on the torus
   int dead_points = 0;
   std::vector<Meeting> meetings;
-  double worst_closure = 0, worst_pose_error = 0;
+  double worst_closure = 0, worst_pose_error = 0, worst_direction_error = 0;
 };
 
-Target target_of(const FourBar& four_bar, const Pose& first, const Pose& pose) {
+/// How fast the first derivative of a pose moves a point of the body that lies at `point` in it.
+Point rate_of(const PrescribedPose& pose, Point point) {
+  const PoseDerivative& d = pose.derivatives.front();
+  return d.origin + Point{0, d.angle} * (point - pose.pose.origin);
+}
+
+Target target_of(const FourBar& four_bar, const Pose& first, const PrescribedPose& prescribed) {
+  const Pose& pose = prescribed.pose;
   const Point ground = four_bar.output_center - four_bar.input_center;
   const Point turn = std::conj(ground) / std::abs(ground);
-  const Point a = turn * (displaced(four_bar.input_circle, first, pose) - four_bar.input_center);
-  const Point b = turn * (displaced(four_bar.output_circle, first, pose) - four_bar.input_center);
-  return {{std::arg(a), std::arg(b - a), std::arg(b - std::abs(ground))}, a, b};
+  const Point input_circle = displaced(four_bar.input_circle, first, pose);
+  const Point output_circle = displaced(four_bar.output_circle, first, pose);
+  const Point a = turn * (input_circle - four_bar.input_center), b = turn * (output_circle - four_bar.input_center);
+  Target target{{std::arg(a), std::arg(b - a), std::arg(b - std::abs(ground))}, a, b, {}};
+  if (!prescribed.derivatives.empty())
+    target.rates = PivotRates{turn * rate_of(prescribed, input_circle), turn * rate_of(prescribed, output_circle)};
+  return target;
 }
 
 bool opposite_signs(double x, double y) { return (x < 0) != (y < 0); }
@@ -51,7 +76,7 @@ class Tracer {
  public:
   Tracer(const FourBar& four_bar, std::span<const PrescribedPose> poses, const DriveThroughOptions& options)
       : curve_(four_bar.lengths()), options_(options) {
-    for (const PrescribedPose& pose : poses) targets_.push_back(target_of(four_bar, poses[0].pose, pose.pose));
+    for (const PrescribedPose& pose : poses) targets_.push_back(target_of(four_bar, poses[0].pose, pose));
     start_ = targets_[0].configuration;
     sense_ = curve_.strand_at(start_).tangent.input < 0 ? -1 : 1;
   }
@@ -121,12 +146,38 @@ class Tracer {
   void meet(Target& target, const Strand& at, double along, const Strand& here) {
     target.met = true;
     const bool past_dead_point = opposite_signs(here.tangent.input, at.tangent.input);
-    circuit_.meetings.push_back({static_cast<int>(&target - targets_.data()), circuit_.length + along,
-                                 circuit_.dead_points + (past_dead_point ? 1 : 0)});
+    Meeting meeting{static_cast<int>(&target - targets_.data()), circuit_.length + along,
+                    circuit_.dead_points + (past_dead_point ? 1 : 0)};
+    if (target.rates) compare_directions(*target.rates, at, meeting);
+    circuit_.meetings.push_back(meeting);
     const auto [a, b] = curve_.moving_pivots(at.point);
     circuit_.worst_pose_error =
         std::max({circuit_.worst_pose_error, std::abs(a - target.input_circle), std::abs(b - target.output_circle)});
     circuit_.worst_closure = std::max(circuit_.worst_closure, at.closure_error);
+  }
+
+  /// How the coupler's pivots move as the walk goes on, from a step ahead and a step back; the length means nothing.
+  [[nodiscard]] PivotRates rates_at(const Strand& at) const {
+    constexpr double small_step = 1e-5;  // its square is lost beside the loop's closure
+    const double step = std::min(small_step, at.reach / 4);
+    const auto ahead = curve_.advanced(at, step, options_.corrector),
+               back = curve_.advanced(at, -step, options_.corrector);
+    if (!ahead || !back) return {};
+    const auto [input_to, output_to] = curve_.moving_pivots(*ahead);
+    const auto [input_from, output_from] = curve_.moving_pivots(*back);
+    return {input_to - input_from, output_to - output_from};
+  }
+
+  void compare_directions(const PivotRates& wanted, const Strand& at, Meeting& meeting) {
+    const PivotRates found = rates_at(at);
+    const double along = dot(wanted, found), lengths = norm(wanted) * norm(found);
+    const double share = along / lengths;  // not a number where nothing moves
+    const PivotRates aside{wanted.input_circle / norm(wanted) - share * found.input_circle / norm(found),
+                           wanted.output_circle / norm(wanted) - share * found.output_circle / norm(found)};
+    const double error = lengths > 0 ? std::atan2(norm(aside), std::abs(share)) : pi / 2;
+    circuit_.worst_direction_error = std::max(circuit_.worst_direction_error, error);
+    meeting.forwards = error <= options_.miss && along > 0;
+    meeting.backwards = error <= options_.miss && along < 0;
   }
 
   ConfigurationCurve curve_;
@@ -180,12 +231,19 @@ bool in_order(const Circuit& circuit, int sense) {
   return std::adjacent_find(distance.begin(), distance.end(), std::greater_equal<>()) == distance.end();
 }
 
-Defects defects_of(const Circuit& circuit, std::size_t poses) {
+/// On the stretch of pose 0 the input turns counter-clockwise as the walk goes on.
+bool in_direction(const Circuit& circuit, int sense) {
+  return std::all_of(circuit.meetings.begin(), circuit.meetings.end(),
+                     [&](const Meeting& meeting) { return sense > 0 ? meeting.forwards : meeting.backwards; });
+}
+
+Defects defects_of(const Circuit& circuit, std::size_t poses, bool respect_direction) {
   if (circuit.meetings.size() < poses) return {Defects::circuit_bit | Defects::branch_bit};
   const bool one_stretch = std::all_of(circuit.meetings.begin(), circuit.meetings.end(),
                                        [&](const Meeting& meeting) { return on_first_stretch(circuit, meeting); });
   if (!one_stretch) return {Defects::branch_bit};
-  if (in_order(circuit, +1) || in_order(circuit, -1)) return {};
+  for (const int sense : {+1, -1})
+    if (in_order(circuit, sense) && (!respect_direction || in_direction(circuit, sense))) return {};
   return {Defects::order_bit};
 }
 
@@ -209,7 +267,12 @@ DriveThroughReport drive_through(const FourBar& four_bar, std::span<const Prescr
   Circuit circuit = Tracer(four_bar, poses, options).trace();
   if (!circuit.closed) return {};
   sort_meetings(circuit);
-  return {true, defects_of(circuit, poses.size()), visits(circuit), circuit.worst_closure, circuit.worst_pose_error};
+  return {true,
+          defects_of(circuit, poses.size(), options.respect_direction),
+          visits(circuit),
+          circuit.worst_closure,
+          circuit.worst_pose_error,
+          circuit.worst_direction_error};
 }
 
 }  // namespace linkwright

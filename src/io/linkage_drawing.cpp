@@ -54,6 +54,7 @@ void draw_scene(SvgCanvas& svg, const StoredLinkage& linkage) {
   draw_positions(svg, window, linkage);
   draw_bars(svg, window, bars);
   for (std::size_t pose = linkage.poses.size(); pose-- > 0;) {
+    draw_direction(svg, window, linkage.poses[pose]);
     draw_pose(svg, window, linkage.poses[pose].pose, pose + 1, pose == 0);
   }
   draw_pins(svg, window, bars);

@@ -38,13 +38,30 @@ void draw_link(SvgCanvas& svg, Point from, Point to, std::string_view color) {
   svg.line(from, to, stroke(color, link_width) + " stroke-linecap=\"round\"");
 }
 
-void draw_arrow(SvgCanvas& svg, Point from, Point to, std::string_view color, double width) {
-  constexpr double head = 6;
-  const Point along = (to - from) / std::abs(to - from), across = Point{0, 1} * along;
-  svg.line(from, to - 0.6 * head * along, stroke(color, width));
+void draw_arrow_head(SvgCanvas& svg, Point to, Point along, double head, std::string_view color) {
+  const Point across = Point{0, 1} * along;
   const std::array<Point, 3> tip = {to, to - head * along + 0.45 * head * across,
                                     to - head * along - 0.45 * head * across};
   svg.polygon(tip, fill(color));
+}
+
+void draw_arrow(SvgCanvas& svg, Point from, Point to, std::string_view color, double width, double head = 6) {
+  const Point along = (to - from) / std::abs(to - from);
+  svg.line(from, to - 0.6 * head * along, stroke(color, width));
+  draw_arrow_head(svg, to, along, head, color);
+}
+
+constexpr double direction_width = 2.6, direction_head = 12;
+
+/// Three quarters of a turn round a point, `sense` +1 counter-clockwise.
+void draw_turn(SvgCanvas& svg, Point center, double sense) {
+  constexpr double radius = 22;
+  constexpr int sides = 36;
+  std::vector<Point> path;
+  for (int i = 0; i <= sides; ++i) path.push_back(center + radius * flipped(direction(sense * 1.5 * pi * i / sides)));
+  const Point end = direction(sense * 1.5 * pi), along = flipped(Point{0, sense} * end);
+  svg.polyline(path, stroke(palette::accent, direction_width));
+  draw_arrow_head(svg, path.back() + direction_head * along, along, direction_head, palette::accent);
 }
 
 }  // namespace
@@ -126,6 +143,20 @@ void draw_pins(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_ba
   draw_pin(svg, window.to_px(four_bar.output_circle), palette::output);
   draw_pin(svg, window.to_px(four_bar.input_center), palette::input);
   draw_pin(svg, window.to_px(four_bar.input_circle), palette::input);
+}
+
+void draw_direction(SvgCanvas& svg, const PlaneWindow& window, const PrescribedPose& pose) {
+  constexpr double length = 64, body = 46;  // px: as far from the origin as the frame's arm reaches
+  if (pose.derivatives.empty()) return;
+  const Point origin = window.to_px(pose.pose.origin);
+  const PoseDerivative& way = pose.derivatives.front();
+  const double speed = std::abs(way.origin);
+  if (speed * window.scale() > 0.1 * std::abs(way.angle) * body) {
+    draw_arrow(svg, origin, origin + length * flipped(way.origin / speed), palette::accent, direction_width,
+               direction_head);
+  } else {
+    draw_turn(svg, origin, way.angle < 0 ? -1 : 1);
+  }
 }
 
 void draw_pose(SvgCanvas& svg, const PlaneWindow& window, const Pose& pose, std::size_t number, bool strong) {

@@ -34,6 +34,10 @@ void draw_bars(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_ba
 /// The pins of the four pivots; poses go between bars and pins, so that neither hides the other.
 void draw_pins(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar);
 
+/// The direction of travel through a pose with derivatives, beneath the frame: an arrow along which its origin leaves,
+/// or one bent round the origin where that hardly moves.
+void draw_direction(SvgCanvas& svg, const PlaneWindow& window, const PrescribedPose& pose);
+
 /// The moving frame in a pose: a disc with the pose's number, x and y arms. `strong`: position 1.
 void draw_pose(SvgCanvas& svg, const PlaneWindow& window, const Pose& pose, std::size_t number, bool strong);
 

@@ -42,7 +42,9 @@ FourBar in_pose(const FourBar& four_bar, std::span<const PrescribedPose> poses, 
 
 std::vector<Point> path_of_task(const FourBar& four_bar, std::span<const PrescribedPose> poses, Point traced) {
   if (poses.size() < 2) return {};
-  const DefectReport report = find_defects(four_bar, poses);
+  // In the direction that the poses want; where they cannot have that, the task may not ask for it.
+  DefectReport report = find_defects(four_bar, poses, true);
+  if (report.sense == DriveSense::none) report = find_defects(four_bar, poses, false);
   if (report.sense == DriveSense::none) return {};
   const double sweep = report.sense == DriveSense::cw ? -report.sweep : report.sweep;
   return thinned(traced_points(motion_sweep(four_bar, traced, sweep, fine_samples)));

@@ -12,7 +12,8 @@ namespace linkwright {
 /// The four-bar, given as it lies in the first of the poses, as it lies in another one.
 [[nodiscard]] FourBar in_pose(const FourBar& four_bar, std::span<const PrescribedPose> poses, std::size_t pose);
 
-/// The traced point's way from the first pose to the last, driven as the task wants; empty where a defect forbids it.
+/// The traced point's way from the first pose to the last, driven as the task wants; empty where a defect forbids it
+/// and of a single pose.
 [[nodiscard]] std::vector<Point> path_of_task(const FourBar& four_bar, std::span<const PrescribedPose> poses,
                                               Point traced);
 

@@ -13,12 +13,13 @@
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/io/result_file.hpp"
 #include "mistakes.hpp"
+#include "pose_reader.hpp"
 
 namespace linkwright {
 namespace {
 
 constexpr double largest_number = 1e12;  // lengths and coordinates; their squares and products stay far from overflow
-constexpr std::size_t most_poses = 100;
+constexpr std::size_t most_poses = 5;    // what find_defects judges
 
 bool in_range(Point point) {
   return std::abs(point.real()) <= largest_number && std::abs(point.imag()) <= largest_number;
@@ -127,11 +128,7 @@ void read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<Prescrib
     return;
   }
   value.for_each("a list of poses", [&](const JsonValue& item) {
-    const JsonObject object(item, mistakes, {});
-    const auto x = object.require_number("x");
-    const auto y = object.require_number("y");
-    const auto theta = object.require_number("theta_deg");
-    if (x && y && theta) poses.push_back({.pose = {{*x, *y}, radians(*theta)}, .derivatives = {}});
+    if (auto pose = read_pose(item, mistakes, OtherMembers::ignored)) poses.push_back(*std::move(pose));
   });
 }
 

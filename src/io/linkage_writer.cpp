@@ -14,7 +14,7 @@ std::string write_linkage(const StoredLinkage& linkage) {
     json.member("length_unit", std::string_view(linkage.length_unit));
     json.key("poses");
     json.begin_list();
-    for (const PrescribedPose& pose : linkage.poses) write_pose(json, pose.pose);
+    for (const PrescribedPose& pose : linkage.poses) write_pose(json, pose);
     json.end_list();
     json.key("linkage");
     if (linkage.record.empty()) {

@@ -12,12 +12,13 @@
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/io/text_file.hpp"
 #include "mistakes.hpp"
+#include "pose_reader.hpp"
 #include "vocabulary.hpp"
 
 namespace linkwright {
 namespace {
 
-constexpr std::string_view what_is_available = "four finite poses of a four_bar are";
+constexpr std::string_view what_is_available = "four positions of a four_bar are";
 constexpr std::size_t most_poses_looked_at =
     100;  // any more than five are a mistake; comparing pairs of thousands is slow
 
@@ -62,29 +63,16 @@ bool is_built(const JsonObject& task, std::string_view key, std::span<const std:
   return false;
 }
 
-std::optional<PrescribedPose> read_pose(const JsonValue& value, Mistakes& mistakes) {
-  const JsonObject object(value, mistakes, {"x", "y", "theta_deg", "derivatives"});
-  const auto x = object.require_number("x");
-  const auto y = object.require_number("y");
-  const auto theta = object.require_number("theta_deg");
-  if (const auto derivatives = object.find("derivatives")) {
-    not_available(*derivatives, "infinitesimally close positions (derivatives) are");
-    return std::nullopt;
-  }
-  if (!x || !y || !theta) return std::nullopt;
-  return PrescribedPose{.pose = {{*x, *y}, radians(*theta)}, .derivatives = {}};
-}
-
 /// The poses, and whether every one could be read.
 bool read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
   if (value.json().is_array() && value.json().size() > most_poses_looked_at) {
-    value.mistake("pose_count", fmt::format("{} poses are given; exactly four can be solved, remove the others",
+    value.mistake("pose_count", fmt::format("{} poses are given; four positions can be solved, remove the others",
                                             value.json().size()));
     return false;
   }
   bool complete = true;
   const bool is_list = value.for_each("a list of poses", [&](const JsonValue& item) {
-    const auto pose = read_pose(item, mistakes);
+    const auto pose = read_pose(item, mistakes, OtherMembers::refused);
     if (pose) poses.push_back(*pose);
     complete = complete && pose.has_value();
   });
@@ -100,7 +88,8 @@ void read_task(const JsonValue& value, Mistakes& mistakes, MotionTask& task) {
 
   const JsonObject object(value, mistakes, {"kind", "mechanism", "poses", "given"});
   if (const auto given = object.find("given")) not_available(*given, "\"given\" belongs to three poses, which are");
-  const auto poses = object.require("poses", "a list of four poses {\"x\": …, \"y\": …, \"theta_deg\": …}");
+  const auto poses = object.require(
+      "poses", "a list of poses {\"x\": …, \"y\": …, \"theta_deg\": …}, four with none of them given \"derivatives\"");
   if (poses && read_poses(*poses, mistakes, task.poses)) mistakes.add(mistakes_in(task));
 }
 

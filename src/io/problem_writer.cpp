@@ -32,9 +32,22 @@ void write_task(JsonWriter& json, const MotionTask& task) {
   json.member("mechanism", "four_bar");
   json.key("poses");
   json.begin_list();
-  for (const PrescribedPose& pose : task.poses) write_pose(json, pose.pose);
+  for (const PrescribedPose& pose : task.poses) write_pose(json, pose);
   json.end_list();
   json.end_object();
+}
+
+void write_derivatives(JsonWriter& json, const std::vector<PoseDerivative>& derivatives) {
+  json.key("derivatives");
+  json.begin_list(Layout::one_line);
+  for (const PoseDerivative& derivative : derivatives) {
+    json.begin_object(Layout::one_line);
+    json.member("x", derivative.origin.real());
+    json.member("y", derivative.origin.imag());
+    json.member("theta", derivative.angle);
+    json.end_object();
+  }
+  json.end_list();
 }
 
 void write_requirements(JsonWriter& json, const Requirements& requirements) {
@@ -71,11 +84,12 @@ void write_options(JsonWriter& json, const SynthesisOptions& options) {
 
 }  // namespace
 
-void write_pose(JsonWriter& json, const Pose& pose) {
+void write_pose(JsonWriter& json, const PrescribedPose& pose) {
   json.begin_object(Layout::one_line);
-  json.member("x", pose.origin.real());
-  json.member("y", pose.origin.imag());
-  json.member("theta_deg", degrees_for_files(pose.angle));
+  json.member("x", pose.pose.origin.real());
+  json.member("y", pose.pose.origin.imag());
+  json.member("theta_deg", degrees_for_files(pose.pose.angle));
+  if (!pose.derivatives.empty()) write_derivatives(json, pose.derivatives);
   json.end_object();
 }
 

@@ -10,8 +10,8 @@ namespace linkwright {
 /// The problem as one JSON object, every default written out.
 void write_problem(JsonWriter& json, const Problem& problem);
 
-/// `{"x": …, "y": …, "theta_deg": …}`.
-void write_pose(JsonWriter& json, const Pose& pose);
+/// `{"x": …, "y": …, "theta_deg": …}`, with `"derivatives"` where there are any.
+void write_pose(JsonWriter& json, const PrescribedPose& pose);
 
 /// `[x, y]`.
 void write_point(JsonWriter& json, Point point);

@@ -96,6 +96,7 @@ void write_four_bar(JsonWriter& json, const FourBarSolution& found, const Workin
       ? json.value(transmission_angle_deg(found.report.worst_transmission_cosine_full_turn))
       : json.null();
   json.member("residual", found.residual);
+  if (found.residual_derivatives) json.member("residual_derivatives", *found.residual_derivatives);
   json.member("local_optimum", found.local_optimum);
   json.member("verified_by_driving", found.verified_by_driving);
   json.key("swapped");
@@ -103,9 +104,9 @@ void write_four_bar(JsonWriter& json, const FourBarSolution& found, const Workin
   json.end_object();
 }
 
-void write_warnings(JsonWriter& json, const std::vector<Warning>& warnings) {
+void write_warnings(JsonWriter& json, const std::vector<Notice>& warnings) {
   json.begin_list();
-  for (const Warning& warning : warnings) {
+  for (const Notice& warning : warnings) {
     json.begin_object(Layout::one_line);
     json.member("code", std::string_view(warning.code));
     json.member("message", std::string_view(warning.message));
@@ -221,7 +222,7 @@ Problem as_solved(const Problem& problem, const MotionSolution& solution) {
 
 void write_answer(JsonWriter& json, const MotionSolution& solution, bool with_region) {
   json.member("status", name(solution.status));
-  json.member("reason", std::string_view(solution.reason));
+  json.member("reason", std::string_view(solution.reason.message));
   json.member("pattern", std::string_view(solution.pattern));
   json.member("condition", solution.conditions.condition());
   json.member("characteristic_length", solution.conditions.frame.scale);

@@ -27,11 +27,13 @@ const FourBarSolution* best_of(const MotionSolution& solution) {
 
 Point first_origin(const Problem& problem) { return problem.task.poses.front().pose.origin; }
 
-/// What the window must hold: the poses with their arms' room, and the best linkage in all its positions.
-std::vector<Point> points_of_interest(const Problem& problem, const FourBarSolution* best) {
+/// What the window must hold: the poses with their arms' room, and the best linkage in all its positions. `size`: of
+/// what there is to see about a single pose.
+std::vector<Point> points_of_interest(const Problem& problem, const FourBarSolution* best, double size) {
   std::vector<Point> points;
   const auto& poses = problem.task.poses;
   for (const PrescribedPose& pose : poses) points.push_back(pose.pose.origin);
+  if (best == nullptr && poses.size() == 1) points = {points[0] - size, points[0] + size};
   if (best == nullptr) return points;
   for (std::size_t pose = 0; pose < poses.size(); ++pose) {
     const FourBar bars = in_pose(best->four_bar, poses, pose);
@@ -74,7 +76,8 @@ void draw_task(SvgCanvas& svg, const Problem& problem, const MotionSolution& sol
   draw_card(svg, task_card, solution.linkages.empty() ? "The four positions" : "Best linkage");
   const PixelBox box{task_card.left + 1, task_card.top + 44, task_card.width - 2, task_card.height - 45};
   const FourBarSolution* best = best_of(solution);
-  const PlaneWindow window(box, points_of_interest(problem, best), window_margin(best));
+  const PlaneWindow window(box, points_of_interest(problem, best, solution.conditions.frame.scale),
+                           window_margin(best));
   svg.begin_clip(box.corner(), box.width, box.height);
   draw_grid(svg, window);
   const Requirements& requirements = solution.requirements;
@@ -84,6 +87,7 @@ void draw_task(SvgCanvas& svg, const Problem& problem, const MotionSolution& sol
   if (best != nullptr) draw_best_linkage(svg, problem, *best, window);
   if (best != nullptr) draw_bars(svg, window, best->four_bar);
   for (std::size_t pose = problem.task.poses.size(); pose-- > 0;) {
+    draw_direction(svg, window, problem.task.poses[pose]);
     draw_pose(svg, window, problem.task.poses[pose].pose, pose + 1, pose == 0);
   }
   if (best != nullptr) draw_pins(svg, window, best->four_bar);
@@ -126,7 +130,7 @@ void draw_strip(SvgCanvas& svg, const Problem& problem, const MotionSolution& so
     draw_linkage_strip(svg, strip_card, *best, problem.length_unit);
   } else {
     draw_card(svg, strip_card, "No linkage to show");
-    draw_wrapped(svg, {strip_card.left + 18, strip_card.top + 54}, solution.reason, strip_card.width - 36, 2);
+    draw_wrapped(svg, {strip_card.left + 18, strip_card.top + 54}, solution.reason.message, strip_card.width - 36, 2);
   }
 }
 

@@ -148,19 +148,17 @@ std::vector<double> BurmesterCurve::samples(int count, Spacing spacing) const {
   return coordinates;
 }
 
-std::vector<double> BurmesterCurve::evenly_by_length(int count) const {
-  // A polygon fine enough that linear interpolation along a side is exact to the eye and far below a sample's step.
-  constexpr int first_sides = 256, deepest = 24;
-  constexpr double longest_side = 2e-3;
-  std::vector<double> tau, run;
-  double total = 0;
+/// Calls `visit(dyad, length run since the one before)` along all branches, sides being halved until they are short
+/// enough.
+template <class Visit>
+void BurmesterCurve::walk(int first_sides, double longest_side, const Visit& visit) const {
+  constexpr int deepest = 24;
   for (const CurveBranch& branch : branches_) {
     if (branch.from == branch.to) continue;
     // The end of a branch is its beginning: stop just short of it, or the next branch's beginning is met.
     const double step = (branch.to - branch.from) / first_sides, last = std::nextafter(branch.to, branch.from);
     Dyad at = dyad(branch.from);
-    tau.push_back(at.coordinate);
-    run.push_back(total);
+    visit(at, 0.0);
     for (int side = 1; side <= first_sides; ++side) {
       std::vector<Dyad> ahead = {dyad(side == first_sides ? last : branch.from + side * step)};
       while (!ahead.empty()) {
@@ -169,18 +167,41 @@ std::vector<double> BurmesterCurve::evenly_by_length(int count) const {
           ahead.push_back(dyad(at.coordinate + width / 2));
           continue;
         }
-        total += length;
         at = ahead.back();
         ahead.pop_back();
-        tau.push_back(at.coordinate);
-        run.push_back(total);
+        visit(at, length);
       }
     }
   }
+}
+
+BurmesterCurve::Run BurmesterCurve::run() const {
+  // Fine enough that linear interpolation along a side is exact to the eye and far below a sample's step.
+  constexpr int first_sides = 256;
+  constexpr double longest_side = 2e-3;
+  Run run;
+  double total = 0;
+  walk(first_sides, longest_side, [&](const Dyad& dyad, double length) {
+    total += length;
+    run.tau.push_back(dyad.coordinate);
+    run.length.push_back(total);
+  });
+  return run;
+}
+
+std::vector<Dyad> BurmesterCurve::polygon(double longest_side) const {
+  constexpr int first_sides = 64;
+  std::vector<Dyad> corners;
+  walk(first_sides, longest_side, [&](const Dyad& dyad, double /*length*/) { corners.push_back(dyad); });
+  return corners;
+}
+
+std::vector<double> BurmesterCurve::evenly_by_length(int count) const {
+  const auto [tau, run] = this->run();
   std::vector<double> coordinates;
   std::size_t side = 1;
   for (int i = 0; i < count; ++i) {
-    const double wanted = total * (i + 0.5) / count;
+    const double wanted = run.back() * (i + 0.5) / count;
     while (side + 1 < run.size() && run[side] < wanted) ++side;
     const double width = run[side] - run[side - 1];
     const double share = width > 0 ? (wanted - run[side - 1]) / width : 0.5;

@@ -5,19 +5,25 @@
 
 namespace linkwright {
 
-Judge::Judge(const MotionTask& task, const MotionSolution& solution)
-    : solution_(&solution), poses_(solution.conditions.frame.to_working(task.poses)) {}
+Judge::Judge(const MotionTask& task, const WorkingFrame& frame, std::shared_ptr<const BurmesterCurve> curve,
+             const Requirements& requirements, Objective objective, std::optional<RegionWindow> window)
+    : frame_(frame),
+      poses_(frame.to_working(task.poses)),
+      curve_(std::move(curve)),
+      requirements_(requirements),
+      objective_(objective),
+      window_(window) {}
 
-std::optional<Candidate> Judge::candidate(Place place) const {
-  const Dyad input = solution_->curve->dyad(place.input), output = solution_->curve->dyad(place.output);
+std::optional<Candidate> Judge::candidate(RegionPlace place) const {
+  const Dyad input = curve_->dyad(place.input), output = curve_->dyad(place.output);
   const auto a = finite_point(input.center), b = finite_point(input.circle);
   const auto c = finite_point(output.center), d = finite_point(output.circle);
   if (!a || !b || !c || !d) return std::nullopt;
   return judged(place, {*a, *b, *c, *d});
 }
 
-std::optional<Candidate> Judge::judged(Place place, const FourBar& bars) const {
-  const Requirements& wanted = solution_->requirements;
+std::optional<Candidate> Judge::judged(RegionPlace place, const FourBar& bars) const {
+  const Requirements& wanted = requirements_;
   if (!in_window(place)) return std::nullopt;
   const DefectReport report = find_defects(bars, poses_, wanted.respect_direction);
   if (report.type == LinkageType::degenerate) return std::nullopt;
@@ -27,24 +33,23 @@ std::optional<Candidate> Judge::judged(Place place, const FourBar& bars) const {
   if (std::acos(report.worst_transmission_cosine) < wanted.min_transmission_angle) return std::nullopt;
   const LinkLengths lengths = bars.lengths();
   const double ratio = lengths.longest() / lengths.shortest();
-  const double longest = solution_->conditions.frame.scale * lengths.longest();
+  const double longest = frame_.scale * lengths.longest();
   if (ratio > wanted.max_link_ratio || longest > wanted.max_length.value_or(Requirements::unlimited))
     return std::nullopt;
   if (!inside(wanted.ground_pivots_within, bars.input_center, bars.output_center)) return std::nullopt;
   if (!inside(wanted.moving_pivots_within, bars.input_circle, bars.output_circle)) return std::nullopt;
-  const double score = score_of(solution_->options.objective, 1 - report.worst_transmission_cosine, ratio, longest);
+  const double score = score_of(objective_, 1 - report.worst_transmission_cosine, ratio, longest);
   return Candidate{place, bars, report, score, false};
 }
 
-bool Judge::in_window(Place place) const {
-  if (!solution_->options.window) return true;
-  const auto& [input, output] = *solution_->options.window;
+bool Judge::in_window(RegionPlace place) const {
+  if (!window_) return true;
+  const auto& [input, output] = *window_;
   return place.input >= input[0] && place.input <= input[1] && place.output >= output[0] && place.output <= output[1];
 }
 
 bool Judge::inside(const std::optional<Box>& box, Point p, Point q) const {
-  const WorkingFrame& frame = solution_->conditions.frame;
-  return !box || (box->contains(frame.to_user(p)) && box->contains(frame.to_user(q)));
+  return !box || (box->contains(frame_.to_user(p)) && box->contains(frame_.to_user(q)));
 }
 
 Candidate Judge::from_better_side(const Candidate& here) const {

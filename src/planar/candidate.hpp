@@ -1,20 +1,17 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "linkwright/planar/improved_linkage.hpp"
 #include "linkwright/planar/motion_synthesis.hpp"
 
 namespace linkwright {
 
-/// A place on the map, as a continuous pair of curve coordinates.
-struct Place {
-  double input = 0, output = 0;
-};
-
 /// A linkage that meets the requirements. Working frame.
 struct Candidate {
-  Place place;
+  RegionPlace place;
   FourBar bars;
   DefectReport report;
   double score = 0;  ///< as score_of
@@ -24,23 +21,28 @@ struct Candidate {
 /// Judges any place of the map by the same rules as its cells.
 class Judge {
  public:
-  /// `solution` has its curve, requirements and options; it must outlive the judge.
-  Judge(const MotionTask& task, const MotionSolution& solution);
+  /// `requirements` with max_length set. Places outside `window` are refused; nothing: none.
+  Judge(const MotionTask& task, const WorkingFrame& frame, std::shared_ptr<const BurmesterCurve> curve,
+        const Requirements& requirements, Objective objective, std::optional<RegionWindow> window = {});
 
   /// The linkage at a place, or nothing where it does not meet the requirements or lies outside the window.
-  [[nodiscard]] std::optional<Candidate> candidate(Place place) const;
+  [[nodiscard]] std::optional<Candidate> candidate(RegionPlace place) const;
 
   /// The same bars driven from the better side that meets the requirements: no defects, score, transmission angle,
   /// smaller coordinate.
   [[nodiscard]] Candidate from_better_side(const Candidate& here) const;
 
  private:
-  [[nodiscard]] std::optional<Candidate> judged(Place place, const FourBar& bars) const;
-  [[nodiscard]] bool in_window(Place place) const;
+  [[nodiscard]] std::optional<Candidate> judged(RegionPlace place, const FourBar& bars) const;
+  [[nodiscard]] bool in_window(RegionPlace place) const;
   [[nodiscard]] bool inside(const std::optional<Box>& box, Point p, Point q) const;
 
-  const MotionSolution* solution_;
+  WorkingFrame frame_;
   std::vector<PrescribedPose> poses_;
+  std::shared_ptr<const BurmesterCurve> curve_;
+  Requirements requirements_;
+  Objective objective_;
+  std::optional<RegionWindow> window_;
 };
 
 /// Climbs from a place to the top of its hill, keeping branch, type and requirements; steps begin at `first_step` in τ.

@@ -64,14 +64,14 @@ class Climb {
     return std::nullopt;
   }
 
-  [[nodiscard]] std::optional<Candidate> allowed(Place place) const {
+  [[nodiscard]] std::optional<Candidate> allowed(RegionPlace place) const {
     const auto found = judge_.candidate(on_branches(place));
     if (!found || found->report.type != start_.report.type) return std::nullopt;
     return change_point_margin(found->bars) < least_margin_ ? std::nullopt : found;
   }
 
   /// Branches are closed: leaving one at its end is entering it at its beginning.
-  [[nodiscard]] Place on_branches(Place place) const {
+  [[nodiscard]] RegionPlace on_branches(RegionPlace place) const {
     const double input = std::floor(start_.place.input), output = std::floor(start_.place.output);
     return {input + wrap_period(place.input - input, 1), output + wrap_period(place.output - output, 1)};
   }

@@ -18,6 +18,20 @@ double length_residual(const MotionTask& task, Point center, Point circle) {
   return worst;
 }
 
+// By how much the side links, at unit scale, fail to keep still to the orders that the derivatives prescribe.
+std::optional<double> derivative_residual(const MotionTask& task, const WorkingFrame& frame, const Dyad& input,
+                                          const Dyad& output) {
+  const std::vector<Matrix3> conditions = derivative_conditions(task.poses, frame);
+  if (conditions.empty()) return std::nullopt;
+  double worst = 0;
+  for (const Dyad& dyad : {input, output}) {
+    const Homogeneous circle = normalized(frame.to_working(dyad.circle)),
+                      center = normalized(frame.to_working(dyad.center));
+    for (const Matrix3& row : conditions) worst = std::max(worst, std::abs(dot(circle, row * center)));
+  }
+  return worst;
+}
+
 }  // namespace
 
 std::optional<FourBarSolution> make_four_bar(const MotionTask& task, const WorkingFrame& frame, const Dyad& input,
@@ -36,8 +50,10 @@ std::optional<FourBarSolution> make_four_bar(const MotionTask& task, const Worki
   solution.input_residual = length_residual(task, *a, *b);
   solution.output_residual = length_residual(task, *c, *d);
   solution.residual = std::max(solution.input_residual, solution.output_residual);
+  solution.residual_derivatives = derivative_residual(task, frame, input, output);
   if (verify) {
-    const DriveThroughReport driven = drive_through(solution.four_bar, task.poses);
+    const DriveThroughReport driven =
+        drive_through(solution.four_bar, task.poses, {.respect_direction = respect_direction});
     solution.verified_by_driving = driven.completed && driven.defects == solution.report.defects;
   }
   return solution;

@@ -89,7 +89,8 @@ std::vector<Candidate> chosen(const MotionSolution& solution, const Judge& judge
 std::vector<FourBarSolution> best_linkages(const MotionTask& task, const MotionSolution& solution,
                                            const RequirementFilter& filter, const Progress& progress) {
   if (solution.options.best == 0 || solution.meeting_requirements == 0) return {};
-  const Judge judge(task, solution);
+  const Judge judge(task, solution.conditions.frame, solution.curve, solution.requirements, solution.options.objective,
+                    solution.options.window);
   const WorkingFrame& frame = solution.conditions.frame;
   std::vector<FourBarSolution> linkages;
   for (const Candidate& candidate : chosen(solution, judge, filter, progress)) {

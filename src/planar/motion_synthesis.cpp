@@ -4,8 +4,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "linkwright/core/tolerance.hpp"
-#include "planar/degenerate_task.hpp"
+#include "linkwright/planar/task_curve.hpp"
 #include "planar/linkage_search.hpp"
 
 namespace linkwright {
@@ -49,45 +48,15 @@ RegionMap region_of(const MotionTask& task, const MotionSolution& solution, cons
   return RegionMap(input, output, frame.scale, options.region, progress);
 }
 
-// Groups of parallel poses, in words: "1 and 3", "1, 2 and 4".
-std::vector<std::string> parallel_poses(const MotionTask& task) {
-  std::vector<std::string> groups;
-  std::vector<bool> told(task.poses.size(), false);
-  for (std::size_t i = 0; i < task.poses.size(); ++i) {
-    std::vector<std::size_t> group = {i + 1};
-    for (std::size_t j = i + 1; j < task.poses.size(); ++j) {
-      if (told[i] || !are_parallel(task.poses[i].pose, task.poses[j].pose)) continue;
-      group.push_back(j + 1);
-      told[j] = true;
-    }
-    if (group.size() == 1) continue;
-    const std::size_t last = group.back();
-    group.pop_back();
-    groups.push_back(fmt::format("{} and {}", fmt::join(group, ", "), last));
-  }
-  return groups;
-}
-
-void warn(MotionSolution& solution, const MotionTask& task) {
-  if (solution.conditions.condition() > tolerance::ill_conditioned)
-    solution.warnings.push_back(
-        {"ill_conditioned",
-         fmt::format(
-             "The poses are so close that rounding shows (condition {:.1e}); replace poses that lie close together by "
-             "one pose with derivatives (direction of travel, curvature).",
-             solution.conditions.condition())});
-  for (const auto& group : parallel_poses(task))
-    solution.warnings.push_back(
-        {"parallel_poses", fmt::format("Poses {} are parallel: their poles lie at infinity. This is fine.", group)});
-}
-
 std::string percent(std::int64_t part, std::int64_t whole) {
   const double share = 100 * static_cast<double>(part) / static_cast<double>(whole);
   if (part < whole && share > 99) return "over 99 %";
   return share < 1 ? "under 1 %" : fmt::format("{:.0f} %", share);
 }
 
-std::string nothing_defect_free(const RegionCounts& counts) {
+Notice nothing_defect_free(const MotionSolution& solution) {
+  const RegionCounts& counts = solution.counts;
+  const bool directed = solution.requirements.respect_direction && solution.pattern.find("PP") != std::string::npos;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   std::vector<std::string> causes;
   const auto blame = [&](std::int64_t cells, std::string_view what) {
@@ -95,20 +64,28 @@ std::string nothing_defect_free(const RegionCounts& counts) {
   };
   blame(counts.circuit, "need taking apart (circuit)");
   blame(counts.branch - counts.circuit, "lock between two poses (branch)");
-  blame(counts.order, "visit them in another order");
-  return fmt::format(
-      "{} four-bars pass through all poses and none is free of defects: {}. Try another order of the poses, allow a "
-      "defect (no_defects: false), or move a pose.",
-      whole, fmt::join(causes, ", "));
+  blame(counts.order, directed ? "visit them in another order, or against a direction" : "visit them in another order");
+  return {"none_defect_free",
+          fmt::format("{} four-bars pass through all poses and none is free of defects: {}. Try another order of the "
+                      "poses, {}allow a defect (no_defects: false), or move a pose.",
+                      whole, fmt::join(causes, ", "),
+                      directed ? "turn a direction round or let none count (respect_direction: false), " : ""),
+          {{"count", static_cast<double>(whole)}}};
 }
 
-std::string nothing_left(const MotionSolution& solution) {
-  std::string sentence =
-      fmt::format("{} four-bars are free of defects, and none meets all requirements.", solution.counts.defect_free);
-  if (solution.relax.empty()) return sentence + " No single requirement is to blame: relax two or more.";
+Notice nothing_left(const MotionSolution& solution) {
+  const std::int64_t free = solution.counts.defect_free;
+  Notice notice{"none_left",
+                fmt::format("{} four-bars are free of defects, and none meets all requirements.", free),
+                {{"count", static_cast<double>(free)}}};
+  if (solution.relax.empty()) {
+    notice.message += " No single requirement is to blame: relax two or more.";
+    return notice;
+  }
   const Relaxation& dearest = solution.relax.front();
-  return sentence +
-         fmt::format(" {} costs most: without it {} would be left.", key(dearest.requirement), dearest.only_this);
+  notice.message +=
+      fmt::format(" {} costs most: without it {} would be left.", key(dearest.requirement), dearest.only_this);
+  return notice;
 }
 
 void judge(MotionSolution& solution) {
@@ -116,16 +93,22 @@ void judge(MotionSolution& solution) {
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   if (whole == 0) {
     solution.status = SolutionStatus::no_solution;
-    solution.reason =
-        "No pair of side links makes a four-bar: in every pair a pivot is at infinity or a link has no length.";
+    solution.reason = {
+        "no_pair",
+        "No pair of side links makes a four-bar: in every pair a pivot is at infinity or a link has no length.",
+        {}};
   } else if (counts.defect_free == 0 && solution.requirements.no_defects) {
-    solution.reason = nothing_defect_free(counts);
+    solution.reason = nothing_defect_free(solution);
   } else if (solution.meeting_requirements == 0) {
     solution.reason = nothing_left(solution);
   } else {
-    solution.reason =
+    solution.reason = {
+        "solved",
         fmt::format("{} four-bars pass through all poses; {} are free of defects; {} meet all requirements.", whole,
-                    counts.defect_free, solution.meeting_requirements);
+                    counts.defect_free, solution.meeting_requirements),
+        {{"count", static_cast<double>(whole)},
+         {"defect_free", static_cast<double>(counts.defect_free)},
+         {"meeting", static_cast<double>(solution.meeting_requirements)}}};
   }
 }
 
@@ -160,23 +143,24 @@ Result<MotionSolution> solve_motion(const MotionTask& task, const Requirements& 
   append(mistakes, mistakes_in(options));
   if (!mistakes.empty()) return mistakes;
 
+  TaskCurve given = task_curve(task);
   MotionSolution solution;
-  solution.pattern = pattern(task.poses);
-  solution.conditions = pose_conditions(task.poses);
+  solution.pattern = given.pattern;
+  solution.conditions = std::move(given.conditions);
+  solution.curve = std::move(given.curve);
   const WorkingFrame& frame = solution.conditions.frame;
   solution.requirements = requirements;
   if (!requirements.max_length) solution.requirements.max_length = default_max_length * frame.scale;
   solution.options = options;
-  solution.curve = std::make_shared<const BurmesterCurve>(solution.conditions);
   for (const Dyad& dyad : dyads_at(*solution.curve, solution.curve->samples(options.region_samples, options.spacing)))
     solution.samples.push_back(frame.to_user(dyad));
-  if (const auto degeneracy = degeneracy_of(task, solution.conditions, *solution.curve)) {
+  if (given.degeneracy) {
     solution.status = SolutionStatus::degenerate;
-    solution.reason = *degeneracy;
+    solution.reason = *given.degeneracy;
     return solution;
   }
 
-  warn(solution, task);
+  solution.warnings = std::move(given.warnings);
   progress(0.1);
   solution.region = region_of(task, solution, progress);
   progress(0.6);

@@ -1,5 +1,6 @@
 #include "linkwright/planar/motion_task.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -17,13 +18,57 @@ void check_number(double value, double limit, const char* what, const std::strin
       {"out_of_range", place, fmt::format("{} must be a number between −{:g} and {:g}", what, limit, limit)});
 }
 
+bool is_zero(const PoseDerivative& d) {
+  return std::max({std::abs(d.origin.real()), std::abs(d.origin.imag()), std::abs(d.angle)}) < smallest_direction;
+}
+
+void check_derivatives(const std::vector<PoseDerivative>& derivatives, const std::string& place,
+                       std::vector<Error>& found) {
+  for (std::size_t m = 0; m < derivatives.size(); ++m) {
+    const std::string here = fmt::format("{}[{}]", place, m);
+    check_number(derivatives[m].origin.real(), largest_coordinate, "x", here + ".x", found);
+    check_number(derivatives[m].origin.imag(), largest_coordinate, "y", here + ".y", found);
+    check_number(derivatives[m].angle, largest_coordinate, "theta", here + ".theta", found);
+  }
+  if (!derivatives.empty() && is_zero(derivatives.front()))
+    found.push_back({"zero_derivative", place + "[0]",
+                     "the first derivative is zero and gives no direction of travel; give one in which the body moves "
+                     "or turns there, of any length, or leave derivatives out"});
+}
+
 void check_numbers(const MotionTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.poses.size(); ++i) {
     const Pose& pose = task.poses[i].pose;
     check_number(pose.origin.real(), largest_coordinate, "x", place_of(i) + ".x", found);
     check_number(pose.origin.imag(), largest_coordinate, "y", place_of(i) + ".y", found);
     check_number(degrees(pose.angle), largest_coordinate, "theta_deg", place_of(i) + ".theta_deg", found);
+    check_derivatives(task.poses[i].derivatives, place_of(i) + ".derivatives", found);
   }
+}
+
+// "5 positions were given (PPP-P-P: 3 poses and 2 derivatives)"; without derivatives the poses are the positions.
+std::string count_words(const MotionTask& task, int count) {
+  const std::size_t poses = task.poses.size(), derivatives = static_cast<std::size_t>(count) - poses;
+  if (derivatives == 0) return fmt::format("{} {} given", poses, poses == 1 ? "pose was" : "poses were");
+  constexpr int longest_pattern = 12;
+  return fmt::format("{} positions were given ({}{} pose{} and {} derivative{}, each counting as one)", count,
+                     count <= longest_pattern ? pattern(task.poses) + ": " : "", poses, poses == 1 ? "" : "s",
+                     derivatives, derivatives == 1 ? "" : "s");
+}
+
+void check_count(const MotionTask& task, std::vector<Error>& found) {
+  constexpr int wanted = 4;
+  const int count = position_count(task.poses);
+  if (count < wanted)
+    found.push_back(
+        {"too_few_poses", "task.poses",
+         fmt::format("{} and {} are needed; add {} (a direction of travel at a pose, \"derivatives\", counts "
+                     "as one more)",
+                     count_words(task, count), wanted, wanted - count)});
+  if (count > wanted)
+    found.push_back(
+        {"too_many_poses", "task.poses",
+         fmt::format("{} and {} can be solved; remove {}", count_words(task, count), wanted, count - wanted)});
 }
 
 bool same_pose(const Pose& a, const Pose& b, double extent) {
@@ -56,17 +101,7 @@ void check_repetitions(const MotionTask& task, std::vector<Error>& found) {
 
 std::vector<Error> mistakes_in(const MotionTask& task) {
   std::vector<Error> found;
-  const std::size_t count = task.poses.size();
-  if (count < 4)
-    found.push_back(
-        {"too_few_poses", "task.poses", fmt::format("{} poses were given and 4 are needed; add {}", count, 4 - count)});
-  if (count > 4)
-    found.push_back({"too_many_poses", "task.poses",
-                     fmt::format("{} poses were given and 4 can be solved; remove {}", count, count - 4)});
-  for (std::size_t i = 0; i < count; ++i)
-    if (!task.poses[i].derivatives.empty())
-      found.push_back({"not_available", place_of(i) + ".derivatives",
-                       "directions of travel are not available in this version; give four finite poses"});
+  check_count(task, found);
   check_numbers(task, found);
   if (found.empty()) check_repetitions(task, found);
   return found;

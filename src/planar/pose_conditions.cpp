@@ -78,12 +78,14 @@ Lengths typical_lengths(const std::vector<PrescribedPose>& poses) {
 }
 
 // Unit rows, so that the singular values tell how the conditions lie to each other and not how long the moves are.
-Eigen::MatrixXd stacked_rows(const std::vector<PrescribedPose>& poses) {
-  Eigen::MatrixXd rows(position_count(poses) - 1, 9);
+// `lowest_order`: of the derivatives taken, by pose.
+template <class LowestOrder>
+Eigen::MatrixXd stacked_rows(const std::vector<PrescribedPose>& poses, int count, const LowestOrder& lowest_order) {
+  Eigen::MatrixXd rows(count, 9);
   int row = 0;
   for (std::size_t j = 0; j < poses.size(); ++j) {
     const Displacement d = displacement(poses.front().pose, poses[j]);
-    for (std::size_t m = first_order(j); m < d.a.size(); ++m, ++row) {
+    for (std::size_t m = lowest_order(j); m < d.a.size(); ++m, ++row) {
       const Matrix3 matrix = condition_matrix(d, m);
       for (int i = 0; i < 3; ++i) {
         const Homogeneous& r = matrix.row[static_cast<std::size_t>(i)];
@@ -94,6 +96,8 @@ Eigen::MatrixXd stacked_rows(const std::vector<PrescribedPose>& poses) {
   }
   return rows;
 }
+
+Matrix3 as_matrix(const Eigen::VectorXd& v) { return {{{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}}}}; }
 
 }  // namespace
 
@@ -137,15 +141,27 @@ PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses) {
   const double scale = conditions.only_translations ? typical.a : typical.a / typical.q;
   conditions.frame = {poses.front().pose.origin, scale > 0 ? scale : 1};
 
-  const Eigen::MatrixXd rows = stacked_rows(conditions.frame.to_working(poses));
+  const Eigen::MatrixXd rows = stacked_rows(conditions.frame.to_working(poses), position_count(poses) - 1, first_order);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
   for (int k = 0; k < rows.rows(); ++k) {
-    const Eigen::VectorXd v = svd.matrixV().col(k);
-    conditions.rows.push_back({{{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}}}});
+    conditions.rows.push_back(as_matrix(svd.matrixV().col(k)));
     const double value = svd.singularValues()[k];
     conditions.singular_values.push_back(value);
     if (value >= tolerance::dependent_rows * svd.singularValues()[0]) ++conditions.rank;
   }
+  return conditions;
+}
+
+std::vector<Matrix3> derivative_conditions(const std::vector<PrescribedPose>& poses, const WorkingFrame& frame) {
+  const int count = position_count(poses) - static_cast<int>(poses.size());
+  if (count == 0) return {};
+  const Eigen::MatrixXd rows =
+      stacked_rows(frame.to_working(poses), count, [](std::size_t) -> std::size_t { return 1; });
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
+  std::vector<Matrix3> conditions;
+  for (int k = 0; k < count; ++k)
+    if (svd.singularValues()[k] >= tolerance::dependent_rows * svd.singularValues()[0])
+      conditions.push_back(as_matrix(svd.matrixV().col(k)));
   return conditions;
 }
 

@@ -30,6 +30,21 @@ std::uint8_t box_failures(const Dyad& dyad, const Requirements& wanted, Point or
       (outside(wanted.moving_pivots_within, circle) ? bit(RequirementKind::moving_pivots_within) : 0));
 }
 
+// What a cell fails by its type and its defects.
+std::array<std::uint8_t, 80> verdict_failures(const Requirements& wanted) {
+  std::array<std::uint8_t, 80> failures{};
+  for (std::size_t type = 0; type < 10; ++type)
+    for (std::size_t defects = 0; defects < 8; ++defects) {
+      const auto named = std::find(wanted.types.begin(), wanted.types.end(), static_cast<LinkageType>(type));
+      unsigned failed = 0;
+      if (!wanted.types.empty() && named == wanted.types.end()) failed |= bit(RequirementKind::types);
+      if (wanted.no_defects && defects != 0) failed |= bit(RequirementKind::no_defects);
+      if (type == static_cast<std::size_t>(LinkageType::degenerate)) failed = all_failures;
+      failures[type * 8 + defects] = static_cast<std::uint8_t>(failed);
+    }
+  return failures;
+}
+
 // A value with two digits at most, on the given side of `exact`.
 double rounded(double exact, bool upwards) {
   if (!(exact > 0)) return 0;
@@ -42,11 +57,8 @@ double rounded(double exact, bool upwards) {
 std::string_view key(RequirementKind kind) { return keys[static_cast<std::size_t>(kind)]; }
 
 RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit)
-    : map_(&map), requirements_(requirements) {
+    : map_(&map), requirements_(requirements), verdict_failures_(verdict_failures(requirements)) {
   assert(requirements.max_length);
-  for (std::size_t t = 0; t < type_wanted_.size(); ++t)
-    type_wanted_[t] = requirements.types.empty() || std::find(requirements.types.begin(), requirements.types.end(),
-                                                              static_cast<LinkageType>(t)) != requirements.types.end();
   const double half = std::sin(requirements.min_transmission_angle / 2);
   least_versine_ = static_cast<float>(2 * half * half);
   largest_ratio_ = static_cast<float>(requirements.max_link_ratio);
@@ -57,31 +69,86 @@ RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& r
     output_box_failures_.push_back(box_failures(dyad, requirements, origin, unit));
 }
 
+std::int64_t RequirementCensus::left_after(RequirementKind kind) const {
+  const std::size_t these = (std::size_t{2} << static_cast<std::size_t>(kind)) - 1;
+  std::int64_t left = 0;
+  for (std::size_t set = 0; set < failing.size(); ++set) left += (set & these) == 0 ? failing[set] : 0;
+  return left;
+}
+
 std::uint8_t RequirementFilter::failures(std::size_t row, std::size_t column) const {
   const std::size_t cell = map_->index(row, column);
-  const LinkageType type = map_->type(cell);
-  if (type == LinkageType::degenerate) return all_failures;
-  unsigned failed = input_box_failures_[row] | output_box_failures_[column];
-  if (!type_wanted_[static_cast<std::size_t>(type)]) failed |= bit(RequirementKind::types);
-  if (requirements_.no_defects && !map_->defects(cell).none()) failed |= bit(RequirementKind::no_defects);
-  if (map_->transmission_versines()[cell] < least_versine_) failed |= bit(RequirementKind::min_transmission_angle);
-  if (map_->link_ratios()[cell] > largest_ratio_) failed |= bit(RequirementKind::max_link_ratio);
-  if (map_->longest_links()[cell] > largest_length_) failed |= bit(RequirementKind::max_length);
+  unsigned failed = verdict_failures_[static_cast<std::size_t>(map_->types()[cell] * 8 + map_->defects()[cell])];
+  failed |= static_cast<unsigned>(input_box_failures_[row] | output_box_failures_[column]);
+  failed |= map_->transmission_versines()[cell] < least_versine_ ? bit(RequirementKind::min_transmission_angle) : 0u;
+  failed |= map_->link_ratios()[cell] > largest_ratio_ ? bit(RequirementKind::max_link_ratio) : 0u;
+  failed |= map_->longest_links()[cell] > largest_length_ ? bit(RequirementKind::max_length) : 0u;
   return static_cast<std::uint8_t>(failed);
 }
+
+void RequirementFilter::failures_of_row(std::size_t row, std::uint8_t* failures) const {
+  for (std::size_t column = 0; column < map_->columns(); ++column) failures[column] = this->failures(row, column);
+}
+
+void RequirementFilter::failures_of_all(std::span<std::uint8_t> failures) const {
+  assert(failures.size() == map_->rows() * map_->columns());
+  parallel_for(map_->rows(), 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) failures_of_row(row, &failures[map_->index(row, 0)]);
+  });
+}
+
+namespace {
+
+/// Counts of cells, four times over, since neighbours are mostly alike and would wait for each other.
+class CensusCounter {
+ public:
+  void count(std::span<const std::uint8_t> failures, std::span<const std::uint8_t> types) {
+    for (std::size_t cell = 0; cell < failures.size(); ++cell) {
+      auto& [failing, met] = turns_[cell % turns_.size()];
+      const bool degenerate = types[cell] == static_cast<std::uint8_t>(LinkageType::degenerate);
+      failing[failures[cell]] += !degenerate;
+      met[types[cell]] += failures[cell] == 0;
+    }
+  }
+  void add_to(RequirementCensus& total) const {
+    for (const auto& [failing, met] : turns_) {
+      for (std::size_t set = 0; set < failing.size(); ++set) total.failing[set] += failing[set];
+      for (std::size_t type = 0; type < met.size(); ++type) total.meeting_types[type] += met[type];
+    }
+    total.meeting = total.failing[0];
+  }
+
+ private:
+  struct Turn {
+    std::array<std::int64_t, 1u << requirement_kinds> failing{};
+    std::array<std::int64_t, 10> met{};
+  };
+  std::array<Turn, 4> turns_{};
+};
+
+}  // namespace
 
 RequirementCensus RequirementFilter::census() const {
   RequirementCensus total;
   std::mutex adding;
   parallel_for(map_->rows(), 0, [&](std::size_t begin, std::size_t end) {
-    RequirementCensus part;
-    for (std::size_t row = begin; row < end; ++row)
-      for (std::size_t column = 0; column < map_->columns(); ++column)
-        if (map_->type(map_->index(row, column)) != LinkageType::degenerate) ++part.failing[failures(row, column)];
+    CensusCounter part;
+    std::vector<std::uint8_t> failures(map_->columns());
+    for (std::size_t row = begin; row < end; ++row) {
+      failures_of_row(row, failures.data());
+      part.count(failures, map_->types().subspan(map_->index(row, 0), map_->columns()));
+    }
     const std::lock_guard lock(adding);
-    for (std::size_t set = 0; set < part.failing.size(); ++set) total.failing[set] += part.failing[set];
+    part.add_to(total);
   });
-  total.meeting = total.failing[0];
+  return total;
+}
+
+RequirementCensus RequirementFilter::census(std::span<const std::uint8_t> failures) const {
+  CensusCounter counter;
+  counter.count(failures, map_->types());
+  RequirementCensus total;
+  counter.add_to(total);
   return total;
 }
 

@@ -186,5 +186,16 @@ TEST(DeterminantCubic, EqualsTheDeterminantItStandsFor) {
   }
 }
 
+TEST(CircularCubic, ItsAsymptoteIsTheTangentAtItsPointAtInfinity) {
+  // (x + 2)(x² + y²) + 3x − y = 0: the asymptote is x = −2.
+  const CircularCubic curve(PlaneCubic{{0, 3, -1, 2, 0, 2, 1, 0, 1, 0}});
+  const auto asymptote = curve.asymptote();
+  ASSERT_TRUE(asymptote);
+  EXPECT_NEAR((*asymptote)[0].real(), -2, 1e-12);
+  EXPECT_NEAR(std::abs((*asymptote)[1].imag()), 1, 1e-12);
+  // A line and a circle: x(x² + y² − 1).
+  EXPECT_FALSE(CircularCubic(PlaneCubic{{0, -1, 0, 0, 0, 0, 1, 0, 1, 0}}).asymptote());
+}
+
 }  // namespace
 }  // namespace linkwright

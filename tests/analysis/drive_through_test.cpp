@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "linkwright/analysis/position.hpp"
+#include "linkwright/analysis/velocity.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/random_four_bar.hpp"
 
@@ -147,10 +148,54 @@ TEST(DriveThrough, AsksNothingOfOnePoseButTheCircuit) {
   EXPECT_EQ(defects(triple_rocker, {{70, negative}}), no_defect);
 }
 
-TEST(DriveThrough, IgnoresDerivatives) {
+TEST(DriveThrough, IgnoresDerivativesUnlessToldToRespectThem) {
   Task task = task_of(crank_rocker, {{0}, {60}, {130}});
   task.poses[1].derivatives = {{{-1, 5}, -2}, {{7, 7}, 7}};
   EXPECT_EQ(drive(task).defects, no_defect);
+  EXPECT_EQ(drive(task, {.respect_direction = true}).defects, order) << "the linkage does not move that way at all";
+  EXPECT_GT(drive(task).worst_direction_error, 0.01);
+}
+
+// Derivatives of the coupler's pose in a stop by the turn of the input, from the angle rates.
+void prescribe_direction(Task& task, const LinkLengths& lengths, std::size_t pose, const Stop& stop, double speed) {
+  const Configuration c = *assemble(lengths, radians(stop.input_angle_deg), stop.assembly);
+  const AngleRates rates = *angle_rates(lengths, c);
+  const Point pivot = lengths.input * direction(c.input_angle);
+  PrescribedPose& there = task.poses[pose];
+  const Point offset = there.pose.origin - pivot;
+  there.derivatives = {{speed * (Point{0, 1} * pivot + Point{0, rates.coupler} * offset), speed * rates.coupler}};
+}
+
+TEST(DriveThrough, TellsDirectionsByTheWayItGoes) {
+  for (const auto& [lengths, stops] : {std::pair{crank_rocker, std::vector<Stop>{{0}, {60}, {130}}},
+                                       {crank_rocker, {{0, negative}, {60, negative}, {130, negative}}},
+                                       {triple_rocker, {{-60}, {-20}, {50}}},
+                                       {triple_rocker_back, {{120}, {190}, {240}}}}) {
+    for (std::size_t pose = 0; pose < 3; ++pose)
+      for (const double speed : {1.0, -1.0, 1e-6, -1e6}) {
+        Task task = task_of(lengths, stops);
+        prescribe_direction(task, lengths, pose, stops[pose], speed);
+        const DriveThroughReport report = drive(task, {.respect_direction = true});
+        EXPECT_EQ(report.defects, speed > 0 ? no_defect : order);
+        EXPECT_EQ(drive(task).defects, no_defect);
+        EXPECT_LT(report.worst_direction_error, 1e-7);
+      }
+    Task task = task_of(lengths, {stops[2], stops[1], stops[0]});  // the same way back
+    prescribe_direction(task, lengths, 0, stops[2], 1);
+    EXPECT_EQ(drive(task, {.respect_direction = true}).defects, order);
+    prescribe_direction(task, lengths, 0, stops[2], -1);
+    EXPECT_EQ(drive(task, {.respect_direction = true}).defects, no_defect);
+    prescribe_direction(task, lengths, 1, stops[1], 1);
+    EXPECT_EQ(drive(task, {.respect_direction = true}).defects, order) << "two directions that contradict each other";
+  }
+}
+
+TEST(DriveThrough, TakesOnePoseInEitherDirection) {
+  for (const double speed : {2.0, -2.0}) {
+    Task task = task_of(triple_rocker, {{70, negative}});
+    prescribe_direction(task, triple_rocker, 0, {70, negative}, speed);
+    EXPECT_EQ(drive(task, {.respect_direction = true}).defects, no_defect);
+  }
 }
 
 // ---- any linkage

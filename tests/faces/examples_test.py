@@ -56,6 +56,7 @@ class FourBar:
 class Pose:
     def __init__(self, written):
         self.origin, self.angle = complex(written["x"], written["y"]), math.radians(written["theta_deg"])
+        self.direction = next(iter(written.get("derivatives", ())), None)
 
     def carries(self, where, first):
         """Where the point of the body lies that lies at `where` in the first pose."""
@@ -142,9 +143,9 @@ class Examples(FaceTest):
                 with self.subTest(example=name, linkage=number):
                     check(result["problem"]["requirements"], poses, linkage, FourBar(linkage))
 
-    def test_there_are_six(self):
+    def test_there_are_seven(self):
         self.assertEqual(set(self.results), {"tailgate", "drawer_hinge", "dump_bucket", "landing_gear", "folding_table",
-                                             "lift_platform"})
+                                             "lift_platform", "hood_hinge"})
 
     def test_each_tells_its_story_first(self):
         for path in EXAMPLES:
@@ -215,6 +216,29 @@ class Examples(FaceTest):
             self.assertAlmostEqual(max(least for least, _ in drives), linkage["min_transmission_angle_deg"], delta=0.01)
 
         self.for_each_linkage(check)
+
+    def test_driving_leaves_a_pose_in_its_direction(self):
+        seen = set()
+
+        def check(_wanted, poses, linkage, bars):
+            for pose, turned in zip(poses, input_turns(bars, poses, {"ccw": 1, "cw": -1}[linkage["drive"]])):
+                if not pose.direction:
+                    continue
+                seen.add(tuple(pose.direction.items()))
+                step = {"ccw": 1e-4, "cw": -1e-4}[linkage["drive"]]
+                joint = pose.carries(bars.output_circle, poses[0])
+                ahead, back = (bars.driven_to(turned + way, joint) for way in (step, -step))
+                turn = (ahead[1] - ahead[0]) / (back[1] - back[0])
+                origin_back = back[0] + (back[1] - back[0]) / (bars.output_circle - bars.input_circle) * (
+                    poses[0].origin - bars.input_circle)
+                origin_ahead = ahead[0] + turn * (origin_back - back[0])
+                moved, turned_by = origin_ahead - origin_back, cmath.phase(turn)
+                wanted = complex(pose.direction["x"], pose.direction["y"])
+                self.assertAlmostEqual(abs(cmath.phase(moved / wanted)), 0, delta=1e-5)
+                self.assertAlmostEqual(turned_by / abs(moved), pose.direction["theta"] / abs(wanted), delta=1e-6)
+
+        self.for_each_linkage(check)
+        self.assertEqual(len(seen), 1)
 
     def test_the_body_touches_nothing_on_its_way(self):
         for name, surroundings in SURROUNDINGS.items():

@@ -13,7 +13,7 @@ except ImportError:
 
 # Files that no schema can refuse: what is wrong is no matter of structure.
 BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_angle_with_defects", "box_upside_down",
-                 "window_reversed"}
+                 "window_reversed", "repeated_pose_with_direction"}
 
 
 def schemas():
@@ -46,6 +46,27 @@ class Schemas(FaceTest):
             result = load(self.solve_tailgate(*arguments))
             self.result.validate(result)
             self.problem.validate(result["problem"])
+
+    def test_results_of_mixed_positions_are_results(self):
+        pose, way = {"x": 1, "y": 2, "theta_deg": 30}, {"x": 1, "y": 0, "theta": 0.5}
+        bent, on = {"x": 0.6, "y": 1, "theta": 0.2}, {"x": 0, "y": 1.2, "theta": -0.3}
+        second, third = {"x": 4, "y": 3, "theta_deg": 70}, {"x": 5, "y": 6, "theta_deg": 100}
+        for poses in ([pose | {"derivatives": [way]}, second | {"derivatives": []}, third],
+                      [pose, second | {"derivatives": [way]}, third], [pose, second, third | {"derivatives": [way]}],
+                      [pose | {"derivatives": [way]}, second | {"derivatives": [way]}],
+                      [pose | {"derivatives": [way, bent]}, second], [pose, second | {"derivatives": [way, bent]}],
+                      [pose | {"derivatives": [way, bent, on]}]):
+            task = {"kind": "motion", "mechanism": "four_bar", "poses": poses}
+            problem = {"linkwright": 1, "task": task, "requirements": {"no_defects": False}}
+            with self.subTest(poses=poses):
+                self.problem.validate(problem)
+                ran = run("solve", self.write("problem.json", problem), "--samples", 40, "-o", "-", "--region")
+                self.assertEqual((ran[0], ran[2]), (0, ""))
+                result = json.loads(ran[1])
+                self.result.validate(result)
+                self.problem.validate(result["problem"])
+                self.assertTrue(result["linkages"])
+                self.assertTrue(all("residual_derivatives" in linkage for linkage in result["linkages"]))
 
     def test_results_without_answer_are_results(self):
         tailgate = load(TAILGATE)
@@ -103,7 +124,14 @@ class Schemas(FaceTest):
 
     def test_what_the_schema_refuses_the_reader_refuses(self):
         """Every value of the example replaced by values of other types, every member dropped or renamed."""
-        problem = load(TAILGATE) | {"options": {"region_samples": 8, "spacing": "coordinate", "best": 2}}
+        self.check_changes_of(load(TAILGATE))
+
+    def test_of_mixed_positions_too(self):
+        problem = load(ROOT / "examples/hood_hinge.json")
+        self.check_changes_of({key: problem[key] for key in ("linkwright", "task")})
+
+    def check_changes_of(self, problem):
+        problem = problem | {"options": {"region_samples": 8, "spacing": "coordinate", "best": 2}}
         for path in list(paths(problem)):
             for change in (None, True, -1.5, "text", [], {}, [1, 2, 3], "dropped", "renamed"):
                 changed = copy.deepcopy(problem)

@@ -30,15 +30,31 @@ std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+namespace {
+
+Problem example(const std::string& name, int region_samples) {
+  auto read = read_problem_file(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / name);
+  EXPECT_TRUE(read.ok());
+  Problem small = read.value();
+  small.options.region_samples = region_samples;
+  return small;
+}
+
+}  // namespace
+
 const Problem& tailgate() {
-  static const Problem problem = [] {
-    auto read = read_problem_file(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / "tailgate.json");
-    EXPECT_TRUE(read.ok());
-    Problem small = read.value();
-    small.options.region_samples = 96;
-    return small;
-  }();
+  static const Problem problem = example("tailgate.json", 96);
   return problem;
+}
+
+const Problem& hood_hinge() {
+  static const Problem problem = example("hood_hinge.json", 160);
+  return problem;
+}
+
+const MotionSolution& solved_hood_hinge() {
+  static const MotionSolution solution = solution_of(hood_hinge());
+  return solution;
 }
 
 const MotionSolution& solved_tailgate() {

@@ -31,6 +31,10 @@ class Folder {
 [[nodiscard]] const Problem& tailgate();
 [[nodiscard]] const MotionSolution& solved_tailgate();
 
+/// examples/hood_hinge.json, a direction of travel and two poses, and its solution on a small region.
+[[nodiscard]] const Problem& hood_hinge();
+[[nodiscard]] const MotionSolution& solved_hood_hinge();
+
 /// The problem with other poses: x, y, degrees.
 [[nodiscard]] Problem problem_of(const std::vector<std::array<double, 3>>& poses);
 [[nodiscard]] MotionSolution solution_of(const Problem& problem);

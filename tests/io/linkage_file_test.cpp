@@ -95,6 +95,21 @@ TEST(LinkageFile, WrittenLinkageReadsBackBitIdentical) {
   EXPECT_EQ(read->poses[1].pose.angle, linkage.poses[1].pose.angle);
 }
 
+TEST(LinkageFile, DerivativesReadBackBitIdentical) {
+  StoredLinkage linkage;
+  linkage.four_bar = {{0, 0}, {0, 2}, {4, 0}, {3, 3.5}};
+  linkage.poses = testing::hood_hinge().task.poses;
+  linkage.poses[2].derivatives = {{{1.0 / 3, 0.1}, 2e-7}, {{0, 0}, -1}};
+  const std::string text = write_linkage(linkage);
+  const auto read = read_linkage(text);
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(write_linkage(*read), text);
+  ASSERT_EQ(read->poses[2].derivatives.size(), 2u);
+  EXPECT_EQ(read->poses[2].derivatives[0].origin, linkage.poses[2].derivatives[0].origin);
+  EXPECT_EQ(read->poses[2].derivatives[0].angle, 2e-7);
+  EXPECT_EQ(read->poses[0].derivatives[0].angle, -0.004);
+}
+
 TEST(LinkageFile, OfAResultKeepsItsRecord) {
   const auto linkages = read_result_linkages(write_result(testing::tailgate(), testing::solved_tailgate(), false));
   ASSERT_TRUE(linkages.ok());

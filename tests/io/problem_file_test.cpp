@@ -101,6 +101,51 @@ TEST(ProblemFile, WrittenProblemReadsBackAsItself) {
   EXPECT_EQ(read(once).view, problem.view);
 }
 
+std::string mixed(std::string_view poses) {
+  return R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar", "poses": [)" + std::string(poses) +
+         "]}}";
+}
+
+constexpr std::string_view hood = R"(
+  {"x": 0, "y": 0, "theta_deg": 0, "derivatives": [{"x": 0, "y": 1, "theta": -0.004}]},
+  {"x": -30, "y": 75, "theta_deg": -25, "derivatives": []}, {"x": -75, "y": 75, "theta_deg": -55})";
+
+TEST(ProblemFile, ReadsDerivatives) {
+  const Problem problem = read(mixed(hood));
+  ASSERT_EQ(problem.task.poses.size(), 3u);
+  ASSERT_EQ(problem.task.poses[0].derivatives.size(), 1u);
+  EXPECT_EQ(problem.task.poses[0].derivatives[0].origin, Point(0, 1));
+  EXPECT_EQ(problem.task.poses[0].derivatives[0].angle, -0.004) << "radians";
+  EXPECT_TRUE(problem.task.poses[1].derivatives.empty());
+  const Problem one = read(mixed(R"({"x": 1, "y": 2, "theta_deg": 30, "derivatives": [
+    {"x": 1, "y": 0, "theta": 0.8}, {"x": 0.6, "y": 1, "theta": 0.2}, {"x": 0, "y": 1.2, "theta": -0.3}]})"));
+  ASSERT_EQ(one.task.poses.size(), 1u);
+  EXPECT_EQ(one.task.poses[0].multiplicity(), 4);
+  EXPECT_EQ(one.task.poses[0].derivatives[2].angle, -0.3);
+}
+
+TEST(ProblemFile, WrittenDerivativesReadBackAsThemselves) {
+  Problem problem = read(mixed(hood));
+  problem.task.poses[0].derivatives[0] = {{0.1, -1.0 / 3}, 1e-7};
+  const std::string once = write_problem(problem);
+  EXPECT_EQ(write_problem(read(once)), once);
+  const PoseDerivative again = read(once).task.poses[0].derivatives[0];
+  EXPECT_EQ(again.origin, problem.task.poses[0].derivatives[0].origin);
+  EXPECT_EQ(again.angle, 1e-7);
+  const auto poses = nlohmann::json::parse(once)["task"]["poses"];
+  EXPECT_FALSE(poses[1].contains("derivatives"));
+  EXPECT_EQ(poses[0]["derivatives"].size(), 1u);
+}
+
+TEST(ProblemFile, ThousandsOfDerivativesAreOneMistake) {
+  std::string derivatives = R"({"x": 1, "y": 0, "theta": 0})";
+  for (int i = 0; i < 16; ++i) derivatives += "," + derivatives;
+  const auto problem =
+      read_problem(mixed(R"({"x": 1, "y": 2, "theta_deg": 30, "derivatives": [)" + derivatives + "]}"));
+  ASSERT_EQ(problem.errors().size(), 1u);
+  EXPECT_THAT(problem.errors()[0].message, StartsWith("65536 derivatives are given"));
+}
+
 TEST(ProblemFile, EchoesTheAngleThatWasGiven) {
   const std::string text = with("");
   const auto echo = nlohmann::json::parse(write_problem(read(text)));

@@ -199,6 +199,49 @@ TEST(ResultFile, LinkagesReadBackBitIdentical) {
   }
 }
 
+TEST(ResultFile, OfMixedPositionsSaysHowWellTheDerivativesAreMet) {
+  const json result = json::parse(write_result(testing::hood_hinge(), testing::solved_hood_hinge(), false));
+  EXPECT_EQ(result["pattern"], "PP-P-P");
+  EXPECT_EQ(result["problem"]["task"]["poses"][0]["derivatives"],
+            json::parse(R"([{"x": 0, "y": 1, "theta": -0.004}])"));
+  EXPECT_EQ(result["problem"]["requirements"]["respect_direction"], true);
+  ASSERT_GT(result["linkages"].size(), 0u);
+  for (const json& linkage : result["linkages"]) {
+    EXPECT_LT(linkage["residual_derivatives"].get<double>(), 1e-14);
+    EXPECT_TRUE(linkage["verified_by_driving"].get<bool>());
+  }
+  for (const json& linkage : tailgate_result()["linkages"]) EXPECT_FALSE(linkage.contains("residual_derivatives"));
+}
+
+TEST(ResultFile, OfASinglePoseIsWhole) {
+  Problem problem = testing::problem_of({{1, 2, 30}});
+  problem.task.poses[0].derivatives = {{{1, 0}, 0.8}, {{0.6, 1}, 0.2}, {{0, 1.2}, -0.3}};
+  const std::string text = write_result(problem, testing::solution_of(problem), true);
+  EXPECT_EQ(text.find("nan"), std::string::npos);
+  const json result = json::parse(text);
+  EXPECT_EQ(result["pattern"], "PPPP");
+  ASSERT_GT(result["linkages"].size(), 0u);
+  EXPECT_EQ(result["linkages"][0]["driver_sweep_deg"], 0);
+  EXPECT_TRUE(result["linkages"][0]["min_transmission_angle_deg"].is_number());
+  EXPECT_TRUE(result["linkages"][0]["drive"].is_string());
+  const auto linkages = read_result_linkages(text);
+  ASSERT_TRUE(linkages.ok());
+  ASSERT_EQ(linkages.value()[0].poses.size(), 1u);
+  EXPECT_EQ(linkages.value()[0].poses[0].derivatives.size(), 3u);
+}
+
+TEST(ResultFile, LinkagesOfMixedPositionsKeepTheirDerivatives) {
+  const auto linkages = read_result_linkages(write_result(testing::hood_hinge(), testing::solved_hood_hinge(), false));
+  ASSERT_TRUE(linkages.ok());
+  for (const StoredLinkage& linkage : linkages.value()) {
+    ASSERT_EQ(linkage.poses.size(), 3u);
+    ASSERT_EQ(linkage.poses[0].derivatives.size(), 1u);
+    EXPECT_EQ(linkage.poses[0].derivatives[0].origin, Point(0, 1));
+    EXPECT_EQ(linkage.poses[0].derivatives[0].angle, -0.004);
+    EXPECT_TRUE(linkage.poses[1].derivatives.empty());
+  }
+}
+
 TEST(ResultFile, RefusesWhatIsNone) {
   const std::pair<std::string, std::string> refused[] = {
       {"", "empty"},
@@ -208,6 +251,7 @@ TEST(ResultFile, RefusesWhatIsNone) {
       {R"({"linkages": [{"input": {"center_point": null}}]})", "infinity"},
       {R"({"linkwright": 9, "linkages": []})", "newer Linkwright"},
       {write_problem(tailgate()), "problem file"},
+      {R"({"linkages": [], "problem": {"task": {"poses": [1, 2, 3, 4, 5, 6]}}})", "at most 5 poses"},
   };
   for (const auto& [text, reason] : refused) {
     const auto linkages = read_result_linkages(text);

@@ -90,6 +90,47 @@ TEST(SvgDrawing, DoesNotDependOnWhereAndHowLargeTheTaskIs) {
   EXPECT_THAT(svg, Not(HasSubstr("1e+")));
 }
 
+std::size_t count_of(const std::string& text, const std::string& piece) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) ++count;
+  return count;
+}
+
+TEST(SvgDrawing, ShowsTheDirectionOfTravelAsAnArrow) {
+  const std::string svg = draw_solution(testing::hood_hinge(), testing::solved_hood_hinge());
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  StoredLinkage linkage;
+  linkage.four_bar = testing::solved_hood_hinge().linkages.front().four_bar;
+  linkage.poses = testing::hood_hinge().task.poses;
+  const std::string arrow = draw_linkage(linkage);
+  EXPECT_TRUE(is_well_formed(arrow));
+  linkage.poses[0].derivatives = {{{0, 0}, 1}};  // turning about its origin
+  const std::string bent = draw_linkage(linkage);
+  EXPECT_TRUE(is_well_formed(bent));
+  linkage.poses[0].derivatives.clear();
+  const std::string none = draw_linkage(linkage);
+  EXPECT_EQ(count_of(arrow, "<line"), count_of(none, "<line") + 1);
+  EXPECT_EQ(count_of(bent, "<polyline"), count_of(none, "<polyline") + 1);
+  EXPECT_EQ(count_of(arrow, "<polygon"), count_of(none, "<polygon") + 1);
+  EXPECT_EQ(count_of(bent, "<polygon"), count_of(none, "<polygon") + 1);
+}
+
+TEST(SvgDrawing, OfASinglePoseHasRoom) {
+  Problem problem = testing::problem_of({{1e5, -2e5, 30}});
+  problem.task.poses[0].derivatives = {{{100, 0}, 0.8}, {{60, 100}, 0.2}, {{0, 120}, -0.3}};
+  for (const double max_length : {1e-6, 1e9}) {
+    problem.requirements.max_length = max_length;
+    const MotionSolution solution = testing::solution_of(problem);
+    EXPECT_EQ(solution.linkages.empty(), max_length < 1);
+    const std::string svg = draw_solution(problem, solution);
+    EXPECT_TRUE(is_well_formed(svg));
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    EXPECT_GT(count_of(svg, "<polyline"), 1u) << "the curves";
+    EXPECT_LT(svg.size(), 300'000u);
+  }
+}
+
 TEST(SvgDrawing, OfALinkageShowsItsDimensions) {
   StoredLinkage linkage;
   linkage.four_bar = {{0, 0}, {0, 2}, {4, 0}, {3, 3.5}};

@@ -60,6 +60,30 @@ TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapAndMoveTheLinkages) {
   }
 }
 
+TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapOfMixedPositions) {
+  std::mt19937_64 random(95);
+  for (const auto& multiplicities : testing::mixed_patterns())
+    for (int trial = 0; trial < 6; ++trial) {
+      const auto poses = testing::random_poses(random, multiplicities);
+      const MotionSolution before = solved(poses);
+      for (const double scale : {1e-6, 1.0, 1e6}) {
+        const double angle = testing::uniform(random, -pi, pi);
+        const Point shift = scale * Point{testing::uniform(random, -50, 50), testing::uniform(random, -50, 50)};
+        const MotionSolution after = solved(testing::moved(poses, scale, angle, shift));
+        EXPECT_EQ(after.pattern, before.pattern);
+        EXPECT_NEAR(*before.curve->kappa(), *after.curve->kappa(), 1e-8);
+        EXPECT_NEAR(before.conditions.condition() / after.conditions.condition(), 1, 1e-8);
+        EXPECT_NEAR(after.conditions.frame.scale / (scale * before.conditions.frame.scale), 1, 1e-9);
+        expect_same_counts(before.counts, after.counts);
+        EXPECT_EQ(before.linkages.empty(), after.linkages.empty());
+        for (const FourBarSolution& found : after.linkages) {
+          EXPECT_TRUE(found.verified_by_driving);
+          EXPECT_LT(*found.residual_derivatives, 1e-10);
+        }
+      }
+    }
+}
+
 TEST(InvarianceLaw, ACellAndItsMirrorAreTheSameBarsDrivenFromTheOtherSide) {
   std::mt19937_64 random(98);
   for (int trial = 0; trial < 20; ++trial) {

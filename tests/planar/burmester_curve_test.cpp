@@ -1,5 +1,6 @@
 #include "linkwright/planar/burmester_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -235,6 +236,31 @@ TEST(BurmesterCurve, EveryPointHasNoCoordinates) {
   EXPECT_EQ(curve.kind(), CubicKind::every_point);
   EXPECT_EQ(curve.coordinate_length(), 0);
   EXPECT_TRUE(curve.samples(10, Spacing::coordinate).empty());
+}
+
+TEST(BurmesterCurve, ItsPolygonIsDenseAndClosed) {
+  const auto poses = testing::planar_case("landing_gear").poses;
+  const BurmesterCurve curve(pose_conditions(poses));
+  const std::vector<Dyad> polygon = curve.polygon(0.05);
+  double longest = 0;
+  for (std::size_t i = 1; i < polygon.size(); ++i) {
+    EXPECT_GT(polygon[i].coordinate, polygon[i - 1].coordinate);
+    if (std::floor(polygon[i].coordinate) != std::floor(polygon[i - 1].coordinate)) continue;
+    longest = std::max(longest, norm(cross(polygon[i].circle, polygon[i - 1].circle)) +
+                                    norm(cross(polygon[i].center, polygon[i - 1].center)));
+  }
+  EXPECT_LE(longest, 0.05);
+  EXPECT_EQ(polygon.front().coordinate, 0);
+  EXPECT_LT(norm(cross(polygon.front().circle, polygon.back().circle)), curve.branches().size() > 1 ? 2 : 1e-9);
+}
+
+TEST(BurmesterCurve, ItsRunGrowsWithTheCoordinate) {
+  const BurmesterCurve curve(pose_conditions(testing::planar_case("landing_gear").poses));
+  const auto run = curve.run();
+  ASSERT_EQ(run.tau.size(), run.length.size());
+  EXPECT_TRUE(std::is_sorted(run.tau.begin(), run.tau.end()));
+  EXPECT_TRUE(std::is_sorted(run.length.begin(), run.length.end()));
+  EXPECT_GT(run.length.back(), pi) << "both points go once round, at least";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "linkwright/analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"
@@ -148,7 +149,8 @@ TEST(SolveMotion, SaysWhichRequirementCostsMostWhenNothingIsLeft) {
   const MotionSolution solution = solved(tailgate(), wanted);
   EXPECT_EQ(solution.status, SolutionStatus::solved);
   EXPECT_TRUE(solution.linkages.empty());
-  EXPECT_NE(solution.reason.find("min_transmission_angle_deg costs most"), std::string::npos) << solution.reason;
+  EXPECT_NE(solution.reason.message.find("min_transmission_angle_deg costs most"), std::string::npos)
+      << solution.reason.message;
   ASSERT_FALSE(solution.relax.empty());
   wanted.min_transmission_angle = *solution.relax[0].value;
   EXPECT_EQ(solved(tailgate(), wanted).meeting_requirements, solution.relax[0].leaves);
@@ -157,8 +159,8 @@ TEST(SolveMotion, SaysWhichRequirementCostsMostWhenNothingIsLeft) {
 TEST(SolveMotion, SaysWhyNothingIsFreeOfDefects) {
   const MotionSolution solution = solved({testing::planar_case("foldable_table").poses});
   EXPECT_EQ(solution.counts.defect_free, 0);
-  EXPECT_NE(solution.reason.find("none is free of defects"), std::string::npos) << solution.reason;
-  EXPECT_EQ(solution.reason.find(" 0 %"), std::string::npos) << solution.reason;
+  EXPECT_NE(solution.reason.message.find("none is free of defects"), std::string::npos) << solution.reason.message;
+  EXPECT_EQ(solution.reason.message.find(" 0 %"), std::string::npos) << solution.reason.message;
 }
 
 TEST(SolveMotion, DefectsMayBeAllowed) {
@@ -180,14 +182,14 @@ std::vector<PrescribedPose> turns_about(Point pole, const std::vector<double>& a
 TEST(SolveMotion, NamesTheDegeneracy) {
   const MotionSolution one_pole = solved({turns_about({5, -7}, {0, 0.5, 1.2, 2})});
   EXPECT_EQ(one_pole.status, SolutionStatus::degenerate);
-  EXPECT_NE(one_pole.reason.find("common pole, (5, -7)"), std::string::npos) << one_pole.reason;
+  EXPECT_NE(one_pole.reason.message.find("common pole, (5, -7)"), std::string::npos) << one_pole.reason.message;
   const MotionSolution on_circle = solved({testing::planar_case("translations_on_circle").poses});
   EXPECT_EQ(on_circle.status, SolutionStatus::degenerate);
   EXPECT_TRUE(on_circle.warnings.empty());
-  EXPECT_NE(on_circle.reason.find("(-2, 0) from it"), std::string::npos) << on_circle.reason;
+  EXPECT_NE(on_circle.reason.message.find("(-2, 0) from it"), std::string::npos) << on_circle.reason.message;
   const MotionSolution shifts = solved({testing::planar_case("pure_translations").poses});
   EXPECT_EQ(shifts.status, SolutionStatus::degenerate);
-  EXPECT_NE(shifts.reason.find("only shifts"), std::string::npos) << shifts.reason;
+  EXPECT_NE(shifts.reason.message.find("only shifts"), std::string::npos) << shifts.reason.message;
 }
 
 TEST(SolveMotion, WarnsOfParallelAndOfClosePoses) {
@@ -260,6 +262,112 @@ TEST(SolveMotion, SameInputSameOutput) {
     EXPECT_EQ(a.linkages[i].four_bar.input_center, b.linkages[i].four_bar.input_center);
     EXPECT_EQ(a.linkages[i].input.coordinate, b.linkages[i].input.coordinate);
   }
+}
+
+// ---- mixed positions
+
+MotionTask hood() {
+  MotionTask task;
+  task.poses = {{{{0, 0}, 0}, {{{0, 1}, -0.004}}}, {{{-30, 75}, radians(-25)}, {}}, {{{-75, 75}, radians(-55)}, {}}};
+  return task;
+}
+
+Requirements hood_requirements() {
+  Requirements wanted;
+  wanted.min_transmission_angle = radians(30);
+  wanted.max_link_ratio = 6;
+  wanted.max_length = 400;
+  wanted.ground_pivots_within = Box{-450, 60, -220, -30};
+  wanted.moving_pivots_within = Box{-450, -10, -120, -10};
+  return wanted;
+}
+
+TEST(SolveMotion, KeepsADirectionOfTravel) {
+  const MotionTask task = hood();
+  const MotionSolution solution = solved(task, hood_requirements());
+  EXPECT_EQ(solution.pattern, "PP-P-P");
+  ASSERT_GE(solution.linkages.size(), 3u);
+  for (const FourBarSolution& found : solution.linkages) {
+    EXPECT_TRUE(found.verified_by_driving);
+    ASSERT_TRUE(found.residual_derivatives);
+    EXPECT_LT(*found.residual_derivatives, 1e-14);
+    // The instant centre, where the side links meet, is the one that was prescribed: (250, 0).
+    const FourBar& bars = found.four_bar;
+    const Point a = bars.input_circle - bars.input_center, b = bars.output_circle - bars.output_center;
+    const Point gap = bars.output_center - bars.input_center;
+    const Point meet = bars.input_center + cross(gap, b) / cross(a, b) * a;
+    EXPECT_NEAR(std::abs(meet - Point{250, 0}), 0, 1e-9 * 250);
+    // Driven a little in its sense, the edge sets off upwards.
+    const double sense = found.report.sense == DriveSense::cw ? -1 : 1;
+    EXPECT_GT(sense * cross(a, Point{0, -0.004} * (bars.input_circle - Point{250, 0})), 0);
+  }
+}
+
+TEST(SolveMotion, FinitePosesHaveNoResidualOfDerivatives) {
+  EXPECT_FALSE(solved(tailgate()).linkages.front().residual_derivatives);
+}
+
+TEST(SolveMotion, AgainstTheDirectionIsADefectUnlessItDoesNotCount) {
+  MotionTask against = hood();
+  against.poses[0].derivatives[0] = {{0, -1}, 0.004};
+  Requirements wanted = hood_requirements();
+  const MotionSolution forwards = solved(hood(), wanted), backwards = solved(against, wanted);
+  EXPECT_TRUE(backwards.linkages.empty());
+  EXPECT_EQ(forwards.counts.types, backwards.counts.types);
+  EXPECT_EQ(forwards.counts.branch, backwards.counts.branch);
+  wanted.respect_direction = false;
+  const MotionSolution either = solved(against, wanted);
+  // With three poses every driver is in order one way, which is forwards or backwards.
+  EXPECT_LE(std::abs(either.counts.defect_free - forwards.counts.defect_free - backwards.counts.defect_free), 4);
+  ASSERT_EQ(either.linkages.size(), forwards.linkages.size());
+  for (const FourBarSolution& found : either.linkages) {
+    EXPECT_TRUE(found.verified_by_driving);
+    EXPECT_EQ(find_defects(found.four_bar, against.poses).defects, Defects{Defects::order_bit});
+  }
+}
+
+TEST(SolveMotion, OnePoseWithThreeDerivativesAsksNothingOfOrderAndBranch) {
+  SynthesisOptions options;
+  options.region_samples = 101;
+  Requirements wanted;
+  wanted.max_length = wanted.max_link_ratio = Requirements::unlimited;
+  const MotionSolution solution = solved({testing::planar_case("mixed_PPPP").poses}, wanted, options);
+  EXPECT_EQ(solution.pattern, "PPPP");
+  EXPECT_EQ(solution.counts.defect_free, solution.counts.pairs);
+  EXPECT_EQ(solution.counts.order + solution.counts.branch + solution.counts.circuit, 0);
+  ASSERT_FALSE(solution.linkages.empty());
+  for (const FourBarSolution& found : solution.linkages) {
+    EXPECT_TRUE(found.verified_by_driving);
+    EXPECT_EQ(found.report.sweep, 0);
+    EXPECT_NE(found.report.sense, DriveSense::none);
+    EXPECT_NE(found.report.sense, DriveSense::either) << "only one sense goes the prescribed way";
+    const double there = linkwright::transmission_angle(found.lengths, configuration_of(found.four_bar));
+    EXPECT_NEAR(transmission_angle(found), there, 1e-7);
+  }
+  for (std::size_t row = 0; row < solution.region.rows(); ++row)
+    EXPECT_EQ(solution.region.driver_sweep(row, (row + 1) % 101), 0);
+}
+
+TEST(SolveMotion, NamesTheDegeneracyOfMixedPositions) {
+  // Turning about (5, −7): d = pole + e^{it}(d − pole).
+  const Point pole{5, -7}, arm{3, 1}, i{0, 1};
+  MotionTask turning{{{{pole + arm, 0}, {{i * arm, 1}, {-arm, 0}, {-i * arm, 0}}}}};
+  const MotionSolution one_pole = solved(turning);
+  EXPECT_EQ(one_pole.status, SolutionStatus::degenerate);
+  EXPECT_NE(one_pole.reason.message.find("common pole, (5, -7)"), std::string::npos) << one_pole.reason.message;
+
+  const MotionTask shifting{{{{{0, 0}, 0.3}, {{{1, 0}, 0}, {{0, 2}, 0}, {{-4, 1}, 0}}}}};
+  EXPECT_NE(solved(shifting).reason.message.find("only shifts"), std::string::npos);
+  // On a circle of radius ½ about (0, ½): a parallelogram.
+  const MotionTask rolling{{{{{0, 0}, 0.3}, {{{1, 0}, 0}, {{0, 2}, 0}, {{-4, 0}, 0}}}}};
+  const std::string on_circle = solved(rolling).reason.message;
+  EXPECT_NE(on_circle.find("(0, 0.5) from it"), std::string::npos) << on_circle;
+
+  // Parallel poses between which the body turns are no translation.
+  const MotionTask there_and_back{{{{{0, 0}, 0}, {{{0, 1}, 0.3}}}, {{{2, 1}, 0}, {{{0.2, -1}, -0.4}}}}};
+  const MotionSolution solution = solved(there_and_back);
+  EXPECT_NE(solution.status, SolutionStatus::degenerate) << solution.reason.message;
+  EXPECT_GT(solution.counts.pairs, 0);
 }
 
 TEST(MakeFourBar, SlidersAndTheSameDyadTwiceAreNoFourBar) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "linkwright/core/angle.hpp"
+#include "support/random_task.hpp"
 
 namespace linkwright {
 namespace {
@@ -57,10 +58,68 @@ TEST(MotionTask, NumbersMustBeFiniteAndReasonable) {
   }
 }
 
-TEST(MotionTask, DerivativesAreRefusedHonestly) {
-  MotionTask t = task(good);
-  t.poses[0].derivatives.push_back({{1, 0}, 0.2});
-  EXPECT_EQ(only_code(t), "not_available");
+// The first poses of `good`, with as many derivatives as the multiplicities say.
+MotionTask mixed(const std::vector<int>& multiplicities) {
+  MotionTask result;
+  for (const int multiplicity : multiplicities) {
+    result.poses.push_back({good[result.poses.size()], {}});
+    for (int m = 1; m < multiplicity; ++m) result.poses.back().derivatives.push_back({{1, 0.5 * m}, 0.2});
+  }
+  return result;
+}
+
+TEST(MotionTask, AllPatternsOfFourPositionsAreFine) {
+  for (const auto& multiplicities : testing::mixed_patterns()) EXPECT_TRUE(mistakes_in(mixed(multiplicities)).empty());
+}
+
+TEST(MotionTask, DerivativesCountAsPositions) {
+  for (const auto& multiplicities : {std::vector{1, 2}, {2}, {1, 1}}) {
+    EXPECT_EQ(only_code(mixed(multiplicities)), "too_few_poses");
+  }
+  for (const auto& multiplicities : {std::vector{1, 2, 1, 1}, {2, 2, 1}, {5}, {3, 2}}) {
+    EXPECT_EQ(only_code(mixed(multiplicities)), "too_many_poses");
+  }
+  EXPECT_EQ(mistakes_in(mixed({2, 1, 2}))[0].message,
+            "5 positions were given (PP-P-PP: 3 poses and 2 derivatives, each counting as one) and 4 can be solved; "
+            "remove 1");
+  EXPECT_EQ(
+      mistakes_in(mixed({100}))[0].message,
+      "100 positions were given (1 pose and 99 derivatives, each counting as one) and 4 can be solved; remove 96");
+}
+
+TEST(MotionTask, ADirectionIsNotZero) {
+  MotionTask t = mixed({1, 3});
+  t.poses[1].derivatives[0] = {{0, 0.5 * smallest_direction}, -0.5 * smallest_direction};
+  const auto found = mistakes_in(t);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].code, "zero_derivative");
+  EXPECT_EQ(found[0].place, "task.poses[1].derivatives[0]");
+  for (const PoseDerivative& enough : {PoseDerivative{{smallest_direction, 0}, 0}, {{0, -1e-8}, 0}, {{0, 0}, 1e-8}}) {
+    t.poses[1].derivatives[0] = enough;
+    EXPECT_TRUE(mistakes_in(t).empty());
+  }
+  t.poses[1].derivatives[1] = {};
+  EXPECT_TRUE(mistakes_in(t).empty()) << "no curvature is a curvature";
+}
+
+TEST(MotionTask, NumbersOfDerivativesMustBeFiniteAndReasonable) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity, 2e9}) {
+    MotionTask t = mixed({1, 3});
+    t.poses[1].derivatives[1] = {{bad, 0}, 0};
+    EXPECT_EQ(only_code(t), "out_of_range");
+    EXPECT_EQ(mistakes_in(t)[0].place, "task.poses[1].derivatives[1].x");
+    t.poses[1].derivatives[1] = {{0, bad}, 0};
+    EXPECT_EQ(mistakes_in(t)[0].place, "task.poses[1].derivatives[1].y");
+    t.poses[1].derivatives[1] = {{0, 0}, bad};
+    EXPECT_EQ(mistakes_in(t)[0].place, "task.poses[1].derivatives[1].theta");
+  }
+}
+
+TEST(MotionTask, ADirectionDoesNotMakeAPoseAnother) {
+  MotionTask t = mixed({2, 1, 1});
+  t.poses[2].pose = good[0];
+  EXPECT_EQ(only_code(t), "repeated_pose");
 }
 
 }  // namespace

@@ -84,6 +84,26 @@ TEST(PoseConditions, SaySoWhenRowsDepend) {
   EXPECT_EQ(pose_conditions({turn(0), turn(0.4), turn(1.1), turn(2)}).rank, 2);  // one common pole
 }
 
+TEST(PoseConditions, ThoseOfDerivativesAloneArePartOfAll) {
+  std::mt19937_64 random(7);
+  for (const auto& multiplicities : testing::mixed_patterns()) {
+    const auto poses = testing::random_poses(random, multiplicities);
+    const PoseConditions all = pose_conditions(poses);
+    const std::vector<Matrix3> rows = derivative_conditions(poses, all.frame);
+    ASSERT_EQ(rows.size(), 4 - poses.size());
+    const auto product = [](const Matrix3& a, const Matrix3& b) {
+      return dot(a.row[0], b.row[0]) + dot(a.row[1], b.row[1]) + dot(a.row[2], b.row[2]);
+    };
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t j = 0; j <= i; ++j) EXPECT_NEAR(product(rows[i], rows[j]), i == j, 1e-14);
+      double projected = 0;
+      for (const Matrix3& row : all.rows) projected += product(rows[i], row) * product(rows[i], row);
+      EXPECT_NEAR(projected, 1, 1e-13);
+    }
+  }
+  EXPECT_TRUE(derivative_conditions(testing::random_poses(random), {}).empty());
+}
+
 TEST(WorkingFrame, RoundTripsPointsDyadsAndPoses) {
   const WorkingFrame frame{{1e6, -2e6}, 350};
   const Homogeneous p{0.3, 0.1, -0.7};

@@ -52,6 +52,28 @@ TEST_F(LandingGearFilter, PassesExactlyTheLinkagesThatMeetEverything) {
   EXPECT_GT(meeting(), 100);
 }
 
+TEST_F(LandingGearFilter, JudgesAllCellsAsItJudgesOne) {
+  wanted.types = {LinkageType::crank_rocker, LinkageType::triple_rocker_output};
+  std::vector<std::uint8_t> failures(map.rows() * map.columns());
+  filter().failures_of_all(failures);
+  for (std::size_t row = 0; row < map.rows(); ++row)
+    for (std::size_t column = 0; column < map.columns(); ++column)
+      ASSERT_EQ(failures[map.index(row, column)], filter().failures(row, column));
+  const RequirementCensus one = filter().census(), other = filter().census(failures);
+  EXPECT_EQ(one.failing, other.failing);
+  EXPECT_EQ(one.meeting_types, other.meeting_types);
+  EXPECT_EQ(one.meeting, one.meeting_types[0] + one.meeting_types[7]);
+}
+
+TEST_F(LandingGearFilter, CountsWhatIsLeftAfterEachRequirement) {
+  const RequirementCensus census = filter().census();
+  const auto left = [&](RequirementKind kind) { return census.left_after(kind); };
+  EXPECT_EQ(left(RequirementKind::types), map.counts().pairs - map.counts().types[9]);
+  EXPECT_EQ(left(RequirementKind::no_defects), map.counts().defect_free);
+  EXPECT_LT(left(RequirementKind::min_transmission_angle), left(RequirementKind::no_defects));
+  EXPECT_EQ(left(RequirementKind::moving_pivots_within), census.meeting);
+}
+
 TEST_F(LandingGearFilter, DroppingARequirementAddsWhatTheCensusPromised) {
   const RequirementCensus census = filter().census();
   const std::int64_t before = census.meeting;

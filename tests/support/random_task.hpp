@@ -11,7 +11,13 @@ namespace linkwright::testing {
 /// Four poses of no particular kind: origins within a few units, angles within a turn.
 [[nodiscard]] std::vector<PrescribedPose> random_poses(std::mt19937_64& random, int count = 4);
 
-/// The same poses after a rigid motion of the drawing and a change of scale about the origin.
+/// As many poses as there are multiplicities, with derivatives to match: numbers up to 2.
+[[nodiscard]] std::vector<PrescribedPose> random_poses(std::mt19937_64& random, const std::vector<int>& multiplicities);
+
+/// The multiplicities of the seven mixed patterns of four positions: PP-P-P, P-PP-P, P-P-PP, PP-PP, PPP-P, P-PPP, PPPP.
+[[nodiscard]] const std::vector<std::vector<int>>& mixed_patterns();
+
+/// The same poses, directions included, after a rigid motion of the drawing and a change of scale about the origin.
 [[nodiscard]] std::vector<PrescribedPose> moved(const std::vector<PrescribedPose>& poses, double scale, double angle,
                                                 Point shift);
 

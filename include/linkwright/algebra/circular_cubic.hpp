@@ -62,6 +62,9 @@ class CircularCubic {
   /// The singular focus; nothing where the line at infinity is part of the curve.
   [[nodiscard]] std::optional<Point> focus() const;
 
+  /// The real asymptote of an irreducible curve: a point of it and its unit direction; nothing for reducible curves.
+  [[nodiscard]] std::optional<std::array<Point, 2>> asymptote() const;
+
   /// Unit vector of the point at τ; continuous within a branch. τ in [0, branches().back().to).
   [[nodiscard]] Homogeneous point(double tau) const;
 

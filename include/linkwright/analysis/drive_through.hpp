@@ -15,6 +15,10 @@ struct DriveThroughOptions {
   double corrector = 1e-13;    ///< loop closure error, relative to the perimeter, at which a corrector step ends
   double miss = 1e-3;          ///< most by which a configuration may miss a pose (radians on the torus) and meet it
   int most_steps = 4'000'000;  ///< for one circuit
+
+  /// A pose with derivatives must be passed in the direction of its first one, to within `miss` radians: it is compared
+  /// with the numerically differentiated drive.
+  bool respect_direction = false;
 };
 
 /// What driving showed: an answer that shares nothing with find_defects.
@@ -28,14 +32,19 @@ struct DriveThroughReport {
   std::vector<int> visited;
   double worst_closure = 0;     ///< largest loop closure error met, relative to the perimeter
   double worst_pose_error = 0;  ///< largest distance of the coupler's pivots from where a visited pose wants them
+  /// Largest angle, radians in [0, π/2], between the velocities of the coupler's pivots (as one vector of four numbers)
+  /// and those that the first derivative of a visited pose wants, or their opposite; 0 where no pose has any.
+  double worst_direction_error = 0;
 };
 
 /// Drives the four-bar by its input through the poses, slowly: traces the whole circuit of configurations by
 /// arc-length continuation of the loop equation with a Newton corrector, notes where each pose is met and where the
 /// input's dead points lie (the loop Jacobian by coupler and output angle changes sign), and reads the defects off.
 /// Steps are bounded so that the walk provably stays on its strand of the curve (src/analysis/configuration_curve.cpp).
-/// `poses` as in find_defects, but their derivatives, and with them the direction in which they are passed, are
-/// ignored. A pose that the linkage does not reach at all counts as one on another circuit.
+/// `poses` as in find_defects, but the direction in which they are passed is judged only where the options say so; then
+/// the verdict is that of find_defects with respect for the direction, otherwise that without. Second and higher
+/// derivatives play no part. A pose that the linkage does not reach at all counts as one on another circuit; one that
+/// it passes only in other directions, or with the input at rest, is an order defect.
 [[nodiscard]] DriveThroughReport drive_through(const FourBar& four_bar, std::span<const PrescribedPose> poses,
                                                const DriveThroughOptions& options = {});
 

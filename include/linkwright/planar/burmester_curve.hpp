@@ -42,6 +42,18 @@ class BurmesterCurve {
   /// `count` coordinates: τᵢ = length·(i + ½)/count, or the same in arc length.
   [[nodiscard]] std::vector<double> samples(int count, Spacing spacing) const;
 
+  /// Coordinates, by rising τ, and the length run up to each over all branches: a polygon so fine that it can be
+  /// interpolated linearly. A branch without length has no entry.
+  struct Run {
+    std::vector<double> tau, length;
+  };
+  [[nodiscard]] Run run() const;
+
+  /// Dyads along all branches, by rising τ, each branch closed by its first dyad again (its coordinate just short of
+  /// the branch's end), so dense that the two unit vectors together run at most `longest_side` (radians) from one to
+  /// the next.
+  [[nodiscard]] std::vector<Dyad> polygon(double longest_side) const;
+
   /// Centre points that belong to a circle point, and the reverse: null vector of the conditions.
   [[nodiscard]] Homogeneous center_of(Homogeneous circle) const;
   [[nodiscard]] Homogeneous circle_of(Homogeneous center) const;
@@ -55,6 +67,8 @@ class BurmesterCurve {
   };
   void find_partner_lines();
   [[nodiscard]] std::vector<double> evenly_by_length(int count) const;
+  template <class Visit>
+  void walk(int first_sides, double longest_side, const Visit& visit) const;
 
   std::array<Matrix3, 3> conditions_{};
   CircularCubic circle_curve_, center_curve_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "linkwright/analysis/defects.hpp"
+#include "linkwright/core/notice.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/dyad.hpp"
@@ -42,11 +43,6 @@ enum class SolutionStatus { solved, no_solution, degenerate };
 [[nodiscard]] std::string_view name(SolutionStatus status);
 [[nodiscard]] std::string_view name(Spacing spacing);
 
-struct Warning {
-  std::string code;     ///< e.g. ill_conditioned
-  std::string message;  ///< one sentence with the way out
-};
-
 /// A four-bar found, fixed frame, user's unit, checked in user coordinates.
 struct FourBarSolution {
   Dyad input, output;                              ///< fixed frame; circle points in position 1
@@ -57,16 +53,20 @@ struct FourBarSolution {
   DefectReport swapped;              ///< the same bars driven from the other side
   double residual = 0;               ///< the larger of the two side links' residuals
   bool local_optimum = false;        ///< refined to the top of its hill; otherwise a distinct linkage beside those
-  bool verified_by_driving = false;  ///< drive_through confirms the defects
+  bool verified_by_driving = false;  ///< drive_through confirms the defects, and the directions where they count
+
+  /// Mixed positions: largest |Zᵀ M C| over derivative_conditions() and both side links, unit vectors of the working
+  /// frame.
+  std::optional<double> residual_derivatives;
 };
 
 /// Everything found for a four-position task.
 struct MotionSolution {
   SolutionStatus status = SolutionStatus::solved;
-  std::string reason;  ///< a sentence; always set
+  Notice reason;  ///< always set
   std::string pattern;
   PoseConditions conditions;
-  std::vector<Warning> warnings;
+  std::vector<Notice> warnings;
   std::shared_ptr<const BurmesterCurve> curve;
   std::vector<Dyad> samples;  ///< of the curve, fixed frame, by rising τ
   RegionMap region;
@@ -78,7 +78,7 @@ struct MotionSolution {
   std::vector<Relaxation> relax;          ///< when no linkage meets the requirements, dearest first
 };
 
-/// All four-bars that guide a body through four finite poses.
+/// All four-bars that guide a body through four positions, finite or mixed.
 [[nodiscard]] Result<MotionSolution> solve_motion(const MotionTask& task, const Requirements& requirements,
                                                   const SynthesisOptions& options, const Progress& progress = {});
 

@@ -44,4 +44,9 @@ struct PoseConditions {
 /// Conditions of any pattern of positions (docs/theory/planar.md, section 2). At least two positions.
 [[nodiscard]] PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses);
 
+/// Those conditions alone that the derivatives of the poses set (user's unit), as orthonormal rows in `frame`; none
+/// where no pose has derivatives.
+[[nodiscard]] std::vector<Matrix3> derivative_conditions(const std::vector<PrescribedPose>& poses,
+                                                         const WorkingFrame& frame);
+
 }  // namespace linkwright

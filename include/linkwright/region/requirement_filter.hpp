@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,10 +42,14 @@ struct RequirementCensus {
   /// Cells, the degenerate left out, by the set of requirements they fail (bit RequirementKind).
   std::array<std::int64_t, 1u << requirement_kinds> failing{};
 
+  std::array<std::int64_t, 10> meeting_types{};  ///< by LinkageType
+
   /// Cells that fail exactly these.
   [[nodiscard]] std::int64_t failing_only(RequirementKind kind) const {
     return failing[std::size_t{1} << static_cast<std::size_t>(kind)];
   }
+  /// Cells that meet this requirement and all that come before it.
+  [[nodiscard]] std::int64_t left_after(RequirementKind kind) const;
 };
 
 /// A region under requirements whose max_length is set. Refers to the map, which must outlive it.
@@ -57,7 +62,12 @@ class RequirementFilter {
   [[nodiscard]] std::uint8_t failures(std::size_t row, std::size_t column) const;
   [[nodiscard]] bool passes(std::size_t row, std::size_t column) const { return failures(row, column) == 0; }
 
+  /// The same of each cell, row-major. `failures` has a place for each cell.
+  void failures_of_all(std::span<std::uint8_t> failures) const;
+
   [[nodiscard]] RequirementCensus census() const;
+  /// The same from what failures_of_all() found.
+  [[nodiscard]] RequirementCensus census(std::span<const std::uint8_t> failures) const;
   /// Dearest first, the requirements whose relaxation alone would leave (more) cells.
   [[nodiscard]] std::vector<Relaxation> relaxations(const RequirementCensus& census) const;
 
@@ -70,7 +80,9 @@ class RequirementFilter {
 
   const RegionMap* map_;
   Requirements requirements_;
-  std::array<bool, 10> type_wanted_{};
+  void failures_of_row(std::size_t row, std::uint8_t* failures) const;
+
+  std::array<std::uint8_t, 80> verdict_failures_{};  ///< by type · 8 + defects
   float least_versine_ = 0, largest_ratio_ = 0, largest_length_ = 0;
   std::vector<std::uint8_t> input_box_failures_, output_box_failures_;
 };

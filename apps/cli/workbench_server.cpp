@@ -1,0 +1,163 @@
+#include "workbench_server.hpp"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <fmt/format.h>
+#include <httplib.h>
+#include <iterator>
+#include <sys/socket.h>
+#include <thread>
+
+namespace linkwright::cli {
+namespace {
+
+constexpr const char* this_machine = "127.0.0.1";
+// A connection occupies a thread until its request has come, and browsers open some ahead of need.
+constexpr std::size_t threads = 64;
+constexpr std::chrono::seconds longest_idle{1}, longest_read{2}, longest_write{10};
+
+const httplib::Headers& strict_headers() {
+  static const httplib::Headers headers{
+      {"Content-Security-Policy",
+       "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
+       "img-src 'self' data: blob:; worker-src 'self' blob:; connect-src 'self'; object-src 'none'; "
+       "base-uri 'none'; frame-ancestors 'none'; form-action 'none'"},
+      {"Cross-Origin-Embedder-Policy", "require-corp"},
+      {"Cross-Origin-Opener-Policy", "same-origin"},
+      {"Cross-Origin-Resource-Policy", "same-origin"},
+      {"Referrer-Policy", "no-referrer"},
+      {"X-Content-Type-Options", "nosniff"},
+  };
+  return headers;
+}
+
+bool is_digits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// "127.0.0.1:4180", "localhost": any port, since it may be forwarded.
+bool names_this_machine(std::string_view host) {
+  const auto colon = host.find(':');
+  if (colon != std::string_view::npos && !is_digits(host.substr(colon + 1))) return false;
+  std::string name(host.substr(0, colon));
+  for (char& c : name) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c);
+  return name == this_machine || name == "localhost";
+}
+
+std::optional<std::string> content_of(const WebFile& file) {
+  std::ifstream stream(file.path, std::ios::binary);
+  if (!stream) return std::nullopt;
+  std::string content{std::istreambuf_iterator<char>(stream), {}};
+  return stream.bad() ? std::nullopt : std::optional(std::move(content));
+}
+
+/// By a provider of known length: other contents the library would compress, which takes it seconds for a megabyte.
+void send(httplib::Response& response, std::string content, std::string_view media_type, const char* caching) {
+  response.set_header("Cache-Control", caching);
+  const std::string type(media_type);
+  if (content.empty()) return response.set_content("", type);  // a provider without a length would be asked for ever
+  const auto shared = std::make_shared<const std::string>(std::move(content));
+  response.set_content_provider(shared->size(), type,
+                                [shared](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+                                  return sink.write(shared->data() + offset, length);
+                                });
+}
+
+/// Parts of a file are not served: the library (0.11) does not check them against the file's length, and would send
+/// what lies behind it in memory. The request is its own, not constant there.
+void ignore_ranges(const httplib::Request& request) { const_cast<httplib::Request&>(request).ranges.clear(); }
+
+void refuse(httplib::Response& response, int status, std::string_view sentence) {
+  response.status = status;
+  send(response, fmt::format("{}: {}\n", status, sentence), "text/plain; charset=utf-8", "no-store");
+}
+
+void answer(const WebFolder& folder, const httplib::Request& request, httplib::Response& response) {
+  if (request.get_header_value_count("Host") != 1) return refuse(response, 400, "one Host header is needed");
+  if (!names_this_machine(request.get_header_value("Host"))) {
+    return refuse(response, 421, "the workbench is served to http://127.0.0.1 and http://localhost only");
+  }
+  if (request.method != "GET" && request.method != "HEAD") {
+    response.set_header("Allow", "GET, HEAD");
+    return refuse(response, 405, "only GET and HEAD are answered");
+  }
+  const auto file = folder.find(request.path);
+  auto content = file ? content_of(*file) : std::nullopt;
+  if (!content) return refuse(response, 404, "there is no such page; the workbench is at /");
+  send(response, std::move(*content), file->media_type,
+       file->never_changes ? "public, max-age=31536000, immutable" : "no-cache");
+}
+
+/// Without SO_REUSEPORT, which the library sets by itself: with it two programs would share the port.
+void only_owner_of_its_port(int socket) {
+  const int yes = 1;
+  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
+sigset_t stopping_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  return signals;
+}
+
+}  // namespace
+
+struct WorkbenchServer::Http {
+  httplib::Server server;
+  std::atomic<bool> ended{false};
+
+  /// In a thread of its own: stops the server at the first signal, or ends with it.
+  void stop_at_signal() {
+    const sigset_t signals = stopping_signals();
+    const timespec while_running{0, 100'000'000};
+    while (!ended && sigtimedwait(&signals, nullptr, &while_running) < 0) continue;
+    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+    while (!ended && !server.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    server.stop();
+  }
+};
+
+WorkbenchServer::WorkbenchServer(WebFolder folder) : http_(std::make_unique<Http>()) {
+  const sigset_t signals = stopping_signals();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // all threads inherit this
+  httplib::Server& server = http_->server;
+  server.new_task_queue = [] { return new httplib::ThreadPool(threads); };
+  server.set_socket_options(only_owner_of_its_port);
+  server.set_tcp_nodelay(true);
+  server.set_keep_alive_max_count(1);  // a request's body is never read, so nothing may follow it
+  server.set_keep_alive_timeout(longest_idle.count());
+  server.set_read_timeout(longest_read);
+  server.set_write_timeout(longest_write);
+  server.set_default_headers(strict_headers());
+  server.set_pre_routing_handler(
+      [folder = std::move(folder)](const httplib::Request& request, httplib::Response& response) {
+        ignore_ranges(request);
+        answer(folder, request, response);
+        return httplib::Server::HandlerResponse::Handled;
+      });
+}
+
+WorkbenchServer::~WorkbenchServer() = default;
+
+std::optional<int> WorkbenchServer::bind(int port) {
+  errno = 0;
+  httplib::Server& server = http_->server;
+  if (port == 0)
+    port = server.bind_to_any_port(this_machine);
+  else if (!server.bind_to_port(this_machine, port))
+    port = -1;
+  return port > 0 ? std::optional(port) : std::nullopt;
+}
+
+bool WorkbenchServer::serve() {
+  std::thread stopper([this] { http_->stop_at_signal(); });
+  const bool served = http_->server.listen_after_bind();
+  http_->ended = true;
+  stopper.join();
+  return served;
+}
+
+}  // namespace linkwright::cli

@@ -1,0 +1,116 @@
+#include <emscripten/bind.h>
+
+#include "session.hpp"
+
+// The session as a JavaScript class. Arrays are views into the engine's memory: to be copied before the next call.
+namespace linkwright::wasm {
+namespace {
+
+using emscripten::typed_memory_view;
+using emscripten::val;
+
+template <class Values>
+val view(const Values& values) {
+  return val(typed_memory_view(values.size(), values.data()));
+}
+
+val curves_of(const DrawnCurves& drawn) {
+  val curves = val::object();
+  curves.set("tau", view(drawn.tau));
+  curves.set("center", view(drawn.center));
+  curves.set("circle", view(drawn.circle));
+  curves.set("branch", view(drawn.branch));
+  return curves;
+}
+
+val map_of(const ExploreReply& reply) {
+  val map = val::object();
+  map.set("census", reply.census);
+  map.set("input_tau", view(reply.input_tau));
+  map.set("output_tau", view(reply.output_tau));
+  map.set("type", view(reply.map->map().types()));
+  map.set("defects", view(reply.map->map().defects()));
+  map.set("fails", view(reply.map->fails()));
+  map.set("value", view(reply.map->values()));
+  const auto& [input, output] = reply.map->ridges();
+  map.set("ridge_input", view(input.value));
+  map.set("ridge_input_partner", view(input.partner));
+  map.set("ridge_output", view(output.value));
+  map.set("ridge_output_partner", view(output.partner));
+  return map;
+}
+
+/// Keeps what its views show until it is asked again.
+class BoundSession : public Session {
+ public:
+  val linkage_reply(double input_tau, double output_tau) {
+    linkage_ = linkage(input_tau, output_tau);
+    val result = val::object();
+    result.set("linkage", linkage_.linkage);
+    result.set("states", view(linkage_.states));
+    return result;
+  }
+  val live_reply(double input_tau, double output_tau) {
+    live_ = live(input_tau, output_tau);
+    val result = val::object();
+    result.set("input", view(live_.input));
+    result.set("output", view(live_.output));
+    return result;
+  }
+  val halo_reply(int pose, bool turn, double reach, int steps, int samples) {
+    counts_ = halo({pose, turn, reach, steps, samples});
+    return view(counts_);
+  }
+  val trace_reply(double input_tau, double output_tau, double x, double y) {
+    path_ = trace(input_tau, output_tau, {x, y});
+    return view(path_);
+  }
+  val explore_reply(int samples, double input_from, double input_to, double output_from, double output_to,
+                    const std::string& property, int order) {
+    const CellProperty shown = cell_property_named(property).value_or(CellProperty{});
+    const ExploreReply reply = explore({samples, {input_from, input_to}, {output_from, output_to}, shown, order});
+    val result = val::object();
+    result.set("task", reply.task);
+    result.set("curves", curves_of(*reply.curves));
+    result.set("map", reply.map ? map_of(reply) : val::null());
+    return result;
+  }
+  bool set_problem_text(const std::string& text) { return set_problem(text); }
+  std::string read_text(const std::string& text) { return read(text); }
+  std::string exported_text(double input_tau, double output_tau, const std::string& format) {
+    return exported(input_tau, output_tau, format);
+  }
+  std::string mistakes_text() { return mistakes(); }
+  std::string best_text(int most) { return best(most); }
+  std::string improve_text(double input_tau, double output_tau) { return improve(input_tau, output_tau); }
+  std::string verify_text(double input_tau, double output_tau) { return verify(input_tau, output_tau); }
+
+ private:
+  LinkageReply linkage_;
+  LiveReply live_;
+  std::vector<std::uint32_t> counts_;
+  std::vector<double> path_;
+};
+
+std::string version() { return LINKWRIGHT_VERSION; }
+
+EMSCRIPTEN_BINDINGS(linkwright) {
+  emscripten::function("version", &version);
+  emscripten::class_<BoundSession>("Session")
+      .constructor<>()
+      .function("set_problem", &BoundSession::set_problem_text)
+      .function("mistakes", &BoundSession::mistakes_text)
+      .function("read", &BoundSession::read_text)
+      .function("explore", &BoundSession::explore_reply)
+      .function("linkage", &BoundSession::linkage_reply)
+      .function("live", &BoundSession::live_reply)
+      .function("halo", &BoundSession::halo_reply)
+      .function("best", &BoundSession::best_text)
+      .function("improve", &BoundSession::improve_text)
+      .function("verify", &BoundSession::verify_text)
+      .function("trace", &BoundSession::trace_reply)
+      .function("exported", &BoundSession::exported_text);
+}
+
+}  // namespace
+}  // namespace linkwright::wasm

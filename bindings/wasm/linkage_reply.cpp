@@ -1,0 +1,194 @@
+#include "linkage_reply.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwright/core/angle.hpp"
+#include "reply_json.hpp"
+
+namespace linkwright::wasm {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+constexpr int states_of_a_drive = 361;
+
+double transmission_angle_deg(double worst_cosine) { return degrees(std::acos(std::min(std::abs(worst_cosine), 1.0))); }
+
+void write_or_null(JsonWriter& json, std::string_view key, bool defined, double value) {
+  json.key(key);
+  defined ? json.value(value) : json.null();
+}
+
+void write_defects(JsonWriter& json, Defects defects) {
+  json.key("defects");
+  json.begin_object(Layout::one_line);
+  json.member("order", defects.order());
+  json.member("branch", defects.branch());
+  json.member("circuit", defects.circuit());
+  json.end_object();
+}
+
+void write_side_link(JsonWriter& json, const Dyad& dyad, const WorkingFrame& frame) {
+  const auto center = frame.finite_user_point(dyad.center), circle = frame.finite_user_point(dyad.circle);
+  json.begin_object();
+  json.member("coordinate", dyad.coordinate);
+  json.key("center");
+  write_point(json, center);
+  json.key("circle");
+  write_point(json, circle);
+  json.key("center_homogeneous");
+  write_numbers(json, std::array{dyad.center.w, dyad.center.x, dyad.center.y});
+  json.key("circle_homogeneous");
+  write_numbers(json, std::array{dyad.circle.w, dyad.circle.x, dyad.circle.y});
+  write_or_null(json, "length", center && circle, center && circle ? std::abs(*circle - *center) : 0);
+  json.end_object();
+}
+
+Notice degenerate_notice(const PickedLinkage& picked, const WorkingFrame& frame) {
+  const auto at_infinity = [&](Homogeneous point) { return is_at_infinity(frame.to_working(point)); };
+  if (at_infinity(picked.input.center) || at_infinity(picked.output.center))
+    return {"slider_fixed", "Slider: the fixed pivot is at infinity; the pin moves on a straight guide.", {}};
+  if (at_infinity(picked.input.circle) || at_infinity(picked.output.circle))
+    return {
+        "slider_moving", "Slider: the moving pivot is at infinity; a guide in the body slides on the fixed pivot.", {}};
+  return {"zero_link", "A link has no length: this is no four-bar.", {}};
+}
+
+void write_reason(JsonWriter& json, const PickedLinkage& picked, const WorkingFrame& frame) {
+  json.key("reason");
+  if (!picked.bars) return write_notice(json, degenerate_notice(picked, frame));
+  const auto reason = defect_notice(picked.bars->report.defects, picked.visits);
+  reason ? write_notice(json, *reason) : json.null();
+}
+
+void write_lengths(JsonWriter& json, const PickedLinkage& picked) {
+  json.key("lengths");
+  if (!picked.bars) {
+    json.null();
+  } else {
+    const LinkLengths& lengths = picked.bars->lengths;
+    json.begin_object(Layout::one_line);
+    json.member("ground", lengths.ground);
+    json.member("input", lengths.input);
+    json.member("coupler", lengths.coupler);
+    json.member("output", lengths.output);
+    json.end_object();
+  }
+  const LinkLengths lengths = picked.bars ? picked.bars->lengths : LinkLengths{1, 1, 1, 1};
+  write_or_null(json, "link_ratio", picked.bars.has_value(), lengths.longest() / lengths.shortest());
+  write_or_null(json, "longest", picked.bars.has_value(), lengths.longest());
+}
+
+void write_verdict(JsonWriter& json, const PickedLinkage& picked) {
+  const DefectReport report = picked.bars ? picked.bars->report : DefectReport{};
+  const bool clean = picked.bars && report.defects.none();
+  write_or_null(json, "min_transmission_angle_deg", clean, transmission_angle_deg(report.worst_transmission_cosine));
+  write_or_null(json, "min_transmission_angle_full_turn_deg", picked.bars && input_is_crank(report.type),
+                transmission_angle_deg(report.worst_transmission_cosine_full_turn));
+  write_or_null(json, "driver_sweep_deg", clean, degrees(report.sweep));
+  json.key("drive_sense");
+  report.sense == DriveSense::none ? json.null() : json.value(name(report.sense));
+}
+
+void write_swapped(JsonWriter& json, const PickedLinkage& picked) {
+  json.key("swapped");
+  if (!picked.bars) return json.null();
+  const DefectReport& report = picked.bars->swapped;
+  json.begin_object(Layout::one_line);
+  json.member("type", name(report.type));
+  write_defects(json, report.defects);
+  write_or_null(json, "min_transmission_angle_deg", report.defects.none(),
+                transmission_angle_deg(report.worst_transmission_cosine));
+  json.end_object();
+}
+
+void write_ticks(JsonWriter& json, const DriveTable& drive) {
+  json.key("ticks");
+  json.begin_list();
+  for (std::size_t pose = 0; pose < drive.state_of_pose.size(); ++pose) {
+    json.begin_object(Layout::one_line);
+    json.member("position", static_cast<int>(pose) + 1);
+    json.member("state", drive.state_of_pose[pose]);
+    json.member("reached", drive.state_of_pose[pose] >= 0);
+    json.end_object();
+  }
+  json.end_list();
+}
+
+void write_drive(JsonWriter& json, const PickedLinkage& picked) {
+  json.key("dead_points_deg");
+  const bool rocks = !picked.drive.states.empty() && !picked.drive.full_turn;
+  const std::array limits = {degrees(picked.visits.travel.from), degrees(picked.visits.travel.to)};
+  write_numbers(json, std::span(limits).first(rocks ? 2 : 0));
+  json.key("drive");
+  if (picked.drive.states.empty()) return json.null();
+  json.begin_object();
+  write_ticks(json, picked.drive);
+  json.member("full_turn", picked.drive.full_turn);
+  json.key("limits");
+  json.begin_object(Layout::one_line);
+  for (const char* end : {"low", "high"}) {
+    json.key(end);
+    rocks ? json.value("dead_point") : json.null();
+  }
+  json.end_object();
+  const int first = picked.drive.state_of_pose.front(), last = picked.drive.state_of_pose.back();
+  const bool apart = first < 0 || last < 0;
+  json.key("task");
+  json.begin_list(Layout::one_line);
+  json.value(apart ? -1 : first);
+  json.value(apart ? -1 : last);
+  json.end_list();
+  json.end_object();
+}
+
+}  // namespace
+
+PickedLinkage picked_linkage(const MotionTask& task, const TaskCurve& given, const Dyad& input, const Dyad& output,
+                             bool respect_direction) {
+  const WorkingFrame& frame = given.conditions.frame;
+  PickedLinkage picked{frame.to_user(input), frame.to_user(output), {}, {}, {}};
+  constexpr bool verify = false;
+  picked.bars = make_four_bar(task, frame, picked.input, picked.output, respect_direction, verify);
+  if (!picked.bars) return picked;
+  picked.visits = pose_visits(picked.bars->four_bar, task.poses);
+  picked.drive = drive_table(picked.visits, task.poses, states_of_a_drive);
+  return picked;
+}
+
+std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame) {
+  return json_of([&](JsonWriter& json) {
+    json.begin_object();
+    json.key("tau");
+    write_numbers(json, std::array{picked.input.coordinate, picked.output.coordinate});
+    json.member("type", name(picked.bars ? picked.bars->report.type : LinkageType::degenerate));
+    write_defects(json, picked.bars ? picked.bars->report.defects : Defects{});
+    write_reason(json, picked, frame);
+    json.key("input");
+    write_side_link(json, picked.input, frame);
+    json.key("output");
+    write_side_link(json, picked.output, frame);
+    write_lengths(json, picked);
+    write_verdict(json, picked);
+    json.member("residual", picked.bars ? std::max(picked.bars->input_residual * picked.bars->lengths.input,
+                                                   picked.bars->output_residual * picked.bars->lengths.output)
+                                        : 0.0);
+    write_swapped(json, picked);
+    json.member("fails", int{picked.fails});
+    write_drive(json, picked);
+    json.end_object();
+  });
+}
+
+void append_states(const PickedLinkage& picked, std::vector<double>& states) {
+  for (const DriveState& state : picked.drive.states)
+    states.insert(
+        states.end(),
+        {degrees(state.turn), state.four_bar.input_circle.real(), state.four_bar.input_circle.imag(),
+         state.four_bar.output_circle.real(), state.four_bar.output_circle.imag(), state.body.origin.real(),
+         state.body.origin.imag(), degrees(state.body.angle), degrees(state.transmission_angle),
+         degrees(state.coupler_turn), degrees(state.output_turn), state.velocity_ratio, state.mechanical_advantage});
+}
+
+}  // namespace linkwright::wasm

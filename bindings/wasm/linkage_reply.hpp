@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwright/analysis/drive_table.hpp"
+#include "linkwright/analysis/pose_visits.hpp"
+#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/task_curve.hpp"
+
+namespace linkwright::wasm {
+
+/// One pair of side links of a task, and all there is to say of it.
+struct PickedLinkage {
+  Dyad input, output;                   ///< fixed frame
+  std::optional<FourBarSolution> bars;  ///< nothing for a slider or a zero link
+  PoseVisits visits;
+  DriveTable drive;
+  std::uint8_t fails = 0;
+};
+
+[[nodiscard]] PickedLinkage picked_linkage(const MotionTask& task, const TaskCurve& given, const Dyad& input,
+                                           const Dyad& output, bool respect_direction);
+
+/// Linkage without the drive's states.
+[[nodiscard]] std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame);
+
+/// Rows as state_columns of the protocol.
+inline constexpr std::size_t state_width = 13;
+void append_states(const PickedLinkage& picked, std::vector<double>& states);
+
+}  // namespace linkwright::wasm

@@ -1,0 +1,78 @@
+#include "map_reply.hpp"
+
+#include "linkwright/io/number_text.hpp"
+#include "reply_json.hpp"
+
+namespace linkwright::wasm {
+namespace {
+
+template <class Counts>
+void write_counts(JsonWriter& json, std::string_view key, const Counts& counts) {
+  json.key(key);
+  json.begin_list(JsonWriter::Layout::one_line);
+  for (const std::int64_t count : counts) json.value(count);
+  json.end_list();
+}
+
+template <class CountOf>
+void write_by_requirement(JsonWriter& json, std::string_view key, CountOf count_of) {
+  std::array<std::int64_t, requirement_kinds> counts{};
+  for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = count_of(static_cast<RequirementKind>(k));
+  write_counts(json, key, counts);
+}
+
+void write_relaxation(JsonWriter& json, const Relaxation& relaxation) {
+  const bool is_angle = relaxation.requirement == RequirementKind::min_transmission_angle;
+  json.begin_object(JsonWriter::Layout::one_line);
+  json.member("requirement", key(relaxation.requirement));
+  json.key("value");
+  relaxation.value ? json.value(is_angle ? degrees_for_files(*relaxation.value) : *relaxation.value) : json.null();
+  json.member("leaves", relaxation.leaves);
+  json.end_object();
+}
+
+}  // namespace
+
+void JudgedMap::classify(const RegionAxis& input, const RegionAxis& output, double unit) {
+  map_.recompute(input, output, unit, {});
+  counts_ = map_.counts();
+  values_.clear();
+}
+
+void JudgedMap::judge(const Requirements& wanted, Point origin, double unit) {
+  const RequirementFilter filter(map_, wanted, origin, unit);
+  fails_.resize(map_.rows() * map_.columns());
+  filter.failures_of_all(fails_);
+  census_ = filter.census(fails_);
+  relax_ = census_.meeting == 0 ? filter.relaxations(census_) : std::vector<Relaxation>{};
+}
+
+void JudgedMap::measure(CellProperty property) {
+  values_.resize(map_.rows() * map_.columns());
+  for (std::size_t row = 0; row < map_.rows(); ++row)
+    row_values(map_, property, row, std::span(values_).subspan(map_.index(row, 0), map_.columns()));
+  ridges_ = linkwright::ridges(values_, fails_, map_.columns(), larger_is_better(property));
+}
+
+std::string JudgedMap::census_json() const {
+  return json_of([&](JsonWriter& json) {
+    json.begin_object();
+    write_counts(json, "types", counts_.types);
+    json.member("pairs", counts_.pairs);
+    json.member("order", counts_.order);
+    json.member("branch", counts_.branch);
+    json.member("circuit", counts_.circuit);
+    json.member("defect_free", counts_.defect_free);
+    json.member("meeting", census_.meeting);
+    write_counts(json, "meeting_types", census_.meeting_types);
+    write_by_requirement(json, "only", [&](RequirementKind kind) { return census_.failing_only(kind); });
+    write_by_requirement(json, "left", [&](RequirementKind kind) { return census_.left_after(kind); });
+    json.key("relax");
+    json.begin_list();
+    for (const Relaxation& relaxation : relax_) write_relaxation(json, relaxation);
+    json.end_list();
+    json.end_object();
+  });
+}
+
+}  // namespace linkwright::wasm

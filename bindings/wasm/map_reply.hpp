@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "linkwright/region/cell_property.hpp"
+#include "linkwright/region/region_map.hpp"
+#include "linkwright/region/requirement_filter.hpp"
+#include "linkwright/region/ridge.hpp"
+
+namespace linkwright::wasm {
+
+/// A map under requirements, coloured by a property.
+class JudgedMap {
+ public:
+  /// Takes over the memory of the map before.
+  void classify(const RegionAxis& input, const RegionAxis& output, double unit);
+  void judge(const Requirements& wanted, Point origin, double unit);
+  void measure(CellProperty property);
+
+  [[nodiscard]] const RegionMap& map() const { return map_; }
+  [[nodiscard]] const RegionCounts& counts() const { return counts_; }
+  [[nodiscard]] const std::vector<std::uint8_t>& fails() const { return fails_; }
+  [[nodiscard]] const std::vector<float>& values() const { return values_; }
+  [[nodiscard]] const Ridges& ridges() const { return ridges_; }
+  [[nodiscard]] const RequirementCensus& census() const { return census_; }
+
+  /// Census of the protocol.
+  [[nodiscard]] std::string census_json() const;
+
+ private:
+  RegionMap map_;
+  RegionCounts counts_;
+  std::vector<std::uint8_t> fails_;
+  std::vector<float> values_;
+  RequirementCensus census_;
+  std::vector<Relaxation> relax_;
+  Ridges ridges_;
+};
+
+}  // namespace linkwright::wasm

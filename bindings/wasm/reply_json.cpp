@@ -1,0 +1,97 @@
+#include "reply_json.hpp"
+
+#include <cmath>
+
+#include "linkwright/io/number_text.hpp"
+
+namespace linkwright::wasm {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+void write_limit(JsonWriter& json, std::string_view key, double limit) {
+  json.key(key);
+  std::isfinite(limit) ? json.value(limit) : json.null();
+}
+
+void write_box(JsonWriter& json, std::string_view key, const std::optional<Box>& box) {
+  json.key(key);
+  if (!box) return json.null();
+  json.begin_object(Layout::one_line);
+  json.key("x");
+  write_numbers(json, std::array{box->x_low, box->x_high});
+  json.key("y");
+  write_numbers(json, std::array{box->y_low, box->y_high});
+  json.end_object();
+}
+
+}  // namespace
+
+std::string json_of(const std::function<void(JsonWriter&)>& write) {
+  std::string text;
+  {
+    JsonWriter json([&text](std::string_view piece) { text += piece; });
+    write(json);
+  }
+  return text;
+}
+
+void write_notice(JsonWriter& json, const Notice& notice) {
+  json.begin_object(Layout::one_line);
+  json.member("code", std::string_view(notice.code));
+  json.key("values");
+  json.begin_object(Layout::one_line);
+  for (const Notice::Value& value : notice.values) {
+    json.key(value.name);
+    if (const auto* number = std::get_if<double>(&value.value))
+      json.value(*number);
+    else
+      json.value(std::string_view(std::get<std::string>(value.value)));
+  }
+  json.end_object();
+  json.member("message", std::string_view(notice.message));
+  json.end_object();
+}
+
+std::string mistakes_json(const std::vector<Error>& mistakes) {
+  return json_of([&](JsonWriter& json) {
+    json.begin_list();
+    for (const Error& mistake : mistakes) {
+      json.begin_object(Layout::one_line);
+      json.member("code", std::string_view(mistake.code));
+      json.member("place", std::string_view(mistake.place));
+      json.member("message", std::string_view(mistake.message));
+      json.end_object();
+    }
+    json.end_list();
+  });
+}
+
+void write_point(JsonWriter& json, const std::optional<Point>& point) {
+  if (!point) return json.null();
+  write_numbers(json, std::array{point->real(), point->imag()});
+}
+
+void write_numbers(JsonWriter& json, std::span<const double> numbers) {
+  json.begin_list(Layout::one_line);
+  for (const double number : numbers) json.value(number);
+  json.end_list();
+}
+
+void write_requirements(JsonWriter& json, const Requirements& wanted) {
+  json.begin_object();
+  json.key("types");
+  json.begin_list(Layout::one_line);
+  for (const LinkageType type : wanted.types) json.value(name(type));
+  json.end_list();
+  json.member("no_defects", wanted.no_defects);
+  json.member("min_transmission_angle_deg", degrees_for_files(wanted.min_transmission_angle));
+  write_limit(json, "max_link_ratio", wanted.max_link_ratio);
+  write_limit(json, "max_length", wanted.max_length.value_or(Requirements::unlimited));
+  write_box(json, "ground_pivots_within", wanted.ground_pivots_within);
+  write_box(json, "moving_pivots_within", wanted.moving_pivots_within);
+  json.member("respect_direction", wanted.respect_direction);
+  json.end_object();
+}
+
+}  // namespace linkwright::wasm

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/json_writer.hpp"
+#include "linkwright/core/notice.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
+#include "linkwright/region/requirements.hpp"
+
+// The pieces that the replies to the page are written with (web/src/engine/protocol.ts).
+namespace linkwright::wasm {
+
+/// What `write` writes, as text.
+[[nodiscard]] std::string json_of(const std::function<void(JsonWriter&)>& write);
+
+/// {"code", "values", "message"}.
+void write_notice(JsonWriter& json, const Notice& notice);
+/// [{"code", "place", "message"}, …].
+[[nodiscard]] std::string mistakes_json(const std::vector<Error>& mistakes);
+/// [x, y], null for none.
+void write_point(JsonWriter& json, const std::optional<Point>& point);
+void write_numbers(JsonWriter& json, std::span<const double> numbers);
+/// As the problem file has them, all defaults filled in; what is switched off is null.
+void write_requirements(JsonWriter& json, const Requirements& wanted);
+
+}  // namespace linkwright::wasm

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "linkwright/io/problem_file.hpp"
+#include "linkwright/planar/display_order.hpp"
+#include "linkwright/planar/task_curve.hpp"
+#include "map_reply.hpp"
+#include "task_reply.hpp"
+
+namespace linkwright::wasm {
+
+/// What the page asks for with a map.
+struct ExploreRequest {
+  static constexpr int nearest_order = -1;
+
+  int samples = 400;
+  std::array<double, 2> input = {0, 1}, output = {0, 1};  ///< places
+  CellProperty property = CellProperty::min_transmission_angle;
+  int order = 0;  ///< code of a display order, or nearest_order: to the last one
+};
+
+/// Views are valid until the session is asked again.
+struct ExploreReply {
+  std::string task, census;  ///< JSON text; no census: there is no map
+  const DrawnCurves* curves = nullptr;
+  const JudgedMap* map = nullptr;
+  std::span<const double> input_tau, output_tau;
+};
+struct LinkageReply {
+  std::string linkage;  ///< JSON text
+  std::vector<double> states;
+};
+struct LiveReply {
+  std::vector<std::uint8_t> input, output;
+};
+struct HaloRequest {
+  int pose = 0;  ///< from 0
+  bool turn = false;
+  double reach = 0;  ///< user's unit, or radians
+  int steps = 13, samples = 60;
+};
+
+/// The engine of the page: one problem at a time, kept with all that was computed from it, so that what follows a
+/// dragged pose, a changed requirement or the pointer costs only what is new. The requests of
+/// web/src/engine/protocol.ts, without the browser.
+class Session {
+ public:
+  /// Reads a problem file; false where it has mistakes, and then the last good problem stays.
+  bool set_problem(std::string_view text);
+  /// Those of the last set_problem() or read(): JSON text of a list.
+  [[nodiscard]] const std::string& mistakes() const { return mistakes_; }
+  /// The normal form of a problem file; empty where it has mistakes.
+  [[nodiscard]] std::string read(std::string_view text);
+
+  [[nodiscard]] ExploreReply explore(const ExploreRequest& request);
+  [[nodiscard]] LinkageReply linkage(double input_tau, double output_tau);
+  [[nodiscard]] LiveReply live(double input_tau, double output_tau);
+  /// Cells that pass, row-major [dy][dx], or by turn.
+  [[nodiscard]] std::vector<std::uint32_t> halo(const HaloRequest& request);
+  /// JSON text: the list of `best`, the objects of `improve` and `verify`.
+  [[nodiscard]] std::string best(int most);
+  [[nodiscard]] std::string improve(double input_tau, double output_tau);
+  [[nodiscard]] std::string verify(double input_tau, double output_tau);
+  [[nodiscard]] std::vector<double> trace(double input_tau, double output_tau, Point traced);
+  /// A file: svg, dxf, csv, json or result. Empty where there is no four-bar to write.
+  [[nodiscard]] std::string exported(double input_tau, double output_tau, std::string_view format);
+
+ private:
+  void order_axes(const ExploreRequest& request);
+  void compute_map(const ExploreRequest& request);
+  [[nodiscard]] const DrawnCurves& drawn();
+  [[nodiscard]] Dyad dyad(double tau) const;
+  [[nodiscard]] bool has_dyads() const;
+
+  std::string text_, mistakes_ = "[]";
+  Problem problem_;
+  Requirements requirements_;  ///< the problem's, defaults filled in
+  std::optional<TaskCurve> given_;
+  std::optional<DrawnCurves> drawn_;
+  std::optional<DisplayOrder> order_;
+
+  struct MapKey {
+    int samples = 0, order = 0;
+    std::array<double, 2> input{}, output{};
+    Spacing spacing = Spacing::coordinate;
+    bool respect_direction = true;
+    friend bool operator==(const MapKey&, const MapKey&) = default;
+  };
+  std::optional<MapKey> mapped_;  ///< what map_ shows of the present task
+  JudgedMap map_;
+  std::vector<double> input_tau_, output_tau_;
+  RegionMap strip_, cell_;  ///< a row or a column, and a single cell
+};
+
+}  // namespace linkwright::wasm

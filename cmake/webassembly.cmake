@@ -1,0 +1,27 @@
+# What the WebAssembly build does without or finds elsewhere. Emscripten searches its own system root only, and /usr/include
+# as a whole would bring the host's C library along: the header-only libraries come through a folder of links.
+set(linkwright_host_headers "${PROJECT_BINARY_DIR}/host_headers")
+file(MAKE_DIRECTORY "${linkwright_host_headers}")
+function(linkwright_link_headers header folder)
+  find_path(found "${header}" PATHS /usr/include /usr/include/eigen3 /usr/local/include NO_DEFAULT_PATH
+                                    NO_CMAKE_FIND_ROOT_PATH NO_CACHE REQUIRED)
+  file(CREATE_LINK "${found}/${folder}" "${linkwright_host_headers}/${folder}" SYMBOLIC)
+endfunction()
+linkwright_link_headers(Eigen/SVD Eigen)
+linkwright_link_headers(fmt/format.h fmt)
+linkwright_link_headers(nlohmann/json.hpp nlohmann)
+
+foreach(target IN ITEMS Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json)
+  add_library(${target} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(${target} SYSTEM INTERFACE "${linkwright_host_headers}")
+endforeach()
+target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
+
+# Exceptions are WebAssembly's own; the paths of this machine stay out of the module.
+add_compile_options(-msimd128 -fwasm-exceptions "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=."
+                    "-ffile-prefix-map=${PROJECT_BINARY_DIR}=build")
+add_link_options(-fwasm-exceptions)
+
+# Pictures with a PNG inside need zlib; the page paints the region itself.
+set(linkwright_not_in_webassembly src/io/png_image.cpp src/io/region_picture.cpp src/io/region_figure.cpp
+                                  src/io/solution_drawing.cpp)

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwright/core/notice.hpp"
+#include "linkwright/planar/burmester_curve.hpp"
+#include "linkwright/planar/motion_task.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
+
+namespace linkwright {
+
+/// What a four-position task says before any two side links are paired: its conditions and all dyads that meet them.
+struct TaskCurve {
+  std::string pattern;  ///< as pattern()
+  PoseConditions conditions;
+  std::shared_ptr<const BurmesterCurve> curve;
+  std::vector<Notice> warnings;      ///< ill_conditioned {condition}, parallel_poses {poses}; none where degenerate
+  std::optional<Notice> degeneracy;  ///< why the dyads are no curve of four-bars: common_pole {x, y},
+                                     ///< translations_on_circle {x, y}, every_point, only_translations
+};
+
+/// `task` without mistakes (mistakes_in).
+[[nodiscard]] TaskCurve task_curve(const MotionTask& task);
+
+}  // namespace linkwright

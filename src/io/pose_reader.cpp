@@ -1,0 +1,60 @@
+#include "pose_reader.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::size_t most_derivatives = 4;  // of five infinitesimally close positions, the most that are ever told
+
+JsonObject object_of(const JsonValue& value, Mistakes& mistakes, std::initializer_list<std::string_view> known,
+                     OtherMembers others) {
+  return others == OtherMembers::refused ? JsonObject(value, mistakes, known) : JsonObject(value, mistakes, {});
+}
+
+std::optional<PoseDerivative> read_derivative(const JsonValue& value, Mistakes& mistakes, OtherMembers others) {
+  const JsonObject object = object_of(value, mistakes, {"x", "y", "theta"}, others);
+  const auto x = object.require_number("x");
+  const auto y = object.require_number("y");
+  const auto theta = object.require_number("theta");
+  if (!x || !y || !theta) return std::nullopt;
+  return PoseDerivative{{*x, *y}, *theta};
+}
+
+std::optional<std::vector<PoseDerivative>> read_derivatives(const JsonValue& value, Mistakes& mistakes,
+                                                            OtherMembers others) {
+  if (value.json().is_array() && value.json().size() > most_derivatives) {
+    value.mistake("derivative_count", fmt::format("{} derivatives are given; a pose has at most {}, remove the others",
+                                                  value.json().size(), most_derivatives));
+    return std::nullopt;
+  }
+  std::vector<PoseDerivative> derivatives;
+  bool complete = true;
+  const bool is_list =
+      value.for_each("a list of derivatives [{\"x\": …, \"y\": …, \"theta\": …}, …]", [&](const JsonValue& item) {
+        const auto derivative = read_derivative(item, mistakes, others);
+        if (derivative) derivatives.push_back(*derivative);
+        complete = complete && derivative.has_value();
+      });
+  if (!is_list || !complete) return std::nullopt;
+  return derivatives;
+}
+
+}  // namespace
+
+std::optional<PrescribedPose> read_pose(const JsonValue& value, Mistakes& mistakes, OtherMembers others) {
+  const JsonObject object = object_of(value, mistakes, {"x", "y", "theta_deg", "derivatives"}, others);
+  const auto x = object.require_number("x");
+  const auto y = object.require_number("y");
+  const auto theta = object.require_number("theta_deg");
+  std::optional<std::vector<PoseDerivative>> derivatives(std::in_place);
+  if (const auto found = object.find("derivatives")) derivatives = read_derivatives(*found, mistakes, others);
+  if (!x || !y || !theta || !derivatives) return std::nullopt;
+  return PrescribedPose{.pose = {{*x, *y}, radians(*theta)}, .derivatives = *std::move(derivatives)};
+}
+
+}  // namespace linkwright
