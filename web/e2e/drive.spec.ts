@@ -1,0 +1,338 @@
+// Walk-throughs 14 (drive), 18 (exports) and 24 (3-D).
+import {execFileSync} from "node:child_process";
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+import type {Download, Page} from "@playwright/test";
+import {analyze, expect, expect_accessible, keep_screenshot, open_workbench, read_state, solve, test} from "./support";
+
+/** Opens the example and waits for the picked linkage and its drive. */
+async function open_with_drive(page: Page): Promise<void> {
+  await page.addInitScript(() => localStorage.setItem("linkwright.preferences", '{"toured":true}')); // nothing moves by itself
+  await open_workbench(page);
+  await expect.poll(() => read_state(page, (workbench) => workbench.hand?.drive != null)).toBe(true);
+}
+/** Where the drive stands, and how far the body is there from a position (from 0). */
+function body_at(page: Page, pose: number) {
+  return read_state(page, (workbench, index) => {
+    const {states, ticks} = workbench.hand!.drive!, width = states.length / Math.round(states.length / 13);
+    const at = ticks[index].state * width, wanted = workbench.problem.task.poses[index];
+    const turn = ((states[at + 7] - wanted.theta_deg) / 360) % 1;
+    return {
+      angle: states[at] + 0, now: workbench.angle + 0, // no −0
+      away: Math.hypot(states[at + 5] - wanted.x, states[at + 6] - wanted.y), turned: Math.abs(turn - Math.round(turn)) * 360,
+    };
+  }, pose);
+}
+
+test.describe("drive", () => {
+  test("the scrub bar snaps to the positions, and the body is exactly there", async ({page}) => {
+    await open_with_drive(page);
+    const best = solve(await read_state(page, (workbench) => workbench.whole_problem)).linkages[0];
+    const [tau, sweep] = await read_state(page, (workbench) => [workbench.hand!.tau, workbench.hand!.driver_sweep_deg] as const);
+    expect(tau[0]).toBeCloseTo(best.input.coordinate, 9);
+    expect(sweep).toBeCloseTo(best.driver_sweep_deg, 9);
+    const bar = page.getByTestId("drive.angle");
+    for (const pose of [0, 1, 2, 3]) {
+      const dot = (await bar.locator(".name", {hasText: String(pose + 1)}).boundingBox({timeout: 5000}))!;
+      const box = (await bar.boundingBox())!;
+      await page.mouse.click(dot.x + dot.width / 2 + 4, box.y + 12); // four pixels beside it
+      const body = await body_at(page, pose);
+      expect(body.now).toBe(body.angle);
+      expect(body.away).toBeLessThan(1e-9);
+      expect(body.turned).toBeLessThan(1e-9);
+      await expect(bar).toHaveAttribute("aria-valuetext", new RegExp(`position ${pose + 1}$`));
+    }
+    expect((await body_at(page, 3)).angle - (await body_at(page, 0)).angle).toBeCloseTo(best.driver_sweep_deg, 9);
+  });
+
+  test("playing passes the positions in order and a rocker stops at its limit", async ({page}) => {
+    await open_with_drive(page);
+    await page.getByTestId("drive.whole_travel").click();
+    await page.locator("[data-speed='4']").click();
+    await page.getByTestId("drive.repeat").click(); // over and over
+    await page.getByTestId("drive.repeat").click(); // once
+    await page.getByTestId("drive.angle").focus();
+    await page.keyboard.press("Home");
+    const lit = read_state(page, (workbench) => new Promise<number[]>((resolve) => {
+      const passed: number[] = [], {get, set} = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(workbench), "lit_pose")!;
+      Object.defineProperty(workbench, "lit_pose", {
+        get: () => get!.call(workbench),
+        set(pose: number | null) {
+          if (pose !== null) passed.push(pose);
+          set!.call(workbench, pose);
+        },
+      });
+      const look = () => (workbench.playing || workbench.angle < 0 ? requestAnimationFrame(look) : resolve(passed));
+      look();
+    }));
+    await page.getByTestId("drive.play").click();
+    expect(await lit).toEqual([0, 1, 2, 3]);
+    const end = await read_state(page, ({hand, angle, playing}) => ({angle, playing, high: hand!.drive!.states.at(-13)!, limit: hand!.drive!.limits.high, dead: hand!.dead_points_deg}));
+    expect(end.playing).toBe(false);
+    expect(end.limit).toBe("dead_point");
+    expect(end.angle).toBe(end.high);
+    expect(Math.min(...end.dead.map((dead) => Math.abs(dead - end.high)))).toBeLessThan(1e-6);
+  });
+
+  test("keys move it by a degree or to the next position, and Step goes round", async ({page}) => {
+    await open_with_drive(page);
+    const bar = page.getByTestId("drive.angle");
+    const angle = () => read_state(page, (workbench) => workbench.angle);
+    await page.mouse.click((await bar.boundingBox())!.x + 2, (await bar.boundingBox())!.y + 12);
+    await page.keyboard.press("Shift+ArrowRight");
+    expect(await angle()).toBe(0);
+    await page.keyboard.press("ArrowRight");
+    expect(await angle()).toBeCloseTo(1, 12);
+    await page.keyboard.press("Shift+ArrowRight");
+    expect(await angle()).toBe((await body_at(page, 1)).angle);
+    for (const pose of [2, 3, 0]) {
+      await page.getByTestId("drive.step").click();
+      expect(await angle()).toBe((await body_at(page, pose)).angle);
+    }
+  });
+
+  test("plots show the value at the cursor, are tied to the bar and are saved as CSV", async ({page}) => {
+    await open_with_drive(page);
+    await page.getByTestId("drive.angle").focus();
+    await page.keyboard.press("Home");
+    await page.keyboard.press("Shift+ArrowRight");
+    const first = await read_state(page, ({hand}) => Array.from(hand!.drive!.states.slice(13 * hand!.drive!.ticks[0].state, 13 * hand!.drive!.ticks[0].state + 13)));
+    await expect(page.getByTestId("plot.value")).toHaveText(`${first[8].toFixed(1)}°`);
+    const over = page.getByTestId("plot.title").locator(".u-over");
+    const box = (await over.boundingBox())!;
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    expect(await read_state(page, (workbench) => workbench.angle)).toBeCloseTo((await body_at(page, 3)).angle / 2, 0);
+    for (const kind of ["coupler", "velocity", "advantage", "path"]) {
+      await page.getByTestId(`plot.${kind}`).click();
+      await expect(page.getByTestId("plot.value")).not.toHaveText(/NaN|^$/);
+    }
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId("plot.csv").click()]);
+    expect(download.suggestedFilename()).toMatch(/^tailgate-hinge-.*-path\.csv$/);
+    const lines = (await content(download)).toString().trim().split("\n");
+    expect(lines[0]).toBe("input_deg,x,y");
+    expect(lines[1].split(",").map(Number)).toEqual([0, 0, 0]);
+  });
+
+  test("who wants stillness gets steps", async ({page}) => {
+    await page.emulateMedia({reducedMotion: "reduce"});
+    await open_with_drive(page);
+    expect(await read_state(page, (workbench) => workbench.playing)).toBe(false);
+    const seen = read_state(page, (workbench) => new Promise<number[]>((resolve) => {
+      const stops = workbench.hand!.drive!.ticks.map((tick) => workbench.hand!.drive!.states[13 * tick.state]);
+      const angles: number[] = [workbench.angle], begin = workbench.angle;
+      const look = () => {
+        if (workbench.angle !== angles.at(-1)) angles.push(workbench.angle);
+        if (angles.length < 3) requestAnimationFrame(look);
+        else resolve(angles.filter((angle) => angle !== begin && !stops.includes(angle)));
+      };
+      look();
+    }));
+    await page.locator("[data-speed='4']").click();
+    await page.getByTestId("drive.play").click();
+    expect(await seen, "angles that are no position").toEqual([]);
+  });
+});
+
+// ---- exports ------------------------------------------------------------------------------------------------------
+
+async function content(download: Download): Promise<Buffer> {
+  return readFileSync(await download.path());
+}
+async function exported(page: Page, format: string): Promise<{name: string; bytes: Buffer}> {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(`export.${format}`).click()]);
+  return {name: download.suggestedFilename(), bytes: await content(download)};
+}
+async function open_exports(page: Page): Promise<void> {
+  await open_with_drive(page);
+  await read_state(page, (workbench) => void (workbench.dialog = "export"));
+  await expect(page.getByTestId("export.dialog")).toBeVisible();
+}
+function in_file<T>(name: string, bytes: Buffer, use: (path: string) => T): T {
+  const folder = mkdtempSync(join(tmpdir(), "linkwright-export-"));
+  try {
+    writeFileSync(join(folder, name), bytes);
+    return use(join(folder, name));
+  } finally {
+    rmSync(folder, {recursive: true});
+  }
+}
+const read_dxf = `
+import ezdxf, json, sys
+drawing = ezdxf.readfile(sys.argv[1])
+circles = {}
+for circle in drawing.modelspace().query("CIRCLE"):
+    circles.setdefault(circle.dxf.layer, []).append([circle.dxf.center.x, circle.dxf.center.y])
+print(json.dumps({"layers": sorted(l.dxf.name for l in drawing.layers), "units": drawing.units, "circles": circles, "errors": len(drawing.audit().errors)}))
+`;
+
+test.describe("exports", () => {
+  test("DXF: layers, millimetres, and pins as far apart as the numbers say", async ({page}) => {
+    await open_exports(page);
+    await expect_accessible(page, "dialog");
+    await keep_screenshot(page, "export");
+    const {name, bytes} = await exported(page, "dxf");
+    const {lengths, type} = await read_state(page, ({picked_linkage}) => ({lengths: picked_linkage!.lengths!, type: picked_linkage!.type}));
+    expect(name).toBe(`tailgate-hinge-${type}.dxf`);
+    await expect(page.getByTestId("export.status")).toContainText(name);
+    const drawing = in_file(name, bytes, (path) => JSON.parse(execFileSync("/usr/bin/python3", ["-c", read_dxf, path], {encoding: "utf8"})));
+    expect(drawing.errors).toBe(0);
+    expect(drawing.units).toBe(4); // mm
+    expect(drawing.layers).toEqual(expect.arrayContaining(["COUPLER", "COUPLER_CURVE", "GROUND", "INPUT", "OUTPUT", "POSITIONS"]));
+    for (const link of ["ground", "input", "coupler", "output"] as const) {
+      const [[x0, y0], [x1, y1]] = drawing.circles[link.toUpperCase()];
+      expect(Math.abs(Math.hypot(x1 - x0, y1 - y0) - lengths[link]), link).toBeLessThan(1e-6);
+    }
+  });
+
+  test("SVG is well-formed, CSV has its 361 rows, JSON is read by the program", async ({page}) => {
+    await open_exports(page);
+    const svg = await exported(page, "svg");
+    in_file(svg.name, svg.bytes, (path) => execFileSync("xmllint", ["--noout", "--nonet", path]));
+    expect(svg.bytes.toString()).toContain("<svg");
+
+    const csv = (await exported(page, "csv")).bytes.toString().trimEnd().split("\n");
+    expect(csv[0]).toMatch(/^input_angle_deg,coupler_angle_deg,output_angle_deg,input_circle_x,input_circle_y,/);
+    expect(csv).toHaveLength(1 + 361);
+    const columns = csv[0].split(",").length;
+    expect(csv.every((line) => line.split(",").length === columns)).toBe(true);
+
+    const json = await exported(page, "json");
+    const analysis = analyze(json.bytes.toString());
+    const {lengths, type} = await read_state(page, ({picked_linkage}) => ({lengths: picked_linkage!.lengths!, type: picked_linkage!.type}));
+    expect(analysis.type).toBe(type);
+    for (const link of ["ground", "input", "coupler", "output"] as const) expect(analysis.lengths[link]).toBeCloseTo(lengths[link], 9);
+
+    const result = JSON.parse((await exported(page, "result")).bytes.toString());
+    expect(result.status).toBe("solved");
+    const problem = JSON.parse((await exported(page, "problem")).bytes.toString());
+    expect(solve(problem).status).toBe("solved");
+  });
+
+  test("pictures and animations are what their names say", async ({page}) => {
+    await open_exports(page);
+    const png = await exported(page, "png");
+    expect(png.bytes.subarray(0, 8)).toEqual(Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]));
+    const drawing = (await page.getByTestId("drawing.canvas").boundingBox())!;
+    expect(Math.abs(png.bytes.readUInt32BE(16) - 2 * drawing.width)).toBeLessThanOrEqual(2);
+
+    const gif = await exported(page, "gif");
+    expect(gif.bytes.subarray(0, 6).toString()).toBe("GIF89a");
+    expect([gif.bytes.readUInt16LE(6), gif.bytes.readUInt16LE(8)]).toEqual([640, 480]);
+    expect(gif.bytes.at(-1)).toBe(0x3b);
+    expect(gif.bytes.length).toBeLessThan(3_000_000);
+    expect(gif.bytes.toString("latin1").split("\x21\xf9\x04").length - 1, "frames").toBeGreaterThanOrEqual(80);
+
+    if (await page.getByTestId("export.webm").isVisible()) {
+      const film = await exported(page, "webm");
+      expect(film.bytes.subarray(0, 4)).toEqual(Buffer.from([0x1a, 0x45, 0xdf, 0xa3]));
+      expect(film.bytes.length).toBeGreaterThan(10_000);
+    }
+  });
+
+  test("an animation can be stopped, and a pin is exported under its name", async ({page}) => {
+    await open_with_drive(page);
+    await read_state(page, (workbench) => workbench.pin());
+    await read_state(page, (workbench) => void (workbench.dialog = "export"));
+    await page.getByTestId("export.gif").click();
+    await page.getByTestId("export.stop").click();
+    await expect(page.getByTestId("export.gif")).toBeEnabled();
+    await expect(page.getByTestId("export.status")).toHaveText("");
+    await page.locator("[data-pin='A']").click();
+    expect((await exported(page, "dxf")).name).toBe("tailgate-hinge-A.dxf");
+    await page.keyboard.press("Escape");
+    await expect(page.getByTestId("export.dialog")).toBeHidden();
+  });
+
+  test("the print sheet is one page with drawing, map, numbers and link", async ({page}) => {
+    await page.addInitScript(() => {
+      window.print = () => {
+        dispatchEvent(new Event("beforeprint"));
+        document.documentElement.dataset.printed = "yes";
+      };
+    });
+    await open_exports(page);
+    await page.getByTestId("export.print").click();
+    await page.waitForFunction(() => document.documentElement.dataset.printed === "yes");
+    await page.emulateMedia({media: "print"});
+    const sheet = page.getByTestId("export.sheet");
+    await expect(sheet).toBeVisible();
+    await expect(sheet.locator("h1")).toHaveText("Tailgate hinge");
+    expect(await sheet.locator("img").evaluate((image: HTMLImageElement) => image.complete && image.naturalWidth > 0)).toBe(true);
+    expect(await sheet.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
+      const {data} = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+      return new Set(new Uint32Array(data.buffer)).size;
+    })).toBeGreaterThan(8);
+    await expect(sheet).toContainText(/#1\./); // the link
+    const pdf = (await page.pdf({preferCSSPageSize: true})).toString("latin1");
+    expect(pdf.match(/\/Type \/Page\b(?!s)/g)).toHaveLength(1);
+  });
+});
+
+// ---- 3-D ----------------------------------------------------------------------------------------------------------
+
+/** Some pixels of the 3-D picture, to tell one from another. */
+function solid_print(page: Page): Promise<string> {
+  return page.getByTestId("solid.figure").locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [96, 96];
+    const context = copy.getContext("2d", {willReadFrequently: true})!;
+    context.drawImage(canvas, 0, 0, 96, 96);
+    const data = new Uint32Array(context.getImageData(0, 0, 96, 96).data.buffer);
+    let sum = 0;
+    for (const pixel of data) sum = (Math.imul(sum, 31) + pixel) | 0;
+    return new Set(data).size > 20 ? String(sum) : "blank";
+  });
+}
+async function changed_from(page: Page, before: string): Promise<string> {
+  await expect.poll(() => solid_print(page)).not.toBe(before);
+  return solid_print(page);
+}
+
+test.describe("3-D", () => {
+  test("shows the linkage, plays and turns", async ({page}) => {
+    await open_with_drive(page);
+    await read_state(page, (workbench) => void (workbench.solid = true));
+    await expect(page.getByTestId("solid.figure")).toBeVisible();
+    let print = await changed_from(page, "blank");
+    await keep_screenshot(page, "solid");
+
+    await page.getByTestId("drive.step").click();
+    print = await changed_from(page, print);
+    await page.getByTestId("drive.play").click();
+    print = await changed_from(page, print);
+    await page.getByTestId("drive.play").click();
+    await expect.poll(() => read_state(page, (workbench) => workbench.playing)).toBe(false);
+
+    const box = (await page.getByTestId("solid.figure").boundingBox())!;
+    print = await solid_print(page);
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2 + 40, {steps: 4});
+    await page.mouse.up();
+    print = await changed_from(page, print);
+    await page.getByTestId("solid.figure").focus();
+    await page.keyboard.press("ArrowLeft");
+    await changed_from(page, print);
+
+    await page.getByTestId("solid.layers").click();
+    await expect(page.locator("#solid_layers")).toContainText("Coupler");
+    await expect_accessible(page, ".solid");
+    await read_state(page, (workbench) => void (workbench.solid = false));
+    await expect(page.getByTestId("solid.figure")).toHaveCount(0);
+    await expect(page.getByTestId("drawing.canvas")).toBeVisible();
+  });
+
+  test("without WebGL the flat view stays and a sentence says so", async ({page}) => {
+    await page.addInitScript(() => {
+      const get_context = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+        return /webgl/.test(kind) ? null : (get_context as (...all: unknown[]) => unknown).call(this, kind, ...rest);
+      } as typeof get_context;
+    });
+    await open_with_drive(page);
+    await read_state(page, (workbench) => void (workbench.solid = true));
+    await expect.poll(() => read_state(page, (workbench) => [workbench.solid, workbench.toasts.some((toast) => toast.key === "state.no_webgl")])).toEqual([false, true]);
+    await expect(page.getByTestId("drawing.canvas")).toBeVisible();
+  });
+});

@@ -1,0 +1,553 @@
+// The page as a whole: first start, files, links, languages, phones, keys, and an engine that dies. The numbers of the
+// tests are the walk-throughs'.
+import type {BrowserContext, Page} from "@playwright/test";
+import {closeSync, openSync, readFileSync, writeSync} from "node:fs";
+import {dirname, join, resolve} from "node:path";
+import {fileURLToPath} from "node:url";
+import {expect, expect_accessible, keep_screenshot, map_pixel, open_workbench, read_state, run_program, test, until_ready} from "./support";
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+const bad_problems = join(root, "data/bad_problems");
+
+interface Shown {
+  map: string;
+  picked: string;
+  pins: string;
+  poses: string;
+}
+/** What is on screen, by what it is drawn from. Waits until the map is the problem's at 1000². */
+async function shown(page: Page): Promise<Shown> {
+  await page.waitForFunction(() => {
+    const {workbench, ready} = globalThis.__linkwright!;
+    const {picked, picked_linkage} = workbench;
+    return ready && workbench.map!.samples === 1000 && picked !== null && picked_linkage?.tau.join() === picked.tau.join();
+  });
+  return read_state(page, ({map, picked, pins, problem}) => {
+    let sum = 0x811c9dc5;
+    for (const bytes of [map!.type, map!.defects, map!.fails]) for (const byte of bytes) sum = Math.imul(sum ^ byte, 0x01000193);
+    return {
+      map: `${map!.samples} ${sum >>> 0}`,
+      picked: picked!.tau.join(),
+      pins: JSON.stringify(pins.map(({name, note, tau}) => [name, note, tau])),
+      poses: JSON.stringify(problem.task.poses.map(({x, y, theta_deg}) => [x, y, theta_deg])),
+    };
+  });
+}
+async function move_a_pose(page: Page, x = -222): Promise<void> {
+  await read_state(page, (workbench, value) => {
+    workbench.edit((problem) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose, i) => (i === 2 ? {...pose, x: value} : pose))}}));
+  }, x);
+}
+async function file_menu(page: Page, item: string): Promise<void> {
+  await page.getByTestId("file.menu").click();
+  await page.getByTestId(item).click();
+}
+async function open_files(page: Page, path: string): Promise<void> {
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), file_menu(page, "file.open")]);
+  await chooser.setFiles(path);
+}
+const toasts = (page: Page) => page.getByTestId("toast.title");
+
+// ---- 1 ----------------------------------------------------------------------------------------------------------
+
+test("1 · first start: a map, a count, the tour, nothing in anyone's way", async ({page}) => {
+  await page.goto("/");
+  const colors = () =>
+    page.getByTestId("region.map").locator("canvas").first().evaluate((canvas: HTMLCanvasElement) => {
+      const style = getComputedStyle(document.documentElement);
+      const wanted = ["double_crank", "triple_rocker_input", "triple_rocker_output", "crank_rocker", "rocker_crank"].map((name) => parseInt(style.getPropertyValue(`--${name}`).trim().slice(1), 16));
+      if (canvas.width === 0) return 0;
+      const {data} = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+      const found = new Set<number>();
+      for (let i = 0; i < data.length; i += 4) found.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+      return wanted.filter((color) => found.has(color)).length;
+    });
+  await expect.poll(colors, {timeout: 2000}).toBeGreaterThanOrEqual(3);
+  await expect(page.getByTestId("chip.title")).toContainText(/159.600 four-bars.*97.477 free of defects.*25.608 meet your requirements/);
+  await expect(page.locator(".tour_hint")).toContainText("1 of 3 · Drag a frame.");
+  await until_ready(page);
+  await expect(page.getByTestId("chip.title")).toContainText(/159.600 four-bars/);
+  await expect_accessible(page);
+});
+
+test("1 · the linkage opens once, and the tour goes with what one does and never comes back", async ({page}) => {
+  await page.goto("/");
+  await until_ready(page);
+  await page.waitForFunction(() => globalThis.__linkwright!.workbench.stage < 1);
+  await page.waitForFunction(() => Math.abs(globalThis.__linkwright!.workbench.stage - 2.45) < 1e-9);
+
+  const disc = page.getByRole("button", {name: /3/}).locator("visible=true").first();
+  await expect(page.locator(".tour_hint")).toContainText("1 of 3");
+  await read_state(page, (workbench) => {
+    workbench.begin_gesture();
+    workbench.drag((problem) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose, i) => (i === 2 ? {...pose, x: -222} : pose))}}));
+  });
+  await expect(disc).toBeAttached();
+  await read_state(page, (workbench) => workbench.end_gesture());
+  await expect(page.locator(".tour_hint")).toContainText("2 of 3 · Move over the map.");
+  const from = await map_pixel(page, [0.7, 0.1]), to = await map_pixel(page, [0.3, 0.4]);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.move(to.x, to.y, {steps: 24});
+  await expect(page.locator(".tour_hint")).toContainText("3 of 3 · Click to keep it,");
+  await page.mouse.click(to.x, to.y);
+  await expect(page.locator(".tour_hint")).toBeHidden();
+  await page.reload();
+  await until_ready(page);
+  await expect(page.locator(".tour_hint")).toBeHidden();
+  await page.getByTestId("help.keys").click();
+  await page.getByTestId("help.tour").click();
+  await expect(page.locator(".tour_hint")).toContainText("1 of 3");
+  await page.keyboard.press("Escape");
+  await expect(page.locator(".tour_hint")).toBeHidden();
+});
+
+// ---- 6 ----------------------------------------------------------------------------------------------------------
+
+test("6 · from the start to a DXF by keys alone, the focus always in sight", async ({page}) => {
+  await open_workbench(page);
+  await shown(page);
+  const unseen: string[] = [];
+  const look = async () => {
+    const fault = await page.evaluate(() => {
+      const element = document.activeElement as HTMLElement | SVGElement;
+      if (element === document.body) return "nothing has the focus";
+      const {outlineStyle, outlineWidth, boxShadow} = getComputedStyle(element), box = element.getBoundingClientRect();
+      const marked = element.matches(":focus-visible") && ((outlineStyle !== "none" && parseFloat(outlineWidth) >= 1) || boxShadow !== "none" || element.closest("svg") !== null);
+      const inside = box.right > 0 && box.bottom > 0 && box.left < innerWidth && box.top < innerHeight;
+      return marked && inside ? null : `${element.tagName} ${element.getAttribute("data-testid") ?? element.getAttribute("aria-label") ?? element.className}`;
+    });
+    if (fault) unseen.push(fault);
+  };
+  const tab_to = async (testid: string) => {
+    for (let i = 0; i < 150; ++i) {
+      await page.keyboard.press("Tab");
+      await look();
+      if ((await page.evaluate(() => document.activeElement?.getAttribute("data-testid"))) === testid) return;
+    }
+    throw new Error(`Tab never comes to ${testid}`);
+  };
+  await tab_to("region.map");
+  const before = await read_state(page, (workbench) => workbench.picked!.tau);
+  for (const key of ["ArrowDown", "Shift+ArrowDown", "ArrowLeft", "Enter"]) await page.keyboard.press(key);
+  await expect.poll(() => read_state(page, (workbench) => workbench.picked!.tau)).not.toEqual(before);
+  await page.waitForFunction(() => {
+    const {picked, picked_linkage, hand} = globalThis.__linkwright!.workbench;
+    return picked_linkage?.tau.join() === picked!.tau.join() && hand?.tau.join() === picked!.tau.join();
+  });
+  const title = await page.getByTestId("num.title").locator("h2, strong, .card_head").first().innerText();
+  await expect(page.locator("#region_spoken")).toContainText(title.split("\n")[0].trim());
+  await page.keyboard.press("p");
+  await expect.poll(() => read_state(page, (workbench) => workbench.pins.length)).toBe(1);
+  await tab_to("export.title");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("export.dxf")).toBeVisible();
+  for (let i = 0; i < 30 && (await page.evaluate(() => document.activeElement?.getAttribute("data-testid"))) !== "export.dxf"; ++i) await page.keyboard.press("Tab");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Enter")]);
+  expect(download.suggestedFilename()).toMatch(/^tailgate-hinge.*\.dxf$/);
+  expect(unseen).toEqual([]);
+});
+
+// ---- 15 ---------------------------------------------------------------------------------------------------------
+
+test("15 · saved, another task, opened again: all as it was, and the program reads it", async ({page}, info) => {
+  await open_workbench(page);
+  await page.getByTestId("view.language").click();
+  await move_a_pose(page);
+  await shown(page);
+  await read_state(page, (workbench) => workbench.pin());
+  const before = await shown(page);
+  const [download] = await Promise.all([page.waitForEvent("download"), file_menu(page, "file.save")]);
+  const path = info.outputPath(download.suggestedFilename());
+  await download.saveAs(path);
+  const text = readFileSync(path, "utf8");
+  expect(JSON.parse(run_program("solve", text, "-o", "-")).status).toBe("solved");
+
+  await file_menu(page, "file.new");
+  await page.getByTestId("new.create").click();
+  const other = await shown(page);
+  expect(other.map).not.toBe(before.map);
+  await open_files(page, path);
+  await expect.poll(() => shown(page)).toEqual(before);
+  expect(await read_state(page, (workbench) => workbench.file_name)).toBe(download.suggestedFilename());
+  await expect(page.locator("html")).toHaveAttribute("lang", "zh-CN");
+
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => shown(page)).toEqual(other);
+  await page.keyboard.press("Control+y");
+  await expect.poll(() => shown(page)).toEqual(before);
+});
+
+test("15 · work outlives a reload, and what an example replaced can be had back", async ({page}) => {
+  await open_workbench(page);
+  await move_a_pose(page);
+  await shown(page);
+  await read_state(page, (workbench) => workbench.pin());
+  const before = await shown(page);
+  await page.reload();
+  await until_ready(page);
+  expect(await shown(page)).toEqual(before);
+
+  await file_menu(page, "file.examples");
+  await page.getByTestId("example.landing_gear").click();
+  await expect(page.getByTestId("file.menu")).toContainText("Landing gear");
+  const landing_gear = await shown(page);
+  await page.reload();
+  await until_ready(page);
+  expect(await shown(page)).toEqual(landing_gear);
+  await file_menu(page, "file.recover");
+  await expect.poll(() => shown(page)).toEqual(before);
+});
+
+test("15 · a file dropped on the page is opened", async ({page}) => {
+  await open_workbench(page);
+  const text = readFileSync(join(root, "examples/dump_bucket.json"), "utf8");
+  await page.evaluate((content) => {
+    const data = new DataTransfer();
+    data.items.add(new File([content], "dump_bucket.json", {type: "application/json"}));
+    for (const type of ["dragover", "drop"]) document.querySelector("aside")!.dispatchEvent(new DragEvent(type, {dataTransfer: data, bubbles: true, cancelable: true}));
+  }, text);
+  await expect(page).toHaveTitle(/Dump bucket/);
+  await expect(toasts(page)).toContainText("“dump_bucket.json” opened.");
+});
+
+// ---- 16 ---------------------------------------------------------------------------------------------------------
+
+async function copied_link(page: Page, context: BrowserContext): Promise<string> {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.getByTestId("share.link").click();
+  await expect(toasts(page)).toContainText(/Link copied \(\d.*characters\)/);
+  return page.evaluate(() => navigator.clipboard.readText());
+}
+
+test("16 · a link is the task, and a broken one opens nothing", async ({page, context, browser}) => {
+  await open_workbench(page);
+  await move_a_pose(page);
+  await shown(page);
+  await read_state(page, (workbench) => workbench.pin());
+  const before = await shown(page);
+  const link = await copied_link(page, context);
+  expect(link.length).toBeLessThan(4000);
+
+  const elsewhere = await browser.newContext({locale: "en-GB"});
+  const other = await elsewhere.newPage();
+  await open_workbench(other, link);
+  await expect.poll(() => shown(other)).toEqual(before);
+  expect(new URL(other.url()).hash).toBe(""); // from now on it is work like any other
+  await other.reload();
+  await until_ready(other);
+  expect(await shown(other)).toEqual(before);
+  await elsewhere.close();
+
+  const at = link.length - 40, broken = link.slice(0, at) + (link[at] === "A" ? "B" : "A") + link.slice(at + 1);
+  const again = await browser.newContext({locale: "en-GB"});
+  const third = await again.newPage();
+  await open_workbench(third, broken);
+  await expect(toasts(third)).toContainText("This link is damaged and was not opened: some of its characters were lost or changed on the way. Your work is unchanged.");
+  await expect(third).toHaveTitle(/Tailgate hinge/);
+  expect((await shown(third)).poses).toBe("[[0,0,0],[-125,75,-25],[-220,220,-52],[-220,450,-82]]");
+
+  await third.evaluate((hash) => void (location.hash = hash), new URL(link).hash); // pasted into the address
+  await expect.poll(() => shown(third)).toEqual(before);
+  await third.evaluate(() => void (location.hash = `#1.${"A".repeat(70_000)}`));
+  await expect(toasts(third)).toContainText("This link is longer than 64 kB and was not opened.");
+  expect(await shown(third)).toEqual(before);
+  await again.close();
+});
+
+// ---- 17 ---------------------------------------------------------------------------------------------------------
+
+test("17 · files that are no problems get their sentences, and nothing changes", async ({page}, info) => {
+  await open_workbench(page);
+  await move_a_pose(page);
+  await shown(page);
+  const before = await read_state(page, (workbench) => JSON.stringify(workbench.whole_problem));
+  const {files} = JSON.parse(readFileSync(join(bad_problems, "expected.json"), "utf8")) as {files: Record<string, [place: string, message: string][]>};
+  const names = [
+    "cut_short.json", "not_a_number.json", "three_poses.json", "unknown_key.json", "empty.json", "duplicate_key.json", "nested_too_deep.json",
+    "missing_angle.json", "overflow.json", "trailing_comma.json",
+  ];
+  for (const name of names) {
+    await open_files(page, join(bad_problems, name));
+    const [place, message] = files[name][0];
+    await expect(toasts(page)).toContainText(`“${name}” is not a Linkwright problem: ${place}`);
+    await expect(toasts(page)).toContainText(message);
+    await expect(toasts(page)).toContainText("Your work is unchanged.");
+  }
+  await open_files(page, join(bad_problems, "newer_version.json"));
+  await expect(toasts(page)).toContainText("This file was written by a newer Linkwright (version 2; this is 1). Reload the page to get the newest.");
+  await open_files(page, join(bad_problems, "invalid_utf8.json"));
+  await expect(toasts(page)).toContainText("“invalid_utf8.json” is not a Linkwright problem: this is not UTF-8 text");
+
+  const brackets = info.outputPath("brackets.json"), file = openSync(brackets, "w"), million = Buffer.alloc(1 << 20, "[");
+  for (let i = 0; i < 200; ++i) writeSync(file, million);
+  closeSync(file);
+  await open_files(page, brackets);
+  await expect(toasts(page)).toContainText("“brackets.json” is larger than 16 MB and was not opened.");
+  expect(await read_state(page, (workbench) => JSON.stringify(workbench.whole_problem))).toBe(before);
+});
+
+// ---- 19 ---------------------------------------------------------------------------------------------------------
+
+test("19 · the engine dies in the middle of a map, and nothing is lost", async ({page}) => {
+  await open_workbench(page);
+  await move_a_pose(page);
+  const before = await shown(page);
+  const killed = page.evaluate(() => new Promise<number>((resolve) => {
+    const {workbench, kill_engine} = globalThis.__linkwright as unknown as {workbench: {map: {samples: number}; engine: {busy: boolean}; fine: boolean; edit(change: (problem: object) => object): void}; kill_engine(): void};
+    workbench.edit((problem) => ({...problem, requirements: {...(problem as {requirements: object}).requirements, max_link_ratio: 7}}));
+    const look = () => {
+      if (!(workbench.fine && workbench.engine.busy)) return void setTimeout(look, 1);
+      kill_engine();
+      resolve(performance.now());
+    };
+    look();
+  }));
+  await killed;
+  await expect(toasts(page)).toContainText("The engine stopped and was started again. Nothing was lost.");
+  await page.waitForFunction(() => globalThis.__linkwright!.ready && globalThis.__linkwright!.workbench.map!.samples === 1000, null, {timeout: 3000});
+  const requirements = await read_state(page, (workbench) => workbench.problem.requirements!.max_link_ratio);
+  expect(requirements).toBe(7);
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => shown(page)).toEqual(before);
+  await page.keyboard.press("Control+z");
+  expect(await read_state(page, ({can_undo, problem}) => [can_undo, problem.task.poses[2].x])).toEqual([false, -220]);
+});
+
+// ---- 21 ---------------------------------------------------------------------------------------------------------
+
+/** Words of Latin letters that are seen or spoken, but for names, units and signs. */
+function latin_words(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const allowed = /^(Linkwright|English|mm|DXF|SVG|PNG|CSV|JSON|GIF|WebM|A4|A3|MB|kB|PP?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
+    const texts: string[] = [];
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+      if (node instanceof Text) {
+        const parent = node.parentElement!;
+        if (!["SCRIPT", "STYLE"].includes(parent.tagName) && parent.checkVisibility()) texts.push(node.data);
+      } else if (node instanceof Element && node.checkVisibility()) {
+        for (const name of ["aria-label", "title", "placeholder", "aria-valuetext"]) texts.push(node.getAttribute(name) ?? "");
+      }
+    }
+    const words = texts.flatMap((text) => text.match(/[A-Za-z][A-Za-z'’]*/g) ?? []);
+    return [...new Set(words.filter((word) => !allowed.test(word)))];
+  });
+}
+
+test("21 · in Chinese nothing is left in English, in the dark all can be read, and both are kept", async ({page}) => {
+  await open_workbench(page);
+  await shown(page);
+  await read_state(page, (workbench) => workbench.pin());
+  await page.getByTestId("view.language").click();
+  await page.getByTestId("view.theme").click();
+  await expect(page.locator("html")).toHaveAttribute("lang", "zh-CN");
+  await expect(page).toHaveTitle("汽车尾门铰链 · Linkwright");
+  expect(await latin_words(page)).toEqual([]);
+  await expect_accessible(page);
+  await keep_screenshot(page, "wide-dark-zh");
+  for (const dialog of ["examples", "keys", "new", "export", "compare"] as const) {
+    await read_state(page, (workbench, name) => void (workbench.dialog = name), dialog);
+    await expect(page.locator("dialog[open]")).toBeVisible();
+    expect(await latin_words(page), dialog).toEqual([]);
+    await expect_accessible(page);
+    await page.keyboard.press("Escape");
+    await expect(page.locator("dialog[open]")).toHaveCount(0);
+  }
+  await open_files(page, join(bad_problems, "missing_angle.json"));
+  await expect(toasts(page)).toContainText("“missing_angle.json” 不是有效的任务文件:task.poses[2].theta_deg:缺少此项,请补上。当前工作未改变。");
+  await page.reload();
+  await until_ready(page);
+  await expect(page.locator("html")).toHaveAttribute("lang", "zh-CN");
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+  await expect(page.getByTestId("chip.title")).toContainText(/个满足要求/);
+});
+
+test("21 · the browser's own language and theme come first", async ({browser}) => {
+  const context = await browser.newContext({locale: "zh-CN", colorScheme: "dark"});
+  const page = await context.newPage();
+  await page.goto("/");
+  await expect(page.locator("html")).toHaveAttribute("lang", "zh-CN");
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+  await context.close();
+});
+
+// ---- 22 ---------------------------------------------------------------------------------------------------------
+
+test.describe("22 · on a phone", () => {
+  test.use({viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true});
+
+  /** Controls with less than 44 px in one direction, the drawing's handles apart (they have a reach of their own). */
+  function small_controls(page: Page): Promise<string[]> {
+    return page.evaluate(() => {
+      const all = [...document.querySelectorAll<HTMLElement>("button, a[href], input, select, summary, [role=tab], [role=slider], [role=menuitem]")];
+      const shown = all.filter((element) => element.checkVisibility({visibilityProperty: true, opacityProperty: true}) && !element.closest("svg, .unseen"));
+      const reach = (element: HTMLElement) => (element.closest("label") ?? element).getBoundingClientRect();
+      return shown.filter((element) => {
+        const box = reach(element), own = element.getBoundingClientRect();
+        return own.width > 0 && (Math.max(box.width, own.width) < 43.5 || Math.max(box.height, own.height) < 43.5);
+      }).map((element) => `${element.tagName} ${element.dataset.testid ?? element.ariaLabel ?? element.textContent} ${JSON.stringify(reach(element))}`);
+    });
+  }
+  const sideways = (page: Page) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+
+  test("drawing and map are in sight together, and every control has room for a finger", async ({page}) => {
+    await open_workbench(page);
+    await shown(page);
+    for (const place of ["drawing.canvas", "region.map", "drive.title"]) {
+      const box = (await page.getByTestId(place).boundingBox())!;
+      expect(box.x, place).toBeGreaterThanOrEqual(-1);
+      expect(box.x + box.width, place).toBeLessThanOrEqual(391);
+      expect(box.y + box.height, place).toBeLessThanOrEqual(844);
+      expect(Math.min(box.width, box.height), place).toBeGreaterThan(40);
+    }
+    expect(await sideways(page)).toBe(0);
+    expect(await small_controls(page)).toEqual([]);
+    await expect_accessible(page);
+    await keep_screenshot(page, "phone");
+
+    const drawing = (await page.getByTestId("drawing.canvas").boundingBox())!;
+    for (const tab of ["tab.task", "tab.limits", "tab.numbers", "tab.pins"]) {
+      await page.getByTestId(tab).tap();
+      const sheet = (await page.locator(".sheet").boundingBox())!;
+      expect(sheet.y, tab).toBeGreaterThanOrEqual(drawing.y + drawing.height - 1); // it covers the map, not the drawing
+      expect(await sideways(page), tab).toBe(0);
+      expect(await small_controls(page), tab).toEqual([]);
+    }
+    await page.getByTestId("tab.map").tap();
+    await expect(page.locator(".sheet")).toHaveCount(0);
+    await page.getByTestId("file.menu").tap();
+    expect(await small_controls(page)).toEqual([]);
+  });
+
+  test("a finger on the map looks 56 px above itself, and picks there", async ({page}) => {
+    await open_workbench(page);
+    await shown(page);
+    const aim = await map_pixel(page, [0.7, 0.3]);
+    const session = await page.context().newCDPSession(page);
+    const touch = (type: string, points: {x: number; y: number}[]) => session.send("Input.dispatchTouchEvent", {type: type as "touchStart", touchPoints: points});
+    await touch("touchStart", [{x: aim.x - 30, y: aim.y + 30}]);
+    await touch("touchMove", [{x: aim.x - 10, y: aim.y + 50}]);
+    await touch("touchMove", [{x: aim.x, y: aim.y + 56}]);
+    await page.waitForFunction(() => globalThis.__linkwright!.workbench.hovered !== null);
+    const wanted = await page.evaluate(() => {
+      const {workbench} = globalThis.__linkwright!;
+      return {hovered: workbench.hovered!, rows: workbench.map!.input_tau.length};
+    });
+    await touch("touchEnd", []);
+    await expect.poll(() => read_state(page, (workbench) => workbench.picked!.place)).not.toBeNull();
+    const place = await read_state(page, (workbench) => workbench.picked!.place!);
+    expect(await read_state(page, (workbench) => workbench.picked!.tau)).toEqual(wanted.hovered);
+    expect(place[0]).toBeCloseTo(0.7, 2);
+    expect(place[1]).toBeCloseTo(0.3, 2);
+  });
+
+  test("on its side, drawing and map stand beside each other", async ({page}) => {
+    await page.setViewportSize({width: 844, height: 390});
+    await open_workbench(page);
+    const drawing = (await page.getByTestId("drawing.canvas").boundingBox())!, map = (await page.getByTestId("region.map").boundingBox())!;
+    expect(drawing.x + drawing.width).toBeLessThanOrEqual(map.x);
+    expect(map.y + map.height).toBeLessThanOrEqual(390);
+    expect(await sideways(page)).toBe(0);
+    await keep_screenshot(page, "phone-landscape");
+  });
+});
+
+// ---- the frame --------------------------------------------------------------------------------------------------
+
+test("columns are as wide as one wants, within limits, also after a reload", async ({page}) => {
+  await open_workbench(page);
+  const splitter = page.getByTestId("splitter.left"), width = () => page.locator("aside.left").evaluate((element) => Math.round(element.getBoundingClientRect().width));
+  const box = (await splitter.boundingBox())!;
+  await page.mouse.move(box.x + 4, 500);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 54, 500, {steps: 3});
+  await page.mouse.up();
+  await expect.poll(width).toBe(318);
+  await page.reload();
+  await until_ready(page);
+  await expect.poll(width).toBe(318);
+  await splitter.focus();
+  for (let i = 0; i < 10; ++i) await page.keyboard.press("ArrowLeft");
+  await expect.poll(width).toBe(240);
+  await splitter.dblclick();
+  await expect.poll(width).toBe(268);
+});
+
+test("keys reach the whole page, but never a text", async ({page}) => {
+  await open_workbench(page);
+  await shown(page);
+  await page.keyboard.press("f");
+  await expect(page.getByTestId("region.map")).toBeHidden();
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("region.map")).toBeVisible();
+  await page.keyboard.press("m");
+  await expect(page.getByTestId("drawing.canvas")).toBeHidden();
+  await page.getByTestId("view.leave_full").click();
+  await expect(page.getByTestId("drawing.canvas")).toBeVisible();
+
+  await file_menu(page, "file.rename");
+  await page.getByTestId("file.title").fill("");
+  await page.keyboard.type("M f p?");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("file.menu")).toContainText("M f p?");
+  expect(await read_state(page, ({full, pins, dialog, problem}) => [full, pins.length, dialog, problem.title])).toEqual(["none", 0, null, "M f p?"]);
+  await page.keyboard.press("Control+z");
+  await expect(page.getByTestId("file.menu")).toContainText("Tailgate hinge");
+
+  await page.keyboard.press("?");
+  await expect(page.getByTestId("dialog.keys")).toContainText("Play or pause");
+  await page.keyboard.press("Escape");
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.keyboard.press("Control+o")]);
+  expect(chooser.isMultiple()).toBe(false);
+  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
+  expect(download.suggestedFilename()).toBe("tailgate-hinge.json");
+});
+
+test("a laptop has its panels over the drawing, never over the map", async ({page}) => {
+  await page.setViewportSize({width: 1024, height: 768});
+  await open_workbench(page);
+  await shown(page);
+  const map = (await page.getByTestId("region.map").boundingBox())!;
+  for (const name of ["rail.task", "rail.limits", "rail.pins"]) {
+    await page.getByTestId(name).click();
+    const sheet = (await page.locator("#rail_sheet").boundingBox())!;
+    expect(sheet.x + sheet.width).toBeLessThan(map.x);
+    await expect(page.getByTestId(name)).toHaveAttribute("aria-expanded", "true");
+    if (name === "rail.limits") await keep_screenshot(page, "laptop");
+  }
+  await expect_accessible(page);
+  await page.getByTestId("rail.pins").click();
+  await expect(page.locator("#rail_sheet")).toBeHidden();
+  await expect(page.getByTestId("chip.title")).toHaveText(/^25.608 meet your requirements$/);
+});
+
+test("pictures of the main states", async ({page}) => {
+  await open_workbench(page);
+  await shown(page);
+  for (const tau of [[1.3125, 1.1025], [0.9525, 1.4575]] as const) {
+    await read_state(page, (workbench, pair) => workbench.pick(pair as [number, number]), tau);
+    await shown(page);
+    await read_state(page, (workbench) => workbench.pin());
+  }
+  await read_state(page, (workbench) => { for (const toast of workbench.toasts) workbench.dismiss(toast.id); });
+  await keep_screenshot(page, "wide-light");
+
+  await page.getByTestId("view.solid").click();
+  await expect(page.locator(".figure canvas, canvas.figure, [data-testid='solid.figure'] canvas").first()).toBeVisible();
+  await keep_screenshot(page, "solid");
+  await page.getByTestId("view.flat").click();
+
+  const disc = (await page.locator("[data-testid='task.handle.3'], [data-testid='drawing.disc.3']").first().boundingBox().catch(() => null)) ?? null;
+  if (disc) {
+    await page.mouse.move(disc.x + disc.width / 2, disc.y + disc.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(disc.x + disc.width / 2 + 3, disc.y + disc.height / 2 + 3, {steps: 3});
+    await page.waitForFunction(() => globalThis.__linkwright!.workbench.halo !== null);
+    await keep_screenshot(page, "dragging");
+    await page.keyboard.press("Escape");
+    await page.mouse.up();
+  }
+  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, requirements: {...problem.requirements, min_transmission_angle_deg: 89}})));
+  await expect.poll(() => read_state(page, (workbench) => workbench.census?.meeting)).toBe(0);
+  await keep_screenshot(page, "none-left");
+});

@@ -1,0 +1,169 @@
+// What the browser tests share: a page that must not complain, the page's state, and the program to compare with.
+import {test as base, expect, type Locator, type Page} from "@playwright/test";
+import {execFileSync} from "node:child_process";
+import {mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {createRequire} from "node:module";
+import {tmpdir} from "node:os";
+import {dirname, join, resolve} from "node:path";
+import {fileURLToPath} from "node:url";
+import type {TauPair} from "../src/engine/protocol";
+import type {Workbench} from "../src/state/workbench.svelte";
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+const program = process.env.LINKWRIGHT_CLI ? resolve(root, "web", process.env.LINKWRIGHT_CLI) : join(root, "build/release/bin/linkwright");
+const screenshots = join(root, "build/web-screenshots");
+
+/** Where the page says what it holds (App.svelte, region/MapCanvas.svelte). */
+interface Hook {
+  workbench: Workbench;
+  ready: boolean;
+  map_hash(): string;
+  map_point(place: TauPair): Pixel;
+}
+declare global {
+  var __linkwright: Hook | undefined;
+}
+
+// What Chromium says of drawing without a graphics card, and of requests that a reload cut short.
+const harmless = /^\[\.WebGL-|GPU stall|software WebGL/;
+const cut_short = "net::ERR_ABORTED";
+
+/** What a page complained of. A test that expects complaints takes them out. */
+export class Complaints {
+  readonly all: string[] = [];
+
+  constructor(page: Page) {
+    page.on("console", (message) => {
+      if (/^(error|warning)$/.test(message.type()) && !harmless.test(message.text())) this.all.push(`${message.type()}: ${message.text()}`);
+    });
+    page.on("pageerror", (error) => this.all.push(`exception: ${error.stack ?? error.message}`));
+    page.on("crash", () => this.all.push("the page crashed"));
+    page.on("requestfailed", (request) => {
+      const reason = request.failure()?.errorText;
+      if (reason !== cut_short) this.all.push(`request failed: ${request.url()} ${reason}`);
+    });
+  }
+  /** Removes the complaints that were expected; there must be some. */
+  expect_and_forget(pattern: RegExp): void {
+    const left = this.all.filter((complaint) => !pattern.test(complaint));
+    expect(left.length, `a complaint like ${pattern}`).toBeLessThan(this.all.length);
+    this.all.splice(0, this.all.length, ...left);
+  }
+}
+
+/** The tests' `test`: with the complaints of the page, which must be none in the end. */
+export const test = base.extend<{complaints: Complaints}>({
+  complaints: [
+    async ({page}, use) => {
+      const complaints = new Complaints(page);
+      await use(complaints);
+      expect(complaints.all, "complaints of the page").toEqual([]);
+    },
+    {auto: true},
+  ],
+});
+export {expect};
+
+/** Opens the page and waits until the engine has answered. */
+export async function open_workbench(page: Page, address = "/"): Promise<void> {
+  await page.addInitScript(() => {
+    if (!localStorage.getItem("linkwright.preferences")) localStorage.setItem("linkwright.preferences", '{"toured": true}'); // no first start: no tour, no opening
+  });
+  await page.goto(address);
+  await until_ready(page);
+}
+export async function until_ready(page: Page): Promise<void> {
+  await page.waitForFunction(() => globalThis.__linkwright?.ready === true, null, {timeout: 20_000});
+}
+
+/** What `read` finds in the page's state. It runs in the page: of all that is outside of it, it sees its argument only. */
+export async function read_state<T, A = undefined>(page: Page, read: (workbench: Workbench, argument: A) => T, argument?: A): Promise<T> {
+  const workbench = await page.evaluateHandle(() => globalThis.__linkwright!.workbench);
+  try {
+    return (await workbench.evaluate(read as never, argument)) as T;
+  } finally {
+    await workbench.dispose();
+  }
+}
+
+// ---- places on the page -----------------------------------------------------------------------------------------
+
+export interface Pixel {
+  x: number;
+  y: number;
+}
+/** Where a pair of places on the two axes of the map lies on the page: input upwards, output to the right. */
+export function map_pixel(page: Page, place: TauPair): Promise<Pixel> {
+  return page.evaluate(([given]) => globalThis.__linkwright!.map_point(given), [place] as const);
+}
+/** Tells two pictures of the map apart. */
+export function map_hash(page: Page): Promise<string> {
+  return page.evaluate(() => globalThis.__linkwright!.map_hash());
+}
+/** Where the middle of a thing on the page lies: what is dragged. */
+export async function middle_of(thing: Locator): Promise<Pixel> {
+  const box = (await thing.boundingBox())!;
+  return {x: box.x + box.width / 2, y: box.y + box.height / 2};
+}
+/** Drags from one pixel to another in steps, as a hand does; `before_release` runs while the button is held. */
+export async function drag(page: Page, from: Pixel, to: Pixel, steps = 10, before_release?: () => Promise<void>): Promise<void> {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, {steps});
+  await before_release?.();
+  await page.mouse.up();
+}
+
+// ---- accessibility ----------------------------------------------------------------------------------------------
+
+const axe_source = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** No violations of WCAG 2.2 A and AA, as far as axe-core sees, in the page or a part of it. */
+export async function expect_accessible(page: Page, part = "html"): Promise<void> {
+  await page.evaluate(axe_source); // by the debugger, which the page's Content-Security-Policy does not bind
+  const violations = await page.evaluate(async (selector) => {
+    const {axe} = globalThis as unknown as {axe: {run(part: string, options: object): Promise<{violations: Violation[]}>}};
+    interface Violation {
+      id: string;
+      help: string;
+      nodes: {target: unknown[]; failureSummary?: string}[];
+    }
+    const found = await axe.run(selector, {runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]});
+    return found.violations.map(({id, help, nodes}) => ({id, help, where: nodes.slice(0, 5).map((node) => `${node.target.join(" ")}: ${node.failureSummary}`)}));
+  }, part);
+  expect(violations, "violations of accessibility").toEqual([]);
+}
+
+// ---- pictures ---------------------------------------------------------------------------------------------------
+
+/** Keeps a picture of a main state in build/web-screenshots, for people. */
+export async function keep_screenshot(page: Page, name: string): Promise<void> {
+  mkdirSync(screenshots, {recursive: true});
+  await page.screenshot({path: join(screenshots, `${name}.png`), animations: "disabled"});
+}
+
+// ---- the program ------------------------------------------------------------------------------------------------
+
+/** Runs `linkwright` with a file made of `content` as its first argument; its standard output. */
+export function run_program(command: string, content: unknown, ...flags: string[]): string {
+  const folder = mkdtempSync(join(tmpdir(), "linkwright-"));
+  try {
+    const file = join(folder, "input.json");
+    writeFileSync(file, typeof content === "string" ? content : JSON.stringify(content));
+    return execFileSync(program, [command, file, ...flags], {encoding: "utf8", maxBuffer: 1 << 28, timeout: 60_000});
+  } finally {
+    rmSync(folder, {recursive: true});
+  }
+}
+/** The program's result for a problem. */
+export function solve(problem: unknown, ...flags: string[]): any {
+  return JSON.parse(run_program("solve", problem, "-o", "-", ...flags));
+}
+/** The program's analysis of a linkage. */
+export function analyze(linkage: unknown, ...flags: string[]): any {
+  return JSON.parse(run_program("analyze", linkage, "-o", "-", ...flags));
+}
+/** A problem of examples/, its comments taken out. */
+export function example(name: string): any {
+  return JSON.parse(readFileSync(join(root, `examples/${name}.json`), "utf8").replace(/^\s*\/\/.*$/gm, ""));
+}

@@ -1,0 +1,144 @@
+// What a click or a key does to the thing under it.
+import type {Point} from "../engine/protocol";
+import {body_point, outline_of, placed, round_step, with_pose, with_poses, with_view, type Pose} from "../state/problem";
+import {bend_of, travel_of, with_bend, with_travel} from "../task/travel";
+import {point_at, spot_of_tau, type Spot} from "./curve_samples";
+import {ordered, with_box} from "./drags/box_drags";
+import type {Bench} from "./drags/drag";
+import {add_corner, corner_at, remove_corner, with_outline, without_corner} from "./drags/outline_drags";
+import {with_side} from "./drags/pivot_drag";
+import {inside, target_id, type Target} from "./handles";
+import {multiple, wrapped_deg} from "./snapping";
+import {stepped} from "./sliding";
+import {to_screen, to_user} from "./viewport";
+
+export function focus_handle(svg: SVGSVGElement, target: Target): void {
+  svg.querySelector<SVGElement>(`[data-testid="drawing.${target_id(target)}"]`)?.focus({preventScroll: true});
+}
+
+/** A click on a target. */
+export function click_target(bench: Bench, target: Target, shift: boolean): void {
+  const {workbench, scene} = bench;
+  if ("pose" in target) workbench.selected_pose = target.pose;
+  else if (target.kind === "curve") put_side_link(bench, target.spot, shift);
+  else if (target.kind === "midpoint") add_corner(bench, target.index);
+  else if (target.kind === "corner") scene.corner = target.index;
+}
+
+/** The nearer side link of the picked linkage goes to the place; with Shift the other one. */
+export function put_side_link({workbench, scene}: Bench, spot: Spot, other: boolean): void {
+  const picked = workbench.picked, linkage = workbench.picked_linkage, samples = scene.samples;
+  const place = samples && point_at(samples, spot.curve, spot);
+  if (!picked || !place) return;
+  const away = (point: Point | null | undefined) => (point ? Math.hypot(point[0] - place[0], point[1] - place[1]) : Infinity);
+  const input_nearer = away(linkage?.input[spot.curve]) <= away(linkage?.output[spot.curve]);
+  workbench.pick(with_side(picked.tau, input_nearer !== other ? "input" : "output", spot.tau));
+}
+
+/** A click on the canvas of a task that is not complete adds a position. */
+export function add_position({workbench, scene}: Bench, at: Point): void {
+  const [x, y] = to_user(scene.view, at), snap = (value: number) => multiple(value, scene.snap_step ?? 10 ** Math.floor(Math.log10(scene.step / 8)));
+  const last = scene.poses.at(-1);
+  scene.touched = true;
+  workbench.edit((problem) => with_poses(problem, [...problem.task.poses, {x: snap(x), y: snap(y), theta_deg: last?.theta_deg ?? 0}]));
+  workbench.selected_pose = scene.poses.length - 1;
+}
+
+/** Traces the body point under the pointer, or ends tracing the one that is there. */
+export function toggle_traced({workbench, scene}: Bench, at: Point): void {
+  const pose = body_under(scene, at), traced = workbench.problem.view?.traced ?? [];
+  if (!pose) return;
+  const near = traced.findIndex((p) => {
+    const [x, y] = to_screen(scene.view, placed(p, pose));
+    return Math.hypot(x - at[0], y - at[1]) < 10;
+  });
+  const fine = 10 ** Math.floor(Math.log10(scene.step / 8)), [x, y] = body_point(to_user(scene.view, at), pose);
+  const point: Point = [multiple(x, fine), multiple(y, fine)];
+  workbench.edit((problem) => with_view(problem, {traced: near >= 0 ? traced.filter((_, i) => i !== near) : [...traced, point]}));
+}
+function body_under(scene: Bench["scene"], at: Point): Pick<Pose, "x" | "y" | "theta_deg"> | null {
+  const covers = (pose: Pick<Pose, "x" | "y" | "theta_deg">) => inside(scene.outline.map((p) => to_screen(scene.view, placed(p, pose))), at);
+  const now = scene.now?.pose ?? null;
+  if (now && covers(now)) return now;
+  return scene.poses.find(covers) ?? now ?? scene.poses[0] ?? null;
+}
+
+// ---- outline by clicks ----------------------------------------------------------------------------------------
+
+export function add_draft_corner(bench: Bench, at: Point): void {
+  const {scene} = bench, draft = scene.draft ?? [], first = draft[0];
+  if (first && draft.length >= 3) {
+    const [x, y] = to_screen(scene.view, placed(first, scene.outline_pose!));
+    if (Math.hypot(x - at[0], y - at[1]) <= 12) return close_draft(bench);
+  }
+  scene.draft = [...draft, corner_at(bench, at)];
+}
+export function close_draft({workbench, scene}: Bench): void {
+  const {draft} = scene;
+  if (draft && draft.length >= 3) workbench.edit((problem) => with_outline(problem, draft));
+  if (draft && (draft.length >= 3 || draft.length === 0)) scene.draft = null;
+}
+
+// ---- keys -----------------------------------------------------------------------------------------------------
+
+/** Arrow keys on a handle: one step, with Shift ten, with Alt a tenth. */
+export function nudge(bench: Bench, target: Target, dx: number, dy: number, times: number): void {
+  const {workbench, scene} = bench, step = scene.step * times, merge = `nudge ${target_id(target)}`;
+  const add = (value: number, by: number) => Number((value + by).toPrecision(12)) + 0;
+  const change_pose = (index: number, change: (pose: Pose) => Pose) =>
+    workbench.edit((problem) => with_poses(problem, problem.task.poses.map((p, i) => (i === index ? change(p) : p))), merge);
+  scene.touched = true;
+  if ("pose" in target) workbench.selected_pose = target.pose;
+  const turn = (dy || -dx) * times;
+  switch (target.kind) {
+    case "disc": case "body":
+      return workbench.edit((problem) => with_pose(problem, target.pose, {x: add(scene.poses[target.pose].x, dx * step), y: add(scene.poses[target.pose].y, dy * step)}), merge);
+    case "knob": return change_pose(target.pose, (p) => ({...p, theta_deg: wrapped_deg(add(p.theta_deg, turn))}));
+    case "velocity": return change_pose(target.pose, (p) => with_travel(p, {direction_deg: wrapped_deg(add(travel_of(p)?.direction_deg ?? 0, turn))}));
+    case "curvature": return change_pose(target.pose, (p) => with_bend(p, {curvature: add(bend_of(p)?.curvature ?? 0, turn * bend_step(scene.view.scale))}));
+    case "corner": {
+      const outline = scene.outline, [x, y] = outline[target.index];
+      return workbench.edit((problem) => with_outline(problem, outline.map((p, i) => (i === target.index ? [add(x, dx * step), add(y, dy * step)] : p))), merge);
+    }
+    case "box": return nudge_box(bench, target, dx * step, dy * step, merge);
+    case "pivot": return nudge_pivot(bench, target, (dx || dy) * times, merge);
+  }
+}
+function bend_step(scale: number): number {
+  return round_step(scale / 2000);
+}
+function nudge_box({workbench, scene}: Bench, {box, edges}: Extract<Target, {kind: "box"}>, dx: number, dy: number, merge: string): void {
+  const before = box === "ground" ? scene.ground_box : scene.moving_box;
+  if (!before) return;
+  const whole = edges.x === 0 && edges.y === 0, add = (value: number, by: number) => Number((value + by).toPrecision(12));
+  const along = ([low, high]: readonly [number, number], edge: number, by: number) =>
+    ordered(whole || edge < 0 ? add(low, by) : low, whole || edge > 0 ? add(high, by) : high);
+  const moved = {x: along(before.x, edges.x, dx), y: along(before.y, edges.y, dy)};
+  if (moved.x[1] > moved.x[0] && moved.y[1] > moved.y[0]) workbench.edit((problem) => with_box(problem, box, moved), merge);
+}
+function nudge_pivot({workbench, scene}: Bench, {side, end}: Extract<Target, {kind: "pivot"}>, steps: number, merge: string): void {
+  const {picked} = workbench, {samples} = scene;
+  const spot = picked && samples && spot_of_tau(samples, end, picked.tau[side === "input" ? 0 : 1]);
+  if (!picked || !samples || !spot) return;
+  workbench.pick(with_side(picked.tau, side, stepped(samples, end, scene.view, spot, steps * scene.step * scene.view.scale).tau), merge);
+}
+
+/** Del on a handle. */
+export function remove_target({workbench, scene}: Bench, target: Target): boolean {
+  const bench = {workbench, scene};
+  switch (target.kind) {
+    case "corner":
+      if (without_corner(outline_of(workbench.problem), target.index) === outline_of(workbench.problem)) return false;
+      remove_corner(bench, target.index);
+      return true;
+    case "box":
+      workbench.edit((problem) => with_box(problem, target.box, undefined));
+      return true;
+    case "disc":
+      workbench.edit((problem) => with_poses(problem, problem.task.poses.filter((_, i) => i !== target.pose)));
+      workbench.selected_pose = null;
+      return true;
+    default:
+      return false;
+  }
+}

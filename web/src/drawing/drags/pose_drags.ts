@@ -1,0 +1,135 @@
+// Dragging a position: its place, its angle, its direction and curvature of travel.
+import type {Point} from "../../engine/protocol";
+import {poses_extent, round_step, with_pose, with_poses, type Pose, type Problem} from "../../state/problem";
+import {with_bend, with_travel} from "../../task/travel";
+import {notice_text} from "../../texts/texts.svelte";
+import {curvature_reach, arm_length, travel_direction, type Target} from "../handles";
+import {angle_note, point_note, radius_note} from "../words";
+import {snapped_angle, snapped_point, wrapped_deg, type Keys} from "../snapping";
+import {to_screen} from "../viewport";
+import {align_px, finish, grid, pixel, Way, type Bench, type Drag} from "./drag";
+
+type PoseTarget = Extract<Target, {pose: number}>;
+const halo_turn_deg = 30;
+
+/** Thirteen squares side by side, of a round size, make about an eighth of the poses' extent to each side. */
+export function halo_reach(poses: readonly Pose[]): number {
+  const step = poses_extent(poses) / 48, up = round_step(step);
+  const down = round_step(step / 2.5 * 1.0001);
+  return 6 * (up / step < step / down ? up : down);
+}
+
+function begin(bench: Bench, target: PoseTarget, halo: "move" | "turn" | null): Pose {
+  const {workbench, scene} = bench, pose = scene.poses[target.pose];
+  workbench.begin_gesture();
+  workbench.held_pose = target.pose;
+  scene.held = target;
+  if (halo && !workbench.incomplete) {
+    scene.pressed_pose = pose;
+    void workbench.fetch_halo(target.pose, halo, halo === "move" ? halo_reach(scene.poses) : halo_turn_deg);
+  }
+  return pose;
+}
+function tell(bench: Bench, at: Point, text: string): void {
+  const [mistake] = bench.workbench.refusal ?? [];
+  bench.scene.note = {at, text, reason: mistake ? notice_text({code: mistake.code, values: {}, message: mistake.message}) : null};
+}
+/** The same pose, however it was changed meanwhile. */
+function changed(problem: Problem, index: number, change: (pose: Pose) => Pose): Problem {
+  return with_poses(problem, problem.task.poses.map((pose, i) => (i === index ? change(pose) : pose)));
+}
+
+export function move_drag(bench: Bench, target: PoseTarget, from: Point): Drag {
+  const {workbench, scene} = bench, start = begin(bench, target, "move"), way = new Way(scene, from);
+  return {
+    cursor: "move",
+    move(at, keys) {
+      const others = scene.poses.filter((_, i) => i !== target.pose), {x, y} = way.to(at, keys);
+      const {point, guides} = snapped_point([start.x, start.y], [start.x + x, start.y + y], grid(scene, others), keys, pixel(scene.view));
+      scene.guides = guides;
+      workbench.drag((problem) => with_pose(problem, target.pose, {x: point[0], y: point[1]}));
+      tell(bench, at, point_note(point, scene.step, workbench.unit));
+    },
+    end: () => finish(bench, true),
+    cancel: () => finish(bench, false),
+  };
+}
+
+/** Follows the pointer's direction from the origin; the farther away, the finer. */
+class Turning {
+  private last: number;
+  turned = 0;
+  constructor(
+    private readonly origin: Point,
+    from: Point,
+  ) {
+    this.last = this.direction(from);
+  }
+  private direction(at: Point): number {
+    return (Math.atan2(this.origin[1] - at[1], at[0] - this.origin[0]) * 180) / Math.PI;
+  }
+  to(at: Point, keys: Keys): number {
+    const now = this.direction(at);
+    this.turned += wrapped_deg(now - this.last) * (keys.fine ? 0.1 : 1);
+    this.last = now;
+    return this.turned;
+  }
+  length(at: Point): number {
+    return Math.max(Math.hypot(at[0] - this.origin[0], at[1] - this.origin[1]), arm_length);
+  }
+}
+function near_deg(length: number): number {
+  return (align_px / length) * (180 / Math.PI);
+}
+
+export function turn_drag({workbench, scene}: Bench, target: PoseTarget, from: Point): Drag {
+  const bench = {workbench, scene}, start = begin(bench, target, "turn");
+  const turning = new Turning(to_screen(scene.view, [start.x, start.y]), from);
+  return {
+    cursor: "grabbing",
+    move(at, keys) {
+      const others = scene.poses.filter((_, i) => i !== target.pose).map((p) => p.theta_deg), length = turning.length(at);
+      const {angle} = snapped_angle(start.theta_deg + turning.to(at, keys), others, near_deg(length), grid(scene).on, keys);
+      scene.arm = length;
+      workbench.drag((problem) => with_pose(problem, target.pose, {theta_deg: angle}));
+      tell(bench, at, `θ ${angle_note(angle)}`);
+    },
+    end: () => finish(bench, true),
+    cancel: () => finish(bench, false),
+  };
+}
+
+export function velocity_drag(bench: Bench, target: PoseTarget, from: Point): Drag {
+  const {workbench, scene} = bench, start = begin(bench, target, null), along = travel_direction(start) ?? [1, 0];
+  const turning = new Turning(to_screen(scene.view, [start.x, start.y]), from);
+  const first = (Math.atan2(-along[1], along[0]) * 180) / Math.PI;
+  return {
+    cursor: "grabbing",
+    move(at, keys) {
+      const {angle} = snapped_angle(first + turning.to(at, keys), [], 0, grid(scene).on, keys);
+      workbench.drag((problem) => changed(problem, target.pose, (pose) => with_travel(pose, {direction_deg: angle})));
+      tell(bench, at, angle_note(angle));
+    },
+    end: () => finish(bench, true),
+    cancel: () => finish(bench, false),
+  };
+}
+
+export function curvature_drag(bench: Bench, target: PoseTarget): Drag {
+  const {workbench, scene} = bench;
+  begin(bench, target, null);
+  return {
+    cursor: "grabbing",
+    move(at) {
+      const pose = scene.poses[target.pose], along = travel_direction(pose), origin = to_screen(scene.view, [pose.x, pose.y]);
+      if (!along) return;
+      const rise = (at[0] - origin[0]) * along[1] - (at[1] - origin[1]) * along[0];
+      const raw = (2 * rise * scene.view.scale) / curvature_reach ** 2;
+      const curvature = Math.abs(rise) < 4 ? 0 : Number(raw.toPrecision(3));
+      workbench.drag((problem) => changed(problem, target.pose, (p) => with_bend(p, {curvature})));
+      tell(bench, at, `r ${radius_note(scene.poses[target.pose], scene)}`);
+    },
+    end: () => finish(bench, true),
+    cancel: () => finish(bench, false),
+  };
+}

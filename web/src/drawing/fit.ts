@@ -1,0 +1,28 @@
+// What the drawing shows when a task is opened, and when one asks for everything.
+import type {Linkage, Point} from "../engine/protocol";
+import {placed, type Pose, type Problem} from "../state/problem";
+import {bounds, fitted, type Margins, type Viewport} from "./viewport";
+
+export function body_points(poses: readonly Pose[], outline: readonly Point[], has_body: boolean): Point[] {
+  return poses.flatMap((pose) => [[pose.x, pose.y] as Point, ...(has_body ? outline.map((p) => placed(p, pose)) : [])]);
+}
+/** Pivots that lie near enough to the rest to be shown with it. */
+export function useful_pivots(linkage: Linkage | null, around: readonly Point[]): Point[] {
+  const box = bounds(around);
+  if (!linkage || !box) return [];
+  const reach = 1.5 * Math.max(box.x[1] - box.x[0], box.y[1] - box.y[0]);
+  return [linkage.input.center, linkage.output.center, linkage.input.circle, linkage.output.circle].filter(
+    (p): p is Point => p !== null && p[0] > box.x[0] - reach && p[0] < box.x[1] + reach && p[1] > box.y[0] - reach && p[1] < box.y[1] + reach,
+  );
+}
+export function box_points({requirements}: Problem): Point[] {
+  return [requirements?.ground_pivots_within, requirements?.moving_pivots_within].flatMap((box) => (box ? [[box.x[0], box.y[0]] as Point, [box.x[1], box.y[1]] as Point] : []));
+}
+
+/** Room for what floats over the drawing: the tool row above, a sentence or the tour's hint below. */
+export function margins(phone: boolean, hint: boolean): Margins {
+  return phone ? {left: 16, right: 16, top: 16, bottom: 16} : {left: 20, right: 20, top: 48, bottom: hint ? 100 : 28};
+}
+export function view_of(points: readonly Point[], width: number, height: number, around: Margins): Viewport {
+  return fitted(bounds(points) ?? {x: [-250, 250], y: [-200, 200]}, width, height, around);
+}

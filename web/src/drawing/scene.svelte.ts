@@ -1,0 +1,160 @@
+// The drawing's own state: what part it shows, what the pointer is over, what is being drawn. Not part of the task.
+import {getContext, setContext, untrack} from "svelte";
+import type {Box, Point} from "../engine/protocol";
+import {state_at} from "../state/drive";
+import {preferences} from "../state/preferences.svelte";
+import {body_point, outline_of, placed, type Pose} from "../state/problem";
+import {screen_size} from "../state/screen.svelte";
+import type {Workbench} from "../state/workbench.svelte";
+import {curve_samples, nearest, point_at, type Spot} from "./curve_samples";
+import {
+  border_hit, box_handles, corner_handles, edge_cursor, inside, pivot_handles, pose_handles, ranks, target_id, within_reach,
+  type BoxName, type Handle, type Target,
+} from "./handles";
+import {grid_step, to_screen, type Viewport} from "./viewport";
+import type {Guide} from "./snapping";
+
+export interface Note {
+  at: Point;
+  text: string;
+  /** Why it does not work here. */
+  reason?: string | null;
+}
+/** The linkage as it stands: at the drive's angle, or, without a drive, at the nearest position. */
+export interface Now {
+  pose: {x: number; y: number; theta_deg: number};
+  input: Point | null;
+  output: Point | null;
+}
+const curve_reach = [8, 20] as const;
+
+export class Scene {
+  view = $state.raw<Viewport>({x: 0, y: 0, scale: 1, width: 0, height: 0});
+  /** The user has zoomed, panned or edited: the view is his. */
+  touched = $state(false);
+  hovered = $state.raw<Target | null>(null);
+  /** What is being dragged. */
+  held = $state.raw<Target | null>(null);
+  note = $state.raw<Note | null>(null);
+  guides = $state.raw<readonly Guide[]>([]);
+  spot = $state.raw<Spot | null>(null);
+  /** A held pose as it was pressed: the halo lies about it. */
+  pressed_pose = $state.raw<Pose | null>(null);
+  /** Pixels from the origin to the pointer that turns a pose. */
+  arm = $state<number | null>(null);
+  rubber = $state.raw<{box: BoxName; shape: Box} | null>(null);
+  /** Corners clicked so far, body coordinates; null: the outline there is is being edited. */
+  draft = $state.raw<readonly Point[] | null>(null);
+  corner = $state<number | null>(null);
+  pointer = $state.raw<Point | null>(null);
+  /** Two points of the background picture whose distance is known. */
+  marks = $state.raw<readonly Point[]>([]);
+  focused = $state<string | null>(null);
+
+  constructor(readonly workbench: Workbench) {}
+
+  // ---- what there is ------------------------------------------------------------------------------------------
+
+  readonly poses = $derived.by(() => this.workbench.problem.task.poses);
+  readonly outline = $derived.by(() => outline_of(this.workbench.problem));
+  /** Without an outline of its own, the body is sized from the poses, so it takes two. */
+  readonly has_body = $derived.by(() => this.poses.length > 1 || (this.poses.length === 1 && (this.workbench.problem.view?.outline?.length ?? 0) >= 3));
+  readonly ground_box = $derived.by(() => this.workbench.problem.requirements?.ground_pivots_within ?? null);
+  readonly moving_box = $derived.by(() => this.workbench.problem.requirements?.moving_pivots_within ?? null);
+
+  readonly samples = $derived.by(() => {
+    const task = this.workbench.task;
+    if (!task || task.curves.tau.length < 2 || task.axis.branches.length === 0) return null;
+    const poses = untrack(() => this.poses), count = poses.length || 1;
+    return curve_samples(task, [poses.reduce((sum, p) => sum + p.x, 0) / count, poses.reduce((sum, p) => sum + p.y, 0) / count]);
+  });
+
+  readonly now = $derived.by((): Now | null => {
+    const {hand} = this.workbench;
+    if (!hand || this.poses.length === 0) return null;
+    if (hand.drive) {
+      const s = state_at(hand.drive, this.workbench.angle);
+      return {pose: s, input: [s.ax, s.ay], output: [s.bx, s.by]};
+    }
+    const pose = this.nearest_pose;
+    const carried = (point: Point | null) => point && placed(body_point(point, this.poses[0]), pose);
+    return {pose, input: carried(hand.input.circle), output: carried(hand.output.circle)};
+  });
+  /** The position nearest to where the drive stands. */
+  get nearest_pose(): Pose {
+    return this.poses[Math.min(Math.max(Math.round(this.workbench.stage), 0), this.poses.length - 1)];
+  }
+  /** The pose on which the outline is edited. */
+  readonly outline_pose = $derived.by(() => this.poses[this.workbench.selected_pose ?? 0] ?? this.poses[0] ?? null);
+
+  readonly box_handles = $derived.by(() => [
+    ...(this.ground_box ? box_handles("ground", this.ground_box, this.view) : []),
+    ...(this.moving_box ? box_handles("moving", this.moving_box, this.view) : []),
+  ]);
+  readonly pose_handles = $derived.by(() => pose_handles(this.workbench.problem, this.view, this.workbench.selected_pose, screen_size.kind === "phone"));
+  readonly pivot_handles = $derived.by(() => (this.workbench.hand && this.now ? pivot_handles(this.workbench.hand, this.now, this.view) : []));
+  readonly corner_handles = $derived.by(() => {
+    const editing = this.workbench.mode === "outline" && this.draft === null && this.outline_pose;
+    return editing ? corner_handles(this.outline, this.outline_pose, this.view) : [];
+  });
+  /** In reading order. */
+  readonly handles = $derived.by((): Handle[] => [...this.corner_handles, ...this.pose_handles, ...this.pivot_handles, ...this.box_handles]);
+
+  readonly step = $derived(grid_step(this.view));
+  /** What the status line says of snapping: step in the user's unit, or nothing while it is off. */
+  get snap_step(): number | null {
+    return preferences.snap ? this.step : null;
+  }
+
+  // ---- what is under the pointer ------------------------------------------------------------------------------
+
+  /** All targets at a point of the screen, the first to be taken first. */
+  targets_at(at: Point, touch: boolean): {target: Target; cursor: string}[] {
+    const boxes = this.boxes_at(at, touch), near = within_reach([...this.handles.filter((h) => h.target.kind !== "box" || h.cursor !== "move"), ...boxes], at, touch);
+    return [...near.filter(unique), ...this.curves_at(at, touch), ...this.bodies_at(at)];
+  }
+  private boxes_at(at: Point, touch: boolean): Handle[] {
+    const found: Handle[] = [];
+    for (const [name, box] of [["ground", this.ground_box], ["moving", this.moving_box]] as const) {
+      const hit = box && border_hit(box, this.view, at, touch ? 20 : 8);
+      if (!hit) continue;
+      const target: Target = {kind: "box", box: name, edges: hit.edges};
+      found.push({id: target_id(target), target, at, rank: ranks.box + hit.distance / 1000, reach: [8, 20], cursor: edge_cursor(hit.edges), tab: false});
+    }
+    return found;
+  }
+  private bodies_at(at: Point): {target: Target; cursor: string}[] {
+    if (!this.has_body) return [];
+    const found = this.poses.flatMap((pose, i) =>
+      inside(this.outline.map((p) => to_screen(this.view, placed(p, pose))), at) ? [{target: {kind: "body", pose: i} as Target, cursor: "move"}] : []);
+    const first = found.findIndex(({target}) => target.kind === "body" && target.pose === this.workbench.selected_pose);
+    return first > 0 ? [...found.splice(first, 1), ...found] : found;
+  }
+  private curves_at(at: Point, touch: boolean): {target: Target; cursor: string}[] {
+    const samples = this.samples;
+    if (!samples) return [];
+    return (["center", "circle"] as const)
+      .flatMap((curve) => nearest(samples, curve, this.view, at) ?? [])
+      .filter((spot) => spot.distance <= curve_reach[touch ? 1 : 0])
+      .sort((a, b) => a.distance - b.distance)
+      .map((spot) => ({target: {kind: "curve", spot} as Target, cursor: "pointer"}));
+  }
+
+  /** Both ends of the side link at a spot, as in position 1. */
+  dyad_at(spot: Spot): {center: Point | null; circle: Point | null} | null {
+    const samples = this.samples;
+    return samples && {center: point_at(samples, "center", spot), circle: point_at(samples, "circle", spot)};
+  }
+}
+
+function unique(handle: Handle, index: number, all: readonly Handle[]): boolean {
+  return all.findIndex((h) => h.id === handle.id) === index;
+}
+
+const key = Symbol("scene");
+export function provide_scene(scene: Scene): Scene {
+  return setContext(key, scene);
+}
+export function use_scene(): Scene {
+  return getContext<Scene>(key);
+}

@@ -1,0 +1,180 @@
+import {afterEach, beforeEach, describe, expect, it, vi} from "vitest";
+import {Crashed, EngineClient, Refusal, Superseded} from "./client";
+import type {ReplyMessage, RequestMessage} from "./protocol";
+
+/** A worker that answers when it is told to. */
+class Puppet extends EventTarget {
+  static all: Puppet[] = [];
+  readonly asked: RequestMessage[] = [];
+  onmessage: ((event: MessageEvent<ReplyMessage>) => void) | null = null;
+  onerror: ((event: ErrorEvent) => void) | null = null;
+  dead = false;
+
+  constructor() {
+    super();
+    Puppet.all.push(this);
+    this.addEventListener("error", (event) => this.onerror?.(event as ErrorEvent));
+  }
+  static get last(): Puppet {
+    return Puppet.all[Puppet.all.length - 1];
+  }
+  postMessage(message: RequestMessage): void {
+    this.asked.push(message);
+  }
+  terminate(): void {
+    this.dead = true;
+  }
+  say(data: unknown): void {
+    this.onmessage?.({data} as MessageEvent<ReplyMessage>);
+  }
+  ready(): void {
+    this.say({kind: "ready", version: "1"});
+  }
+  /** Answers what was asked last. */
+  answer(reply: object = {}): void {
+    const {id, kind} = this.asked[this.asked.length - 1];
+    this.say({id, kind, reply});
+  }
+}
+
+const problem = "{}", tau = [0, 1] as const;
+const explore = {problem, samples: 8, window: {input: [0, 1], output: [0, 1]}, property: "link_ratio", order: "fresh"} as const;
+const crashes: [string, boolean][] = [];
+let readies = 0;
+function client(): EngineClient {
+  return new EngineClient(() => new Puppet() as unknown as Worker, (message, resting) => crashes.push([message, resting]), () => ++readies);
+}
+
+beforeEach(() => {
+  Puppet.all = [];
+  crashes.length = readies = 0;
+  vi.stubGlobal("ErrorEvent", class extends Event {
+    message: string;
+    constructor(type: string, init: ErrorEventInit) {
+      super(type, init);
+      this.message = init.message ?? "";
+    }
+  });
+});
+afterEach(() => vi.unstubAllGlobals());
+
+describe("one engine worker", () => {
+  it("is asked nothing before it is ready, and one thing at a time", async () => {
+    const engine = client();
+    const first = engine.request("linkage", {problem, tau}), second = engine.request("live", {problem, tau});
+    expect(Puppet.last.asked).toEqual([]);
+    Puppet.last.ready();
+    expect(readies).toBe(1);
+    expect(Puppet.last.asked.map((m) => m.kind)).toEqual(["linkage"]);
+    Puppet.last.answer({linkage: 1});
+    expect(await first).toEqual({linkage: 1});
+    expect(Puppet.last.asked.map((m) => m.kind)).toEqual(["linkage", "live"]);
+    Puppet.last.answer({input: 2});
+    expect(await second).toEqual({input: 2});
+    expect(engine.busy).toBe(false);
+  });
+  it("answers the last of each kind that waits", async () => {
+    const engine = client();
+    Puppet.last.ready();
+    const running = engine.request("linkage", {problem, tau: [0, 0]});
+    const lost = expect(engine.request("linkage", {problem, tau: [1, 1]})).rejects.toBeInstanceOf(Superseded);
+    const last = engine.request("linkage", {problem, tau: [2, 2]});
+    await lost;
+    Puppet.last.answer({n: 0});
+    expect(await running).toEqual({n: 0});
+    expect(Puppet.last.asked[1]).toMatchObject({tau: [2, 2]});
+    Puppet.last.answer({n: 2});
+    expect(await last).toEqual({n: 2});
+  });
+  it("lets a map wait for all others", () => {
+    const engine = client();
+    Puppet.last.ready();
+    void engine.request("live", {problem, tau});
+    void engine.request("explore", explore);
+    void engine.request("linkage", {problem, tau});
+    Puppet.last.answer();
+    expect(Puppet.last.asked.map((m) => m.kind)).toEqual(["live", "linkage"]);
+    Puppet.last.answer();
+    expect(Puppet.last.asked.map((m) => m.kind)).toEqual(["live", "linkage", "explore"]);
+  });
+  it("drops what is not wanted any more", async () => {
+    const engine = client();
+    const lost = expect(engine.request("halo", {problem, pose: 0, mode: "move", reach: 1, steps: 3, samples: 8})).rejects.toBeInstanceOf(Superseded);
+    engine.cancel("halo");
+    await lost;
+    Puppet.last.ready();
+    expect(Puppet.last.asked).toEqual([]);
+  });
+  it("hands on the caller's mistakes", async () => {
+    const engine = client();
+    Puppet.last.ready();
+    const read = engine.request("read", {text: "{"});
+    Puppet.last.say({id: Puppet.last.asked[0].id, kind: "read", refused: {mistakes: [{code: "invalid_json", place: "line 1, column 2", message: "the file breaks off here"}]}});
+    const refusal = await read.catch((error: unknown) => error);
+    expect(refusal).toBeInstanceOf(Refusal);
+    expect((refusal as Refusal).message).toBe("line 1, column 2: the file breaks off here");
+  });
+  it("takes no notice of answers to what it did not ask", async () => {
+    const engine = client();
+    Puppet.last.ready();
+    const reply = engine.request("verify", {problem, tau});
+    Puppet.last.say({id: 999, kind: "verify", reply: {verified: false}});
+    expect(engine.busy).toBe(true);
+    Puppet.last.answer({verified: true});
+    expect(await reply).toEqual({verified: true});
+  });
+});
+
+describe("a worker that dies", () => {
+  it("is started again, loses what it had and goes on with what waits", async () => {
+    const engine = client(), first = Puppet.last;
+    first.ready();
+    const lost = expect(engine.request("explore", explore)).rejects.toBeInstanceOf(Crashed);
+    const waits = engine.request("linkage", {problem, tau});
+    engine.kill();
+    await lost;
+    expect(first.dead).toBe(true);
+    expect(crashes).toEqual([["killed", false]]);
+    expect(Puppet.all.length).toBe(2);
+    first.say({kind: "ready", version: "1"}); // the dead are not heard
+    expect(Puppet.last.asked).toEqual([]);
+    Puppet.last.ready();
+    Puppet.last.answer({linkage: 1});
+    expect(await waits).toEqual({linkage: 1});
+  });
+  it("may say so itself", () => {
+    client();
+    Puppet.last.ready();
+    Puppet.last.say({kind: "crashed", message: "out of memory"});
+    expect(crashes).toEqual([["out of memory", false]]);
+    expect(Puppet.all.length).toBe(2);
+  });
+  it("time after time is let rest, until it is wanted", async () => {
+    const engine = client();
+    for (let i = 0; i < 4; ++i) {
+      Puppet.last.ready();
+      Puppet.last.say({kind: "crashed", message: "again"});
+    }
+    expect(crashes.map(([, resting]) => resting)).toEqual([false, false, false, true]);
+    expect(engine.resting).toBe(true);
+    expect(Puppet.all.length).toBe(4);
+    const waits = engine.request("linkage", {problem, tau});
+    engine.restart();
+    expect(engine.resting).toBe(false);
+    expect(Puppet.all.length).toBe(5);
+    Puppet.last.ready();
+    Puppet.last.answer({linkage: 3});
+    expect(await waits).toEqual({linkage: 3});
+  });
+  it("now and then, with answers between, is started again every time", async () => {
+    const engine = client();
+    for (let i = 0; i < 10; ++i) {
+      Puppet.last.ready();
+      const reply = engine.request("linkage", {problem, tau});
+      Puppet.last.answer({i});
+      expect(await reply).toEqual({i});
+      Puppet.last.say({kind: "crashed", message: "again"});
+    }
+    expect(engine.resting).toBe(false);
+  });
+});

@@ -1,0 +1,49 @@
+// The engine's module (bindings/wasm/bind.cpp). Arrays are views into the engine's memory: to be copied before the next
+// call.
+import untyped from "./generated/linkwright.mjs";
+
+export interface CurveArrays {
+  tau: Float64Array;
+  center: Float64Array;
+  circle: Float64Array;
+  branch: Uint8Array;
+}
+export interface MapArrays {
+  census: string;
+  input_tau: Float64Array;
+  output_tau: Float64Array;
+  type: Uint8Array;
+  defects: Uint8Array;
+  fails: Uint8Array;
+  value: Float32Array;
+  ridge_input: Float32Array;
+  ridge_input_partner: Uint32Array;
+  ridge_output: Float32Array;
+  ridge_output_partner: Uint32Array;
+}
+export interface Session {
+  /** False where the text has mistakes. */
+  set_problem(text: string): boolean;
+  mistakes(): string;
+  read(text: string): string;
+  explore(
+    samples: number, input_from: number, input_to: number, output_from: number, output_to: number, property: string,
+    order: number,
+  ): {task: string; curves: CurveArrays; map: MapArrays | null};
+  linkage(input_tau: number, output_tau: number): {linkage: string; states: Float64Array};
+  live(input_tau: number, output_tau: number): {input: Uint8Array; output: Uint8Array};
+  halo(pose: number, turn: boolean, reach: number, steps: number, samples: number): Uint32Array;
+  best(most: number): string;
+  improve(input_tau: number, output_tau: number): string;
+  verify(input_tau: number, output_tau: number): string;
+  trace(input_tau: number, output_tau: number, x: number, y: number): Float64Array;
+  exported(input_tau: number, output_tau: number, format: string): string;
+  delete(): void;
+}
+export interface LinkwrightModule {
+  Session: new () => Session;
+  version(): string;
+}
+
+/** In node the module's bytes are given; a browser fetches them from beside the script. */
+export const create_linkwright = untyped as unknown as (options?: {wasmBinary?: Uint8Array}) => Promise<LinkwrightModule>;

@@ -1,0 +1,272 @@
+// What the page and its two engine workers say to each other. All kinematics happens behind these messages, in the
+// C++ engine; the page only draws and words. Angles are degrees where a name ends in _deg, else radians; lengths and
+// points are the user's unit, fixed frame; moving pivots lie as in position 1 unless said otherwise.
+
+/** A cell or a point of the map: curve coordinates of the driving (input) and of the other (output) side link. */
+export type TauPair = readonly [input: number, output: number];
+export type Point = readonly [x: number, y: number];
+
+export const linkage_types = [
+  "crank_rocker", "rocker_crank", "double_crank", "double_rocker", "triple_rocker_ground", "triple_rocker_input",
+  "triple_rocker_coupler", "triple_rocker_output", "change_point", "degenerate",
+] as const; // index = code in the map
+export type LinkageType = (typeof linkage_types)[number];
+
+export const defect_bits = {order: 1, branch: 2, circuit: 4} as const;
+
+/** Bits of what a cell fails, in this order (bit i); a degenerate cell has all bits set. */
+export const requirement_keys = [
+  "types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "ground_pivots_within",
+  "moving_pivots_within",
+] as const;
+export type RequirementKey = (typeof requirement_keys)[number];
+
+/** What a colour of the map can stand for, beside the type. Values as f32; 0 where not defined, never NaN. */
+export const properties = [
+  "min_transmission_angle_deg", "min_transmission_angle_full_turn_deg", "link_ratio", "longest_link", "driver_sweep_deg",
+] as const;
+export type Property = (typeof properties)[number];
+
+/** A sentence to be worded by the page: texts hold `<code>` with {placeholders} for `values`. `message` is the same
+ *  sentence in English as the command line prints it, for codes that the texts do not know. */
+export interface Notice {
+  code: string;
+  values: Record<string, number | string>;
+  message: string;
+}
+/** The caller's mistake, as the command line says it. */
+export interface Mistake {
+  code: string;
+  place: string;
+  message: string;
+}
+
+// ---- the task -------------------------------------------------------------------------------------------------
+
+/** A stretch of a map axis in display order. `place` runs over [0, 1] along the whole axis; τ within a block is
+ *  piecewise linear through the knots and unwrapped: it may leave the branch's own interval and is to be taken modulo
+ *  the branch. */
+export interface AxisBlock {
+  branch: number; // index into branches
+  from: number;
+  to: number; // places, from < to
+  knots: [place: number, tau: number][]; // at least the two ends, rising places, tau strictly monotone
+}
+export interface Branch {
+  name: string; // odd, oval, nodal, line, circle, conic, line_at_infinity, point, center_line
+  from: number;
+  to: number; // τ
+}
+export interface Axis {
+  /** Which of the display orders this is: given back in `explore.order`, it is forced (undo restores the map exactly). */
+  order: number;
+  branches: Branch[];
+  blocks: AxisBlock[];
+}
+/** Marks along the axis and on the curves. */
+export interface Special {
+  kind: "pole" | "node" | "center_at_infinity" | "circle_at_infinity" | "focus";
+  /** pole: the two positions, from 1. */
+  positions?: [number, number];
+  /** Places on the map axis, τ; empty for what is only drawn (a pole that is no circle point of its own, focus). */
+  tau: number[];
+  center: Point | null; // where it lies on the drawing, fixed curve
+  circle: Point | null;
+}
+export interface Curves {
+  kind: string;
+  center_kind: string;
+  kappa: number | null;
+  /** M dyads along all branches by rising τ, dense enough to draw (evenly by length). Homogeneous (w, x, y) of unit
+   *  length, user's frame; a point at infinity has |w| < 1e-9 in the working frame. Each branch is closed. */
+  tau: Float64Array;
+  center: Float64Array; // 3M
+  circle: Float64Array; // 3M
+  branch: Uint8Array; // M
+  /** Asymptotes of the two curves as (point, direction), where they have one. */
+  asymptotes: {center: [Point, Point] | null; circle: [Point, Point] | null};
+}
+export interface TaskAnswer {
+  status: "solved" | "no_solution" | "degenerate";
+  reason: Notice | null; // set unless solved
+  pattern: string; // "P-P-P-P"
+  condition: number;
+  characteristic_length: number;
+  warnings: Notice[];
+  curves: Curves;
+  axis: Axis;
+  specials: Special[];
+  /** Requirements as used, the defaults filled in (null: switched off). */
+  requirements: Requirements;
+}
+
+// ---- the map --------------------------------------------------------------------------------------------------
+
+/** Part of the region in places of the two axes. */
+export interface Window {
+  input: readonly [number, number];
+  output: readonly [number, number];
+}
+export const whole: Window = {input: [0, 1], output: [0, 1]};
+
+export interface Census {
+  /** Cells (pairs without the diagonal) of each LinkageType; sliders count as degenerate and in nothing else. */
+  types: number[];
+  pairs: number;
+  order: number;
+  branch: number;
+  circuit: number;
+  defect_free: number;
+  meeting: number;
+  /** Cells of each LinkageType that meet everything. */
+  meeting_types: number[];
+  /** By requirement: cells that fail only this one ("without it +N"). */
+  only: number[];
+  /** By requirement, in the order of requirement_keys: cells left after it and all before it. */
+  left: number[];
+  /** Defect bits of cells that fail by defects: share per kind, for the sentence "64 % fail by order". */
+  relax: {requirement: RequirementKey; value: number | null; leaves: number}[]; // dearest first; only if meeting = 0
+}
+export interface MapAnswer {
+  samples: number; // n
+  window: Window;
+  property: Property;
+  /** τ of rows (input, driving side link) and columns, in display order: row 0 is place window.input[0]. */
+  input_tau: Float64Array;
+  output_tau: Float64Array;
+  // n × n, row-major [input][output]
+  type: Uint8Array;
+  defects: Uint8Array;
+  fails: Uint8Array;
+  value: Float32Array;
+  census: Census;
+  /** Along each axis the best objective (property value) that meets everything, 0 where none, and its partner's index. */
+  ridge: {input: Float32Array; input_partner: Uint32Array; output: Float32Array; output_partner: Uint32Array};
+}
+
+// ---- a linkage ------------------------------------------------------------------------------------------------
+
+export interface SideLink {
+  coordinate: number;
+  center: Point | null; // null: at infinity
+  circle: Point | null;
+  center_homogeneous: [number, number, number];
+  circle_homogeneous: [number, number, number];
+  length: number | null;
+}
+export interface Defects {
+  order: boolean;
+  branch: boolean;
+  circuit: boolean;
+}
+/** One state of the drive: a row of `states`. */
+export const state_columns = [
+  "input_deg", // driver angle from position 1, in the sense of travel positive
+  "ax", "ay", // moving pivot of the input
+  "bx", "by", // moving pivot of the output
+  "x", "y", "theta_deg", // pose of the moving frame
+  "transmission_angle_deg",
+  "coupler_deg", // coupler angle from position 1
+  "output_deg", // output angle from position 1
+  "velocity_ratio", // dψ/dφ, output by input; 0 at a dead point
+  "mechanical_advantage", // output torque over input torque, |dφ/dψ|; 0 where unbounded
+] as const;
+export const state_width = state_columns.length;
+export interface Drive {
+  /** K × state_width, by rising input_deg, the prescribed positions among them exactly. */
+  states: Float64Array;
+  /** One per position: its row, and whether the driver gets there in this assembly. Unreached: state = -1. */
+  ticks: {position: number; state: number; reached: boolean}[];
+  full_turn: boolean; // first and last state are the same place
+  limits: {low: "dead_point" | null; high: "dead_point" | null};
+  /** Prescribed stretch: rows of the first and last position (task), −1 where a defect keeps them apart. */
+  task: [number, number];
+}
+export interface Linkage {
+  tau: TauPair;
+  type: LinkageType;
+  defects: Defects;
+  /** Why not, e.g. {code: "order_defect", values: {order: "1-3-2-4"}}; null without defects and not degenerate. */
+  reason: Notice | null;
+  input: SideLink;
+  output: SideLink;
+  lengths: {ground: number; input: number; coupler: number; output: number} | null; // null: a slider
+  link_ratio: number | null;
+  longest: number | null;
+  min_transmission_angle_deg: number | null;
+  min_transmission_angle_full_turn_deg: number | null;
+  driver_sweep_deg: number | null;
+  drive_sense: "ccw" | "cw" | "either" | null;
+  dead_points_deg: number[]; // driver angles from position 1
+  residual: number; // worst error of a side link's length over the positions, user's unit
+  swapped: {type: LinkageType; defects: Defects; min_transmission_angle_deg: number | null} | null;
+  fails: number; // requirement bits
+  drive: Drive | null; // null: a slider or zero link
+}
+
+// ---- the file -------------------------------------------------------------------------------------------------
+
+export interface Box {
+  x: [number, number];
+  y: [number, number];
+}
+export interface Requirements {
+  types?: LinkageType[];
+  no_defects?: boolean;
+  min_transmission_angle_deg?: number;
+  max_link_ratio?: number | null;
+  max_length?: number | null;
+  ground_pivots_within?: Box | null;
+  moving_pivots_within?: Box | null;
+  respect_direction?: boolean;
+}
+
+// ---- messages -------------------------------------------------------------------------------------------------
+
+export type ExportFormat = "svg" | "dxf" | "csv" | "json" | "result";
+
+/** Requests by kind. Every request carries the problem (the file's text); a worker keeps the last and reads it again
+ *  only when the text differs. */
+export interface Requests {
+  /** Task, map and census at once: what follows a dragged pose. `order`: "nearest" to the last frame's, "fresh" (the
+   *  canonical one), or the code of a display order. */
+  explore: {problem: string; samples: number; window: Window; property: Property; order: "nearest" | "fresh" | number};
+  linkage: {problem: string; tau: TauPair};
+  /** Bits failed along the curve samples when one side link is held and the other slides. */
+  live: {problem: string; tau: TauPair};
+  /** Cells that pass (of samples² ) with position `pose` moved by a grid of offsets up to ± reach (user's unit) or
+   *  turned up to ± reach_deg. */
+  halo: {problem: string; pose: number; mode: "move" | "turn"; reach: number; steps: number; samples: number};
+  best: {problem: string; most: number};
+  improve: {problem: string; tau: TauPair};
+  verify: {problem: string; tau: TauPair};
+  trace: {problem: string; tau: TauPair; point: Point}; // path of a body point (position 1 coordinates)
+  export: {problem: string; tau: TauPair; format: ExportFormat};
+  /** Reads a problem file: its normal form or its mistakes. */
+  read: {text: string};
+}
+export interface Replies {
+  explore: {task: TaskAnswer; map: MapAnswer | null; engine_ms: number};
+  linkage: {linkage: Linkage; engine_ms: number};
+  live: {input: Uint8Array; output: Uint8Array}; // by curves.tau index: that side link there, the other held
+  halo: {offsets: Float64Array; counts: Uint32Array; steps: number; reach: number; engine_ms: number}; // counts: row-major [dy][dx] (steps²) or [turn] (steps)
+  best: {linkages: {tau: TauPair; type: LinkageType; min_transmission_angle_deg: number; link_ratio: number; longest: number}[]};
+  improve: {tau: TauPair; improved: boolean};
+  verify: {verified: boolean; residual: number};
+  trace: {points: Float64Array}; // 2K, one per drive state
+  export: {text: string; extension: string};
+  read: {problem: string};
+}
+export type Kind = keyof Requests;
+
+/** A reply that is not one: the caller's mistakes. */
+export interface Refused {
+  mistakes: Mistake[];
+}
+
+export type RequestMessage = {[K in Kind]: {id: number; kind: K} & Requests[K]}[Kind];
+export type ReplyMessage =
+  | {[K in Kind]: {id: number; kind: K; reply: Replies[K]}}[Kind]
+  | {id: number; kind: Kind; refused: Refused}
+  | {kind: "ready"; version: string}
+  | {kind: "crashed"; message: string};

@@ -1,0 +1,146 @@
+// Answers the page's requests from an engine session: the worker without the worker.
+import type {CurveArrays, LinkwrightModule, MapArrays, Session} from "./module";
+import type {
+  Census, Drive, Kind, Linkage, MapAnswer, Mistake, Replies, ReplyMessage, RequestMessage, Requests, TaskAnswer,
+} from "./protocol";
+
+class Mistaken extends Error {
+  constructor(readonly mistakes: Mistake[]) {
+    super("mistakes");
+  }
+}
+
+const nearest_order = -1;
+const no_dyads: Mistake = {
+  code: "no_dyads", place: "task.poses", message: "these positions have no side links to pair; move one of them",
+};
+const extensions = {svg: ".svg", dxf: ".dxf", csv: ".csv", json: ".json", result: ".json"};
+
+const now = () => performance.now();
+
+function copied<A extends {slice(): A}>(view: A): A {
+  return view.slice();
+}
+
+/** Every request's answer, and the buffers to be moved rather than copied. */
+export class Server {
+  private readonly session: Session;
+  private problem: string | null = null;
+
+  constructor(module: LinkwrightModule) {
+    this.session = new module.Session();
+  }
+
+  serve(message: RequestMessage): {message: ReplyMessage; transfer: ArrayBuffer[]} {
+    const {id, kind} = message;
+    try {
+      const reply = this.answer(kind, message as never);
+      return {message: {id, kind, reply} as ReplyMessage, transfer: buffers_of(reply)};
+    } catch (error) {
+      if (!(error instanceof Mistaken)) throw error;
+      return {message: {id, kind, refused: {mistakes: error.mistakes}}, transfer: []};
+    }
+  }
+
+  private answer<K extends Kind>(kind: K, request: Requests[K]): Replies[K] {
+    const answers: {[Q in Kind]: (request: Requests[Q]) => Replies[Q]} = {
+      explore: (r) => this.explore(r),
+      linkage: (r) => this.linkage(r),
+      live: (r) => this.live(r),
+      halo: (r) => this.halo(r),
+      best: (r) => ({linkages: JSON.parse(this.holding(r.problem).best(r.most))}),
+      improve: (r) => JSON.parse(this.holding(r.problem).improve(...r.tau)),
+      verify: (r) => JSON.parse(this.holding(r.problem).verify(...r.tau)),
+      trace: (r) => ({points: copied(this.holding(r.problem).trace(...r.tau, ...r.point))}),
+      export: (r) => this.exported(r),
+      read: (r) => this.read(r),
+    };
+    return answers[kind](request);
+  }
+
+  /** The session with this problem. */
+  private holding(problem: string): Session {
+    if (problem !== this.problem) {
+      this.problem = null;
+      if (!this.session.set_problem(problem)) throw new Mistaken(JSON.parse(this.session.mistakes()));
+      this.problem = problem;
+    }
+    return this.session;
+  }
+
+  private explore({problem, samples, window, property, order}: Requests["explore"]): Replies["explore"] {
+    const start = now();
+    const code = order === "nearest" ? nearest_order : order === "fresh" ? 0 : order;
+    const found = this.holding(problem).explore(samples, ...window.input, ...window.output, property, code);
+    const task = JSON.parse(found.task) as TaskAnswer;
+    Object.assign(task.curves, copied_curves(found.curves));
+    const map = found.map && copied_map(found.map, {samples, window, property});
+    return {task, map, engine_ms: now() - start};
+  }
+
+  private linkage({problem, tau}: Requests["linkage"]): Replies["linkage"] {
+    const start = now();
+    const found = this.holding(problem).linkage(...tau);
+    if (!found.linkage) throw new Mistaken([no_dyads]);
+    const linkage = JSON.parse(found.linkage) as Linkage;
+    if (linkage.drive) (linkage.drive as Drive).states = copied(found.states);
+    return {linkage, engine_ms: now() - start};
+  }
+
+  private live({problem, tau}: Requests["live"]): Replies["live"] {
+    const found = this.holding(problem).live(...tau);
+    return {input: copied(found.input), output: copied(found.output)};
+  }
+
+  private halo({problem, pose, mode, reach, steps, samples}: Requests["halo"]): Replies["halo"] {
+    const start = now();
+    const turn = mode === "turn";
+    const session = this.holding(problem);
+    const counts = copied(session.halo(pose, turn, turn ? (reach * Math.PI) / 180 : reach, steps, samples));
+    const offsets = Float64Array.from({length: steps}, (_, i) => (steps === 1 ? 0 : reach * ((2 * i) / (steps - 1) - 1)));
+    return {offsets, counts, steps, reach, engine_ms: now() - start};
+  }
+
+  private exported({problem, tau, format}: Requests["export"]): Replies["export"] {
+    const text = this.holding(problem).exported(...tau, format);
+    if (!text) throw new Mistaken([{code: "no_four_bar", place: "", message: "a slider or zero link cannot be written as a four-bar"}]);
+    return {text, extension: extensions[format]};
+  }
+
+  private read({text}: Requests["read"]): Replies["read"] {
+    const problem = this.session.read(text);
+    if (!problem) throw new Mistaken(JSON.parse(this.session.mistakes()));
+    return {problem};
+  }
+}
+
+function copied_curves(from: CurveArrays): CurveArrays {
+  return {tau: copied(from.tau), center: copied(from.center), circle: copied(from.circle), branch: copied(from.branch)};
+}
+
+function copied_map(from: MapArrays, asked: Pick<MapAnswer, "samples" | "window" | "property">): MapAnswer {
+  return {
+    ...asked,
+    input_tau: copied(from.input_tau),
+    output_tau: copied(from.output_tau),
+    type: copied(from.type),
+    defects: copied(from.defects),
+    fails: copied(from.fails),
+    value: copied(from.value),
+    census: JSON.parse(from.census) as Census,
+    ridge: {
+      input: copied(from.ridge_input),
+      input_partner: copied(from.ridge_input_partner),
+      output: copied(from.ridge_output),
+      output_partner: copied(from.ridge_output_partner),
+    },
+  };
+}
+
+/** The buffers of all typed arrays in a reply. */
+function buffers_of(value: unknown): ArrayBuffer[] {
+  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
+  if (Array.isArray(value)) return typeof value[0] === "object" ? value.flatMap(buffers_of) : [];
+  if (value !== null && typeof value === "object") return Object.values(value).flatMap(buffers_of);
+  return [];
+}

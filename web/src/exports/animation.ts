@@ -1,0 +1,87 @@
+// Animated GIF and WebM of a picture: made in pieces, so that the page stays alive and the user can stop it.
+import type {Frame} from "./frames";
+import {duration_ms, frame_at} from "./frames";
+import {paint_picture, type Picture} from "./picture";
+
+export interface Progress {
+  /** Done so far, 0 to 1. */
+  done(share: number): void;
+  signal: AbortSignal;
+}
+const changed_only = 127; // palette index that leaves a pixel as the frame before had it
+
+/** Lets the page do other things; throws when the user has stopped the work. */
+async function breathe({signal}: Progress): Promise<void> {
+  await new Promise((resolve) => setTimeout(resolve, 0));
+  signal.throwIfAborted();
+}
+function canvas_for(picture: Picture): [HTMLCanvasElement, CanvasRenderingContext2D] {
+  const canvas = document.createElement("canvas");
+  canvas.width = picture.width;
+  canvas.height = picture.height;
+  return [canvas, canvas.getContext("2d", {willReadFrequently: true})!];
+}
+
+export async function animated_gif(picture: Picture, frames: readonly Frame[], progress: Progress): Promise<Blob> {
+  const {GIFEncoder, applyPalette, quantize} = await import("gifenc");
+  const {width, height} = picture, [, context] = canvas_for(picture);
+  const pixels = (angle: number) => {
+    paint_picture(context, picture, angle);
+    return context.getImageData(0, 0, width, height).data;
+  };
+  // One palette for all frames: everything that is ever on show is there in the first, the middle and the last.
+  const samples = [0, Math.floor(frames.length / 2)].map((i) => pixels(frames[i].angle).slice());
+  const both = new Uint8ClampedArray(samples[0].length * 2);
+  both.set(samples[0]);
+  both.set(samples[1], samples[0].length);
+  const palette = quantize(both, changed_only);
+  while (palette.length <= changed_only) palette.push([0, 0, 0]);
+  const encoder = GIFEncoder();
+  let before: Uint8Array | null = null;
+  for (const [i, frame] of frames.entries()) {
+    await breathe(progress);
+    const index = applyPalette(pixels(frame.angle), palette.slice(0, changed_only));
+    encoder.writeFrame(before ? only_changes(before, index) : index, width, height, {
+      palette: i === 0 ? palette : undefined, delay: frame.ms, repeat: 0, transparent: i > 0, transparentIndex: changed_only, dispose: 1,
+    });
+    before = index;
+    progress.done((i + 1) / frames.length);
+  }
+  encoder.finish();
+  return new Blob([encoder.bytes() as Uint8Array<ArrayBuffer>], {type: "image/gif"});
+}
+export function only_changes(before: Uint8Array, now: Uint8Array): Uint8Array {
+  return now.map((color, i) => (color === before[i] ? changed_only : color));
+}
+
+const film_types = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
+export function film_type(): string | null {
+  if (typeof MediaRecorder === "undefined" || !("captureStream" in HTMLCanvasElement.prototype)) return null;
+  return film_types.find((type) => MediaRecorder.isTypeSupported(type)) ?? null;
+}
+/** Recorded as it plays, once there and back. */
+export async function film(picture: Picture, frames: readonly Frame[], progress: Progress): Promise<Blob> {
+  const [canvas, context] = canvas_for(picture);
+  const recorder = new MediaRecorder(canvas.captureStream(30), {mimeType: film_type()!, videoBitsPerSecond: 4_000_000});
+  const pieces: Blob[] = [];
+  recorder.ondataavailable = (event) => pieces.push(event.data);
+  const stopped = new Promise((resolve, reject) => {
+    recorder.onstop = resolve;
+    recorder.onerror = () => reject(new Error("the recorder failed"));
+  });
+  const length = duration_ms(frames), began = performance.now();
+  paint_picture(context, picture, frames[0].angle);
+  recorder.start();
+  try {
+    for (let ms = 0; ms < length; ms = performance.now() - began) {
+      paint_picture(context, picture, frame_at(frames, ms).angle);
+      progress.done(ms / length);
+      await new Promise((resolve) => setTimeout(resolve, 33)); // unlike animation frames, it goes on in a hidden tab
+      progress.signal.throwIfAborted();
+    }
+  } finally {
+    recorder.stop();
+    await stopped;
+  }
+  return new Blob(pieces, {type: "video/webm"});
+}

@@ -1,0 +1,18 @@
+import {expect, it} from "vitest";
+import type {Pin} from "../state/problem";
+import {file_stem, slug} from "./names";
+
+const pins = [{name: "B", tau: [1.25, 0.5]}] as unknown as Pin[];
+
+it("names files by title and pin, or type", () => {
+  expect(file_stem("Tailgate hinge", {tau: [1.25, 0.5], type: "double_crank"}, pins)).toBe("tailgate-hinge-B");
+  expect(file_stem("Tailgate hinge", {tau: [1.3, 0.5], type: "double_crank"}, pins)).toBe("tailgate-hinge-double_crank");
+  expect(file_stem(undefined, null)).toBe("linkage");
+});
+it("keeps letters of any script and nothing that a file system minds", () => {
+  expect(slug("尾门铰链 2")).toBe("尾门铰链-2");
+  expect(slug("../../etc/passwd\0")).toBe("etc-passwd");
+  expect(slug("  <b>Café</b> : * ")).toBe("b-café-b");
+  expect(slug("…")).toBe("linkage");
+  expect(slug("x".repeat(500)).length).toBe(60);
+});

@@ -1,0 +1,18 @@
+// What exported files are called: the task's title and the pin's name, or the linkage's type.
+import type {LinkageType, TauPair} from "../engine/protocol";
+import type {Pin} from "../state/problem";
+
+const longest_stem = 60;
+
+/** Letters of any script, digits and single hyphens: safe as a file name anywhere. */
+export function slug(title: string): string {
+  const plain = title.normalize("NFC").toLowerCase().replace(/[^\p{L}\p{N}\p{M}]+/gu, "-").replace(/^-+|-+$/g, "");
+  return [...plain].slice(0, longest_stem).join("").replace(/-+$/, "") || "linkage";
+}
+export function pin_of(tau: TauPair, pins: readonly Pin[]): Pin | null {
+  return pins.find((pin) => Math.hypot(pin.tau[0] - tau[0], pin.tau[1] - tau[1]) < 1e-9) ?? null;
+}
+export function file_stem(title: string | undefined, linkage: {tau: TauPair; type: LinkageType} | null, pins: readonly Pin[] = []): string {
+  const name = linkage && (pin_of(linkage.tau, pins)?.name ?? linkage.type);
+  return slug(title ?? "") + (name ? `-${name}` : "");
+}

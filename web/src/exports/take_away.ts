@@ -1,0 +1,78 @@
+// What can be taken away, and of which linkage: the picked one, or one that is pinned.
+import type {ExportFormat, Linkage, LinkageType, TauPair} from "../engine/protocol";
+import {drawing_svg} from "../drawing/snapshot";
+import {css_values} from "../state/css_values";
+import {engine_text, outline_of, with_poses, type Problem} from "../state/problem";
+import type {Workbench} from "../state/workbench.svelte";
+import {animated_gif, film, type Progress} from "./animation";
+import {animation_frames} from "./frames";
+import {file_stem} from "./names";
+import {picture_colors, picture_of} from "./picture";
+import {copied, rasterised} from "./raster";
+import {save_blob} from "./save";
+
+export interface Target {
+  /** A pin's; null: the picked linkage. */
+  pin: string | null;
+  tau: TauPair;
+  type: LinkageType;
+  /** The task in which it does its work. */
+  problem: Problem;
+}
+export const formats = ["dxf", "svg", "png", "csv", "json", "result", "gif", "webm"] as const;
+export type Format = (typeof formats)[number];
+export const animated: readonly Format[] = ["gif", "webm"];
+
+const engine_types: Record<ExportFormat, string> = {
+  dxf: "image/vnd.dxf", svg: "image/svg+xml", csv: "text/csv", json: "application/json", result: "application/json",
+};
+const film_size = {width: 640, height: 480};
+
+export function targets(workbench: Workbench): Target[] {
+  const {problem, pins, picked_linkage, picked} = workbench;
+  const own: Target[] = picked && picked_linkage ? [{pin: null, tau: picked.tau, type: picked_linkage.type, problem}] : [];
+  return [...own, ...pins.map((pin) => ({pin: pin.name, tau: pin.tau, type: pin.type, problem: with_poses(problem, pin.poses)}))];
+}
+
+export interface File {
+  name: string;
+  blob: Blob;
+}
+export async function made_file(workbench: Workbench, target: Target, format: Format, progress: Progress): Promise<File> {
+  const stem = file_stem(target.problem.title, target, workbench.pins);
+  if (format === "png") return {name: `${stem}.png`, blob: await png(workbench, target)};
+  if (format === "gif" || format === "webm") return {name: `${stem}.${format}`, blob: await animation(workbench, target, format, progress)};
+  const {text, extension} = await from_engine(workbench, target, format);
+  const ending = extension.replace(/^\./, "");
+  return {name: format === "result" ? `${stem}-result.${ending}` : `${stem}.${ending}`, blob: new Blob([text], {type: engine_types[format]})};
+}
+/** For a button elsewhere: the picked linkage, saved, and a word about it. */
+export async function take_away(workbench: Workbench, format: Format): Promise<void> {
+  const [target] = targets(workbench);
+  if (!target) return;
+  const {name, blob} = await made_file(workbench, target, format, {done() {}, signal: new AbortController().signal});
+  save_blob(name, blob);
+  workbench.say("state.exported", {name});
+}
+
+export function from_engine(workbench: Workbench, {problem, tau}: Target, format: ExportFormat): Promise<{text: string; extension: string}> {
+  return workbench.driver_client!.request("export", {problem: engine_text(problem), tau, format});
+}
+async function png(workbench: Workbench, target: Target): Promise<Blob> {
+  const solid = target.pin === null ? document.querySelector<HTMLCanvasElement>(".solid canvas") : null;
+  if (solid) return copied(solid, css_values(document.documentElement, ["paper"]).paper);
+  const on_screen = target.pin === null ? drawing_svg() : null;
+  return rasterised(on_screen ?? (await from_engine(workbench, target, "svg")).text, 2);
+}
+async function linkage_of(workbench: Workbench, {pin, problem, tau}: Target): Promise<Linkage> {
+  if (pin === null && workbench.picked_linkage) return workbench.picked_linkage;
+  return (await workbench.driver_client!.request("linkage", {problem: engine_text(problem), tau})).linkage;
+}
+async function animation(workbench: Workbench, target: Target, format: "gif" | "webm", progress: Progress): Promise<Blob> {
+  const linkage = await linkage_of(workbench, target), {problem} = target;
+  const {width, height} = film_size;
+  const picture = picture_of(linkage, outline_of(problem), problem.task.poses, workbench.whole_travel, width, height, css_values(document.documentElement, picture_colors));
+  if (!picture) throw new Error("no drive table");
+  const frames = animation_frames(picture.drive, workbench.whole_travel);
+  return format === "gif" ? animated_gif(picture, frames, progress) : film(picture, frames, progress);
+}

@@ -1,0 +1,45 @@
+// The tasks that are shown to choose from: the examples of the project, then some that show a property of the curves.
+import dump_bucket from "../../../examples/dump_bucket.json?raw";
+import drawer_hinge from "../../../examples/drawer_hinge.json?raw";
+import folding_table from "../../../examples/folding_table.json?raw";
+import hood_hinge from "../../../examples/hood_hinge.json?raw";
+import landing_gear from "../../../examples/landing_gear.json?raw";
+import lift_platform from "../../../examples/lift_platform.json?raw";
+import tailgate from "../../../examples/tailgate.json?raw";
+import type {Problem} from "../state/problem";
+import type {TextKey} from "../texts/texts.svelte";
+import almost_symmetric from "./almost_symmetric.json?raw";
+import hatchback_lid from "./hatchback_lid.json?raw";
+import mirror_symmetric from "./mirror_symmetric.json?raw";
+import parallel_moves from "./parallel_moves.json?raw";
+import three_parallel from "./three_parallel.json?raw";
+
+const files = {
+  tailgate, drawer_hinge, dump_bucket, landing_gear, folding_table, lift_platform, hood_hinge, hatchback_lid,
+  almost_symmetric, mirror_symmetric, three_parallel, parallel_moves,
+};
+export type ExampleName = keyof typeof files;
+export interface Example {
+  name: ExampleName;
+  problem: Problem;
+  title: TextKey;
+  story: TextKey;
+}
+
+/** Files of ours: their comments stand on lines of their own. */
+function read(text: string): Problem {
+  return JSON.parse(text.replace(/^\s*\/\/.*$/gm, "")) as Problem;
+}
+
+export const examples: readonly Example[] = (Object.keys(files) as ExampleName[]).map((name) => ({
+  name,
+  problem: read(files[name]),
+  title: `example.${name}`,
+  story: `example.${name}_story`,
+}));
+export const first_example = examples[0];
+
+/** The name by which an example goes in both languages; nothing for a title of the user's. */
+export function example_title(title: string | undefined): TextKey | null {
+  return examples.find((example) => example.problem.title === title)?.title ?? null;
+}

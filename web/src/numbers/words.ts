@@ -1,0 +1,52 @@
+// How the numbers of a linkage are said.
+import type {Linkage, LinkageType, Point, RequirementKey, Requirements} from "../engine/protocol";
+import {requirement_names, value_text} from "../requirements/requirements";
+import en from "../texts/en.json";
+import {degrees_text, length_text, significant} from "../texts/numbers";
+import {t, type TextKey} from "../texts/texts.svelte";
+
+/** A name that fits a table. */
+export function short_type(type: LinkageType): string {
+  const short = `region.short.${type}`;
+  return t((short in en ? short : `type.${type}`) as TextKey);
+}
+/** Lengths of a linkage, two decimals for links of some hundred millimetres. */
+export function link_text(length: number, longest: number): string {
+  return length_text(length, longest / 10);
+}
+export function point_text(point: Point | null, longest: number): string {
+  return point ? `${length_text(point[0], longest)}, ${length_text(point[1], longest)}` : "∞";
+}
+/** For a spreadsheet: all digits, set apart by tabs. */
+export function row_text(numbers: readonly number[]): string {
+  return numbers.join("\t");
+}
+export function sense_mark(sense: Linkage["drive_sense"]): string {
+  return sense === "cw" ? "↻" : sense === "ccw" ? "↺" : sense === "either" ? "↻↺" : "";
+}
+export function with_unit(text: string, unit: string): string {
+  return unit ? `${text} ${unit}` : text;
+}
+export function residual_text(residual: number, unit: string): string {
+  return with_unit(significant(residual, 1), unit);
+}
+export function has_defect(linkage: {defects: Linkage["defects"]}): boolean {
+  return linkage.defects.order || linkage.defects.branch || linkage.defects.circuit;
+}
+/** The worst defect by name: a circuit defect is a branch defect too. */
+export function defect_key(defects: Linkage["defects"]): TextKey {
+  return defects.circuit ? "defect.circuit" : defects.branch ? "defect.branch" : defects.order ? "defect.order" : "defect.none";
+}
+
+/** "Transmission angle at least 30°" with the value asked for. */
+export function requirement_words(key: RequirementKey, requirements: Requirements, unit: string): string {
+  const value = requirements[key], name = t(requirement_names[key]);
+  return typeof value === "number" ? `${name} ${value_text(key, value, unit)}` : name;
+}
+/** "Crank-rocker, no defects, γ 41.3°": the same bars, driven from the other side. */
+export function swapped_words(swapped: NonNullable<Linkage["swapped"]>): string {
+  const {type, defects, min_transmission_angle_deg: angle} = swapped;
+  const parts = [t(`type.${type}`), t(defect_key(defects))];
+  if (angle !== null && !has_defect(swapped)) parts.push(`γ ${degrees_text(angle)}`);
+  return parts.join(" · ");
+}

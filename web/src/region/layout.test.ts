@@ -1,0 +1,16 @@
+import {describe, expect, it} from "vitest";
+import {map_sizes} from "./layout";
+
+describe("layout", () => {
+  it("is a square that leaves room for the numbers", () => {
+    expect(map_sizes("wide", 532, 900, false, false).map).toBeGreaterThanOrEqual(410);
+    expect(map_sizes("wide", 532, 1400, false, false).map).toBe(532 - 34 - 24);
+    expect(map_sizes("laptop", 424, 768, false, false).map).toBeLessThanOrEqual(366);
+    expect(map_sizes("laptop", 424, 768, false, false).map).toBeGreaterThan(300);
+    expect(map_sizes("phone", 390, 844, false, false).map).toBeLessThanOrEqual(390 - 38);
+    expect(map_sizes("phone", 390, 844, false, false).map).toBeGreaterThan(300);
+  });
+  it("gives the ridges their strip", () => {
+    expect(map_sizes("wide", 532, 1400, true, false).map).toBe(532 - 34 - 24 - 18);
+  });
+});

@@ -1,0 +1,148 @@
+// How the map lies on the screen and where it is being pointed at. Nothing here outlives the pointer: what is shown of
+// the region, picked and hovered is the workbench's.
+import type {Point, TauPair} from "../engine/protocol";
+import {place_of, tau_at} from "../state/axis";
+import type {Pin} from "../state/problem";
+import type {Workbench} from "../state/workbench.svelte";
+import {point_of, type Frame} from "./painter";
+import {make_scale, place_at} from "./scale";
+import {panned, showing, zoomed} from "./zoom";
+
+export const pin_reach = 6; // pixels
+export const cells_along = 400; // what a step of the arrow keys is a part of
+
+export class RegionView {
+  readonly workbench: Workbench;
+  size = $state(412);
+  /** Place under the pointer or the keyboard's crosshair. */
+  cursor = $state.raw<TauPair | null>(null);
+  by_keys = $state(false);
+  pin = $state.raw<Pin | null>(null);
+  band = $state.raw<readonly [Point, Point] | null>(null);
+  panning = $state(false);
+  /** τ is shown at the crosshair. */
+  alt = $state(false);
+  whole_picture = $state.raw<{canvas: HTMLCanvasElement} | null>(null);
+
+  readonly frame: Frame = $derived.by(() => {
+    const blocks = this.workbench.task?.axis.blocks ?? [], {window} = this.workbench;
+    return {up: make_scale(blocks, window.input, this.size), across: make_scale(blocks, window.output, this.size)};
+  });
+  /** Where the picked linkage stands. */
+  readonly picked_place = $derived.by(() => {
+    const {picked} = this.workbench;
+    return picked && (picked.place ?? this.place_of_tau(picked.tau));
+  });
+  /** Where the linkage in hand stands. */
+  readonly hand_place = $derived.by(() => {
+    const {hovered} = this.workbench;
+    if (!hovered) return this.picked_place;
+    return this.cursor ?? this.place_of_tau(hovered);
+  });
+
+  constructor(workbench: Workbench) {
+    this.workbench = workbench;
+  }
+
+  place(point: Point): TauPair {
+    return [place_at(this.frame.up, this.size - point[1]), place_at(this.frame.across, point[0])];
+  }
+  point(place: TauPair): Point {
+    return point_of(this.frame, place);
+  }
+  contains([x, y]: Point): boolean {
+    return x >= 0 && y >= 0 && x <= this.size && y <= this.size;
+  }
+  place_of_tau(tau: TauPair): TauPair | null {
+    const axis = this.workbench.task?.axis;
+    const input = axis && place_of(axis, tau[0]), output = axis && place_of(axis, tau[1]);
+    return input == null || output == null ? null : [input, output];
+  }
+  tau_of_place(place: TauPair): TauPair | null {
+    const axis = this.workbench.task?.axis;
+    return axis && axis.blocks.length > 0 ? [tau_at(axis, place[0]), tau_at(axis, place[1])] : null;
+  }
+  pin_near(point: Point, reach = pin_reach): Pin | null {
+    let nearest: Pin | null = null;
+    for (const pin of this.workbench.pins) {
+      if (!pin.place) continue;
+      const [x, y] = this.point(pin.place), distance = Math.hypot(x - point[0], y - point[1]);
+      if (distance <= reach) [nearest, reach] = [pin, distance];
+    }
+    return nearest;
+  }
+  /** What is meant by pointing at a pixel: a pin of this task close by, or the very place. */
+  target(point: Point): {place: TauPair; tau: TauPair; pin: Pin | null} | null {
+    const pin = this.pin_near(point), place = pin?.place ?? this.place(point), tau = this.tau_of_place(place);
+    return tau && {place, tau: pin && !this.workbench.is_stale(pin) ? pin.tau : tau, pin};
+  }
+
+  hover(point: Point): void {
+    const target = this.workbench.map ? this.target(point) : null;
+    if (!target) return this.leave();
+    this.by_keys = false;
+    this.pin = target.pin;
+    this.cursor = target.place;
+    this.workbench.hover(target.tau);
+  }
+  /** The keyboard's crosshair, by cells of the map as it is shown. */
+  step(rows: number, columns: number): void {
+    const from = this.hand_place ?? this.middle(), {input, output} = this.workbench.window;
+    const moved = (place: number, by: number, span: readonly [number, number]) =>
+      this.up_to_infinity(place, Math.min(Math.max(place + (by * (span[1] - span[0])) / cells_along, 0), 1));
+    const to = [moved(from[0], rows, input), moved(from[1], columns, output)] as const;
+    const place: TauPair = [to[0].place, to[1].place], plain = this.tau_of_place(place);
+    if (!plain) return;
+    const tau: TauPair = [to[0].tau ?? plain[0], to[1].tau ?? plain[1]];
+    this.by_keys = true;
+    this.pin = null;
+    this.cursor = place;
+    this.workbench.hover(tau);
+    const window = showing(this.workbench.window, place);
+    if (window !== this.workbench.window) this.workbench.zoom(window);
+  }
+  /** A step across an ∞ mark stops there: one comes upon the slider exactly. */
+  private up_to_infinity(from: number, to: number): {place: number; tau: number | null} {
+    const task = this.workbench.task, marks = (task?.specials ?? []).filter((special) => special.kind.endsWith("_at_infinity"));
+    let stop: {place: number; tau: number | null} = {place: to, tau: null};
+    for (const tau of marks.flatMap((mark) => mark.tau)) {
+      const place = place_of(task!.axis, tau);
+      if (place === null || Math.abs(place - from) < 1e-12 || (place - from) * (stop.place - place) < 0 || from === to) continue;
+      if (Math.sign(place - from) === Math.sign(to - from)) stop = {place, tau};
+    }
+    return stop;
+  }
+  leave(): void {
+    this.cursor = this.pin = null;
+    this.by_keys = false;
+    if (this.workbench.hovered) this.workbench.hover(null);
+  }
+
+  middle(): TauPair {
+    const {input, output} = this.workbench.window;
+    return [(input[0] + input[1]) / 2, (output[0] + output[1]) / 2];
+  }
+  zoom_at(place: TauPair, factor: number): void {
+    this.workbench.zoom(zoomed(this.workbench.window, place, factor));
+  }
+  /** By pixels, as the pointer drags it. */
+  pan(x: number, y: number): void {
+    this.workbench.zoom(panned(this.workbench.window, y / this.size, -x / this.size));
+  }
+  /** Index of the map's cell at a place; nothing where the map on screen does not reach. */
+  cell(place: TauPair): number | null {
+    const map = this.workbench.map;
+    if (!map) return null;
+    const index = (at: number, [from, to]: readonly [number, number]) => {
+      const i = Math.floor(((at - from) / (to - from)) * map.samples);
+      return at === to ? map.samples - 1 : i;
+    };
+    const row = index(place[0], map.window.input), column = index(place[1], map.window.output);
+    return row < 0 || column < 0 || row >= map.samples || column >= map.samples ? null : row * map.samples + column;
+  }
+  /** Nothing to take hold of here: a defect, or no four-bar. */
+  is_empty(place: TauPair): boolean {
+    const cell = this.cell(place), map = this.workbench.map;
+    return cell === null || !map || map.type[cell] >= 9 || map.defects[cell] !== 0;
+  }
+}

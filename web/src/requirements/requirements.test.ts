@@ -1,0 +1,53 @@
+import {describe, expect, it} from "vitest";
+import type {Census, Linkage, Requirements} from "../engine/protocol";
+import {box_around, dropped, failing, in_force, is_asked, is_needed, relaxed, row_order, value_text, with_side} from "./requirements";
+
+const census = (only: number[], meeting = 0, defect_free = 100) => ({only, meeting, defect_free}) as Census;
+const linkage = (fails: number, defects = {order: false, branch: false, circuit: false}, type = "crank_rocker") => ({fails, defects, type}) as Linkage;
+
+describe("requirements", () => {
+  it("takes the engine's defaults where the file is silent", () => {
+    const used: Requirements = {no_defects: true, max_link_ratio: 20, max_length: 3711};
+    expect(in_force({max_length: null, max_link_ratio: undefined}, used)).toEqual({no_defects: true, max_link_ratio: 20, max_length: null});
+  });
+  it("knows what is asked", () => {
+    expect(is_asked({}, "no_defects")).toBe(true);
+    expect(is_asked({types: []}, "types")).toBe(false);
+    expect(is_asked({min_transmission_angle_deg: 0}, "min_transmission_angle_deg")).toBe(false);
+    expect(is_asked({max_length: null}, "max_length")).toBe(false);
+    expect(is_asked({max_length: 5}, "max_length")).toBe(true);
+  });
+  it("drops and relaxes", () => {
+    expect(dropped("max_length")).toEqual({max_length: null});
+    expect(dropped("no_defects")).toEqual({no_defects: false, min_transmission_angle_deg: undefined});
+    expect(is_needed({min_transmission_angle_deg: 30}, "no_defects")).toBe(true);
+    expect(is_needed({}, "no_defects")).toBe(false);
+    expect(relaxed("min_transmission_angle_deg", 24.000000000000004)).toEqual({min_transmission_angle_deg: 24});
+    expect(relaxed("ground_pivots_within", null)).toEqual({ground_pivots_within: null});
+  });
+  it("words values", () => {
+    expect(value_text("min_transmission_angle_deg", 24.000000000000004, "mm")).toBe("24°");
+    expect(value_text("min_transmission_angle_deg", 24.5, "mm")).toBe("24.5°");
+    expect(value_text("max_length", 460, "mm")).toBe("460 mm");
+    expect(value_text("max_length", 460, "")).toBe("460");
+    expect(value_text("max_link_ratio", 8.25, "mm")).toBe("8.25");
+  });
+  it("puts the dearest first when nothing is left", () => {
+    const all: Requirements = {min_transmission_angle_deg: 89, max_link_ratio: 8, max_length: 450};
+    expect(row_order(census([0, 0, 500, 0, 0, 0, 0]), all)[0]).toBe("min_transmission_angle_deg");
+    expect(row_order(census([0, 3, 5, 9, 0, 0, 0]), all).slice(0, 3)).toEqual(["max_link_ratio", "min_transmission_angle_deg", "no_defects"]);
+    expect(row_order(census([0, 3, 5, 9, 0, 0, 0], 1), all)[0]).toBe("types");
+    expect(row_order(null, all)[0]).toBe("types");
+  });
+  it("names what fails", () => {
+    expect(failing(linkage(0b0010100))).toEqual(["min_transmission_angle_deg", "max_length"]);
+    expect(failing(linkage(0b0000110, {order: true, branch: false, circuit: false}))).toEqual([]);
+    expect(failing(linkage(0b1000110, {order: false, branch: true, circuit: true}))).toEqual(["moving_pivots_within"]);
+    expect(failing(linkage(0x7f, undefined, "degenerate"))).toEqual([]);
+  });
+  it("keeps boxes upright", () => {
+    expect(with_side({x: [0, 10], y: [0, 5]}, "x", 0, 20)).toEqual({x: [10, 20], y: [0, 5]});
+    expect(box_around([[100, 0], [200, 50]])).toEqual({x: [0, 300], y: [-30, 80]});
+    expect(box_around([[5, 5]]).x[0]).toBeLessThan(5);
+  });
+});

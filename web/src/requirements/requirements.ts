@@ -1,0 +1,79 @@
+// Requirements as the panel sees them: which are asked, how one is dropped or relaxed, and the words for it.
+import {requirement_keys, type Box, type Census, type Linkage, type RequirementKey, type Requirements} from "../engine/protocol";
+import {significant} from "../texts/numbers";
+import type {TextKey} from "../texts/texts.svelte";
+
+export const requirement_names: Record<RequirementKey, TextKey> = {
+  types: "req.types",
+  no_defects: "defect.none",
+  min_transmission_angle_deg: "req.min_transmission",
+  max_link_ratio: "req.max_ratio",
+  max_length: "req.max_length",
+  ground_pivots_within: "req.ground_box",
+  moving_pivots_within: "req.moving_box",
+};
+
+/** What is asked: the file's own requirements, where they are silent the defaults that the engine used. */
+export function in_force(own: Requirements | undefined, used: Requirements | undefined): Requirements {
+  const defined = Object.fromEntries(Object.entries(own ?? {}).filter(([, value]) => value !== undefined));
+  return {...used, ...defined};
+}
+export function is_asked(requirements: Requirements, key: RequirementKey): boolean {
+  switch (key) {
+    case "types": return (requirements.types?.length ?? 0) > 0;
+    case "no_defects": return requirements.no_defects ?? true;
+    case "min_transmission_angle_deg": return (requirements.min_transmission_angle_deg ?? 0) > 0;
+    default: return requirements[key] !== null && requirements[key] !== undefined;
+  }
+}
+/** The change that drops a requirement. The transmission angle over the task is defined only without defects. */
+export function dropped(key: RequirementKey): Partial<Requirements> {
+  switch (key) {
+    case "types": return {types: undefined};
+    case "no_defects": return {no_defects: false, min_transmission_angle_deg: undefined};
+    case "min_transmission_angle_deg": return {min_transmission_angle_deg: undefined};
+    default: return {[key]: null};
+  }
+}
+/** The transmission angle leans on "no defects", which therefore cannot be dropped alone. */
+export function is_needed(requirements: Requirements, key: RequirementKey): boolean {
+  return key === "no_defects" && is_asked(requirements, "min_transmission_angle_deg");
+}
+export function relaxed(key: RequirementKey, value: number | null): Partial<Requirements> {
+  return value === null ? dropped(key) : {[key]: Number(value.toPrecision(10))};
+}
+export function value_text(key: RequirementKey, value: number, unit: string): string {
+  if (key === "min_transmission_angle_deg") return `${significant(Number(value.toFixed(2)), 4)}°`;
+  return significant(value, 6) + (key === "max_length" && unit ? ` ${unit}` : "");
+}
+
+/** Order of the rows: the engine's, so that what is left only falls; when nothing is left, the dearest first. */
+export function row_order(census: Census | null, requirements: Requirements): RequirementKey[] {
+  if (!census || census.meeting > 0 || census.defect_free === 0) return [...requirement_keys];
+  const cost = (key: RequirementKey) => (is_asked(requirements, key) ? census.only[requirement_keys.indexOf(key)] : -1);
+  return [...requirement_keys].sort((a, b) => cost(b) - cost(a) || requirement_keys.indexOf(a) - requirement_keys.indexOf(b));
+}
+
+/** Requirements that a linkage fails. A defect stands for itself: the transmission angle is not defined then. */
+export function failing(linkage: Linkage): RequirementKey[] {
+  if (linkage.type === "degenerate") return [];
+  const keys = requirement_keys.filter((_, bit) => linkage.fails & (1 << bit));
+  const {order, branch, circuit} = linkage.defects;
+  return order || branch || circuit ? keys.filter((key) => key !== "min_transmission_angle_deg" && key !== "no_defects") : keys;
+}
+
+// ---- boxes ----------------------------------------------------------------------------------------------------------
+
+export function with_side(box: Box, axis: "x" | "y", end: 0 | 1, value: number): Box {
+  const other = box[axis][end === 0 ? 1 : 0];
+  return {...box, [axis]: [Math.min(value, other), Math.max(value, other)]};
+}
+/** A box to begin with where none was drawn: around these points, with room. */
+export function box_around(points: readonly (readonly [number, number])[]): Box {
+  const around = (values: number[]): [number, number] => {
+    const low = Math.min(...values), high = Math.max(...values), size = Math.max(high - low, 1e-3 * Math.max(Math.abs(high), 1));
+    const step = 10 ** Math.floor(Math.log10(size)), tidy = (value: number) => Number(value.toPrecision(12));
+    return [tidy(Math.floor((low - 0.5 * size) / step) * step), tidy(Math.ceil((high + 0.5 * size) / step) * step)];
+  };
+  return {x: around(points.map((p) => p[0])), y: around(points.map((p) => p[1]))};
+}

@@ -1,0 +1,104 @@
+// Problem files come in: by the picker, dropped anywhere on the page, or out of a link. The engine reads every one
+// before anything on screen changes.
+import {Crashed, Refusal, Superseded} from "../engine/client";
+import type {Mistake} from "../engine/protocol";
+import {save_problem} from "../exports/save";
+import {read_problem} from "../state/problem_shape";
+import type {Problem} from "../state/problem";
+import type {Workbench} from "../state/workbench.svelte";
+import {mistakes_text} from "../texts/mistakes";
+import {t} from "../texts/texts.svelte";
+import {read_work, write_work} from "./storage";
+
+const most_bytes = 16 * 1024 * 1024;
+
+/** The problem in a file's text, or the engine's mistakes; nothing when another file came meanwhile. */
+export async function read_text(workbench: Workbench, text: string): Promise<Problem | Mistake[] | null> {
+  const engine = workbench.driver_client;
+  if (!engine) return [{code: "no_engine", place: "", message: t("state.engine_missing")}];
+  try {
+    const {problem} = await engine.request("read", {text});
+    return read_problem(JSON.parse(problem)) ?? [{code: "not_available", place: "task", message: t("mistake.not_available")}];
+  } catch (error) {
+    if (error instanceof Refusal) return error.mistakes;
+    if (error instanceof Crashed) return [{code: "crashed", place: "", message: t("file.crashed")}];
+    if (error instanceof Superseded) return null;
+    throw error;
+  }
+}
+
+/** Another task takes the place of the one on screen, which can be had back: by undo, and from the menu. */
+export function replace_work(workbench: Workbench, problem: Problem, file_name: string | null = null): void {
+  write_work("before", workbench.whole_problem);
+  workbench.open(problem, file_name);
+}
+export function can_restore(): boolean {
+  return read_work("before") !== null;
+}
+/** What was here before; what is here now takes its place. */
+export function restore_work(workbench: Workbench): void {
+  const before = read_work("before");
+  if (before) replace_work(workbench, before);
+}
+
+function newer_version([first]: readonly Mistake[]): string | null {
+  return first?.code === "newer_version" ? (/version ([\d.e+]+)/.exec(first.message)?.[1] ?? "") : null;
+}
+/** Says why a file or link was not opened. */
+export function say_refused(workbench: Workbench, mistakes: readonly Mistake[], name: string | null): void {
+  const version = newer_version(mistakes);
+  if (version !== null) return workbench.say(name === null ? "state.newer_link" : "state.newer_file", {version});
+  const why = mistakes_text(mistakes);
+  if (name === null) workbench.say("state.bad_link", {why});
+  else workbench.say("state.bad_file", {name, why});
+}
+
+async function text_of(file: File): Promise<string | null> {
+  try {
+    return new TextDecoder("utf-8", {fatal: true, ignoreBOM: true}).decode(await file.arrayBuffer());
+  } catch {
+    return null;
+  }
+}
+export async function open_file(workbench: Workbench, file: File): Promise<void> {
+  const {name} = file;
+  if (file.size > most_bytes) return workbench.say("state.huge_file", {name});
+  const text = await text_of(file);
+  const read = text === null ? [{code: "not_utf8", place: "", message: "this is not UTF-8 text; save the file in UTF-8"}] : await read_text(workbench, text);
+  if (read === null) return;
+  if (Array.isArray(read)) return say_refused(workbench, read, name);
+  replace_work(workbench, read, name);
+  workbench.say("file.opened", {name}, {key: "edit.undo", run: () => workbench.undo()});
+}
+export function pick_file(workbench: Workbench): void {
+  const input = document.createElement("input");
+  input.type = "file";
+  input.accept = ".json,application/json";
+  input.onchange = () => input.files?.[0] && void open_file(workbench, input.files[0]);
+  input.click();
+}
+export function save_file(workbench: Workbench): void {
+  workbench.say("state.exported", {name: save_problem(workbench)});
+}
+
+/** A file dropped anywhere is opened, unless the place where it was dropped has another use for it. */
+export function accept_drops(workbench: Workbench): () => void {
+  const has_file = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
+  const over = (event: DragEvent) => {
+    if (event.defaultPrevented || !has_file(event)) return;
+    event.preventDefault();
+    event.dataTransfer!.dropEffect = "copy";
+  };
+  const drop = (event: DragEvent) => {
+    if (event.defaultPrevented || !has_file(event)) return;
+    event.preventDefault(); // the browser would leave the page for the file
+    const file = event.dataTransfer!.files[0];
+    if (file) void open_file(workbench, file);
+  };
+  addEventListener("dragover", over);
+  addEventListener("drop", drop);
+  return () => {
+    removeEventListener("dragover", over);
+    removeEventListener("drop", drop);
+  };
+}

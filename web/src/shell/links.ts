@@ -1,0 +1,55 @@
+// Links to a task: made and copied, and opened from the page's own address.
+import type {Workbench} from "../state/workbench.svelte";
+import {grouped} from "../texts/numbers";
+import {t} from "../texts/texts.svelte";
+import {read_text, replace_work, save_file, say_refused} from "./files";
+import {link_of, read_fragment, type LinkMistake} from "./share";
+
+async function copied(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false; // not allowed, or no such thing outside of https
+  }
+}
+/** Copies the link, or leaves it in the address to be copied from there. */
+export async function copy_link(workbench: Workbench): Promise<void> {
+  const link = link_of(workbench.whole_problem, location.href);
+  if (!link) return workbench.say("state.link_too_long", {}, {key: "file.save", run: () => save_file(workbench)});
+  const values = {n: grouped(link.length)};
+  const picture = workbench.problem.view?.background != null;
+  if (await copied(link)) return workbench.say(picture ? "state.link_copied_no_picture" : "state.link_copied", values);
+  history.replaceState(null, "", link);
+  workbench.say("state.link_in_address");
+}
+
+function link_refused(workbench: Workbench, mistake: LinkMistake): void {
+  if (mistake === "too_long") return workbench.say("state.huge_link");
+  if (mistake === "newer") return workbench.say("state.newer_link", {version: "2"});
+  workbench.say("state.bad_link", {why: t(mistake === "damaged" ? "share.damaged" : "share.too_large")});
+}
+/** The fragment is taken out of the address once it is read: from then on the work is kept as any other. */
+function taken_fragment(): string {
+  const {hash} = location;
+  if (hash.length > 1) history.replaceState(null, "", location.pathname + location.search);
+  return hash;
+}
+/** Opens the link in the page's address, if there is one. */
+export async function open_link(workbench: Workbench): Promise<boolean> {
+  const page_length = location.href.length - location.hash.length;
+  const link = read_fragment(taken_fragment(), page_length);
+  if (!link) return false;
+  if ("mistake" in link) {
+    link_refused(workbench, link.mistake);
+    return false;
+  }
+  const read = await read_text(workbench, link.text);
+  if (read === null) return false;
+  if (Array.isArray(read)) {
+    say_refused(workbench, read, null);
+    return false;
+  }
+  replace_work(workbench, read);
+  return true;
+}

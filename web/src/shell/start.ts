@@ -1,0 +1,47 @@
+// What the page starts with: the task of a link, the work of the last visit, or the first example, in this order.
+import {stored_start} from "../engine/stored";
+import {first_example} from "../gallery/gallery";
+import {preferences} from "../state/preferences.svelte";
+import {engine_text, type Problem} from "../state/problem";
+import {Workbench} from "../state/workbench.svelte";
+import {open_once} from "../transport/play";
+import {accept_drops} from "./files";
+import {open_link} from "./links";
+import {keep_work, read_work} from "./storage";
+
+/** Until a link has been read, which takes the engine. The first example is on screen before the engine is. */
+export function first_workbench(): Workbench {
+  const problem = read_work("work") ?? first_example.problem;
+  const workbench = new Workbench(problem);
+  if (is_first_example(problem)) {
+    const {task, map, linkage, live} = stored_start();
+    workbench.show_stored(task, map, linkage, live);
+  }
+  return workbench;
+}
+function is_first_example(problem: Problem): boolean {
+  return engine_text(problem) === engine_text(first_example.problem) && problem.view?.picked === undefined && problem.view?.order === undefined;
+}
+
+/** Once the page stands and the engine is being started. Returns how to end it. */
+export function begin(workbench: Workbench): () => void {
+  const newcomer = !preferences.toured && read_work("work") === null && location.hash.length <= 1;
+  if (newcomer) workbench.tour = 0;
+  keep_work(workbench);
+  void open_link(workbench);
+  const opened = () => void open_link(workbench);
+  addEventListener("hashchange", opened);
+  const end_drops = accept_drops(workbench);
+  const waiting = newcomer ? setInterval(() => first_opening(workbench, waiting), 100) : undefined;
+  return () => {
+    removeEventListener("hashchange", opened);
+    end_drops();
+    clearInterval(waiting);
+  };
+}
+/** As soon as there is a linkage to show: it opens once. */
+function first_opening(workbench: Workbench, waiting: ReturnType<typeof setInterval> | undefined): void {
+  if (!workbench.hand?.drive) return;
+  clearInterval(waiting);
+  open_once(workbench);
+}

@@ -1,0 +1,303 @@
+// The linkage as plates on pins. Lengths are in longest links of the linkage, z points at the viewer, z = 0 is the back of
+// the ground plate. Nothing is drawn but when something has changed.
+import {
+  AmbientLight, Box3, type BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, ExtrudeGeometry, FrontSide, Group, HemisphereLight,
+  Mesh, MeshStandardMaterial, type Object3D, PerspectiveCamera, PlaneGeometry, Raycaster, Scene, ShadowMaterial, Shape,
+  Vector2, Vector3, VSMShadowMap, WebGLRenderer,
+} from "three";
+import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
+import type {Linkage, Point} from "../engine/protocol";
+import type {State} from "../state/drive";
+import {body_point} from "../state/problem";
+import {convex_hull} from "./hull";
+import {pin_diameter, plate_thickness, plate_width, type LayerPlan, type Link} from "./layers";
+
+export type SolidColors = Record<"paper" | "ink2" | "input" | "output" | "body" | "accent" | "curve", string>;
+export interface SolidInput {
+  linkage: Linkage;
+  plan: LayerPlan;
+  outline: readonly Point[]; // body coordinates
+  /** Any state of the drive: how the body lies on the coupler. */
+  state: State;
+  /** What is to be in the window. */
+  reach: readonly Point[];
+}
+const pitch = 1.35 * plate_thickness; // from layer to layer: heads of pins fit between the plates
+const head = {thickness: 0.25 * plate_thickness, radius: 0.75 * pin_diameter};
+const view_angle = 32;
+
+interface Moving {
+  object: Object3D;
+  place(state: State): [x: number, y: number, angle: number];
+}
+
+export class SolidScene {
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(view_angle, 1, 0.01, 60);
+  private readonly controls: OrbitControls;
+  private readonly light = new DirectionalLight(0xffffff, 1.9);
+  private parts = new Group();
+  private moving: Moving[] = [];
+  private unit = 1;
+  private state: State | null = null;
+  private reach: readonly Point[] = [];
+  private asked = 0;
+  /** The wall behind, which shows nothing but shadow. */
+  private readonly wall = new Mesh(new PlaneGeometry(60, 60), new ShadowMaterial({opacity: 0.22}));
+  private size = {width: 0, height: 0};
+
+  constructor(private readonly canvas: HTMLCanvasElement, private colors: SolidColors, private readonly still: boolean) {
+    this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true, preserveDrawingBuffer: true});
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = VSMShadowMap;
+    this.light.castShadow = true;
+    this.light.shadow.mapSize.set(1024, 1024);
+    this.light.shadow.radius = 6;
+    this.light.shadow.bias = -0.0005;
+    this.wall.receiveShadow = true;
+    this.scene.add(this.wall, new HemisphereLight(0xffffff, 0xb8c0c8, 1.3), new AmbientLight(0xffffff, 0.5), this.light, this.light.target);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.zoomToCursor = true;
+    [this.controls.minDistance, this.controls.maxDistance] = [0.3, 30];
+    this.controls.addEventListener("change", () => this.ask());
+    canvas.addEventListener("dblclick", this.look_square);
+  }
+  dispose(): void {
+    cancelAnimationFrame(this.asked);
+    this.canvas.removeEventListener("dblclick", this.look_square);
+    this.controls.dispose();
+    this.clear();
+    this.wall.geometry.dispose();
+    this.wall.material.dispose();
+    this.light.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
+  /** Another linkage, another order of layers or another outline. The view stays where the user has turned it. */
+  show(input: SolidInput): void {
+    const first = this.parts.children.length === 0, unit_before = this.unit;
+    this.clear();
+    this.unit = input.linkage.longest!;
+    this.reach = input.reach;
+    this.build(input);
+    this.scene.add(this.parts);
+    if (first) this.fit();
+    else if (this.unit !== unit_before) this.keep_view(unit_before / this.unit);
+    this.put_light();
+    this.ask();
+  }
+  move(state: State): void {
+    this.state = state;
+    for (const {object, place} of this.moving) {
+      const [x, y, angle] = place(state);
+      object.position.set(x / this.unit, y / this.unit, object.position.z);
+      object.rotation.z = angle;
+    }
+    this.ask();
+  }
+  resize(width: number, height: number): void {
+    if (width === 0 || height === 0) return;
+    this.size = {width, height};
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.ask();
+  }
+  recolor(colors: SolidColors, input: SolidInput | null): void {
+    this.colors = colors;
+    if (!input) return;
+    this.show(input);
+    if (this.state) this.move(this.state);
+  }
+  /** Everything in the window, seen from a little above and to the left of straight ahead. */
+  fit(): void {
+    const points = this.reach.map(([x, y]) => new Vector3(x / this.unit, y / this.unit, layer_z(2)));
+    const center = new Box3().setFromPoints(points).getCenter(new Vector3());
+    const ahead = new Vector3(-0.38, 0.34, 1).normalize();
+    const right = new Vector3().crossVectors(this.camera.up, ahead).normalize(), up = new Vector3().crossVectors(ahead, right);
+    const slope = Math.tan((view_angle * Math.PI) / 360) * 0.92;
+    let away = 0.5;
+    for (const point of points) {
+      const arm = point.sub(center), near = arm.dot(ahead);
+      away = Math.max(away, near + Math.abs(arm.dot(up)) / slope, near + Math.abs(arm.dot(right)) / (slope * this.camera.aspect));
+    }
+    this.look(center, center.clone().addScaledVector(ahead, away));
+  }
+  turn(right: number, up: number): void {
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    arm.applyAxisAngle(this.camera.up, right).applyAxisAngle(new Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion), up);
+    this.look(this.controls.target.clone(), this.controls.target.clone().add(arm));
+  }
+  /** For tests: from where the scene is seen. */
+  get eye(): [number, number, number] {
+    return this.camera.position.toArray();
+  }
+
+  private look(target: Vector3, eye: Vector3): void {
+    this.controls.target.copy(target);
+    this.camera.position.copy(eye);
+    this.controls.update();
+    this.ask();
+  }
+  private keep_view(factor: number): void {
+    this.look(this.controls.target.clone().multiplyScalar(factor), this.camera.position.clone().multiplyScalar(factor));
+  }
+  private ask(): void {
+    if (this.asked || this.size.width === 0) return;
+    this.asked = requestAnimationFrame(() => {
+      this.asked = 0;
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+  private clear(): void {
+    this.scene.remove(this.parts);
+    this.parts.traverse((object) => {
+      if (!(object instanceof Mesh)) return;
+      (object.geometry as BufferGeometry).dispose();
+      (object.material as MeshStandardMaterial).dispose();
+    });
+    this.parts = new Group();
+    this.moving = [];
+  }
+  private put_light(): void {
+    const center = new Box3().setFromObject(this.parts).getCenter(new Vector3());
+    this.light.target.position.copy(center);
+    this.light.position.copy(center).add(new Vector3(-1.2, 1.9, 3.2));
+    const reach = 2.6, {camera} = this.light.shadow;
+    [camera.left, camera.right, camera.top, camera.bottom, camera.near, camera.far] = [-reach, reach, reach, -reach, 0.1, 8];
+    camera.updateProjectionMatrix();
+  }
+  /** Double-click on a plate: look square at it. */
+  private readonly look_square = (event: MouseEvent): void => {
+    const box = this.canvas.getBoundingClientRect(), ray = new Raycaster();
+    ray.setFromCamera(new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2), this.camera);
+    const hit = ray.intersectObjects(this.parts.children, true).at(0);
+    if (!hit) return;
+    const away = this.camera.position.distanceTo(this.controls.target);
+    this.glide(hit.point, hit.point.clone().add(new Vector3(0, 0, away)));
+  };
+  private glide(target: Vector3, eye: Vector3): void {
+    const from = {target: this.controls.target.clone(), eye: this.camera.position.clone()}, began = performance.now();
+    if (this.still) return this.look(target, eye);
+    const frame = (now: number) => {
+      const share = Math.min((now - began) / 120, 1);
+      this.look(from.target.clone().lerp(target, share), from.eye.clone().lerp(eye, share));
+      if (share < 1) requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  }
+
+  // ---- parts --------------------------------------------------------------------------------------------------
+
+  private build({linkage, plan, outline, state}: SolidInput): void {
+    const {order} = plan, fixed = {input: linkage.input.center!, output: linkage.output.center!};
+    this.add_ground(fixed.input, fixed.output);
+    const lengths = linkage.lengths!;
+    this.add_link("input", lengths.input, order.input, (s) => [...fixed.input, Math.atan2(s.ay - fixed.input[1], s.ax - fixed.input[0])]);
+    this.add_link("output", lengths.output, order.output, (s) => [...fixed.output, Math.atan2(s.by - fixed.output[1], s.bx - fixed.output[0])]);
+    this.add_link("coupler", lengths.coupler, order.coupler, (s) => [s.ax, s.ay, Math.atan2(s.by - s.ay, s.bx - s.ax)]);
+    this.add_pin(0, order.input, "input", () => [...fixed.input, 0]);
+    this.add_pin(0, order.output, "output", () => [...fixed.output, 0]);
+    this.add_pin(order.input, order.coupler, "input", (s) => [s.ax, s.ay, 0]);
+    this.add_pin(order.output, order.coupler, "output", (s) => [s.bx, s.by, 0]);
+    this.add_body(outline, order.coupler, body_point([state.ax, state.ay], state), body_point([state.bx, state.by], state));
+  }
+  private material(color: string, opacity = 1): MeshStandardMaterial {
+    return new MeshStandardMaterial({
+      color: new Color(color), roughness: 0.62, metalness: 0, transparent: opacity < 1, opacity, side: opacity < 1 ? DoubleSide : FrontSide, depthWrite: opacity === 1,
+    });
+  }
+  private mesh(geometry: BufferGeometry, material: MeshStandardMaterial, z: number): Mesh {
+    const mesh = new Mesh(geometry, material);
+    mesh.position.z = z;
+    mesh.castShadow = material.opacity === 1;
+    mesh.receiveShadow = material.opacity === 1;
+    this.parts.add(mesh);
+    return mesh;
+  }
+  private add_link(link: Link, length: number, layer: number, place: Moving["place"]): void {
+    const holes: Point[] = [[0, 0], [length / this.unit, 0]];
+    const shape = slot(0, length / this.unit, plate_width / 2);
+    for (const [x, y] of holes) shape.holes.push(new Shape().absarc(x, y, pin_diameter / 2, 0, 2 * Math.PI, true));
+    const object = this.mesh(plate(shape, plate_thickness), this.material(this.colors[link === "coupler" ? "body" : link], 1), layer_z(layer));
+    object.name = link;
+    this.moving.push({object, place});
+  }
+  private add_pin(one: number, other: number, role: "input" | "output", place: Moving["place"]): void {
+    const low = Math.min(one, other), high = Math.max(one, other);
+    const bottom = layer_z(low) - (low === 0 ? 0 : head.thickness), top = layer_z(high) + plate_thickness + head.thickness;
+    const pin = new Group();
+    const steel = () => this.material(this.colors.ink2);
+    pin.add(upright(pin_diameter / 2, bottom, top, steel()), upright(head.radius, top - head.thickness, top, steel()));
+    if (low > 0) pin.add(upright(head.radius, bottom, bottom + head.thickness, steel()));
+    pin.add(upright(0.45 * pin_diameter / 2, top, top + 0.002, this.material(this.colors[role])));
+    this.parts.add(pin);
+    this.moving.push({object: pin, place});
+  }
+  /** The body, and a web that holds it on the coupler. */
+  private add_body(outline: readonly Point[], layer: number, a: Point, b: Point): void {
+    const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+    const away = (p: Point) => Math.hypot(p[0] - middle[0], p[1] - middle[1]);
+    const nearest = [...outline].sort((p, q) => away(p) - away(q)).slice(0, 2);
+    const thickness = plate_thickness / 4, z = layer_z(layer) + (plate_thickness - thickness) / 2;
+    for (const [corners, opacity] of [[outline, 0.34], [convex_hull([a, b, ...nearest]), 0.2]] as const) {
+      const shape = new Shape(corners.map(([x, y]) => new Vector2(x / this.unit, y / this.unit)));
+      const object = this.mesh(plate(shape, thickness), this.material(this.colors.accent, opacity), z);
+      object.name = "body";
+      object.renderOrder = 1;
+      this.moving.push({object, place: (s) => [s.x, s.y, (s.theta_deg * Math.PI) / 180]});
+    }
+  }
+  /** A plate behind everything that carries two brackets. */
+  private add_ground(input: Point, output: Point): void {
+    const one = scaled(input, this.unit), other = scaled(output, this.unit);
+    const length = Math.hypot(other[0] - one[0], other[1] - one[1]), angle = Math.atan2(other[1] - one[1], other[0] - one[0]);
+    const base = this.mesh(plate(slot(0, length, 0.13), plate_thickness / 2), this.material(this.colors.curve), 0);
+    base.position.set(one[0], one[1], 0);
+    base.rotation.z = angle;
+    base.name = "ground";
+    for (const [[x, y], role] of [[one, "input"], [other, "output"]] as const) {
+      const foot = this.mesh(plate(bracket(), plate_thickness), this.material(this.colors[role]), layer_z(0));
+      foot.position.set(x, y, foot.position.z);
+      foot.name = "ground";
+    }
+  }
+}
+
+function layer_z(layer: number): number {
+  return plate_thickness / 2 + layer * pitch;
+}
+function scaled([x, y]: Point, unit: number): Point {
+  return [x / unit, y / unit];
+}
+/** A straight plate with round ends. */
+function slot(from: number, to: number, radius: number): Shape {
+  const shape = new Shape();
+  shape.absarc(to, 0, radius, -Math.PI / 2, Math.PI / 2, false);
+  shape.absarc(from, 0, radius, Math.PI / 2, (3 * Math.PI) / 2, false);
+  shape.closePath();
+  return shape;
+}
+function bracket(): Shape {
+  const r = plate_width / 2, shape = new Shape();
+  shape.absarc(0, 0, r, 0, Math.PI, false);
+  shape.lineTo(-1.5 * r, -1.9 * r);
+  shape.lineTo(1.5 * r, -1.9 * r);
+  shape.closePath();
+  return shape;
+}
+function plate(shape: Shape, thickness: number): ExtrudeGeometry {
+  const bevel = Math.min(0.12 * thickness, 0.006);
+  return new ExtrudeGeometry(shape, {
+    depth: thickness - 2 * bevel, bevelEnabled: true, bevelSize: bevel, bevelThickness: bevel, bevelOffset: -bevel, bevelSegments: 2, curveSegments: 24,
+  }).translate(0, 0, bevel);
+}
+function upright(radius: number, bottom: number, top: number, material: MeshStandardMaterial): Mesh {
+  const mesh = new Mesh(new CylinderGeometry(radius, radius, top - bottom, 32).rotateX(Math.PI / 2), material);
+  mesh.position.z = (bottom + top) / 2;
+  mesh.castShadow = mesh.receiveShadow = true;
+  return mesh;
+}

@@ -1,0 +1,68 @@
+// Looking up a drive table: where the linkage is at a driver angle. Nothing is computed here but interpolation.
+import {state_columns, state_width, type Drive} from "../engine/protocol";
+
+export type State = Record<(typeof state_columns)[number], number>;
+
+export function row_count(drive: Drive): number {
+  return drive.states.length / state_width;
+}
+export function angle_of_row(drive: Drive, row: number): number {
+  return drive.states[row * state_width];
+}
+export function travel(drive: Drive): [low: number, high: number] {
+  return [angle_of_row(drive, 0), angle_of_row(drive, row_count(drive) - 1)];
+}
+export function row_state(drive: Drive, row: number): State {
+  const state = {} as State;
+  state_columns.forEach((name, column) => (state[name] = drive.states[row * state_width + column]));
+  return state;
+}
+
+/** The state at a driver angle (degrees from position 1), linear between the table's rows; rows themselves exactly. */
+export function state_at(drive: Drive, angle_deg: number): State {
+  const last = row_count(drive) - 1;
+  let low = 0, high = last;
+  const angle = Math.min(Math.max(angle_deg, angle_of_row(drive, 0)), angle_of_row(drive, last));
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (angle_of_row(drive, middle) <= angle) low = middle;
+    else high = middle;
+  }
+  if (angle_of_row(drive, high) === angle) return row_state(drive, high);
+  const from = angle_of_row(drive, low), to = angle_of_row(drive, high);
+  const share = to > from ? (angle - from) / (to - from) : 0;
+  if (share === 0) return row_state(drive, low);
+  const state = row_state(drive, low), next = row_state(drive, high);
+  for (const name of state_columns) state[name] += share * (next[name] - state[name]);
+  return state;
+}
+
+const beyond_deg = 30; // outside the task, one unit of the stage is so many degrees
+
+function stops(drive: Drive): number[] {
+  return drive.ticks.filter((t) => t.reached).map((t) => angle_of_row(drive, t.state)).sort((a, b) => a - b);
+}
+
+/** Stage: a number that compares linkages: k between stop k + 1 and the next (0 the first position met), linear in the
+ *  driver angle between stops, and running on outside. */
+export function angle_at_stage(drive: Drive, stage: number): number {
+  const at = stops(drive);
+  if (at.length === 0) return 0;
+  const last = at.length - 1;
+  const [low, high] = travel(drive);
+  const angle =
+    stage < 0 ? at[0] + stage * beyond_deg
+    : stage >= last ? at[last] + (stage - last) * beyond_deg
+    : at[Math.floor(stage)] + (stage - Math.floor(stage)) * (at[Math.floor(stage) + 1] - at[Math.floor(stage)]);
+  return Math.min(Math.max(angle, low), high);
+}
+export function stage_at_angle(drive: Drive, angle_deg: number): number {
+  const at = stops(drive);
+  if (at.length === 0) return 0;
+  const last = at.length - 1;
+  if (angle_deg < at[0]) return (angle_deg - at[0]) / beyond_deg;
+  if (angle_deg >= at[last]) return last + (angle_deg - at[last]) / beyond_deg;
+  let k = 0;
+  while (k + 1 < last && at[k + 1] <= angle_deg) ++k;
+  return k + (angle_deg - at[k]) / (at[k + 1] - at[k]);
+}

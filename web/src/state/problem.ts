@@ -1,0 +1,162 @@
+// The problem file as the page holds it: a plain immutable value. Its normal form and its mistakes come from the engine.
+import type {LinkageType, Point, Requirements, TauPair} from "../engine/protocol";
+
+export interface Pose {
+  x: number;
+  y: number;
+  theta_deg: number;
+  derivatives?: {x: number; y: number; theta: number}[];
+}
+export interface Task {
+  kind: "motion";
+  mechanism: "four_bar";
+  poses: readonly Pose[];
+}
+export interface Options {
+  region_samples?: number;
+  spacing?: "coordinate" | "arc_length";
+  objective?: "min_transmission_angle" | "link_ratio" | "size";
+  best?: number;
+  window?: unknown;
+}
+/** A linkage that the user keeps: it belongs to the task in which it was pinned, whose poses it carries. */
+export interface Pin {
+  name: string; // A, B, …
+  note?: string;
+  tau: TauPair;
+  place?: TauPair; // where its marker stands on the map, display coordinates
+  poses: readonly Pose[];
+  shown?: boolean; // as a ghost on the drawing
+  type: LinkageType;
+  min_transmission_angle_deg: number | null;
+  link_ratio: number | null;
+  longest: number | null;
+  lengths: {ground: number; input: number; coupler: number; output: number} | null;
+  pivots: {input_center: Point | null; input_circle: Point | null; output_center: Point | null; output_circle: Point | null};
+}
+export interface Background {
+  image: string; // data: URL
+  /** Fixed-frame point under the picture's lower left corner, and its width in the user's unit. */
+  x: number;
+  y: number;
+  width: number;
+  aspect: number; // height / width
+  opacity?: number; // 0.5 unless told
+}
+/** The workbench's own part of the file: kept by the engine, never read. */
+export interface View {
+  outline?: readonly Point[]; // body coordinates, the moving frame of each pose
+  background?: Background | null;
+  picked?: TauPair;
+  pins?: readonly Pin[];
+  traced?: readonly Point[]; // body points whose curves are drawn, body coordinates
+  order?: number; // display order of the map
+}
+export interface Problem {
+  linkwright: 1;
+  title?: string;
+  length_unit?: string;
+  task: Task;
+  requirements?: Requirements;
+  options?: Options;
+  view?: View;
+}
+
+export function problem_text(problem: Problem, indent?: number): string {
+  return JSON.stringify(problem, null, indent);
+}
+
+/** What the engine needs: without the view, so that pins and outline never make it compute. */
+export function engine_text(problem: Problem): string {
+  const {view: _, ...rest} = problem;
+  return JSON.stringify(rest);
+}
+
+export function with_pose(problem: Problem, index: number, change: Partial<Pose>): Problem {
+  const poses = problem.task.poses.map((pose, i) => (i === index ? {...pose, ...change} : pose));
+  return with_poses(problem, poses);
+}
+export function with_poses(problem: Problem, poses: readonly Pose[]): Problem {
+  return {...problem, task: {...problem.task, poses}};
+}
+export function with_requirements(problem: Problem, change: Partial<Requirements>): Problem {
+  const requirements = {...problem.requirements, ...change};
+  for (const key of Object.keys(requirements) as (keyof Requirements)[]) {
+    if (requirements[key] === undefined) delete requirements[key];
+  }
+  return {...problem, requirements};
+}
+export function with_options(problem: Problem, change: Partial<Options>): Problem {
+  return {...problem, options: {...problem.options, ...change}};
+}
+export function with_view(problem: Problem, change: Partial<View>): Problem {
+  return {...problem, view: {...problem.view, ...change}};
+}
+
+export function same_poses(a: readonly Pose[], b: readonly Pose[]): boolean {
+  return a === b || (a.length === b.length && a.every((pose, i) => same_pose(pose, b[i])));
+}
+function same_pose(a: Pose, b: Pose): boolean {
+  const rest = (pose: Pose) => JSON.stringify((pose.derivatives ?? []).map((d) => [d.x, d.y, d.theta]));
+  return a.x === b.x && a.y === b.y && a.theta_deg === b.theta_deg && rest(a) === rest(b);
+}
+
+/** A body point's place in the fixed frame when the moving frame lies at `pose`. */
+export function placed(point: Point, pose: {x: number; y: number; theta_deg: number}): Point {
+  const angle = (pose.theta_deg * Math.PI) / 180, c = Math.cos(angle), s = Math.sin(angle);
+  return [pose.x + c * point[0] - s * point[1], pose.y + s * point[0] + c * point[1]];
+}
+/** The reverse: body coordinates of a fixed-frame point. */
+export function body_point(point: Point, pose: {x: number; y: number; theta_deg: number}): Point {
+  const angle = (pose.theta_deg * Math.PI) / 180, c = Math.cos(angle), s = Math.sin(angle);
+  const dx = point[0] - pose.x, dy = point[1] - pose.y;
+  return [c * dx + s * dy, -s * dx + c * dy];
+}
+
+/** Diagonal of the box around the poses. */
+export function poses_extent(poses: readonly Pose[]): number {
+  const xs = poses.map((p) => p.x), ys = poses.map((p) => p.y);
+  return Math.hypot(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys)) || 1;
+}
+
+/** A round number of one digit (1, 2, 5 × 10ⁿ) that is at least `value`. */
+export function round_step(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  for (const digit of [1, 2, 5]) if (digit * power >= value * (1 - 1e-12)) return digit * power;
+  return 10 * power;
+}
+
+/** Outline of the body: the file's, or a rectangle sized from the poses. */
+export function outline_of(problem: Problem): readonly Point[] {
+  if (problem.view?.outline && problem.view.outline.length >= 3) return problem.view.outline;
+  const size = poses_extent(problem.task.poses);
+  const w = round_step(0.3 * size), h = round_step(0.1 * size);
+  return [[-w / 2, -h / 2], [w / 2, -h / 2], [w / 2, h / 2], [-w / 2, h / 2]];
+}
+
+/** New tasks get a size limit (the best transmission angle alone is found next to links of many metres). */
+export function default_max_length(problem: Problem): number {
+  const points = problem.task.poses.flatMap((pose) => outline_of(problem).map((p) => placed(p, pose)));
+  const xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
+  const diagonal = Math.hypot(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
+  return Number((3 * diagonal).toPrecision(2));
+}
+
+export function new_problem(): Problem {
+  const problem: Problem = {
+    linkwright: 1,
+    title: "",
+    length_unit: "mm",
+    task: {
+      kind: "motion",
+      mechanism: "four_bar",
+      poses: [
+        {x: 0, y: 0, theta_deg: 0},
+        {x: -60, y: 80, theta_deg: 20},
+        {x: -80, y: 190, theta_deg: 50},
+        {x: -40, y: 300, theta_deg: 85},
+      ],
+    },
+  };
+  return with_requirements(problem, {min_transmission_angle_deg: 30, max_length: default_max_length(problem)});
+}

@@ -1,0 +1,236 @@
+// The one state with the real engine behind it, in this thread.
+import {readFileSync} from "node:fs";
+import {beforeAll, describe, expect, it} from "vitest";
+import {create_linkwright} from "../engine/module";
+import type {ReplyMessage, RequestMessage} from "../engine/protocol";
+import {Server} from "../engine/serve";
+import {first_example} from "../gallery/gallery";
+import {new_problem, with_pose, with_poses, with_requirements, type Problem} from "./problem";
+import {preferences} from "./preferences.svelte";
+import {Workbench} from "./workbench.svelte";
+
+const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
+const tailgate = first_example.problem;
+let servers: (() => Server)[];
+
+/** Answers a little later, as a worker does. */
+class Thread {
+  onmessage: ((event: MessageEvent<ReplyMessage>) => void) | null = null;
+  dead = false;
+  constructor(private readonly server: Server, private readonly asked: RequestMessage[]) {
+    setTimeout(() => this.say({kind: "ready", version: "test"}));
+  }
+  postMessage(message: RequestMessage): void {
+    this.asked.push(message);
+    setTimeout(() => !this.dead && this.say(this.server.serve(message).message));
+  }
+  terminate(): void {
+    this.dead = true;
+  }
+  private say(data: ReplyMessage): void {
+    if (!this.dead) this.onmessage?.({data} as MessageEvent<ReplyMessage>);
+  }
+}
+
+beforeAll(async () => {
+  const modules = [await create_linkwright({wasmBinary: wasm}), await create_linkwright({wasmBinary: wasm})];
+  servers = modules.map((module) => () => new Server(module));
+  preferences.colour_by = "type";
+});
+
+interface Bench {
+  workbench: Workbench;
+  asked: RequestMessage[];
+  now: {time: number};
+}
+function bench(problem: Problem, cores = 2): Bench {
+  const now = {time: 0}, asked: RequestMessage[] = [];
+  const workbench = new Workbench(problem, () => now.time);
+  let started = 0;
+  workbench.connect(() => new Thread(servers[started++ % 2](), asked) as unknown as Worker, cores);
+  return {workbench, asked, now};
+}
+async function until(what: () => unknown, ms = 8000): Promise<void> {
+  const end = performance.now() + ms;
+  while (!what()) {
+    if (performance.now() > end) throw new Error(`never: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 2));
+  }
+}
+/** Until nothing more will come by itself but the fine map. */
+async function settled({workbench}: Bench): Promise<void> {
+  await until(() => workbench.is_current && workbench.picked !== null && workbench.picked_linkage !== null && workbench.hand !== null);
+  await until(() => workbench.picked_linkage!.tau.join() === workbench.picked!.tau.join());
+  await new Promise((resolve) => setTimeout(resolve, 60));
+}
+const digest = ({workbench}: Bench) => JSON.stringify([workbench.document, workbench.picked_linkage, workbench.task!.axis]);
+
+describe("the workbench", () => {
+  it("starts with the best linkage in hand", async () => {
+    const b = bench(tailgate);
+    await settled(b);
+    expect(b.workbench.can_undo).toBe(false);
+    expect(b.workbench.census!.meeting).toBe(25608);
+    expect(b.workbench.hand!.min_transmission_angle_deg).toBeCloseTo(83.7, 1);
+    await until(() => b.workbench.verified?.verified);
+  });
+
+  it("makes one step of a drag, and undo brings back everything to the last bit", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    const before = digest(b);
+    workbench.begin_gesture();
+    for (let i = 1; i <= 8; ++i) {
+      workbench.drag((problem) => with_pose(problem, 2, {x: -220 + 2 * i, y: 220 - i}));
+      await new Promise((resolve) => setTimeout(resolve, 15));
+    }
+    workbench.end_gesture();
+    await settled(b);
+    const after = digest(b);
+    expect(after).not.toBe(before);
+    expect(workbench.picked!.place).toEqual(JSON.parse(before)[0].picked.place); // it stays in place on the map
+    workbench.undo();
+    await settled(b);
+    expect(digest(b)).toBe(before);
+    expect(workbench.can_undo).toBe(false);
+    workbench.redo();
+    await settled(b);
+    expect(digest(b)).toBe(after);
+  });
+
+  it("leaves no step where a drag ends where it began, or is cancelled", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    const before = digest(b);
+    workbench.begin_gesture();
+    workbench.drag((problem) => with_pose(problem, 1, {x: -100}));
+    workbench.drag((problem) => with_pose(problem, 1, {x: -125}));
+    workbench.end_gesture();
+    workbench.begin_gesture();
+    workbench.drag((problem) => with_pose(problem, 1, {x: -90}));
+    workbench.cancel_gesture();
+    await settled(b);
+    expect(digest(b)).toBe(before);
+    expect(workbench.can_undo).toBe(false);
+  });
+
+  it("keeps the last good state when a drag ends where the engine refuses", async () => {
+    const b = bench(tailgate), {workbench} = b, {poses} = tailgate.task;
+    await settled(b);
+    workbench.begin_gesture();
+    workbench.drag((problem) => with_pose(problem, 2, {x: -222}));
+    await until(() => workbench.is_current);
+    workbench.drag((problem) => with_pose(problem, 2, {...poses[1]}));
+    await until(() => workbench.refusal !== null);
+    expect(workbench.refusal![0].code).toBe("repeated_pose");
+    expect(workbench.map).not.toBeNull();
+    workbench.end_gesture();
+    await settled(b);
+    expect(workbench.problem.task.poses[2].x).toBe(-222);
+    expect(workbench.refusal).toBeNull();
+    workbench.undo();
+    expect(workbench.problem.task.poses[2].x).toBe(-220);
+    expect(workbench.can_undo).toBe(false);
+  });
+
+  it("takes back a typed value that the engine refuses, and only that", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    workbench.pin();
+    expect(workbench.pins.length).toBe(1);
+    workbench.edit((problem) => with_pose(problem, 2, {...tailgate.task.poses[1]}));
+    await until(() => workbench.refusal !== null);
+    expect(workbench.problem.task.poses).toEqual(tailgate.task.poses);
+    expect(workbench.pins.length).toBe(1);
+    workbench.undo();
+    expect(workbench.pins.length).toBe(0); // the pin was the last step: the refused one left none
+    expect(workbench.can_undo).toBe(false);
+  });
+
+  it("shows no map that comes late to a task without one", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    workbench.edit((problem) => with_pose(problem, 2, {x: -219}));
+    workbench.edit((problem) => with_poses(problem, problem.task.poses.slice(1)));
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    expect(workbench.incomplete).toBe("too_few");
+    expect([workbench.task, workbench.map, workbench.hand]).toEqual([null, null, null]);
+    workbench.undo();
+    await settled(b);
+    expect(workbench.problem.task.poses[2].x).toBe(-219);
+  });
+
+  it("lives with a task whose dyads are no curve", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    workbench.edit((problem) => with_poses(problem, [[200, 0], [0, 200], [-200, 0], [120, 160]].map(([x, y]) => ({x, y, theta_deg: 0}))));
+    await until(() => workbench.task?.status === "degenerate");
+    expect(workbench.map).toBeNull();
+    expect(workbench.task!.reason!.code).toBe("translations_on_circle");
+    workbench.undo();
+    await settled(b);
+    expect(workbench.picked).not.toBeNull();
+  });
+
+  it("follows the pointer and comes back to what is picked", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    const picked = workbench.picked!.tau;
+    workbench.hover([1.3125, 1.1125]);
+    await until(() => workbench.hand!.tau[0] === 1.3125);
+    expect(workbench.hand!.min_transmission_angle_deg).toBeCloseTo(73.5, 1);
+    workbench.edit((problem) => with_requirements(problem, {max_link_ratio: 7}));
+    workbench.hover(null);
+    await until(() => workbench.hand!.tau.join() === picked.join());
+    workbench.hover([1.3125, 1.1125]);
+    workbench.pick([1.3125, 1.1125]);
+    await until(() => workbench.picked_linkage!.tau[0] === 1.3125); // picked while hovered
+    workbench.hover(null);
+    expect(workbench.hand!.tau).toEqual([1.3125, 1.1125]);
+  });
+
+  it("works with one worker as well, counts of the whole region included", async () => {
+    const b = bench(tailgate, 1), {workbench} = b;
+    await settled(b);
+    const {census} = workbench;
+    workbench.zoom({input: [0.2, 0.4], output: [0.5, 0.7]});
+    await until(() => workbench.map!.samples === 1000 && workbench.map!.window.input[0] === 0.2);
+    expect(workbench.census).toEqual(census);
+    workbench.hover([1.3125, 1.1125]);
+    await until(() => workbench.hand!.tau[0] === 1.3125);
+  });
+
+  it("opens another task as one step", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    const before = digest(b);
+    workbench.open(new_problem());
+    await settled(b);
+    expect(workbench.problem.task.poses[1].x).toBe(-60);
+    workbench.undo();
+    await settled(b);
+    expect(digest(b)).toBe(before);
+  });
+
+  it("opens what it saved as it was: pick, pins and the order of the map", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    workbench.pin();
+    const saved = JSON.parse(JSON.stringify(workbench.whole_problem)) as Problem;
+    const other = bench(saved);
+    await settled(other);
+    expect(other.workbench.picked!.tau).toEqual(workbench.picked!.tau);
+    expect(other.workbench.pins.map((pin) => [pin.name, pin.tau])).toEqual(workbench.pins.map((pin) => [pin.name, pin.tau]));
+    expect(other.workbench.task!.axis).toEqual(workbench.task!.axis);
+    expect(other.workbench.map!.type).toEqual(workbench.map!.type);
+  });
+
+  it("asks the map once for what it shows already", async () => {
+    const b = bench(tailgate);
+    await settled(b);
+    await until(() => b.workbench.map!.samples === 1000);
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    const maps = b.asked.filter((message) => message.kind === "explore").map((message) => (message as {samples: number}).samples);
+    expect(maps).toEqual([400, 1000]);
+  });
+});

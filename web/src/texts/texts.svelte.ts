@@ -1,0 +1,30 @@
+import type {Notice} from "../engine/protocol";
+import {preferences} from "../state/preferences.svelte";
+import en from "./en.json";
+import zh from "./zh.json";
+
+export type TextKey = keyof typeof en;
+export type Values = Record<string, string | number>;
+const texts: Record<"en" | "zh", Record<string, string>> = {en, zh};
+
+/** The text in the language in force, its {placeholders} filled in. Reactive. */
+export function t(key: TextKey, values: Values = {}): string {
+  return filled(texts[preferences.language][key] ?? en[key] ?? key, values);
+}
+
+/** A sentence of the engine: `notice.<code>` of the texts, or its English message. */
+export function notice_text(notice: Notice): string {
+  const known = texts[preferences.language][`notice.${notice.code}`];
+  return known === undefined ? notice.message : filled(known, told(notice.values));
+}
+/** The engine's values for people: numbers at three digits, its lists in the language in force. */
+function told(values: Values): Values {
+  const one = (value: string | number) =>
+    typeof value === "number" ? (Number.isInteger(value) ? value : Number(value.toPrecision(3)))
+    : preferences.language === "zh" ? value.replace(/, | and /g, "、") : value;
+  return Object.fromEntries(Object.entries(values).map(([name, value]) => [name, one(value)]));
+}
+
+function filled(text: string, values: Values): string {
+  return text.replace(/\{(\w+)\}/g, (whole, name: string) => (name in values ? String(values[name]) : whole));
+}

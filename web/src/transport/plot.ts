@@ -1,0 +1,86 @@
+// What the plot shows: columns of the drive table over the driver angle, or the path of the body.
+import {state_columns, state_width, type Drive} from "../engine/protocol";
+import {row_count, state_at} from "../state/drive";
+import {played_span, stops_of} from "./play";
+
+export const plot_kinds = ["transmission", "coupler", "path", "velocity", "advantage"] as const;
+export type PlotKind = (typeof plot_kinds)[number];
+type Column = (typeof state_columns)[number];
+const columns: Record<PlotKind, Column[]> = {
+  transmission: ["transmission_angle_deg"],
+  coupler: ["coupler_deg"],
+  path: ["x", "y"],
+  velocity: ["velocity_ratio"],
+  advantage: ["mechanical_advantage"],
+};
+const zero_is_nothing: readonly PlotKind[] = ["velocity", "advantage"]; // at dead points
+
+export interface Plot {
+  kind: PlotKind;
+  angles: number[];
+  /** One column, or x and y of the path. Null: not defined there. */
+  values: (number | null)[][];
+  dots: {pose: number; angle: number; values: (number | null)[]}[];
+  x: [number, number];
+  y: [number, number];
+}
+
+export function plot_of(drive: Drive, kind: PlotKind, whole: boolean): Plot {
+  const [low, high] = played_span(drive, whole);
+  const rows = Array.from({length: row_count(drive)}, (_, row) => row).filter((row) => {
+    const angle = drive.states[row * state_width];
+    return angle >= low && angle <= high;
+  });
+  const names = columns[kind];
+  const values = names.map((name) => rows.map((row) => shown(kind, drive.states[row * state_width + state_columns.indexOf(name)])));
+  const dots = stops_of(drive).filter((s) => s.angle >= low && s.angle <= high).map((s) => ({...s, values: values_at(drive, kind, s.angle)}));
+  const plot: Plot = {kind, angles: rows.map((row) => drive.states[row * state_width]), values, dots, x: [low, high], y: [0, 1]};
+  if (kind === "path") plot.x = extent(values[0], 0.08);
+  plot.y = value_range(kind, values[values.length - 1]);
+  return plot;
+}
+export function values_at(drive: Drive, kind: PlotKind, angle: number): (number | null)[] {
+  const state = state_at(drive, angle);
+  return columns[kind].map((name) => shown(kind, state[name]));
+}
+function shown(kind: PlotKind, value: number): number | null {
+  return value === 0 && zero_is_nothing.includes(kind) ? null : value;
+}
+
+function value_range(kind: PlotKind, values: (number | null)[]): [number, number] {
+  if (kind === "transmission") return [0, 90];
+  if (kind === "coupler" || kind === "path") return extent(values, 0.08);
+  // Both grow without bound toward a dead point: the middle nine tenths are what can be read.
+  const sorted = values.filter((v) => v !== null).sort((a, b) => a - b);
+  if (sorted.length === 0) return [0, 1];
+  const trimmed = [sorted[Math.floor(0.05 * (sorted.length - 1))], sorted[Math.ceil(0.95 * (sorted.length - 1))]];
+  return extent([0, ...trimmed], 0.15);
+}
+function extent(values: (number | null)[], margin: number): [number, number] {
+  let low = Infinity, high = -Infinity;
+  for (const value of values) {
+    if (value === null) continue;
+    low = Math.min(low, value);
+    high = Math.max(high, value);
+  }
+  if (!(high >= low)) return [0, 1];
+  const room = high > low ? margin * (high - low) : Math.max(Math.abs(high), 1) * margin;
+  return [low - room, high + room];
+}
+
+/** Driver angle of the path's row nearest to a point. */
+export function nearest_on_path(plot: Plot, x: number, y: number): number {
+  const [xs, ys] = plot.values;
+  let best = 0, best_distance = Infinity;
+  xs.forEach((at, i) => {
+    const distance = Math.hypot(at! - x, ys[i]! - y);
+    if (distance < best_distance) [best, best_distance] = [i, distance];
+  });
+  return plot.angles[best];
+}
+
+/** What is shown, as comma-separated values; where nothing is defined the field is empty. */
+export function plot_csv(plot: Plot): string {
+  const lines = plot.angles.map((angle, row) => [angle, ...plot.values.map((column) => column[row] ?? "")].join(","));
+  return [["input_deg", ...columns[plot.kind]].join(","), ...lines, ""].join("\n");
+}

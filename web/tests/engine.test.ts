@@ -1,0 +1,316 @@
+// The engine in the page against the program: the same library, compiled twice, must give the same answers.
+import {execFileSync} from "node:child_process";
+import {existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+import {fileURLToPath} from "node:url";
+import {beforeAll, describe, expect, test} from "vitest";
+import {create_linkwright} from "../src/engine/module";
+import {
+  linkage_types, properties, state_width, whole, type Kind, type Linkage, type MapAnswer, type Mistake, type ReplyMessage,
+  type Replies, type RequestMessage, type Requests,
+} from "../src/engine/protocol";
+import {Server} from "../src/engine/serve";
+import {stored_start, thumbnail} from "../src/engine/stored";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+const program = join(root, "build/release/bin/linkwright");
+const scratch = mkdtempSync(join(tmpdir(), "linkwright-"));
+const wasm = new URL("../src/engine/generated/linkwright.wasm", import.meta.url);
+const tailgate = readFileSync(join(root, "examples/tailgate.json"), "utf8");
+const samples = 100;
+
+let server: Server;
+beforeAll(async () => {
+  expect(existsSync(program), "build/release is built first (script/build)").toBe(true);
+  server = new Server(await create_linkwright({wasmBinary: readFileSync(wasm)}));
+});
+
+function reply<K extends Kind>(kind: K, content: Requests[K]): Replies[K] | {refused: Mistake[]} {
+  const {message} = server.serve({id: 1, kind, ...content} as unknown as RequestMessage);
+  const answer = message as Extract<ReplyMessage, {id: number}>;
+  return "refused" in answer ? {refused: answer.refused.mistakes} : (answer.reply as Replies[K]);
+}
+function ask<K extends Kind>(kind: K, content: Requests[K]): Replies[K] {
+  const answer = reply(kind, content);
+  if ("refused" in answer) throw new Error(JSON.stringify(answer.refused));
+  return answer;
+}
+function explored(problem: string, property: MapAnswer["property"] = "link_ratio", n = samples) {
+  return ask("explore", {problem, samples: n, window: whole, property, order: "fresh"});
+}
+
+interface Case {
+  name: string;
+  problem: string;
+}
+/** The worked cases of data/planar as problems. */
+function worked_cases(): Case[] {
+  const folder = join(root, "data/planar/");
+  return readdirSync(folder).filter((file) => file.endsWith(".json")).map((file) => {
+    const positions = JSON.parse(readFileSync(folder + file, "utf8")).positions as number[][][];
+    const poses = positions.map(([[x, y, theta], ...derivatives]) => ({
+      x, y, theta_deg: (theta * 180) / Math.PI,
+      ...(derivatives.length > 0 && {derivatives: derivatives.map(([dx, dy, dtheta]) => ({x: dx, y: dy, theta: dtheta}))}),
+    }));
+    const task = {kind: "motion", mechanism: "four_bar", poses};
+    return {name: file, problem: JSON.stringify({linkwright: 1, task})};
+  });
+}
+function examples(): Case[] {
+  const folder = join(root, "examples/");
+  return readdirSync(folder).filter((file) => file.endsWith(".json"))
+    .map((name) => ({name, problem: readFileSync(folder + name, "utf8")}));
+}
+
+function run(...args: string[]): string {
+  return execFileSync(program, args, {encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "pipe"]});
+}
+/** What the program answers; null where it refuses. */
+function solved(problem: string) {
+  const file = join(scratch, "problem.json");
+  writeFileSync(file, problem);
+  try {
+    return JSON.parse(run("solve", file, "--region", "--samples", String(samples), "-o", "-"));
+  } catch (error) {
+    if ((error as {status?: number}).status === 2) return null;
+    throw error;
+  }
+}
+const decoded = (text: string) => new Uint8Array(Buffer.from(text, "base64"));
+const floats = (text: string) => new Float32Array(decoded(text).buffer);
+
+function expect_near(value: number, wanted: number, room: number, what: string): void {
+  if (!(Math.abs(value - wanted) <= room)) expect(value, `${what}: not within ${room}`).toBe(wanted);
+}
+/** Homogeneous vectors: the same direction. */
+function expect_same_point(a: readonly number[], b: readonly number[], size: number, room: number, what: string): void {
+  const scaled = (v: readonly number[]) => [v[0] * size, v[1], v[2]];
+  const unit = (v: number[]) => v.map((x) => x / Math.hypot(...v));
+  const p = unit(scaled(a)), q = unit(scaled(b));
+  if (Math.hypot(...a) === 0 && Math.hypot(...b) === 0) return; // no partner at all
+  const sign = p[0] * q[0] + p[1] * q[1] + p[2] * q[2] < 0 ? -1 : 1;
+  const distance = Math.hypot(...p.map((x, i) => x - sign * q[i]));
+  expect_near(distance, 0, room, what);
+}
+
+/** For each of our rows the program's. */
+function rows_of(ours: Float64Array, theirs: number[]): number[] {
+  expect([...ours].sort((a, b) => a - b)).toEqual(theirs); // bit by bit
+  const at = new Map(theirs.map((tau, row) => [tau, row]));
+  return [...ours].map((tau) => at.get(tau)!);
+}
+
+describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
+  const result = existsSync(program) ? solved(problem) : null;
+  // Sines of two C libraries differ in the last bit; the conditions of the task magnify that.
+  const well_conditioned = result?.condition < 1e4, precision = 1e-12 * Math.max(10, result?.condition);
+
+  test("is refused by both or by none", () => {
+    const answer = reply("explore", {problem, samples, window: whole, property: "link_ratio", order: "fresh"});
+    expect("refused" in answer).toBe(result === null);
+  });
+  test.runIf(result)("has the same curve", () => {
+    const {task} = explored(problem);
+    expect(task.status).toBe(result.status);
+    expect(task.pattern).toBe(result.pattern);
+    expect(task.curves.kind).toBe(result.curve.kind);
+    expect(task.curves.center_kind).toBe(result.curve.center_kind);
+    expect_near(task.characteristic_length, result.characteristic_length, 1e-12 * result.characteristic_length, "length");
+    expect(task.axis.branches).toEqual(result.curve.branches);
+    if (task.reason) expect(task.reason.message).toBe(result.reason);
+    expect(task.warnings.map(({code, message}) => ({code, message}))).toEqual(result.warnings);
+    if (!well_conditioned || result.status !== "solved") return;
+    const {coordinate, center_homogeneous, circle_homogeneous} = result.curve.samples;
+    for (const [i, tau] of (coordinate as number[]).entries()) {
+      const {linkage} = ask("linkage", {problem, tau: [tau, tau]});
+      expect_same_point(linkage.input.center_homogeneous, center_homogeneous[i], result.characteristic_length, precision, `τ ${tau}`);
+      expect_same_point(linkage.input.circle_homogeneous, circle_homogeneous[i], result.characteristic_length, precision, `τ ${tau}`);
+    }
+  });
+  test.runIf(result?.region?.type)("has the same map", () => {
+    const {map} = explored(problem);
+    const rows = rows_of(map!.input_tau, result.region.input_coordinate);
+    const type = decoded(result.region.type), defects = decoded(result.region.defects);
+    let differing = 0;
+    for (const [i, row] of rows.entries())
+      for (const [k, column] of rows.entries()) {
+        const ours = i * samples + k, theirs = row * samples + column;
+        differing += Number(map!.type[ours] !== type[theirs] || map!.defects[ours] !== defects[theirs]);
+      }
+    expect(differing).toBe(0);
+    const {counts} = result.region, {census} = map!;
+    expect(census.types).toEqual(linkage_types.map((name) => counts[name]));
+    expect([census.order, census.branch, census.circuit, census.defect_free, census.pairs]).toEqual(
+      [counts.order, counts.branch, counts.circuit, counts.defect_free, counts.pairs]);
+    expect(census.meeting).toBe(result.region.meeting_requirements);
+    expect(map!.fails.filter((bits) => bits === 0).length).toBe(census.meeting);
+  });
+  test.runIf(result?.region?.type).each(properties)("has the same %s", (property) => {
+    const {map} = explored(problem, property);
+    const rows = rows_of(map!.input_tau, result.region.input_coordinate);
+    const wanted = floats(result.region.properties[property]);
+    // Single precision: its last bit turns over here and there, more where a link is very long or an angle nearly 0.
+    let beyond = 0;
+    for (const [i, row] of rows.entries())
+      for (const [k, column] of rows.entries()) {
+        const value = map!.value[i * samples + k], right = wanted[row * samples + column];
+        beyond += Number(Math.abs(value - right) > 1.2e-7 * Math.abs(right));
+        expect_near(value, right, (well_conditioned ? 1e-4 : 1e-2) * Math.abs(right), `${property} ${i} ${k}`);
+      }
+    if (well_conditioned) expect(beyond).toBeLessThanOrEqual(samples ** 2 / 100);
+  });
+  test.runIf(result?.linkages?.length)("has the same linkages", () => {
+    for (const wanted of result.linkages) {
+      const tau = [wanted.input.coordinate, wanted.output.coordinate] as const;
+      const {linkage} = ask("linkage", {problem, tau});
+      if ([linkage.type, wanted.type].includes("change_point")) continue; // a last bit decides
+      expect(linkage.type).toBe(wanted.type);
+      expect(linkage.defects).toEqual(wanted.defects);
+      expect(linkage.drive_sense).toBe(wanted.drive);
+      expect(linkage.swapped!.type).toBe(wanted.swapped.type);
+      const size = Math.max(...(Object.values(wanted.lengths) as number[]));
+      for (const link of ["ground", "input", "coupler", "output"] as const) {
+        expect_near(linkage.lengths![link], wanted.lengths[link], precision * size, link);
+      }
+    }
+  });
+});
+
+describe("a file that is no problem", () => {
+  const folder = join(root, "data/bad_problems/");
+  const files = Object.keys(JSON.parse(readFileSync(folder + "expected.json", "utf8")).files);
+  test.each(files)("%s is refused in the program's words", (file) => {
+    // As a browser reads a file: bytes that are no UTF-8 become replacement characters.
+    const text = readFileSync(folder + file, "utf8");
+    const copy = join(scratch, file);
+    writeFileSync(copy, text);
+    let said = "";
+    try {
+      run("solve", copy);
+    } catch (error) {
+      said = (error as {stderr: string}).stderr;
+    }
+    for (const answer of [
+      reply("explore", {problem: text, samples, window: whole, property: "link_ratio", order: "fresh"}),
+      reply("read", {text}),
+    ]) {
+      expect("refused" in answer).toBe(said !== "");
+      if (!("refused" in answer)) continue;
+      const lines = said.trimEnd().split("\n");
+      expect(answer.refused.length).toBe(lines.length);
+      for (const [i, {place, message}] of answer.refused.entries()) {
+        expect(lines[i]).toContain(message);
+        expect(lines[i]).toContain(place);
+      }
+    }
+  });
+});
+
+describe("the tailgate", () => {
+  const at = {problem: tailgate, tau: [1.3125, 1.1125]} as const;
+  const with_angle = (degrees: number) => tailgate.replace('angle_deg": 30', `angle_deg": ${degrees}`);
+
+  test("has its known linkage", () => {
+    const {linkage} = ask("linkage", at);
+    expect(linkage.type).toBe("triple_rocker_output");
+    expect(linkage.min_transmission_angle_deg).toBeCloseTo(73.5, 1);
+    expect(linkage.link_ratio).toBeCloseTo(4.7, 1);
+    expect(linkage.longest).toBeCloseTo(256, 0);
+    expect(Object.values(linkage.lengths!).map((x) => x.toFixed(2))).toEqual(["65.03", "211.05", "53.92", "255.90"]);
+  });
+  test("passes its positions exactly and in order", () => {
+    const {states, ticks, task} = ask("linkage", at).linkage.drive!;
+    const poses = JSON.parse(tailgate.replace(/^\s*\/\/.*$/gm, "")).task.poses;
+    let last = -1;
+    for (const [i, tick] of ticks.entries()) {
+      expect(tick.reached).toBe(true);
+      expect(tick.state).toBeGreaterThan(last);
+      last = tick.state;
+      const [x, y, theta] = states.subarray(tick.state * state_width + 5);
+      expect(Math.hypot(x - poses[i].x, y - poses[i].y)).toBeLessThan(1e-9);
+      expect(theta).toBeCloseTo(poses[i].theta_deg, 9);
+    }
+    expect(task).toEqual([ticks[0].state, ticks[3].state]);
+  });
+  test("exchanges its side links with its drivers", () => {
+    const {linkage} = ask("linkage", at), mirrored = ask("linkage", {problem: tailgate, tau: [1.1125, 1.3125]}).linkage;
+    expect(mirrored.lengths!.input).toBe(linkage.lengths!.output);
+    expect(mirrored.type).toBe(linkage.swapped!.type);
+  });
+  test("says which value would leave something, and keeps its word", () => {
+    const {census} = explored(with_angle(89)).map!;
+    expect(census.meeting).toBe(0);
+    const [{requirement, value, leaves}] = census.relax;
+    expect(requirement).toBe("min_transmission_angle_deg");
+    expect(explored(with_angle(value!)).map!.census.meeting).toBe(leaves);
+  });
+  test("keeps its map still where the curve splits", () => {
+    const moved = (x: number) => tailgate.replace('{"x": -220, "y": 220', `{"x": ${-220 + x}, "y": 220`);
+    const frame = (x: number, order: "nearest" | "fresh") =>
+      ask("explore", {problem: moved(x), samples: 200, window: whole, property: "link_ratio", order});
+    const one = frame(-0.412, "fresh"), other = frame(-0.373, "nearest");
+    expect(one.task.curves.kappa! < 0).toBe(true);
+    expect(other.task.curves.kappa! > 0).toBe(true);
+    const changed = one.map!.type.filter(
+      (type, i) => type !== other.map!.type[i] || one.map!.defects[i] !== other.map!.defects[i]);
+    expect(changed.length / 200 ** 2).toBeLessThan(0.1);
+    const forced = ask("explore", {
+      problem: moved(-0.373), samples: 200, window: whole, property: "link_ratio", order: other.task.axis.order});
+    expect(forced.map!.type).toEqual(other.map!.type);
+  });
+  test("says where its third position may go", () => {
+    const {counts, offsets, steps} = ask("halo", {
+      problem: tailgate, pose: 2, mode: "move", reach: 40, steps: 13, samples: 60});
+    expect(steps).toBe(13);
+    expect([offsets[0], offsets[6], offsets[12]]).toEqual([-40, 0, 40]);
+    const center = counts[6 * 13 + 6];
+    expect(center).toBe(explored(tailgate, "link_ratio", 60).map!.census.meeting);
+    expect(counts[6 * 13 + 12]).toBe(0); // at +40 in x
+    const turned = ask("halo", {problem: tailgate, pose: 2, mode: "turn", reach: 5, steps: 5, samples: 60});
+    expect(turned.counts.length).toBe(5);
+    expect(turned.counts[2]).toBe(center);
+  });
+  test("is improved, verified, traced and written", () => {
+    const {tau, improved} = ask("improve", at);
+    expect(improved).toBe(true);
+    const angle = (linkage: Linkage) => linkage.min_transmission_angle_deg!;
+    expect(angle(ask("linkage", {problem: tailgate, tau}).linkage)).toBeGreaterThan(angle(ask("linkage", at).linkage));
+    expect(ask("verify", {problem: tailgate, tau}).verified).toBe(true);
+    expect(ask("trace", {...at, point: [10, 20]}).points.length % 2).toBe(0);
+    for (const format of ["svg", "dxf", "csv", "json", "result"] as const) {
+      const {text, extension} = ask("export", {...at, format});
+      expect(text.length).toBeGreaterThan(1000);
+      expect(extension.startsWith(".")).toBe(true);
+    }
+    const linkage = join(scratch, "linkage.json");
+    writeFileSync(linkage, ask("export", {...at, format: "json"}).text);
+    expect(run("analyze", linkage)).toContain("Triple rocker");
+  });
+  test("has the best linkages that the program finds", () => {
+    const file = join(scratch, "best.json");
+    writeFileSync(file, tailgate);
+    const result = JSON.parse(run("solve", file, "-o", "-"));
+    const {linkages} = ask("best", {problem: tailgate, most: 10});
+    expect(linkages.map(({type}) => type)).toEqual(result.linkages.map((linkage: {type: string}) => linkage.type));
+    for (const [i, {tau}] of linkages.entries()) {
+      expect(tau[0]).toBeCloseTo(result.linkages[i].input.coordinate, 6);
+      expect(tau[1]).toBeCloseTo(result.linkages[i].output.coordinate, 6);
+    }
+  });
+  test("is stored for the page to begin with", () => {
+    const stored = stored_start(), live = explored(tailgate, stored.map.property, stored.map.samples);
+    expect(stored.task.axis).toEqual(live.task.axis);
+    expect(stored.map.type).toEqual(live.map!.type);
+    expect(stored.map.fails).toEqual(live.map!.fails);
+    expect(stored.task.curves.center.length).toBe(3 * stored.task.curves.tau.length);
+    for (const [i, x] of live.task.curves.center.entries())
+      expect(Math.abs(stored.task.curves.center[i] - x)).toBeLessThanOrEqual(1e-7 * Math.abs(x));
+    const {linkage} = ask("linkage", {problem: tailgate, tau: stored.linkage.tau});
+    for (const [i, x] of linkage.drive!.states.entries())
+      expect(Math.abs(stored.linkage.drive!.states[i] - x)).toBeLessThanOrEqual(1e-7 * Math.abs(x));
+    expect(thumbnail("landing_gear")!.linkage!.pivots.length).toBe(4);
+    expect(thumbnail("landing_gear")!.type.length).toBe(64 ** 2);
+    expect(thumbnail("nothing")).toBeNull();
+  });
+});
