@@ -1,20 +1,13 @@
 // The drawing by hand: walk-throughs 2, 3, 10, 11, 12 and the halo of 13, and what else can be taken hold of there.
 import type {Locator, Page} from "@playwright/test";
 import type {Point} from "../src/engine/protocol";
-import {drag, example, expect, keep_screenshot, map_hash, middle_of, open_workbench, read_state, solve, test, type Pixel} from "./support";
+import {drag, example, expect, keep_screenshot, map_hash, middle_of, open_workbench, read_state, solve, test, until_mapped, type Pixel} from "./support";
 
 /** Map, linkage and the document are those of the same task, and the map has reached its finest. */
 async function until_at_rest(page: Page): Promise<void> {
   await page.waitForFunction(() => {
     const {workbench} = (globalThis as any).__linkwright;
     return !workbench.gesture && workbench.map?.samples === 1000 && workbench.hand?.tau.join() === workbench.document.picked?.tau.join();
-  });
-}
-/** The map on screen is that of the poses as they are. */
-async function until_map_follows(page: Page): Promise<void> {
-  await page.waitForFunction(() => {
-    const {workbench, painted_map} = (globalThis as any).__linkwright;
-    return workbench.mapped === workbench.problem && painted_map() === workbench.map;
   });
 }
 const handle = (page: Page, id: string): Locator => page.getByTestId(`drawing.${id}`);
@@ -59,7 +52,7 @@ test("a dragged position moves map, table and linkage, and one undo puts all bac
   await page.keyboard.down("Alt"); // every pixel counts
   for (let i = 1; i <= 10; ++i) {
     await page.mouse.move(from.x + 4 * i, from.y - 2 * i);
-    await until_map_follows(page);
+    await until_mapped(page);
     hashes.add(await map_hash(page));
   }
   await page.keyboard.up("Alt"); // and in the end the grid

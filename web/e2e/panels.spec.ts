@@ -4,7 +4,7 @@ import {readFileSync} from "node:fs";
 import type {Page} from "@playwright/test";
 import {requirement_keys, type TauPair} from "../src/engine/protocol";
 import type {Pose} from "../src/state/problem";
-import {example, expect, expect_accessible, keep_screenshot, open_workbench, read_state, solve, test} from "./support";
+import {example, expect, expect_accessible, keep_screenshot, open_workbench, read_state, solve, test, until_settled} from "./support";
 
 type Hooked = {__linkwright: {workbench: any; preferences: any}};
 
@@ -14,13 +14,6 @@ test.beforeEach(async ({page}) => {
   await until_settled(page);
 });
 
-/** Map, census and linkage in hand answer the problem in force. */
-async function until_settled(page: Page): Promise<void> {
-  await page.waitForFunction(() => {
-    const {workbench} = (globalThis as unknown as Hooked).__linkwright;
-    return workbench.mapped === workbench.problem && workbench.census && workbench.hand?.tau.join() === workbench.tau_in_hand?.join();
-  });
-}
 const poses = (page: Page): Promise<Pose[]> => read_state(page, (workbench) => workbench.problem.task.poses as Pose[]);
 const meeting = (page: Page): Promise<number> => read_state(page, (workbench) => workbench.census!.meeting);
 const grouped = (count: number) => String(count).replace(/\B(?=(\d{3})+$)/g, "\u202f");
@@ -422,7 +415,7 @@ test("the panels are accessible, light and dark; the status line switches snappi
     await expect_accessible(page, "footer");
   }
   await expect(page.getByTestId("status.tau")).toContainText("τ₁");
-  await page.getByTestId("view.snap").click();
-  await expect(page.getByTestId("view.snap")).toHaveText("snap off");
+  await page.getByTestId("status.snap").click();
+  await expect(page.getByTestId("status.snap")).toHaveText("snap off");
   expect(await page.evaluate(() => (globalThis as unknown as Hooked).__linkwright.preferences.snap)).toBe(false);
 });

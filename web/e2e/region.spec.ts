@@ -3,34 +3,15 @@ import type {Page} from "@playwright/test";
 import type {Linkage, TauPair} from "../src/engine/protocol";
 import {linkage_types} from "../src/engine/protocol";
 import {place_of} from "../src/state/axis";
-import {example, expect, keep_screenshot, open_workbench, read_state, solve, test, type Pixel} from "./support";
+import {example, expect, keep_screenshot, map_hash, map_pixel, open_workbench, read_state, solve, test, until_settled} from "./support";
 
-interface RegionHook {
-  map_hash(): string;
-  painted_map(): unknown;
-  map_point(place: TauPair): Pixel;
-}
-
-/** The problem's map is on screen and the linkage in hand belongs to it. */
-async function until_settled(page: Page): Promise<void> {
-  await page.waitForFunction(() => {
-    const {workbench, painted_map} = (globalThis as any).__linkwright as {workbench: any} & RegionHook;
-    return workbench.mapped === workbench.problem && painted_map() === workbench.map && workbench.hand?.tau.join() === workbench.tau_in_hand?.join();
-  });
-}
-async function map_hash(page: Page): Promise<string> {
-  return page.evaluate(() => ((globalThis as any).__linkwright as RegionHook).map_hash());
-}
 async function places(page: Page, tau: TauPair): Promise<TauPair> {
   const axis = await read_state(page, (workbench) => workbench.task!.axis);
   return [place_of(axis, tau[0])!, place_of(axis, tau[1])!];
 }
-async function point(page: Page, place: TauPair): Promise<Pixel> {
-  return page.evaluate((p) => ((globalThis as any).__linkwright as RegionHook).map_point(p), place);
-}
 /** Moves the mouse to a pair of curve coordinates; waits until that linkage is in hand. */
 async function hover(page: Page, tau: TauPair): Promise<void> {
-  const {x, y} = await point(page, await places(page, tau));
+  const {x, y} = await map_pixel(page, await places(page, tau));
   await page.mouse.move(x, y);
   await page.waitForFunction(([a, b]) => {
     const {hovered, hand} = (globalThis as any).__linkwright.workbench;
@@ -223,7 +204,7 @@ test("12 · through infinity", async ({page}) => {
   expect(Math.hypot(...far.output.center!)).toBeGreaterThan(1000);
 });
 async function tau_at_place(page: Page, place: number): Promise<number> {
-  const {x, y} = await point(page, [0.5, place]);
+  const {x, y} = await map_pixel(page, [0.5, place]);
   await page.mouse.move(x, y);
   await page.waitForFunction(() => (globalThis as any).__linkwright.workbench.hovered !== null);
   const tau = await read_state(page, (workbench) => workbench.hovered![1]);
@@ -244,7 +225,7 @@ test("13 · when the curve splits, map and pins stay", async ({page}) => {
     const hook = (globalThis as any).__linkwright, {workbench} = hook, start = -220;
     if (!workbench.gesture) workbench.begin_gesture();
     workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose: any, i: number) => (i === 2 ? {...pose, x: start + by} : pose))}}));
-    while (workbench.mapped !== workbench.problem || workbench.map.samples !== 400) await new Promise((done) => setTimeout(done));
+    while (!workbench.is_current || workbench.map.samples !== 400) await new Promise((done) => setTimeout(done));
     hook.seen ??= new Map();
     hook.seen.set(by, {type: workbench.map.type.slice(), defects: workbench.map.defects.slice()});
     return workbench.task.curves.kappa as number;
@@ -295,7 +276,7 @@ test("23 · speed", async ({page}) => {
       let arrived = start;
       workbench.take = (...answer: unknown[]) => { arrived = performance.now(); take(...answer); };
       workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose: any, k: number) => (k === 2 ? {...pose, x: -220 + dx, y: 220 + dy} : pose))}}));
-      while (workbench.mapped !== workbench.problem || hook.painted_map() !== workbench.map) await new Promise((done) => setTimeout(done));
+      while (!workbench.is_current || hook.painted_map() !== workbench.map) await new Promise((done) => setTimeout(done));
       found.push({engine: workbench.engine_ms, round: arrived - start, paint: workbench.paint_ms, samples: workbench.map.samples});
     }
     delete workbench.take;
@@ -306,6 +287,7 @@ test("23 · speed", async ({page}) => {
   console.log(`drag, ${moves.filter((m) => m.samples === 400).length} of 60 frames at 400²: engine ${engine.toFixed(1)} ms, transfer ${transfer.toFixed(1)} ms, paint ${paint.toFixed(1)} ms, together ${median(moves.map((m) => m.round + m.paint)).toFixed(1)} ms (medians)`);
   expect(paint, "painting the map, main thread").toBeLessThan(16);
 
+  await page.waitForFunction(() => globalThis.__linkwright!.workbench.map!.samples === 1000);
   await until_settled(page);
   const session = await page.context().newCDPSession(page);
   await session.send("Performance.enable");

@@ -4,7 +4,8 @@ import type {BrowserContext, Page} from "@playwright/test";
 import {closeSync, openSync, readFileSync, writeSync} from "node:fs";
 import {dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
-import {expect, expect_accessible, keep_screenshot, map_pixel, open_workbench, read_state, run_program, test, until_ready} from "./support";
+import {tau_at} from "../src/state/axis";
+import {drag, expect, expect_accessible, keep_screenshot, map_pixel, middle_of, open_workbench, read_state, run_program, test, until_ready, until_settled} from "./support";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 const bad_problems = join(root, "data/bad_problems");
@@ -107,6 +108,7 @@ test("6 · from the start to a DXF by keys alone, the focus always in sight", as
   await open_workbench(page);
   await shown(page);
   const unseen: string[] = [];
+  let past_the_end = 0; // Tab leaves the page for the browser's own controls once a round
   const look = async () => {
     const fault = await page.evaluate(() => {
       const element = document.activeElement as HTMLElement | SVGElement;
@@ -116,7 +118,8 @@ test("6 · from the start to a DXF by keys alone, the focus always in sight", as
       const inside = box.right > 0 && box.bottom > 0 && box.left < innerWidth && box.top < innerHeight;
       return marked && inside ? null : `${element.tagName} ${element.getAttribute("data-testid") ?? element.getAttribute("aria-label") ?? element.className}`;
     });
-    if (fault) unseen.push(fault);
+    if (fault === "nothing has the focus") ++past_the_end;
+    else if (fault) unseen.push(fault);
   };
   const tab_to = async (testid: string) => {
     for (let i = 0; i < 150; ++i) {
@@ -145,6 +148,7 @@ test("6 · from the start to a DXF by keys alone, the focus always in sight", as
   const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Enter")]);
   expect(download.suggestedFilename()).toMatch(/^tailgate-hinge.*\.dxf$/);
   expect(unseen).toEqual([]);
+  expect(past_the_end).toBeLessThanOrEqual(1);
 });
 
 // ---- 15 ---------------------------------------------------------------------------------------------------------
@@ -318,7 +322,7 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
 /** Words of Latin letters that are seen or spoken, but for names, units and signs. */
 function latin_words(page: Page): Promise<string[]> {
   return page.evaluate(() => {
-    const allowed = /^(Linkwright|English|mm|DXF|SVG|PNG|CSV|JSON|GIF|WebM|A4|A3|MB|kB|PP?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
+    const allowed = /^(Linkwright|linkwright|solve|analyze|English|mm|DXF|SVG|PNG|CSV|JSON|GIF|WebM|A4|A3|MB|kB|PP?P?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
     const texts: string[] = [];
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
@@ -342,7 +346,7 @@ test("21 · in Chinese nothing is left in English, in the dark all can be read, 
   await page.getByTestId("view.theme").click();
   await expect(page.locator("html")).toHaveAttribute("lang", "zh-CN");
   await expect(page).toHaveTitle("汽车尾门铰链 · Linkwright");
-  expect(await latin_words(page)).toEqual([]);
+  await expect.poll(() => latin_words(page)).toEqual([]); // what is spoken follows after a moment
   await expect_accessible(page);
   await keep_screenshot(page, "wide-dark-zh");
   for (const dialog of ["examples", "keys", "new", "export", "compare"] as const) {
@@ -408,13 +412,13 @@ test.describe("22 · on a phone", () => {
     const drawing = (await page.getByTestId("drawing.canvas").boundingBox())!;
     for (const tab of ["tab.task", "tab.limits", "tab.numbers", "tab.pins"]) {
       await page.getByTestId(tab).tap();
-      const sheet = (await page.locator(".sheet").boundingBox())!;
+      const sheet = (await page.locator("aside.sheet").boundingBox())!;
       expect(sheet.y, tab).toBeGreaterThanOrEqual(drawing.y + drawing.height - 1); // it covers the map, not the drawing
       expect(await sideways(page), tab).toBe(0);
       expect(await small_controls(page), tab).toEqual([]);
     }
     await page.getByTestId("tab.map").tap();
-    await expect(page.locator(".sheet")).toHaveCount(0);
+    await expect(page.locator("aside.sheet")).toHaveCount(0);
     await page.getByTestId("file.menu").tap();
     expect(await small_controls(page)).toEqual([]);
   });
@@ -428,17 +432,15 @@ test.describe("22 · on a phone", () => {
     await touch("touchStart", [{x: aim.x - 30, y: aim.y + 30}]);
     await touch("touchMove", [{x: aim.x - 10, y: aim.y + 50}]);
     await touch("touchMove", [{x: aim.x, y: aim.y + 56}]);
-    await page.waitForFunction(() => globalThis.__linkwright!.workbench.hovered !== null);
-    const wanted = await page.evaluate(() => {
-      const {workbench} = globalThis.__linkwright!;
-      return {hovered: workbench.hovered!, rows: workbench.map!.input_tau.length};
-    });
+    const axis = await read_state(page, (workbench) => workbench.task!.axis), aimed_at = [tau_at(axis, 0.7), tau_at(axis, 0.3)] as const;
+    const off = (of: "hovered" | "picked") => read_state(page, ({hovered, picked}, [which, [a, b]]) => {
+      const tau = which === "hovered" ? hovered : picked!.tau;
+      return tau ? Math.hypot(tau[0] - a, tau[1] - b) : Infinity;
+    }, [of, aimed_at] as const);
+    await expect.poll(() => off("hovered")).toBeLessThan(0.02);
     await touch("touchEnd", []);
-    await expect.poll(() => read_state(page, (workbench) => workbench.picked!.place)).not.toBeNull();
-    const place = await read_state(page, (workbench) => workbench.picked!.place!);
-    expect(await read_state(page, (workbench) => workbench.picked!.tau)).toEqual(wanted.hovered);
-    expect(place[0]).toBeCloseTo(0.7, 2);
-    expect(place[1]).toBeCloseTo(0.3, 2);
+    await expect.poll(() => off("picked")).toBeLessThan(0.02);
+    expect(await read_state(page, (workbench) => workbench.hovered)).toBeNull();
   });
 
   test("on its side, drawing and map stand beside each other", async ({page}) => {
@@ -497,6 +499,7 @@ test("keys reach the whole page, but never a text", async ({page}) => {
   await page.keyboard.press("?");
   await expect(page.getByTestId("dialog.keys")).toContainText("Play or pause");
   await page.keyboard.press("Escape");
+  await expect(page.getByTestId("dialog.keys")).toBeHidden();
   const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.keyboard.press("Control+o")]);
   expect(chooser.isMultiple()).toBe(false);
   const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
@@ -518,7 +521,7 @@ test("a laptop has its panels over the drawing, never over the map", async ({pag
   await expect_accessible(page);
   await page.getByTestId("rail.pins").click();
   await expect(page.locator("#rail_sheet")).toBeHidden();
-  await expect(page.getByTestId("chip.title")).toHaveText(/^25.608 meet your requirements$/);
+  await expect(page.getByTestId("chip.title")).toHaveText(/^\s*25.608 meet your requirements$/);
 });
 
 test("pictures of the main states", async ({page}) => {
@@ -533,20 +536,16 @@ test("pictures of the main states", async ({page}) => {
   await keep_screenshot(page, "wide-light");
 
   await page.getByTestId("view.solid").click();
-  await expect(page.locator(".figure canvas, canvas.figure, [data-testid='solid.figure'] canvas").first()).toBeVisible();
-  await keep_screenshot(page, "solid");
+  await expect(page.getByTestId("solid.figure").locator("canvas")).toBeVisible();
   await page.getByTestId("view.flat").click();
 
-  const disc = (await page.locator("[data-testid='task.handle.3'], [data-testid='drawing.disc.3']").first().boundingBox().catch(() => null)) ?? null;
-  if (disc) {
-    await page.mouse.move(disc.x + disc.width / 2, disc.y + disc.height / 2);
-    await page.mouse.down();
-    await page.mouse.move(disc.x + disc.width / 2 + 3, disc.y + disc.height / 2 + 3, {steps: 3});
+  const disc = await middle_of(page.getByTestId("drawing.disc_3"));
+  await drag(page, disc, {x: disc.x + 3, y: disc.y + 3}, 3, async () => {
     await page.waitForFunction(() => globalThis.__linkwright!.workbench.halo !== null);
+    await until_settled(page);
     await keep_screenshot(page, "dragging");
     await page.keyboard.press("Escape");
-    await page.mouse.up();
-  }
+  });
   await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, requirements: {...problem.requirements, min_transmission_angle_deg: 89}})));
   await expect.poll(() => read_state(page, (workbench) => workbench.census?.meeting)).toBe(0);
   await keep_screenshot(page, "none-left");

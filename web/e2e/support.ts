@@ -18,6 +18,7 @@ interface Hook {
   workbench: Workbench;
   ready: boolean;
   map_hash(): string;
+  painted_map(): unknown;
   map_point(place: TauPair): Pixel;
 }
 declare global {
@@ -74,6 +75,22 @@ export async function open_workbench(page: Page, address = "/"): Promise<void> {
 }
 export async function until_ready(page: Page): Promise<void> {
   await page.waitForFunction(() => globalThis.__linkwright?.ready === true, null, {timeout: 20_000});
+}
+
+/** The map on screen is that of the problem as it is. */
+export async function until_mapped(page: Page): Promise<void> {
+  await page.waitForFunction(() => {
+    const {workbench, painted_map} = globalThis.__linkwright!;
+    return workbench.is_current && workbench.census !== null && painted_map() === workbench.map;
+  });
+}
+/** And so are its counts and the linkage in hand. */
+export async function until_settled(page: Page): Promise<void> {
+  await until_mapped(page);
+  await page.waitForFunction(() => {
+    const {is_current, hand, tau_in_hand} = globalThis.__linkwright!.workbench;
+    return is_current && hand?.tau.join() === tau_in_hand?.join();
+  });
 }
 
 /** What `read` finds in the page's state. It runs in the page: of all that is outside of it, it sees its argument only. */

@@ -10,6 +10,9 @@ describe("layout", () => {
     expect(map_sizes("phone", 390, 844, false, false).map).toBeLessThanOrEqual(390 - 38);
     expect(map_sizes("phone", 390, 844, false, false).map).toBeGreaterThan(300);
   });
+  it("is nothing where its column is hidden, never less", () => {
+    expect(map_sizes("wide", 0, 900, false, false).map).toBe(0);
+  });
   it("gives the ridges their strip", () => {
     expect(map_sizes("wide", 532, 1400, true, false).map).toBe(532 - 34 - 24 - 18);
   });

@@ -19,5 +19,5 @@ export function map_sizes(kind: "wide" | "laptop" | "phone", card_width: number,
   const across = card_width - strip - 24 - extra;
   const down = screen_height - chrome[kind] - foot - extra - (full ? 120 : numbers[kind]);
   const most = full ? 2000 : 560, least = kind === "wide" ? 300 : 240;
-  return {map: Math.floor(Math.min(across, Math.max(Math.min(down, most), least))), strip, foot, ridge: extra};
+  return {map: Math.max(Math.floor(Math.min(across, Math.max(Math.min(down, most), least))), 0), strip, foot, ridge: extra};
 }

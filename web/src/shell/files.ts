@@ -70,7 +70,9 @@ export async function open_file(workbench: Workbench, file: File): Promise<void>
   replace_work(workbench, read, name);
   workbench.say("file.opened", {name}, {key: "edit.undo", run: () => workbench.undo()});
 }
+/** Browsers show their file chooser only shortly after a click or a key of the page's own, not after Ctrl-O alone. */
 export function pick_file(workbench: Workbench): void {
+  if (navigator.userActivation?.isActive === false) return workbench.say("file.open_by_click", {}, {key: "file.open", run: () => pick_file(workbench)});
   const input = document.createElement("input");
   input.type = "file";
   input.accept = ".json,application/json";

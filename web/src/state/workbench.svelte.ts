@@ -113,6 +113,7 @@ export class Workbench {
   private verified_for = "";
   private offering = false; // a gesture has ended: if the picked linkage was lost, the best is offered
   private asked = ""; // what the map on screen, or on its way, answers
+  private asked_samples = 0;
   private full_map_ms = 0;
   private rest_timer: ReturnType<typeof setTimeout> | undefined;
   private fine_timer: ReturnType<typeof setTimeout> | undefined;
@@ -319,17 +320,21 @@ export class Workbench {
     if (!this.engine || this.engine_state === "missing") return;
     const document = this.document, text = engine_text(document.problem);
     const property = preferences.colour_by === "type" ? "min_transmission_angle_deg" : preferences.colour_by;
-    const asked = JSON.stringify([text, samples, window, property, document.order]);
-    if (asked === this.asked) return this.refine();
+    const question = (order: number | null) => JSON.stringify([text, window, property, order]);
+    const asked = question(document.order);
+    if (asked === this.asked && samples <= this.asked_samples) return this.refine();
     this.asked = asked;
+    this.asked_samples = samples;
     this.watch_slowness();
     try {
-      const order = document.order ?? (this.task && this.gesture ? "nearest" : "fresh");
-      const reply = await this.engine.request("explore", {problem: text, samples, window, property, order: this.gesture ? "nearest" : order});
+      const order = this.gesture ? "nearest" : (document.order ?? "fresh");
+      const reply = await this.engine.request("explore", {problem: text, samples, window, property, order});
       this.calm();
       if (samples === even_samples) this.full_map_ms = reply.engine_ms;
       this.take(reply, document, samples, window);
-      if (this.asked === asked) this.refine();
+      if (this.asked !== asked) return;
+      this.asked = question(reply.task.axis.order);
+      this.refine();
     } catch (error) {
       if (error instanceof Superseded) return;
       this.calm();
