@@ -33,6 +33,10 @@ export default defineConfig({
       args: ["--no-sandbox", solid_drawing, ...quiet], // root, as build machines are, gets no sandbox
     },
   },
+  projects: [
+    {name: "page", testIgnore: "speed.spec.ts"},
+    {name: "speed", testMatch: "speed.spec.ts", dependencies: ["page"], fullyParallel: false},
+  ],
   webServer: {
     command: `${program} studio --port ${port} --folder ${process.env.LINKWRIGHT_WEB ?? "../build/web"}`,
     url: `http://127.0.0.1:${port}/`,

@@ -38,7 +38,7 @@ export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print
 export type Incomplete = "empty" | "too_few" | "too_many" | null;
 
 const even_samples = 400, quick_samples = 100, fine_samples = 1000;
-const slow_ms = 25; // a 400² map that takes longer makes dragging fall back to 100²
+const slow_ms = 25, slow_often = 3, quick_often = 8; // so many 400² maps in a row that take longer make dragging fall back to so many of 100²
 
 export function position_count(problem: Problem): number {
   return problem.task.poses.reduce((sum, pose) => sum + 1 + (pose.derivatives?.length ?? 0), 0);
@@ -114,7 +114,8 @@ export class Workbench {
   private offering = false; // a gesture has ended: if the picked linkage was lost, the best is offered
   private asked = ""; // what the map on screen, or on its way, answers
   private asked_samples = 0;
-  private full_map_ms = 0;
+  private slow_maps = 0; // in a row
+  private quick_maps = 0; // left until the next trial at 400²
   private rest_timer: ReturnType<typeof setTimeout> | undefined;
   private fine_timer: ReturnType<typeof setTimeout> | undefined;
   private fine = false;
@@ -306,7 +307,8 @@ export class Workbench {
       this.last_good = this.document;
       return;
     }
-    const quick = this.gesture && this.full_map_ms > slow_ms;
+    const quick = this.gesture && this.quick_maps > 0;
+    if (quick) --this.quick_maps;
     void this.explore(quick ? quick_samples : even_samples, this.window);
     if (quick) this.rest_timer = setTimeout(() => void this.explore(even_samples, this.window), 80);
     this.follow();
@@ -330,7 +332,7 @@ export class Workbench {
       const order = this.gesture ? "nearest" : (document.order ?? "fresh");
       const reply = await this.engine.request("explore", {problem: text, samples, window, property, order});
       this.calm();
-      if (samples === even_samples) this.full_map_ms = reply.engine_ms;
+      if (samples === even_samples) this.weigh(reply.engine_ms);
       this.take(reply, document, samples, window);
       if (this.asked !== asked) return;
       this.asked = question(reply.task.axis.order);
@@ -340,6 +342,10 @@ export class Workbench {
       this.calm();
       this.not_explored(error, document, asked);
     }
+  }
+  private weigh(map_ms: number): void {
+    this.slow_maps = map_ms > slow_ms ? this.slow_maps + 1 : 0;
+    if (this.slow_maps >= slow_often) this.quick_maps = quick_often;
   }
   private take(reply: Replies["explore"], document: Document, samples: number, window: Window): void {
     if (this.incomplete) return; // positions were removed meanwhile

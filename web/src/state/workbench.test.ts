@@ -13,16 +13,25 @@ const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.
 const tailgate = first_example.problem;
 let servers: (() => Server)[];
 
+/** What the engine says a map took; null: the truth. */
+interface Machine {
+  map_ms: number | null;
+}
 /** Answers a little later, as a worker does. */
 class Thread {
   onmessage: ((event: MessageEvent<ReplyMessage>) => void) | null = null;
   dead = false;
-  constructor(private readonly server: Server, private readonly asked: RequestMessage[]) {
+  constructor(private readonly server: Server, private readonly asked: RequestMessage[], private readonly machine: Machine) {
     setTimeout(() => this.say({kind: "ready", version: "test"}));
   }
   postMessage(message: RequestMessage): void {
     this.asked.push(message);
-    setTimeout(() => !this.dead && this.say(this.server.serve(message).message));
+    setTimeout(() => !this.dead && this.say(this.slowed(this.server.serve(message).message)));
+  }
+  private slowed(reply: ReplyMessage): ReplyMessage {
+    const answer = (reply as {reply?: {engine_ms?: number}}).reply;
+    if (answer?.engine_ms !== undefined && this.machine.map_ms !== null) answer.engine_ms = this.machine.map_ms;
+    return reply;
   }
   terminate(): void {
     this.dead = true;
@@ -42,13 +51,14 @@ interface Bench {
   workbench: Workbench;
   asked: RequestMessage[];
   now: {time: number};
+  machine: Machine;
 }
 function bench(problem: Problem, cores = 2): Bench {
-  const now = {time: 0}, asked: RequestMessage[] = [];
+  const now = {time: 0}, asked: RequestMessage[] = [], machine: Machine = {map_ms: null};
   const workbench = new Workbench(problem, () => now.time);
   let started = 0;
-  workbench.connect(() => new Thread(servers[started++ % 2](), asked) as unknown as Worker, cores);
-  return {workbench, asked, now};
+  workbench.connect(() => new Thread(servers[started++ % 2](), asked, machine) as unknown as Worker, cores);
+  return {workbench, asked, now, machine};
 }
 async function until(what: () => unknown, ms = 8000): Promise<void> {
   const end = performance.now() + ms;
@@ -232,5 +242,34 @@ describe("the workbench", () => {
     await new Promise((resolve) => setTimeout(resolve, 400));
     const maps = b.asked.filter((message) => message.kind === "explore").map((message) => (message as {samples: number}).samples);
     expect(maps).toEqual([400, 1000]);
+    b.workbench.pin();
+    b.workbench.pick([1.3125, 1.1025]);
+    await settled(b);
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    expect(b.asked.filter((message) => message.kind === "explore")).toHaveLength(2);
+    expect(b.workbench.map!.samples).toBe(1000);
+  });
+
+  it("draws coarser maps in a drag when three in a row were slow, and tries again", async () => {
+    const b = bench(tailgate), {workbench, machine} = b;
+    await settled(b);
+    const dragged = async (steps: number): Promise<number[]> => {
+      const seen: number[] = [];
+      for (let i = 1; i <= steps; ++i) {
+        workbench.drag((problem) => with_pose(problem, 2, {x: workbench.problem.task.poses[2].x - 0.01}));
+        await until(() => workbench.is_current);
+        seen.push(workbench.map!.samples);
+      }
+      return seen;
+    };
+    workbench.begin_gesture();
+    machine.map_ms = 40;
+    const slow = await dragged(13);
+    expect(slow.filter((samples) => samples === 100).length).toBeGreaterThanOrEqual(8);
+    expect(slow.slice(0, 3)).toEqual([400, 400, 400]);
+    machine.map_ms = 5;
+    const fast = await dragged(14);
+    expect(fast.slice(-4)).toEqual([400, 400, 400, 400]);
+    workbench.cancel_gesture();
   });
 });
