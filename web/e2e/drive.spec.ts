@@ -4,7 +4,7 @@ import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import type {Download, Page} from "@playwright/test";
-import {analyze, expect, expect_accessible, keep_screenshot, open_workbench, read_state, solve, test} from "./support";
+import {analyze, drag, expect, expect_accessible, keep_screenshot, open_workbench, read_state, solve, test} from "./support";
 
 /** Opens the example and waits for the picked linkage and its drive. */
 async function open_with_drive(page: Page): Promise<void> {
@@ -321,6 +321,25 @@ test.describe("3-D", () => {
     await read_state(page, (workbench) => void (workbench.solid = false));
     await expect(page.getByTestId("solid.figure")).toHaveCount(0);
     await expect(page.getByTestId("drawing.canvas")).toBeVisible();
+  });
+
+  test("takes a pivot along its curve; the view does not turn, and one undo puts it back", async ({page}) => {
+    await open_with_drive(page);
+    await read_state(page, (workbench) => void (workbench.solid = true));
+    const figure = (await page.getByTestId("solid.figure").boundingBox())!;
+    await page.waitForFunction(() => globalThis.__linkwright!.solid_pixel?.({side: "input", end: "center"}));
+    const pivots = () => page.evaluate(() => (["input", "output"] as const).flatMap((side) => (["center", "circle"] as const).map((end) => globalThis.__linkwright!.solid_pixel({side, end}))));
+    const before = await pivots(), picked = await read_state(page, (workbench) => workbench.picked!.tau);
+    const from = {x: figure.x + before[2][0], y: figure.y + before[2][1]};
+    await drag(page, from, {x: from.x - 14, y: from.y + 10}, 6);
+    const [input, output] = await read_state(page, (workbench) => workbench.picked!.tau);
+    expect(input).toBe(picked[0]);
+    expect(Math.abs(output - picked[1])).toBeGreaterThan(1e-4);
+    await page.waitForFunction(() => globalThis.__linkwright!.workbench.hand?.tau.join() === globalThis.__linkwright!.workbench.picked!.tau.join());
+    expect(await read_state(page, (workbench) => workbench.hand!.residual)).toBeLessThan(1e-9);
+    expect((await pivots())[0]).toEqual(before[0]); // the input's ground pivot neither moved nor turned
+    await page.keyboard.press("Control+z");
+    expect(await read_state(page, (workbench) => workbench.picked!.tau)).toEqual(picked);
   });
 
   test("without WebGL the flat view stays and a sentence says so", async ({page}) => {

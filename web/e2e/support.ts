@@ -13,13 +13,14 @@ const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 const program = process.env.LINKWRIGHT_CLI ? resolve(root, "web", process.env.LINKWRIGHT_CLI) : join(root, "build/release/bin/linkwright");
 const screenshots = join(root, "build/web-screenshots");
 
-/** Where the page says what it holds (App.svelte, region/MapCanvas.svelte). */
+/** Where the page says what it holds (App.svelte, region/MapCanvas.svelte, solid/SolidView.svelte). */
 interface Hook {
   workbench: Workbench;
   ready: boolean;
   map_hash(): string;
   painted_map(): unknown;
   map_point(place: TauPair): Pixel;
+  solid_pixel(pivot: {side: "input" | "output"; end: "center" | "circle"}): [number, number];
 }
 declare global {
   var __linkwright: Hook | undefined;

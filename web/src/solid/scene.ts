@@ -2,10 +2,11 @@
 // the ground plate. Nothing is drawn but when something has changed.
 import {
   AmbientLight, Box3, type BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, ExtrudeGeometry, FrontSide, Group, HemisphereLight,
-  Mesh, MeshStandardMaterial, type Object3D, PerspectiveCamera, PlaneGeometry, Raycaster, Scene, ShadowMaterial, Shape,
+  Mesh, MeshStandardMaterial, type Object3D, PerspectiveCamera, Plane, PlaneGeometry, Raycaster, Scene, ShadowMaterial, Shape,
   Vector2, Vector3, VSMShadowMap, WebGLRenderer,
 } from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
+import type {Viewport} from "../drawing/viewport";
 import type {Linkage, Point} from "../engine/protocol";
 import type {State} from "../state/drive";
 import {body_point} from "../state/problem";
@@ -26,6 +27,11 @@ const pitch = 1.35 * plate_thickness; // from layer to layer: heads of pins fit 
 const head = {thickness: 0.25 * plate_thickness, radius: 0.75 * pin_diameter};
 const view_angle = 32;
 
+/** One of the linkage's four pivots, as it stands now. */
+export interface SolidPivot {
+  side: "input" | "output";
+  end: "center" | "circle";
+}
 interface Moving {
   object: Object3D;
   place(state: State): [x: number, y: number, angle: number];
@@ -41,6 +47,7 @@ export class SolidScene {
   private moving: Moving[] = [];
   private unit = 1;
   private state: State | null = null;
+  private fixed: Record<SolidPivot["side"], Point> | null = null;
   private reach: readonly Point[] = [];
   private asked = 0;
   /** The wall behind, which shows nothing but shadow. */
@@ -81,6 +88,7 @@ export class SolidScene {
     this.clear();
     this.unit = input.linkage.longest!;
     this.reach = input.reach;
+    this.fixed = {input: input.linkage.input.center!, output: input.linkage.output.center!};
     this.build(input);
     this.scene.add(this.parts);
     if (first) this.fit();
@@ -131,9 +139,39 @@ export class SolidScene {
     arm.applyAxisAngle(this.camera.up, right).applyAxisAngle(new Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion), up);
     this.look(this.controls.target.clone(), this.controls.target.clone().add(arm));
   }
-  /** For tests: from where the scene is seen. */
-  get eye(): [number, number, number] {
-    return this.camera.position.toArray();
+  /** While something else follows the pointer, the view does not turn. */
+  hold_view(held: boolean): void {
+    this.controls.enabled = !held;
+  }
+  /** The pivot whose pin shows within `reach` pixels of a place on the canvas. */
+  pivot_at(at: Point, reach: number): SolidPivot | null {
+    const pivots = (["input", "output"] as const).flatMap((side) => (["circle", "center"] as const).map((end) => ({side, end})));
+    const apart = (pivot: SolidPivot) => {
+      const seen = this.pixel_of(pivot);
+      return seen ? Math.hypot(seen[0] - at[0], seen[1] - at[1]) : Infinity;
+    };
+    const [nearest] = pivots.sort((a, b) => apart(a) - apart(b));
+    return apart(nearest) <= reach ? nearest : null;
+  }
+  /** Where a pivot shows on the canvas. */
+  pixel_of({side, end}: SolidPivot): Point | null {
+    if (!this.fixed || !this.state) return null;
+    const {state} = this, [x, y] = end === "center" ? this.fixed[side] : side === "input" ? [state.ax, state.ay] : [state.bx, state.by];
+    const seen = new Vector3(x / this.unit, y / this.unit, layer_z(2)).project(this.camera);
+    return [((seen.x + 1) / 2) * this.size.width, ((1 - seen.y) / 2) * this.size.height];
+  }
+  /** The point of the mechanism's plane under a place on the canvas, in the user's units; null where one looks along it. */
+  plane_point(at: Point): Point | null {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2((at[0] / this.size.width) * 2 - 1, 1 - (at[1] / this.size.height) * 2), this.camera);
+    const hit = ray.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -layer_z(2)), new Vector3());
+    return hit && [hit.x * this.unit, hit.y * this.unit];
+  }
+  /** A flat view about as large as this one: what "outside of the window" and "so many pixels away" mean here. */
+  flat_view(): Viewport {
+    const {target} = this.controls, {width, height} = this.size;
+    const away = Math.max(this.camera.position.distanceTo(target), 1e-6);
+    return {x: target.x * this.unit, y: target.y * this.unit, scale: height / (2 * away * Math.tan((view_angle * Math.PI) / 360) * this.unit), width, height};
   }
 
   private look(target: Vector3, eye: Vector3): void {

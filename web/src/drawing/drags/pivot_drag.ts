@@ -6,14 +6,15 @@ import {spot_of_tau} from "../curve_samples";
 import type {Side, Target} from "../handles";
 import {reason_of} from "../words";
 import {beyond_edge, beyond_spot, overshoot, slid, type Beyond} from "../sliding";
-import {to_screen, to_user} from "../viewport";
+import {to_screen, to_user, type Viewport} from "../viewport";
 import {finish, type Bench, type Drag} from "./drag";
 
 export function with_side(tau: TauPair, side: Side, value: number): TauPair {
   return side === "input" ? [value, tau[1]] : [tau[0], value];
 }
 
-export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}>): Drag | null {
+/** `view` is what the pointer's pixels are of: the drawing's, or the 3-D view's. */
+export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}>, view: () => Viewport = () => bench.scene.view): Drag | null {
   const {workbench, scene} = bench, picked = workbench.picked, carrier = scene.now?.pose ?? null;
   if (!picked || !scene.samples) return null;
   let spot: Spot | null = spot_of_tau(scene.samples, target.end, picked.tau[target.side === "input" ? 0 : 1]);
@@ -21,7 +22,7 @@ export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}
   let beyond: Beyond | null = null;
   // A moving pivot is taken where it is now; its curve lies in position 1.
   const carried = target.end === "circle" && !target.home && carrier;
-  const on_curve = (at: Point): Point => (carried ? to_screen(scene.view, placed(body_point(to_user(scene.view, at), carried), scene.poses[0])) : at);
+  const on_curve = (at: Point): Point => (carried ? to_screen(view(), placed(body_point(to_user(view(), at), carried), scene.poses[0])) : at);
   workbench.begin_gesture();
   scene.held = target;
   return {
@@ -29,10 +30,10 @@ export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}
     move(at) {
       const samples = scene.samples;
       if (!samples || !spot) return;
-      const over = overshoot(scene.view, at);
+      const over = overshoot(view(), at);
       if (over === 0) beyond = null;
-      else beyond ??= beyond_edge(samples, target.end, scene.view, on_curve(at), spot);
-      spot = beyond ? beyond_spot(samples, target.end, beyond, over) : slid(samples, target.end, scene.view, on_curve(at), spot);
+      else beyond ??= beyond_edge(samples, target.end, view(), on_curve(at), spot);
+      spot = beyond ? beyond_spot(samples, target.end, beyond, over) : slid(samples, target.end, view(), on_curve(at), spot);
       workbench.curve_hover = spot.tau;
       workbench.slide(with_side(workbench.picked?.tau ?? picked.tau, target.side, spot.tau));
       scene.note = {at, text: `τ ${spot.tau.toFixed(4)}`, reason: reason_of(workbench.hand)};
