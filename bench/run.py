@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Linkwright's region kernel beside numpy, in one run: script/bench calls this.
+"""Linkwright's region kernel beside numpy, and the page's engine beside the native one, in one run: script/bench calls this.
 
 The two take turns, so that what else the machine does hits both; a ratio within a run counts, an absolute figure does
 not. Options of Google Benchmark (--benchmark_filter=…) run the benchmarks alone.
@@ -81,6 +81,26 @@ def other_figures(bench, table):
     return {name: entry["ns_per_mechanism"] for name, entry in found.items()}
 
 
+def page_figures(bench):
+    """What the page asks of its engine: milliseconds by question, of the native engine and of the page's own in node."""
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../web/scripts/bench.mjs")
+    native = run_benchmarks(bench, "^session/")
+    try:
+        page = json.loads(subprocess.run(["node", script], check=True, capture_output=True, text=True).stdout)
+    except (OSError, subprocess.CalledProcessError):
+        return None  # no node, or the page's engine is not built: script/build
+    return {question: {"native": native[f"session/{question}"]["real_time"], "page": ms} for question, ms in page.items()}
+
+
+def print_page_figures(figures):
+    if figures is None:
+        return print("\nthe page's engine was not timed: script/build builds it")
+    print("\nwhat the page asks: ms natively (two threads), ms in WebAssembly (one), ratio")
+    for question, ms in figures.items():
+        print(f"  {question:<24}{ms['native']:8.2f}{ms['page']:8.2f}{ms['page'] / ms['native']:9.1f}×")
+    return None
+
+
 def main(arguments):
     options, rest = parse(arguments)
     if rest:
@@ -105,12 +125,14 @@ def main(arguments):
     print("\nthis machine, one thread: results (bytes, for write) a ns")
     for name, rate in roofline.items():
         print(f"  {name:<24}{rate:8.2f}")
+    page = page_figures(options.bench)
+    print_page_figures(page)
     if options.save:
-        save(options, table, sizes, roofline)
+        save(options, table, sizes, roofline, page)
     return 0
 
 
-def save(options, table, sizes, roofline):
+def save(options, table, sizes, roofline, page):
     figures = {
         "machine": processor(),
         "threads": os.cpu_count(),
@@ -119,6 +141,7 @@ def save(options, table, sizes, roofline):
         "ns_per_mechanism": {task: {contender: s for (of, contender), s in table.items() if of == task} for task in TASKS},
         "sizes_ns_per_mechanism": sizes,
         "roofline_per_ns": roofline,
+        "page_ms": page,
     }
     os.makedirs(os.path.dirname(options.save) or ".", exist_ok=True)
     with open(options.save, "w", encoding="utf-8") as file:

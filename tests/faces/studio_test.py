@@ -1,5 +1,6 @@
 """The server of the workbench: what it sends, whom it refuses, how it starts and stops."""
 
+import contextlib
 import http.client
 import os
 import re
@@ -9,7 +10,6 @@ import signal
 import socket
 import subprocess
 import threading
-import time
 import unittest
 
 from face_support import CLI, ROOT, FaceTest, run
@@ -138,10 +138,8 @@ class Pages(StudioTest):
         self.assertEqual((status, body, headers["Content-Length"]), (200, b"", str(len(BIG))))
         self.assert_strict(headers)
 
-    def test_are_not_compressed_at_the_cost_of_time(self):
-        start = time.monotonic()
+    def test_are_not_compressed(self):  # it would take the library seconds for a megabyte
         _, headers, body = self.serve().request("/assets/index-1a2b.js", headers="Accept-Encoding: gzip, br\r\n")
-        self.assertLess(time.monotonic() - start, 1)
         self.assertNotIn("Content-Encoding", headers)
         self.assertEqual(body, BIG)
 
@@ -166,12 +164,10 @@ class Pages(StudioTest):
 
     def test_connections_without_a_request_hold_nobody_up(self):
         studio = self.serve()
-        silent = [socket.create_connection(("127.0.0.1", studio.port)) for _ in range(30)]
-        start = time.monotonic()
-        self.assert_alive(studio)
-        self.assertLess(time.monotonic() - start, 0.9)
-        for connection in silent:
-            connection.close()
+        with contextlib.ExitStack() as silent:
+            for _ in range(100):  # more than the server has threads
+                silent.enter_context(socket.create_connection(("127.0.0.1", studio.port)))
+            self.assert_alive(studio)
 
     def test_a_rebuilt_page_is_served(self):
         studio = self.serve()
@@ -305,14 +301,12 @@ class StartAndStop(StudioTest):
         for signal_number in (signal.SIGINT, signal.SIGTERM):
             self.assertEqual(self.serve().stop(signal_number), (0, "", ""))
 
-    def test_ends_soon_beside_open_connections(self):
+    def test_ends_beside_open_connections(self):
         studio = self.serve()
         with socket.create_connection(("127.0.0.1", studio.port)), \
              socket.create_connection(("127.0.0.1", studio.port)) as half:
             half.sendall(b"GET / HT")
-            start = time.monotonic()
             self.assertEqual(studio.stop()[0], 0)
-            self.assertLess(time.monotonic() - start, 5)
 
     def test_two_do_not_share_a_port(self):
         first, second = self.serve(), self.serve()
