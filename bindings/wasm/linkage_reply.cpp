@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/problem_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "reply_json.hpp"
 
@@ -67,13 +68,7 @@ void write_lengths(JsonWriter& json, const PickedLinkage& picked) {
   if (!picked.bars) {
     json.null();
   } else {
-    const LinkLengths& lengths = picked.bars->lengths;
-    json.begin_object(Layout::one_line);
-    json.member("ground", lengths.ground);
-    json.member("input", lengths.input);
-    json.member("coupler", lengths.coupler);
-    json.member("output", lengths.output);
-    json.end_object();
+    write_lengths(json, picked.bars->lengths);
   }
   const LinkLengths lengths = picked.bars ? picked.bars->lengths : LinkLengths{1, 1, 1, 1};
   write_or_null(json, "link_ratio", picked.bars.has_value(), lengths.longest() / lengths.shortest());

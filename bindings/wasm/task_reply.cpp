@@ -1,5 +1,6 @@
 #include "task_reply.hpp"
 
+#include "io/result_writer.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -20,18 +21,6 @@ std::uint8_t branch_of(const std::vector<CurveBranch>& branches, double tau) {
   for (std::size_t b = 0; b < branches.size(); ++b)
     if (tau >= branches[b].from && branches[b].from < branches[b].to) at = static_cast<std::uint8_t>(b);
   return at;
-}
-
-void write_branches(JsonWriter& json, const std::vector<CurveBranch>& branches) {
-  json.begin_list();
-  for (const CurveBranch& branch : branches) {
-    json.begin_object(Layout::one_line);
-    json.member("name", std::string_view(branch.name));
-    json.member("from", branch.from);
-    json.member("to", branch.to);
-    json.end_object();
-  }
-  json.end_list();
 }
 
 void write_block(JsonWriter& json, const OrderBlock& block) {

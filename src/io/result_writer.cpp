@@ -1,3 +1,5 @@
+#include "result_writer.hpp"
+
 #include <array>
 #include <cmath>
 #include <span>
@@ -129,18 +131,6 @@ void write_points(JsonWriter& json, std::string_view key, std::span<const Dyad> 
   json.end_list();
 }
 
-void write_branches(JsonWriter& json, const std::vector<CurveBranch>& branches) {
-  json.begin_list();
-  for (const CurveBranch& branch : branches) {
-    json.begin_object(Layout::one_line);
-    json.member("name", std::string_view(branch.name));
-    json.member("from", branch.from);
-    json.member("to", branch.to);
-    json.end_object();
-  }
-  json.end_list();
-}
-
 void write_curve(JsonWriter& json, const MotionSolution& solution) {
   const BurmesterCurve* curve = solution.curve.get();
   json.begin_object();
@@ -244,6 +234,18 @@ void write_answer(JsonWriter& json, const MotionSolution& solution, bool with_re
 }
 
 }  // namespace
+
+void write_branches(JsonWriter& json, const std::vector<CurveBranch>& branches) {
+  json.begin_list();
+  for (const CurveBranch& branch : branches) {
+    json.begin_object(Layout::one_line);
+    json.member("name", std::string_view(branch.name));
+    json.member("from", branch.from);
+    json.member("to", branch.to);
+    json.end_object();
+  }
+  json.end_list();
+}
 
 void write_result(const TextSink& sink, const Problem& problem, const MotionSolution& solution, bool with_region) {
   JsonWriter json(sink);

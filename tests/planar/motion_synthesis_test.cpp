@@ -9,27 +9,12 @@
 #include "linkwright/core/angle.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"
+#include "support/tailgate.hpp"
 
 namespace linkwright {
 namespace {
 
-MotionTask tailgate() {
-  MotionTask task;
-  for (const Pose& pose : {Pose{{0, 0}, 0}, Pose{{-125, 75}, radians(-25)}, Pose{{-220, 220}, radians(-52)},
-                           Pose{{-220, 450}, radians(-82)}})
-    task.poses.push_back({pose, {}});
-  return task;
-}
-
-Requirements tailgate_requirements() {
-  Requirements wanted;
-  wanted.min_transmission_angle = radians(30);
-  wanted.max_link_ratio = 8;
-  wanted.max_length = 450;
-  wanted.ground_pivots_within = Box{70, 430, 270, 410};
-  wanted.moving_pivots_within = Box{-60, 200, 90, 380};
-  return wanted;
-}
+using testing::tailgate_requirements, testing::tailgate_task;
 
 MotionSolution solved(const MotionTask& task, const Requirements& wanted = {}, const SynthesisOptions& options = {}) {
   auto result = solve_motion(task, wanted, options);
@@ -42,7 +27,7 @@ double transmission_angle(const FourBarSolution& linkage) {
 }
 
 TEST(SolveMotion, TailgateHasItsKnownMap) {
-  const MotionSolution solution = solved(tailgate(), tailgate_requirements());
+  const MotionSolution solution = solved(tailgate_task(), tailgate_requirements());
   EXPECT_EQ(solution.status, SolutionStatus::solved);
   EXPECT_EQ(solution.pattern, "P-P-P-P");
   EXPECT_EQ(solution.curve->kind(), CubicKind::two_branches);
@@ -56,7 +41,7 @@ TEST(SolveMotion, TailgateHasItsKnownMap) {
 
 TEST(SolveMotion, TailgateHasTheLinkageOfTheMap) {
   // A cell computed elsewhere: τ = (1.3125, 1.1125), lengths to a hundredth.
-  const MotionTask task = tailgate();
+  const MotionTask task = tailgate_task();
   const MotionSolution solution = solved(task);
   const WorkingFrame& frame = solution.conditions.frame;
   const auto linkage = make_four_bar(task, frame, frame.to_user(solution.curve->dyad(1.3125)),
@@ -76,7 +61,7 @@ TEST(SolveMotion, LinkagesMeetTheRequirementsAndAreChecked) {
   for (const Objective objective : {Objective::min_transmission_angle, Objective::link_ratio, Objective::size}) {
     SynthesisOptions options;
     options.objective = objective;
-    const MotionSolution solution = solved(tailgate(), wanted, options);
+    const MotionSolution solution = solved(tailgate_task(), wanted, options);
     ASSERT_EQ(solution.linkages.size(), 10u) << name(objective);
     double before = 1e300;
     for (const FourBarSolution& linkage : solution.linkages) {
@@ -100,10 +85,10 @@ TEST(SolveMotion, LinkagesMeetTheRequirementsAndAreChecked) {
 }
 
 TEST(SolveMotion, BestIsAtLeastAsGoodAsTheBestCellAndAFinerMap) {
-  const MotionSolution coarse = solved(tailgate(), tailgate_requirements());
+  const MotionSolution coarse = solved(tailgate_task(), tailgate_requirements());
   SynthesisOptions fine;
   fine.region_samples = 1600;
-  const MotionSolution finer = solved(tailgate(), tailgate_requirements(), fine);
+  const MotionSolution finer = solved(tailgate_task(), tailgate_requirements(), fine);
   const auto best_cell = [](const MotionSolution& s) {
     const RequirementFilter filter(s.region, s.requirements, s.conditions.frame.origin, s.conditions.frame.scale);
     return angle_of_versine(hill_tops(s.region, filter, Objective::min_transmission_angle, 1)[0].score);
@@ -121,7 +106,7 @@ double pivots_apart(const FourBar& a, const FourBar& b) {
 TEST(SolveMotion, LinkagesAreDistinctAndAppearOnceWhicheverSideDrives) {
   SynthesisOptions options;
   options.best = 40;
-  const MotionSolution solution = solved(tailgate(), {}, options);
+  const MotionSolution solution = solved(tailgate_task(), {}, options);
   const double least = 1e-2 * solution.conditions.frame.scale;
   for (std::size_t i = 0; i < solution.linkages.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -135,25 +120,25 @@ TEST(SolveMotion, LinkagesAreDistinctAndAppearOnceWhicheverSideDrives) {
 }
 
 TEST(SolveMotion, SizeLimitIsTenCharacteristicLengthsUnlessSwitchedOff) {
-  const MotionSolution limited = solved(tailgate());
+  const MotionSolution limited = solved(tailgate_task());
   EXPECT_EQ(limited.requirements.max_length, 10 * limited.conditions.frame.scale);
   Requirements unlimited;
   unlimited.max_length = Requirements::unlimited;
   unlimited.max_link_ratio = Requirements::unlimited;
-  EXPECT_GT(solved(tailgate(), unlimited).meeting_requirements, limited.meeting_requirements);
+  EXPECT_GT(solved(tailgate_task(), unlimited).meeting_requirements, limited.meeting_requirements);
 }
 
 TEST(SolveMotion, SaysWhichRequirementCostsMostWhenNothingIsLeft) {
   Requirements wanted = tailgate_requirements();
   wanted.min_transmission_angle = radians(89);
-  const MotionSolution solution = solved(tailgate(), wanted);
+  const MotionSolution solution = solved(tailgate_task(), wanted);
   EXPECT_EQ(solution.status, SolutionStatus::solved);
   EXPECT_TRUE(solution.linkages.empty());
   EXPECT_NE(solution.reason.message.find("min_transmission_angle_deg costs most"), std::string::npos)
       << solution.reason.message;
   ASSERT_FALSE(solution.relax.empty());
   wanted.min_transmission_angle = *solution.relax[0].value;
-  EXPECT_EQ(solved(tailgate(), wanted).meeting_requirements, solution.relax[0].leaves);
+  EXPECT_EQ(solved(tailgate_task(), wanted).meeting_requirements, solution.relax[0].leaves);
 }
 
 TEST(SolveMotion, SaysWhyNothingIsFreeOfDefects) {
@@ -220,7 +205,7 @@ TEST(SolveMotion, WindowSamplesAPartOfTheMap) {
   SynthesisOptions options;
   options.window = RegionWindow{{1.2, 1.4}, {1.0, 1.2}};
   options.region_samples = 50;
-  const MotionSolution solution = solved(tailgate(), {}, options);
+  const MotionSolution solution = solved(tailgate_task(), {}, options);
   EXPECT_NEAR(solution.region.input_dyads()[0].coordinate, 1.202, 1e-12);
   EXPECT_NEAR(solution.region.output_dyads()[49].coordinate, 1.198, 1e-12);
   EXPECT_FALSE(solution.linkages.empty());
@@ -229,14 +214,14 @@ TEST(SolveMotion, WindowSamplesAPartOfTheMap) {
     EXPECT_TRUE(linkage.output.coordinate >= 1.0 && linkage.output.coordinate <= 1.2);
   }
   options.window = RegionWindow{{0.2, 0.1}, {0, 1}};
-  EXPECT_FALSE(solve_motion(tailgate(), {}, options).ok());
+  EXPECT_FALSE(solve_motion(tailgate_task(), {}, options).ok());
 }
 
 TEST(SolveMotion, CanBeStopped) {
   std::atomic<bool> stop{true};
   Progress progress;
   progress.cancelled = &stop;
-  const auto result = solve_motion(tailgate(), {}, {}, progress);
+  const auto result = solve_motion(tailgate_task(), {}, {}, progress);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.errors()[0].code, "cancelled");
 }
@@ -248,15 +233,15 @@ TEST(SolveMotion, TellsHowFarItIs) {
     EXPECT_GE(done, last);
     last = done;
   };
-  ASSERT_TRUE(solve_motion(tailgate(), {}, {}, progress).ok());
+  ASSERT_TRUE(solve_motion(tailgate_task(), {}, {}, progress).ok());
   EXPECT_EQ(last, 1);
 }
 
 TEST(SolveMotion, SameInputSameOutput) {
   SynthesisOptions one_thread;
   one_thread.region.threads = 1;
-  const MotionSolution a = solved(tailgate(), tailgate_requirements()),
-                       b = solved(tailgate(), tailgate_requirements(), one_thread);
+  const MotionSolution a = solved(tailgate_task(), tailgate_requirements()),
+                       b = solved(tailgate_task(), tailgate_requirements(), one_thread);
   ASSERT_EQ(a.linkages.size(), b.linkages.size());
   for (std::size_t i = 0; i < a.linkages.size(); ++i) {
     EXPECT_EQ(a.linkages[i].four_bar.input_center, b.linkages[i].four_bar.input_center);
@@ -304,7 +289,7 @@ TEST(SolveMotion, KeepsADirectionOfTravel) {
 }
 
 TEST(SolveMotion, FinitePosesHaveNoResidualOfDerivatives) {
-  EXPECT_FALSE(solved(tailgate()).linkages.front().residual_derivatives);
+  EXPECT_FALSE(solved(tailgate_task()).linkages.front().residual_derivatives);
 }
 
 TEST(SolveMotion, AgainstTheDirectionIsADefectUnlessItDoesNotCount) {
