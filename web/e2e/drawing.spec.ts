@@ -252,17 +252,18 @@ test("a held position shows where it may go, and nowhere else are linkages", asy
   await page.mouse.down();
   const halo = page.getByTestId("drawing.halo");
   await expect(halo).toBeVisible();
+  await page.waitForFunction(() => globalThis.__linkwright!.workbench.halo!.reach === 30); // it looks closer than at first
   const squares = await halo.locator("rect").evaluateAll((all) => all.map((r) => ({offset: r.getAttribute("data-offset")!.split(",").map(Number), count: Number(r.getAttribute("data-count"))})));
-  const reply = await read_state(page, (workbench) => ({reach: workbench.halo!.reach, steps: workbench.halo!.steps}));
-  expect(reply.reach).toBeGreaterThanOrEqual(40);
-  expect(squares.length).toBeGreaterThan(0);
-  expect(squares.filter((s) => s.offset[0] === 40)).toEqual([]);
+  expect(squares.length).toBeGreaterThan(20);
+  expect(squares.every((s) => Math.hypot(...s.offset) < 40)).toBe(true);
   await keep_screenshot(page, "halo");
   const target = squares.filter((s) => s.offset[0] !== 0 || s.offset[1] !== 0).sort((a, b) => b.count - a.count)[0];
+  await page.keyboard.down("Alt"); // no snapping: the grid is wider than the room there is
   await page.mouse.move(from.x + target.offset[0] * scale, from.y - target.offset[1] * scale, {steps: 4});
   const [, , third] = await poses(page);
-  expect([third.x, third.y]).toEqual([-220 + target.offset[0], 220 + target.offset[1]]);
+  expect(Math.hypot(third.x + 220 - target.offset[0], third.y - 220 - target.offset[1])).toBeLessThan(1 / scale);
   await page.mouse.up();
+  await page.keyboard.up("Alt");
   await expect(halo).toBeHidden();
   await until_at_rest(page);
   expect(await read_state(page, (workbench) => workbench.census!.meeting)).toBeGreaterThan(0);

@@ -165,7 +165,7 @@ test.describe("requirements", () => {
     await type_into(page, "req.min_transmission.number", "89");
     await until_settled(page);
     expect(await meeting(page)).toBe(0);
-    await expect(page.getByTestId("req.none_left")).toContainText("Transmission angle at least costs most:");
+    await expect(page.getByTestId("req.none_left")).toContainText("The transmission angle costs most:");
     const problem = example("tailgate");
     problem.requirements.min_transmission_angle_deg = 89;
     const {relax} = solve(problem);
@@ -322,7 +322,7 @@ test.describe("numbers", () => {
 
     await type_into(page, "req.max_length", "250");
     await until_settled(page);
-    await expect(page.getByTestId("num.missed")).toHaveText("Does not meet: Longest link at most 250 mm");
+    await expect(page.getByTestId("num.missed")).toHaveText("Not met: longest link (250 mm at most)");
 
     const defective = await read_state(page, (workbench) => {
       const {defects, type, input_tau, output_tau, samples} = workbench.map!;

@@ -529,16 +529,22 @@ export class Workbench {
   }
   /** Where a held position may go with linkages left; steps² cells of a square, or steps of an arc. */
   async fetch_halo(pose: number, mode: "move" | "turn", reach: number): Promise<void> {
-    const problem = this.problem;
+    const problem = this.problem, held = () => this.gesture && this.held_pose === pose;
     const ask = async (steps: number) => {
       const reply = await this.driver?.request("halo", {problem: engine_text(problem), pose, mode, reach, steps, samples: 60}).catch(() => null);
-      if (reply && this.gesture && this.held_pose === pose) this.halo = {...reply, pose, mode};
+      if (reply && held()) this.halo = {...reply, pose, mode};
+      return reply;
     };
-    await ask(mode === "turn" ? 61 : 13);
+    let reply = await ask(mode === "turn" ? 61 : 13);
+    if (mode === "turn") return;
+    for (let closer = 0; closer < 2 && reply && held() && in_inner_half(reply.counts, 13); ++closer) {
+      reach /= 2;
+      reply = await ask(13);
+    }
     let seen = this.document;
-    while (mode === "move" && this.gesture && this.held_pose === pose) { // finer once the hand rests
+    while (held()) { // finer once the hand rests
       await new Promise((resolve) => setTimeout(resolve, 300));
-      if (this.document === seen) return void (await (this.gesture && this.held_pose === pose && ask(25)));
+      if (this.document === seen) return void (await (held() && ask(25)));
       seen = this.document;
     }
   }
@@ -621,6 +627,12 @@ export function from_problem(problem: Problem): Document {
   };
 }
 
+/** Whether there is something, and nothing of it outside of the inner half of a square of steps² cells. */
+function in_inner_half(counts: ArrayLike<number>, steps: number): boolean {
+  const middle = (steps - 1) / 2, all = Array.from(counts, (count, i) => count > 0 && Math.max(Math.abs((i % steps) - middle), Math.abs(Math.floor(i / steps) - middle)));
+  const farthest = Math.max(...all.map((distance) => (distance === false ? -1 : distance)));
+  return farthest >= 0 && farthest <= middle / 2;
+}
 function places(axis: TaskAnswer["axis"], tau: TauPair): TauPair | null {
   const input = place_of(axis, tau[0]), output = place_of(axis, tau[1]);
   return input === null || output === null ? null : [input, output];

@@ -250,6 +250,21 @@ describe("the workbench", () => {
     expect(b.workbench.map!.samples).toBe(1000);
   });
 
+  it("shows where a held position may go, closer where that is near", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    workbench.begin_gesture();
+    workbench.held_pose = 2;
+    const wide = workbench.fetch_halo(2, "move", 120);
+    await until(() => workbench.halo);
+    const counts = (): number[] => Array.from(workbench.halo!.counts);
+    expect(counts()[13 * 6 + 6 + 2]).toBe(0); // +40 mm in x
+    await until(() => workbench.halo!.reach === 30);
+    expect(counts().filter((count) => count > 0).length).toBeGreaterThan(20);
+    workbench.cancel_gesture();
+    await wide;
+  });
+
   it("draws coarser maps in a drag when three in a row were slow, and tries again", async () => {
     const b = bench(tailgate), {workbench, machine} = b;
     await settled(b);
