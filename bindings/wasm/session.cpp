@@ -54,7 +54,7 @@ bool Session::set_problem(std::string_view text) {
     mapped_.reset();
   }
   requirements_ = problem_.requirements;
-  if (!requirements_.max_length) requirements_.max_length = default_max_length * given_->conditions.frame.scale;
+  if (!requirements_.max_length) requirements_.max_length = default_max_length * given().conditions.frame.scale;
   return true;
 }
 
@@ -64,18 +64,34 @@ std::string Session::read(std::string_view text) {
   return problem ? write_problem(*problem) : "";
 }
 
-bool Session::has_dyads() const { return given_->curve->coordinate_length() > 0; }
+const TaskCurve& Session::given() const {
+  if (!given_) std::abort();  // a problem is set before anything is asked
+  return *given_;
+}
 
-Dyad Session::dyad(double tau) const { return given_->curve->dyad(tau); }
+const DisplayOrder& Session::order() const {
+  if (!order_) std::abort();  // an axis is ordered before a map is made
+  return *order_;
+}
+
+bool Session::has_dyads() const { return given().curve->coordinate_length() > 0; }
+
+Dyad Session::dyad(double tau) const { return given().curve->dyad(tau); }
+
+RegionAxis Session::axis(const std::vector<double>& tau) const {
+  std::vector<Dyad> dyads;
+  for (const double t : tau) dyads.push_back(dyad(t));
+  return {std::move(dyads), given().conditions.frame.to_working(problem_.task.poses), requirements_.respect_direction};
+}
 
 const DrawnCurves& Session::drawn() {
-  if (!drawn_) drawn_ = drawn_curves(problem_.task, *given_);
+  if (!drawn_) drawn_ = drawn_curves(problem_.task, given());
   return *drawn_;
 }
 
 void Session::order_axes(const ExploreRequest& request) {
-  const WorkingFrame& frame = given_->conditions.frame;
-  const BurmesterCurve& curve = *given_->curve;
+  const WorkingFrame& frame = given().conditions.frame;
+  const BurmesterCurve& curve = *given().curve;
   const Spacing spacing = problem_.options.spacing;
   const bool follow = request.order == ExploreRequest::nearest_order;
   order_ = follow && order_ ? DisplayOrder::nearest(curve, spacing, frame, *order_)
@@ -83,19 +99,13 @@ void Session::order_axes(const ExploreRequest& request) {
 }
 
 void Session::compute_map(const ExploreRequest& request) {
-  const MapKey wanted{request.samples, order_->code(),           request.input,
+  const MapKey wanted{request.samples, order().code(),           request.input,
                       request.output,  problem_.options.spacing, requirements_.respect_direction};
-  const WorkingFrame& frame = given_->conditions.frame;
+  const WorkingFrame& frame = given().conditions.frame;
   if (mapped_ != wanted) {
     const auto samples = [&](const std::array<double, 2>& part) {
-      return part == whole ? order_->samples(*given_->curve, request.samples)
-                           : order_->samples(request.samples, part[0], part[1]);
-    };
-    const auto poses = frame.to_working(problem_.task.poses);
-    const auto axis = [&](const std::vector<double>& tau) {
-      std::vector<Dyad> dyads;
-      for (const double t : tau) dyads.push_back(dyad(t));
-      return RegionAxis(std::move(dyads), poses, requirements_.respect_direction);
+      return part == whole ? order().samples(*given().curve, request.samples)
+                           : order().samples(request.samples, part[0], part[1]);
     };
     input_tau_ = samples(request.input);
     output_tau_ = request.output == request.input ? input_tau_ : samples(request.output);
@@ -116,9 +126,9 @@ ExploreReply Session::explore(const ExploreRequest& request) {
   reply.curves = &drawn();
   std::string_view status = "solved";
   const Notice* reason = nullptr;
-  if (given_->degeneracy) {
+  if (const auto& degeneracy = given().degeneracy) {
     status = "degenerate";
-    reason = &*given_->degeneracy;
+    reason = &*degeneracy;
   } else {
     compute_map(request);
     reply.map = &map_;
@@ -132,20 +142,18 @@ ExploreReply Session::explore(const ExploreRequest& request) {
       reason = &no_pair;
     }
   }
-  reply.task = task_json(*given_, *reply.curves, *order_, requirements_, status, reason);
+  reply.task = task_json(given(), *reply.curves, order(), requirements_, status, reason);
   return reply;
 }
 
 LinkageReply Session::linkage(double input_tau, double output_tau) {
   LinkageReply reply;
   if (!has_dyads()) return reply;
-  const WorkingFrame& frame = given_->conditions.frame;
+  const WorkingFrame& frame = given().conditions.frame;
   const Dyad input = dyad(input_tau), output = dyad(output_tau);
-  PickedLinkage picked = picked_linkage(problem_.task, *given_, input, output, requirements_.respect_direction);
+  PickedLinkage picked = picked_linkage(problem_.task, given(), input, output, requirements_.respect_direction);
   // By the map's own kernel, so that the card and the cell agree to the last bit.
-  const auto poses = frame.to_working(problem_.task.poses);
-  cell_.recompute(RegionAxis({input}, poses, requirements_.respect_direction),
-                  RegionAxis({output}, poses, requirements_.respect_direction), frame.scale);
+  cell_.recompute(axis({input_tau}), axis({output_tau}), frame.scale);
   picked.fails = RequirementFilter(cell_, requirements_, frame.origin, frame.scale).failures(0, 0);
   reply.linkage = linkage_json(picked, frame);
   append_states(picked, reply.states);
@@ -155,13 +163,7 @@ LinkageReply Session::linkage(double input_tau, double output_tau) {
 LiveReply Session::live(double input_tau, double output_tau) {
   LiveReply reply;
   if (!has_dyads()) return reply;
-  const WorkingFrame& frame = given_->conditions.frame;
-  const auto poses = frame.to_working(problem_.task.poses);
-  const auto axis = [&](const std::vector<double>& tau) {
-    std::vector<Dyad> dyads;
-    for (const double t : tau) dyads.push_back(dyad(t));
-    return RegionAxis(std::move(dyads), poses, requirements_.respect_direction);
-  };
+  const WorkingFrame& frame = given().conditions.frame;
   const RegionAxis sliding = axis(drawn().tau);
   const auto fails = [&](const RegionAxis& input, const RegionAxis& output) {
     strip_.recompute(input, output, frame.scale);
@@ -174,14 +176,14 @@ LiveReply Session::live(double input_tau, double output_tau) {
   return reply;
 }
 
-std::vector<std::uint32_t> Session::halo(const HaloRequest& request) {
+std::vector<std::uint32_t> Session::halo(const HaloRequest& request) const {
   const PoseHalo halo(problem_.task, problem_.requirements, problem_.options.spacing, request.samples);
   const auto pose = static_cast<std::size_t>(request.pose);
   return request.turn ? halo.turned(pose, request.reach, request.steps)
                       : halo.moved(pose, request.reach, request.steps);
 }
 
-std::string Session::best(int most) {
+std::string Session::best(int most) const {
   SynthesisOptions options = problem_.options;
   options.region_samples = 400;
   options.window.reset();
@@ -205,9 +207,9 @@ std::string Session::best(int most) {
 
 std::string Session::improve(double input_tau, double output_tau) {
   std::optional<RegionPlace> better;
-  if (!given_->degeneracy)
+  if (!given().degeneracy)
     better =
-        improved_linkage(problem_.task, *given_, requirements_, problem_.options.objective, {input_tau, output_tau});
+        improved_linkage(problem_.task, given(), requirements_, problem_.options.objective, {input_tau, output_tau});
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("tau");
@@ -220,7 +222,7 @@ std::string Session::improve(double input_tau, double output_tau) {
 std::string Session::verify(double input_tau, double output_tau) {
   std::optional<FourBarSolution> driven;
   constexpr bool by_driving = true;
-  const WorkingFrame& frame = given_->conditions.frame;
+  const WorkingFrame& frame = given().conditions.frame;
   if (has_dyads())
     driven = make_four_bar(problem_.task, frame, frame.to_user(dyad(input_tau)), frame.to_user(dyad(output_tau)),
                            requirements_.respect_direction, by_driving);
@@ -238,7 +240,7 @@ std::vector<double> Session::trace(double input_tau, double output_tau, Point tr
   std::vector<double> path;
   if (!has_dyads()) return path;
   const PickedLinkage picked =
-      picked_linkage(problem_.task, *given_, dyad(input_tau), dyad(output_tau), requirements_.respect_direction);
+      picked_linkage(problem_.task, given(), dyad(input_tau), dyad(output_tau), requirements_.respect_direction);
   const Pose& first = problem_.task.poses.front().pose;
   for (const DriveState& state : picked.drive.states) {
     const Point p = displaced(traced, first, state.body);
@@ -248,7 +250,7 @@ std::vector<double> Session::trace(double input_tau, double output_tau, Point tr
 }
 
 std::string Session::exported(double input_tau, double output_tau, std::string_view format) {
-  const WorkingFrame& frame = given_->conditions.frame;
+  const WorkingFrame& frame = given().conditions.frame;
   if (!has_dyads()) return "";
   constexpr bool verify = true;
   auto found = make_four_bar(problem_.task, frame, frame.to_user(dyad(input_tau)), frame.to_user(dyad(output_tau)),
@@ -256,14 +258,14 @@ std::string Session::exported(double input_tau, double output_tau, std::string_v
   if (!found) return "";
   MotionSolution solution;
   solution.reason = {"picked", "One linkage, picked on the map.", {}};
-  solution.pattern = given_->pattern;
-  solution.conditions = given_->conditions;
-  solution.warnings = given_->warnings;
-  solution.curve = given_->curve;
+  solution.pattern = given().pattern;
+  solution.conditions = given().conditions;
+  solution.warnings = given().warnings;
+  solution.curve = given().curve;
   solution.requirements = requirements_;
   solution.options = problem_.options;
   solution.linkages = {*found};
-  const std::string result = write_result(problem_, solution, false);
+  std::string result = write_result(problem_, solution, false);
   if (format == "result") return result;
   const auto linkages = read_result_linkages(result);
   if (!linkages || linkages->empty()) return "";

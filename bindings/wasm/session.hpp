@@ -63,9 +63,9 @@ class Session {
   [[nodiscard]] LinkageReply linkage(double input_tau, double output_tau);
   [[nodiscard]] LiveReply live(double input_tau, double output_tau);
   /// Cells that pass, row-major [dy][dx], or by turn.
-  [[nodiscard]] std::vector<std::uint32_t> halo(const HaloRequest& request);
+  [[nodiscard]] std::vector<std::uint32_t> halo(const HaloRequest& request) const;
   /// JSON text: the list of `best`, the objects of `improve` and `verify`.
-  [[nodiscard]] std::string best(int most);
+  [[nodiscard]] std::string best(int most) const;
   [[nodiscard]] std::string improve(double input_tau, double output_tau);
   [[nodiscard]] std::string verify(double input_tau, double output_tau);
   [[nodiscard]] std::vector<double> trace(double input_tau, double output_tau, Point traced);
@@ -75,7 +75,10 @@ class Session {
  private:
   void order_axes(const ExploreRequest& request);
   void compute_map(const ExploreRequest& request);
+  [[nodiscard]] const TaskCurve& given() const;
+  [[nodiscard]] const DisplayOrder& order() const;
   [[nodiscard]] const DrawnCurves& drawn();
+  [[nodiscard]] RegionAxis axis(const std::vector<double>& tau) const;
   [[nodiscard]] Dyad dyad(double tau) const;
   [[nodiscard]] bool has_dyads() const;
 

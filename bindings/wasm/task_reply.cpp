@@ -78,7 +78,8 @@ void write_curves(JsonWriter& json, const TaskCurve& given) {
   json.member("kind", name(curve.kind()));
   json.member("center_kind", name(curve.center_kind()));
   json.key("kappa");
-  curve.kappa() ? json.value(*curve.kappa()) : json.null();
+  const auto kappa = curve.kappa();
+  kappa ? json.value(*kappa) : json.null();
   json.key("asymptotes");
   json.begin_object();
   json.key("center");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "linkwright/analysis/transmission_angle.hpp"
 #include "linkwright/analysis/velocity.hpp"
@@ -29,7 +30,8 @@ std::vector<Stop> stops_of(const PoseVisits& visits, int samples) {
                                    [&](const Stop& stop) { return std::abs(stop.turn - turn) < too_near; });
     if (!taken) stops.push_back({turn, -1});
   }
-  std::stable_sort(stops.begin(), stops.end(), [](const Stop& a, const Stop& b) { return a.turn < b.turn; });
+  std::sort(stops.begin(), stops.end(),
+            [](const Stop& a, const Stop& b) { return std::tie(a.turn, a.pose) < std::tie(b.turn, b.pose); });
   return stops;
 }
 

@@ -63,9 +63,8 @@ Way way_of(const PoseVisits& visits, const std::vector<double>& input_angles, do
     }
     if (visits.on_branch[j]) way.order.push_back(static_cast<int>(j));
   }
-  std::stable_sort(way.order.begin(), way.order.end(), [&](int i, int j) {
-    return way.turn[static_cast<std::size_t>(i)] < way.turn[static_cast<std::size_t>(j)];
-  });
+  const auto passed_at = [&](int pose) { return std::pair(way.turn[static_cast<std::size_t>(pose)], pose); };
+  std::sort(way.order.begin(), way.order.end(), [&](int i, int j) { return passed_at(i) < passed_at(j); });
   return way;
 }
 

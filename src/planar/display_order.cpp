@@ -243,7 +243,7 @@ std::optional<double> DisplayOrder::place(double tau) const {
 std::vector<double> DisplayOrder::samples(const BurmesterCurve& curve, int count) const {
   std::vector<std::array<double, 2>> placed;
   for (const double tau : curve.samples(count, spacing_)) placed.push_back({place(tau).value_or(1), tau});
-  std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+  std::sort(placed.begin(), placed.end());
   std::vector<double> coordinates;
   for (const auto& [place, tau] : placed) coordinates.push_back(tau);
   return coordinates;
