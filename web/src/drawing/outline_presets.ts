@@ -1,5 +1,6 @@
 // Bodies to start from, sized to the task. The moving frame's origin lies where one would measure from.
 import type {Point} from "../engine/protocol";
+import {multiple} from "./snapping";
 
 export const preset_names = ["rectangle", "door", "lid", "bucket", "wing"] as const;
 export type PresetName = (typeof preset_names)[number];
@@ -15,8 +16,5 @@ const shapes: Record<PresetName, readonly Point[]> = {
 
 export function preset(name: PresetName, size: number): Point[] {
   const unit = 10 ** (Math.floor(Math.log10(size)) - 2);
-  return shapes[name].map(([x, y]) => [tidy(x * size, unit), tidy(y * size, unit)]);
-}
-function tidy(value: number, unit: number): number {
-  return Number((Math.round(value / unit) * unit).toPrecision(12)) + 0;
+  return shapes[name].map(([x, y]) => [multiple(x * size, unit), multiple(y * size, unit)]);
 }

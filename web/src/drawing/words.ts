@@ -1,8 +1,9 @@
 // Words and numbers that stand on the drawing.
-import {requirement_keys, type Linkage} from "../engine/protocol";
+import {unmet_text} from "../requirements/requirements";
 import type {Pose} from "../state/problem";
+import type {Workbench} from "../state/workbench.svelte";
 import {fixed} from "../texts/numbers";
-import {notice_text, t, type TextKey} from "../texts/texts.svelte";
+import {notice_text, t} from "../texts/texts.svelte";
 import {bend_of, travel_of} from "../task/travel";
 import type {Handle, Target} from "./handles";
 import type {Scene} from "./scene.svelte";
@@ -20,17 +21,11 @@ export function point_note(point: readonly [number, number], step: number, unit:
   return `x ${length_note(point[0], step, "")}  y ${length_note(point[1], step, unit)}`;
 }
 
-const requirement_texts: Record<(typeof requirement_keys)[number], TextKey> = {
-  types: "req.types", no_defects: "defect.none", min_transmission_angle_deg: "req.min_transmission", max_link_ratio: "req.max_ratio",
-  max_length: "req.max_length", ground_pivots_within: "req.ground_box", moving_pivots_within: "req.moving_box",
-};
-/** Why a linkage does not do, or nothing. */
-export function reason_of(linkage: Linkage | null): string | null {
-  if (!linkage) return null;
-  if (linkage.reason) return notice_text(linkage.reason);
-  if (linkage.fails === 0) return null;
-  const names = requirement_keys.filter((_, bit) => linkage.fails & (1 << bit)).map((key) => t(requirement_texts[key]));
-  return t("drawing.fails", {names: names.join(t("drawing.comma"))});
+/** Why the linkage in hand does not do, or nothing. */
+export function reason_of(workbench: Workbench): string | null {
+  const {hand} = workbench;
+  if (!hand) return null;
+  return hand.reason ? notice_text(hand.reason) : unmet_text(hand, workbench);
 }
 
 export function target_label(target: Target, scene: Scene): string {

@@ -50,7 +50,7 @@ export function paint_picture(context: Context, picture: Picture, angle: number)
   paint_links(context, picture, state);
 }
 
-function pixels({view}: Picture, [x, y]: Point): [number, number] {
+export function pixels({view}: Pick<Picture, "view">, [x, y]: Point): [number, number] {
   return [view.x + view.scale * x, view.y - view.scale * y];
 }
 function trace(context: Context, picture: Picture, points: readonly Point[], closed: boolean): void {

@@ -39,7 +39,8 @@ export function ramp(share: number): Rgb {
   return mixed(ramp_stops[k + 1], ramp_stops[k], x - k);
 }
 
-const washed_share = 0.3, faded_share = 0.15, seen_through = 170;
+export const washed_share = 0.3;
+const faded_share = 0.15, seen_through = 170;
 
 /** What a cell is: code | 16 if it meets everything | its defect bits << 5. */
 export const cell_kinds = 256;

@@ -1,5 +1,5 @@
 // What a colour of the map can stand for: its words, its range, which end is good, its requirement.
-import type {LinkageType, Property, RequirementKey, Requirements} from "../engine/protocol";
+import type {LinkageType, Property, Requirements} from "../engine/protocol";
 import {round_step} from "../state/problem";
 import type {TextKey} from "../texts/texts.svelte";
 import {degrees_text, significant} from "../texts/numbers";
@@ -75,10 +75,6 @@ function plain_levels(property: Property, [from, to]: [number, number]): number[
   return [1, 2, 3, 4, 5, 6].map((k) => k * step).filter((level) => level < to);
 }
 
-export const requirement_texts: Record<RequirementKey, TextKey> = {
-  types: "req.types", no_defects: "defect.none", min_transmission_angle_deg: "req.min_transmission", max_link_ratio: "req.max_ratio",
-  max_length: "req.max_length", ground_pivots_within: "req.ground_box", moving_pivots_within: "req.moving_box",
-};
 export function type_text(type: LinkageType): TextKey {
   return `type.${type}`;
 }

@@ -1,14 +1,16 @@
 import {describe, expect, it} from "vitest";
-import type {Census, Linkage, Requirements} from "../engine/protocol";
-import {box_around, dropped, failing, in_force, is_asked, is_needed, relaxed, row_order, value_text, with_side} from "./requirements";
+import type {Census, Linkage, Requirements, TaskAnswer} from "../engine/protocol";
+import type {Problem} from "../state/problem";
+import {box_around, dropped, failing, in_force, is_asked, is_needed, relaxation_text, relaxed, row_order, unmet_text, value_text, with_side} from "./requirements";
 
 const census = (only: number[], meeting = 0, defect_free = 100) => ({only, meeting, defect_free}) as Census;
 const linkage = (fails: number, defects = {order: false, branch: false, circuit: false}, type = "crank_rocker") => ({fails, defects, type}) as Linkage;
 
 describe("requirements", () => {
   it("takes the engine's defaults where the file is silent", () => {
-    const used: Requirements = {no_defects: true, max_link_ratio: 20, max_length: 3711};
-    expect(in_force({max_length: null, max_link_ratio: undefined}, used)).toEqual({no_defects: true, max_link_ratio: 20, max_length: null});
+    const task = {requirements: {no_defects: true, max_link_ratio: 20, max_length: 3711}} as TaskAnswer;
+    const problem = {requirements: {max_length: null, max_link_ratio: undefined}} as Problem;
+    expect(in_force({problem, task})).toEqual({no_defects: true, max_link_ratio: 20, max_length: null});
   });
   it("knows what is asked", () => {
     expect(is_asked({}, "no_defects")).toBe(true);
@@ -44,6 +46,14 @@ describe("requirements", () => {
     expect(failing(linkage(0b0000110, {order: true, branch: false, circuit: false}))).toEqual([]);
     expect(failing(linkage(0b1000110, {order: false, branch: true, circuit: true}))).toEqual(["moving_pivots_within"]);
     expect(failing(linkage(0x7f, undefined, "degenerate"))).toEqual([]);
+  });
+  it("says what is not met and what to relax", () => {
+    const problem = {requirements: {min_transmission_angle_deg: 89, max_length: 400}} as Problem, asked = {problem, task: null, unit: "mm"};
+    expect(unmet_text(linkage(0), asked)).toBeNull();
+    expect(unmet_text(linkage(0b0110100), asked)).toBe("Not met: transmission angle (89° at least), longest link (400 mm at most), box for ground pivots");
+    const relaxation = {requirement: "min_transmission_angle_deg", value: 83, leaves: 34} as const;
+    expect(relaxation_text(relaxation, true, "83°")).toBe("The transmission angle costs most: 83° would leave 34.");
+    expect(relaxation_text({...relaxation, value: null}, false, "")).toBe("Without the transmission angle, 34 are left.");
   });
   it("keeps boxes upright", () => {
     expect(with_side({x: [0, 10], y: [0, 5]}, "x", 0, 20)).toEqual({x: [10, 20], y: [0, 5]});

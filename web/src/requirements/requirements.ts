@@ -1,8 +1,10 @@
 // Requirements as the panel sees them: which are asked, how one is dropped or relaxed, and the words for it.
-import {requirement_keys, type Box, type Census, type Linkage, type RequirementKey, type Requirements} from "../engine/protocol";
-import {significant} from "../texts/numbers";
-import type {TextKey} from "../texts/texts.svelte";
+import {linkage_types, requirement_keys, type Box, type Census, type Linkage, type RequirementKey, type Requirements} from "../engine/protocol";
+import type {Workbench} from "../state/workbench.svelte";
+import {grouped, significant} from "../texts/numbers";
+import {t, type TextKey} from "../texts/texts.svelte";
 
+/** Names of the rows; `req.short.<key>` is for sentences. */
 export const requirement_names: Record<RequirementKey, TextKey> = {
   types: "req.types",
   no_defects: "defect.none",
@@ -14,9 +16,9 @@ export const requirement_names: Record<RequirementKey, TextKey> = {
 };
 
 /** What is asked: the file's own requirements, where they are silent the defaults that the engine used. */
-export function in_force(own: Requirements | undefined, used: Requirements | undefined): Requirements {
-  const defined = Object.fromEntries(Object.entries(own ?? {}).filter(([, value]) => value !== undefined));
-  return {...used, ...defined};
+export function in_force({problem, task}: Pick<Workbench, "problem" | "task">): Requirements {
+  const defined = Object.fromEntries(Object.entries(problem.requirements ?? {}).filter(([, value]) => value !== undefined));
+  return {...task?.requirements, ...defined};
 }
 export function is_asked(requirements: Requirements, key: RequirementKey): boolean {
   switch (key) {
@@ -60,6 +62,31 @@ export function failing(linkage: Linkage): RequirementKey[] {
   const keys = requirement_keys.filter((_, bit) => linkage.fails & (1 << bit));
   const {order, branch, circuit} = linkage.defects;
   return order || branch || circuit ? keys.filter((key) => key !== "min_transmission_angle_deg" && key !== "no_defects") : keys;
+}
+
+// ---- sentences ------------------------------------------------------------------------------------------------------
+
+/** "transmission angle (89° at least)" */
+function asked_for(key: RequirementKey, requirements: Requirements, unit: string): string {
+  const name = t(`req.short.${key}`), value = requirements[key];
+  if (typeof value !== "number") return name;
+  return t(key === "min_transmission_angle_deg" ? "req.at_least" : "req.at_most", {name, value: value_text(key, value, unit)});
+}
+/** "Not met: link ratio (8 at most), box for ground pivots", or nothing. */
+export function unmet_text(linkage: Linkage, workbench: Pick<Workbench, "problem" | "task" | "unit">): string | null {
+  const requirements = in_force(workbench);
+  const names = failing(linkage).map((key) => asked_for(key, requirements, workbench.unit));
+  return names.length > 0 ? t("req.unmet", {names: names.join(t("req.comma"))}) : null;
+}
+/** "The link ratio costs most: 8.2 would leave 34." `value` stands for the relaxed value. */
+export function relaxation_text({requirement, value: relaxed, leaves}: Census["relax"][number], dearest: boolean, value: string): string {
+  const values = {name: t(`req.short.${requirement}`), value, n: grouped(leaves)};
+  if (relaxed === null) return t(dearest ? "state.without_leaves" : "state.also_without", values);
+  return t(dearest ? "state.costs_most" : "state.also", values);
+}
+export function none_defect_free_text({pairs, types, order, branch}: Census): string {
+  const four_bars = Math.max(pairs - types[linkage_types.indexOf("degenerate")], 1), percent = (part: number) => Math.round((100 * part) / four_bars);
+  return t("state.none_defect_free", {order: percent(order), branch: percent(branch)});
 }
 
 // ---- boxes ----------------------------------------------------------------------------------------------------------

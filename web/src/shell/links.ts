@@ -1,25 +1,18 @@
 // Links to a task: made and copied, and opened from the page's own address.
+import {copy_text} from "../numbers/clipboard";
 import type {Workbench} from "../state/workbench.svelte";
 import {grouped} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 import {read_text, replace_work, save_file, say_refused} from "./files";
 import {link_of, read_fragment, type LinkMistake} from "./share";
 
-async function copied(text: string): Promise<boolean> {
-  try {
-    await navigator.clipboard.writeText(text);
-    return true;
-  } catch {
-    return false; // not allowed, or no such thing outside of https
-  }
-}
 /** Copies the link, or leaves it in the address to be copied from there. */
 export async function copy_link(workbench: Workbench): Promise<void> {
   const link = link_of(workbench.whole_problem, location.href);
   if (!link) return workbench.say("state.link_too_long", {}, {key: "file.save", run: () => save_file(workbench)});
   const values = {n: grouped(link.length)};
   const picture = workbench.problem.view?.background != null;
-  if (await copied(link)) return workbench.say(picture ? "state.link_copied_no_picture" : "state.link_copied", values);
+  if (await copy_text(link)) return workbench.say(picture ? "state.link_copied_no_picture" : "state.link_copied", values);
   history.replaceState(null, "", link);
   workbench.say("state.link_in_address");
 }

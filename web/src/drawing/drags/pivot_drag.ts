@@ -36,7 +36,7 @@ export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}
       spot = beyond ? beyond_spot(samples, target.end, beyond, over) : slid(samples, target.end, view(), on_curve(at), spot);
       workbench.curve_hover = spot.tau;
       workbench.slide(with_side(workbench.picked?.tau ?? picked.tau, target.side, spot.tau));
-      scene.note = {at, text: `τ ${spot.tau.toFixed(4)}`, reason: reason_of(workbench.hand)};
+      scene.note = {at, text: `τ ${spot.tau.toFixed(4)}`, reason: reason_of(workbench)};
     },
     end() {
       workbench.curve_hover = null;
