@@ -14,7 +14,6 @@ namespace {
 
 using testing::coupler_pose;
 using testing::four_bar_at;
-using testing::RandomFourBars;
 
 constexpr LinkLengths crank_rocker{4, 1, 3, 2.5}, rocker_crank{4, 2.5, 3, 1};
 
