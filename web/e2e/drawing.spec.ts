@@ -355,6 +355,13 @@ test("the outline is edited at its corners, traced points draw their curves", as
   expect(await read_state(page, (workbench) => workbench.problem.view!.traced!.length)).toBe(1);
 });
 
+test("two positions that are the same are refused in words, the map gone with the marks on it", async ({page}) => {
+  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, task: {...problem.task, poses: problem.task.poses.slice(0, 3)}})));
+  await expect(page.getByTestId("region.crosshair_row")).toHaveCount(0);
+  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, task: {...problem.task, poses: [...problem.task.poses, problem.task.poses[2]]}})));
+  await expect(page.getByTestId("region.notice")).toHaveText(/Position 4 is the same as an earlier one/);
+});
+
 test("an empty task is clicked together", async ({page}) => {
   await read_state(page, (workbench) => workbench.open({linkwright: 1, length_unit: "mm", task: {kind: "motion", mechanism: "four_bar", poses: []}}));
   await expect(page.getByTestId("drawing.missing")).toBeVisible();

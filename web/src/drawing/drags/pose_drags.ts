@@ -1,8 +1,8 @@
 // Dragging a position: its place, its angle, its direction and curvature of travel.
 import type {Point} from "../../engine/protocol";
 import {poses_extent, round_step, with_pose, with_poses, type Pose, type Problem} from "../../state/problem";
+import {mistake_sentence} from "../../task/mistakes";
 import {with_bend, with_travel} from "../../task/travel";
-import {notice_text} from "../../texts/texts.svelte";
 import {curvature_reach, arm_length, travel_direction, type Target} from "../handles";
 import {angle_note, point_note, radius_note} from "../words";
 import {snapped_angle, snapped_point, wrapped_deg, type Keys} from "../snapping";
@@ -32,7 +32,7 @@ function begin(bench: Bench, target: PoseTarget, halo: "move" | "turn" | null): 
 }
 function tell(bench: Bench, at: Point, text: string): void {
   const [mistake] = bench.workbench.refusal ?? [];
-  bench.scene.note = {at, text, reason: mistake ? notice_text({code: mistake.code, values: {}, message: mistake.message}) : null};
+  bench.scene.note = {at, text, reason: mistake ? mistake_sentence(mistake) : null};
 }
 /** The same pose, however it was changed meanwhile. */
 function changed(problem: Problem, index: number, change: (pose: Pose) => Pose): Problem {
