@@ -1,53 +1,12 @@
-// The page as a whole: first start, files, links, languages, phones, keys, and an engine that dies. The numbers of the
-// tests are the walk-throughs'.
-import type {BrowserContext, Page} from "@playwright/test";
-import {closeSync, openSync, readFileSync, writeSync} from "node:fs";
-import {dirname, join, resolve} from "node:path";
-import {fileURLToPath} from "node:url";
+// The page as a whole: first start, languages, phones, keys, and an engine that dies. The numbers of the tests are the
+// walk-throughs'.
+import type {Page} from "@playwright/test";
+import {join} from "node:path";
 import {tau_at} from "../src/state/axis";
-import {drag, expect, expect_accessible, keep_screenshot, map_pixel, middle_of, open_workbench, read_state, run_program, test, until_ready, until_settled} from "./support";
-
-const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-const bad_problems = join(root, "data/bad_problems");
-
-interface Shown {
-  map: string;
-  picked: string;
-  pins: string;
-  poses: string;
-}
-/** What is on screen, by what it is drawn from. Waits until the map is the problem's at 1000². */
-async function shown(page: Page): Promise<Shown> {
-  await page.waitForFunction(() => {
-    const {workbench, ready} = globalThis.__linkwright!;
-    const {picked, picked_linkage} = workbench;
-    return ready && workbench.map!.samples === 1000 && picked !== null && picked_linkage?.tau.join() === picked.tau.join();
-  });
-  return read_state(page, ({map, picked, pins, problem}) => {
-    let sum = 0x811c9dc5;
-    for (const bytes of [map!.type, map!.defects, map!.fails]) for (const byte of bytes) sum = Math.imul(sum ^ byte, 0x01000193);
-    return {
-      map: `${map!.samples} ${sum >>> 0}`,
-      picked: picked!.tau.join(),
-      pins: JSON.stringify(pins.map(({name, note, tau}) => [name, note, tau])),
-      poses: JSON.stringify(problem.task.poses.map(({x, y, theta_deg}) => [x, y, theta_deg])),
-    };
-  });
-}
-async function move_a_pose(page: Page, x = -222): Promise<void> {
-  await read_state(page, (workbench, value) => {
-    workbench.edit((problem) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose, i) => (i === 2 ? {...pose, x: value} : pose))}}));
-  }, x);
-}
-async function file_menu(page: Page, item: string): Promise<void> {
-  await page.getByTestId("file.menu").click();
-  await page.getByTestId(item).click();
-}
-async function open_files(page: Page, path: string): Promise<void> {
-  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), file_menu(page, "file.open")]);
-  await chooser.setFiles(path);
-}
-const toasts = (page: Page) => page.getByTestId("toast.title");
+import {
+  bad_problems, drag, expect, expect_accessible, file_menu, keep_screenshot, map_pixel, middle_of, move_a_pose, open_files, open_workbench,
+  read_state, shown, test, toasts, until_ready, until_settled,
+} from "./support";
 
 // ---- 1 ----------------------------------------------------------------------------------------------------------
 
@@ -151,145 +110,6 @@ test("6 · from the start to a DXF by keys alone, the focus always in sight", as
   expect(past_the_end).toBeLessThanOrEqual(1);
 });
 
-// ---- 15 ---------------------------------------------------------------------------------------------------------
-
-test("15 · saved, another task, opened again: all as it was, and the program reads it", async ({page}, info) => {
-  await open_workbench(page);
-  await page.getByTestId("view.language").click();
-  await move_a_pose(page);
-  await shown(page);
-  await read_state(page, (workbench) => workbench.pin());
-  const before = await shown(page);
-  const [download] = await Promise.all([page.waitForEvent("download"), file_menu(page, "file.save")]);
-  const path = info.outputPath(download.suggestedFilename());
-  await download.saveAs(path);
-  const text = readFileSync(path, "utf8");
-  expect(JSON.parse(run_program("solve", text, "-o", "-")).status).toBe("solved");
-
-  await file_menu(page, "file.new");
-  await page.getByTestId("new.create").click();
-  const other = await shown(page);
-  expect(other.map).not.toBe(before.map);
-  await open_files(page, path);
-  await expect.poll(() => shown(page)).toEqual(before);
-  expect(await read_state(page, (workbench) => workbench.file_name)).toBe(download.suggestedFilename());
-  await expect(page.locator("html")).toHaveAttribute("lang", "zh-CN");
-
-  await page.keyboard.press("Control+z");
-  await expect.poll(() => shown(page)).toEqual(other);
-  await page.keyboard.press("Control+y");
-  await expect.poll(() => shown(page)).toEqual(before);
-});
-
-test("15 · work outlives a reload, and what an example replaced can be had back", async ({page}) => {
-  await open_workbench(page);
-  await move_a_pose(page);
-  await shown(page);
-  await read_state(page, (workbench) => workbench.pin());
-  const before = await shown(page);
-  await page.reload();
-  await until_ready(page);
-  expect(await shown(page)).toEqual(before);
-
-  await file_menu(page, "file.examples");
-  await page.getByTestId("example.landing_gear").click();
-  await expect(page.getByTestId("file.menu")).toContainText("Landing gear");
-  const landing_gear = await shown(page);
-  await page.reload();
-  await until_ready(page);
-  expect(await shown(page)).toEqual(landing_gear);
-  await file_menu(page, "file.recover");
-  await expect.poll(() => shown(page)).toEqual(before);
-});
-
-test("15 · a file dropped on the page is opened", async ({page}) => {
-  await open_workbench(page);
-  const text = readFileSync(join(root, "examples/dump_bucket.json"), "utf8");
-  await page.evaluate((content) => {
-    const data = new DataTransfer();
-    data.items.add(new File([content], "dump_bucket.json", {type: "application/json"}));
-    for (const type of ["dragover", "drop"]) document.querySelector("aside")!.dispatchEvent(new DragEvent(type, {dataTransfer: data, bubbles: true, cancelable: true}));
-  }, text);
-  await expect(page).toHaveTitle(/Dump bucket/);
-  await expect(toasts(page)).toContainText("“dump_bucket.json” opened.");
-});
-
-// ---- 16 ---------------------------------------------------------------------------------------------------------
-
-async function copied_link(page: Page, context: BrowserContext): Promise<string> {
-  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  await page.getByTestId("share.link").click();
-  await expect(toasts(page)).toContainText(/Link copied \(\d.*characters\)/);
-  return page.evaluate(() => navigator.clipboard.readText());
-}
-
-test("16 · a link is the task, and a broken one opens nothing", async ({page, context, browser}) => {
-  await open_workbench(page);
-  await move_a_pose(page);
-  await shown(page);
-  await read_state(page, (workbench) => workbench.pin());
-  const before = await shown(page);
-  const link = await copied_link(page, context);
-  expect(link.length).toBeLessThan(4000);
-
-  const elsewhere = await browser.newContext({locale: "en-GB"});
-  const other = await elsewhere.newPage();
-  await open_workbench(other, link);
-  await expect.poll(() => shown(other)).toEqual(before);
-  expect(new URL(other.url()).hash).toBe(""); // from now on it is work like any other
-  await other.reload();
-  await until_ready(other);
-  expect(await shown(other)).toEqual(before);
-  await elsewhere.close();
-
-  const at = link.length - 40, broken = link.slice(0, at) + (link[at] === "A" ? "B" : "A") + link.slice(at + 1);
-  const again = await browser.newContext({locale: "en-GB"});
-  const third = await again.newPage();
-  await open_workbench(third, broken);
-  await expect(toasts(third)).toContainText("This link is damaged and was not opened: some of its characters were lost or changed on the way. Your work is unchanged.");
-  await expect(third).toHaveTitle(/Tailgate hinge/);
-  expect((await shown(third)).poses).toBe("[[0,0,0],[-125,75,-25],[-220,220,-52],[-220,450,-82]]");
-
-  await third.evaluate((hash) => void (location.hash = hash), new URL(link).hash); // pasted into the address
-  await expect.poll(() => shown(third)).toEqual(before);
-  await third.evaluate(() => void (location.hash = `#1.${"A".repeat(70_000)}`));
-  await expect(toasts(third)).toContainText("This link is longer than 64 kB and was not opened.");
-  expect(await shown(third)).toEqual(before);
-  await again.close();
-});
-
-// ---- 17 ---------------------------------------------------------------------------------------------------------
-
-test("17 · files that are no problems get their sentences, and nothing changes", async ({page}, info) => {
-  await open_workbench(page);
-  await move_a_pose(page);
-  await shown(page);
-  const before = await read_state(page, (workbench) => JSON.stringify(workbench.whole_problem));
-  const {files} = JSON.parse(readFileSync(join(bad_problems, "expected.json"), "utf8")) as {files: Record<string, [place: string, message: string][]>};
-  const names = [
-    "cut_short.json", "not_a_number.json", "three_poses.json", "unknown_key.json", "empty.json", "duplicate_key.json", "nested_too_deep.json",
-    "missing_angle.json", "overflow.json", "trailing_comma.json",
-  ];
-  for (const name of names) {
-    await open_files(page, join(bad_problems, name));
-    const [place, message] = files[name][0];
-    await expect(toasts(page)).toContainText(`“${name}” is not a Linkwright problem: ${place}`);
-    await expect(toasts(page)).toContainText(message);
-    await expect(toasts(page)).toContainText("Your work is unchanged.");
-  }
-  await open_files(page, join(bad_problems, "newer_version.json"));
-  await expect(toasts(page)).toContainText("This file was written by a newer Linkwright (version 2; this is 1). Reload the page to get the newest.");
-  await open_files(page, join(bad_problems, "invalid_utf8.json"));
-  await expect(toasts(page)).toContainText("“invalid_utf8.json” is not a Linkwright problem: this is not UTF-8 text");
-
-  const brackets = info.outputPath("brackets.json"), file = openSync(brackets, "w"), million = Buffer.alloc(1 << 20, "[");
-  for (let i = 0; i < 200; ++i) writeSync(file, million);
-  closeSync(file);
-  await open_files(page, brackets);
-  await expect(toasts(page)).toContainText("“brackets.json” is larger than 16 MB and was not opened.");
-  expect(await read_state(page, (workbench) => JSON.stringify(workbench.whole_problem))).toBe(before);
-});
-
 // ---- 19 ---------------------------------------------------------------------------------------------------------
 
 test("19 · the engine dies in the middle of a map, and nothing is lost", async ({page}) => {
@@ -297,10 +117,10 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
   await move_a_pose(page);
   const before = await shown(page);
   const killed = page.evaluate(() => new Promise<number>((resolve) => {
-    const {workbench, kill_engine} = globalThis.__linkwright as unknown as {workbench: {map: {samples: number}; engine: {busy: boolean}; fine: boolean; edit(change: (problem: object) => object): void}; kill_engine(): void};
+    const {workbench, kill_engine} = globalThis.__linkwright as unknown as {workbench: {engine: {busy: boolean}; maps: {fine: boolean}; edit(change: (problem: object) => object): void}; kill_engine(): void};
     workbench.edit((problem) => ({...problem, requirements: {...(problem as {requirements: object}).requirements, max_link_ratio: 7}}));
     const look = () => {
-      if (!(workbench.fine && workbench.engine.busy)) return void setTimeout(look, 1);
+      if (!(workbench.maps.fine && workbench.engine.busy)) return void setTimeout(look, 1);
       kill_engine();
       resolve(performance.now());
     };

@@ -20,18 +20,18 @@ test("the map follows a drag", async ({page}) => {
   await open_workbench(page);
   await until_fine(page);
   const moves = await page.evaluate(async () => {
-    const hook = globalThis.__linkwright!, workbench = hook.workbench as any, take = workbench.take.bind(workbench);
+    const hook = globalThis.__linkwright!, workbench = hook.workbench as any, {maps} = workbench, take = maps.take.bind(maps);
     const found: {engine: number; round: number; paint: number; samples: number}[] = [];
     workbench.begin_gesture();
     for (let i = 0; i < 60; ++i) {
       const start = performance.now(), dx = 5 * Math.sin(i / 5), dy = 5 * Math.cos(i / 7);
       let arrived = start;
-      workbench.take = (...answer: unknown[]) => { arrived = performance.now(); take(...answer); };
+      maps.take = (...answer: unknown[]) => { arrived = performance.now(); take(...answer); };
       workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose: any, k: number) => (k === 2 ? {...pose, x: -220 + dx, y: 220 + dy} : pose))}}));
       while (!workbench.is_current || hook.painted_map() !== workbench.map) await new Promise((done) => setTimeout(done));
       found.push({engine: workbench.engine_ms, round: arrived - start, paint: workbench.paint_ms, samples: workbench.map.samples});
     }
-    delete workbench.take;
+    delete maps.take;
     workbench.cancel_gesture();
     return found;
   });

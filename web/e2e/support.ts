@@ -12,6 +12,8 @@ import type {Workbench} from "../src/state/workbench.svelte";
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 const program = process.env.LINKWRIGHT_CLI ? resolve(root, "web", process.env.LINKWRIGHT_CLI) : join(root, "build/release/bin/linkwright");
 const screenshots = join(root, "build/web-screenshots");
+export const examples = join(root, "examples");
+export const bad_problems = join(root, "data/bad_problems");
 
 /** Where the page says what it holds (App.svelte, region/MapCanvas.svelte, solid/SolidView.svelte). */
 interface Hook {
@@ -104,6 +106,48 @@ export async function read_state<T, A = undefined>(page: Page, read: (workbench:
   }
 }
 
+export interface Shown {
+  map: string;
+  picked: string;
+  pins: string;
+  poses: string;
+}
+/** What is on screen, by what it is drawn from. Waits until the map is the problem's at 1000². */
+export async function shown(page: Page): Promise<Shown> {
+  await page.waitForFunction(() => {
+    const {workbench, ready} = globalThis.__linkwright!;
+    const {picked, picked_linkage} = workbench;
+    return ready && workbench.map!.samples === 1000 && picked !== null && picked_linkage?.tau.join() === picked.tau.join();
+  });
+  return read_state(page, ({map, picked, pins, problem}) => {
+    let sum = 0x811c9dc5;
+    for (const bytes of [map!.type, map!.defects, map!.fails]) for (const byte of bytes) sum = Math.imul(sum ^ byte, 0x01000193);
+    return {
+      map: `${map!.samples} ${sum >>> 0}`,
+      picked: picked!.tau.join(),
+      pins: JSON.stringify(pins.map(({name, note, tau}) => [name, note, tau])),
+      poses: JSON.stringify(problem.task.poses.map(({x, y, theta_deg}) => [x, y, theta_deg])),
+    };
+  });
+}
+export async function move_a_pose(page: Page, x = -222): Promise<void> {
+  await read_state(page, (workbench, value) => {
+    workbench.edit((problem) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose, i) => (i === 2 ? {...pose, x: value} : pose))}}));
+  }, x);
+}
+
+// ---- files and sentences ----------------------------------------------------------------------------------------
+
+export async function file_menu(page: Page, item: string): Promise<void> {
+  await page.getByTestId("file.menu").click();
+  await page.getByTestId(item).click();
+}
+export async function open_files(page: Page, path: string): Promise<void> {
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), file_menu(page, "file.open")]);
+  await chooser.setFiles(path);
+}
+export const toasts = (page: Page) => page.getByTestId("toast.title");
+
 // ---- places on the page -----------------------------------------------------------------------------------------
 
 export interface Pixel {
@@ -183,5 +227,5 @@ export function analyze(linkage: unknown, ...flags: string[]): any {
 }
 /** A problem of examples/, its comments taken out. */
 export function example(name: string): any {
-  return JSON.parse(readFileSync(join(root, `examples/${name}.json`), "utf8").replace(/^\s*\/\/.*$/gm, ""));
+  return JSON.parse(readFileSync(join(examples, `${name}.json`), "utf8").replace(/^\s*\/\/.*$/gm, ""));
 }

@@ -1,7 +1,7 @@
 // How the map lies on the screen and where it is being pointed at. Nothing here outlives the pointer: what is shown of
 // the region, picked and hovered is the workbench's.
 import type {Point, TauPair} from "../engine/protocol";
-import {place_of, tau_at} from "../state/axis";
+import {place_of, places_of, tau_at} from "../state/axis";
 import type {Pin} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
 import {point_of, type Frame} from "./painter";
@@ -55,8 +55,7 @@ export class RegionView {
   }
   place_of_tau(tau: TauPair): TauPair | null {
     const axis = this.workbench.task?.axis;
-    const input = axis && place_of(axis, tau[0]), output = axis && place_of(axis, tau[1]);
-    return input == null || output == null ? null : [input, output];
+    return axis ? places_of(axis, tau) : null;
   }
   tau_of_place(place: TauPair): TauPair | null {
     const axis = this.workbench.task?.axis;

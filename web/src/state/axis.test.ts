@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {Axis} from "../engine/protocol";
-import {block_at, place_of, tau_at} from "./axis";
+import {block_at, place_of, places_of, tau_at} from "./axis";
 
 /** Two branches: the first in two blocks, one of them running backwards through the branch's end; the second whole. */
 const axis: Axis = {
@@ -41,5 +41,9 @@ describe("places on the axis", () => {
     expect(place_of(axis, -0.1)).toBeNull();
     expect(place_of(axis, 2.1)).toBeNull();
     expect(place_of({...axis, blocks: axis.blocks.slice(2)}, 0.5)).toBeNull();
+  });
+  it("are a pair where both are shown", () => {
+    expect(places_of(axis, [0.75, 1.8])).toEqual([place_of(axis, 0.75), place_of(axis, 1.8)]);
+    expect(places_of(axis, [0.75, 9])).toBeNull();
   });
 });

@@ -1,5 +1,5 @@
 // Places on the map's axes and curve coordinates, as the engine's axis tells them.
-import type {Axis, AxisBlock, Branch} from "../engine/protocol";
+import type {Axis, AxisBlock, Branch, TauPair} from "../engine/protocol";
 
 function interpolated(knots: readonly (readonly [number, number])[], value: number, from: 0 | 1): number {
   const to = from === 0 ? 1 : 0;
@@ -50,4 +50,9 @@ export function place_of(axis: Axis, tau: number): number | null {
     }
   }
   return null;
+}
+/** Where a pair stands on the map. */
+export function places_of(axis: Axis, tau: TauPair): TauPair | null {
+  const input = place_of(axis, tau[0]), output = place_of(axis, tau[1]);
+  return input === null || output === null ? null : [input, output];
 }

@@ -1,7 +1,7 @@
 import {describe, expect, it} from "vitest";
 import {
-  body_point, default_max_length, engine_text, new_problem, outline_of, placed, poses_extent, round_step, same_poses, with_options, with_pose,
-  with_requirements, with_view, type Problem,
+  body_point, default_max_length, engine_text, incompleteness, new_problem, outline_of, placed, poses_extent, round_step, same_poses, with_options,
+  with_pose, with_poses, with_requirements, with_view, type Problem,
 } from "./problem";
 
 describe("a problem", () => {
@@ -21,6 +21,11 @@ describe("a problem", () => {
   it("is the same for the engine whatever the view", () => {
     const problem = new_problem();
     expect(engine_text(with_view(problem, {picked: [1, 2], outline: [[0, 0], [1, 0], [0, 1]]}))).toBe(engine_text(problem));
+  });
+  it("is complete with four positions, derivatives counted", () => {
+    const problem = new_problem(), {poses} = problem.task, moving = {...poses[0], derivatives: [{x: 1, y: 0, theta: 0}]};
+    const found = [[], poses.slice(1), poses, [moving, ...poses.slice(2)], [moving, ...poses.slice(1)]].map((list) => incompleteness(with_poses(problem, list)));
+    expect(found).toEqual(["empty", "too_few", null, null, "too_many"]);
   });
 });
 

@@ -62,6 +62,17 @@ export interface Problem {
   view?: View;
 }
 
+/** Why there is no map: the number of positions. */
+export type Incomplete = "empty" | "too_few" | "too_many" | null;
+
+export function position_count(problem: Problem): number {
+  return problem.task.poses.reduce((sum, pose) => sum + 1 + (pose.derivatives?.length ?? 0), 0);
+}
+export function incompleteness(problem: Problem): Incomplete {
+  const count = position_count(problem);
+  return count === 0 ? "empty" : count < 4 ? "too_few" : count > 4 ? "too_many" : null;
+}
+
 export function problem_text(problem: Problem, indent?: number): string {
   return JSON.stringify(problem, null, indent);
 }

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import {placed, type Pose, type Problem} from "../state/problem";
-import type {Document} from "../state/workbench.svelte";
+import type {Document} from "../state/document";
 import {duplicated, length_step, moved, pattern_of, proposed, referred, stepped} from "./poses";
 
 const tailgate: Pose[] = [

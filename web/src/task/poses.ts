@@ -1,7 +1,7 @@
 // What the table does to the list of poses.
 import type {Box, Point} from "../engine/protocol";
 import {body_point, same_poses, with_poses, type Pin, type Pose} from "../state/problem";
-import type {Document} from "../state/workbench.svelte";
+import type {Document} from "../state/document";
 
 export function moved(poses: readonly Pose[], from: number, to: number): Pose[] {
   const list = [...poses], [pose] = list.splice(from, 1);

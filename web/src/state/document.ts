@@ -1,0 +1,64 @@
+// What undo restores, as a value, and what can be asked of it without the engine.
+import type {Axis, TauPair} from "../engine/protocol";
+import {places_of, tau_at} from "./axis";
+import {problem_text, with_view, type Pin, type Problem} from "./problem";
+
+export interface Picked {
+  tau: TauPair;
+  /** Where it stands on the map. It stays there while the task changes; τ follows. Null until the axis is known. */
+  place: TauPair | null;
+}
+/** Immutable. */
+export interface Document {
+  problem: Problem; // its view.picked and view.pins are written on saving and sharing; here they live in `picked`, `pins`
+  picked: Picked | null;
+  pins: readonly Pin[];
+  order: number | null; // display order of the map
+}
+
+/** The document of a problem file: picked linkage and pins are taken out of its view. */
+export function from_problem(problem: Problem): Document {
+  const {picked, pins, order, ...view} = problem.view ?? {};
+  return {
+    problem: Object.keys(view).length ? {...problem, view} : (({view: _, ...rest}) => rest)(problem),
+    picked: picked ? {tau: picked, place: null} : null,
+    pins: pins ?? [],
+    order: order ?? null,
+  };
+}
+/** The reverse, as it is saved and shared. */
+export function to_problem({problem, picked, pins, order}: Document): Problem {
+  const view = {...problem.view, pins: pins.length ? pins : undefined, picked: picked?.tau, order: order ?? undefined};
+  return with_view(problem, view);
+}
+
+export function same_tau(a: TauPair | null | undefined, b: TauPair | null | undefined): boolean {
+  return a === b || (!!a && !!b && a[0] === b[0] && a[1] === b[1]);
+}
+/** Whether going from one to the other is a step. */
+export function differs(a: Document, b: Document): boolean {
+  const same_problem = a.problem === b.problem || problem_text(a.problem) === problem_text(b.problem);
+  return !same_problem || a.pins !== b.pins || a.picked?.tau.join() !== b.picked?.tau.join();
+}
+
+/** On the axis of an answer, the picked linkage keeps its place on the map; what was freshly loaded gets its place from τ.
+ *  The same document where that changes nothing. */
+export function settled_on(axis: Axis, document: Document): Document {
+  if (axis.blocks.length === 0) return document; // no curve: picked and pins wait for one
+  const picked = document.picked && settled(axis, document.picked);
+  const pins = document.pins.some((pin) => !pin.place) ? document.pins.map((pin) => marked(axis, pin)) : document.pins;
+  const same = picked === document.picked && pins === document.pins && axis.order === document.order;
+  return same ? document : {...document, picked, pins, order: axis.order};
+}
+function settled(axis: Axis, picked: Picked): Picked {
+  const tau = picked.place ? kept_tau(picked.tau, [tau_at(axis, picked.place[0]), tau_at(axis, picked.place[1])]) : picked.tau;
+  const place = picked.place ?? places_of(axis, picked.tau);
+  return tau === picked.tau && place === picked.place ? picked : {tau, place};
+}
+function marked(axis: Axis, pin: Pin): Pin {
+  return pin.place ? pin : {...pin, place: places_of(axis, pin.tau) ?? undefined};
+}
+/** τ as it was where its place has not moved it: undo restores a linkage to the last bit. */
+function kept_tau(before: TauPair, now: TauPair): TauPair {
+  return Math.hypot(before[0] - now[0], before[1] - now[1]) < 1e-9 ? before : now;
+}

@@ -1,0 +1,150 @@
+// The document as it is edited: steps and undo, gestures that become a step when they end, and what happens to a step
+// that the engine refuses.
+import type {Mistake} from "../engine/protocol";
+import {differs, from_problem, type Document, type Picked} from "./document";
+import {History} from "./history";
+import {engine_text, type Pin, type Problem} from "./problem";
+
+export abstract class Editing {
+  document = $state.raw<Document>({problem: null as unknown as Problem, picked: null, pins: [], order: null});
+  can_undo = $state(false);
+  can_redo = $state(false);
+  /** A drag is under way: changes are not steps yet. */
+  gesture = $state(false);
+  refusal = $state.raw<Mistake[] | null>(null);
+  /** The last gesture made a step, and what became of the picked linkage is not known yet. */
+  just_dragged = false;
+
+  private readonly history: History<Document>;
+  private last_good: Document;
+  private good_text = ""; // what the engine read of it
+  private refused: Problem | null = null;
+  private readonly listeners: (() => void)[] = [];
+
+  constructor(problem: Problem, now: () => number = () => performance.now()) {
+    this.document = from_problem(problem);
+    this.history = new History(this.document, now);
+    this.last_good = this.document;
+  }
+
+  /** Brings what is on screen up to the document. */
+  abstract refresh(): void;
+
+  get problem(): Problem {
+    return this.document.problem;
+  }
+  get pins(): readonly Pin[] {
+    return this.document.pins;
+  }
+  get picked(): Picked | null {
+    return this.document.picked;
+  }
+  /** The map on screen is the engine's answer for the problem in force. */
+  get is_current(): boolean {
+    return engine_text(this.problem) === this.good_text;
+  }
+
+  /** Told after every committed change. */
+  on_commit(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  // ---- steps --------------------------------------------------------------------------------------------------
+
+  /** One undoable step. Steps with the same `merge` label within a second are one. */
+  edit(change: (problem: Problem) => Problem, merge: string | null = null): void {
+    this.commit({...this.document, problem: change(this.problem)}, merge);
+  }
+  edit_document(change: (document: Document) => Document, merge: string | null = null): void {
+    this.commit(change(this.document), merge);
+  }
+  undo(): void {
+    this.cancel_gesture();
+    this.show(this.history.undo());
+    this.told();
+  }
+  redo(): void {
+    this.cancel_gesture();
+    this.show(this.history.redo());
+    this.told();
+  }
+  protected commit(document: Document, merge: string | null = null): void {
+    this.history.commit(document, merge);
+    this.show(document);
+    this.told();
+  }
+  private told(): void {
+    this.can_undo = this.history.can_undo;
+    this.can_redo = this.history.can_redo;
+    for (const listener of this.listeners) listener();
+  }
+  private show(document: Document): void {
+    this.document = document;
+    this.keep_good();
+    this.refresh();
+  }
+
+  // ---- gestures -----------------------------------------------------------------------------------------------
+
+  begin_gesture(): void {
+    this.gesture = true;
+  }
+  /** A change inside a gesture: shown at once, not a step. */
+  drag(change: (problem: Problem) => Problem): void {
+    this.show({...this.document, problem: change(this.problem)});
+  }
+  drag_document(change: (document: Document) => Document): void {
+    this.show(change(this.document));
+  }
+  end_gesture(): void {
+    if (!this.gesture) return;
+    this.gesture = false;
+    const kept = this.refusal && this.refused === this.problem ? this.last_good : this.document;
+    this.refusal = null;
+    this.just_dragged = differs(kept, this.history.present);
+    if (this.just_dragged) this.commit(kept);
+    else this.show(this.history.present);
+  }
+  cancel_gesture(): void {
+    if (!this.gesture) return;
+    this.gesture = false;
+    this.refusal = null;
+    if (this.document !== this.history.present) this.show(this.history.present);
+  }
+
+  // ---- what the engine says -----------------------------------------------------------------------------------
+
+  /** It has read this document, which stands when a later one is refused. */
+  accept(document: Document): void {
+    this.refusal = null;
+    this.last_good = document;
+    this.good_text = engine_text(document.problem);
+  }
+  /** It is not asked: the document stands as it is. */
+  protected accept_unread(): void {
+    this.refusal = null;
+    this.last_good = this.document;
+  }
+  /** Whether the last good document is in force instead. */
+  refuse(problem: Problem, mistakes: Mistake[]): boolean {
+    if (this.problem !== problem) return false;
+    this.refusal = mistakes;
+    this.refused = problem;
+    if (this.gesture) return false; // the last good state stays on screen until the drag moves on or ends
+    this.document = this.last_good;
+    this.history.retract(this.last_good, (a, b) => !differs(a, b));
+    this.told();
+    return true;
+  }
+  /** What it adds to the document in force: no step. */
+  amend(change: Partial<Document>): void {
+    const before = this.document;
+    this.document = {...before, ...change};
+    if (!this.gesture && this.history.present === before) this.history.amend(this.document);
+    this.keep_good();
+  }
+  /** Pins, pick and view are no matter of the engine's: they stay when it refuses the task. */
+  private keep_good(): void {
+    if (this.is_current) this.last_good = this.document;
+  }
+}

@@ -1,0 +1,167 @@
+// Keeps the picked linkage and the one in hand up to the document and the pointer, and asks for better ones.
+import {Crashed, type EngineClient} from "../engine/client";
+import type {Linkage, TauPair} from "../engine/protocol";
+import {places_of} from "./axis";
+import {same_tau} from "./document";
+import {engine_text, type Problem} from "./problem";
+import type {Workbench} from "./workbench.svelte";
+
+export class LinkageFollower {
+  private picked_problem: Problem | null = null; // whose answer the picked linkage is
+  private verified_for = "";
+  private want_best = false;
+
+  constructor(private readonly workbench: Workbench) {}
+
+  private get driver(): EngineClient | null {
+    return this.workbench.driver_client;
+  }
+
+  // ---- in hand ------------------------------------------------------------------------------------------------
+
+  /** Something else is hovered, or nothing. */
+  hover(): void {
+    const {hovered, picked, picked_linkage, problem} = this.workbench;
+    if (hovered) void this.fetch_hand();
+    else if (picked_linkage && this.picked_problem === problem && same_tau(picked_linkage.tau, picked?.tau)) {
+      this.workbench.hand = picked_linkage;
+      void this.fetch_live();
+    } else this.follow();
+  }
+  /** Fetches what the linkage in hand is now. */
+  follow(): void {
+    if (this.workbench.task?.status === "solved") void this.fetch_hand();
+  }
+  private async fetch_hand(): Promise<void> {
+    const {workbench} = this, {tau_in_hand: tau, problem} = workbench;
+    if (!tau || !this.driver) {
+      workbench.hand = null;
+      return;
+    }
+    try {
+      const {linkage} = await this.driver.request("linkage", {problem: engine_text(problem), tau});
+      if (workbench.incomplete || !same_tau(workbench.tau_in_hand, tau)) return;
+      workbench.hand = linkage;
+      void this.fetch_live();
+      if (same_tau(tau, workbench.picked?.tau)) this.take_picked(linkage, problem);
+    } catch (error) {
+      if (error instanceof Crashed) setTimeout(() => this.follow(), 50);
+    }
+  }
+  private async fetch_live(): Promise<void> {
+    const {tau_in_hand: tau, problem} = this.workbench;
+    if (!tau || !this.driver) return;
+    const reply = await this.driver.request("live", {problem: engine_text(problem), tau}).catch(() => null);
+    if (reply) this.workbench.live = reply;
+  }
+  private take_picked(linkage: Linkage, problem: Problem): void {
+    const {workbench} = this;
+    workbench.picked_linkage = linkage;
+    this.picked_problem = problem;
+    if (workbench.gesture) return;
+    void this.fetch_verified(linkage.tau, problem);
+    if (workbench.just_dragged && workbench.is_current) {
+      workbench.just_dragged = false;
+      this.offer_best();
+    }
+  }
+  private async fetch_verified(tau: TauPair, problem: Problem): Promise<void> {
+    const text = engine_text(problem), asked = text + tau.join();
+    if (asked === this.verified_for && this.workbench.verified) return;
+    this.workbench.verified = null;
+    this.verified_for = asked;
+    const reply = await this.driver!.request("verify", {problem: text, tau}).catch(() => null);
+    if (reply && asked === this.verified_for) this.workbench.verified = reply;
+  }
+  /** After a drag that has cost the picked linkage. */
+  private offer_best(): void {
+    const {workbench} = this, {picked_linkage, census} = workbench;
+    if (picked_linkage && picked_linkage.fails !== 0 && census && census.meeting > 0) {
+      workbench.say("state.picked_lost", {}, {key: "region.best", run: () => void workbench.pick_best()});
+    }
+  }
+
+  // ---- better ones --------------------------------------------------------------------------------------------
+
+  /** Of a task in which nothing was picked yet: no step. */
+  start_with_best(): void {
+    if (!this.want_best) void this.pick_best(true);
+  }
+  async pick_best(quietly = false): Promise<void> {
+    if (!this.driver) return;
+    const {workbench} = this, {problem} = workbench;
+    this.want_best = true;
+    const reply = await this.driver.request("best", {problem: engine_text(problem), most: 1}).catch(() => null);
+    this.want_best = false;
+    if (!reply || workbench.problem !== problem) return;
+    if (reply.linkages.length === 0) {
+      if (!quietly) workbench.say("state.nothing_to_go_to");
+      return;
+    }
+    const {tau} = reply.linkages[0];
+    if (!quietly) return workbench.pick(tau);
+    workbench.amend({picked: {tau, place: workbench.task && places_of(workbench.task.axis, tau)}});
+    this.follow();
+  }
+  async pick_next_best(step: 1 | -1): Promise<void> {
+    const {workbench} = this, {problem, picked} = workbench;
+    const reply = await this.driver?.request("best", {problem: engine_text(problem), most: 20}).catch(() => null);
+    if (!reply || reply.linkages.length === 0 || workbench.problem !== problem) return;
+    const firsts = reply.linkages.filter((a, i, all) => all.findIndex((b) => b.type === a.type) === i);
+    const now = firsts.findIndex((first) => first.type === workbench.picked_linkage?.type);
+    const next = firsts[(now + step + firsts.length) % firsts.length];
+    if (!same_tau(picked?.tau, next.tau)) workbench.pick(next.tau);
+  }
+  async improve(): Promise<void> {
+    const {workbench} = this, {problem, picked} = workbench;
+    if (!picked || !this.driver) return;
+    workbench.improving = true;
+    const reply = await this.driver.request("improve", {problem: engine_text(problem), tau: picked.tau}).catch(() => null);
+    workbench.improving = false;
+    if (!reply || workbench.problem !== problem) return;
+    if (reply.improved) workbench.pick(reply.tau);
+    else workbench.say("state.cannot_improve");
+  }
+  /** The linkage at τ; nothing where the task has changed meanwhile or the engine does not answer. */
+  async fetch(tau: TauPair): Promise<Linkage | null> {
+    const {problem} = this.workbench;
+    for (let tries = 0; tries < 3 && this.workbench.problem === problem; ++tries) {
+      if (this.workbench.hand?.tau.join() === tau.join()) return this.workbench.hand;
+      const reply = await this.driver?.request("linkage", {problem: engine_text(problem), tau}).catch(() => null);
+      if (reply) return reply.linkage;
+    }
+    return null;
+  }
+
+  // ---- halo ---------------------------------------------------------------------------------------------------
+
+  /** Steps² cells of a square, or steps of an arc. Closer where the room that is left is near, finer once the hand rests. */
+  async fetch_halo(pose: number, mode: "move" | "turn", reach: number): Promise<void> {
+    const {workbench} = this, {problem} = workbench, held = () => workbench.gesture && workbench.held_pose === pose;
+    const ask = async (steps: number) => {
+      const reply = await this.driver?.request("halo", {problem: engine_text(problem), pose, mode, reach, steps, samples: 60}).catch(() => null);
+      if (reply && held()) workbench.halo = {...reply, pose, mode};
+      return reply;
+    };
+    let reply = await ask(mode === "turn" ? 61 : 13);
+    if (mode === "turn") return;
+    for (let closer = 0; closer < 2 && reply && held() && in_inner_half(reply.counts, 13); ++closer) {
+      reach /= 2;
+      reply = await ask(13);
+    }
+    let seen = workbench.document;
+    while (held()) {
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      if (workbench.document === seen) return void (await (held() && ask(25)));
+      seen = workbench.document;
+    }
+  }
+}
+
+/** Whether there is something, and nothing of it outside of the inner half of a square of steps² cells. */
+function in_inner_half(counts: ArrayLike<number>, steps: number): boolean {
+  const middle = (steps - 1) / 2;
+  const distances = Array.from(counts, (count, i) => (count > 0 ? Math.max(Math.abs((i % steps) - middle), Math.abs(Math.floor(i / steps) - middle)) : -1));
+  const farthest = Math.max(...distances);
+  return farthest >= 0 && farthest <= middle / 2;
+}

@@ -1,0 +1,30 @@
+// Pins as values: each belongs to the task in which it was made.
+import type {Linkage, TauPair} from "../engine/protocol";
+import {same_poses, type Pin, type Pose, type Problem} from "./problem";
+
+export function new_pin(linkage: Linkage, problem: Problem, name: string, place: TauPair | null): Pin {
+  const {input, output} = linkage;
+  return {
+    name,
+    tau: linkage.tau,
+    place: place ?? undefined,
+    poses: problem.task.poses,
+    type: linkage.type,
+    min_transmission_angle_deg: linkage.min_transmission_angle_deg,
+    link_ratio: linkage.link_ratio,
+    longest: linkage.longest,
+    lengths: linkage.lengths,
+    pivots: {input_center: input.center, input_circle: input.circle, output_center: output.center, output_circle: output.circle},
+  };
+}
+/** A … Z, A1 … Z1, A2 …: the first that no pin has. */
+export function free_name(pins: readonly Pin[]): string {
+  for (let i = 0; ; ++i) {
+    const name = String.fromCharCode(65 + (i % 26)) + (i < 26 ? "" : Math.floor(i / 26));
+    if (!pins.some((pin) => pin.name === name)) return name;
+  }
+}
+/** The pin that keeps this linkage of the task with these poses. */
+export function find_pin(pins: readonly Pin[], poses: readonly Pose[], tau: TauPair): Pin | undefined {
+  return pins.find((pin) => same_poses(pin.poses, poses) && Math.hypot(pin.tau[0] - tau[0], pin.tau[1] - tau[1]) < 1e-6);
+}
