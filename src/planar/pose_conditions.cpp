@@ -17,14 +17,14 @@ constexpr std::array<std::array<double, 5>, 5> binomial = {
 Point one_minus_direction(double phi) { return Point{0, -2 * std::sin(phi / 2)} * direction(phi / 2); }
 
 // The displacement from position 1 and its derivatives: Z(t) = a(t) + r(t) z, q = 1 − r; index = order of derivative.
-struct Displacement {
+struct PlanarDisplacement {
   std::vector<Point> a, r, q;
 };
 
-Displacement displacement(const Pose& from, const PrescribedPose& to) {
+PlanarDisplacement displacement(const Pose& from, const PrescribedPose& to) {
   const std::size_t orders = to.derivatives.size() + 1;
   assert(orders <= binomial.size());
-  Displacement d;
+  PlanarDisplacement d;
   const double phi = to.pose.angle - from.angle;
   d.a.push_back(to.pose.origin - from.origin);
   d.r.push_back(direction(phi));
@@ -41,7 +41,7 @@ Displacement displacement(const Pose& from, const PrescribedPose& to) {
 }
 
 // m-th derivative of the matrix M of f = (|Z(t) − C|² − |z − C|²)/2 = Zᵀ M C.
-Matrix3 condition_matrix(const Displacement& d, std::size_t m) {
+Matrix3 condition_matrix(const PlanarDisplacement& d, std::size_t m) {
   Point b = 0;
   double k = 0;
   for (std::size_t i = 0; i <= m; ++i) {
@@ -68,7 +68,7 @@ struct Lengths {
 Lengths typical_lengths(const std::vector<PrescribedPose>& poses) {
   std::vector<Point> a, q;
   for (std::size_t j = 0; j < poses.size(); ++j) {
-    const Displacement d = displacement(poses.front().pose, poses[j]);
+    const PlanarDisplacement d = displacement(poses.front().pose, poses[j]);
     for (std::size_t m = first_order(j); m < d.a.size(); ++m) {
       a.push_back(d.a[m]);
       q.push_back(d.q[m]);
@@ -84,7 +84,7 @@ Eigen::MatrixXd stacked_rows(const std::vector<PrescribedPose>& poses, int count
   Eigen::MatrixXd rows(count, 9);
   int row = 0;
   for (std::size_t j = 0; j < poses.size(); ++j) {
-    const Displacement d = displacement(poses.front().pose, poses[j]);
+    const PlanarDisplacement d = displacement(poses.front().pose, poses[j]);
     for (std::size_t m = lowest_order(j); m < d.a.size(); ++m, ++row) {
       const Matrix3 matrix = condition_matrix(d, m);
       for (int i = 0; i < 3; ++i) {
