@@ -48,4 +48,16 @@ inline constexpr double repeated_pose = 1e-12;
 /// Two linkages closer than this share of the characteristic length in all four pivots are one.
 inline constexpr double same_linkage = 1e-6;
 
+/// Orthogonality error ‖AᵀA − E‖ above which a matrix given as a rotation is a mistake: six printed digits pass.
+inline constexpr double orthogonality = 1e-6;
+
+/// Orthogonality error of a correctly rounded rotation, at most: 9 elements of half an ulp of 1, twice; room for 4.
+inline constexpr double orthogonal_to_rounding = 4e-15;
+
+/// Distance to gimbal lock below which an attitude is taken to be locked: quaternions carry a few ulps of 1.
+inline constexpr double gimbal_lock = 1e-15;
+
+/// Distance to gimbal lock below which the two angles that blur into each other have lost half of their digits.
+inline constexpr double near_gimbal_lock = 1e-7;
+
 }  // namespace linkwright::tolerance

@@ -1,0 +1,3 @@
+#include "linkwright/attitude/nearest_rotation.hpp"
+
+#include <gtest/gtest.h>

@@ -1,0 +1,3 @@
+#include "linkwright/attitude/quaternion.hpp"
+
+#include <gtest/gtest.h>

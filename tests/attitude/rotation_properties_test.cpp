@@ -1,0 +1,3 @@
+#include "linkwright/attitude/rotation_properties.hpp"
+
+#include <gtest/gtest.h>
