@@ -86,6 +86,8 @@ EulerDecomposition intrinsic_angles(const UnitQuaternion& q_ij, const EulerSeque
   if (result.lock_distance <= tolerance::gimbal_lock) {
     result.singularity = Singularity::gimbal_lock;
     result.angles.first = result.determined;
+    // Not the noise that is left: without the chosen angle it would tilt the wrong way.
+    result.angles.second = (proper ? pi / 2 : 0) + (at_low_end ? -pi / 2 : pi / 2);
     return result;
   }
   const bool far_from_lock = 4 * h.low * h.high >= 1;  // sine or cosine of the second angle above ½

@@ -59,7 +59,9 @@ Matrix3x3 UnitQuaternion::matrix_minus_identity() const {
   const double xx = v_.x * v_.x, yy = v_.y * v_.y, zz = v_.z * v_.z;
   const double xy = v_.x * v_.y, yz = v_.y * v_.z, zx = v_.z * v_.x;
   const Vector3 s = w_ * v_;
-  return 2.0 *
+  // Not 2: the length, rounded, is some 1e-16 off 1, and this halves the error of the elements.
+  const double two = 2 / (w_ * w_ + dot(v_, v_));
+  return two *
          Matrix3x3{
              {{{-(yy + zz), xy - s.z, zx + s.y}, {xy + s.z, -(zz + xx), yz - s.x}, {zx - s.y, yz + s.x, -(xx + yy)}}}};
 }

@@ -27,8 +27,9 @@ struct EulerDecomposition {
   /// make the rotation again, to a few ulps.
   EulerAngles angles;
 
-  /// `gimbal_lock` where lock_distance is below tolerance::gimbal_lock. Then one angle was chosen: the last turn of an
-  /// intrinsic sequence, the first of an extrinsic one, is zero.
+  /// `gimbal_lock` where lock_distance is at most tolerance::gimbal_lock, what rounding makes of locked attitudes. Then
+  /// one angle was chosen: the last turn of an intrinsic sequence, the first of an extrinsic one, is zero; and the
+  /// second is its singular value to the last bit.
   Singularity singularity = Singularity::none;
 
   /// How far the attitude is from gimbal lock, in [0, √½]: the sine of half the angle by which the second turn misses
