@@ -20,10 +20,10 @@ constexpr double half_pi_rest = 6.123233995736766e-17;
 /// the difference d of the rates ṫ₁ and third_sign · ṫ₃, ω = s cosine · sum + d sine · difference + ṫ₂ · second.
 struct BisectorTriad {
   Vector3 sum, difference, second;
-  double cosine, sine;  ///< of half the angle from the first axis to ± the third
-  double third_sign;    ///< of the permutation of Cardan axes; 1 for proper Euler angles
+  double cosine = 0, sine = 0;  ///< of half the angle from the first axis to ± the third
+  double third_sign = 1;        ///< of the permutation of Cardan axes; 1 for proper Euler angles
 
-  explicit BisectorTriad(const EulerAngles& intrinsic) : cosine(0), sine(0), third_sign(1) {
+  explicit BisectorTriad(const EulerAngles& intrinsic) {
     const EulerSequence& sequence = intrinsic.sequence;
     const Vector3 a = unit_vector(sequence.first()), b = unit_vector(sequence.second()), n = cross(a, b);
     if (sequence.is_proper_euler()) {

@@ -31,6 +31,21 @@ Displacement transform(const HartenbergDenavit& link, HartenbergDenavitForm form
   return {about_x * about_z, about_x.apply({0, 0, link.d}) + Vector3{link.a, 0, 0}};
 }
 
+/// A frame of a joint: z in its line.
+Displacement joint_frame(Vector3 origin, Vector3 x, Vector3 z) {
+  const Vector3 along = normalized(x - dot(x, z) * z);  // to the last digit at a right angle to z
+  return {*Rotation::from_matrix(Matrix3x3::of_columns(along, cross(z, along), z)), origin};
+}
+
+/// Where the line k leaves for the next, given the normal by which the one before came.
+Result<CommonNormal> normal_from(std::span<const Line> axes, std::size_t k, const CommonNormal& before) {
+  const Vector3 start = k == 0 ? axes[0].point : before.foot_on_second;
+  if (k + 1 == axes.size()) return CommonNormal{.direction = before.direction, .foot_on_first = start};
+  Result<CommonNormal> normal = common_normal({start, axes[k].direction}, axes[k + 1]);
+  if (normal && normal->lines == LinePair::coincident && k > 0) normal->direction = before.direction;
+  return normal;
+}
+
 }  // namespace
 
 Result<Displacement> hartenberg_denavit(const HartenbergDenavit& link, HartenbergDenavitForm form) {
@@ -82,6 +97,27 @@ Result<HartenbergDenavitFit> hartenberg_denavit_of(const Displacement& t_ij, Har
     fit.distance_defect = std::fabs(in_turned.y);
   }
   return fit;
+}
+
+Result<LinkChain> hartenberg_denavit_of_axes(std::span<const Line> axes) {
+  if (axes.empty()) return Error{"no_axes", "axes", "there is no axis: give the line of at least one joint"};
+  for (std::size_t k = 0; k < axes.size(); ++k)
+    if (auto mistake = mistake_in(axes[k], fmt::format("axes[{}]", k))) return *mistake;
+  LinkChain chain;
+  CommonNormal normal{.direction = any_normal(axes[0].direction)};
+  Displacement before;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const Result<CommonNormal> next = normal_from(axes, k, normal);
+    if (!next) return next.errors();
+    normal = *next;
+    const Displacement frame = joint_frame(normal.foot_on_first, normal.direction, normalized(axes[k].direction));
+    if (k == 0) chain.base = before = frame;
+    const auto fit = hartenberg_denavit_of(before.inverse() * frame, HartenbergDenavitForm::modified);
+    if (!fit) return fit.errors();
+    chain.links.push_back(k == 0 ? HartenbergDenavit{} : fit->link);
+    before = frame;
+  }
+  return chain;
 }
 
 }  // namespace linkwright

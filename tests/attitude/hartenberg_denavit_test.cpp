@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
@@ -162,6 +163,86 @@ TEST(HartenbergDenavit, GivesEveryFrameOfAChain) {
   const Vector3 planar{std::cos(0.1) + std::cos(0.3) + std::cos(0.6), std::sin(0.1) + std::sin(0.3) + std::sin(0.6), 0};
   EXPECT_LE(ulps_between((*frames)[2].translation, planar), 4);
   EXPECT_EQ(*hartenberg_denavit_chain({}, classic), Displacement()) << "no links: the frame itself";
+}
+
+/// Every frame of the chain has its z in its line.
+void expect_axes(const LinkChain& chain, const std::vector<Line>& axes, double largest) {
+  const auto frames = hartenberg_denavit_frames(chain.links, modified);
+  ASSERT_TRUE(frames.ok());
+  ASSERT_EQ(frames->size(), axes.size());
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const Displacement frame = chain.base * (*frames)[k];
+    const Vector3 direction = normalized(axes[k].direction);
+    EXPECT_LE(norm(frame.apply_to_direction({0, 0, 1}) - direction), largest) << k;
+    EXPECT_LE(norm(cross(frame.translation - axes[k].point, direction)), largest) << k;
+  }
+}
+
+TEST(HartenbergDenavit, ParametersOfAxesPutTheAxesBack) {
+  std::mt19937_64 random(6);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<Line> axes(6);
+    for (Line& line : axes) line = {testing::random_direction(random), testing::random_direction(random)};
+    const Result<LinkChain> chain = hartenberg_denavit_of_axes(axes);
+    ASSERT_TRUE(chain.ok());
+    double least_sine = 1;
+    for (const auto& link : chain->links)
+      if (link.alpha != 0) least_sine = std::min(least_sine, std::fabs(std::sin(link.alpha)));
+    expect_axes(*chain, axes, 1e-13 / (least_sine * least_sine));
+  }
+}
+
+TEST(HartenbergDenavit, ParametersOfParallelMeetingAndCoincidingAxes) {
+  const std::vector<Line> axes{{{0, 0, 0}, {0, 0, 1}}, {{1, 0, 9}, {0, 0, 2}}, {{1, 1, 0}, {0, 0, -1}},
+                               {{1, 1, 4}, {0, 0, 1}}, {{1, 1, 2}, {1, 0, 0}}, {{5, 1, 2}, {1, 0, 0}},
+                               {{2, 1, 2}, {0, 1, 1}}, {{2, 3, 0}, {0, 1, 1}}};
+  const Result<LinkChain> chain = hartenberg_denavit_of_axes(axes);
+  ASSERT_TRUE(chain.ok());
+  expect_axes(*chain, axes, 1e-14);
+  EXPECT_EQ(chain->links[1].d, 0) << "the normal of parallels that goes on from where the chain is";
+  EXPECT_NEAR(chain->links[1].a, 1, 1e-15);
+  EXPECT_NEAR(std::fabs(chain->links[2].alpha), pi, 1e-15);
+  EXPECT_NEAR(std::fabs(chain->links[4].alpha), pi / 2, 1e-15);
+}
+
+TEST(HartenbergDenavit, ParametersOfThePumasAxesAreThoseOfThePuma) {
+  const double a2 = 0.4318, a3 = 0.0203, d3 = 0.1245, d4 = 0.4318, q = pi / 2;
+  const std::vector<HartenbergDenavit> arm{
+      {}, {.alpha = -q}, {.d = d3, .a = a2}, {.d = d4, .a = a3, .alpha = -q}, {.alpha = q}, {.alpha = -q}};
+  std::vector<Line> axes;
+  const auto frames = hartenberg_denavit_frames(arm, modified);
+  for (const Displacement& frame : *frames) axes.push_back({frame.translation, frame.apply_to_direction({0, 0, 1})});
+  const Result<LinkChain> chain = hartenberg_denavit_of_axes(axes);
+  ASSERT_TRUE(chain.ok());
+  expect_axes(*chain, axes, 1e-14);
+  EXPECT_NEAR(chain->links[2].a, a2, 1e-15);
+  EXPECT_NEAR(chain->links[3].a, a3, 1e-15);
+  EXPECT_NEAR(std::fabs(chain->links[3].d), d4, 1e-15);
+  for (const std::size_t k : {1U, 3U, 4U, 5U}) EXPECT_NEAR(std::fabs(chain->links[k].alpha), q, 1e-15) << k;
+}
+
+TEST(HartenbergDenavit, ParametersOfAlmostParallelAxesLoseHalfOfTheDigitsAtMost) {
+  for (int k = 1; k <= 16; ++k) {
+    const double slope = std::pow(10, -k);
+    const std::vector<Line> axes{{{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, slope, 1}}, {{1, 1, 0}, {slope, 0, 1}}};
+    const Result<LinkChain> chain = hartenberg_denavit_of_axes(axes);
+    ASSERT_TRUE(chain.ok());
+    expect_axes(*chain, axes, 4e-8);
+  }
+}
+
+TEST(HartenbergDenavit, OfOneAxisIsItsFrame) {
+  const std::vector<Line> axes{{{1, 2, 3}, {0, -4, 0}}};
+  const Result<LinkChain> chain = hartenberg_denavit_of_axes(axes);
+  ASSERT_TRUE(chain.ok());
+  expect_axes(*chain, axes, 0);
+}
+
+TEST(HartenbergDenavit, NamesTheAxisThatIsNone) {
+  std::vector<Line> axes(3);
+  axes[2].direction = {};
+  EXPECT_EQ(hartenberg_denavit_of_axes(axes).errors().front().place, "axes[2]");
+  EXPECT_EQ(hartenberg_denavit_of_axes({}).errors().front().code, "no_axes");
 }
 
 TEST(HartenbergDenavit, NamesTheParameterThatIsNoNumber) {

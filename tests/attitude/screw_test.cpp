@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <random>
+#include <string>
 
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
@@ -51,6 +54,31 @@ double random_angle(std::mt19937_64& random, int i) {
 
 double ulps(const Displacement& a, const Displacement& b) {
   return std::max(ulps_between(a.rotation, b.rotation), ulps_between(a.translation, b.translation));
+}
+
+TEST(Screw, AgreesWithSixtyDigits) {
+  const auto json = nlohmann::json::parse(std::ifstream(LINKWRIGHT_DATA_DIR "/attitude/screws.json"));
+  const auto vector_of = [](const nlohmann::json& list, std::size_t from = 0) {
+    return Vector3{list.at(from), list.at(from + 1), list.at(from + 2)};
+  };
+  double worst = 0;
+  for (const auto& row : json.at("rows")) {
+    const auto& q = row.at("quaternion");
+    const Vector3 d = vector_of(row.at("translation"));
+    const double size = norm(d);
+    const Screw found = screw({Rotation(*UnitQuaternion::of(q.at(0), vector_of(q, 1))), d});
+    // The point is known to an ulp of the translation, over the angle.
+    const double of_point = size / std::sin(found.angle / 2);
+    const double ulps = std::max({ulps_between(found.angle, row.at("angle").get<double>()),
+                                  ulps_between(found.direction, vector_of(row.at("direction"))),
+                                  ulps_between(found.translation / size, row.at("slide").get<double>() / size),
+                                  ulps_between(found.point / of_point, vector_of(row.at("point")) / of_point)});
+    EXPECT_LE(ulps, 4) << row.at("name");
+    EXPECT_NEAR(*found.pitch(), row.at("pitch").get<double>(), 4 * testing::ulp * size / found.angle);
+    worst = std::max(worst, ulps);
+  }
+  EXPECT_EQ(json.at("rows").size(), 86U);
+  RecordProperty("worst_ulps", std::to_string(worst));
 }
 
 TEST(Screw, ComesBackFromItsDisplacement) {

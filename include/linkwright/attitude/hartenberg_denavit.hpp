@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "linkwright/attitude/common_normal.hpp"
 #include "linkwright/attitude/displacement.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -52,5 +53,19 @@ struct HartenbergDenavitFit {
 /// The inverse of hartenberg_denavit(). Six freedoms of a displacement do not go into four parameters: the defects say
 /// what is left, and with both 0 (to rounding) the parameters give the transform back. Errors: `not_finite`.
 [[nodiscard]] Result<HartenbergDenavitFit> hartenberg_denavit_of(const Displacement& t_ij, HartenbergDenavitForm form);
+
+/// A chain of links by the lines of its joints.
+struct LinkChain {
+  Displacement base;                     ///< frame of the first joint, in the frame in which the lines are given
+  std::vector<HartenbergDenavit> links;  ///< one for each joint, in the modified form; the first is all 0
+};
+
+/// The parameters of a chain whose joint axes lie in given lines at the reference attitude: base and the chain of the
+/// first k links, in the modified form, make the frame of joint k, its z in line k. x of each frame is the common
+/// normal to the next line; where two lines are parallel it is that through the origin the frame has from the line
+/// before (or through the point of the first line), so that d is 0; where they coincide, and at the last joint, the x
+/// before is kept (at the first, any normal of the line). Errors: `not_finite`, `zero_axis`, their place the line, e.g.
+/// `axes[2]`; `no_axes` for an empty list.
+[[nodiscard]] Result<LinkChain> hartenberg_denavit_of_axes(std::span<const Line> axes);
 
 }  // namespace linkwright
