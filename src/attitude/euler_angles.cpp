@@ -1,7 +1,9 @@
 #include "linkwright/attitude/euler_angles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -97,6 +99,16 @@ EulerDecomposition intrinsic_angles(const UnitQuaternion& q_ij, const EulerSeque
 }
 
 }  // namespace
+
+Result<EulerAngles> EulerAngles::of(const EulerSequence& sequence, double first, double second, double third) {
+  std::vector<Error> errors;
+  const std::array<double, 3> angles{first, second, third};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!std::isfinite(angles[i]))
+      errors.push_back({"not_finite", fmt::format("angles[{}]", i), "not a number or infinite: give a finite angle"});
+  if (!errors.empty()) return errors;
+  return EulerAngles{sequence, first, second, third};
+}
 
 UnitQuaternion EulerAngles::quaternion() const {
   const UnitQuaternion a = turn_about(sequence.first(), first), b = turn_about(sequence.second(), second),

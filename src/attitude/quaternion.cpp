@@ -37,7 +37,7 @@ UnitQuaternion UnitQuaternion::of_matrix(const Matrix3x3& c) {
 
 UnitQuaternion UnitQuaternion::canonical() const {
   for (const double component : {w_, v_.x, v_.y, v_.z})
-    if (component != 0) return component > 0 ? *this : UnitQuaternion{-w_, -v_};
+    if (component != 0) return component > 0 ? *this : -*this;
   return *this;
 }
 

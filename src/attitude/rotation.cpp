@@ -12,24 +12,27 @@
 namespace linkwright {
 namespace {
 
-std::string text(const Matrix3x3& a) {
-  const auto row = [](Vector3 r) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", r.x, r.y, r.z); };
-  return fmt::format("[{}, {}, {}]", row(a.row[0]), row(a.row[1]), row(a.row[2]));
+/// "the nearest rotation, 0.01 away, is [[…], […], […]]".
+std::string offer(const NearestRotation& nearest) {
+  // + 0.0 makes 0 of −0.
+  const auto row = [](Vector3 r) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", r.x + 0.0, r.y + 0.0, r.z + 0.0); };
+  const Matrix3x3& a = nearest.rotation.matrix();
+  return fmt::format("{} rotation, {:.3g} away, is [{}, {}, {}]", nearest.unique ? "the nearest" : "a nearest",
+                     nearest.distance, row(a.row[0]), row(a.row[1]), row(a.row[2]));
 }
 
-Error not_orthogonal(double error, const NearestRotation& nearest) {
+Error not_orthogonal(double error, double det, const NearestRotation& nearest) {
   return {"not_orthogonal", "matrix",
-          fmt::format("not a rotation: its columns are not orthonormal, AᵀA differs from the identity by {:.3g}; the "
-                      "nearest rotation, {:.3g} away, is {}",
-                      error, nearest.distance, text(nearest.rotation.matrix()))};
+          fmt::format("not a rotation: its columns are not orthonormal, AᵀA differs from the identity by {:.3g}{}; {}",
+                      error, det < 0 ? ", and its determinant is negative" : "", offer(nearest))};
 }
 
 Error reflection(const NearestRotation& nearest) {
   return {
       "reflection", "matrix",
       fmt::format("not a rotation but a reflection: its determinant is −1, so one of the frames is left-handed; turn "
-                  "the sign of one axis; a nearest rotation, {:.3g} away, is {}",
-                  nearest.distance, text(nearest.rotation.matrix()))};
+                  "the sign of one axis, or take another: {}",
+                  offer(nearest))};
 }
 
 }  // namespace
@@ -38,7 +41,7 @@ Result<Rotation> Rotation::from_matrix(const Matrix3x3& c_ij, double largest_err
   const Result<NearestRotation> nearest = nearest_rotation(c_ij);
   if (!nearest) return nearest.errors();
   const double error = orthogonality_error(c_ij);
-  if (!(error <= largest_error)) return not_orthogonal(error, *nearest);
+  if (!(error <= largest_error)) return not_orthogonal(error, determinant(c_ij), *nearest);
   if (determinant(c_ij) < 0) return reflection(*nearest);
   // What is orthogonal to rounding stays as it is: small elements of small turns keep their relative accuracy.
   return error <= tolerance::orthogonal_to_rounding ? Rotation(c_ij) : nearest->rotation;

@@ -25,8 +25,8 @@ double inverse_half_sine_quotient(double cosine, double sine) {
 }  // namespace
 
 Result<RotationVector> RotationVector::of(Vector3 phi) {
-  if (!is_finite(phi))
-    return Error{"not_finite", "rotation_vector", "a component is not a number or infinite: give three finite numbers"};
+  if (!std::isfinite(norm(phi)))
+    return Error{"not_finite", "rotation_vector", "its length is not a number or infinite: give three finite numbers"};
   return RotationVector(phi);
 }
 

@@ -40,7 +40,18 @@ TEST(Vector3, NormalizesEveryFiniteLength) {
   EXPECT_EQ(normalized(Vector3{}), Vector3{});
 }
 
-TEST(Vector3, NormDoesNotOverflow) { EXPECT_DOUBLE_EQ(norm(1e200 * Vector3{2, 3, 6}), 7e200); }
+TEST(Vector3, NormNeitherOverflowsNorUnderflows) {
+  for (const double scale : {1e-300, 1e-140, 1.0, 1e149, 1e150, 1e151, 1e300})
+    EXPECT_DOUBLE_EQ(norm(scale * Vector3{2, 3, 6}), 7 * scale);
+  EXPECT_EQ(norm(Vector3{}), 0);
+}
+
+TEST(Vector3, NormOfNoNumberIsNone) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(norm({nan, 0, 0})));
+  EXPECT_TRUE(std::isnan(norm({0, nan, 0})));
+  EXPECT_TRUE(std::isnan(norm({1, 0, nan})));
+}
 
 TEST(Vector3, AngleIsExactNearNothingAndNearAHalfTurn) {
   const Vector3 x{1, 0, 0};

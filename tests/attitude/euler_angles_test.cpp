@@ -190,6 +190,15 @@ TEST(EulerAngles, BookZyxIsTheCorrectedMatrix) {
   EXPECT_GT(std::abs(ct * sa - cb * sa), 0.1) << "the print has cos θ for cos β in the third row";
 }
 
+TEST(EulerAngles, RefuseWhatIsNotANumber) {
+  const auto result = EulerAngles::of(EulerSequence::cardan_123(), std::nan(""), 0, -INFINITY);
+  ASSERT_EQ(result.errors().size(), 2U);
+  EXPECT_EQ(result.errors()[0].code, "not_finite");
+  EXPECT_EQ(result.errors()[0].place, "angles[0]");
+  EXPECT_EQ(result.errors()[1].place, "angles[2]");
+  EXPECT_EQ(EulerAngles::of(EulerSequence::cardan_123(), 1, 2, 3)->second, 2);
+}
+
 TEST(EulerAngles, CardanAreTheTurnsOfTheThreeRings) {
   const EulerAngles t{EulerSequence::cardan_123(), 0.1, 0.2, 0.3};
   EXPECT_EQ(t.rotation(), Rotation::about_x(0.1) * Rotation::about_y(0.2) * Rotation::about_z(0.3));

@@ -50,6 +50,8 @@ TEST(UnitQuaternion, TakesAnyLengthAndRefusesNone) {
 
 TEST(UnitQuaternion, AndItsOppositeAreEqual) {
   EXPECT_EQ(make(1, {2, 3, 4}), make(-1, {-2, -3, -4}));
+  EXPECT_EQ(-make(1, {2, 3, 4}), make(1, {2, 3, 4}));
+  EXPECT_LT((-make(1, {2, 3, 4})).w(), 0);
   EXPECT_FALSE(make(1, {2, 3, 4}) == make(1, {-2, -3, -4}));
 }
 

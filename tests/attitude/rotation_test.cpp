@@ -96,7 +96,11 @@ TEST(Rotation, RefusesWhatIsNotOrthogonalAndOffersTheNearest) {
   EXPECT_EQ(error.code, "not_orthogonal");
   EXPECT_THAT(error.message, HasSubstr("by 0.142"));
   EXPECT_THAT(error.message, HasSubstr("nearest rotation, 0.0707 away, is [[1, 0, 0], [0, 0.998752339, 0.0499376169]"));
+  EXPECT_THAT(error.message, ::testing::Not(HasSubstr("negative")));
   EXPECT_EQ(only_error(Rotation::from_matrix({})).code, "not_orthogonal") << "the null matrix";
+  EXPECT_THAT(only_error(Rotation::from_matrix({})).message, HasSubstr("; a nearest rotation, 1.73 away"));
+  EXPECT_THAT(only_error(Rotation::from_matrix({{{{1, 0, 0}, {0, 1, 0}, {0, 0, -2}}}})).message,
+              HasSubstr("by 3, and its determinant is negative"));
   EXPECT_EQ(only_error(Rotation::from_matrix(2 * Matrix3x3::identity())).code, "not_orthogonal");
   EXPECT_EQ(only_error(Rotation::from_matrix(1e200 * Matrix3x3::identity())).code, "not_orthogonal");
 }

@@ -71,7 +71,10 @@ TEST(RotationVector, MayRunThroughManyTurns) {
 }
 
 TEST(RotationVector, RefusesWhatIsNotANumber) {
-  EXPECT_EQ(RotationVector::of({0, std::numeric_limits<double>::infinity(), 0}).errors().front().code, "not_finite");
+  for (const double bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_EQ(RotationVector::of({0, bad, 0}).errors().front().code, "not_finite");
+  EXPECT_EQ(RotationVector::of({1.7e308, 1.7e308, 0}).errors().front().code, "not_finite") << "its length overflows";
+  EXPECT_TRUE(RotationVector::of({1.7e308, 0, 0}).ok());
 }
 
 }  // namespace

@@ -29,8 +29,13 @@ struct Vector3 {
 /// The triple product a·(b × c): the determinant of the three as columns.
 [[nodiscard]] constexpr double determinant(Vector3 a, Vector3 b, Vector3 c) { return dot(a, cross(b, c)); }
 
-/// Length; does not overflow or underflow where the result does not.
-[[nodiscard]] inline double norm(Vector3 a) { return std::hypot(a.x, a.y, a.z); }
+/// Length; does not overflow or underflow where the result does not. Not a number where a coordinate is not, which is
+/// more than g++ 12's std::hypot of three numbers says.
+[[nodiscard]] inline double norm(Vector3 a) {
+  const double square = dot(a, a);
+  if (square > 1e-280 && square < 1e300) return std::sqrt(square);
+  return std::hypot(std::hypot(a.x, a.y), a.z);
+}
 
 [[nodiscard]] inline bool is_finite(Vector3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);

@@ -1,15 +1,16 @@
 #pragma once
 
-#include <array>
-
 #include "linkwright/attitude/euler_sequence.hpp"
 
 namespace linkwright {
 
-/// A rotation as three turns; radians, in the order in which the turns are made. Any finite angles.
+/// A rotation as three turns; radians, in the order in which the turns are made. Any finite angles: of() checks.
 struct EulerAngles {
   EulerSequence sequence;
   double first = 0, second = 0, third = 0;
+
+  /// Errors: `not_finite`, one for each angle, at `angles[0]`, `angles[1]`, `angles[2]`.
+  [[nodiscard]] static Result<EulerAngles> of(const EulerSequence& sequence, double first, double second, double third);
 
   [[nodiscard]] UnitQuaternion quaternion() const;  ///< q_ij
   [[nodiscard]] Rotation rotation() const;          ///< C_ij, by the product of the three matrices

@@ -28,6 +28,9 @@ class UnitQuaternion {
   /// Of q and −q the one with w > 0; at w = 0, a half-turn, the one whose first component that is not zero is positive.
   [[nodiscard]] UnitQuaternion canonical() const;
 
+  /// −q: the same rotation, bit by bit.
+  [[nodiscard]] constexpr UnitQuaternion operator-() const { return {-w_, -v_}; }
+
   /// q_ji: of the inverse rotation.
   [[nodiscard]] constexpr UnitQuaternion inverse() const { return {w_, -v_}; }
 

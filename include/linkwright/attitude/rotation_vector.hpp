@@ -11,7 +11,8 @@ class RotationVector {
  public:
   /// The identity.
   RotationVector() = default;
-  /// Any finite vector; it is kept as given, turns over π and over whole revolutions included. Errors: `not_finite`.
+  /// Any vector of finite length; it is kept as given, turns over π and over whole revolutions included. Errors:
+  /// `not_finite`.
   [[nodiscard]] static Result<RotationVector> of(Vector3 phi);
 
   /// The logarithm, |φ| ≤ π; relatively exact for small turns. At half-turns the sign as in AxisAngle.
