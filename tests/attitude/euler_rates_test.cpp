@@ -157,6 +157,25 @@ TEST(EulerRates, NearGimbalLockAreExactToRounding) {
   RecordProperty("worst_ulps", std::to_string(worst));
 }
 
+TEST(EulerRates, NearGimbalLockAreRelativelyExact) {
+  // Cardan 1-2-3: ω seen after the first turn is (α̇ + γ̇ sin β, β̇, γ̇ cos β); near π/2 a double of β leaves cos β all its
+  // digits, so γ̇ = ω_z / cos β has them too.
+  const Vector3 omega{0.3, -0.4, 0.7};
+  const double alpha = 0.4;
+  const long double seen =
+      std::cos(alpha) * static_cast<long double>(omega.z) - std::sin(alpha) * static_cast<long double>(omega.y);
+  for (const double lock : {-pi / 2, pi / 2}) {
+    for (int k = 1; k <= 14; ++k) {
+      for (const double side : {-1.0, 1.0}) {
+        const double beta = lock + side * std::pow(10, -k);
+        const Result<EulerRatesFit> fit = euler_rates({EulerSequence::cardan_123(), alpha, beta, -1.3}, {omega, {}});
+        const auto exact = static_cast<double>(seen / std::cos(static_cast<long double>(beta)));
+        EXPECT_LE(std::fabs(fit->rates.rates[2] / exact - 1), 8 * testing::ulp) << beta - lock;
+      }
+    }
+  }
+}
+
 TEST(EulerRates, AtGimbalLockAreTheLeastOfTheLeastSquares) {
   for (const EulerSequence& sequence : all_sequences()) {
     for (const double second : sequence.is_proper_euler() ? std::array{0.0, pi} : std::array{-pi / 2, pi / 2}) {
