@@ -69,7 +69,7 @@ struct Matrix3x3 {
 
 /// The Frobenius norm: root of the sum of the squares of the elements.
 [[nodiscard]] inline double frobenius_norm(const Matrix3x3& a) {
-  return norm({norm(a.row[0]), norm(a.row[1]), norm(a.row[2])});
+  return norm(Vector3{norm(a.row[0]), norm(a.row[1]), norm(a.row[2])});
 }
 
 [[nodiscard]] inline bool is_finite(const Matrix3x3& a) {
