@@ -21,10 +21,10 @@ UnitQuaternion turn_about(Axis axis, double angle) {
 /// The quaternion in the order of an intrinsic sequence: scalar, first, second and remaining axis, the last one with
 /// the sign of their permutation.
 struct OrderedQuaternion {
-  double a, b, c, d;
-  double sign;  ///< of the permutation
+  double a = 0, b = 0, c = 0, d = 0;
+  double sign = 1;  ///< of the permutation
 
-  OrderedQuaternion(const UnitQuaternion& q, const EulerSequence& sequence) : a(q.w()), b(0), c(0), d(0), sign(0) {
+  OrderedQuaternion(const UnitQuaternion& q, const EulerSequence& sequence) : a(q.w()) {
     const auto i = static_cast<std::size_t>(sequence.first()), j = static_cast<std::size_t>(sequence.second());
     sign = (i + 1) % 3 == j ? 1 : -1;
     b = q.v()[i];
@@ -38,9 +38,9 @@ struct OrderedQuaternion {
 /// then appears with the opposite sign of the permutation).
 struct HalfAngles {
   double a, b, c, d;
-  double high, low;
+  double high = 0, low = 0;
 
-  HalfAngles(const OrderedQuaternion& q, bool proper) : a(q.a), b(q.b), c(q.c), d(q.d), high(0), low(0) {
+  HalfAngles(const OrderedQuaternion& q, bool proper) : a(q.a), b(q.b), c(q.c), d(q.d) {
     if (!proper) {
       constexpr double r = 1 / std::numbers::sqrt2;
       a = r * (q.a - q.c), b = r * (q.b - q.d), c = r * (q.c + q.a), d = r * (q.d + q.b);

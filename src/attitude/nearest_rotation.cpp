@@ -42,7 +42,7 @@ Result<NearestRotation> nearest_rotation(const Matrix3x3& c_ij) {
   const Eigen::Matrix3d& u = svd.matrixU();
   const Eigen::Matrix3d& v = svd.matrixV();
   const double sign = determinant(from_eigen(u * v.transpose())) < 0 ? -1 : 1;
-  const Eigen::Vector3d s = svd.singularValues();
+  const Eigen::Vector3d& s = svd.singularValues();
   const Matrix3x3 factor = from_eigen(u * Eigen::Vector3d(1, 1, sign).asDiagonal() * v.transpose());
 
   NearestRotation nearest;

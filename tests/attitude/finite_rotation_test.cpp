@@ -78,5 +78,13 @@ TEST(FiniteRotation, MinusIdentityKeepsItsDigitsForSmallTurns) {
   }
 }
 
+TEST(FiniteRotation, SecondOrderKeepsItsDigitsInTheMatrix) {
+  // Off the diagonal, with p in the plane of x and y, (1 − cos θ) p₁ p₂ stands alone.
+  const double angle = 1e-7, half = std::sin(angle / 2);
+  const FiniteRotation a = tensor({1, 1, 0}, angle);
+  EXPECT_NEAR(a.matrix()(0, 1), half * half, 4 * ulp * half * half);
+  EXPECT_NEAR(a.dyadic().matrix()(0, 1), half * half, 4 * ulp * half * half);
+}
+
 }  // namespace
 }  // namespace linkwright
