@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <string>
 
+#include "linkwright/attitude/axis_angle.hpp"
 #include "linkwright/attitude/nearest_rotation.hpp"
 #include "linkwright/attitude/rotation_properties.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -77,12 +78,9 @@ Rotation Rotation::about(Axis axis, double angle) {
 }
 
 Result<Rotation> Rotation::about_axis(Vector3 axis, double angle) {
-  if (!is_finite(axis) || !std::isfinite(angle))
-    return Error{"not_finite", "axis", "the axis or the angle is not a number or infinite: give finite numbers"};
-  if (axis == Vector3{})
-    return Error{"zero_axis", "axis", "the axis is the null vector, which has no direction: give any other length"};
-  const Result<UnitQuaternion> q = UnitQuaternion::of(std::cos(angle / 2), std::sin(angle / 2) * normalized(axis));
-  return Rotation(*q);
+  const Result<AxisAngle> turn = AxisAngle::of(axis, angle);
+  if (!turn) return turn.errors();
+  return turn->rotation();
 }
 
 Rotation Rotation::renormalized() const {

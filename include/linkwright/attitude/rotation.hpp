@@ -54,8 +54,9 @@ class Rotation {
   [[nodiscard]] static Rotation about_y(double angle) { return about(Axis::y, angle); }
   [[nodiscard]] static Rotation about_z(double angle) { return about(Axis::z, angle); }
 
-  /// C_ij where frame j is frame i turned about `axis` (any length but zero; its coordinates are the same in i and j)
-  /// by `angle`, radians, right-handed. Errors: `not_finite`, `zero_axis`.
+  /// C_ij where frame j is frame i turned about `axis` (any length but zero; its coordinates are the same in i and j,
+  /// so the cosines of its direction angles will do) by `angle`, radians, right-handed: the book's figure 1.7, the
+  /// article's equation 11; FiniteRotation has the tensor. Errors as AxisAngle::of(): `not_finite`, `zero_axis`.
   [[nodiscard]] static Result<Rotation> about_axis(Vector3 axis, double angle);
 
   /// C_ij.
