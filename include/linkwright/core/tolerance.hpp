@@ -48,4 +48,29 @@ inline constexpr double repeated_pose = 1e-12;
 /// Two linkages closer than this share of the characteristic length in all four pivots are one.
 inline constexpr double same_linkage = 1e-6;
 
+/// Orthogonality error ‖AᵀA − E‖ above which a matrix given as a rotation is a mistake: six printed digits pass.
+inline constexpr double orthogonality = 1e-6;
+
+/// Orthogonality error of a correctly rounded rotation, at most: 9 elements of half an ulp of 1, twice; room for 4.
+inline constexpr double orthogonal_to_rounding = 4e-15;
+
+/// Distance to gimbal lock below which an attitude is taken to be locked: matrices and quaternions of locked attitudes
+/// came out up to 4.7e-16 away (two million of them).
+inline constexpr double gimbal_lock = 5e-16;
+
+/// Distance to gimbal lock below which the two angles that blur into each other have lost half of their digits.
+inline constexpr double near_gimbal_lock = 1e-7;
+
+/// An angle of turn (radians), or the angle that a turn is short of π, that counts as none: products of rotation
+/// matrices leave a few ulps of 1 behind.
+inline constexpr double no_turn = 1e-15;
+
+/// Sine of the angle between two lines below which they are parallel: the feet of their common normal are its inverse
+/// away, where rounding has cost as much as is lost by taking them for parallel.
+inline constexpr double parallel_lines = 1e-8;
+
+/// Share of a matrix given as the derivative of a rotation that no rotation has, above which it is a mistake: six
+/// printed digits pass.
+inline constexpr double derivative_defect = 1e-5;
+
 }  // namespace linkwright::tolerance
