@@ -55,7 +55,7 @@ inline constexpr double orthogonality = 1e-6;
 inline constexpr double orthogonal_to_rounding = 4e-15;
 
 /// Distance to gimbal lock below which an attitude is taken to be locked: matrices and quaternions of locked attitudes
-/// came out up to 4.7e-16 away (two million of them).
+/// came out up to 4.7e-16 away (960 000 of them).
 inline constexpr double gimbal_lock = 5e-16;
 
 /// Distance to gimbal lock below which the two angles that blur into each other have lost half of their digits.
