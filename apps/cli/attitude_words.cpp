@@ -22,9 +22,9 @@ std::string number(double value) {
   return rounded_text(value, decimals);
 }
 
-/// A length, rate or coordinate: seven digits at most; what rounding left of a zero, beside `scale`, is a zero.
-std::string quantity(double value, double scale = 0) {
-  return significant_text(std::abs(value) <= 1e-14 * scale ? 0 : value, 7);
+/// A length, rate or coordinate; what rounding left of a zero, beside `scale`, is a zero.
+std::string quantity(double value, double scale = 0, int digits = 7) {
+  return significant_text(std::abs(value) <= 1e-14 * scale ? 0 : value, digits);
 }
 
 /// Four decimals of a degree, or as many digits where those would say nothing.
@@ -33,9 +33,10 @@ std::string angle(double value) {
   return (shown != 0 && std::abs(shown) < 1e-3 ? fmt::format("{:.5g}", shown) : rounded_text(shown, 4)) + "°";
 }
 
-std::string vector(Vector3 v) {
+std::string vector(Vector3 v, int digits = 7) {
   const double scale = norm(v);
-  return fmt::format("({}, {}, {})", quantity(v.x, scale), quantity(v.y, scale), quantity(v.z, scale));
+  return fmt::format("({}, {}, {})", quantity(v.x, scale, digits), quantity(v.y, scale, digits),
+                     quantity(v.z, scale, digits));
 }
 
 /// "  label:    content".
@@ -216,15 +217,16 @@ void add_sequence(TextTable& table, std::string name, const SequenceRates& rates
   const bool locked = rates.fit.singularity == Singularity::gimbal_lock;
   const EulerAngles& angles = rates.angles;
   const double speed = norm(motion.velocity);
+  const auto cell = [](double value) { return rounded_text(degrees(value), 3); };
   table.add_row({std::move(name),
-                 fmt::format("{}, {}, {}", angle(angles.first), angle(angles.second), angle(angles.third)),
+                 fmt::format("{}, {}, {}", cell(angles.first), cell(angles.second), cell(angles.third)),
                  rate_cells(rates.fit.rates.rates, speed),
                  rate_cells(rates.fit.rates.accelerations, std::max(speed * speed, norm(motion.acceleration))),
                  locked ? "locked" : ""});
 }
 
 std::string rates_table(const AngularMotionReport& report) {
-  TextTable table({"<sequence", "<angles", "<rates, degrees", "<second derivatives", "<"});
+  TextTable table({"<sequence", "<angles, degrees", "<rates", "<second derivatives", "<"});
   if (report.given)
     add_sequence(table, report.given->angles.sequence.name() + ", given", *report.given, report.task.in_i);
   for (const SequenceRates& rates : report.euler)
@@ -269,17 +271,16 @@ std::string link_table(const LinkChainReport& report) {
     const HartenbergDenavit& link = report.task.links[j];
     const Displacement& frame = report.frames[j];
     table.add_row({fmt::format("{}", j + 1), angle(link.theta), quantity(link.d), quantity(link.a), angle(link.alpha),
-                   vector(frame.translation), vector(frame.apply_to_direction({0, 0, 1}))});
+                   vector(frame.translation, 6), vector(frame.apply_to_direction({0, 0, 1}), 4)});
   }
   return table.text();
 }
 
-std::string fit_words(const LinkChainReport& report) {
-  const HartenbergDenavitFit& fit = *report.fit;
-  std::string text = wrapped(fmt::format(
-      "Hartenberg-Denavit parameters ({}) of the displacement: θ = {}, d = {}, a = {}, α = {}", name(report.task.form),
-      angle(fit.link.theta), quantity(fit.link.d), quantity(fit.link.a), angle(fit.link.alpha)));
-  if (fit.angle_defect <= 1e-12 && fit.distance_defect <= 1e-12 * (1 + norm(report.task.displacement->translation)))
+std::string fit_words(const HartenbergDenavitFit& fit, HartenbergDenavitForm form) {
+  std::string text = wrapped(
+      fmt::format("Hartenberg-Denavit parameters ({}) of the displacement: θ = {}, d = {}, a = {}, α = {}", name(form),
+                  angle(fit.link.theta), quantity(fit.link.d), quantity(fit.link.a), angle(fit.link.alpha)));
+  if (fit.angle_defect <= 1e-12 && fit.distance_defect <= 1e-12 * (1 + std::abs(fit.link.a) + std::abs(fit.link.d)))
     return text;
   return text +
          wrapped(fmt::format("Four parameters cannot say all of it: x and z of the two frames miss a right angle by "
@@ -325,7 +326,7 @@ std::string angular_motion_words(const AngularMotionReport& report) {
   text += row("Derivative of quaternion", four(report.quaternion_first));
   text += row("Second derivative", four(report.quaternion_second));
   text += rates_table(report) + point_words(report);
-  if (report.after) {
+  if (report.after && report.task.step) {
     text += wrapped(fmt::format("After {} at this angular velocity the quaternion is {}.", quantity(*report.task.step),
                                 quaternion_text(*report.after)));
   }
@@ -333,7 +334,7 @@ std::string angular_motion_words(const AngularMotionReport& report) {
 }
 
 std::string link_chain_words(const LinkChainReport& report) {
-  if (report.fit) return fit_words(report);
+  if (report.fit) return fit_words(*report.fit, report.task.form);
   const std::string& unit = report.task.length_unit;
   std::string text = wrapped(fmt::format("Chain of {} {}, {} form{}:", report.frames.size(),
                                          report.frames.size() == 1 ? "link" : "links", name(report.task.form),

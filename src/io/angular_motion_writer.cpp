@@ -88,7 +88,7 @@ void write_members(JsonWriter& json, const AngularMotionReport& report) {
   json.begin_list();
   for (std::size_t i = 0; i < report.points.size(); ++i) write_point(json, report.points[i], report.parts[i]);
   json.end_list();
-  if (!report.after) return;
+  if (!report.after || !report.task.step) return;
   json.key("after_step");
   json.begin_object();
   json.member("step", *report.task.step);

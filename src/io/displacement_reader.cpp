@@ -73,23 +73,16 @@ bool read_poses(const JsonObject& object, Mistakes& mistakes, DisplacementTask& 
   return true;
 }
 
-enum class Form { none, matrix, parts, screw, poses };
-
-/// The one form that is given; a mistake where there is none, or more.
-Form form_of(const JsonObject& object, const JsonValue& value) {
-  const auto given = [&](std::string_view key) { return object.find(key).has_value(); };
-  const bool matrix = given("matrix"), parts = given("orientation") || given("translation"), screw = given("screw"),
-             poses = given("from") || given("to");
-  const int count = (matrix ? 1 : 0) + (parts ? 1 : 0) + (screw ? 1 : 0) + (poses ? 1 : 0);
-  if (count != 1) {
-    value.mistake(
-        count == 0 ? "no_displacement" : "two_displacements",
-        fmt::format("{}; give \"matrix\" (4 by 4), \"orientation\" and \"translation\", \"screw\", or "
-                    "\"from\" and \"to\"",
-                    count == 0 ? "no displacement is given here" : "more than one displacement is given here"));
-    return Form::none;
-  }
-  return matrix ? Form::matrix : parts ? Form::parts : screw ? Form::screw : Form::poses;
+/// A mistake unless exactly one form is given.
+bool is_one_form(const JsonValue& value, int given) {
+  if (given == 1) return true;
+  value.mistake(
+      given == 0 ? "no_displacement" : "two_displacements",
+      fmt::format(
+          "{} displacement is given here; give \"matrix\" (4 by 4), \"orientation\" and \"translation\", \"screw\", or "
+          "\"from\" and \"to\"",
+          given == 0 ? "no" : "more than one"));
+  return false;
 }
 
 }  // namespace
@@ -98,19 +91,13 @@ bool read_displacement(const JsonValue& value, Mistakes& mistakes, DisplacementT
   const std::size_t before = mistakes.size();
   const JsonObject object(value, mistakes, {"matrix", "orientation", "translation", "screw", "from", "to"});
   if (mistakes.size() != before) return false;
-  switch (form_of(object, value)) {
-    case Form::matrix:
-      return read_matrix(*object.find("matrix"), task);
-    case Form::parts:
-      return read_parts(object, mistakes, task);
-    case Form::screw:
-      return read_screw(*object.find("screw"), mistakes, task);
-    case Form::poses:
-      return read_poses(object, mistakes, task);
-    case Form::none:
-      break;
-  }
-  return false;
+  const auto matrix = object.find("matrix"), screw = object.find("screw");
+  const bool parts = object.find("orientation") || object.find("translation");
+  const bool poses = object.find("from") || object.find("to");
+  if (!is_one_form(value, (matrix ? 1 : 0) + (screw ? 1 : 0) + (parts ? 1 : 0) + (poses ? 1 : 0))) return false;
+  if (matrix) return read_matrix(*matrix, task);
+  if (screw) return read_screw(*screw, mistakes, task);
+  return parts ? read_parts(object, mistakes, task) : read_poses(object, mistakes, task);
 }
 
 Result<DisplacementTask> read_displacement_task(std::string_view text) {

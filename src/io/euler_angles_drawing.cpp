@@ -104,8 +104,8 @@ std::vector<Vector3> extents(const ThreeTurns& turns) {
 }
 
 PixelBox panel(std::size_t number) {
-  return {panel_width * static_cast<double>(number % 2), top + panel_height * static_cast<double>(number / 2),
-          panel_width, panel_height};
+  const bool right = number % 2 == 1, below = number >= 2;
+  return {right ? panel_width : 0, below ? top + panel_height : top, panel_width, panel_height};
 }
 
 void draw_caption(SvgCanvas& svg, const PixelBox& box, std::string_view text, std::string_view color) {

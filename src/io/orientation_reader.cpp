@@ -124,21 +124,35 @@ std::optional<StoredOrientation> read_triads(const JsonValue& value, Mistakes& m
   return rotation ? std::optional(stored(*rotation)) : std::nullopt;
 }
 
+/// One way to give an orientation: its key, the keys that go with it, and who reads it (the object, the key's value).
 struct Form {
   std::string_view key;
   std::vector<std::string_view> companions;
+  std::function<std::optional<StoredOrientation>(const JsonObject&, const JsonValue&, Mistakes&)> read;
 };
 
+/// For forms that are their value alone.
+template <class Read>
+auto alone(Read read) {
+  return [read](const JsonObject&, const JsonValue& value, Mistakes&) { return read(value); };
+}
+
 const std::vector<Form>& forms() {
-  static const std::vector<Form> all = {{"matrix", {"nearest"}},
-                                        {"axis", {"angle_deg"}},
-                                        {"quaternion", {}},
-                                        {"rotation_vector", {}},
-                                        {"euler_deg", {"sequence", "turning"}},
-                                        {"rodrigues", {}},
-                                        {"mrp", {}},
-                                        {"turns", {}},
-                                        {"triads", {}}};
+  static const std::vector<Form> all = {
+      {"matrix",
+       {"nearest"},
+       [](const auto& object, const auto& value, Mistakes&) { return read_matrix(object, value); }},
+      {"axis", {"angle_deg"}, [](const auto& object, const auto&, Mistakes&) { return read_axis_angle(object); }},
+      {"quaternion", {}, alone(read_quaternion)},
+      {"rotation_vector", {}, alone(read_as<RotationVector>)},
+      {"euler_deg",
+       {"sequence", "turning"},
+       [](const auto& object, const auto& value, Mistakes&) { return read_euler(object, value); }},
+      {"rodrigues", {}, alone(read_as<RodriguesVector>)},
+      {"mrp", {}, alone(read_as<ModifiedRodriguesVector>)},
+      {"turns", {}, [](const auto&, const auto& value, Mistakes& mistakes) { return read_turns(value, mistakes); }},
+      {"triads", {}, [](const auto&, const auto& value, Mistakes& mistakes) { return read_triads(value, mistakes); }},
+  };
   return all;
 }
 
@@ -189,16 +203,8 @@ std::optional<StoredOrientation> read_orientation(const JsonValue& value, Mistak
   if (mistakes.size() != before) return std::nullopt;
   const Form* form = form_of(object, value);
   if (form == nullptr || has_strays(object, *form)) return std::nullopt;
-  const JsonValue given = *object.find(form->key);
-  if (form->key == "matrix") return read_matrix(object, given);
-  if (form->key == "axis") return read_axis_angle(object);
-  if (form->key == "quaternion") return read_quaternion(given);
-  if (form->key == "rotation_vector") return read_as<RotationVector>(given);
-  if (form->key == "euler_deg") return read_euler(object, given);
-  if (form->key == "rodrigues") return read_as<RodriguesVector>(given);
-  if (form->key == "mrp") return read_as<ModifiedRodriguesVector>(given);
-  if (form->key == "turns") return read_turns(given, mistakes);
-  return read_triads(given, mistakes);
+  const auto given = object.find(form->key);
+  return given ? form->read(object, *given, mistakes) : std::nullopt;
 }
 
 Result<OrientationTask> read_orientation_task(std::string_view text) {

@@ -150,7 +150,8 @@ PixelBox SpaceFigure::place(const Label& label, const std::vector<PixelBox>& tak
   double least = std::numeric_limits<double>::infinity();
   for (const double gap : {4.0, 9.0, 16.0, 26.0, 40.0}) {
     for (int turn = 0; turn <= 23; ++turn) {
-      const double angle = (turn % 2 == 0 ? 0.5 : -0.5) * ((turn + 1) / 2 * 2) * (pi / 12);
+      const int steps = (turn + 1) / 2;  // 0, 1, 1, 2, 2, … to either side in turn
+      const double angle = (turn % 2 == 0 ? 1 : -1) * steps * (pi / 12);
       const Point way = label.away * direction(angle);
       const Point center = label.at + Point{way.real() * (gap + width / 2), way.imag() * (gap + height / 2)};
       const PixelBox box{center.real() - width / 2, center.imag() - height / 2, width, height};

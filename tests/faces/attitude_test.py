@@ -331,7 +331,7 @@ class Files(AttitudeTest):
             with self.subTest(name):
                 status, output, error = run("attitude", command, ROOT / f"examples/attitude/{name}.json")
                 self.assertEqual((status, error), (0, ""))
-                self.assertLessEqual(max(map(len, output.splitlines())), 120)
+                self.assertLessEqual(max(map(len, output.splitlines())), 100)
                 self.assertNotRegex(output, r"\bnan\b|\binf\b|-0\.0+\b(?!\d)")
 
     def test_numbers_read_back_bit_identical(self):

@@ -18,8 +18,8 @@ void expect_picture(const std::string& svg, const std::string& name) {
   EXPECT_LT(svg.size(), 200'000u) << name;
 }
 
-OrientationReport report_of(StoredOrientation orientation) {
-  return orientation_report({.orientation = std::move(orientation), .vectors = {}});
+OrientationReport report_of(const StoredOrientation& orientation) {
+  return orientation_report({.orientation = orientation, .vectors = {}});
 }
 
 TEST(AttitudeDrawing, EveryWorkedRotationHasAPicture) {
