@@ -158,7 +158,7 @@ void draw_axes_together(SpaceFigure& figure, const ThreeTurns& turns) {
   }
   if (!turns.locked()) return;
   const Vector3 both = turns.axis(0);
-  figure.line(-past * both, past * both, palette::bad, 1.8, "9 3 2 3");
+  figure.line(-0.35 * both, past * both, palette::bad, 1.8, "9 3 2 3");
   figure.label(past * both, "axes 1 and 3", palette::bad);
 }
 
