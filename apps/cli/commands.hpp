@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "console.hpp"
 
@@ -30,6 +32,16 @@ struct ExportArguments {
   std::string output = "-";
 };
 [[nodiscard]] int export_linkage(const ExportArguments& arguments);
+
+struct AttitudeArguments {
+  std::string command;  ///< convert, screw, rates or dh
+  std::string input;    ///< path, "-" for standard input, or empty when flags say it
+  std::string report;   ///< path, "-" for standard output, or empty
+  std::string picture;  ///< path or empty; of convert and screw
+  std::map<std::string, std::vector<std::string>>
+      flags;  ///< those of attitude_flags() that were given, with their values
+};
+[[nodiscard]] int attitude(const AttitudeArguments& arguments);
 
 struct StudioArguments {
   std::optional<int> port;  ///< 0: any free one; nothing: the usual one, or any free one

@@ -7,6 +7,7 @@
 #include <new>
 #include <string>
 
+#include "attitude_flags.hpp"
 #include "commands.hpp"
 
 namespace linkwright::cli {
@@ -44,6 +45,42 @@ void add_export(CLI::App& app, ExportArguments& arguments) {
   command->add_option("-o,--output", arguments.output, "Output file (default: standard output)");
 }
 
+/// One of the commands of `attitude`; its flags are those of the table.
+void add_attitude_command(CLI::App& app, const std::string& name, const std::string& help, bool with_picture,
+                          AttitudeArguments& arguments) {
+  CLI::App* command = app.add_subcommand(name, help);
+  command->callback([&arguments, name] { arguments.command = name; });
+  command->add_option("IN", arguments.input, "JSON file (- reads standard input), instead of the flags below");
+  command->add_option("-o,--output", arguments.report, "Write everything as JSON to this file (- for standard output)");
+  if (with_picture) command->add_option("--svg", arguments.picture, "Draw it to this SVG file");
+  for (const AttitudeFlag& flag : attitude_flags(name)) {
+    const std::string key(flag.name);
+    if (flag.content == FlagContent::set) {
+      command->add_flag_callback(
+          key, [&arguments, key] { arguments.flags[key]; }, std::string(flag.help));
+      continue;
+    }
+    const auto keep = [&arguments, key](const CLI::results_t& values) {
+      arguments.flags[key] = values;
+      return true;
+    };
+    CLI::Option* option = command->add_option(key, keep, std::string(flag.help));
+    option->type_name(std::string(flag.shape))->type_size(flag.content == FlagContent::sequence ? 2 : 1);
+    if (may_repeat(flag.content)) option->take_all()->allow_extra_args(false);
+  }
+}
+
+void add_attitude(CLI::App& app, AttitudeArguments& arguments) {
+  CLI::App* group =
+      app.add_subcommand("attitude", "Rotations and displacements of a rigid body in every representation");
+  group->require_subcommand(1);
+  add_attitude_command(*group, "convert", "An orientation in every representation, drawn on request", true, arguments);
+  add_attitude_command(*group, "screw", "A displacement as a screw and back, drawn on request", true, arguments);
+  add_attitude_command(*group, "rates", "Angular velocity and acceleration from derivatives or rates, and back", false,
+                       arguments);
+  add_attitude_command(*group, "dh", "A chain of links by Hartenberg-Denavit parameters", false, arguments);
+}
+
 void add_studio(CLI::App& app, StudioArguments& arguments) {
   CLI::App* command = app.add_subcommand("studio", "Serve the workbench to a browser on this machine");
   command->add_option("--port", arguments.port, "Port on 127.0.0.1 (0: any free one; default 4180, or any free one)")
@@ -53,8 +90,10 @@ void add_studio(CLI::App& app, StudioArguments& arguments) {
 
 /// One line that says what is wrong with the command line.
 std::string usage_mistake(const CLI::App& app, const CLI::ParseError& error) {
-  const auto chosen = app.get_subcommands();
-  const std::string command = chosen.empty() ? "linkwright" : "linkwright " + chosen.front()->get_name();
+  std::string command = "linkwright";
+  for (auto chosen = app.get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands()) {
+    command += " " + chosen.front()->get_name();
+  }
   std::string message = error.what();
   while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.pop_back();
   for (char& c : message) c = c == '\n' ? ' ' : c;
@@ -69,10 +108,12 @@ int run(int argc, char** argv) {
   SolveArguments solve_arguments;
   AnalyzeArguments analyze_arguments;
   ExportArguments export_arguments;
+  AttitudeArguments attitude_arguments;
   StudioArguments studio_arguments;
   add_solve(app, solve_arguments);
   add_analyze(app, analyze_arguments);
   add_export(app, export_arguments);
+  add_attitude(app, attitude_arguments);
   add_studio(app, studio_arguments);
   try {
     app.parse(argc, argv);
@@ -86,6 +127,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("solve")) return solve(solve_arguments);
   if (app.got_subcommand("analyze")) return analyze(analyze_arguments);
   if (app.got_subcommand("export")) return export_linkage(export_arguments);
+  if (app.got_subcommand("attitude")) return attitude(attitude_arguments);
   if (app.got_subcommand("studio")) return studio(studio_arguments);
   std::fputs(app.help().c_str(), stderr);
   return mistake;

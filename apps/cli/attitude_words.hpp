@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "linkwright/io/angular_motion_file.hpp"
+#include "linkwright/io/displacement_file.hpp"
+#include "linkwright/io/link_chain_file.hpp"
+#include "linkwright/io/orientation_file.hpp"
+
+namespace linkwright::cli {
+
+// Reports of `linkwright attitude` in words and tables for people; angles in degrees, at most 100 columns wide.
+
+[[nodiscard]] std::string orientation_words(const OrientationReport& report);
+[[nodiscard]] std::string displacement_words(const DisplacementReport& report);
+[[nodiscard]] std::string angular_motion_words(const AngularMotionReport& report);
+[[nodiscard]] std::string link_chain_words(const LinkChainReport& report);
+
+}  // namespace linkwright::cli
