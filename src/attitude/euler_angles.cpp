@@ -53,24 +53,30 @@ struct HalfAngles {
   [[nodiscard]] double twice_difference() const { return 2 * std::atan2(d, c); }
 };
 
+/// In (−π, π], and 0 without a sign: a sine that arithmetic has left a little below zero would make −π of π.
+double angle_of(double sine, double cosine) {
+  const double angle = std::atan2(sine, cosine);
+  return angle <= -pi ? pi : angle + 0.0;
+}
+
 /// The second angle, exact at both ends and, for Cardan angles, relatively exact in the middle.
 double second_angle(const OrderedQuaternion& q, const HalfAngles& h, bool proper) {
   if (proper) return 2 * std::atan2(h.low, h.high);
-  return std::atan2(2 * (q.a * q.c + q.b * q.d), 2 * h.low * h.high);
+  return angle_of(2 * (q.a * q.c + q.b * q.d), 2 * h.low * h.high);
 }
 
 /// First and third by one quotient each: relatively exact far from a lock; nearer, their errors are not in step.
 std::pair<double, double> split_by_quotients(const OrderedQuaternion& q, bool proper) {
   const auto [a, b, c, d, sign] = q;
-  if (proper) return {std::atan2(b * c + a * d, a * c - b * d), std::atan2(b * c - a * d, a * c + b * d)};
+  if (proper) return {angle_of(b * c + a * d, a * c - b * d), angle_of(b * c - a * d, a * c + b * d)};
   const double even = (a - c) * (a + c), odd = (b - d) * (b + d);
-  return {std::atan2(2 * (a * b - c * d), even - odd), sign * std::atan2(2 * (a * d - b * c), even + odd)};
+  return {angle_of(2 * (a * b - c * d), even - odd), angle_of(2 * sign * (a * d - b * c), even + odd)};
 }
 
 /// First and third by the half-angles, their errors in step: they always make the rotation again.
 std::pair<double, double> split_by_half_angles(const HalfAngles& h, double third_sign) {
   const double sum = std::atan2(h.b, h.a), difference = std::atan2(h.d, h.c);
-  return {wrap_signed(sum + difference), wrap_signed(third_sign * (sum - difference))};
+  return {wrap_signed(sum + difference) + 0.0, wrap_signed(third_sign * (sum - difference)) + 0.0};
 }
 
 EulerDecomposition intrinsic_angles(const UnitQuaternion& q_ij, const EulerSequence& sequence) {
@@ -82,7 +88,7 @@ EulerDecomposition intrinsic_angles(const UnitQuaternion& q_ij, const EulerSeque
 
   EulerDecomposition result{.angles = {sequence}};
   result.lock_distance = std::min(h.low, h.high);
-  result.determined = wrap_signed(at_low_end ? h.twice_sum() : h.twice_difference());
+  result.determined = wrap_signed(at_low_end ? h.twice_sum() : h.twice_difference()) + 0.0;
   result.determined_sign = at_low_end ? third_sign : -third_sign;
   result.angles.second = second_angle(q, h, proper);
   if (result.lock_distance <= tolerance::gimbal_lock) {
@@ -129,7 +135,7 @@ EulerDecomposition euler_angles(const UnitQuaternion& q_ij, const EulerSequence&
   EulerDecomposition result = intrinsic_angles(q_ij, sequence.reversed());
   std::swap(result.angles.first, result.angles.third);
   result.angles.sequence = sequence;
-  result.determined = wrap_signed(result.determined_sign * result.determined);
+  result.determined = wrap_signed(result.determined_sign * result.determined) + 0.0;
   return result;
 }
 

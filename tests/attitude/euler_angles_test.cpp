@@ -88,6 +88,18 @@ TEST(EulerAngles, StayInTheirRanges) {
   }
 }
 
+TEST(EulerAngles, KnowNoMinusPiAndNoMinusZero) {
+  for (const Vector3 axis : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}, Vector3{0, -1, 0}})
+    for (const double angle : {0.6435011087932843, -0.6435011087932843, pi / 2, pi})
+      for (const EulerSequence& sequence : all_sequences()) {
+        const EulerAngles found = euler_angles(*Rotation::about_axis(axis, angle), sequence).angles;
+        for (const double t : {found.first, found.second, found.third}) {
+          EXPECT_GT(t, -pi) << label(sequence);
+          EXPECT_FALSE(t == 0 && std::signbit(t)) << label(sequence);
+        }
+      }
+}
+
 TEST(EulerAngles, ComeBackFarFromLocks) {
   std::mt19937_64 random(3);
   for (const EulerSequence& sequence : all_sequences())
