@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
+#include "fuzz_support.hpp"
 #include "linkwright/io/angular_motion_file.hpp"
 #include "linkwright/io/attitude_drawing.hpp"
 #include "linkwright/io/displacement_file.hpp"
@@ -16,15 +16,7 @@
 namespace {
 
 using namespace linkwright;
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-void check_errors(const std::vector<Error>& errors) {
-  require(!errors.empty());
-  for (const Error& error : errors) require(!error.code.empty() && !error.message.empty());
-}
+using fuzz::check_errors, fuzz::require;
 
 /// What is not finite is written as null: in a list of numbers it never is.
 void check_numbers(std::string_view written) {

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
+#include "fuzz_support.hpp"
 #include "linkwright/io/linkage_file.hpp"
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/io/result_file.hpp"
@@ -14,15 +14,7 @@
 namespace {
 
 using namespace linkwright;
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-void check_errors(const std::vector<Error>& errors) {
-  require(!errors.empty());
-  for (const Error& error : errors) require(!error.code.empty() && !error.message.empty());
-}
+using fuzz::check_errors, fuzz::require;
 
 void check_problem(std::string_view text) {
   const auto problem = read_problem(text);
