@@ -85,7 +85,7 @@ double PlaneCubic::largest_coefficient() const {
   return largest;
 }
 
-PlaneCubic determinant_cubic(const std::array<Matrix3, 3>& a) {
+PlaneCubic determinant_cubic(const std::array<HomogeneousMatrix, 3>& a) {
   PlaneCubic cubic;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)

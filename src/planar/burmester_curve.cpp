@@ -10,12 +10,12 @@
 namespace linkwright {
 namespace {
 
-std::array<Matrix3, 3> first_three(const std::vector<Matrix3>& rows) {
+std::array<HomogeneousMatrix, 3> first_three(const std::vector<HomogeneousMatrix>& rows) {
   assert(rows.size() == 3);
   return {rows[0], rows[1], rows[2]};
 }
 
-std::array<Matrix3, 3> transposed(const std::array<Matrix3, 3>& m) {
+std::array<HomogeneousMatrix, 3> transposed(const std::array<HomogeneousMatrix, 3>& m) {
   return {linkwright::transposed(m[0]), linkwright::transposed(m[1]), linkwright::transposed(m[2])};
 }
 
@@ -26,7 +26,7 @@ PlaneCubic cubic_of(const PoseConditions& conditions, bool of_centers) {
   return determinant_cubic(of_centers ? transposed(rows) : rows);
 }
 
-std::array<Homogeneous, 3> dyad_system(const std::array<Matrix3, 3>& conditions, Homogeneous circle) {
+std::array<Homogeneous, 3> dyad_system(const std::array<HomogeneousMatrix, 3>& conditions, Homogeneous circle) {
   return {circle * conditions[0], circle * conditions[1], circle * conditions[2]};
 }
 
@@ -43,7 +43,7 @@ Homogeneous without_component(Homogeneous v, Homogeneous unit) { return v - dot(
 
 // One step of least length towards Zᵀ M_k C = 0 on the unit spheres. False where the three conditions do not
 // determine it (a whole line of partners): the pair stays as it is.
-bool newton_step(const std::array<Matrix3, 3>& conditions, Homogeneous& circle, Homogeneous& center) {
+bool newton_step(const std::array<HomogeneousMatrix, 3>& conditions, Homogeneous& circle, Homogeneous& center) {
   std::array<Homogeneous, 3> by_circle, by_center;
   std::array<double, 3> residual;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -52,7 +52,7 @@ bool newton_step(const std::array<Matrix3, 3>& conditions, Homogeneous& circle, 
     by_circle[k] = without_component(mc, circle);
     by_center[k] = without_component(zm, center);
   }
-  Matrix3 gram;
+  HomogeneousMatrix gram;
   const auto inner = [&](std::size_t i, std::size_t j) {
     return dot(by_circle[i], by_circle[j]) + dot(by_center[i], by_center[j]);
   };
@@ -135,7 +135,7 @@ Dyad BurmesterCurve::dyad(double tau) const {
 double BurmesterCurve::residual(const Dyad& dyad) const {
   const Homogeneous circle = normalized(dyad.circle), center = normalized(dyad.center);
   double worst = 0;
-  for (const Matrix3& m : conditions_) worst = std::max(worst, std::abs(dot(circle, m * center)));
+  for (const HomogeneousMatrix& m : conditions_) worst = std::max(worst, std::abs(dot(circle, m * center)));
   return worst;
 }
 

@@ -21,13 +21,13 @@ double length_residual(const MotionTask& task, Point center, Point circle) {
 // By how much the side links, at unit scale, fail to keep still to the orders that the derivatives prescribe.
 std::optional<double> derivative_residual(const MotionTask& task, const WorkingFrame& frame, const Dyad& input,
                                           const Dyad& output) {
-  const std::vector<Matrix3> conditions = derivative_conditions(task.poses, frame);
+  const std::vector<HomogeneousMatrix> conditions = derivative_conditions(task.poses, frame);
   if (conditions.empty()) return std::nullopt;
   double worst = 0;
   for (const Dyad& dyad : {input, output}) {
     const Homogeneous circle = normalized(frame.to_working(dyad.circle)),
                       center = normalized(frame.to_working(dyad.center));
-    for (const Matrix3& row : conditions) worst = std::max(worst, std::abs(dot(circle, row * center)));
+    for (const HomogeneousMatrix& row : conditions) worst = std::max(worst, std::abs(dot(circle, row * center)));
   }
   return worst;
 }

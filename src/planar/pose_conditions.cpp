@@ -41,7 +41,7 @@ PlanarDisplacement displacement(const Pose& from, const PrescribedPose& to) {
 }
 
 // m-th derivative of the matrix M of f = (|Z(t) − C|² − |z − C|²)/2 = Zᵀ M C.
-Matrix3 condition_matrix(const PlanarDisplacement& d, std::size_t m) {
+HomogeneousMatrix condition_matrix(const PlanarDisplacement& d, std::size_t m) {
   Point b = 0;
   double k = 0;
   for (std::size_t i = 0; i <= m; ++i) {
@@ -86,7 +86,7 @@ Eigen::MatrixXd stacked_rows(const std::vector<PrescribedPose>& poses, int count
   for (std::size_t j = 0; j < poses.size(); ++j) {
     const PlanarDisplacement d = displacement(poses.front().pose, poses[j]);
     for (std::size_t m = lowest_order(j); m < d.a.size(); ++m, ++row) {
-      const Matrix3 matrix = condition_matrix(d, m);
+      const HomogeneousMatrix matrix = condition_matrix(d, m);
       for (int i = 0; i < 3; ++i) {
         const Homogeneous& r = matrix.row[static_cast<std::size_t>(i)];
         rows.block<1, 3>(row, 3 * i) << r.w, r.x, r.y;
@@ -97,7 +97,9 @@ Eigen::MatrixXd stacked_rows(const std::vector<PrescribedPose>& poses, int count
   return rows;
 }
 
-Matrix3 as_matrix(const Eigen::VectorXd& v) { return {{{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}}}}; }
+HomogeneousMatrix as_matrix(const Eigen::VectorXd& v) {
+  return {{{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}}}};
+}
 
 }  // namespace
 
@@ -152,13 +154,14 @@ PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses) {
   return conditions;
 }
 
-std::vector<Matrix3> derivative_conditions(const std::vector<PrescribedPose>& poses, const WorkingFrame& frame) {
+std::vector<HomogeneousMatrix> derivative_conditions(const std::vector<PrescribedPose>& poses,
+                                                     const WorkingFrame& frame) {
   const int count = position_count(poses) - static_cast<int>(poses.size());
   if (count == 0) return {};
   const Eigen::MatrixXd rows =
       stacked_rows(frame.to_working(poses), count, [](std::size_t) -> std::size_t { return 1; });
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
-  std::vector<Matrix3> conditions;
+  std::vector<HomogeneousMatrix> conditions;
   for (int k = 0; k < count; ++k)
     if (svd.singularValues()[k] >= tolerance::dependent_rows * svd.singularValues()[0])
       conditions.push_back(as_matrix(svd.matrixV().col(k)));

@@ -179,8 +179,8 @@ TEST(DeterminantCubic, EqualsTheDeterminantItStandsFor) {
   std::uniform_real_distribution<double> number(-1, 1);
   const auto vector = [&] { return Homogeneous{number(random), number(random), number(random)}; };
   for (int trial = 0; trial < 100; ++trial) {
-    std::array<Matrix3, 3> a;
-    for (Matrix3& m : a) m = {{{vector(), vector(), vector()}}};
+    std::array<HomogeneousMatrix, 3> a;
+    for (HomogeneousMatrix& m : a) m = {{{vector(), vector(), vector()}}};
     const Homogeneous p = vector();
     EXPECT_NEAR(determinant_cubic(a)(p), determinant(p * a[0], p * a[1], p * a[2]), 1e-13);
   }

@@ -51,11 +51,11 @@ TEST(Homogeneous, DeterminantIsAlternating) {
   EXPECT_NEAR(determinant(a, b, a + 2.0 * b), 0, 1e-14);
 }
 
-TEST(Matrix3, ProductFromTheLeftIsThatOfTheTransposed) {
-  const Matrix3 m{{a, b, c}};
+TEST(HomogeneousMatrix, ProductFromTheLeftIsThatOfTheTransposed) {
+  const HomogeneousMatrix m{{a, b, c}};
   const Homogeneous v{1, -1, 2};
   EXPECT_NEAR(norm(v * m - transposed(m) * v), 0, 1e-14);
-  EXPECT_EQ(Matrix3::identity() * v, v);
+  EXPECT_EQ(HomogeneousMatrix::identity() * v, v);
   EXPECT_DOUBLE_EQ(dot(v, m * b), dot(v * m, b));
 }
 

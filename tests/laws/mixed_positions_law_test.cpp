@@ -39,9 +39,9 @@ TEST(MixedPositionsLaw, TwoThousandTasksOfEachPatternAreMetByEveryDyad) {
       const auto of_derivatives = derivative_conditions(task, conditions.frame);
       for (int k = 0; k < 10; ++k, ++dyads) {
         const Dyad dyad = curve.dyad(uniform(random, 0, curve.coordinate_length()));
-        for (const Matrix3& row : conditions.rows)
+        for (const HomogeneousMatrix& row : conditions.rows)
           worst = std::max(worst, std::abs(dot(dyad.circle, row * dyad.center)));
-        for (const Matrix3& row : of_derivatives)
+        for (const HomogeneousMatrix& row : of_derivatives)
           worst = std::max(worst, std::abs(dot(dyad.circle, row * dyad.center)));
         const auto center = finite_point(dyad.center), circle = finite_point(dyad.circle);
         if (!center || !circle || std::abs(*circle - *center) < 1e-3) continue;

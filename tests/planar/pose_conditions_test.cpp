@@ -56,18 +56,18 @@ TEST(PoseConditions, DerivativeRowsAreTheLimitOfCloseFinitePositions) {
     std::vector<PrescribedPose> close;
     for (const double t : {0.0, h, 2 * h, 1.0}) close.push_back({pose_at(t), {}});
     const PoseConditions finite = pose_conditions(close);
-    for (const Matrix3& row : finite.rows) {
+    for (const HomogeneousMatrix& row : finite.rows) {
       // Express the finite rows in the frame of the mixed task before comparing.
       double projected = 0, length = 0;
       const double ratio = finite.frame.scale / exact.frame.scale;
-      const auto entries = [&](const Matrix3& m, double s) {
+      const auto entries = [&](const HomogeneousMatrix& m, double s) {
         return std::array<double, 9>{m.row[0].w,     m.row[0].x / s,     m.row[0].y / s,
                                      m.row[1].w / s, m.row[1].x / s / s, m.row[1].y / s / s,
                                      m.row[2].w / s, m.row[2].x / s / s, m.row[2].y / s / s};
       };
       const auto a = entries(row, ratio);
       for (const double v : a) length += v * v;
-      for (const Matrix3& other : exact.rows) {
+      for (const HomogeneousMatrix& other : exact.rows) {
         const auto b = entries(other, 1);
         double inner = 0;
         for (std::size_t i = 0; i < 9; ++i) inner += a[i] * b[i];
@@ -89,15 +89,15 @@ TEST(PoseConditions, ThoseOfDerivativesAloneArePartOfAll) {
   for (const auto& multiplicities : testing::mixed_patterns()) {
     const auto poses = testing::random_poses(random, multiplicities);
     const PoseConditions all = pose_conditions(poses);
-    const std::vector<Matrix3> rows = derivative_conditions(poses, all.frame);
+    const std::vector<HomogeneousMatrix> rows = derivative_conditions(poses, all.frame);
     ASSERT_EQ(rows.size(), 4 - poses.size());
-    const auto product = [](const Matrix3& a, const Matrix3& b) {
+    const auto product = [](const HomogeneousMatrix& a, const HomogeneousMatrix& b) {
       return dot(a.row[0], b.row[0]) + dot(a.row[1], b.row[1]) + dot(a.row[2], b.row[2]);
     };
     for (std::size_t i = 0; i < rows.size(); ++i) {
       for (std::size_t j = 0; j <= i; ++j) EXPECT_NEAR(product(rows[i], rows[j]), i == j, 1e-14);
       double projected = 0;
-      for (const Matrix3& row : all.rows) projected += product(rows[i], row) * product(rows[i], row);
+      for (const HomogeneousMatrix& row : all.rows) projected += product(rows[i], row) * product(rows[i], row);
       EXPECT_NEAR(projected, 1, 1e-13);
     }
   }

@@ -21,7 +21,7 @@ struct PlaneCubic {
 };
 
 /// det [p·A₁; p·A₂; p·A₃] as a cubic in p, the rows being (pᵀ A_k).
-[[nodiscard]] PlaneCubic determinant_cubic(const std::array<Matrix3, 3>& a);
+[[nodiscard]] PlaneCubic determinant_cubic(const std::array<HomogeneousMatrix, 3>& a);
 
 /// What a circular cubic with its singular focus on itself (a focal cubic) can be, degenerate forms included.
 enum class CubicKind {
@@ -82,7 +82,7 @@ class CircularCubic {
     double kappa = 0, phi0 = 0, s0 = 0;
   };
   struct Conic {
-    Matrix3 axes{};  ///< columns as rows: points are x₀cosθ + x₁ sinθ + x₂ (axes.row)
+    HomogeneousMatrix axes{};  ///< columns as rows: points are x₀cosθ + x₁ sinθ + x₂ (axes.row)
   };
 
   void bring_to_focal_form(const PlaneCubic& cubic);

@@ -47,22 +47,22 @@ struct Homogeneous {
 }
 
 /// 3×3 matrix over homogeneous coordinates; row(i) and the order w, x, y.
-struct Matrix3 {
+struct HomogeneousMatrix {
   std::array<Homogeneous, 3> row{};
 
-  [[nodiscard]] static Matrix3 identity() { return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}; }
+  [[nodiscard]] static HomogeneousMatrix identity() { return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}; }
 };
 
-[[nodiscard]] inline Homogeneous operator*(const Matrix3& m, Homogeneous v) {
+[[nodiscard]] inline Homogeneous operator*(const HomogeneousMatrix& m, Homogeneous v) {
   return {dot(m.row[0], v), dot(m.row[1], v), dot(m.row[2], v)};
 }
 
 /// vᵀ M as a vector.
-[[nodiscard]] inline Homogeneous operator*(Homogeneous v, const Matrix3& m) {
+[[nodiscard]] inline Homogeneous operator*(Homogeneous v, const HomogeneousMatrix& m) {
   return v.w * m.row[0] + v.x * m.row[1] + v.y * m.row[2];
 }
 
-[[nodiscard]] inline Matrix3 transposed(const Matrix3& m) {
+[[nodiscard]] inline HomogeneousMatrix transposed(const HomogeneousMatrix& m) {
   return {{{{m.row[0].w, m.row[1].w, m.row[2].w},
             {m.row[0].x, m.row[1].x, m.row[2].x},
             {m.row[0].y, m.row[1].y, m.row[2].y}}}};

@@ -7,7 +7,8 @@
 
 namespace linkwright {
 
-/// A 3×3 matrix over the coordinates x, y, z of space (Matrix3 in homogeneous.hpp is the plane's, over w, x, y).
+/// A 3×3 matrix over the coordinates x, y, z of space (HomogeneousMatrix in homogeneous.hpp is the plane's, over w, x,
+/// y).
 struct Matrix3x3 {
   std::array<Vector3, 3> row{};
 

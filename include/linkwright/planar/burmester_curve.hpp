@@ -70,7 +70,7 @@ class BurmesterCurve {
   template <class Visit>
   void walk(int first_sides, double longest_side, const Visit& visit) const;
 
-  std::array<Matrix3, 3> conditions_{};
+  std::array<HomogeneousMatrix, 3> conditions_{};
   CircularCubic circle_curve_, center_curve_;
   std::vector<CurveBranch> branches_;
   std::vector<PartnerLine> partner_lines_;

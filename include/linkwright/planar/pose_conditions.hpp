@@ -32,7 +32,8 @@ struct WorkingFrame {
 /// bilinear in the homogeneous Z and C; n positions, each counted with its multiplicity, give n − 1 of them.
 struct PoseConditions {
   WorkingFrame frame;
-  std::vector<Matrix3> rows;  ///< orthonormal (as 9-vectors) basis of the conditions, by falling singular value
+  std::vector<HomogeneousMatrix>
+      rows;  ///< orthonormal (as 9-vectors) basis of the conditions, by falling singular value
   std::vector<double> singular_values;
   int rank = 0;                    ///< rows that are independent to tolerance::dependent_rows
   bool only_translations = false;  ///< all poses are parallel
@@ -46,7 +47,7 @@ struct PoseConditions {
 
 /// Those conditions alone that the derivatives of the poses set (user's unit), as orthonormal rows in `frame`; none
 /// where no pose has derivatives.
-[[nodiscard]] std::vector<Matrix3> derivative_conditions(const std::vector<PrescribedPose>& poses,
-                                                         const WorkingFrame& frame);
+[[nodiscard]] std::vector<HomogeneousMatrix> derivative_conditions(const std::vector<PrescribedPose>& poses,
+                                                                   const WorkingFrame& frame);
 
 }  // namespace linkwright
