@@ -267,6 +267,7 @@ describe("the workbench", () => {
 
   it("draws coarser maps in a drag when three in a row were slow, and tries again", async () => {
     const b = bench(tailgate), {workbench, machine} = b;
+    machine.map_ms = 5; // the first map, too
     await settled(b);
     const dragged = async (steps: number): Promise<number[]> => {
       const seen: number[] = [];
