@@ -14,9 +14,7 @@
 namespace linkwright {
 namespace {
 
-UnitQuaternion turn_about(Axis axis, double angle) {
-  return *UnitQuaternion::of(std::cos(angle / 2), std::sin(angle / 2) * unit_vector(axis));
-}
+UnitQuaternion turn_about(Axis axis, double angle) { return UnitQuaternion::about(unit_vector(axis), angle); }
 
 /// The quaternion in the order of an intrinsic sequence: scalar, first, second and remaining axis, the last one with
 /// the sign of their permutation.

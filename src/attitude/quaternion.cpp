@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace linkwright {
@@ -20,6 +21,11 @@ Result<UnitQuaternion> UnitQuaternion::of(double w, Vector3 v) {
 UnitQuaternion UnitQuaternion::normalized(double w, Vector3 v) {
   const double length = std::sqrt(w * w + dot(v, v));
   return {w / length, v / length};
+}
+
+UnitQuaternion UnitQuaternion::about(Vector3 unit_axis, double angle) {
+  assert(std::isfinite(angle));
+  return normalized(std::cos(angle / 2), std::sin(angle / 2) * unit_axis);
 }
 
 UnitQuaternion UnitQuaternion::of_matrix(const Matrix3x3& c) {

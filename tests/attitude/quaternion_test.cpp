@@ -107,5 +107,14 @@ TEST(UnitQuaternion, AngleBetweenIsExactNearNothing) {
   }
 }
 
+TEST(UnitQuaternion, AboutAnAxisIsThatOfItsComponents) {
+  const Vector3 p{2.0 / 3, -1.0 / 3, 2.0 / 3};
+  for (const double angle : {0.0, 1e-12, 0.3, 3.0, -2.0, 7.0}) {
+    const auto q = UnitQuaternion::of(std::cos(angle / 2), std::sin(angle / 2) * p);
+    EXPECT_LE(angle_between(UnitQuaternion::about(p, angle), q.value()), 2 * ulp) << angle;
+  }
+  EXPECT_DEBUG_DEATH(static_cast<void>(UnitQuaternion::about(p, std::nan(""))), "isfinite");
+}
+
 }  // namespace
 }  // namespace linkwright

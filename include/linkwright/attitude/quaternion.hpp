@@ -17,6 +17,10 @@ class UnitQuaternion {
   /// (w, v) scaled to unit length; any finite length but zero. Errors: `not_finite`, `zero_quaternion`.
   [[nodiscard]] static Result<UnitQuaternion> of(double w, Vector3 v);
 
+  /// The turn about a unit vector by `angle`, radians, right-handed. Both finite: asserted, for what is read is checked
+  /// by AxisAngle::of() and EulerAngles::of().
+  [[nodiscard]] static UnitQuaternion about(Vector3 unit_axis, double angle);
+
   /// From a matrix C_ij, taken to be a rotation (Rotation::from_matrix checks). Exact to a few ulps for every angle:
   /// the largest of the four components is never a difference of like numbers (Shepperd, Quaternion from rotation
   /// matrix, 1978). Of q and −q the canonical one.
