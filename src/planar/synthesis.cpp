@@ -160,10 +160,15 @@ std::vector<FourBarSolution> all_pairs(const Solution& solution) {
 }
 
 Result<Solution> solve_of_kind(const SixBarTask& /*task*/, const Requirements& /*requirements*/,
-                               const SynthesisOptions& /*options*/, const Progress& /*progress*/);
+                               const SynthesisOptions& /*options*/, const Progress& /*progress*/) {
+  return Error{"not_available", "task.mechanism", ""};
+}
+Result<Solution> solve_of_kind(const FunctionTask& /*task*/, const Requirements& /*requirements*/,
+                               const SynthesisOptions& /*options*/, const Progress& /*progress*/) {
+  return Error{"not_available", "task.mechanism", ""};
+}
 
-template <class FourBarTask>
-Result<Solution> solve_of_kind(const FourBarTask& task, const Requirements& requirements,
+Result<Solution> solve_of_kind(const MotionTask& task, const Requirements& requirements,
                                     const SynthesisOptions& options, const Progress& progress) {
   Solution solution;
   solution.given = task_family(task, requirements, options.objective);
