@@ -50,9 +50,9 @@ class ThreePoseDyads {
   /// width, one or two.
   [[nodiscard]] std::vector<DirectionArc> directions(double length) const;
 
-  /// DirectionFreedom::of_length: the length that goes with a direction. Nothing where there is none, or where any
+  /// DirectionFreedom::of_length: the length that goes with a direction β. Nothing where there is none, or where any
   /// would do (a body that starts with a shift asks for the direction alone).
-  [[nodiscard]] std::optional<double> length_of(double direction) const;
+  [[nodiscard]] std::optional<double> length_of(double beta) const;
 
   /// DirectionFreedom::of_length: the dyad with this arm at `turn` in [0, 1) round the circle (or along the line, from
   /// end to end) of its centres. Nothing where the arm is none of the task's, or the circle is not real.
