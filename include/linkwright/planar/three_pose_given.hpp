@@ -13,6 +13,7 @@ namespace linkwright {
 struct SideLengths {
   double input = 0;
   std::optional<double> output;
+  friend bool operator==(const SideLengths&, const SideLengths&) = default;
 };
 
 /// Angle in position 1 from the input to the output side link, both directed from the fixed to the moving pivot;
@@ -21,12 +22,14 @@ struct SideAngle {
   double angle = 0;
   bool directed = true;                ///< false: the angle of the two lines, modulo π
   std::optional<double> input_length;  ///< user's unit
+  friend bool operator==(const SideAngle&, const SideAngle&) = default;
 };
 
 /// Centre of the body's instantaneous rotation in position 1.
 struct InstantCenter {
   Point point{};             ///< user's unit; at infinity: the direction in which it lies, of any length but 0
   bool at_infinity = false;  ///< the body starts with a translation, across that direction
+  friend bool operator==(const InstantCenter&, const InstantCenter&) = default;
 };
 
 /// What a three-position task gives beside its poses (theory: docs/theory/planar.md).
