@@ -11,6 +11,10 @@ namespace linkwright {
 /// translations_on_circle {x, y}, or every_point where no reason was found. `conditions` that depend on each other.
 [[nodiscard]] Notice every_point_reason(const PoseConditions& conditions);
 
+/// Where two conditions are left and every circle point has the same centre, or the centre at the same distance from
+/// it: the first two of these.
+[[nodiscard]] std::optional<Notice> shared_partner(const PoseConditions& conditions);
+
 /// The same of parallel poses on no common circle: only_translations.
 [[nodiscard]] Notice only_translations_reason();
 
