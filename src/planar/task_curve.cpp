@@ -6,7 +6,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
-#include "planar/shared_partner.hpp"
+#include "planar/degenerate_task.hpp"
 
 namespace linkwright {
 namespace {
@@ -16,18 +16,11 @@ bool are_parallel(const Pose& a, const Pose& b) {
   return std::abs(wrap_signed(a.angle - b.angle)) < tolerance::pure_translation;
 }
 
-Notice every_point_reason(const PoseConditions& conditions) {
-  if (auto shared = shared_partner(conditions)) return *std::move(shared);
-  return {"every_point",
-          "The conditions of the poses depend on each other: the dyads form more than a curve. Move one pose.",
-          {}};
-}
-
 // Tasks whose dyads are no curve, or a curve without four-bars: what it is, and what does the task instead.
 std::optional<Notice> degeneracy_of(const PoseConditions& conditions, const BurmesterCurve& curve) {
   if (curve.kind() == CubicKind::every_point) return every_point_reason(conditions);
-  if (!conditions.only_translations) return std::nullopt;
-  return only_translations();
+  if (conditions.only_translations) return only_translations_reason();
+  return std::nullopt;
 }
 
 // Groups of parallel poses, in words: "1 and 3", "1, 2 and 4".

@@ -8,7 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/chosen_length.hpp"
 #include "linkwright/planar/three_pose_family.hpp"
-#include "planar/shared_partner.hpp"
+#include "planar/degenerate_task.hpp"
 
 namespace linkwright {
 namespace {
@@ -20,9 +20,9 @@ struct Start {
   Start(const PoseConditions& conditions, const Requirements& wanted)
       : frame(conditions.frame),
         dyads(std::make_shared<const ThreePoseDyads>(conditions)),
-        degeneracy(shared_partner(conditions)),
+        degeneracy(shared_center(conditions)),
         requirements(wanted) {
-    if (!degeneracy && dyads->freedom() == DirectionFreedom::only_shifts) degeneracy = only_translations();
+    if (!degeneracy && dyads->freedom() == DirectionFreedom::only_shifts) degeneracy = only_translations_reason();
     if (!requirements.max_length) requirements.max_length = default_max_length * frame.scale;
   }
 

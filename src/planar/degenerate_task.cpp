@@ -1,9 +1,10 @@
-#include "planar/shared_partner.hpp"
+#include "planar/degenerate_task.hpp"
 
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <string>
+
+#include "linkwright/algebra/point.hpp"
 
 namespace linkwright {
 namespace {
@@ -42,7 +43,7 @@ Point tidy(Point p, double size) { return {tidy(p.real(), size), tidy(p.imag(), 
 
 }  // namespace
 
-std::optional<Notice> shared_partner(const PoseConditions& conditions) {
+std::optional<Notice> shared_center(const PoseConditions& conditions) {
   const auto centers = centers_of_probes(conditions);
   const double size = conditions.frame.scale;
   if (centers && agree(*centers)) {
@@ -64,13 +65,19 @@ std::optional<Notice> shared_partner(const PoseConditions& conditions) {
   return std::nullopt;
 }
 
-Notice only_translations() {
-  return Notice{
-      "only_translations",
-      "All poses are parallel and their origins lie on no common circle: the body only shifts, and every dyad "
-      "has both its points at infinity. No four-bar with pivots does this; two sliders at an angle, or a "
-      "linkage of more links, do.",
-      {}};
+Notice every_point_reason(const PoseConditions& conditions) {
+  if (auto shared = shared_center(conditions)) return *std::move(shared);
+  return {"every_point",
+          "The conditions of the poses depend on each other: the dyads form more than a curve. Move one pose.",
+          {}};
+}
+
+Notice only_translations_reason() {
+  return {"only_translations",
+          "All poses are parallel and their origins lie on no common circle: the body only shifts, and every dyad "
+          "has both its points at infinity. No four-bar with pivots does this; two sliders at an angle, or a "
+          "linkage of more links, do.",
+          {}};
 }
 
 }  // namespace linkwright
