@@ -90,8 +90,8 @@ RegionAxis ProductFamily::region_axis(Side side, std::span<const double> coordin
   return {std::move(dyads), working_poses(), respect_direction};
 }
 
-void ProductFamily::classify(RegionMap& map, std::span<const double> input, std::span<const double> output,
-                             bool respect_direction, const RegionOptions& options, const Progress& progress) const {
+void ProductFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                         bool respect_direction, const RegionOptions& options, const Progress& progress) const {
   const RegionAxis rows = region_axis(Side::input, input, respect_direction);
   if (is_symmetric() && std::equal(input.begin(), input.end(), output.begin(), output.end()))
     return map.recompute(rows, rows, frame().scale, options, progress);

@@ -1,5 +1,7 @@
 #include "linkwright/planar/task_family.hpp"
 
+#include <fmt/format.h>
+
 #include "linkwright/planar/task_curve.hpp"
 
 namespace linkwright {
@@ -19,10 +21,51 @@ TaskFamily family_of_curve(const MotionTask& task) {
   return given;
 }
 
+Notice too_few_points(std::size_t count) {
+  if (count == 0)
+    return {"no_burmester_point",
+            "No real Burmester point: no side link, and so no four-bar, passes exactly through these five positions. "
+            "Free one of them.",
+            {}};
+  return {"one_burmester_point",
+          "Only one side link passes exactly through these five positions, and a four-bar needs two. Free one of them.",
+          {}};
+}
+
+// Five positions: any two of at most four side links. Where two conditions say the same, what is left is a curve.
+TaskFamily family_of_points(const MotionTask& task) {
+  TaskFamily given;
+  given.pattern = pattern(task.poses);
+  given.conditions = pose_conditions(task.poses);
+  given.derivative_rows = derivative_conditions(task.poses, given.frame());
+  BurmesterPoints found = burmester_points(given.conditions);
+  given.points = std::move(found.points);
+  given.warnings = pose_warnings(task.poses, given.conditions);
+  if (found.degeneracy && found.curve) {
+    given.warnings.push_back(*found.degeneracy);
+    given.curve = std::move(found.curve);
+    given.family = std::make_shared<CurveFamily>(given.frame(), task.poses, given.curve);
+    return given;
+  }
+  given.degeneracy = std::move(found.degeneracy);
+  if (given.degeneracy) return given;
+  given.warnings.insert(given.warnings.end(), found.warnings.begin(), found.warnings.end());
+  if (given.points.size() < 2) {
+    given.degeneracy = too_few_points(given.points.size());
+    given.has_no_dyads = true;
+    return given;
+  }
+  std::vector<Dyad> dyads;
+  for (const BurmesterPoint& point : given.points) dyads.push_back(point.dyad);
+  given.family = std::make_shared<PointFamily>(given.frame(), task.poses, std::move(dyads));
+  return given;
+}
+
 }  // namespace
 
 TaskFamily task_family(const MotionTask& task, const Requirements& /*requirements*/, Objective /*objective*/) {
-  return family_of_curve(task);
+  constexpr int most_of_a_curve = 4;
+  return position_count(task.poses) > most_of_a_curve ? family_of_points(task) : family_of_curve(task);
 }
 
 Requirements with_defaults(Requirements wanted, const WorkingFrame& frame) {

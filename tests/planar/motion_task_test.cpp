@@ -82,9 +82,10 @@ TEST(MotionTask, DerivativesCountAsPositions) {
   for (const auto& multiplicities : {std::vector{1, 2, 1, 2}, {2, 2, 2}, {6}}) {
     EXPECT_EQ(only_code(mixed(multiplicities)), "too_many_poses");
   }
-  EXPECT_EQ(mistakes_in(mixed({2, 2, 2}))[0].message,
-            "6 positions were given (PP-PP-PP: 3 poses and 3 derivatives, each counting as one) and 5 are the most that "
-            "a four-bar can pass exactly; remove 1");
+  EXPECT_EQ(
+      mistakes_in(mixed({2, 2, 2}))[0].message,
+      "6 positions were given (PP-PP-PP: 3 poses and 3 derivatives, each counting as one) and 5 are the most that "
+      "a four-bar can pass exactly; remove 1");
   EXPECT_EQ(mistakes_in(mixed({100}))[0].message,
             "100 positions were given (1 pose and 99 derivatives, each counting as one) and 5 are the most that a "
             "four-bar can pass exactly; remove 95");

@@ -88,7 +88,8 @@ TEST(SolveMotion, BestIsAtLeastAsGoodAsTheBestCellAndAFinerMap) {
   fine.region_samples = 1600;
   const Solution finer = solved(tailgate_task(), tailgate_requirements(), fine);
   const auto best_cell = [](const Solution& s) {
-    const RequirementFilter filter(s.region, s.requirements, s.given.conditions.frame.origin, s.given.conditions.frame.scale);
+    const RequirementFilter filter(s.region, s.requirements, s.given.conditions.frame.origin,
+                                   s.given.conditions.frame.scale);
     return angle_of_versine(hill_tops(s.region, filter, Objective::min_transmission_angle, 1)[0].score);
   };
   EXPECT_GE(transmission_angle(coarse.linkages[0]), best_cell(coarse) - 1e-6);
@@ -179,7 +180,8 @@ TEST(SolveMotion, WarnsOfParallelAndOfClosePoses) {
   const Solution parallel = solved({testing::planar_case("three_parallel").poses});
   ASSERT_EQ(parallel.given.warnings.size(), 1u);
   EXPECT_EQ(parallel.given.warnings[0].code, "parallel_poses");
-  EXPECT_NE(parallel.given.warnings[0].message.find("1, 2 and 3"), std::string::npos) << parallel.given.warnings[0].message;
+  EXPECT_NE(parallel.given.warnings[0].message.find("1, 2 and 3"), std::string::npos)
+      << parallel.given.warnings[0].message;
   const Solution pairs = solved({testing::planar_case("two_translation_pairs").poses});
   EXPECT_EQ(pairs.given.warnings.size(), 2u);
   const Solution close = solved({testing::planar_case("tiny_1e-6").poses});
@@ -239,7 +241,7 @@ TEST(SolveMotion, SameInputSameOutput) {
   SynthesisOptions one_thread;
   one_thread.region.threads = 1;
   const Solution a = solved(tailgate_task(), tailgate_requirements()),
-                       b = solved(tailgate_task(), tailgate_requirements(), one_thread);
+                 b = solved(tailgate_task(), tailgate_requirements(), one_thread);
   ASSERT_EQ(a.linkages.size(), b.linkages.size());
   for (std::size_t i = 0; i < a.linkages.size(); ++i) {
     EXPECT_EQ(a.linkages[i].four_bar.input_center, b.linkages[i].four_bar.input_center);

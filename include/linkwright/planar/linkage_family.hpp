@@ -88,11 +88,15 @@ class LinkageFamily {
   [[nodiscard]] virtual std::vector<Dyad> polygon(Side side) const = 0;
 
   /// The map over these coordinates.
-  virtual void classify(RegionMap& map, std::span<const double> input, std::span<const double> output,
-                        bool respect_direction, const RegionOptions& options = {},
-                        const Progress& progress = {}) const = 0;
+  void classify(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
+                const RegionOptions& options = {}, const Progress& progress = {}) const {
+    fill(map, input, output, respect_direction, options, progress);
+  }
 
  private:
+  virtual void fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                    bool respect_direction, const RegionOptions& options, const Progress& progress) const = 0;
+
   WorkingFrame frame_;
   FamilyAxis input_axis_, output_axis_;
 };
@@ -133,10 +137,10 @@ class ProductFamily : public MotionFamily {
   [[nodiscard]] std::optional<SideLinks> side_links(RegionPlace place) const override;
   /// Evenly in τ; a place without a dyad is left out.
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
-  void classify(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
-                const RegionOptions& options, const Progress& progress) const override;
 
  private:
+  void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
+            const RegionOptions& options, const Progress& progress) const override;
   [[nodiscard]] RegionAxis region_axis(Side side, std::span<const double> coordinates, bool respect_direction) const;
 };
 

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwright/algebra/point.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/planar/named_function.hpp"
+
+namespace linkwright {
+
+/// One derivative of input and output angle by any parameter that increases along the task (radians per its power).
+struct AngleDerivative {
+  double input = 0, output = 0;
+};
+
+/// A precision point: while the input link stands at one angle the output link stands at the other (radians,
+/// counter-clockwise, each from a datum of its own), and the first, second, … derivatives there. With m derivatives it
+/// counts as m + 1 positions.
+struct AnglePair {
+  double input = 0, output = 0;
+  std::vector<AngleDerivative> derivatives;
+
+  [[nodiscard]] int multiplicity() const { return 1 + static_cast<int>(derivatives.size()); }
+};
+
+/// One number of the task that is left open, for a map of two parameters.
+struct FreeNumber {
+  enum class Kind : std::uint8_t {
+    output_scale,  ///< factor s > 0 on the output's travel: ψⱼ − ψ₁ becomes s(ψⱼ − ψ₁); spaced by its logarithm
+    precision_point,  ///< x of one precision point of the named function
+    pair_output,      ///< output angle of one pair, radians
+  };
+  Kind kind = Kind::output_scale;
+  std::size_t pair = 0;                    ///< of precision_point and pair_output
+  std::array<double, 2> range = {0.5, 2};  ///< low first
+
+  /// The value at t ∈ [0, 1] of the range, and back.
+  [[nodiscard]] double at(double t) const;
+  [[nodiscard]] double place_of(double value) const;
+};
+[[nodiscard]] std::string_view name(FreeNumber::Kind kind);
+[[nodiscard]] std::optional<FreeNumber::Kind> free_number_named(std::string_view name);
+
+/// Function generation: the input link of a four-bar on two given ground pivots shall turn its output link through
+/// these pairs of angles, in this order.
+struct FunctionTask {
+  std::vector<AnglePair> pairs;
+  Point input_pivot = 0, output_pivot = 1;  ///< fixed frame, user's unit
+  std::optional<NamedFunction> function;  ///< what the pairs are taken from (precision_pairs), for the structural error
+  std::optional<FreeNumber> free;         ///< four positions only
+};
+
+/// Least distance of two input angles, modulo whole turns, that makes two precision points of them, radians.
+inline constexpr double repeated_input_angle = 1e-9;
+
+/// The caller's mistakes: not four or five positions, numbers that are not finite or too large, derivatives in which
+/// nothing moves or the input stands still, input angles that repeat (modulo whole turns), an output that never moves,
+/// ground pivots that coincide, mistakes in the named function or the free number. Places are
+/// `task.pairs[i].input_deg`, `task.pairs[i].derivatives[m].input`, `task.ground_pivots…`, `task.function…`,
+/// `task.free…` (i from 0).
+[[nodiscard]] std::vector<Error> mistakes_in(const FunctionTask& task);
+
+/// The precision points of a named function without mistakes, by rising x.
+[[nodiscard]] std::vector<AnglePair> precision_pairs(const NamedFunction& function);
+
+/// The task's pairs with its free number at a value (of a task without mistakes that has one).
+[[nodiscard]] std::vector<AnglePair> pairs_at(const FunctionTask& task, double value);
+
+/// Number of positions, each with its multiplicity.
+[[nodiscard]] int position_count(const std::vector<AnglePair>& pairs);
+
+/// The multiplicities in the field's notation: P-P-P-P, PP-P-P, …
+[[nodiscard]] std::string pattern(const std::vector<AnglePair>& pairs);
+
+}  // namespace linkwright

@@ -1,0 +1,237 @@
+#include "linkwright/planar/function_task.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <string_view>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/planar/motion_task.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::array<std::string_view, 3> free_names = {"output_scale", "precision_point", "pair_output"};
+
+std::string place_of(std::size_t pair) { return fmt::format("task.pairs[{}]", pair); }
+
+void check_number(double value, std::string_view what, const std::string& place, std::vector<Error>& found) {
+  if (std::abs(value) <= largest_coordinate) return;
+  found.push_back(
+      {"out_of_range", place,
+       fmt::format("{} must be a number between −{:g} and {:g}", what, largest_coordinate, largest_coordinate)});
+}
+
+// A first derivative must move the input: the output is a function of it.
+void check_first_derivative(const AngleDerivative& first, const std::string& place, std::vector<Error>& found) {
+  if (std::abs(first.input) >= smallest_direction) return;
+  if (std::abs(first.output) < smallest_direction)
+    found.push_back({"zero_derivative", place,
+                     "the first derivative is zero: neither link moves; give the rates of both, of any size, or leave "
+                     "derivatives out"});
+  else
+    found.push_back({"input_at_rest", place + ".input",
+                     "the output moves while the input stands still: no function of the input does that; give the "
+                     "input a rate, or exchange input and output"});
+}
+
+void check_numbers(const FunctionTask& task, std::vector<Error>& found) {
+  for (std::size_t i = 0; i < task.pairs.size(); ++i) {
+    const AnglePair& pair = task.pairs[i];
+    const std::size_t before = found.size();
+    check_number(degrees(pair.input), "input_deg", place_of(i) + ".input_deg", found);
+    check_number(degrees(pair.output), "output_deg", place_of(i) + ".output_deg", found);
+    for (std::size_t m = 0; m < pair.derivatives.size(); ++m) {
+      const std::string here = fmt::format("{}.derivatives[{}]", place_of(i), m);
+      check_number(pair.derivatives[m].input, "input", here + ".input", found);
+      check_number(pair.derivatives[m].output, "output", here + ".output", found);
+    }
+    if (found.size() == before && !pair.derivatives.empty())
+      check_first_derivative(pair.derivatives.front(), place_of(i) + ".derivatives[0]", found);
+  }
+}
+
+void check_pivots(const FunctionTask& task, std::vector<Error>& found) {
+  const std::size_t before = found.size();
+  for (const auto& [name, p] : {std::pair{"input", task.input_pivot}, std::pair{"output", task.output_pivot}}) {
+    check_number(p.real(), "x", fmt::format("task.ground_pivots.{}[0]", name), found);
+    check_number(p.imag(), "y", fmt::format("task.ground_pivots.{}[1]", name), found);
+  }
+  if (found.size() > before) return;
+  constexpr double rounding = 1e-12;  // of where they lie
+  const double size = std::max(std::abs(task.input_pivot), std::abs(task.output_pivot));
+  if (std::abs(task.output_pivot - task.input_pivot) <= rounding * size)
+    found.push_back({"same_pivots", "task.ground_pivots", "both ground pivots lie at one place; move one of them"});
+}
+
+std::string count_words(const FunctionTask& task, int count) {
+  const std::size_t pairs = task.pairs.size(), derivatives = static_cast<std::size_t>(count) - pairs;
+  if (derivatives == 0) return fmt::format("{} {} given", pairs, pairs == 1 ? "pair was" : "pairs were");
+  return fmt::format("{} positions were given ({} pair{} and {} derivative{}, each counting as one)", count, pairs,
+                     pairs == 1 ? "" : "s", derivatives, derivatives == 1 ? "" : "s");
+}
+
+void check_count(const FunctionTask& task, std::vector<Error>& found) {
+  const int count = position_count(task.pairs);
+  if (count < 4)
+    found.push_back(
+        {"too_few_pairs", "task.pairs",
+         fmt::format("{} and 4 or 5 are needed; add {} (rates at a pair, \"derivatives\", count as one more)",
+                     count_words(task, count), 4 - count)});
+  if (count > 5)
+    found.push_back({"too_many_pairs", "task.pairs",
+                     fmt::format("{} and 5 can be met; remove {}", count_words(task, count), count - 5)});
+}
+
+void check_repetitions(const FunctionTask& task, std::vector<Error>& found) {
+  for (std::size_t j = 1; j < task.pairs.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (std::abs(wrap_signed(task.pairs[j].input - task.pairs[i].input)) < repeated_input_angle) {
+        found.push_back({"repeated_input", place_of(j) + ".input_deg",
+                         fmt::format("pairs[{}] and pairs[{}] have the same input angle, and one input has one output; "
+                                     "change one of them, or give rates (\"derivatives\") at one pair instead",
+                                     i, j)});
+        break;
+      }
+}
+
+void check_output_moves(const FunctionTask& task, std::vector<Error>& found) {
+  const auto stands = [&](const AnglePair& pair) {
+    return std::abs(wrap_signed(pair.output - task.pairs.front().output)) < repeated_input_angle &&
+           std::all_of(pair.derivatives.begin(), pair.derivatives.end(),
+                       [](const AngleDerivative& d) { return std::abs(d.output) < smallest_direction; });
+  };
+  if (std::all_of(task.pairs.begin(), task.pairs.end(), stands))
+    found.push_back({"constant_output", "task.pairs",
+                     "the output link stands still at all pairs: that needs no linkage; change an output angle"});
+}
+
+void check_function(const FunctionTask& task, std::vector<Error>& found) {
+  if (!task.function) return;
+  const auto mistakes = mistakes_in(*task.function);
+  found.insert(found.end(), mistakes.begin(), mistakes.end());
+}
+
+void check_free_pair(const FunctionTask& task, std::vector<Error>& found) {
+  const FreeNumber& free = *task.free;
+  const bool point = free.kind == FreeNumber::Kind::precision_point;
+  if (free.kind == FreeNumber::Kind::output_scale) return;
+  if (free.pair >= task.pairs.size())
+    found.push_back(
+        {"out_of_range", "task.free.pair", fmt::format("there are {} pairs; the first is 0", task.pairs.size())});
+  if (!point) return;
+  if (!task.function) {
+    found.push_back({"no_function", "task.free",
+                     "a precision point moves along a named function; name one, or let the output of a pair be free "
+                     "(pair_output)"});
+    return;
+  }
+  if (!mistakes_in(*task.function).empty()) return;
+  const auto x = DialFunction(*task.function).x_range();
+  if (free.range[0] < x[0] || free.range[1] > x[1])
+    found.push_back({"out_of_range", "task.free.range",
+                     fmt::format("the function has a range of {:g} to {:g} of x; keep within", x[0], x[1])});
+}
+
+void check_free(const FunctionTask& task, std::vector<Error>& found) {
+  if (!task.free) return;
+  const auto [low, high] = task.free->range;
+  if (position_count(task.pairs) != 4)
+    found.push_back({"free_number_of_five", "task.free",
+                     "a number can be left free with four positions; five already leave nothing to choose"});
+  if (!(std::isfinite(low) && std::isfinite(high) && low < high))
+    found.push_back({"out_of_range", "task.free.range", "the range is [low, high] with low below high"});
+  else if (task.free->kind == FreeNumber::Kind::output_scale && low <= 0)
+    found.push_back({"out_of_range", "task.free.range",
+                     "the output's travel is multiplied by a positive number; turn the signs of the outputs round to "
+                     "let it turn the other way"});
+  check_free_pair(task, found);
+}
+
+}  // namespace
+
+double FreeNumber::at(double t) const {
+  const auto [low, high] = range;
+  return kind == Kind::output_scale ? low * std::pow(high / low, t) : low + (high - low) * t;
+}
+
+double FreeNumber::place_of(double value) const {
+  const auto [low, high] = range;
+  return kind == Kind::output_scale ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
+std::string_view name(FreeNumber::Kind kind) { return free_names[static_cast<std::size_t>(kind)]; }
+
+std::optional<FreeNumber::Kind> free_number_named(std::string_view name) {
+  const auto found = std::find(free_names.begin(), free_names.end(), name);
+  if (found == free_names.end()) return std::nullopt;
+  return static_cast<FreeNumber::Kind>(found - free_names.begin());
+}
+
+std::vector<Error> mistakes_in(const FunctionTask& task) {
+  std::vector<Error> found;
+  check_function(task, found);
+  if (!found.empty() && task.pairs.empty()) return found;  // the pairs would have come from the function
+  check_count(task, found);
+  check_numbers(task, found);
+  check_pivots(task, found);
+  if (found.empty()) {
+    check_repetitions(task, found);
+    check_output_moves(task, found);
+  }
+  check_free(task, found);
+  return found;
+}
+
+std::vector<AnglePair> precision_pairs(const NamedFunction& function) {
+  const DialFunction dial(function);
+  std::vector<AnglePair> pairs;
+  for (const double x : dial.precision_points()) {
+    const double input = dial.input_at(x);
+    pairs.push_back({input, dial.output_of(x), {}});
+  }
+  return pairs;
+}
+
+std::vector<AnglePair> pairs_at(const FunctionTask& task, double value) {
+  assert(task.free);
+  std::vector<AnglePair> pairs = task.pairs;
+  AnglePair& free_pair = pairs[task.free->pair];
+  switch (task.free->kind) {
+    case FreeNumber::Kind::output_scale:
+      for (AnglePair& pair : pairs) {
+        pair.output = task.pairs.front().output + value * (pair.output - task.pairs.front().output);
+        for (AngleDerivative& derivative : pair.derivatives) derivative.output *= value;
+      }
+      break;
+    case FreeNumber::Kind::precision_point: {
+      const DialFunction dial(*task.function);
+      free_pair.input = dial.input_at(value);
+      free_pair.output = dial.output_of(value);
+      break;
+    }
+    case FreeNumber::Kind::pair_output:
+      free_pair.output = value;
+      break;
+  }
+  return pairs;
+}
+
+int position_count(const std::vector<AnglePair>& pairs) {
+  int count = 0;
+  for (const AnglePair& pair : pairs) count += pair.multiplicity();
+  return count;
+}
+
+std::string pattern(const std::vector<AnglePair>& pairs) {
+  std::string text;
+  for (const AnglePair& pair : pairs) {
+    if (!text.empty()) text += '-';
+    text.append(static_cast<std::size_t>(pair.multiplicity()), 'P');
+  }
+  return text;
+}
+
+}  // namespace linkwright

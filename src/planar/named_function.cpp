@@ -1,0 +1,344 @@
+#include "linkwright/planar/named_function.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <locale>
+#include <sstream>
+
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::array<std::string_view, 2> interpolation_names = {"monotone_cubic", "linear"};
+constexpr std::array<std::string_view, 3> spacing_names = {"chebyshev", "even", "list"};
+
+constexpr std::string_view known_expressions =
+    "x, x^p with a number p, sqrt, log (of base 10), ln, exp, sin, cos, tan (x in radians), sin_deg, cos_deg, tan_deg";
+
+template <class Name, std::size_t n>
+std::optional<Name> named(const std::array<std::string_view, n>& names, std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? std::nullopt : std::optional(static_cast<Name>(found - names.begin()));
+}
+
+// A whole text that is one number, whatever the language of the machine.
+std::optional<double> number_in(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  stream.imbue(std::locale::classic());
+  double value = 0;
+  stream >> std::noskipws >> value;
+  return stream && stream.eof() && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+bool is_whole(double value) { return value == std::floor(value); }
+
+std::string place(std::string_view key) { return fmt::format("task.function.{}", key); }
+
+bool are_finite(const std::array<double, 2>& range) { return std::isfinite(range[0]) && std::isfinite(range[1]); }
+
+void check_range(const std::array<double, 2>& range, std::string_view key, std::vector<Error>& found) {
+  if (!are_finite(range))
+    found.push_back({"out_of_range", place(key), "a range is two finite numbers"});
+  else if (range[0] == range[1])
+    found.push_back({"empty_range", place(key), "the range is empty; give two different numbers"});
+}
+
+void check_rising(const std::array<double, 2>& range, std::string_view key, std::vector<Error>& found) {
+  if (are_finite(range) && range[0] > range[1])
+    found.push_back({"out_of_range", place(key),
+                     "the range is written with the lower number first; turn the dial's range in degrees round to let "
+                     "the link turn the other way"});
+}
+
+void check_table(const NamedFunction& function, std::vector<Error>& found) {
+  const auto& table = function.table;
+  if (table.size() < 2) {
+    found.push_back({"table_too_short", place("table"), "a table needs at least two rows [x, y]"});
+    return;
+  }
+  for (std::size_t i = 0; i < table.size(); ++i)
+    if (!are_finite(table[i]))
+      found.push_back({"out_of_range", fmt::format("task.function.table[{}]", i), "x and y must be finite numbers"});
+    else if (i > 0 && table[i][0] <= table[i - 1][0])
+      found.push_back({"table_out_of_order", fmt::format("task.function.table[{}]", i),
+                       "the rows of a table go by rising x, no x twice; sort them"});
+}
+
+void check_dials(const NamedFunction& function, std::vector<Error>& found) {
+  if (function.x) {
+    check_range(*function.x, "x", found);
+    check_rising(*function.x, "x", found);
+  } else if (function.table.empty()) {
+    found.push_back({"missing_range", place("x"), "an expression needs the range of x: [low, high]"});
+  }
+  if (function.y) check_range(*function.y, "y", found);
+  check_range(function.input_range, "input_range_deg", found);
+  check_range(function.output_range, "output_range_deg", found);
+  constexpr double room = 1e-9;
+  if (std::abs(function.input_range[1] - function.input_range[0]) > two_pi + room)
+    found.push_back({"out_of_range", place("input_range_deg"),
+                     "the input's dial has more than a whole turn; a linkage repeats itself after one"});
+}
+
+void check_points(const NamedFunction& function, const std::array<double, 2>& x, std::vector<Error>& found) {
+  if (function.points != 4 && function.points != 5)
+    found.push_back({"out_of_range", place("points"), "four or five precision points can be met"});
+  if (function.spacing != PointSpacing::given) return;
+  const std::vector<double>& given = function.given_points;
+  if (static_cast<int>(given.size()) != function.points)
+    found.push_back({"wrong_count", place("spacing"),
+                     fmt::format("{} precision points are listed and points is {}", given.size(), function.points)});
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const std::string here = fmt::format("task.function.spacing[{}]", i);
+    if (!(given[i] >= x[0] && given[i] <= x[1]))
+      found.push_back(
+          {"out_of_range", here, fmt::format("the point lies outside of the range {:g} to {:g} of x", x[0], x[1])});
+    else if (i > 0 && !(given[i] > given[i - 1]))
+      found.push_back({"points_out_of_order", here, "precision points go by rising x, none twice; sort them"});
+  }
+}
+
+std::vector<double> chebyshev_points(double low, double high, int count) {
+  std::vector<double> points;
+  for (int i = 1; i <= count; ++i)
+    points.push_back((low + high) / 2 - (high - low) / 2 * std::cos((2 * i - 1) * pi / (2 * count)));
+  return points;
+}
+
+std::vector<double> even_points(double low, double high, int count) {
+  std::vector<double> points;
+  for (int i = 0; i < count; ++i) points.push_back(low + (high - low) * i / (count - 1));
+  return points;
+}
+
+std::vector<double> points_of(const NamedFunction& function, const std::array<double, 2>& x) {
+  switch (function.spacing) {
+    case PointSpacing::chebyshev:
+      return chebyshev_points(x[0], x[1], function.points);
+    case PointSpacing::even:
+      return even_points(x[0], x[1], function.points);
+    case PointSpacing::given:
+      break;
+  }
+  return function.given_points;
+}
+
+// Slope at an end by the parabola through three rows, held to what keeps the cubic monotone.
+double end_slope(double h0, double h1, double secant0, double secant1) {
+  const double slope = ((2 * h0 + h1) * secant0 - h0 * secant1) / (h0 + h1);
+  if (slope * secant0 <= 0) return 0;
+  if (secant0 * secant1 <= 0 && std::abs(slope) > 3 * std::abs(secant0)) return 3 * secant0;
+  return slope;
+}
+
+std::vector<double> monotone_slopes(const std::vector<std::array<double, 2>>& rows) {
+  std::vector<double> width, secant;
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    width.push_back(rows[i + 1][0] - rows[i][0]);
+    secant.push_back((rows[i + 1][1] - rows[i][1]) / width.back());
+  }
+  const std::size_t last = secant.size() - 1;
+  if (last == 0) return {secant[0], secant[0]};
+  std::vector<double> slopes(rows.size(), 0);
+  slopes.front() = end_slope(width[0], width[1], secant[0], secant[1]);
+  slopes.back() = end_slope(width[last], width[last - 1], secant[last], secant[last - 1]);
+  for (std::size_t i = 1; i <= last; ++i) {
+    if (secant[i - 1] * secant[i] <= 0) continue;  // the rows turn here, and so does the cubic
+    const double share = (width[i - 1] + 2 * width[i]) / (3 * (width[i - 1] + width[i]));
+    slopes[i] = secant[i - 1] * secant[i] / (share * secant[i] + (1 - share) * secant[i - 1]);
+  }
+  return slopes;
+}
+
+}  // namespace
+
+std::string_view name(TableInterpolation interpolation) {
+  return interpolation_names[static_cast<std::size_t>(interpolation)];
+}
+std::optional<TableInterpolation> table_interpolation_named(std::string_view name) {
+  return named<TableInterpolation>(interpolation_names, name);
+}
+std::string_view name(PointSpacing spacing) { return spacing_names[static_cast<std::size_t>(spacing)]; }
+std::optional<PointSpacing> point_spacing_named(std::string_view name) {
+  return named<PointSpacing>(spacing_names, name);
+}
+
+std::optional<DialFunction::Formula> DialFunction::formula_named(std::string_view expression) {
+  constexpr std::string_view argument = "(x)";
+  if (expression.size() > argument.size() && expression.substr(expression.size() - argument.size()) == argument)
+    expression.remove_suffix(argument.size());
+  const double degree = pi / 180;
+  const std::array<std::pair<std::string_view, Formula>, 12> formulas = {{{"x", {Kind::power, 1, 1}},
+                                                                          {"sqrt", {Kind::power, 0.5, 1}},
+                                                                          {"log", {Kind::logarithm, 1, 1}},
+                                                                          {"log10", {Kind::logarithm, 1, 1}},
+                                                                          {"ln", {Kind::natural_logarithm, 1, 1}},
+                                                                          {"exp", {Kind::exponential, 1, 1}},
+                                                                          {"sin", {Kind::sine, 1, 1}},
+                                                                          {"cos", {Kind::cosine, 1, 1}},
+                                                                          {"tan", {Kind::tangent, 1, 1}},
+                                                                          {"sin_deg", {Kind::sine, 1, degree}},
+                                                                          {"cos_deg", {Kind::cosine, 1, degree}},
+                                                                          {"tan_deg", {Kind::tangent, 1, degree}}}};
+  for (const auto& [known, formula] : formulas)
+    if (expression == known) return formula;
+  if (expression.substr(0, 2) != "x^") return std::nullopt;
+  const auto exponent = number_in(expression.substr(2));
+  return exponent ? std::optional(Formula{Kind::power, *exponent, 1}) : std::nullopt;
+}
+
+bool DialFunction::exists_over(double low, double high) const {
+  const double p = formula_.exponent, quarter = pi / 2;
+  switch (formula_.kind) {
+    case Kind::power:
+      if (is_whole(p)) return p >= 0 || low > 0 || high < 0;
+      return p > 0 ? low >= 0 : low > 0;
+    case Kind::logarithm:
+    case Kind::natural_logarithm:
+      return low > 0;
+    case Kind::tangent: {
+      constexpr double near_pole = 1e-9;  // of a half turn: no dial has room for what lies between
+      const double from = (low * formula_.unit + quarter) / pi, to = (high * formula_.unit + quarter) / pi;
+      return std::floor(from - near_pole) == std::floor(to + near_pole);
+    }
+    case Kind::table:
+      return low >= table_.front()[0] && high <= table_.back()[0];
+    default:
+      return true;
+  }
+}
+
+std::vector<double> DialFunction::turning_points() const {
+  std::vector<double> points;
+  const auto add = [&](double x) {
+    if (x > x_[0] && x < x_[1]) points.push_back(x);
+  };
+  const double half_turn = pi / formula_.unit;
+  const double first = formula_.kind == Kind::sine ? half_turn / 2 : 0;
+  switch (formula_.kind) {
+    case Kind::power:
+      add(0);
+      break;
+    case Kind::sine:
+    case Kind::cosine:
+      // Four in a row hold both extremes.
+      for (int k = 0; k < 4; ++k) add(first + half_turn * (std::ceil((x_[0] - first) / half_turn) + k));
+      break;
+    case Kind::table:
+      for (const auto& row : table_) add(row[0]);
+      break;
+    default:
+      break;
+  }
+  return points;
+}
+
+std::array<double, 2> DialFunction::least_and_greatest() const {
+  std::vector<double> values = {y(x_[0]), y(x_[1])};
+  for (const double x : turning_points()) values.push_back(y(x));
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  return {*least, *greatest};
+}
+
+void DialFunction::take_table(const NamedFunction& function) {
+  formula_.kind = Kind::table;
+  table_ = function.table;
+  if (function.interpolation == TableInterpolation::monotone_cubic) slopes_ = monotone_slopes(table_);
+}
+
+DialFunction::DialFunction(const NamedFunction& function)
+    : input_range_(function.input_range), output_range_(function.output_range) {
+  if (function.expression.empty())
+    take_table(function);
+  else
+    formula_ = formula_named(function.expression).value_or(Formula{});
+  x_ = function.x ? *function.x : std::array{table_.front()[0], table_.back()[0]};
+  y_ = function.y ? *function.y : least_and_greatest();
+  points_ = points_of(function, x_);
+  if (formula_.kind == Kind::table && slopes_.empty()) corners_ = turning_points();
+}
+
+double DialFunction::table_value(double x) const {
+  const auto above = std::upper_bound(table_.begin() + 1, table_.end() - 1, x,
+                                      [](double value, const std::array<double, 2>& row) { return value < row[0]; });
+  const auto i = static_cast<std::size_t>(above - table_.begin()) - 1;
+  const double width = table_[i + 1][0] - table_[i][0], t = (x - table_[i][0]) / width;
+  const double from = table_[i][1], rise = table_[i + 1][1] - from;
+  if (slopes_.empty()) return from + t * rise;
+  const double s0 = slopes_[i] * width, s1 = slopes_[i + 1] * width;
+  return from + t * (s0 + t * ((3 * rise - 2 * s0 - s1) + t * (s0 + s1 - 2 * rise)));
+}
+
+double DialFunction::y(double x) const {
+  switch (formula_.kind) {
+    case Kind::power:
+      return formula_.exponent == 0.5 ? std::sqrt(x) : std::pow(x, formula_.exponent);
+    case Kind::logarithm:
+      return std::log10(x);
+    case Kind::natural_logarithm:
+      return std::log(x);
+    case Kind::exponential:
+      return std::exp(x);
+    case Kind::sine:
+      return std::sin(formula_.unit * x);
+    case Kind::cosine:
+      return std::cos(formula_.unit * x);
+    case Kind::tangent:
+      return std::tan(formula_.unit * x);
+    case Kind::table:
+      break;
+  }
+  return table_value(x);
+}
+
+double DialFunction::input_at(double x) const {
+  return input_range_[0] + (input_range_[1] - input_range_[0]) * ((x - x_[0]) / (x_[1] - x_[0]));
+}
+
+double DialFunction::x_at(double input) const {
+  const double share = (input - input_range_[0]) / (input_range_[1] - input_range_[0]);
+  return std::clamp(x_[0] + (x_[1] - x_[0]) * share, x_[0], x_[1]);
+}
+
+double DialFunction::output_of(double x) const {
+  const double share = (y(x) - y_[0]) / (y_[1] - y_[0]);
+  return output_range_[0] + (output_range_[1] - output_range_[0]) * share;
+}
+
+std::vector<Error> mistakes_in(const NamedFunction& function) {
+  std::vector<Error> found;
+  const bool is_table = function.expression.empty();
+  if (is_table)
+    check_table(function, found);
+  else if (!function.table.empty())
+    found.push_back({"two_functions", place("table"), "give an expression or a table, not both"});
+  else if (!DialFunction::formula_named(function.expression))
+    found.push_back(
+        {"unknown_expression", place("expression"),
+         fmt::format("\"{}\" is not known; there are {}, and tables", function.expression, known_expressions)});
+  check_dials(function, found);
+  if (!found.empty()) return found;
+
+  const DialFunction dial(function);
+  const auto [low, high] = dial.x_;
+  if (!dial.exists_over(low, high) || !are_finite(dial.least_and_greatest())) {
+    found.push_back({"not_defined", place("x"),
+                     is_table ? fmt::format("the table runs from {:g} to {:g}; keep x within",
+                                            function.table.front()[0], function.table.back()[0])
+                              : fmt::format("{} has no value, or no finite one, somewhere from {:g} to {:g}; choose "
+                                            "another range",
+                                            function.expression, low, high)});
+    return found;
+  }
+  const auto [least, greatest] = dial.least_and_greatest();
+  constexpr double rounding = 1e-12;
+  if (greatest - least <= rounding * std::max(std::abs(least), std::abs(greatest)))
+    found.push_back({"constant_function", place("x"),
+                     "the function does not change over this range: a link that stands still needs no linkage"});
+  check_points(function, dial.x_, found);
+  return found;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,159 @@
+#include "linkwright/planar/function_task.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+FunctionTask four_pairs() {
+  FunctionTask task;
+  task.pairs = {{0, 0, {}}, {0.3, 0.2, {}}, {0.7, 0.8, {}}, {1.1, 1.3, {}}};
+  return task;
+}
+
+FunctionTask squares() {
+  FunctionTask task;
+  task.function.emplace();
+  task.function->expression = "x^2";
+  task.function->x = {0, 1};
+  task.function->input_range = {0, radians(60)};
+  task.function->output_range = {0, radians(90)};
+  task.pairs = precision_pairs(*task.function);
+  return task;
+}
+
+std::string codes(const FunctionTask& task) {
+  std::string text;
+  for (const Error& e : mistakes_in(task)) text += (text.empty() ? "" : " ") + e.code + "@" + e.place.substr(5);
+  return text;
+}
+
+TEST(FunctionTask, FourOrFivePositionsOfAnyPatternAreFine) {
+  FunctionTask task = four_pairs();
+  EXPECT_EQ(codes(task), "");
+  task.pairs.push_back({1.5, 1.4, {}});
+  EXPECT_EQ(codes(task), "");
+  task.pairs.push_back({1.6, 1.5, {}});
+  EXPECT_EQ(codes(task), "too_many_pairs@pairs");
+  task.pairs.resize(2);
+  EXPECT_EQ(codes(task), "too_few_pairs@pairs");
+  task.pairs[1].derivatives = {{1, 2}, {0, 0}};
+  EXPECT_EQ(codes(task), "");
+  EXPECT_EQ(pattern(task.pairs), "P-PPP");
+  task.pairs.clear();
+  EXPECT_EQ(codes(task), "too_few_pairs@pairs");
+}
+
+TEST(FunctionTask, NumbersAreFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  FunctionTask task = four_pairs();
+  task.pairs[2].output = nan;
+  task.pairs[1].derivatives = {{nan, 1}};
+  task.input_pivot = {0, std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(codes(task),
+            "out_of_range@pairs[1].derivatives[0].input out_of_range@pairs[2].output_deg "
+            "out_of_range@ground_pivots.input[1]");
+}
+
+TEST(FunctionTask, TheInputMovesWhereRatesAreGiven) {
+  FunctionTask task = four_pairs();
+  task.pairs[1].derivatives = {{0, 0}};
+  EXPECT_EQ(codes(task), "zero_derivative@pairs[1].derivatives[0]");
+  task.pairs[1].derivatives = {{0, 1}};
+  EXPECT_EQ(codes(task), "input_at_rest@pairs[1].derivatives[0].input");
+  task.pairs[1].derivatives = {{1, 0}};
+  EXPECT_EQ(codes(task), "") << "a dwell";
+}
+
+TEST(FunctionTask, AnInputAngleComesOnceAndTheOutputMoves) {
+  FunctionTask task = four_pairs();
+  task.pairs[3].input = task.pairs[1].input + two_pi;
+  EXPECT_EQ(codes(task), "repeated_input@pairs[3].input_deg");
+  task = four_pairs();
+  for (AnglePair& pair : task.pairs) pair.output = 0.4;
+  EXPECT_EQ(codes(task), "constant_output@pairs");
+  task.pairs[0].derivatives = {{1, 0.5}};
+  EXPECT_EQ(codes(task), "") << "it moves through";
+}
+
+TEST(FunctionTask, GroundPivotsAreTwo) {
+  FunctionTask task = four_pairs();
+  task.input_pivot = task.output_pivot = {3, 4};
+  EXPECT_EQ(codes(task), "same_pivots@ground_pivots");
+}
+
+TEST(FunctionTask, PairsComeFromTheFunction) {
+  const FunctionTask task = squares();
+  EXPECT_EQ(codes(task), "");
+  ASSERT_EQ(task.pairs.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double x = 0.5 - 0.5 * std::cos((2 * static_cast<double>(i) + 1) * pi / 8);
+    EXPECT_NEAR(task.pairs[i].input, radians(60) * x, 1e-15);
+    EXPECT_NEAR(task.pairs[i].output, radians(90) * x * x, 1e-15);
+  }
+  FunctionTask wrong = task;
+  wrong.function->expression = "x^x";
+  EXPECT_EQ(codes(wrong), "unknown_expression@function.expression");
+  wrong.pairs.clear();
+  EXPECT_EQ(codes(wrong), "unknown_expression@function.expression") << "and nothing of the pairs that it would give";
+}
+
+TEST(FunctionTask, AFreeNumberChangesThePairs) {
+  FunctionTask task = squares();
+  task.pairs[1].derivatives = {{1, 3}};
+  task.free = FreeNumber{};
+  auto pairs = pairs_at(task, 2);
+  for (std::size_t j = 0; j < 4; ++j) {
+    EXPECT_EQ(pairs[j].input, task.pairs[j].input);
+    EXPECT_NEAR(pairs[j].output - pairs[0].output, 2 * (task.pairs[j].output - task.pairs[0].output), 1e-15);
+  }
+  EXPECT_EQ(pairs[1].derivatives[0].output, 6);
+  task.free = FreeNumber{FreeNumber::Kind::pair_output, 2, {0, 1}};
+  pairs = pairs_at(task, 0.75);
+  EXPECT_EQ(pairs[2].output, 0.75);
+  EXPECT_EQ(pairs[2].input, task.pairs[2].input);
+  task.free = FreeNumber{FreeNumber::Kind::precision_point, 2, {0.4, 0.8}};
+  pairs = pairs_at(task, 0.5);
+  EXPECT_NEAR(pairs[2].input, radians(30), 1e-15);
+  EXPECT_NEAR(pairs[2].output, radians(22.5), 1e-15);
+}
+
+TEST(FunctionTask, AFreeNumberIsSpacedOverItsRange) {
+  const FreeNumber scale;
+  EXPECT_DOUBLE_EQ(scale.at(0), 0.5);
+  EXPECT_DOUBLE_EQ(scale.at(0.5), 1) << "by its logarithm";
+  EXPECT_DOUBLE_EQ(scale.at(1), 2);
+  const FreeNumber output{FreeNumber::Kind::pair_output, 0, {-1, 3}};
+  EXPECT_DOUBLE_EQ(output.at(0.25), 0);
+  for (const FreeNumber& free : {scale, output})
+    for (const double t : {0.0, 0.3, 1.0}) EXPECT_NEAR(free.place_of(free.at(t)), t, 1e-15);
+  for (const auto kind :
+       {FreeNumber::Kind::output_scale, FreeNumber::Kind::precision_point, FreeNumber::Kind::pair_output})
+    EXPECT_EQ(free_number_named(name(kind)), kind);
+}
+
+TEST(FunctionTask, AFreeNumberIsChecked) {
+  FunctionTask task = four_pairs();
+  task.free = FreeNumber{FreeNumber::Kind::output_scale, 0, {0, 2}};
+  EXPECT_EQ(codes(task), "out_of_range@free.range");
+  task.free->range = {2, 1};
+  EXPECT_EQ(codes(task), "out_of_range@free.range");
+  task.free = FreeNumber{FreeNumber::Kind::pair_output, 4, {0, 1}};
+  EXPECT_EQ(codes(task), "out_of_range@free.pair");
+  task.free = FreeNumber{FreeNumber::Kind::precision_point, 1, {0, 1}};
+  EXPECT_EQ(codes(task), "no_function@free");
+  task = squares();
+  task.free = FreeNumber{FreeNumber::Kind::precision_point, 1, {0, 1.5}};
+  EXPECT_EQ(codes(task), "out_of_range@free.range");
+  task = four_pairs();
+  task.pairs[0].derivatives = {{1, 1}};
+  task.free = FreeNumber{};
+  EXPECT_EQ(codes(task), "free_number_of_five@free");
+}
+
+}  // namespace
+}  // namespace linkwright
