@@ -75,7 +75,7 @@ class SideAngleFamily : public MotionFamily {
   [[nodiscard]] double axis_value(Side side, double tau) const override;
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
-  void classify(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
+  void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
                 const RegionOptions& options, const Progress& progress) const override;
 
  private:
