@@ -43,7 +43,7 @@ Point tidy(Point p, double size) { return {tidy(p.real(), size), tidy(p.imag(), 
 
 }  // namespace
 
-std::optional<Notice> shared_partner(const PoseConditions& conditions) {
+std::optional<Notice> shared_center(const PoseConditions& conditions) {
   const auto centers = centers_of_probes(conditions);
   const double size = conditions.frame.scale;
   if (centers && agree(*centers)) {
@@ -66,7 +66,7 @@ std::optional<Notice> shared_partner(const PoseConditions& conditions) {
 }
 
 Notice every_point_reason(const PoseConditions& conditions) {
-  if (auto shared = shared_partner(conditions)) return *std::move(shared);
+  if (auto shared = shared_center(conditions)) return *std::move(shared);
   return {"every_point",
           "The conditions of the poses depend on each other: the dyads form more than a curve. Move one pose.",
           {}};

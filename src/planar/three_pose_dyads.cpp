@@ -114,9 +114,7 @@ std::vector<DirectionArc> arcs_where_not_negative(const F& f) {
     if (!real[i] || real[before]) continue;
     std::size_t last = i;
     while (real[(last + 1) % count]) ++last;
-    const auto at = [&](std::size_t cell) {
-      return middles[cell % count] + two_pi * static_cast<double>(cell / count);
-    };
+    const auto at = [&](std::size_t cell) { return cell < count ? middles[cell] : middles[cell - count] + two_pi; };
     const double from = last_real(f, at(i), i == 0 ? middles[before] - two_pi : middles[before]);
     const double to = last_real(f, at(last), at(last + 1));
     const double start = wrap_positive(from);

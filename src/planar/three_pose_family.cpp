@@ -117,7 +117,7 @@ std::vector<double> SideLengthsFamily::samples(Side side, int count, Spacing /*s
 }
 
 SideAngleFamily::SideAngleFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
-                                 std::shared_ptr<const ThreePoseDyads> dyads, double angle, bool directed,
+                                 const std::shared_ptr<const ThreePoseDyads>& dyads, double angle, bool directed,
                                  double input_length)
     : SideAngleFamily(frame, std::move(poses), dyads, angle, directed,
                       SideLinksOfLength(dyads, input_length / frame.scale)) {}

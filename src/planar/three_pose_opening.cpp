@@ -20,7 +20,7 @@ struct Start {
   Start(const PoseConditions& conditions, const Requirements& wanted)
       : frame(conditions.frame),
         dyads(std::make_shared<const ThreePoseDyads>(conditions)),
-        degeneracy(shared_partner(conditions)),
+        degeneracy(shared_center(conditions)),
         requirements(wanted) {
     if (!degeneracy && dyads->freedom() == DirectionFreedom::only_shifts) degeneracy = only_translations_reason();
     if (!requirements.max_length) requirements.max_length = default_max_length * frame.scale;

@@ -159,8 +159,8 @@ TEST(SideAngleFamily, FindsTheFourBarsOfGivenLengths) {
   for (int trial = 0; trial < 40; ++trial) {
     const auto poses = testing::random_poses(random, 3);
     const auto lengths = lengths_family(poses, 1.3, 0.8);
-    const auto input = lengths.samples(Side::input, 3, Spacing::coordinate),
-               output = lengths.samples(Side::output, 3, Spacing::coordinate);
+    const auto input = lengths.samples(Side::input, 4, Spacing::coordinate),
+               output = lengths.samples(Side::output, 4, Spacing::coordinate);
     for (const double u : input)
       for (const double v : output) {
         const auto links = lengths.side_links({u, v});

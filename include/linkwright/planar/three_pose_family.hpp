@@ -69,7 +69,7 @@ class SideAngleFamily : public MotionFamily {
  public:
   /// Poses and length in the user's frame; angle in radians.
   SideAngleFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
-                  std::shared_ptr<const ThreePoseDyads> dyads, double angle, bool directed, double input_length);
+                  const std::shared_ptr<const ThreePoseDyads>& dyads, double angle, bool directed, double input_length);
 
   [[nodiscard]] std::optional<SideLinks> side_links(RegionPlace place) const override;
   [[nodiscard]] double axis_value(Side side, double tau) const override;
