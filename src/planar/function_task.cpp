@@ -1,10 +1,8 @@
 #include "linkwright/planar/function_task.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
-#include <iterator>
 #include <string_view>
 
 #include "linkwright/core/angle.hpp"
@@ -195,16 +193,20 @@ std::vector<AnglePair> precision_pairs(const NamedFunction& function) {
   return pairs;
 }
 
-std::vector<AnglePair> pairs_at(const FunctionTask& task, double value) {
-  assert(task.free);
-  std::vector<AnglePair> pairs = task.pairs;
-  AnglePair& free_pair = pairs[task.free->pair];
+FunctionTask task_at(const FunctionTask& task, double value) {
+  if (!task.free) return task;
+  FunctionTask fixed = task;
+  fixed.free.reset();
+  const double datum = task.pairs.front().output;
+  AnglePair& free_pair = fixed.pairs[task.free->pair];
   switch (task.free->kind) {
     case FreeNumber::Kind::output_scale:
-      for (AnglePair& pair : pairs) {
-        pair.output = task.pairs.front().output + value * (pair.output - task.pairs.front().output);
+      for (AnglePair& pair : fixed.pairs) {
+        pair.output = datum + value * (pair.output - datum);
         for (AngleDerivative& derivative : pair.derivatives) derivative.output *= value;
       }
+      if (fixed.function)
+        for (double& end : fixed.function->output_range) end = datum + value * (end - datum);
       break;
     case FreeNumber::Kind::precision_point: {
       const DialFunction dial(*task.function);
@@ -216,7 +218,7 @@ std::vector<AnglePair> pairs_at(const FunctionTask& task, double value) {
       free_pair.output = value;
       break;
   }
-  return pairs;
+  return fixed;
 }
 
 int position_count(const std::vector<AnglePair>& pairs) {

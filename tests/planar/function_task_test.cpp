@@ -106,18 +106,22 @@ TEST(FunctionTask, AFreeNumberChangesThePairs) {
   FunctionTask task = squares();
   task.pairs[1].derivatives = {{1, 3}};
   task.free = FreeNumber{};
-  auto pairs = pairs_at(task, 2);
+  FunctionTask fixed = task_at(task, 2);
+  auto pairs = fixed.pairs;
   for (std::size_t j = 0; j < 4; ++j) {
     EXPECT_EQ(pairs[j].input, task.pairs[j].input);
     EXPECT_NEAR(pairs[j].output - pairs[0].output, 2 * (task.pairs[j].output - task.pairs[0].output), 1e-15);
   }
   EXPECT_EQ(pairs[1].derivatives[0].output, 6);
+  EXPECT_FALSE(fixed.free);
+  const DialFunction stretched(*fixed.function);
+  for (const AnglePair& pair : pairs) EXPECT_NEAR(stretched.output_at(pair.input), pair.output, 1e-15);
   task.free = FreeNumber{FreeNumber::Kind::pair_output, 2, {0, 1}};
-  pairs = pairs_at(task, 0.75);
+  pairs = task_at(task, 0.75).pairs;
   EXPECT_EQ(pairs[2].output, 0.75);
   EXPECT_EQ(pairs[2].input, task.pairs[2].input);
   task.free = FreeNumber{FreeNumber::Kind::precision_point, 2, {0.4, 0.8}};
-  pairs = pairs_at(task, 0.5);
+  pairs = task_at(task, 0.5).pairs;
   EXPECT_NEAR(pairs[2].input, radians(30), 1e-15);
   EXPECT_NEAR(pairs[2].output, radians(22.5), 1e-15);
 }

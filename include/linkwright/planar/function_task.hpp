@@ -67,8 +67,9 @@ inline constexpr double repeated_input_angle = 1e-9;
 /// The precision points of a named function without mistakes, by rising x.
 [[nodiscard]] std::vector<AnglePair> precision_pairs(const NamedFunction& function);
 
-/// The task's pairs with its free number at a value (of a task without mistakes that has one).
-[[nodiscard]] std::vector<AnglePair> pairs_at(const FunctionTask& task, double value);
+/// The task with its free number at a value, free no longer; the output's dial is stretched about the first pair with
+/// output_scale. `task` without mistakes.
+[[nodiscard]] FunctionTask task_at(const FunctionTask& task, double value);
 
 /// Number of positions, each with its multiplicity.
 [[nodiscard]] int position_count(const std::vector<AnglePair>& pairs);
