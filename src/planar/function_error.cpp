@@ -121,7 +121,7 @@ void find_worst(const ErrorCurve& curve, FunctionError& error) {
 void add_structural_error(const GeneratedFunction& generated, const NamedFunction& function, int samples,
                           FunctionError& error) {
   const DialFunction dial(function);
-  const auto [low, high] = std::minmax(dial.input_range()[0], dial.input_range()[1]);
+  const auto [low, high] = std::minmax({dial.input_range()[0], dial.input_range()[1]});
   const std::vector<AngleRange> parts = reached_parts(generated.reach(), low, high);
   error.unreached = gaps_between(parts, low, high);
   const ErrorCurve curve(generated, dial);
