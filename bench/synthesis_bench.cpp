@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_task.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright::bench {
 namespace {
@@ -22,7 +22,7 @@ BENCHMARK_CAPTURE(dyads, drawer_hinge, "drawer_hinge");
 // Everything that `linkwright solve` computes, with its default of 400 samples and ten linkages.
 void solve(benchmark::State& state, std::string_view name) {
   const MotionTask task = task_named(name);
-  for (auto _ : state) benchmark::DoNotOptimize(solve_motion(task, {}, {}));
+  for (auto _ : state) benchmark::DoNotOptimize(solve(task, {}, {}));
 }
 BENCHMARK_CAPTURE(solve, landing_gear, "landing_gear")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(solve, drawer_hinge, "drawer_hinge")->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -33,24 +33,25 @@ std::string drive_text(const DefectReport& report) {
   return report.defects.order() ? "no: order" : std::string(name(report.sense));
 }
 
-std::string heading(const Problem& problem, const MotionSolution& solution) {
+std::string heading(const Problem& problem, const Solution& solution) {
   const std::string title = problem.title.empty() ? "Untitled task" : printable(problem.title);
-  std::string text = fmt::format("{}: four positions ({})", title, solution.pattern);
+  std::string text = fmt::format("{}: four positions ({})", title, solution.given.pattern);
   if (!problem.length_unit.empty()) text += ", lengths in " + printable(problem.length_unit);
   return wrapped(text);
 }
 
-std::string curve_words(const MotionSolution& solution) {
-  if (!solution.curve) return "";
-  const std::string_view circle = label(solution.curve->kind()), center = label(solution.curve->center_kind());
+std::string curve_words(const Solution& solution) {
+  if (!solution.given.curve) return "";
+  const std::string_view circle = label(solution.given.curve->kind()),
+                         center = label(solution.given.curve->center_kind());
   std::string text = circle == center
                          ? fmt::format("Both Burmester curves, of circle points and of centre points: {}", circle)
                          : fmt::format("Circle-point curve: {}; centre-point curve: {}", circle, center);
-  if (const auto kappa = solution.curve->kappa()) text += fmt::format(" (κ = {})", significant_text(*kappa, 3));
+  if (const auto kappa = solution.given.curve->kappa()) text += fmt::format(" (κ = {})", significant_text(*kappa, 3));
   return wrapped(text + ".");
 }
 
-std::string counts_words(const Problem& problem, const MotionSolution& solution) {
+std::string counts_words(const Problem& problem, const Solution& solution) {
   const RegionCounts& counts = solution.counts;
   if (counts.pairs == 0) return "";
   const std::int64_t degenerate = counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
@@ -64,7 +65,7 @@ std::string counts_words(const Problem& problem, const MotionSolution& solution)
   return wrapped(text);
 }
 
-std::string best_heading(const MotionSolution& solution) {
+std::string best_heading(const Solution& solution) {
   switch (solution.options.objective) {
     case Objective::link_ratio:
       return "Best linkages, smallest link ratio first:\n";
@@ -121,7 +122,7 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
   return rounded_text(gamma_deg(found.report.worst_transmission_cosine), 2) + "°";
 }
 
-std::string why_the_best(const Problem& problem, const MotionSolution& solution, int decimals) {
+std::string why_the_best(const Problem& problem, const Solution& solution, int decimals) {
   const auto& linkages = solution.linkages;
   const Objective objective = solution.options.objective;
   const std::string_view what = objective == Objective::link_ratio ? "smallest link ratio"
@@ -137,7 +138,7 @@ std::string why_the_best(const Problem& problem, const MotionSolution& solution,
   return wrapped(text + ".");
 }
 
-std::string check_words(const MotionSolution& solution) {
+std::string check_words(const Solution& solution) {
   double worst = 0;
   std::optional<double> worst_of_derivatives;
   bool all_driven = true;
@@ -156,7 +157,7 @@ std::string check_words(const MotionSolution& solution) {
                              : "driving did not confirm every linkage listed, which is our mistake: please report it"));
 }
 
-std::string linkages_words(const Problem& problem, const MotionSolution& solution) {
+std::string linkages_words(const Problem& problem, const Solution& solution) {
   if (solution.linkages.empty()) return "";
   const int decimals = decimals_for(solution.linkages);
   return "\n" + best_heading(solution) + dimension_table(solution.linkages, decimals) + "\n" +
@@ -164,7 +165,7 @@ std::string linkages_words(const Problem& problem, const MotionSolution& solutio
          check_words(solution);
 }
 
-std::string nothing_words(const Problem& problem, const MotionSolution& solution) {
+std::string nothing_words(const Problem& problem, const Solution& solution) {
   if (!solution.linkages.empty() || solution.options.best == 0) return "";
   std::string text = "\n" + wrapped(solution.reason.message);
   for (const Relaxation& relaxation : solution.relax) {
@@ -173,15 +174,15 @@ std::string nothing_words(const Problem& problem, const MotionSolution& solution
   return text;
 }
 
-std::string warnings_words(const MotionSolution& solution) {
+std::string warnings_words(const Solution& solution) {
   std::string text;
-  for (const Notice& warning : solution.warnings) text += wrapped("Note: " + warning.message, 6);
+  for (const Notice& warning : solution.given.warnings) text += wrapped("Note: " + warning.message, 6);
   return text;
 }
 
 }  // namespace
 
-std::string answer(const Problem& problem, const MotionSolution& solution) {
+std::string answer(const Problem& problem, const Solution& solution) {
   Problem shown = problem;
   shown.length_unit = printable(shown.length_unit);
   return heading(shown, solution) + curve_words(solution) + counts_words(shown, solution) + warnings_words(solution) +

@@ -3,11 +3,11 @@
 #include <string>
 
 #include "linkwright/io/problem_file.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright::cli {
 
 /// What was found, in words and tables for people, at most 100 columns wide.
-[[nodiscard]] std::string answer(const Problem& problem, const MotionSolution& solution);
+[[nodiscard]] std::string answer(const Problem& problem, const Solution& solution);
 
 }  // namespace linkwright::cli

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright::cli {
 

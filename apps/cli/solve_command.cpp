@@ -16,16 +16,16 @@ int stopped() {
   return Interruption::exit_status();
 }
 
-Result<MotionSolution> solve_with_progress(const Problem& problem) {
+Result<Solution> solve_with_progress(const Problem& problem) {
   ProgressLine line;
   Progress progress;
   progress.report = [&line](double done) { line.show(done); };
   progress.cancelled = Interruption::flag();
-  return solve_motion(problem.task, problem.requirements, problem.options, progress);
+  return solve(problem.task, problem.requirements, problem.options, progress);
 }
 
 /// The files that were asked for; false where one cannot be written.
-bool write_files(const SolveArguments& arguments, const Problem& problem, const MotionSolution& solution) {
+bool write_files(const SolveArguments& arguments, const Problem& problem, const Solution& solution) {
   const bool drawn = arguments.picture.empty() || write_output(arguments.picture, [&](const TextSink& sink) {
                        sink(draw_solution(problem, solution));
                      });

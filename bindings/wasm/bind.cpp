@@ -71,7 +71,8 @@ class BoundSession : public Session {
     const ExploreReply reply = explore({samples, {input_from, input_to}, {output_from, output_to}, shown, order});
     val result = val::object();
     result.set("task", reply.task);
-    result.set("curves", curves_of(*reply.curves));
+    result.set("curves", curves_of(*reply.input_curves));
+    result.set("output_curves", reply.output_curves ? curves_of(*reply.output_curves) : val::null());
     result.set("map", reply.map ? map_of(reply) : val::null());
     return result;
   }

@@ -48,6 +48,8 @@ void write_side_link(JsonWriter& json, const Dyad& dyad, const WorkingFrame& fra
 
 Notice degenerate_notice(const PickedLinkage& picked, const WorkingFrame& frame) {
   const auto at_infinity = [&](Homogeneous point) { return is_at_infinity(frame.to_working(point)); };
+  if (picked.input.circle == Homogeneous{} || picked.output.circle == Homogeneous{})
+    return {"no_linkage", "There is no linkage here: no side link of this length can have this direction.", {}};
   if (at_infinity(picked.input.center) || at_infinity(picked.output.center))
     return {"slider_fixed", "Slider: the fixed pivot is at infinity; the pin moves on a straight guide.", {}};
   if (at_infinity(picked.input.circle) || at_infinity(picked.output.circle))
@@ -140,15 +142,17 @@ void write_drive(JsonWriter& json, const PickedLinkage& picked) {
 
 }  // namespace
 
-PickedLinkage picked_linkage(const MotionTask& task, const TaskCurve& given, const Dyad& input, const Dyad& output,
-                             bool respect_direction) {
-  const WorkingFrame& frame = given.conditions.frame;
-  PickedLinkage picked{frame.to_user(input), frame.to_user(output), {}, {}, {}};
+PickedLinkage picked_linkage(const TaskFamily& given, RegionPlace place, bool respect_direction) {
+  const WorkingFrame& frame = given.frame();
+  const SideLinks none{{{}, {}, place.input}, {{}, {}, place.output}};
+  const SideLinks links = given.family->side_links(place).value_or(none);
+  PickedLinkage picked{frame.to_user(links.input), frame.to_user(links.output), {}, {}, {}};
   constexpr bool verify = false;
-  picked.bars = make_four_bar(task, frame, picked.input, picked.output, respect_direction, verify);
+  picked.bars = make_four_bar(given, place, respect_direction, verify);
   if (!picked.bars) return picked;
-  picked.visits = pose_visits(picked.bars->four_bar, task.poses);
-  picked.drive = drive_table(picked.visits, task.poses, states_of_a_drive);
+  const std::vector<PrescribedPose> poses = given.family->user_poses(picked.bars->four_bar);
+  picked.visits = pose_visits(picked.bars->four_bar, poses);
+  picked.drive = drive_table(picked.visits, poses, states_of_a_drive);
   return picked;
 }
 

@@ -6,8 +6,8 @@
 
 #include "linkwright/analysis/drive_table.hpp"
 #include "linkwright/analysis/pose_visits.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
-#include "linkwright/planar/task_curve.hpp"
+#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/planar/task_family.hpp"
 
 namespace linkwright::wasm {
 
@@ -20,8 +20,8 @@ struct PickedLinkage {
   std::uint8_t fails = 0;
 };
 
-[[nodiscard]] PickedLinkage picked_linkage(const MotionTask& task, const TaskCurve& given, const Dyad& input,
-                                           const Dyad& output, bool respect_direction);
+/// `given` with a family.
+[[nodiscard]] PickedLinkage picked_linkage(const TaskFamily& given, RegionPlace place, bool respect_direction);
 
 /// Linkage without the drive's states.
 [[nodiscard]] std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame);

@@ -33,14 +33,15 @@ void write_relaxation(JsonWriter& json, const Relaxation& relaxation) {
 
 }  // namespace
 
-void JudgedMap::classify(const RegionAxis& input, const RegionAxis& output, double unit) {
-  map_.recompute(input, output, unit, {});
+void JudgedMap::classify(const LinkageFamily& family, std::span<const double> input, std::span<const double> output,
+                         bool respect_direction) {
+  family.classify(map_, input, output, respect_direction);
   counts_ = map_.counts();
   values_.clear();
 }
 
-void JudgedMap::judge(const Requirements& wanted, Point origin, double unit) {
-  const RequirementFilter filter(map_, wanted, origin, unit);
+void JudgedMap::judge(const LinkageFamily& family, const Requirements& wanted) {
+  const RequirementFilter filter = filter_of(family, map_, wanted);
   fails_.resize(map_.rows() * map_.columns());
   filter.failures_of_all(fails_);
   census_ = filter.census(fails_);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwright/planar/linkage_family.hpp"
 #include "linkwright/region/cell_property.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
@@ -14,8 +15,10 @@ namespace linkwright::wasm {
 class JudgedMap {
  public:
   /// Takes over the memory of the map before.
-  void classify(const RegionAxis& input, const RegionAxis& output, double unit);
-  void judge(const Requirements& wanted, Point origin, double unit);
+  void classify(const LinkageFamily& family, std::span<const double> input, std::span<const double> output,
+                bool respect_direction);
+  /// `wanted` with max_length set.
+  void judge(const LinkageFamily& family, const Requirements& wanted);
   void measure(CellProperty property);
 
   [[nodiscard]] const RegionMap& map() const { return map_; }

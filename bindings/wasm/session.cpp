@@ -22,14 +22,18 @@ bool same(const Moving& a, const Moving& b) {
   return a.origin == b.origin && a.angle == b.angle;
 }
 
-bool same_poses(const MotionTask& a, const MotionTask& b) {
-  return std::equal(a.poses.begin(), a.poses.end(), b.poses.begin(), b.poses.end(),
+bool same_task(const MotionTask& a, const MotionTask& b) {
+  return a.given == b.given &&
+         std::equal(a.poses.begin(), a.poses.end(), b.poses.begin(), b.poses.end(),
                     [](const PrescribedPose& p, const PrescribedPose& q) {
                       return same(p.pose, q.pose) &&
                              std::equal(p.derivatives.begin(), p.derivatives.end(), q.derivatives.begin(),
                                         q.derivatives.end(), same<PoseDerivative>);
                     });
 }
+
+// A task of which the engine chooses a length by the requirements.
+bool chooses(const MotionTask& task) { return task.given.has_value(); }
 
 constexpr std::array<double, 2> whole = {0, 1};
 
@@ -46,15 +50,14 @@ bool Session::set_problem(std::string_view text) {
   mistakes_ = read ? "[]" : mistakes_json(read.errors());
   if (!read) return false;
   text_ = text;
-  const bool unchanged = given_ && same_poses(problem_.task, read->task);
+  const bool unchanged = given_ && same_task(problem_.task, read->task) && !chooses(read->task);
   problem_ = std::move(*read);
   if (!unchanged) {
-    given_ = task_curve(problem_.task);
+    given_ = task_family(problem_.task, problem_.requirements, problem_.options.objective);
     drawn_.reset();
     mapped_.reset();
   }
-  requirements_ = problem_.requirements;
-  if (!requirements_.max_length) requirements_.max_length = default_max_length * given().conditions.frame.scale;
+  requirements_ = with_defaults(problem_.requirements, given().frame());
   return true;
 }
 
@@ -64,71 +67,75 @@ std::string Session::read(std::string_view text) {
   return problem ? write_problem(*problem) : "";
 }
 
-const TaskCurve& Session::given() const {
+const TaskFamily& Session::given() const {
   if (!given_) std::abort();  // a problem is set before anything is asked
   return *given_;
 }
 
-const DisplayOrder& Session::order() const {
-  if (!order_) std::abort();  // an axis is ordered before a map is made
-  return *order_;
+const MapOrders& Session::orders() const {
+  if (!orders_) std::abort();  // the axes are ordered before a map is made
+  return *orders_;
 }
 
-bool Session::has_dyads() const { return given().curve->coordinate_length() > 0; }
-
-Dyad Session::dyad(double tau) const { return given().curve->dyad(tau); }
-
-RegionAxis Session::axis(const std::vector<double>& tau) const {
-  std::vector<Dyad> dyads;
-  for (const double t : tau) dyads.push_back(dyad(t));
-  return {std::move(dyads), given().conditions.frame.to_working(problem_.task.poses), requirements_.respect_direction};
-}
-
-const DrawnCurves& Session::drawn() {
-  if (!drawn_) drawn_ = drawn_curves(problem_.task, given());
+const Session::Drawn& Session::drawn() {
+  if (!drawn_) {
+    drawn_.emplace();
+    drawn_->input = drawn_curves(problem_.task, given(), Side::input);
+    drawn_->same = !given().family || given().family->is_symmetric();
+    if (!drawn_->same) drawn_->output = drawn_curves(problem_.task, given(), Side::output);
+  }
   return *drawn_;
 }
 
-void Session::order_axes(const ExploreRequest& request) {
-  const WorkingFrame& frame = given().conditions.frame;
-  const BurmesterCurve& curve = *given().curve;
+DisplayOrder Session::ordered(const ExploreRequest& request, Side side) const {
+  const TaskFamily& task = given();
+  if (!task.curve) return DisplayOrder(task.family ? task.family->axis(side).branches : std::vector<CurveBranch>{});
   const Spacing spacing = problem_.options.spacing;
-  const bool follow = request.order == ExploreRequest::nearest_order;
-  order_ = follow && order_ ? DisplayOrder::nearest(curve, spacing, frame, *order_)
-                            : DisplayOrder(curve, spacing, frame, std::max(request.order, 0));
+  if (request.order == ExploreRequest::nearest_order && orders_)
+    return DisplayOrder::nearest(*task.curve, spacing, task.frame(), orders_->of(side));
+  return DisplayOrder(*task.curve, spacing, task.frame(), std::max(request.order, 0));
+}
+
+void Session::order_axes(const ExploreRequest& request) {
+  DisplayOrder input = ordered(request, Side::input);
+  const bool same = !given().family || given().family->is_symmetric();
+  DisplayOrder output = same ? input : ordered(request, Side::output);
+  orders_ = MapOrders{std::move(input), std::move(output)};
+}
+
+std::vector<double> Session::coordinates(const ExploreRequest& request, Side side) const {
+  const auto& [from, to] = side == Side::input ? request.input : request.output;
+  const LinkageFamily& family = *given().family;
+  const DisplayOrder& order = orders().of(side);
+  if (family.axis(side).is_discrete()) return family.samples(side, request.samples, Spacing::coordinate);
+  if (given().curve && from == whole[0] && to == whole[1]) return order.samples(*given().curve, request.samples);
+  return order.samples(request.samples, from, to);
 }
 
 void Session::compute_map(const ExploreRequest& request) {
-  const MapKey wanted{request.samples, order().code(),           request.input,
+  const LinkageFamily& family = *given().family;
+  const MapKey wanted{request.samples, orders().input.code(),    request.input,
                       request.output,  problem_.options.spacing, requirements_.respect_direction};
-  const WorkingFrame& frame = given().conditions.frame;
   if (mapped_ != wanted) {
-    const auto samples = [&](const std::array<double, 2>& part) {
-      return part == whole ? order().samples(*given().curve, request.samples)
-                           : order().samples(request.samples, part[0], part[1]);
-    };
-    input_tau_ = samples(request.input);
-    output_tau_ = request.output == request.input ? input_tau_ : samples(request.output);
-    const RegionAxis input = axis(input_tau_);
-    if (request.output == request.input)
-      map_.classify(input, input, frame.scale);
-    else
-      map_.classify(input, axis(output_tau_), frame.scale);
+    input_tau_ = coordinates(request, Side::input);
+    output_tau_ = coordinates(request, Side::output);
+    map_.classify(family, input_tau_, output_tau_, requirements_.respect_direction);
     mapped_ = wanted;
   }
-  map_.judge(requirements_, frame.origin, frame.scale);
+  map_.judge(family, requirements_);
   map_.measure(request.property);
 }
 
 ExploreReply Session::explore(const ExploreRequest& request) {
   order_axes(request);
   ExploreReply reply;
-  reply.curves = &drawn();
+  reply.input_curves = &drawn().input;
+  reply.output_curves = drawn().same ? nullptr : &drawn().output;
   std::string_view status = "solved";
   const Notice* reason = nullptr;
-  if (const auto& degeneracy = given().degeneracy) {
+  if (!given().family) {
     status = "degenerate";
-    reason = &*degeneracy;
+    reason = &given().degeneracy.value();
   } else {
     compute_map(request);
     reply.map = &map_;
@@ -142,37 +149,36 @@ ExploreReply Session::explore(const ExploreRequest& request) {
       reason = &no_pair;
     }
   }
-  reply.task = task_json(given(), *reply.curves, order(), requirements_, status, reason);
+  reply.task = task_json(given(), drawn().input.marks, orders(), requirements_, status, reason);
   return reply;
 }
 
 LinkageReply Session::linkage(double input_tau, double output_tau) {
   LinkageReply reply;
-  if (!has_dyads()) return reply;
-  const WorkingFrame& frame = given().conditions.frame;
-  const Dyad input = dyad(input_tau), output = dyad(output_tau);
-  PickedLinkage picked = picked_linkage(problem_.task, given(), input, output, requirements_.respect_direction);
+  if (!given().family) return reply;
+  PickedLinkage picked = picked_linkage(given(), {input_tau, output_tau}, requirements_.respect_direction);
   // By the map's own kernel, so that the card and the cell agree to the last bit.
-  cell_.recompute(axis({input_tau}), axis({output_tau}), frame.scale);
-  picked.fails = RequirementFilter(cell_, requirements_, frame.origin, frame.scale).failures(0, 0);
-  reply.linkage = linkage_json(picked, frame);
+  picked.fails = failures(cell_, std::array{input_tau}, std::array{output_tau}).front();
+  reply.linkage = linkage_json(picked, given().frame());
   append_states(picked, reply.states);
   return reply;
 }
 
+std::vector<std::uint8_t> Session::failures(RegionMap& map, std::span<const double> input,
+                                            std::span<const double> output) const {
+  const LinkageFamily& family = *given().family;
+  family.classify(map, input, output, requirements_.respect_direction);
+  std::vector<std::uint8_t> found(map.rows() * map.columns());
+  filter_of(family, map, requirements_).failures_of_all(found);
+  return found;
+}
+
 LiveReply Session::live(double input_tau, double output_tau) {
   LiveReply reply;
-  if (!has_dyads()) return reply;
-  const WorkingFrame& frame = given().conditions.frame;
-  const RegionAxis sliding = axis(drawn().tau);
-  const auto fails = [&](const RegionAxis& input, const RegionAxis& output) {
-    strip_.recompute(input, output, frame.scale);
-    std::vector<std::uint8_t> found(strip_.rows() * strip_.columns());
-    RequirementFilter(strip_, requirements_, frame.origin, frame.scale).failures_of_all(found);
-    return found;
-  };
-  reply.input = fails(sliding, axis({output_tau}));
-  reply.output = fails(axis({input_tau}), sliding);
+  if (!given().family) return reply;
+  const Drawn& curves = drawn();
+  reply.input = failures(strip_, curves.input.tau, std::array{output_tau});
+  reply.output = failures(strip_, std::array{input_tau}, (curves.same ? curves.input : curves.output).tau);
   return reply;
 }
 
@@ -188,7 +194,7 @@ std::string Session::best(int most) const {
   options.region_samples = 400;
   options.window.reset();
   options.best = most;
-  const auto solution = solve_motion(problem_.task, problem_.requirements, options);
+  const auto solution = solve(problem_.task, problem_.requirements, options);
   return json_of([&](JsonWriter& json) {
     json.begin_list();
     for (const FourBarSolution& found : solution ? solution->linkages : std::vector<FourBarSolution>{}) {
@@ -207,9 +213,8 @@ std::string Session::best(int most) const {
 
 std::string Session::improve(double input_tau, double output_tau) {
   std::optional<RegionPlace> better;
-  if (!given().degeneracy)
-    better =
-        improved_linkage(problem_.task, given(), requirements_, problem_.options.objective, {input_tau, output_tau});
+  if (given().family)
+    better = improved_linkage(*given().family, requirements_, problem_.options.objective, {input_tau, output_tau});
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("tau");
@@ -220,12 +225,8 @@ std::string Session::improve(double input_tau, double output_tau) {
 }
 
 std::string Session::verify(double input_tau, double output_tau) {
-  std::optional<FourBarSolution> driven;
   constexpr bool by_driving = true;
-  const WorkingFrame& frame = given().conditions.frame;
-  if (has_dyads())
-    driven = make_four_bar(problem_.task, frame, frame.to_user(dyad(input_tau)), frame.to_user(dyad(output_tau)),
-                           requirements_.respect_direction, by_driving);
+  const auto driven = make_four_bar(given(), {input_tau, output_tau}, requirements_.respect_direction, by_driving);
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.member("verified", driven && driven->verified_by_driving);
@@ -238,9 +239,8 @@ std::string Session::verify(double input_tau, double output_tau) {
 
 std::vector<double> Session::trace(double input_tau, double output_tau, Point traced) {
   std::vector<double> path;
-  if (!has_dyads()) return path;
-  const PickedLinkage picked =
-      picked_linkage(problem_.task, given(), dyad(input_tau), dyad(output_tau), requirements_.respect_direction);
+  if (!given().family) return path;
+  const PickedLinkage picked = picked_linkage(given(), {input_tau, output_tau}, requirements_.respect_direction);
   const Pose& first = problem_.task.poses.front().pose;
   for (const DriveState& state : picked.drive.states) {
     const Point p = displaced(traced, first, state.body);
@@ -250,18 +250,12 @@ std::vector<double> Session::trace(double input_tau, double output_tau, Point tr
 }
 
 std::string Session::exported(double input_tau, double output_tau, std::string_view format) {
-  const WorkingFrame& frame = given().conditions.frame;
-  if (!has_dyads()) return "";
   constexpr bool verify = true;
-  auto found = make_four_bar(problem_.task, frame, frame.to_user(dyad(input_tau)), frame.to_user(dyad(output_tau)),
-                             requirements_.respect_direction, verify);
+  auto found = make_four_bar(given(), {input_tau, output_tau}, requirements_.respect_direction, verify);
   if (!found) return "";
-  MotionSolution solution;
+  Solution solution;
   solution.reason = {"picked", "One linkage, picked on the map.", {}};
-  solution.pattern = given().pattern;
-  solution.conditions = given().conditions;
-  solution.warnings = given().warnings;
-  solution.curve = given().curve;
+  solution.given = given();
   solution.requirements = requirements_;
   solution.options = problem_.options;
   solution.linkages = {*found};

@@ -10,7 +10,7 @@
 
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/planar/display_order.hpp"
-#include "linkwright/planar/task_curve.hpp"
+#include "linkwright/planar/task_family.hpp"
 #include "map_reply.hpp"
 #include "task_reply.hpp"
 
@@ -29,7 +29,8 @@ struct ExploreRequest {
 /// Views are valid until the session is asked again.
 struct ExploreReply {
   std::string task, census;  ///< JSON text; no census: there is no map
-  const DrawnCurves* curves = nullptr;
+  const DrawnCurves* input_curves = nullptr;
+  const DrawnCurves* output_curves = nullptr;  ///< none: the same
   const JudgedMap* map = nullptr;
   std::span<const double> input_tau, output_tau;
 };
@@ -73,21 +74,29 @@ class Session {
   [[nodiscard]] std::string exported(double input_tau, double output_tau, std::string_view format);
 
  private:
+  using Side = LinkageFamily::Side;
+  struct Drawn {
+    DrawnCurves input, output;
+    bool same = true;
+  };
+
   void order_axes(const ExploreRequest& request);
+  [[nodiscard]] DisplayOrder ordered(const ExploreRequest& request, Side side) const;
+  [[nodiscard]] std::vector<double> coordinates(const ExploreRequest& request, Side side) const;
   void compute_map(const ExploreRequest& request);
-  [[nodiscard]] const TaskCurve& given() const;
-  [[nodiscard]] const DisplayOrder& order() const;
-  [[nodiscard]] const DrawnCurves& drawn();
-  [[nodiscard]] RegionAxis axis(const std::vector<double>& tau) const;
-  [[nodiscard]] Dyad dyad(double tau) const;
-  [[nodiscard]] bool has_dyads() const;
+  [[nodiscard]] const TaskFamily& given() const;
+  [[nodiscard]] const MapOrders& orders() const;
+  [[nodiscard]] const Drawn& drawn();
+  /// Requirements failed by each cell of a map.
+  [[nodiscard]] std::vector<std::uint8_t> failures(RegionMap& map, std::span<const double> input,
+                                                   std::span<const double> output) const;
 
   std::string text_, mistakes_ = "[]";
   Problem problem_;
   Requirements requirements_;  ///< the problem's, defaults filled in
-  std::optional<TaskCurve> given_;
-  std::optional<DrawnCurves> drawn_;
-  std::optional<DisplayOrder> order_;
+  std::optional<TaskFamily> given_;
+  std::optional<Drawn> drawn_;
+  std::optional<MapOrders> orders_;
 
   struct MapKey {
     int samples = 0, order = 0;

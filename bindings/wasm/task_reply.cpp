@@ -8,8 +8,9 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-// Short enough for a curve that looks smooth at some zoom: a side this long is a hundredth of a task's size.
-constexpr double longest_side = 0.025;
+using Side = LinkageFamily::Side;
+
+constexpr int ticks_of_a_branch = 12;
 
 void append(std::vector<double>& numbers, Homogeneous point) {
   const Homogeneous unit = normalized(point);
@@ -35,11 +36,27 @@ void write_block(JsonWriter& json, const OrderBlock& block) {
   json.end_object();
 }
 
-void write_axis(JsonWriter& json, const DisplayOrder& order, const std::vector<CurveBranch>& branches) {
+/// What people read along the axis, at even steps of each branch.
+void write_ticks(JsonWriter& json, const LinkageFamily& family, Side side) {
+  json.begin_list(Layout::one_line);
+  for (const CurveBranch& branch : family.axis(side).branches)
+    for (int i = 0; i < ticks_of_a_branch; ++i) {
+      const double tau = branch.from + (branch.to - branch.from) * i / ticks_of_a_branch;
+      write_numbers(json, std::array{tau, family.axis_value(side, tau)});
+    }
+  json.end_list();
+}
+
+void write_axis(JsonWriter& json, const TaskFamily& given, Side side, const DisplayOrder& order) {
+  const FamilyAxis axis = given.family ? given.family->axis(side) : FamilyAxis{};
   json.begin_object();
+  json.member("quantity", name(axis.quantity));
   json.member("order", order.code());
   json.key("branches");
-  write_branches(json, branches);
+  write_branches(json, given.family || !given.curve ? axis.branches : given.curve->branches());
+  json.key("ticks");
+  const bool counted = given.family && axis.quantity != AxisQuantity::curve_coordinate && !axis.is_discrete();
+  counted ? write_ticks(json, *given.family, side) : json.null();
   json.key("blocks");
   json.begin_list();
   for (const OrderBlock& block : order.blocks()) write_block(json, block);
@@ -72,7 +89,8 @@ void write_asymptote(JsonWriter& json, const CircularCubic& curve, const Working
   json.end_list();
 }
 
-void write_curves(JsonWriter& json, const TaskCurve& given) {
+void write_curves(JsonWriter& json, const TaskFamily& given) {
+  if (!given.curve) return json.null();
   const BurmesterCurve& curve = *given.curve;
   json.begin_object();
   json.member("kind", name(curve.kind()));
@@ -83,32 +101,35 @@ void write_curves(JsonWriter& json, const TaskCurve& given) {
   json.key("asymptotes");
   json.begin_object();
   json.key("center");
-  write_asymptote(json, curve.center_curve(), given.conditions.frame);
+  write_asymptote(json, curve.center_curve(), given.frame());
   json.key("circle");
-  write_asymptote(json, curve.circle_curve(), given.conditions.frame);
+  write_asymptote(json, curve.circle_curve(), given.frame());
   json.end_object();
   json.end_object();
 }
 
 }  // namespace
 
-DrawnCurves drawn_curves(const MotionTask& task, const TaskCurve& given) {
+DrawnCurves drawn_curves(const MotionTask& task, const TaskFamily& given, Side side) {
   DrawnCurves drawn;
-  const BurmesterCurve& curve = *given.curve;
-  if (curve.coordinate_length() == 0) return drawn;
-  const std::vector<Dyad> polygon = curve.polygon(longest_side);
+  const std::vector<Dyad> polygon = given.family  ? given.family->polygon(side)
+                                    : given.curve ? CurveFamily(given.frame(), task.poses, given.curve).polygon(side)
+                                                  : std::vector<Dyad>{};
+  const auto branches = given.family  ? given.family->axis(side).branches
+                        : given.curve ? given.curve->branches()
+                                      : std::vector<CurveBranch>{};
   for (const Dyad& dyad : polygon) {
-    const Dyad user = given.conditions.frame.to_user(dyad);
+    const Dyad user = given.frame().to_user(dyad);
     drawn.tau.push_back(dyad.coordinate);
     append(drawn.center, user.center);
     append(drawn.circle, user.circle);
-    drawn.branch.push_back(branch_of(curve.branches(), dyad.coordinate));
+    drawn.branch.push_back(branch_of(branches, dyad.coordinate));
   }
-  drawn.marks = curve_marks(task, given, polygon);
+  if (given.curve) drawn.marks = curve_marks(task.poses, *given.curve, given.frame(), polygon);
   return drawn;
 }
 
-std::string task_json(const TaskCurve& given, const DrawnCurves& drawn, const DisplayOrder& order,
+std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapOrders& orders,
                       const Requirements& requirements, std::string_view status, const Notice* reason) {
   return json_of([&](JsonWriter& json) {
     json.begin_object();
@@ -117,18 +138,24 @@ std::string task_json(const TaskCurve& given, const DrawnCurves& drawn, const Di
     reason ? write_notice(json, *reason) : json.null();
     json.member("pattern", std::string_view(given.pattern));
     json.member("condition", given.conditions.condition());
-    json.member("characteristic_length", given.conditions.frame.scale);
+    json.member("characteristic_length", given.frame().scale);
     json.key("warnings");
     json.begin_list();
     for (const Notice& warning : given.warnings) write_notice(json, warning);
     json.end_list();
     json.key("curves");
     write_curves(json, given);
-    json.key("axis");
-    write_axis(json, order, given.curve->branches());
+    json.member("symmetric", !given.family || given.family->is_symmetric());
+    json.key("axes");
+    json.begin_object();
+    json.key("input");
+    write_axis(json, given, Side::input, orders.input);
+    json.key("output");
+    write_axis(json, given, Side::output, orders.output);
+    json.end_object();
     json.key("specials");
     json.begin_list();
-    for (const CurveMark& mark : drawn.marks) write_mark(json, mark);
+    for (const CurveMark& mark : marks) write_mark(json, mark);
     json.end_list();
     json.key("requirements");
     write_requirements(json, requirements);

@@ -7,7 +7,7 @@
 
 #include "linkwright/planar/curve_marks.hpp"
 #include "linkwright/planar/display_order.hpp"
-#include "linkwright/planar/task_curve.hpp"
+#include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright::wasm {
@@ -18,10 +18,18 @@ struct DrawnCurves {
   std::vector<std::uint8_t> branch;
   std::vector<CurveMark> marks;
 };
-[[nodiscard]] DrawnCurves drawn_curves(const MotionTask& task, const TaskCurve& given);
+[[nodiscard]] DrawnCurves drawn_curves(const MotionTask& task, const TaskFamily& given, LinkageFamily::Side side);
+
+/// The two axes of a map, each in its display order.
+struct MapOrders {
+  DisplayOrder input, output;
+  [[nodiscard]] const DisplayOrder& of(LinkageFamily::Side side) const {
+    return side == LinkageFamily::Side::input ? input : output;
+  }
+};
 
 /// TaskAnswer without its arrays. `reason`: null when solved.
-[[nodiscard]] std::string task_json(const TaskCurve& given, const DrawnCurves& drawn, const DisplayOrder& order,
+[[nodiscard]] std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapOrders& orders,
                                     const Requirements& requirements, std::string_view status, const Notice* reason);
 
 }  // namespace linkwright::wasm

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 #include "plane_window.hpp"
 #include "svg_canvas.hpp"
 

@@ -55,7 +55,7 @@ void draw_axis(SvgCanvas& svg, const RegionScale& scale, const AxisPlace& place,
 }
 
 /// Rings with numbers where the best linkages lie; dots where a ring would cover another.
-void draw_best(SvgCanvas& svg, const MotionSolution& solution, const RegionScale& input, const RegionScale& output,
+void draw_best(SvgCanvas& svg, const Solution& solution, const RegionScale& input, const RegionScale& output,
                const PixelBox& map) {
   constexpr double ring = 9, closest = 2 * ring + 1;
   std::vector<Point> rings;
@@ -95,11 +95,14 @@ void draw_hatched_swatch(SvgCanvas& svg, Point corner) {
 
 }  // namespace
 
-void draw_region(SvgCanvas& svg, const MotionSolution& solution, const PixelBox& map) {
-  const auto branches = solution.curve ? solution.curve->branches() : std::vector<CurveBranch>{};
-  const RegionScale input(branches, solution.region.input_dyads(), map.height);
-  const RegionScale output(branches, solution.region.output_dyads(), map.width);
-  if (solution.region.rows() == 0) return;
+void draw_region(SvgCanvas& svg, const Solution& solution, const PixelBox& map) {
+  const RegionMap& region = solution.region;
+  if (region.rows() == 0) return;
+  const LinkageFamily& family = *solution.given.family;
+  const RegionScale input(family.axis(LinkageFamily::Side::input).branches, region.input_coordinates(),
+                          region.input_dyads(), map.height);
+  const RegionScale output(family.axis(LinkageFamily::Side::output).branches, region.output_coordinates(),
+                           region.output_dyads(), map.width);
   const auto file = region_picture(solution, input, output, pixels_per_px).file();
   svg.png(map.corner(), map.width, map.height, base64(file));
   for (const RegionScale::Block& row : input.blocks()) {
@@ -117,7 +120,7 @@ std::int64_t four_bars_in(const RegionCounts& counts) {
   return counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
 }
 
-void draw_region_legend(SvgCanvas& svg, const MotionSolution& solution, Point corner, double width) {
+void draw_region_legend(SvgCanvas& svg, const Solution& solution, Point corner, double width) {
   constexpr double line = 19, size = 12, swatch = 18;
   const double column = width / 2, number = column - 20;
   const auto entry = [&](std::size_t index) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 #include "plane_window.hpp"
 #include "svg_canvas.hpp"
 
@@ -10,12 +10,12 @@ namespace linkwright {
 /// grey with hatching where the linkage has a defect. Up: the driving side link's place on its curve; right: the
 /// other's. The best linkages carry rings with their numbers. `map`: the square of the cells; axes stand left of and
 /// below it.
-void draw_region(SvgCanvas& svg, const MotionSolution& solution, const PixelBox& map);
+void draw_region(SvgCanvas& svg, const Solution& solution, const PixelBox& map);
 
 /// Cells that are four-bars with four pivots.
 [[nodiscard]] std::int64_t four_bars_in(const RegionCounts& counts);
 
 /// Names, colours and counts of the types, in two columns, and what washed and hatched mean.
-void draw_region_legend(SvgCanvas& svg, const MotionSolution& solution, Point corner, double width);
+void draw_region_legend(SvgCanvas& svg, const Solution& solution, Point corner, double width);
 
 }  // namespace linkwright

@@ -40,11 +40,10 @@ std::vector<int> samples_of_pixels(const RegionScale& scale, int pixels_per_px) 
 
 }  // namespace
 
-PngImage region_picture(const MotionSolution& solution, const RegionScale& input, const RegionScale& output,
+PngImage region_picture(const Solution& solution, const RegionScale& input, const RegionScale& output,
                         int pixels_per_px) {
   const RegionMap& region = solution.region;
-  const WorkingFrame& frame = solution.conditions.frame;
-  const RequirementFilter filter(region, solution.requirements, frame.origin, frame.scale);
+  const RequirementFilter filter = filter_of(*solution.given.family, region, solution.requirements);
   const std::vector<int> rows = samples_of_pixels(input, pixels_per_px);
   const std::vector<int> columns = samples_of_pixels(output, pixels_per_px);
   PngImage image{columns.size(), rows.size(), picture_colors(), {}};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 #include "png_image.hpp"
 #include "region_scale.hpp"
 
@@ -8,7 +8,7 @@ namespace linkwright {
 
 /// The cells as a picture with so many pixels per px of the scales, hatching included; row 0 is the top, the input's
 /// last sample.
-[[nodiscard]] PngImage region_picture(const MotionSolution& solution, const RegionScale& input,
-                                      const RegionScale& output, int pixels_per_px);
+[[nodiscard]] PngImage region_picture(const Solution& solution, const RegionScale& input, const RegionScale& output,
+                                      int pixels_per_px);
 
 }  // namespace linkwright

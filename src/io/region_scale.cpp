@@ -20,11 +20,12 @@ bool passes_infinity(Homogeneous from, Homogeneous to) {
 
 }  // namespace
 
-RegionScale::RegionScale(const std::vector<CurveBranch>& branches, std::span<const Dyad> samples, double length)
-    : length_(length), samples_(samples.begin(), samples.end()) {
+RegionScale::RegionScale(const std::vector<CurveBranch>& branches, std::span<const double> coordinates,
+                         std::span<const Dyad> dyads, double length)
+    : length_(length), coordinates_(coordinates.begin(), coordinates.end()), dyads_(dyads.begin(), dyads.end()) {
   std::size_t last_branch = branches.size();
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const std::size_t branch = branch_of(branches, samples[i].coordinate);
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const std::size_t branch = branch_of(branches, coordinates[i]);
     if (blocks_.empty() || branch != last_branch) {
       blocks_.push_back({branches.empty() ? "" : branches[branch].name, i, i, 0, 0});
     }
@@ -32,7 +33,8 @@ RegionScale::RegionScale(const std::vector<CurveBranch>& branches, std::span<con
     last_branch = branch;
   }
   if (blocks_.empty()) return;
-  const double step = (length - gap * static_cast<double>(blocks_.size() - 1)) / static_cast<double>(samples.size());
+  const double step =
+      (length - gap * static_cast<double>(blocks_.size() - 1)) / static_cast<double>(coordinates.size());
   double px = 0;
   for (Block& block : blocks_) {
     block.from_px = px;
@@ -61,24 +63,25 @@ double RegionScale::middle_of(const Block& block, double sample) const {
 std::optional<double> RegionScale::position(double tau) const {
   constexpr double reach = 1.5;  // steps beyond the first and last sample: steps even in length are not even in τ
   for (const Block& block : blocks_) {
-    const auto begin = samples_.begin() + static_cast<std::ptrdiff_t>(block.first);
-    const auto end = samples_.begin() + static_cast<std::ptrdiff_t>(block.last);
+    const auto begin = coordinates_.begin() + static_cast<std::ptrdiff_t>(block.first);
+    const auto end = coordinates_.begin() + static_cast<std::ptrdiff_t>(block.last);
     if (end - begin < 2) continue;
-    auto upper = std::upper_bound(begin, end, tau, [](double t, const Dyad& dyad) { return t < dyad.coordinate; });
+    auto upper = std::upper_bound(begin, end, tau);
     upper = std::clamp(upper, begin + 1, end - 1);
     const auto lower = upper - 1;
-    const double share = (tau - lower->coordinate) / (upper->coordinate - lower->coordinate);
+    const double share = (tau - *lower) / (*upper - *lower);
     if (share > -reach && share < 1 + reach)
-      return middle_of(block, static_cast<double>(lower - samples_.begin()) + share);
+      return middle_of(block, static_cast<double>(lower - coordinates_.begin()) + share);
   }
   return std::nullopt;
 }
 
 std::vector<double> RegionScale::crossings_of_infinity() const {
   std::vector<double> places;
+  if (dyads_.empty()) return places;
   for (const Block& block : blocks_) {
     for (std::size_t i = block.first; i + 1 < block.last; ++i) {
-      const Dyad &from = samples_[i], &to = samples_[i + 1];
+      const Dyad &from = dyads_[i], &to = dyads_[i + 1];
       const bool crosses = passes_infinity(from.center, to.center) || passes_infinity(from.circle, to.circle);
       if (crosses) places.push_back(middle_of(block, static_cast<double>(i) + 0.5));
     }

@@ -20,8 +20,9 @@ class RegionScale {
     double from_px = 0, to_px = 0;    ///< from the start of the axis
   };
 
-  /// `samples` by rising τ, `length` px in all.
-  RegionScale(const std::vector<CurveBranch>& branches, std::span<const Dyad> samples, double length);
+  /// `coordinates` by rising τ, `length` px in all. `dyads`: the same samples' side links, or none.
+  RegionScale(const std::vector<CurveBranch>& branches, std::span<const double> coordinates,
+              std::span<const Dyad> dyads, double length);
 
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
@@ -36,7 +37,8 @@ class RegionScale {
   [[nodiscard]] double middle_of(const Block& block, double sample) const;
 
   double length_;
-  std::vector<Dyad> samples_;
+  std::vector<double> coordinates_;
+  std::vector<Dyad> dyads_;
   std::vector<Block> blocks_;
 };
 

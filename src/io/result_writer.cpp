@@ -117,6 +117,13 @@ void write_warnings(JsonWriter& json, const std::vector<Notice>& warnings) {
   json.end_list();
 }
 
+void write_numbers(JsonWriter& json, std::string_view key, std::span<const double> numbers) {
+  json.key(key);
+  json.begin_list(Layout::one_line);
+  for (const double number : numbers) json.value(number);
+  json.end_list();
+}
+
 void write_coordinates(JsonWriter& json, std::string_view key, std::span<const Dyad> dyads) {
   json.key(key);
   json.begin_list(Layout::one_line);
@@ -131,8 +138,8 @@ void write_points(JsonWriter& json, std::string_view key, std::span<const Dyad> 
   json.end_list();
 }
 
-void write_curve(JsonWriter& json, const MotionSolution& solution) {
-  const BurmesterCurve* curve = solution.curve.get();
+void write_curve(JsonWriter& json, const Solution& solution) {
+  const BurmesterCurve* curve = solution.given.curve.get();
   json.begin_object();
   json.member("kind", name(curve ? curve->kind() : CubicKind::every_point));
   json.member("center_kind", name(curve ? curve->center_kind() : CubicKind::every_point));
@@ -173,12 +180,12 @@ void write_axes(JsonWriter& json) {
   json.end_list();
 }
 
-void write_region(JsonWriter& json, const MotionSolution& solution, bool with_arrays) {
+void write_region(JsonWriter& json, const Solution& solution, bool with_arrays) {
   const RegionMap& region = solution.region;
   json.begin_object();
   json.member("samples", static_cast<std::int64_t>(region.rows()));
-  write_coordinates(json, "input_coordinate", region.input_dyads());
-  write_coordinates(json, "output_coordinate", region.output_dyads());
+  write_numbers(json, "input_coordinate", region.input_coordinates());
+  write_numbers(json, "output_coordinate", region.output_coordinates());
   json.key("axes");
   write_axes(json);
   json.key("counts");
@@ -203,21 +210,21 @@ void write_relaxations(JsonWriter& json, const std::vector<Relaxation>& relaxati
   json.end_list();
 }
 
-Problem as_solved(const Problem& problem, const MotionSolution& solution) {
+Problem as_solved(const Problem& problem, const Solution& solution) {
   Problem used = problem;
   used.requirements = solution.requirements;
   used.options = solution.options;
   return used;
 }
 
-void write_answer(JsonWriter& json, const MotionSolution& solution, bool with_region) {
+void write_answer(JsonWriter& json, const Solution& solution, bool with_region) {
   json.member("status", name(solution.status));
   json.member("reason", std::string_view(solution.reason.message));
-  json.member("pattern", std::string_view(solution.pattern));
-  json.member("condition", solution.conditions.condition());
-  json.member("characteristic_length", solution.conditions.frame.scale);
+  json.member("pattern", std::string_view(solution.given.pattern));
+  json.member("condition", solution.given.conditions.condition());
+  json.member("characteristic_length", solution.given.frame().scale);
   json.key("warnings");
-  write_warnings(json, solution.warnings);
+  write_warnings(json, solution.given.warnings);
   json.key("curve");
   write_curve(json, solution);
   json.key("dyads");
@@ -227,7 +234,7 @@ void write_answer(JsonWriter& json, const MotionSolution& solution, bool with_re
   write_region(json, solution, with_region);
   json.key("linkages");
   json.begin_list();
-  for (const FourBarSolution& found : solution.linkages) write_four_bar(json, found, solution.conditions.frame);
+  for (const FourBarSolution& found : solution.linkages) write_four_bar(json, found, solution.given.frame());
   json.end_list();
   json.key("relax");
   write_relaxations(json, solution.relax);
@@ -247,7 +254,7 @@ void write_branches(JsonWriter& json, const std::vector<CurveBranch>& branches) 
   json.end_list();
 }
 
-void write_result(const TextSink& sink, const Problem& problem, const MotionSolution& solution, bool with_region) {
+void write_result(const TextSink& sink, const Problem& problem, const Solution& solution, bool with_region) {
   JsonWriter json(sink);
   json.begin_object();
   json.member("linkwright", file_version);
@@ -257,7 +264,7 @@ void write_result(const TextSink& sink, const Problem& problem, const MotionSolu
   json.end_object();
 }
 
-std::string write_result(const Problem& problem, const MotionSolution& solution, bool with_region) {
+std::string write_result(const Problem& problem, const Solution& solution, bool with_region) {
   std::string text;
   write_result([&text](std::string_view piece) { text += piece; }, problem, solution, with_region);
   return text;

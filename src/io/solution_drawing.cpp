@@ -21,7 +21,7 @@ constexpr PixelBox task_card{border, 84, 796, 664};
 constexpr PixelBox region_card{836, 84, 580, 664};
 constexpr PixelBox strip_card{border, 764, width - 2 * border, 112};
 
-const FourBarSolution* best_of(const MotionSolution& solution) {
+const FourBarSolution* best_of(const Solution& solution) {
   return solution.linkages.empty() ? nullptr : &solution.linkages.front();
 }
 
@@ -46,9 +46,9 @@ std::vector<Point> points_of_interest(const Problem& problem, const FourBarSolut
 /// Without a linkage the poses alone leave no room to see the curves.
 double window_margin(const FourBarSolution* best) { return best ? 76 : 170; }
 
-void draw_curves(SvgCanvas& svg, const MotionSolution& solution, const PlaneWindow& window) {
-  if (!solution.curve) return;
-  const CurvePaths paths = visible_curves(*solution.curve, solution.conditions.frame, window);
+void draw_curves(SvgCanvas& svg, const Solution& solution, const PlaneWindow& window) {
+  if (!solution.given.curve) return;
+  const CurvePaths paths = visible_curves(*solution.given.curve, solution.given.frame(), window);
   for (const auto& path : paths.centers) svg.polyline(path, stroke(palette::curve, 1.5));
   for (const auto& path : paths.circles) svg.polyline(path, stroke(palette::curve, 1.5, "5 4"));
 }
@@ -72,12 +72,11 @@ void draw_keys(SvgCanvas& svg, const PixelBox& card, bool has_linkage) {
   if (has_linkage) draw_line_key(svg, {x, y}, dotted, "path of the frame's origin");
 }
 
-void draw_task(SvgCanvas& svg, const Problem& problem, const MotionSolution& solution) {
+void draw_task(SvgCanvas& svg, const Problem& problem, const Solution& solution) {
   draw_card(svg, task_card, solution.linkages.empty() ? "The four positions" : "Best linkage");
   const PixelBox box{task_card.left + 1, task_card.top + 44, task_card.width - 2, task_card.height - 45};
   const FourBarSolution* best = best_of(solution);
-  const PlaneWindow window(box, points_of_interest(problem, best, solution.conditions.frame.scale),
-                           window_margin(best));
+  const PlaneWindow window(box, points_of_interest(problem, best, solution.given.frame().scale), window_margin(best));
   svg.begin_clip(box.corner(), box.width, box.height);
   draw_grid(svg, window);
   const Requirements& requirements = solution.requirements;
@@ -96,7 +95,7 @@ void draw_task(SvgCanvas& svg, const Problem& problem, const MotionSolution& sol
   draw_keys(svg, task_card, best != nullptr);
 }
 
-void draw_region_card(SvgCanvas& svg, const MotionSolution& solution) {
+void draw_region_card(SvgCanvas& svg, const Solution& solution) {
   draw_card(svg, region_card, "Solution region: every point is one four-bar");
   constexpr double side = 444, left_axis = 76;
   const PixelBox map{region_card.left + left_axis, region_card.top + 44, side, side};
@@ -110,22 +109,22 @@ void draw_region_card(SvgCanvas& svg, const MotionSolution& solution) {
   draw_region_legend(svg, solution, {region_card.left + 18, map.bottom() + 70}, region_card.width - 24);
 }
 
-std::string subtitle(const MotionSolution& solution) {
+std::string subtitle(const Solution& solution) {
   std::string text;
-  if (solution.curve) text = fmt::format("Burmester curve: {}", label(solution.curve->kind()));
+  if (solution.given.curve) text = fmt::format("Burmester curve: {}", label(solution.given.curve->kind()));
   if (solution.counts.pairs == 0) return text;
   return text + fmt::format("   ·   {} four-bars sampled   ·   {} free of defects   ·   {} meet the requirements",
                             grouped_text(four_bars_in(solution.counts)), grouped_text(solution.counts.defect_free),
                             grouped_text(solution.meeting_requirements));
 }
 
-void draw_header(SvgCanvas& svg, const Problem& problem, const MotionSolution& solution) {
+void draw_header(SvgCanvas& svg, const Problem& problem, const Solution& solution) {
   const std::string title = problem.title.empty() ? "Four positions" : problem.title;
   svg.text({border, 42}, fitted(title, 24, 0.92 * (width - 2 * border)), {.size = 24, .weight = 650});
   svg.text({border, 66}, subtitle(solution), {.size = 14, .color = palette::ink2});
 }
 
-void draw_strip(SvgCanvas& svg, const Problem& problem, const MotionSolution& solution) {
+void draw_strip(SvgCanvas& svg, const Problem& problem, const Solution& solution) {
   if (const FourBarSolution* best = best_of(solution)) {
     draw_linkage_strip(svg, strip_card, *best, problem.length_unit);
   } else {
@@ -136,7 +135,7 @@ void draw_strip(SvgCanvas& svg, const Problem& problem, const MotionSolution& so
 
 }  // namespace
 
-std::string draw_solution(const Problem& problem, const MotionSolution& solution) {
+std::string draw_solution(const Problem& problem, const Solution& solution) {
   SvgCanvas svg(width, height, problem.title.empty() ? "Linkwright solution" : problem.title);
   svg.rectangle({0, 0}, width, height, fill(palette::page));
   draw_header(svg, problem, solution);

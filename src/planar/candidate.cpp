@@ -5,27 +5,21 @@
 
 namespace linkwright {
 
-Judge::Judge(const MotionTask& task, const WorkingFrame& frame, std::shared_ptr<const BurmesterCurve> curve,
-             const Requirements& requirements, Objective objective, std::optional<RegionWindow> window)
-    : frame_(frame),
-      poses_(frame.to_working(task.poses)),
-      curve_(std::move(curve)),
-      requirements_(requirements),
-      objective_(objective),
-      window_(window) {}
+double Judge::largest_coordinate() const {
+  return std::max(family_.axis(LinkageFamily::Side::input).coordinate_length(),
+                  family_.axis(LinkageFamily::Side::output).coordinate_length());
+}
 
 std::optional<Candidate> Judge::candidate(RegionPlace place) const {
-  const Dyad input = curve_->dyad(place.input), output = curve_->dyad(place.output);
-  const auto a = finite_point(input.center), b = finite_point(input.circle);
-  const auto c = finite_point(output.center), d = finite_point(output.circle);
-  if (!a || !b || !c || !d) return std::nullopt;
-  return judged(place, {*a, *b, *c, *d});
+  const auto links = family_.side_links(place);
+  const auto bars = links ? four_bar_of(*links) : std::nullopt;
+  return bars ? judged(place, *bars) : std::nullopt;
 }
 
 std::optional<Candidate> Judge::judged(RegionPlace place, const FourBar& bars) const {
   const Requirements& wanted = requirements_;
   if (!in_window(place)) return std::nullopt;
-  const DefectReport report = find_defects(bars, poses_, wanted.respect_direction);
+  const DefectReport report = find_defects(bars, family_.working_poses(bars), wanted.respect_direction);
   if (report.type == LinkageType::degenerate) return std::nullopt;
   const auto& types = wanted.types;
   if (!types.empty() && std::find(types.begin(), types.end(), report.type) == types.end()) return std::nullopt;
@@ -33,7 +27,7 @@ std::optional<Candidate> Judge::judged(RegionPlace place, const FourBar& bars) c
   if (std::acos(report.worst_transmission_cosine) < wanted.min_transmission_angle) return std::nullopt;
   const LinkLengths lengths = bars.lengths();
   const double ratio = lengths.longest() / lengths.shortest();
-  const double longest = frame_.scale * lengths.longest();
+  const double longest = family_.frame().scale * lengths.longest();
   if (ratio > wanted.max_link_ratio || longest > wanted.max_length.value_or(Requirements::unlimited))
     return std::nullopt;
   if (!inside(wanted.ground_pivots_within, bars.input_center, bars.output_center)) return std::nullopt;
@@ -49,10 +43,11 @@ bool Judge::in_window(RegionPlace place) const {
 }
 
 bool Judge::inside(const std::optional<Box>& box, Point p, Point q) const {
-  return !box || (box->contains(frame_.to_user(p)) && box->contains(frame_.to_user(q)));
+  return !box || (box->contains(family_.frame().to_user(p)) && box->contains(family_.frame().to_user(q)));
 }
 
 Candidate Judge::from_better_side(const Candidate& here) const {
+  if (!family_.is_symmetric()) return here;
   auto there = judged({here.place.output, here.place.input}, here.bars.swapped());
   if (!there) return here;
   there->local_optimum = here.local_optimum;

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "linkwright/planar/improved_linkage.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright {
 
@@ -18,18 +18,21 @@ struct Candidate {
   bool local_optimum = false;
 };
 
-/// Judges any place of the map by the same rules as its cells.
+/// Judges any place of the map by the same rules as its cells. Refers to the family, which must outlive it.
 class Judge {
  public:
   /// `requirements` with max_length set. Places outside `window` are refused; nothing: none.
-  Judge(const MotionTask& task, const WorkingFrame& frame, std::shared_ptr<const BurmesterCurve> curve,
-        const Requirements& requirements, Objective objective, std::optional<RegionWindow> window = {});
+  Judge(const LinkageFamily& family, const Requirements& requirements, Objective objective,
+        std::optional<RegionWindow> window = {})
+      : family_(family), requirements_(requirements), objective_(objective), window_(window) {}
+
+  [[nodiscard]] double largest_coordinate() const;
 
   /// The linkage at a place, or nothing where it does not meet the requirements or lies outside the window.
   [[nodiscard]] std::optional<Candidate> candidate(RegionPlace place) const;
 
   /// The same bars driven from the better side that meets the requirements: no defects, score, transmission angle,
-  /// smaller coordinate.
+  /// smaller coordinate; as they are where the family names the input.
   [[nodiscard]] Candidate from_better_side(const Candidate& here) const;
 
  private:
@@ -37,9 +40,7 @@ class Judge {
   [[nodiscard]] bool in_window(RegionPlace place) const;
   [[nodiscard]] bool inside(const std::optional<Box>& box, Point p, Point q) const;
 
-  WorkingFrame frame_;
-  std::vector<PrescribedPose> poses_;
-  std::shared_ptr<const BurmesterCurve> curve_;
+  const LinkageFamily& family_;
   Requirements requirements_;
   Objective objective_;
   std::optional<RegionWindow> window_;

@@ -13,8 +13,8 @@ constexpr std::array<std::string_view, 5> names = {"pole", "node", "center_at_in
 
 class Marker {
  public:
-  Marker(const MotionTask& task, const TaskCurve& given)
-      : frame_(given.conditions.frame), poses_(frame_.to_working(task.poses)), curve_(*given.curve) {}
+  Marker(const std::vector<PrescribedPose>& poses, const BurmesterCurve& curve, const WorkingFrame& frame)
+      : frame_(frame), poses_(frame.to_working(poses)), curve_(curve) {}
 
   void add_poles() {
     for (std::size_t i = 0; i < poses_.size(); ++i)
@@ -104,9 +104,10 @@ class Marker {
 
 std::string_view name(CurveMark::Kind kind) { return names[static_cast<std::size_t>(kind)]; }
 
-std::vector<CurveMark> curve_marks(const MotionTask& task, const TaskCurve& given, std::span<const Dyad> polygon) {
-  if (given.curve->coordinate_length() == 0) return {};
-  Marker marker(task, given);
+std::vector<CurveMark> curve_marks(const std::vector<PrescribedPose>& poses, const BurmesterCurve& curve,
+                                   const WorkingFrame& frame, std::span<const Dyad> polygon) {
+  if (curve.coordinate_length() == 0) return {};
+  Marker marker(poses, curve, frame);
   marker.add_poles();
   marker.add_node();
   marker.add_points_at_infinity(polygon);

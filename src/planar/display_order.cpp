@@ -205,6 +205,14 @@ DisplayOrder::DisplayOrder(const BurmesterCurve& curve, Spacing spacing, const W
   if (!blocks_.empty()) blocks_.back().to = blocks_.back().knots.back()[0] = 1;
 }
 
+DisplayOrder::DisplayOrder(std::vector<CurveBranch> branches) : branches_(std::move(branches)) {
+  const double length = branches_.empty() ? 0 : branches_.back().to;
+  for (std::size_t b = 0; b < branches_.size(); ++b) {
+    const double from = branches_[b].from / length, to = branches_[b].to / length;
+    blocks_.push_back({b, from, to, {{from, branches_[b].from}, {to, branches_[b].to}}});
+  }
+}
+
 DisplayOrder DisplayOrder::nearest(const BurmesterCurve& curve, Spacing spacing, const WorkingFrame& frame,
                                    const DisplayOrder& before) {
   DisplayOrder plain(curve, spacing, frame, 0), exchanged(curve, spacing, frame, 1);

@@ -4,13 +4,13 @@
 
 namespace linkwright {
 
-std::optional<RegionPlace> improved_linkage(const MotionTask& task, const TaskCurve& given,
-                                            const Requirements& requirements, Objective objective, RegionPlace start) {
+std::optional<RegionPlace> improved_linkage(const LinkageFamily& family, const Requirements& requirements,
+                                            Objective objective, RegionPlace start) {
   constexpr double first_step_share = 1.0 / 400;  // a cell of the usual map
-  const Judge judge(task, given.conditions.frame, given.curve, requirements, objective);
+  const Judge judge(family, requirements, objective);
   const auto foot = judge.candidate(start);
   if (!foot) return std::nullopt;
-  const Candidate top = climbed(judge, *foot, first_step_share * given.curve->coordinate_length());
+  const Candidate top = climbed(judge, *foot, first_step_share * judge.largest_coordinate());
   return top.score > foot->score ? std::optional(top.place) : std::nullopt;
 }
 

@@ -54,18 +54,18 @@ std::vector<Candidate> candidates_at(const RegionMap& map, const Judge& judge, c
   std::vector<Candidate> found;
   for (const RankedCell& cell : cells)
     if (const auto candidate =
-            judge.candidate({map.input_dyads()[cell.row].coordinate, map.output_dyads()[cell.column].coordinate}))
+            judge.candidate({map.input_coordinates()[cell.row], map.output_coordinates()[cell.column]}))
       found.push_back(*candidate);
   return found;
 }
 
-std::vector<Candidate> chosen(const MotionSolution& solution, const Judge& judge, const RequirementFilter& filter,
+std::vector<Candidate> chosen(const Solution& solution, const Judge& judge, const RequirementFilter& filter,
                               const Progress& progress) {
   constexpr std::size_t tiles = 48;
   const RegionMap& map = solution.region;
   const Objective objective = solution.options.objective;
   const auto wanted = static_cast<std::size_t>(solution.options.best);
-  const double first_step = solution.curve->coordinate_length() / static_cast<double>(map.rows());
+  const double first_step = judge.largest_coordinate() / static_cast<double>(std::max(map.rows(), map.columns()));
 
   std::vector<Candidate> tops;
   for (const Candidate& foot : candidates_at(map, judge, hill_tops(map, filter, objective, 3 * wanted))) {
@@ -74,8 +74,8 @@ std::vector<Candidate> chosen(const MotionSolution& solution, const Judge& judge
   }
   std::sort(tops.begin(), tops.end(), better);
   // With small rotations the characteristic length is far larger than the machine: then the user's limit is its size.
-  const double size = std::min(
-      1.0, solution.requirements.max_length.value_or(Requirements::unlimited) / solution.conditions.frame.scale);
+  const double size =
+      std::min(1.0, solution.requirements.max_length.value_or(Requirements::unlimited) / solution.given.frame().scale);
   Choice choice(wanted);
   for (const Candidate& top : tops) choice.offer(top, different_design * size);
   if (!choice.full())
@@ -86,18 +86,15 @@ std::vector<Candidate> chosen(const MotionSolution& solution, const Judge& judge
 
 }  // namespace
 
-std::vector<FourBarSolution> best_linkages(const MotionTask& task, const MotionSolution& solution,
-                                           const RequirementFilter& filter, const Progress& progress) {
+std::vector<FourBarSolution> best_linkages(const Solution& solution, const RequirementFilter& filter,
+                                           const Progress& progress) {
   if (solution.options.best == 0 || solution.meeting_requirements == 0) return {};
-  const Judge judge(task, solution.conditions.frame, solution.curve, solution.requirements, solution.options.objective,
-                    solution.options.window);
-  const WorkingFrame& frame = solution.conditions.frame;
+  const LinkageFamily& family = *solution.given.family;
+  const Judge judge(family, solution.requirements, solution.options.objective, solution.options.window);
   std::vector<FourBarSolution> linkages;
   for (const Candidate& candidate : chosen(solution, judge, filter, progress)) {
     if (progress.is_cancelled()) return {};
-    auto found = make_four_bar(task, frame, frame.to_user(solution.curve->dyad(candidate.place.input)),
-                               frame.to_user(solution.curve->dyad(candidate.place.output)),
-                               solution.requirements.respect_direction, true);
+    auto found = make_four_bar(solution.given, candidate.place, solution.requirements.respect_direction, true);
     if (!found) continue;
     found->local_optimum = candidate.local_optimum;
     linkages.push_back(*found);

@@ -57,18 +57,43 @@ std::string count_words(const MotionTask& task, int count) {
 }
 
 void check_count(const MotionTask& task, std::vector<Error>& found) {
-  constexpr int wanted = 4;
+  constexpr int fewest = 3, most = 5;
   const int count = position_count(task.poses);
-  if (count < wanted)
+  if (count < fewest)
     found.push_back(
         {"too_few_poses", "task.poses",
-         fmt::format("{} and {} are needed; add {} (a direction of travel at a pose, \"derivatives\", counts "
+         fmt::format("{} and {} to {} are needed; add {} (a direction of travel at a pose, \"derivatives\", counts "
                      "as one more)",
-                     count_words(task, count), wanted, wanted - count)});
-  if (count > wanted)
-    found.push_back(
-        {"too_many_poses", "task.poses",
-         fmt::format("{} and {} can be solved; remove {}", count_words(task, count), wanted, count - wanted)});
+                     count_words(task, count), fewest, most, fewest - count)});
+  if (count > most)
+    found.push_back({"too_many_poses", "task.poses",
+                     fmt::format("{} and {} are the most that a four-bar can pass exactly; remove {}",
+                                 count_words(task, count), most, count - most)});
+}
+
+bool has_derivatives(const MotionTask& task) {
+  return std::any_of(task.poses.begin(), task.poses.end(),
+                     [](const PrescribedPose& pose) { return !pose.derivatives.empty(); });
+}
+
+void check_given(const MotionTask& task, std::vector<Error>& found) {
+  const bool three = position_count(task.poses) == 3;
+  if (three && !task.given)
+    found.push_back({"missing_given", "task.given",
+                     "three positions leave four numbers free; give the side links' lengths {\"side_lengths\": [input, "
+                     "output]}, the angle between them {\"side_angle_deg\": …} or the instant centre "
+                     "{\"instant_center\": [x, y]}, or add a fourth position"});
+  if (!task.given) return;
+  if (!three)
+    found.push_back({"unneeded_given", "task.given",
+                     fmt::format("\"given\" belongs to three positions, and {}; leave it out",
+                                 count_words(task, position_count(task.poses)))});
+  const std::vector<Error> of_given = mistakes_in(*task.given);
+  found.insert(found.end(), of_given.begin(), of_given.end());
+  if (three && std::holds_alternative<InstantCenter>(*task.given) && has_derivatives(task))
+    found.push_back({"unneeded_given", "task.given.instant_center",
+                     "an instant centre goes with three poses without derivatives; a direction of travel in position 1 "
+                     "says the same, so leave one of the two out"});
 }
 
 bool same_pose(const Pose& a, const Pose& b, double extent) {
@@ -103,6 +128,7 @@ std::vector<Error> mistakes_in(const MotionTask& task) {
   std::vector<Error> found;
   check_count(task, found);
   check_numbers(task, found);
+  check_given(task, found);
   if (found.empty()) check_repetitions(task, found);
   return found;
 }

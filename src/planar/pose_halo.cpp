@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "linkwright/core/parallel.hpp"
-#include "linkwright/planar/task_curve.hpp"
+#include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 
@@ -18,18 +18,16 @@ class CellCounter {
 
   [[nodiscard]] std::uint32_t count(const MotionTask& task) {
     if (!mistakes_in(task).empty()) return 0;
-    const TaskCurve given = task_curve(task);
-    if (given.degeneracy || given.curve->coordinate_length() == 0) return 0;
-    const WorkingFrame& frame = given.conditions.frame;
-    Requirements wanted = wanted_;
-    if (!wanted.max_length) wanted.max_length = default_max_length * frame.scale;
-    std::vector<Dyad> dyads;
-    for (const double tau : given.curve->samples(samples_, spacing_)) dyads.push_back(given.curve->dyad(tau));
-    const RegionAxis axis(std::move(dyads), frame.to_working(task.poses), wanted.respect_direction);
+    const TaskFamily given = task_family(task, wanted_, Objective::min_transmission_angle);
+    if (!given.family) return 0;
+    const LinkageFamily& family = *given.family;
+    const Requirements wanted = with_defaults(wanted_, family.frame());
+    const auto samples = [&](LinkageFamily::Side side) { return family.samples(side, samples_, spacing_); };
     RegionOptions one_thread;
     one_thread.threads = 1;
-    map_.recompute(axis, axis, frame.scale, one_thread);
-    const RequirementFilter filter(map_, wanted, frame.origin, frame.scale);
+    family.classify(map_, samples(LinkageFamily::Side::input), samples(LinkageFamily::Side::output),
+                    wanted.respect_direction, one_thread);
+    const RequirementFilter filter = filter_of(family, map_, wanted);
     std::uint32_t passing = 0;
     for (std::size_t row = 0; row < map_.rows(); ++row)
       for (std::size_t column = 0; column < map_.columns(); ++column) passing += filter.passes(row, column);

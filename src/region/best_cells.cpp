@@ -24,7 +24,7 @@ bool better(const RankedCell& a, const RankedCell& b) {
   return a.row != b.row ? a.row < b.row : a.column < b.column;
 }
 
-bool same_branch(const Dyad& a, const Dyad& b) { return std::floor(a.coordinate) == std::floor(b.coordinate); }
+bool same_branch(double tau, double other) { return std::floor(tau) == std::floor(other); }
 
 class HillTopTest {
  public:
@@ -49,8 +49,8 @@ class HillTopTest {
   [[nodiscard]] bool beats(std::size_t row, std::size_t column, const RankedCell& cell) const {
     const std::size_t other = map_.index(row, column);
     if (map_.type(other) != map_.type(map_.index(cell.row, cell.column))) return false;
-    if (!same_branch(map_.input_dyads()[row], map_.input_dyads()[cell.row])) return false;
-    if (!same_branch(map_.output_dyads()[column], map_.output_dyads()[cell.column])) return false;
+    if (!same_branch(map_.input_coordinates()[row], map_.input_coordinates()[cell.row])) return false;
+    if (!same_branch(map_.output_coordinates()[column], map_.output_coordinates()[cell.column])) return false;
     const RankedCell neighbour{row, column, score(map_, objective_, other)};
     return better(neighbour, cell) && filter_.passes(row, column);
   }

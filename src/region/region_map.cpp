@@ -65,6 +65,13 @@ KernelAxis plain_arrays(const RegionAxis& axis) {
 
 std::uint8_t bits(bool ccw, bool cw) { return static_cast<std::uint8_t>((ccw ? 1 : 0) | (cw ? 2 : 0)); }
 
+std::vector<double> coordinates_of(const std::vector<Dyad>& dyads) {
+  std::vector<double> coordinates;
+  coordinates.reserve(dyads.size());
+  for (const Dyad& dyad : dyads) coordinates.push_back(dyad.coordinate);
+  return coordinates;
+}
+
 // Rows that a thread takes before it looks whether to stop.
 constexpr std::size_t rows_at_once = 16;
 
@@ -141,15 +148,21 @@ RegionMap::RegionMap(const RegionAxis& input, const RegionAxis& output, double u
   recompute(input, output, unit, options, progress);
 }
 
-void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, double unit, const RegionOptions& options,
-                          const Progress& progress) {
-  assert(input.pose_count() == output.pose_count());
-  const std::size_t cells = input.size() * output.size();
+void RegionMap::resize(std::size_t rows, std::size_t columns) {
+  const std::size_t cells = rows * columns;
   type_.resize(cells);
   defects_.resize(cells);
   for (Column<float>* column : {&versine_, &full_versine_, &ratio_, &longest_}) column->resize(cells);
-  rows_ = input.size();
-  columns_ = output.size();
+  rows_ = rows;
+  columns_ = columns;
+}
+
+void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, double unit, const RegionOptions& options,
+                          const Progress& progress) {
+  assert(input.pose_count() == output.pose_count());
+  resize(input.size(), output.size());
+  input_ = coordinates_of(input.dyads);
+  output_ = coordinates_of(output.dyads);
   input_dyads_ = input.dyads;
   output_dyads_ = output.dyads;
   senses_ = input.senses;
@@ -166,7 +179,7 @@ void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, dou
       tolerance::change_point,
       {type_.data(), defects_.data(), versine_.data(), full_versine_.data(), ratio_.data(), longest_.data()}};
   const Kernel kernel = kernel_for(options.simd);
-  const int threads = cells < cells_worth_a_thread ? 1 : options.threads;
+  const int threads = rows_ * columns_ < cells_worth_a_thread ? 1 : options.threads;
   parallel_for((rows_ + rows_at_once - 1) / rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t chunk = begin; chunk < end; ++chunk) {
       KernelTask part = task;
@@ -178,6 +191,75 @@ void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, dou
         kernel(part);
     }
   });
+}
+
+void RegionMap::lay_without_dyads(std::span<const double> input, std::span<const double> output) {
+  resize(input.size(), output.size());
+  input_.assign(input.begin(), input.end());
+  output_.assign(output.begin(), output.end());
+  input_dyads_.clear();
+  output_dyads_.clear();
+}
+
+// The kernel's own way, for the one driver of a row.
+void RegionMap::classify_row(std::size_t row, const RegionRow& sides, double unit, Simd simd) {
+  assert(sides.input.size() == 1 && sides.output.size() == columns_);
+  const std::size_t cell = index(row, 0);
+  kernel_for(simd)({plain_arrays(sides.input),
+                    plain_arrays(sides.output),
+                    0,
+                    1,
+                    columns_,
+                    static_cast<int>(sides.input.pose_count()),
+                    unit,
+                    tolerance::change_point,
+                    {type_.data() + cell, defects_.data() + cell, versine_.data() + cell, full_versine_.data() + cell,
+                     ratio_.data() + cell, longest_.data() + cell}});
+  for (std::size_t column = 0; column < sides.enlarge.size(); ++column)
+    longest_.data()[cell + column] *= sides.enlarge[column];
+  senses_[row] = sides.input.senses.front();
+  sweep_ccw_[row] = sides.input.sweep_ccw.front();
+}
+
+void RegionMap::recompute_rows(std::span<const double> input, std::span<const double> output,
+                               const std::function<RegionRow(std::size_t row)>& row_at, double unit,
+                               const RegionOptions& options, const Progress& progress) {
+  lay_without_dyads(input, output);
+  senses_.assign(rows_, 0);
+  sweep_ccw_.assign(rows_, 0);
+  parallel_for(rows_, options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      if (progress.is_cancelled())
+        leave_empty(row, row + 1);
+      else
+        classify_row(row, row_at(row), unit, options.simd);
+    }
+  });
+}
+
+void RegionMap::recompute_cells(std::span<const double> input, std::span<const double> output, DriveSense sense,
+                                double sweep_ccw,
+                                const std::function<RegionCell(std::size_t row, std::size_t column)>& cell_at,
+                                const RegionOptions& options, const Progress& progress) {
+  lay_without_dyads(input, output);
+  senses_.assign(rows_, static_cast<std::uint8_t>(sense));
+  sweep_ccw_.assign(rows_, static_cast<float>(sweep_ccw));
+  parallel_for(rows_, options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      leave_empty(row, row + 1);
+      for (std::size_t column = 0; column < columns_ && !progress.is_cancelled(); ++column)
+        put(index(row, column), cell_at(row, column));
+    }
+  });
+}
+
+void RegionMap::put(std::size_t cell, const RegionCell& verdict) {
+  type_.data()[cell] = static_cast<std::uint8_t>(verdict.type);
+  defects_.data()[cell] = verdict.defects.bits;
+  versine_.data()[cell] = verdict.versine;
+  full_versine_.data()[cell] = verdict.full_versine;
+  ratio_.data()[cell] = verdict.ratio;
+  longest_.data()[cell] = verdict.longest;
 }
 
 void RegionMap::leave_empty(std::size_t row_begin, std::size_t row_end) {
@@ -213,8 +295,6 @@ double RegionMap::driver_sweep(std::size_t row, std::size_t column) const {
 RegionCounts RegionMap::counts() const {
   RegionCounts total;
   std::mutex adding;
-  std::vector<double> output_coordinates;
-  for (const Dyad& dyad : output_dyads_) output_coordinates.push_back(dyad.coordinate);
   parallel_for(rows_, 0, [&](std::size_t begin, std::size_t end) {
     // By type · 8 + defects; four times over, since neighbours are mostly alike and would wait for each other.
     std::array<std::array<std::int64_t, 80>, 4> of_code_by_turns{};
@@ -224,8 +304,8 @@ RegionCounts RegionMap::counts() const {
     for (const auto& turn : of_code_by_turns)
       for (std::size_t code = 0; code < of_code.size(); ++code) of_code[code] += turn[code];
     for (std::size_t row = begin; row < end; ++row)
-      of_code[static_cast<std::size_t>(LinkageType::degenerate) * 8] -=
-          std::count(output_coordinates.begin(), output_coordinates.end(), input_dyads_[row].coordinate);
+      for (std::size_t column = 0; column < columns_; ++column)
+        of_code[static_cast<std::size_t>(LinkageType::degenerate) * 8] -= is_diagonal(row, column);
     const std::lock_guard lock(adding);
     for (std::size_t code = 0; code < of_code.size(); ++code) {
       const std::int64_t n = of_code[code];

@@ -20,10 +20,11 @@ constexpr std::uint8_t bit(RequirementKind kind) {
 }
 constexpr std::uint8_t all_failures = (1u << requirement_kinds) - 1;
 
-std::uint8_t box_failures(const Dyad& dyad, const Requirements& wanted, Point origin, double unit) {
-  const auto center = finite_point(dyad.center), circle = finite_point(dyad.circle);
-  const auto outside = [&](const std::optional<Box>& box, const std::optional<Point>& p) {
-    return box && !(p && box->contains(origin + unit * *p));
+// Of the points of a side link, user's frame; nothing at infinity.
+std::uint8_t box_failures(const std::optional<Point>& center, const std::optional<Point>& circle,
+                          const Requirements& wanted) {
+  const auto outside = [](const std::optional<Box>& box, const std::optional<Point>& p) {
+    return box && !(p && box->contains(*p));
   };
   return static_cast<std::uint8_t>(
       (outside(wanted.ground_pivots_within, center) ? bit(RequirementKind::ground_pivots_within) : 0) |
@@ -56,17 +57,36 @@ double rounded(double exact, bool upwards) {
 
 std::string_view key(RequirementKind kind) { return keys[static_cast<std::size_t>(kind)]; }
 
-RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit)
+RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit,
+                                     PivotsAt pivots_at)
     : map_(&map), requirements_(requirements), verdict_failures_(verdict_failures(requirements)) {
   assert(requirements.max_length);
   const double half = std::sin(requirements.min_transmission_angle / 2);
   least_versine_ = static_cast<float>(2 * half * half);
   largest_ratio_ = static_cast<float>(requirements.max_link_ratio);
   largest_length_ = static_cast<float>(*requirements.max_length);
-  for (const Dyad& dyad : map.input_dyads())
-    input_box_failures_.push_back(box_failures(dyad, requirements, origin, unit));
-  for (const Dyad& dyad : map.output_dyads())
-    output_box_failures_.push_back(box_failures(dyad, requirements, origin, unit));
+  const auto of_dyads = [&](std::span<const Dyad> dyads) {
+    std::vector<std::uint8_t> failures;
+    const auto user = [&](Homogeneous point) {
+      const auto p = finite_point(point);
+      return p ? std::optional(origin + unit * *p) : std::nullopt;
+    };
+    for (const Dyad& dyad : dyads) failures.push_back(box_failures(user(dyad.center), user(dyad.circle), requirements));
+    return failures;
+  };
+  input_box_failures_ = of_dyads(map.input_dyads());
+  output_box_failures_ = of_dyads(map.output_dyads());
+  if (map.input_dyads().empty() && (requirements.ground_pivots_within || requirements.moving_pivots_within))
+    pivots_at_ = std::move(pivots_at);
+}
+
+unsigned RequirementFilter::box_failures_at(std::size_t row, std::size_t column) const {
+  if (!input_box_failures_.empty()) return input_box_failures_[row] | output_box_failures_[column];
+  if (!pivots_at_ || map_->type(map_->index(row, column)) == LinkageType::degenerate) return 0;
+  const auto pivots = pivots_at_(row, column);
+  if (!pivots) return box_failures({}, {}, requirements_);
+  return box_failures(pivots->input_center, pivots->input_circle, requirements_) |
+         box_failures(pivots->output_center, pivots->output_circle, requirements_);
 }
 
 std::int64_t RequirementCensus::left_after(RequirementKind kind) const {
@@ -79,7 +99,7 @@ std::int64_t RequirementCensus::left_after(RequirementKind kind) const {
 std::uint8_t RequirementFilter::failures(std::size_t row, std::size_t column) const {
   const std::size_t cell = map_->index(row, column);
   unsigned failed = verdict_failures_[static_cast<std::size_t>(map_->types()[cell] * 8 + map_->defects()[cell])];
-  failed |= static_cast<unsigned>(input_box_failures_[row] | output_box_failures_[column]);
+  failed |= box_failures_at(row, column);
   failed |= map_->transmission_versines()[cell] < least_versine_ ? bit(RequirementKind::min_transmission_angle) : 0u;
   failed |= map_->link_ratios()[cell] > largest_ratio_ ? bit(RequirementKind::max_link_ratio) : 0u;
   failed |= map_->longest_links()[cell] > largest_length_ ? bit(RequirementKind::max_length) : 0u;

@@ -5,8 +5,8 @@
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
-#include "linkwright/planar/task_curve.hpp"
+#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/planar/task_family.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/tailgate.hpp"
 
@@ -22,10 +22,8 @@ struct Driven {
   DriveTable table;
 };
 
-std::optional<Driven> driven(const MotionTask& task, const TaskCurve& given, double input, double output) {
-  const WorkingFrame& frame = given.conditions.frame;
-  const auto found = make_four_bar(task, frame, frame.to_user(given.curve->dyad(input)),
-                                   frame.to_user(given.curve->dyad(output)), true, false);
+std::optional<Driven> driven(const MotionTask& task, const TaskFamily& given, double input, double output) {
+  const auto found = make_four_bar(given, {input, output}, true, false);
   if (!found) return std::nullopt;
   return Driven{*found, drive_table(pose_visits(found->four_bar, task.poses), task.poses, samples)};
 }
@@ -33,7 +31,7 @@ std::optional<Driven> driven(const MotionTask& task, const TaskCurve& given, dou
 // Acceptance walk-through 14.
 TEST(DriveTable, PutsTheBodyExactlyWhereItIsPrescribed) {
   const MotionTask task = tailgate_task();
-  const TaskCurve given = task_curve(task);
+  const TaskFamily given = task_family(task, {}, Objective::min_transmission_angle);
   const Driven drive = *driven(task, given, 1.3125, 1.1125);
   int last = -1;
   for (std::size_t pose = 0; pose < 4; ++pose) {
@@ -50,7 +48,7 @@ TEST(DriveTable, PutsTheBodyExactlyWhereItIsPrescribed) {
 
 TEST(DriveTable, CarriesTheBodyAlong) {
   const MotionTask task = tailgate_task();
-  const TaskCurve given = task_curve(task);
+  const TaskFamily given = task_family(task, {}, Objective::min_transmission_angle);
   const auto coordinates = given.curve->samples(24, Spacing::coordinate);
   for (const double input : coordinates)
     for (const double output : coordinates) {
@@ -81,7 +79,7 @@ TEST(DriveTable, CarriesTheBodyAlong) {
 
 TEST(DriveTable, MarksPosesThatTheDriveDoesNotReach) {
   const MotionTask task = tailgate_task();
-  const TaskCurve given = task_curve(task);
+  const TaskFamily given = task_family(task, {}, Objective::min_transmission_angle);
   int apart = 0;
   for (const double input : given.curve->samples(24, Spacing::coordinate)) {
     const auto drive = driven(task, given, input, 1.1125);
@@ -96,7 +94,7 @@ TEST(DriveTable, MarksPosesThatTheDriveDoesNotReach) {
 
 TEST(DriveTable, ARockersEndsAreDeadPoints) {
   const MotionTask task = tailgate_task();
-  const Driven drive = *driven(task, task_curve(task), 1.3125, 1.1125);
+  const Driven drive = *driven(task, task_family(task, {}, Objective::min_transmission_angle), 1.3125, 1.1125);
   EXPECT_FALSE(drive.table.full_turn);
   for (const DriveState* end : {&drive.table.states.front(), &drive.table.states.back()}) {
     EXPECT_LT(end->transmission_angle, 1e-6);
@@ -107,7 +105,7 @@ TEST(DriveTable, ARockersEndsAreDeadPoints) {
 
 TEST(DriveTable, VelocityRatioIsTheSlopeOfTheOutput) {
   const MotionTask task = tailgate_task();
-  const TaskCurve given = task_curve(task);
+  const TaskFamily given = task_family(task, {}, Objective::min_transmission_angle);
   const auto found = driven(task, given, 1.3125, 1.1125);
   const PoseVisits visits = pose_visits(found->found.four_bar, task.poses);
   const DriveTable fine = drive_table(visits, task.poses, 20'001);

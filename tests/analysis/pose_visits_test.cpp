@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
-#include "linkwright/planar/task_curve.hpp"
+#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/planar/task_family.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_four_bar.hpp"
 
@@ -100,15 +100,13 @@ TEST(PoseVisits, AgreeWithFindDefects) {
   for (const auto& c : testing::planar_cases()) {
     if (!c.is_finite()) continue;
     const MotionTask task{c.poses};
-    const TaskCurve given = task_curve(task);
-    const WorkingFrame& frame = given.conditions.frame;
+    const TaskFamily given = task_family(task, {}, Objective::min_transmission_angle);
     if (given.degeneracy) continue;
     const auto samples = given.curve->samples(24, Spacing::coordinate);
     for (const double input : samples)
       for (const double output : samples) {
         if (input == output) continue;
-        const auto found = make_four_bar(task, frame, frame.to_user(given.curve->dyad(input)),
-                                         frame.to_user(given.curve->dyad(output)), true, false);
+        const auto found = make_four_bar(given, {input, output}, true, false);
         if (!found || found->report.type == LinkageType::change_point) continue;
         const Defects defects = found->report.defects;
         const PoseVisits visits = pose_visits(found->four_bar, task.poses);

@@ -45,8 +45,8 @@ TEST_F(SessionTest, ExploresTheWholeTask) {
   EXPECT_EQ(census["pairs"], 159'600);
   EXPECT_EQ(census["meeting"], 25'608);
   EXPECT_EQ(census["left"].back(), 25'608);
-  EXPECT_EQ(reply.curves->tau.size() * 3, reply.curves->center.size());
-  EXPECT_TRUE(std::is_sorted(reply.curves->tau.begin(), reply.curves->tau.end()));
+  EXPECT_EQ(reply.input_curves->tau.size() * 3, reply.input_curves->center.size());
+  EXPECT_TRUE(std::is_sorted(reply.input_curves->tau.begin(), reply.input_curves->tau.end()));
   ASSERT_EQ(reply.map->fails().size(), 160'000u);
   EXPECT_EQ(std::count(reply.map->fails().begin(), reply.map->fails().end(), 0), 25'608);
 }
@@ -154,7 +154,7 @@ TEST_F(SessionTest, ASliderIsSaidToBeOne) {
 
 TEST_F(SessionTest, TheLivePartAgreesWithTheCard) {
   const LiveReply live = session.live(1.3125, 1.1125);
-  const DrawnCurves curves = *session.explore({}).curves;
+  const DrawnCurves curves = *session.explore({}).input_curves;
   ASSERT_EQ(live.input.size(), curves.tau.size());
   ASSERT_EQ(live.output.size(), curves.tau.size());
   EXPECT_GT(std::count(live.input.begin(), live.input.end(), 0), 3);

@@ -52,13 +52,13 @@ const Problem& hood_hinge() {
   return problem;
 }
 
-const MotionSolution& solved_hood_hinge() {
-  static const MotionSolution solution = solution_of(hood_hinge());
+const Solution& solved_hood_hinge() {
+  static const Solution solution = solution_of(hood_hinge());
   return solution;
 }
 
-const MotionSolution& solved_tailgate() {
-  static const MotionSolution solution = solution_of(tailgate());
+const Solution& solved_tailgate() {
+  static const Solution solution = solution_of(tailgate());
   return solution;
 }
 
@@ -71,8 +71,8 @@ Problem problem_of(const std::vector<std::array<double, 3>>& poses) {
   return problem;
 }
 
-MotionSolution solution_of(const Problem& problem) {
-  auto solved = solve_motion(problem.task, problem.requirements, problem.options);
+Solution solution_of(const Problem& problem) {
+  auto solved = solve(problem.task, problem.requirements, problem.options);
   EXPECT_TRUE(solved.ok());
   return std::move(solved).value();
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "linkwright/io/problem_file.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright::testing {
 
@@ -29,14 +29,14 @@ class Folder {
 
 /// examples/tailgate.json, and its solution on a small region.
 [[nodiscard]] const Problem& tailgate();
-[[nodiscard]] const MotionSolution& solved_tailgate();
+[[nodiscard]] const Solution& solved_tailgate();
 
 /// examples/hood_hinge.json, a direction of travel and two poses, and its solution on a small region.
 [[nodiscard]] const Problem& hood_hinge();
-[[nodiscard]] const MotionSolution& solved_hood_hinge();
+[[nodiscard]] const Solution& solved_hood_hinge();
 
 /// The problem with other poses: x, y, degrees.
 [[nodiscard]] Problem problem_of(const std::vector<std::array<double, 3>>& poses);
-[[nodiscard]] MotionSolution solution_of(const Problem& problem);
+[[nodiscard]] Solution solution_of(const Problem& problem);
 
 }  // namespace linkwright::testing

@@ -76,9 +76,9 @@ TEST(ResultFile, EchoesTheProblemWithItsDefaults) {
 }
 
 TEST(ResultFile, NumbersReadBackBitIdentical) {
-  const MotionSolution& solution = solved_tailgate();
+  const Solution& solution = solved_tailgate();
   const json& result = tailgate_result();
-  EXPECT_EQ(result["condition"].get<double>(), solution.conditions.condition());
+  EXPECT_EQ(result["condition"].get<double>(), solution.given.conditions.condition());
   for (std::size_t i = 0; i < solution.samples.size(); ++i) {
     const json& circle = result["curve"]["samples"]["circle_homogeneous"][i];
     EXPECT_EQ(circle[0].get<double>(), solution.samples[i].circle.w);

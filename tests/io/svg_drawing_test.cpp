@@ -73,7 +73,7 @@ TEST(SvgDrawing, OfATaskWithoutLinkagesSaysWhy) {
   for (const Problem& problem : {nothing_left, testing::problem_of({{0, 0, 0}, {1, 1, 0}, {2, 5, 0}, {3, 2, 0}}),
                                  testing::problem_of({{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0.6, 0.8, 0}}),
                                  testing::problem_of({{0, 0, 0}, {1, 1, 0}, {2, 1, 0}, {3, 2, 100}})}) {
-    const MotionSolution solution = testing::solution_of(problem);
+    const Solution solution = testing::solution_of(problem);
     const std::string svg = draw_solution(problem, solution);
     EXPECT_TRUE(is_well_formed(svg));
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
@@ -121,7 +121,7 @@ TEST(SvgDrawing, OfASinglePoseHasRoom) {
   problem.task.poses[0].derivatives = {{{100, 0}, 0.8}, {{60, 100}, 0.2}, {{0, 120}, -0.3}};
   for (const double max_length : {1e-6, 1e9}) {
     problem.requirements.max_length = max_length;
-    const MotionSolution solution = testing::solution_of(problem);
+    const Solution solution = testing::solution_of(problem);
     EXPECT_EQ(solution.linkages.empty(), max_length < 1);
     const std::string svg = draw_solution(problem, solution);
     EXPECT_TRUE(is_well_formed(svg));

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 #include "support/case_region.hpp"
 #include "support/random_task.hpp"
 
@@ -19,8 +19,8 @@ SynthesisOptions small() {
   return options;
 }
 
-MotionSolution solved(const std::vector<PrescribedPose>& poses) {
-  auto result = solve_motion({poses}, {}, small());
+Solution solved(const std::vector<PrescribedPose>& poses) {
+  auto result = solve({poses}, {}, small());
   EXPECT_TRUE(result.ok());
   return std::move(result).value();
 }
@@ -40,13 +40,13 @@ TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapAndMoveTheLinkages) {
   std::mt19937_64 random(99);
   for (int trial = 0; trial < 25; ++trial) {
     const auto poses = testing::random_poses(random);
-    const MotionSolution before = solved(poses);
+    const Solution before = solved(poses);
     for (const double scale : {1e-6, 1.0, 1e6}) {
       const double angle = testing::uniform(random, -pi, pi);
       const Point shift = scale * Point{testing::uniform(random, -50, 50), testing::uniform(random, -50, 50)};
-      const MotionSolution after = solved(testing::moved(poses, scale, angle, shift));
-      EXPECT_NEAR(*before.curve->kappa(), *after.curve->kappa(), 1e-8);
-      EXPECT_NEAR(before.conditions.condition() / after.conditions.condition(), 1, 1e-8);
+      const Solution after = solved(testing::moved(poses, scale, angle, shift));
+      EXPECT_NEAR(*before.given.curve->kappa(), *after.given.curve->kappa(), 1e-8);
+      EXPECT_NEAR(before.given.conditions.condition() / after.given.conditions.condition(), 1, 1e-8);
       expect_same_counts(before.counts, after.counts);
       ASSERT_EQ(before.linkages.empty(), after.linkages.empty());
       if (before.linkages.empty()) continue;
@@ -65,15 +65,15 @@ TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapOfMixedPositions) {
   for (const auto& multiplicities : testing::mixed_patterns())
     for (int trial = 0; trial < 6; ++trial) {
       const auto poses = testing::random_poses(random, multiplicities);
-      const MotionSolution before = solved(poses);
+      const Solution before = solved(poses);
       for (const double scale : {1e-6, 1.0, 1e6}) {
         const double angle = testing::uniform(random, -pi, pi);
         const Point shift = scale * Point{testing::uniform(random, -50, 50), testing::uniform(random, -50, 50)};
-        const MotionSolution after = solved(testing::moved(poses, scale, angle, shift));
-        EXPECT_EQ(after.pattern, before.pattern);
-        EXPECT_NEAR(*before.curve->kappa(), *after.curve->kappa(), 1e-8);
-        EXPECT_NEAR(before.conditions.condition() / after.conditions.condition(), 1, 1e-8);
-        EXPECT_NEAR(after.conditions.frame.scale / (scale * before.conditions.frame.scale), 1, 1e-9);
+        const Solution after = solved(testing::moved(poses, scale, angle, shift));
+        EXPECT_EQ(after.given.pattern, before.given.pattern);
+        EXPECT_NEAR(*before.given.curve->kappa(), *after.given.curve->kappa(), 1e-8);
+        EXPECT_NEAR(before.given.conditions.condition() / after.given.conditions.condition(), 1, 1e-8);
+        EXPECT_NEAR(after.given.conditions.frame.scale / (scale * before.given.conditions.frame.scale), 1, 1e-9);
         expect_same_counts(before.counts, after.counts);
         EXPECT_EQ(before.linkages.empty(), after.linkages.empty());
         for (const FourBarSolution& found : after.linkages) {
@@ -102,7 +102,7 @@ TEST(InvarianceLaw, ACellAndItsMirrorAreTheSameBarsDrivenFromTheOtherSide) {
 TEST(InvarianceLaw, WholeTurnsAddedToAPoseChangeNothing) {
   std::mt19937_64 random(97);
   auto poses = testing::random_poses(random);
-  const MotionSolution before = solved(poses);
+  const Solution before = solved(poses);
   poses[1].pose.angle += two_pi;
   poses[3].pose.angle -= 2 * two_pi;
   expect_same_counts(before.counts, solved(poses).counts);
@@ -113,7 +113,7 @@ TEST(InvarianceLaw, VisitingThePosesBackwardsTurnsTheDriveRound) {
   std::mt19937_64 random(96);
   for (int trial = 0; trial < 10; ++trial) {
     auto poses = testing::random_poses(random);
-    const MotionSolution forwards = solved(poses);
+    const Solution forwards = solved(poses);
     std::reverse(poses.begin(), poses.end());
     const MotionTask backwards{poses};
     for (const FourBarSolution& linkage : forwards.linkages) {

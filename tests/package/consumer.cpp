@@ -3,11 +3,11 @@
 #include <iostream>
 
 #include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 
 int main() {
   const auto type = linkwright::linkage_type({.ground = 4, .input = 1, .coupler = 3, .output = 3});
-  const auto nothing = linkwright::solve_motion(linkwright::MotionTask{}, {}, {});
+  const auto nothing = linkwright::solve(linkwright::MotionTask{}, {}, {});
   std::cout << linkwright::name(type) << '\n';
   return type == linkwright::LinkageType::crank_rocker && !nothing.ok() ? 0 : 1;
 }

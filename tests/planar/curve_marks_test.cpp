@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/planar/task_curve.hpp"
 #include "support/planar_case.hpp"
 #include "support/tailgate.hpp"
 
@@ -18,7 +19,7 @@ struct Marked {
 
 Marked marked(const MotionTask& task) {
   TaskCurve given = task_curve(task);
-  auto marks = curve_marks(task, given, given.curve->polygon(0.05));
+  auto marks = curve_marks(task.poses, *given.curve, given.conditions.frame, given.curve->polygon(0.05));
   return {std::move(given), std::move(marks)};
 }
 
@@ -45,7 +46,7 @@ TEST(CurveMarks, PointsAtInfinityAreThere) {
     const TaskCurve given = task_curve({c.poses});
     // Where the arithmetic is at its end, a whole loop of one curve may belong to less than a side of the polygon.
     if (!given.curve->kappa() || !c.is_finite() || given.conditions.condition() > tolerance::ill_conditioned) continue;
-    const auto marks = curve_marks({c.poses}, given, given.curve->polygon(0.025));
+    const auto marks = curve_marks(c.poses, *given.curve, given.conditions.frame, given.curve->polygon(0.025));
     // A circular cubic has one real point at infinity, or touches the line there.
     EXPECT_EQ(count(marks, CurveMark::Kind::center_at_infinity), 1) << c.name;
     EXPECT_EQ(count(marks, CurveMark::Kind::circle_at_infinity), 1) << c.name;

@@ -25,9 +25,9 @@ std::string only_code(const MotionTask& t) {
 TEST(MotionTask, FourDifferentPosesAreFine) { EXPECT_TRUE(mistakes_in(task(good)).empty()); }
 
 TEST(MotionTask, CountIsNamed) {
-  EXPECT_EQ(only_code(task({good[0], good[1], good[2]})), "too_few_poses");
-  EXPECT_EQ(only_code(task({})), "too_few_poses");
-  EXPECT_EQ(only_code(task({good[0], good[1], good[2], good[3], {{9, 9}, 0}})), "too_many_poses");
+  EXPECT_EQ(only_code(task({good[0], good[1], good[2]})), "missing_given");
+  EXPECT_EQ(only_code(task({good[0], good[1]})), "too_few_poses");
+  EXPECT_EQ(only_code(task({good[0], good[1], good[2], good[3], {{9, 9}, 0}, {{9, 8}, 0}})), "too_many_poses");
 }
 
 TEST(MotionTask, RepetitionsAreFoundModuloWholeTurns) {
@@ -73,18 +73,40 @@ TEST(MotionTask, AllPatternsOfFourPositionsAreFine) {
 }
 
 TEST(MotionTask, DerivativesCountAsPositions) {
-  for (const auto& multiplicities : {std::vector{1, 2}, {2}, {1, 1}}) {
+  for (const auto& multiplicities : {std::vector{1, 1}, {2}}) {
     EXPECT_EQ(only_code(mixed(multiplicities)), "too_few_poses");
   }
   for (const auto& multiplicities : {std::vector{1, 2, 1, 1}, {2, 2, 1}, {5}, {3, 2}}) {
+    EXPECT_TRUE(mistakes_in(mixed(multiplicities)).empty());
+  }
+  for (const auto& multiplicities : {std::vector{1, 2, 1, 2}, {2, 2, 2}, {6}}) {
     EXPECT_EQ(only_code(mixed(multiplicities)), "too_many_poses");
   }
-  EXPECT_EQ(mistakes_in(mixed({2, 1, 2}))[0].message,
-            "5 positions were given (PP-P-PP: 3 poses and 2 derivatives, each counting as one) and 4 can be solved; "
-            "remove 1");
   EXPECT_EQ(
-      mistakes_in(mixed({100}))[0].message,
-      "100 positions were given (1 pose and 99 derivatives, each counting as one) and 4 can be solved; remove 96");
+      mistakes_in(mixed({2, 2, 2}))[0].message,
+      "6 positions were given (PP-PP-PP: 3 poses and 3 derivatives, each counting as one) and 5 are the most that "
+      "a four-bar can pass exactly; remove 1");
+  EXPECT_EQ(mistakes_in(mixed({100}))[0].message,
+            "100 positions were given (1 pose and 99 derivatives, each counting as one) and 5 are the most that a "
+            "four-bar can pass exactly; remove 95");
+}
+
+TEST(MotionTask, ThreePositionsWantSomethingGivenAndOnlyThey) {
+  MotionTask three = task({good[0], good[1], good[2]});
+  EXPECT_EQ(only_code(three), "missing_given");
+  three.given = SideLengths{2, 3};
+  EXPECT_TRUE(mistakes_in(three).empty());
+  three.given = SideLengths{-2, 3};
+  EXPECT_EQ(only_code(three), "out_of_range");
+  MotionTask four = task(good);
+  four.given = SideLengths{2, 3};
+  EXPECT_EQ(only_code(four), "unneeded_given");
+  MotionTask directed = mixed({2, 1});
+  EXPECT_EQ(only_code(directed), "missing_given");
+  directed.given = SideLengths{2, 3};
+  EXPECT_TRUE(mistakes_in(directed).empty());
+  directed.given = InstantCenter{{1, 2}};
+  EXPECT_EQ(only_code(directed), "unneeded_given");
 }
 
 TEST(MotionTask, ADirectionIsNotZero) {

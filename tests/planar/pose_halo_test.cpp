@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 #include "support/tailgate.hpp"
 
 namespace linkwright {
@@ -16,7 +16,7 @@ std::int64_t meeting(const MotionTask& task, const Requirements& wanted, int sam
   SynthesisOptions options;
   options.region_samples = samples;
   options.best = 0;
-  return solve_motion(task, wanted, options)->meeting_requirements;
+  return solve(task, wanted, options)->meeting_requirements;
 }
 
 TEST(PoseHalo, CountsWhatSolvingEachMovedTaskFinds) {

@@ -38,7 +38,7 @@ struct Homogeneous {
 }
 
 /// At infinity to the tolerance of the working frame (tolerance::infinity of the vector's length).
-[[nodiscard]] inline bool is_at_infinity(Homogeneous a) { return !(std::abs(a.w) >= tolerance::infinity * norm(a)); }
+[[nodiscard]] inline bool is_at_infinity(Homogeneous a) { return !(std::abs(a.w) > tolerance::infinity * norm(a)); }
 
 /// The finite point, or nothing at infinity.
 [[nodiscard]] inline std::optional<Point> finite_point(Homogeneous a) {

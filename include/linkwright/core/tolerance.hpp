@@ -39,6 +39,10 @@ inline constexpr double node = 1e-11;
 /// Relative distance of a translation's rotation |q| below which the poses only translate.
 inline constexpr double pure_translation = 1e-11;
 
+/// Two solutions closer than this (angle between unit vectors) are one of multiplicity two: where they meet, rounding
+/// parts them by its root, 1e-8, and conditions of real tasks take two digits more.
+inline constexpr double double_point = 1e-6;
+
 /// Second singular value of the unit-row dyad system below which a point has a whole line of partners.
 inline constexpr double line_of_partners = 1e-8;
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "linkwright/core/result.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright {
 

@@ -4,13 +4,13 @@
 
 #include "linkwright/io/linkage_file.hpp"
 #include "linkwright/io/problem_file.hpp"
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright {
 
 /// A solution as one picture (SVG, 1440 × 900): the poses with both Burmester curves and the best linkage; the solution
 /// region by type; the best linkage's numbers. Below 300 kB at any number of samples.
-[[nodiscard]] std::string draw_solution(const Problem& problem, const MotionSolution& solution);
+[[nodiscard]] std::string draw_solution(const Problem& problem, const Solution& solution);
 
 /// One linkage as a picture (SVG, 1000 × 800): its positions, its dimensions, its coupler curve.
 [[nodiscard]] std::string draw_linkage(const StoredLinkage& linkage);

@@ -13,4 +13,10 @@ struct Dyad {
   double coordinate = 0;  ///< τ, the place on the curve of dyads (identity of the dyad)
 };
 
+/// The same two points, to the last bit.
+[[nodiscard]] inline bool same_points(const Dyad& a, const Dyad& b) {
+  const auto same = [](Homogeneous p, Homogeneous q) { return p.w == q.w && p.x == q.x && p.y == q.y; };
+  return same(a.center, b.center) && same(a.circle, b.circle);
+}
+
 }  // namespace linkwright

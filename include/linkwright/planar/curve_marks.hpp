@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "linkwright/planar/burmester_curve.hpp"
-#include "linkwright/planar/motion_task.hpp"
-#include "linkwright/planar/task_curve.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
 
 namespace linkwright {
 
@@ -31,7 +30,7 @@ struct CurveMark {
 
 /// Poles by pose pairs, then nodes, points at infinity by τ, foci. `polygon`: the curve's, in its own frame, along
 /// which points at infinity are looked for.
-[[nodiscard]] std::vector<CurveMark> curve_marks(const MotionTask& task, const TaskCurve& given,
-                                                 std::span<const Dyad> polygon);
+[[nodiscard]] std::vector<CurveMark> curve_marks(const std::vector<PrescribedPose>& poses, const BurmesterCurve& curve,
+                                                 const WorkingFrame& frame, std::span<const Dyad> polygon);
 
 }  // namespace linkwright

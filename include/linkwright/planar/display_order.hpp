@@ -34,6 +34,8 @@ class DisplayOrder {
   DisplayOrder() = default;
   /// `frame`: the curve's. An axis that is not two blocks has code 0 whatever is asked.
   DisplayOrder(const BurmesterCurve& curve, Spacing spacing, const WorkingFrame& frame, int code = 0);
+  /// Branch by branch in order of τ, evenly; each branch has a length.
+  explicit DisplayOrder(std::vector<CurveBranch> branches);
   /// The one whose dyads lie nearest to those at the same places of `before`, compared in that one's frame.
   [[nodiscard]] static DisplayOrder nearest(const BurmesterCurve& curve, Spacing spacing, const WorkingFrame& frame,
                                             const DisplayOrder& before);

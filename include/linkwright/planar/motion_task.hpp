@@ -1,17 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/pose.hpp"
+#include "linkwright/planar/three_pose_given.hpp"
 
 namespace linkwright {
 
 /// Motion generation: a body shall pass through these poses, in this order. A pose with m derivatives (its direction of
-/// travel, then its curvature, …) counts as m + 1 positions; their patterns are P-P-P-P, PP-P-P, P-PP-P, P-P-PP, PP-PP,
-/// PPP-P, P-PPP and PPPP.
+/// travel, then its curvature, …) counts as m + 1 positions; there are three, four or five of them, in any pattern from
+/// P-P-P to PPPPP.
 struct MotionTask {
   std::vector<PrescribedPose> poses;
+  std::optional<ThreePoseGiven> given;  ///< three positions: what else is known; otherwise nothing
 };
 
 /// Largest coordinate (user's unit), angle (degrees) and derivative that is taken seriously.
@@ -20,8 +23,9 @@ inline constexpr double largest_coordinate = 1e9;
 /// A first derivative none of whose three numbers is this large is zero: no direction.
 inline constexpr double smallest_direction = 1e-9;
 
-/// The caller's mistakes in a four-position task: count, numbers that are not finite or too large, first derivatives
-/// that are zero, repeated poses. Places are `task.poses[i]…` (i from 0). Empty when the task can be solved.
+/// The caller's mistakes: number of positions, numbers that are not finite or too large, first derivatives that are
+/// zero, repeated poses, what three positions want given and more do not. Places are `task.poses[i]…` (i from 0) and
+/// `task.given…`. Empty when the task can be solved.
 [[nodiscard]] std::vector<Error> mistakes_in(const MotionTask& task);
 
 }  // namespace linkwright

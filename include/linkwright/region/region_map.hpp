@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -78,6 +79,20 @@ struct RegionCounts {
   std::int64_t order = 0, branch = 0, circuit = 0, defect_free = 0, pairs = 0;
 };
 
+/// A row of a region whose output side links depend on the driving one.
+struct RegionRow {
+  RegionAxis input;            ///< one sample: the driving side link
+  RegionAxis output;           ///< one sample to each column
+  std::vector<float> enlarge;  ///< by column, factor on the longest link; empty: 1
+};
+
+/// The verdict over one cell, where it does not come from a pair of side links.
+struct RegionCell {
+  LinkageType type = LinkageType::degenerate;
+  Defects defects;
+  float versine = 0, full_versine = 0, ratio = 0, longest = 0;  ///< as the columns of RegionMap
+};
+
 /// All pairs of side links of a task, classified: row i is the driving (input) side link's dyad, column k the output's.
 /// 18 bytes a cell. Cells on the diagonal (the same dyad twice) and with a slider are degenerate.
 class RegionMap {
@@ -91,6 +106,17 @@ class RegionMap {
   /// The same over other axes; the memory is used again when the size is the same.
   void recompute(const RegionAxis& input, const RegionAxis& output, double unit, const RegionOptions& options = {},
                  const Progress& progress = {});
+
+  /// Rows by `row_at`, each with output side links of its own; called from several threads. No cell is on a diagonal.
+  void recompute_rows(std::span<const double> input, std::span<const double> output,
+                      const std::function<RegionRow(std::size_t row)>& row_at, double unit,
+                      const RegionOptions& options = {}, const Progress& progress = {});
+
+  /// Cells by `cell_at`, called from several threads; the driver turns in `sense` through `sweep_ccw` (radians, counted
+  /// counter-clockwise) in all of them.
+  void recompute_cells(std::span<const double> input, std::span<const double> output, DriveSense sense,
+                       double sweep_ccw, const std::function<RegionCell(std::size_t row, std::size_t column)>& cell_at,
+                       const RegionOptions& options = {}, const Progress& progress = {});
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] std::size_t columns() const { return columns_; }
@@ -120,19 +146,29 @@ class RegionMap {
 
   /// The same side link twice.
   [[nodiscard]] bool is_diagonal(std::size_t row, std::size_t column) const {
-    return input_dyads_[row].coordinate == output_dyads_[column].coordinate;
+    return !input_dyads_.empty() && input_[row] == output_[column] &&
+           same_points(input_dyads_[row], output_dyads_[column]);
   }
 
-  /// The side links at each sample, in the axes' frame.
+  /// The coordinates of the samples.
+  [[nodiscard]] std::span<const double> input_coordinates() const { return input_; }
+  [[nodiscard]] std::span<const double> output_coordinates() const { return output_; }
+
+  /// The side links at each sample, in the axes' frame; none where they belong to the cells.
   [[nodiscard]] std::span<const Dyad> input_dyads() const { return input_dyads_; }
   [[nodiscard]] std::span<const Dyad> output_dyads() const { return output_dyads_; }
 
   static constexpr std::size_t bytes_per_cell = 2 + 4 * sizeof(float);
 
  private:
+  void resize(std::size_t rows, std::size_t columns);
+  void lay_without_dyads(std::span<const double> input, std::span<const double> output);
   void leave_empty(std::size_t row_begin, std::size_t row_end);
+  void put(std::size_t cell, const RegionCell& verdict);
+  void classify_row(std::size_t row, const RegionRow& sides, double unit, Simd simd);
 
   std::size_t rows_ = 0, columns_ = 0;
+  std::vector<double> input_, output_;
   std::vector<Dyad> input_dyads_, output_dyads_;
   std::vector<std::uint8_t> senses_;
   std::vector<float> sweep_ccw_;

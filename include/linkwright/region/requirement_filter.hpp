@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -55,8 +56,13 @@ struct RequirementCensus {
 /// A region under requirements whose max_length is set. Refers to the map, which must outlive it.
 class RequirementFilter {
  public:
-  /// `origin`, `unit`: the axes' frame in the user's, for the boxes.
-  RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit);
+  /// The pivots of a cell, user's frame; nothing where one is at infinity.
+  using PivotsAt = std::function<std::optional<FourBar>(std::size_t row, std::size_t column)>;
+
+  /// `origin`, `unit`: the axes' frame in the user's, for the boxes. `pivots_at`: for maps whose side links belong to
+  /// the cells; asked only where there is a box; called from several threads.
+  RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit,
+                    PivotsAt pivots_at = {});
 
   /// Bits of the requirements that a cell fails; all of them for a degenerate cell.
   [[nodiscard]] std::uint8_t failures(std::size_t row, std::size_t column) const;
@@ -75,6 +81,7 @@ class RequirementFilter {
   /// The limited property of each cell that fails this requirement alone (degrees; ratio; user's length).
   template <class Visit>
   void for_each_failing_only(RequirementKind kind, const Visit& visit) const;
+  [[nodiscard]] unsigned box_failures_at(std::size_t row, std::size_t column) const;
   [[nodiscard]] double violated_value(RequirementKind kind, std::size_t cell) const;
   [[nodiscard]] std::optional<double> round_value_that_would_do(RequirementKind kind) const;
 
@@ -85,6 +92,7 @@ class RequirementFilter {
   std::array<std::uint8_t, 80> verdict_failures_{};  ///< by type · 8 + defects
   float least_versine_ = 0, largest_ratio_ = 0, largest_length_ = 0;
   std::vector<std::uint8_t> input_box_failures_, output_box_failures_;
+  PivotsAt pivots_at_;
 };
 
 }  // namespace linkwright

@@ -1,4 +1,4 @@
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 
 #include <atomic>
 #include <cmath>
@@ -16,8 +16,8 @@ namespace {
 
 using testing::tailgate_requirements, testing::tailgate_task;
 
-MotionSolution solved(const MotionTask& task, const Requirements& wanted = {}, const SynthesisOptions& options = {}) {
-  auto result = solve_motion(task, wanted, options);
+Solution solved(const MotionTask& task, const Requirements& wanted = {}, const SynthesisOptions& options = {}) {
+  auto result = solve(task, wanted, options);
   EXPECT_TRUE(result.ok());
   return std::move(result).value();
 }
@@ -27,12 +27,12 @@ double transmission_angle(const FourBarSolution& linkage) {
 }
 
 TEST(SolveMotion, TailgateHasItsKnownMap) {
-  const MotionSolution solution = solved(tailgate_task(), tailgate_requirements());
+  const Solution solution = solved(tailgate_task(), tailgate_requirements());
   EXPECT_EQ(solution.status, SolutionStatus::solved);
-  EXPECT_EQ(solution.pattern, "P-P-P-P");
-  EXPECT_EQ(solution.curve->kind(), CubicKind::two_branches);
-  EXPECT_NEAR(*solution.curve->kappa(), 0.0021, 5e-5);
-  EXPECT_NEAR(solution.conditions.condition(), 86, 0.5);
+  EXPECT_EQ(solution.given.pattern, "P-P-P-P");
+  EXPECT_EQ(solution.given.curve->kind(), CubicKind::two_branches);
+  EXPECT_NEAR(*solution.given.curve->kappa(), 0.0021, 5e-5);
+  EXPECT_NEAR(solution.given.conditions.condition(), 86, 0.5);
   EXPECT_EQ(solution.counts.pairs, 159'600);
   // Two independent implementations count 97 478; one cell is a change point to 5e-10, which we stop at.
   EXPECT_NEAR(static_cast<double>(solution.counts.defect_free), 97'478, 1);
@@ -42,10 +42,8 @@ TEST(SolveMotion, TailgateHasItsKnownMap) {
 TEST(SolveMotion, TailgateHasTheLinkageOfTheMap) {
   // A cell computed elsewhere: τ = (1.3125, 1.1125), lengths to a hundredth.
   const MotionTask task = tailgate_task();
-  const MotionSolution solution = solved(task);
-  const WorkingFrame& frame = solution.conditions.frame;
-  const auto linkage = make_four_bar(task, frame, frame.to_user(solution.curve->dyad(1.3125)),
-                                     frame.to_user(solution.curve->dyad(1.1125)), true, true);
+  const Solution solution = solved(task);
+  const auto linkage = make_four_bar(solution.given, {1.3125, 1.1125}, true, true);
   ASSERT_TRUE(linkage);
   EXPECT_EQ(linkage->report.type, LinkageType::triple_rocker_output);
   EXPECT_NEAR(degrees(transmission_angle(*linkage)), 73.5, 0.05);
@@ -61,7 +59,7 @@ TEST(SolveMotion, LinkagesMeetTheRequirementsAndAreChecked) {
   for (const Objective objective : {Objective::min_transmission_angle, Objective::link_ratio, Objective::size}) {
     SynthesisOptions options;
     options.objective = objective;
-    const MotionSolution solution = solved(tailgate_task(), wanted, options);
+    const Solution solution = solved(tailgate_task(), wanted, options);
     ASSERT_EQ(solution.linkages.size(), 10u) << name(objective);
     double before = 1e300;
     for (const FourBarSolution& linkage : solution.linkages) {
@@ -85,12 +83,13 @@ TEST(SolveMotion, LinkagesMeetTheRequirementsAndAreChecked) {
 }
 
 TEST(SolveMotion, BestIsAtLeastAsGoodAsTheBestCellAndAFinerMap) {
-  const MotionSolution coarse = solved(tailgate_task(), tailgate_requirements());
+  const Solution coarse = solved(tailgate_task(), tailgate_requirements());
   SynthesisOptions fine;
   fine.region_samples = 1600;
-  const MotionSolution finer = solved(tailgate_task(), tailgate_requirements(), fine);
-  const auto best_cell = [](const MotionSolution& s) {
-    const RequirementFilter filter(s.region, s.requirements, s.conditions.frame.origin, s.conditions.frame.scale);
+  const Solution finer = solved(tailgate_task(), tailgate_requirements(), fine);
+  const auto best_cell = [](const Solution& s) {
+    const RequirementFilter filter(s.region, s.requirements, s.given.conditions.frame.origin,
+                                   s.given.conditions.frame.scale);
     return angle_of_versine(hill_tops(s.region, filter, Objective::min_transmission_angle, 1)[0].score);
   };
   EXPECT_GE(transmission_angle(coarse.linkages[0]), best_cell(coarse) - 1e-6);
@@ -106,8 +105,8 @@ double pivots_apart(const FourBar& a, const FourBar& b) {
 TEST(SolveMotion, LinkagesAreDistinctAndAppearOnceWhicheverSideDrives) {
   SynthesisOptions options;
   options.best = 40;
-  const MotionSolution solution = solved(tailgate_task(), {}, options);
-  const double least = 1e-2 * solution.conditions.frame.scale;
+  const Solution solution = solved(tailgate_task(), {}, options);
+  const double least = 1e-2 * solution.given.conditions.frame.scale;
   for (std::size_t i = 0; i < solution.linkages.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       EXPECT_GT(pivots_apart(solution.linkages[i].four_bar, solution.linkages[j].four_bar), least);
@@ -120,8 +119,8 @@ TEST(SolveMotion, LinkagesAreDistinctAndAppearOnceWhicheverSideDrives) {
 }
 
 TEST(SolveMotion, SizeLimitIsTenCharacteristicLengthsUnlessSwitchedOff) {
-  const MotionSolution limited = solved(tailgate_task());
-  EXPECT_EQ(limited.requirements.max_length, 10 * limited.conditions.frame.scale);
+  const Solution limited = solved(tailgate_task());
+  EXPECT_EQ(limited.requirements.max_length, 10 * limited.given.conditions.frame.scale);
   Requirements unlimited;
   unlimited.max_length = Requirements::unlimited;
   unlimited.max_link_ratio = Requirements::unlimited;
@@ -131,7 +130,7 @@ TEST(SolveMotion, SizeLimitIsTenCharacteristicLengthsUnlessSwitchedOff) {
 TEST(SolveMotion, SaysWhichRequirementCostsMostWhenNothingIsLeft) {
   Requirements wanted = tailgate_requirements();
   wanted.min_transmission_angle = radians(89);
-  const MotionSolution solution = solved(tailgate_task(), wanted);
+  const Solution solution = solved(tailgate_task(), wanted);
   EXPECT_EQ(solution.status, SolutionStatus::solved);
   EXPECT_TRUE(solution.linkages.empty());
   EXPECT_NE(solution.reason.message.find("min_transmission_angle_deg costs most"), std::string::npos)
@@ -142,7 +141,7 @@ TEST(SolveMotion, SaysWhichRequirementCostsMostWhenNothingIsLeft) {
 }
 
 TEST(SolveMotion, SaysWhyNothingIsFreeOfDefects) {
-  const MotionSolution solution = solved({testing::planar_case("foldable_table").poses});
+  const Solution solution = solved({testing::planar_case("foldable_table").poses});
   EXPECT_EQ(solution.counts.defect_free, 0);
   EXPECT_NE(solution.reason.message.find("none is free of defects"), std::string::npos) << solution.reason.message;
   EXPECT_EQ(solution.reason.message.find(" 0 %"), std::string::npos) << solution.reason.message;
@@ -153,7 +152,7 @@ TEST(SolveMotion, DefectsMayBeAllowed) {
   wanted.no_defects = false;
   SynthesisOptions options;
   options.objective = Objective::link_ratio;
-  const MotionSolution solution = solved({testing::planar_case("foldable_table").poses}, wanted, options);
+  const Solution solution = solved({testing::planar_case("foldable_table").poses}, wanted, options);
   ASSERT_FALSE(solution.linkages.empty());
   for (const FourBarSolution& linkage : solution.linkages) EXPECT_TRUE(linkage.verified_by_driving);
 }
@@ -165,29 +164,30 @@ std::vector<PrescribedPose> turns_about(Point pole, const std::vector<double>& a
 }
 
 TEST(SolveMotion, NamesTheDegeneracy) {
-  const MotionSolution one_pole = solved({turns_about({5, -7}, {0, 0.5, 1.2, 2})});
+  const Solution one_pole = solved({turns_about({5, -7}, {0, 0.5, 1.2, 2})});
   EXPECT_EQ(one_pole.status, SolutionStatus::degenerate);
   EXPECT_NE(one_pole.reason.message.find("common pole, (5, -7)"), std::string::npos) << one_pole.reason.message;
-  const MotionSolution on_circle = solved({testing::planar_case("translations_on_circle").poses});
+  const Solution on_circle = solved({testing::planar_case("translations_on_circle").poses});
   EXPECT_EQ(on_circle.status, SolutionStatus::degenerate);
-  EXPECT_TRUE(on_circle.warnings.empty());
+  EXPECT_TRUE(on_circle.given.warnings.empty());
   EXPECT_NE(on_circle.reason.message.find("(-2, 0) from it"), std::string::npos) << on_circle.reason.message;
-  const MotionSolution shifts = solved({testing::planar_case("pure_translations").poses});
+  const Solution shifts = solved({testing::planar_case("pure_translations").poses});
   EXPECT_EQ(shifts.status, SolutionStatus::degenerate);
   EXPECT_NE(shifts.reason.message.find("only shifts"), std::string::npos) << shifts.reason.message;
 }
 
 TEST(SolveMotion, WarnsOfParallelAndOfClosePoses) {
-  const MotionSolution parallel = solved({testing::planar_case("three_parallel").poses});
-  ASSERT_EQ(parallel.warnings.size(), 1u);
-  EXPECT_EQ(parallel.warnings[0].code, "parallel_poses");
-  EXPECT_NE(parallel.warnings[0].message.find("1, 2 and 3"), std::string::npos) << parallel.warnings[0].message;
-  const MotionSolution pairs = solved({testing::planar_case("two_translation_pairs").poses});
-  EXPECT_EQ(pairs.warnings.size(), 2u);
-  const MotionSolution close = solved({testing::planar_case("tiny_1e-6").poses});
-  ASSERT_FALSE(close.warnings.empty());
-  EXPECT_EQ(close.warnings[0].code, "ill_conditioned");
-  EXPECT_NE(close.warnings[0].message.find("derivatives"), std::string::npos);
+  const Solution parallel = solved({testing::planar_case("three_parallel").poses});
+  ASSERT_EQ(parallel.given.warnings.size(), 1u);
+  EXPECT_EQ(parallel.given.warnings[0].code, "parallel_poses");
+  EXPECT_NE(parallel.given.warnings[0].message.find("1, 2 and 3"), std::string::npos)
+      << parallel.given.warnings[0].message;
+  const Solution pairs = solved({testing::planar_case("two_translation_pairs").poses});
+  EXPECT_EQ(pairs.given.warnings.size(), 2u);
+  const Solution close = solved({testing::planar_case("tiny_1e-6").poses});
+  ASSERT_FALSE(close.given.warnings.empty());
+  EXPECT_EQ(close.given.warnings[0].code, "ill_conditioned");
+  EXPECT_NE(close.given.warnings[0].message.find("derivatives"), std::string::npos);
 }
 
 TEST(SolveMotion, ReportsMistakesOfAllThreeParts) {
@@ -196,7 +196,7 @@ TEST(SolveMotion, ReportsMistakesOfAllThreeParts) {
   SynthesisOptions options;
   options.region_samples = 7;
   options.best = -1;
-  const auto result = solve_motion({}, wanted, options);
+  const auto result = solve({}, wanted, options);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.errors().size(), 4u);
 }
@@ -205,7 +205,7 @@ TEST(SolveMotion, WindowSamplesAPartOfTheMap) {
   SynthesisOptions options;
   options.window = RegionWindow{{1.2, 1.4}, {1.0, 1.2}};
   options.region_samples = 50;
-  const MotionSolution solution = solved(tailgate_task(), {}, options);
+  const Solution solution = solved(tailgate_task(), {}, options);
   EXPECT_NEAR(solution.region.input_dyads()[0].coordinate, 1.202, 1e-12);
   EXPECT_NEAR(solution.region.output_dyads()[49].coordinate, 1.198, 1e-12);
   EXPECT_FALSE(solution.linkages.empty());
@@ -214,14 +214,14 @@ TEST(SolveMotion, WindowSamplesAPartOfTheMap) {
     EXPECT_TRUE(linkage.output.coordinate >= 1.0 && linkage.output.coordinate <= 1.2);
   }
   options.window = RegionWindow{{0.2, 0.1}, {0, 1}};
-  EXPECT_FALSE(solve_motion(tailgate_task(), {}, options).ok());
+  EXPECT_FALSE(solve(tailgate_task(), {}, options).ok());
 }
 
 TEST(SolveMotion, CanBeStopped) {
   std::atomic<bool> stop{true};
   Progress progress;
   progress.cancelled = &stop;
-  const auto result = solve_motion(tailgate_task(), {}, {}, progress);
+  const auto result = solve(tailgate_task(), {}, {}, progress);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.errors()[0].code, "cancelled");
 }
@@ -233,15 +233,15 @@ TEST(SolveMotion, TellsHowFarItIs) {
     EXPECT_GE(done, last);
     last = done;
   };
-  ASSERT_TRUE(solve_motion(tailgate_task(), {}, {}, progress).ok());
+  ASSERT_TRUE(solve(tailgate_task(), {}, {}, progress).ok());
   EXPECT_EQ(last, 1);
 }
 
 TEST(SolveMotion, SameInputSameOutput) {
   SynthesisOptions one_thread;
   one_thread.region.threads = 1;
-  const MotionSolution a = solved(tailgate_task(), tailgate_requirements()),
-                       b = solved(tailgate_task(), tailgate_requirements(), one_thread);
+  const Solution a = solved(tailgate_task(), tailgate_requirements()),
+                 b = solved(tailgate_task(), tailgate_requirements(), one_thread);
   ASSERT_EQ(a.linkages.size(), b.linkages.size());
   for (std::size_t i = 0; i < a.linkages.size(); ++i) {
     EXPECT_EQ(a.linkages[i].four_bar.input_center, b.linkages[i].four_bar.input_center);
@@ -269,8 +269,8 @@ Requirements hood_requirements() {
 
 TEST(SolveMotion, KeepsADirectionOfTravel) {
   const MotionTask task = hood();
-  const MotionSolution solution = solved(task, hood_requirements());
-  EXPECT_EQ(solution.pattern, "PP-P-P");
+  const Solution solution = solved(task, hood_requirements());
+  EXPECT_EQ(solution.given.pattern, "PP-P-P");
   ASSERT_GE(solution.linkages.size(), 3u);
   for (const FourBarSolution& found : solution.linkages) {
     EXPECT_TRUE(found.verified_by_driving);
@@ -296,12 +296,12 @@ TEST(SolveMotion, AgainstTheDirectionIsADefectUnlessItDoesNotCount) {
   MotionTask against = hood();
   against.poses[0].derivatives[0] = {{0, -1}, 0.004};
   Requirements wanted = hood_requirements();
-  const MotionSolution forwards = solved(hood(), wanted), backwards = solved(against, wanted);
+  const Solution forwards = solved(hood(), wanted), backwards = solved(against, wanted);
   EXPECT_TRUE(backwards.linkages.empty());
   EXPECT_EQ(forwards.counts.types, backwards.counts.types);
   EXPECT_EQ(forwards.counts.branch, backwards.counts.branch);
   wanted.respect_direction = false;
-  const MotionSolution either = solved(against, wanted);
+  const Solution either = solved(against, wanted);
   // With three poses every driver is in order one way, which is forwards or backwards.
   EXPECT_LE(std::abs(either.counts.defect_free - forwards.counts.defect_free - backwards.counts.defect_free), 4);
   ASSERT_EQ(either.linkages.size(), forwards.linkages.size());
@@ -316,8 +316,8 @@ TEST(SolveMotion, OnePoseWithThreeDerivativesAsksNothingOfOrderAndBranch) {
   options.region_samples = 101;
   Requirements wanted;
   wanted.max_length = wanted.max_link_ratio = Requirements::unlimited;
-  const MotionSolution solution = solved({testing::planar_case("mixed_PPPP").poses}, wanted, options);
-  EXPECT_EQ(solution.pattern, "PPPP");
+  const Solution solution = solved({testing::planar_case("mixed_PPPP").poses}, wanted, options);
+  EXPECT_EQ(solution.given.pattern, "PPPP");
   EXPECT_EQ(solution.counts.defect_free, solution.counts.pairs);
   EXPECT_EQ(solution.counts.order + solution.counts.branch + solution.counts.circuit, 0);
   ASSERT_FALSE(solution.linkages.empty());
@@ -337,7 +337,7 @@ TEST(SolveMotion, NamesTheDegeneracyOfMixedPositions) {
   // Turning about (5, −7): d = pole + e^{it}(d − pole).
   const Point pole{5, -7}, arm{3, 1}, i{0, 1};
   MotionTask turning{{{{pole + arm, 0}, {{i * arm, 1}, {-arm, 0}, {-i * arm, 0}}}}};
-  const MotionSolution one_pole = solved(turning);
+  const Solution one_pole = solved(turning);
   EXPECT_EQ(one_pole.status, SolutionStatus::degenerate);
   EXPECT_NE(one_pole.reason.message.find("common pole, (5, -7)"), std::string::npos) << one_pole.reason.message;
 
@@ -350,19 +350,18 @@ TEST(SolveMotion, NamesTheDegeneracyOfMixedPositions) {
 
   // Parallel poses between which the body turns are no translation.
   const MotionTask there_and_back{{{{{0, 0}, 0}, {{{0, 1}, 0.3}}}, {{{2, 1}, 0}, {{{0.2, -1}, -0.4}}}}};
-  const MotionSolution solution = solved(there_and_back);
+  const Solution solution = solved(there_and_back);
   EXPECT_NE(solution.status, SolutionStatus::degenerate) << solution.reason.message;
   EXPECT_GT(solution.counts.pairs, 0);
 }
 
 TEST(MakeFourBar, SlidersAndTheSameDyadTwiceAreNoFourBar) {
   const MotionTask task{testing::planar_case("cardan").poses};
-  const MotionSolution solution = solved(task);
-  const WorkingFrame& frame = solution.conditions.frame;
-  const Dyad on_circle = frame.to_user(solution.curve->dyad(1.3)), on_line = frame.to_user(solution.curve->dyad(0.3));
-  EXPECT_FALSE(make_four_bar(task, frame, on_circle, on_line, true, false));
-  EXPECT_FALSE(make_four_bar(task, frame, on_line, on_line, true, false));
-  EXPECT_TRUE(make_four_bar(task, frame, on_line, frame.to_user(solution.curve->dyad(0.6)), true, false));
+  const Solution solution = solved(task);
+  const double on_circle = 1.3, on_line = 0.3;
+  EXPECT_FALSE(make_four_bar(solution.given, {on_circle, on_line}, true, false));
+  EXPECT_FALSE(make_four_bar(solution.given, {on_line, on_line}, true, false));
+  EXPECT_TRUE(make_four_bar(solution.given, {on_line, 0.6}, true, false));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/motion_task.hpp"
+#include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
@@ -60,14 +61,11 @@ struct FourBarSolution {
   std::optional<double> residual_derivatives;
 };
 
-/// Everything found for a four-position task.
-struct MotionSolution {
+/// Everything found for a task.
+struct Solution {
   SolutionStatus status = SolutionStatus::solved;
   Notice reason;  ///< always set
-  std::string pattern;
-  PoseConditions conditions;
-  std::vector<Notice> warnings;
-  std::shared_ptr<const BurmesterCurve> curve;
+  TaskFamily given;
   std::vector<Dyad> samples;  ///< of the curve, fixed frame, by rising τ
   RegionMap region;
   RegionCounts counts;
@@ -75,17 +73,17 @@ struct MotionSolution {
   SynthesisOptions options;               ///< as used
   std::int64_t meeting_requirements = 0;  ///< cells
   std::vector<FourBarSolution> linkages;  ///< best first
+  std::vector<FourBarSolution> pairs;     ///< five positions: every pair of dyads, whatever its defects, best first
   std::vector<Relaxation> relax;          ///< when no linkage meets the requirements, dearest first
 };
 
-/// All four-bars that guide a body through four positions, finite or mixed.
-[[nodiscard]] Result<MotionSolution> solve_motion(const MotionTask& task, const Requirements& requirements,
-                                                  const SynthesisOptions& options, const Progress& progress = {});
+/// All four-bars that guide a body through the positions of a task, finite or mixed.
+[[nodiscard]] Result<Solution> solve(const MotionTask& task, const Requirements& requirements,
+                                     const SynthesisOptions& options, const Progress& progress = {});
 
-/// The four-bar of two dyads of a task (fixed frame), analysed, its residuals in user coordinates; with
-/// `verify`, driven through as well. Nothing where a pivot is at infinity (to `frame`) or a link has no length.
-[[nodiscard]] std::optional<FourBarSolution> make_four_bar(const MotionTask& task, const WorkingFrame& frame,
-                                                           const Dyad& input, const Dyad& output,
+/// The four-bar at a place of a task's map, analysed, its residuals in user coordinates; with `verify`, driven through
+/// as well. Nothing where the task has none there, a pivot is at infinity or a link has no length.
+[[nodiscard]] std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlace place,
                                                            bool respect_direction, bool verify);
 
 }  // namespace linkwright

@@ -1,10 +1,9 @@
-#include "linkwright/planar/motion_synthesis.hpp"
+#include "linkwright/planar/synthesis.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
-#include "linkwright/planar/task_curve.hpp"
 #include "planar/linkage_search.hpp"
 
 namespace linkwright {
@@ -18,34 +17,32 @@ void append(std::vector<Error>& all, std::vector<Error> more) {
 }
 
 // Coordinates of one axis of the region.
-std::vector<double> axis_coordinates(const BurmesterCurve& curve, const SynthesisOptions& options,
-                                     const std::array<double, 2> RegionWindow::*side) {
-  if (!options.window) return curve.samples(options.region_samples, options.spacing);
-  const auto [low, high] = *options.window.*side;
+std::vector<double> axis_coordinates(const LinkageFamily& family, LinkageFamily::Side side,
+                                     const SynthesisOptions& options) {
+  if (!options.window || family.axis(side).is_discrete())
+    return family.samples(side, options.region_samples, options.spacing);
+  const auto [low, high] = side == LinkageFamily::Side::input ? options.window->input : options.window->output;
   std::vector<double> coordinates;
   for (int i = 0; i < options.region_samples; ++i)
     coordinates.push_back(low + (high - low) * (i + 0.5) / options.region_samples);
   return coordinates;
 }
 
-std::vector<Dyad> dyads_at(const BurmesterCurve& curve, const std::vector<double>& coordinates) {
-  std::vector<Dyad> dyads;
-  dyads.reserve(coordinates.size());
-  for (const double tau : coordinates) dyads.push_back(curve.dyad(tau));
-  return dyads;
+void map_region(Solution& solution, const Progress& progress) {
+  const LinkageFamily& family = *solution.given.family;
+  const SynthesisOptions& options = solution.options;
+  family.classify(solution.region, axis_coordinates(family, LinkageFamily::Side::input, options),
+                  axis_coordinates(family, LinkageFamily::Side::output, options),
+                  solution.requirements.respect_direction, options.region, progress);
+  solution.counts = solution.region.counts();
 }
 
-RegionMap region_of(const MotionTask& task, const MotionSolution& solution, const Progress& progress) {
-  const WorkingFrame& frame = solution.conditions.frame;
-  const auto poses = frame.to_working(task.poses);
-  const bool respect = solution.requirements.respect_direction;
-  const SynthesisOptions& options = solution.options;
-  const RegionAxis input(dyads_at(*solution.curve, axis_coordinates(*solution.curve, options, &RegionWindow::input)),
-                         poses, respect);
-  if (!options.window) return RegionMap(input, input, frame.scale, options.region, progress);
-  const RegionAxis output(dyads_at(*solution.curve, axis_coordinates(*solution.curve, options, &RegionWindow::output)),
-                          poses, respect);
-  return RegionMap(input, output, frame.scale, options.region, progress);
+std::vector<Dyad> curve_samples(const TaskFamily& given, const SynthesisOptions& options) {
+  std::vector<Dyad> dyads;
+  if (!given.curve) return dyads;
+  for (const double tau : given.curve->samples(options.region_samples, options.spacing))
+    dyads.push_back(given.frame().to_user(given.curve->dyad(tau)));
+  return dyads;
 }
 
 std::string percent(std::int64_t part, std::int64_t whole) {
@@ -54,9 +51,10 @@ std::string percent(std::int64_t part, std::int64_t whole) {
   return share < 1 ? "under 1 %" : fmt::format("{:.0f} %", share);
 }
 
-Notice nothing_defect_free(const MotionSolution& solution) {
+Notice nothing_defect_free(const Solution& solution) {
   const RegionCounts& counts = solution.counts;
-  const bool directed = solution.requirements.respect_direction && solution.pattern.find("PP") != std::string::npos;
+  const bool directed =
+      solution.requirements.respect_direction && solution.given.pattern.find("PP") != std::string::npos;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   std::vector<std::string> causes;
   const auto blame = [&](std::int64_t cells, std::string_view what) {
@@ -73,7 +71,7 @@ Notice nothing_defect_free(const MotionSolution& solution) {
           {{"count", static_cast<double>(whole)}}};
 }
 
-Notice nothing_left(const MotionSolution& solution) {
+Notice nothing_left(const Solution& solution) {
   const std::int64_t free = solution.counts.defect_free;
   Notice notice{"none_left",
                 fmt::format("{} four-bars are free of defects, and none meets all requirements.", free),
@@ -88,7 +86,7 @@ Notice nothing_left(const MotionSolution& solution) {
   return notice;
 }
 
-void judge(MotionSolution& solution) {
+void judge(Solution& solution) {
   const RegionCounts& counts = solution.counts;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   if (whole == 0) {
@@ -136,41 +134,34 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   return found;
 }
 
-Result<MotionSolution> solve_motion(const MotionTask& task, const Requirements& requirements,
+Result<Solution> solve(const MotionTask& task, const Requirements& requirements,
                                     const SynthesisOptions& options, const Progress& progress) {
   std::vector<Error> mistakes = mistakes_in(task);
   append(mistakes, mistakes_in(requirements));
   append(mistakes, mistakes_in(options));
   if (!mistakes.empty()) return mistakes;
 
-  TaskCurve given = task_curve(task);
-  MotionSolution solution;
-  solution.pattern = given.pattern;
-  solution.conditions = std::move(given.conditions);
-  solution.curve = std::move(given.curve);
-  const WorkingFrame& frame = solution.conditions.frame;
-  solution.requirements = requirements;
-  if (!requirements.max_length) solution.requirements.max_length = default_max_length * frame.scale;
+  Solution solution;
+  solution.given = task_family(task, requirements, options.objective);
+  const TaskFamily& given = solution.given;
+  solution.requirements = with_defaults(requirements, given.frame());
   solution.options = options;
-  for (const Dyad& dyad : dyads_at(*solution.curve, solution.curve->samples(options.region_samples, options.spacing)))
-    solution.samples.push_back(frame.to_user(dyad));
-  if (given.degeneracy) {
+  solution.samples = curve_samples(given, options);
+  if (!given.family) {
     solution.status = SolutionStatus::degenerate;
     solution.reason = *given.degeneracy;
     return solution;
   }
 
-  solution.warnings = std::move(given.warnings);
   progress(0.1);
-  solution.region = region_of(task, solution, progress);
+  map_region(solution, progress);
   progress(0.6);
-  solution.counts = solution.region.counts();
-  const RequirementFilter filter(solution.region, solution.requirements, frame.origin, frame.scale);
+  const RequirementFilter filter = filter_of(*given.family, solution.region, solution.requirements);
   const RequirementCensus census = filter.census();
   solution.meeting_requirements = census.meeting;
   if (census.meeting == 0) solution.relax = filter.relaxations(census);
   progress(0.7);
-  solution.linkages = best_linkages(task, solution, filter, progress);
+  solution.linkages = best_linkages(solution, filter, progress);
   if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
   judge(solution);
   progress(1);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwright/core/notice.hpp"
+#include "linkwright/planar/burmester_curve.hpp"
+#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/motion_task.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
+#include "linkwright/region/best_cells.hpp"
+#include "linkwright/region/requirements.hpp"
+
+namespace linkwright {
+
+/// What a task says before any two side links are paired: its conditions, and the family of four-bars that meet them.
+struct TaskFamily {
+  std::string pattern;  ///< as pattern()
+  PoseConditions conditions;
+  /// Of the derivatives alone (derivative_conditions), an instant centre among them.
+  std::vector<HomogeneousMatrix> derivative_rows;
+  std::shared_ptr<const BurmesterCurve> curve;  ///< four positions; otherwise none
+  std::vector<Notice> warnings;
+  std::optional<Notice> degeneracy;             ///< why there is no family
+  std::shared_ptr<const LinkageFamily> family;  ///< none where degenerate
+
+  [[nodiscard]] const WorkingFrame& frame() const { return conditions.frame; }
+};
+
+/// `task` without mistakes (mistakes_in). Requirements and objective choose what the task leaves to be chosen before
+/// there is a map: the length of a side link among three positions.
+[[nodiscard]] TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective);
+
+/// The requirements with the default of max_length filled in.
+[[nodiscard]] Requirements with_defaults(Requirements wanted, const WorkingFrame& frame);
+
+}  // namespace linkwright

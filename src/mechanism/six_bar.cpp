@@ -1,0 +1,97 @@
+#include "linkwright/mechanism/six_bar.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace linkwright {
+namespace {
+
+constexpr std::array<std::string_view, 4> topology_names = {"watt_1", "stephenson_1", "stephenson_2", "stephenson_3"};
+constexpr std::array<std::string_view, SixBar::joint_count> joint_names = {"a", "b", "d", "c4", "z4", "c5", "z5"};
+
+bool is_body(char c) { return c >= '0' && c < '0' + SixBar::bodies; }
+
+bool joined(const SixBar& six_bar, int x, int y) {
+  return std::any_of(six_bar.joints.begin(), six_bar.joints.end(), [&](const SixBarJoint& joint) {
+    return joint.bodies == std::array{x, y} || joint.bodies == std::array{y, x};
+  });
+}
+
+bool has_order(const SixBar& six_bar, int body, std::size_t order) { return six_bar.joints_of(body).size() == order; }
+
+}  // namespace
+
+std::string_view name(SixBarTopology topology) { return topology_names[static_cast<std::size_t>(topology)]; }
+
+std::optional<SixBarTopology> six_bar_topology_named(std::string_view name) {
+  const auto* const found = std::find(topology_names.begin(), topology_names.end(), name);
+  if (found == topology_names.end()) return std::nullopt;
+  return static_cast<SixBarTopology>(found - topology_names.begin());
+}
+
+std::string text(BodyPair pair) { return fmt::format("{}-{}", pair.a, pair.b); }
+
+std::optional<BodyPair> body_pair_from(std::string_view text) {
+  if (text.size() != 3 || text[1] != '-' || !is_body(text[0]) || !is_body(text[2])) return std::nullopt;
+  return BodyPair{text[0] - '0', text[2] - '0'};
+}
+
+SixBar SixBar::of(std::array<Point, 3> chain, std::array<BodyPair, 2> added, std::array<Point, 2> link_4,
+                  std::array<Point, 2> link_5) {
+  return {{{{{0, 1}, chain[0]},
+            {{1, 2}, chain[1]},
+            {{2, 3}, chain[2]},
+            {{added[0].a, 4}, link_4[0]},
+            {{4, added[0].b}, link_4[1]},
+            {{added[1].a, 5}, link_5[0]},
+            {{5, added[1].b}, link_5[1]}}}};
+}
+
+std::array<BodyPair, 2> SixBar::added() const {
+  return {BodyPair{joints[c4].bodies[0], joints[z4].bodies[1]}, BodyPair{joints[c5].bodies[0], joints[z5].bodies[1]}};
+}
+
+std::vector<std::size_t> SixBar::joints_of(int body) const {
+  std::vector<std::size_t> found;
+  for (std::size_t j = 0; j < joint_count; ++j)
+    if (joints[j].bodies[0] == body || joints[j].bodies[1] == body) found.push_back(j);
+  return found;
+}
+
+std::vector<SixBarLength> SixBar::lengths() const {
+  std::vector<SixBarLength> found;
+  for (int body = 0; body < bodies; ++body) {
+    const std::vector<std::size_t> own = joints_of(body);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      for (std::size_t k = i + 1; k < own.size(); ++k)
+        found.push_back({body, {own[i], own[k]}, std::abs(joints[own[k]].point - joints[own[i]].point)});
+  }
+  return found;
+}
+
+// Two ternary bodies and four binary ones: in Watt's chain the ternaries are joined, in Stephenson's they are not, and
+// two binaries tie them each by itself, the other two in a chain.
+std::optional<SixBarTopology> SixBar::topology() const {
+  std::vector<int> ternaries;
+  for (int body = 0; body < bodies; ++body) {
+    if (has_order(*this, body, 3))
+      ternaries.push_back(body);
+    else if (!has_order(*this, body, 2))
+      return std::nullopt;
+  }
+  if (ternaries.size() != 2) return std::nullopt;
+  const bool ground_is_ternary = has_order(*this, 0, 3);
+  if (joined(*this, ternaries[0], ternaries[1]))
+    return ground_is_ternary ? std::nullopt : std::optional(SixBarTopology::watt_1);
+  if (ground_is_ternary) return SixBarTopology::stephenson_3;
+  const bool between = joined(*this, 0, ternaries[0]) && joined(*this, 0, ternaries[1]);
+  return between ? SixBarTopology::stephenson_1 : SixBarTopology::stephenson_2;
+}
+
+std::string_view joint_name(std::size_t joint) { return joint_names.at(joint); }
+
+std::string name(const SixBarLength& length) {
+  return fmt::format("{}:{}-{}", length.body, joint_name(length.joints[0]), joint_name(length.joints[1]));
+}
+
+}  // namespace linkwright

@@ -1,0 +1,163 @@
+#include "linkwright/planar/burmester_points.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "linkwright/core/tolerance.hpp"
+#include "planar/degenerate_task.hpp"
+#include "planar/five_conditions.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr double root_two = 1.4142135623730951;
+
+ConditionRow row_of(const HomogeneousMatrix& m) {
+  return {root_two * m.row[1].x, root_two * m.row[2].x, m.row[1].w, m.row[2].w, m.row[0].x, m.row[0].y, m.row[0].w};
+}
+
+ConditionRows rows_of(const PoseConditions& conditions) {
+  return {row_of(conditions.rows[0]), row_of(conditions.rows[1]), row_of(conditions.rows[2]),
+          row_of(conditions.rows[3])};
+}
+
+double residual_of(const PoseConditions& conditions, const Dyad& dyad) {
+  double worst = 0;
+  for (const HomogeneousMatrix& m : conditions.rows)
+    worst = std::max(worst, std::abs(dot(dyad.circle, m * dyad.center)));
+  return worst;
+}
+
+// Two unit vectors that with the given one make an orthonormal basis.
+std::array<Homogeneous, 2> tangents_at(Homogeneous unit) {
+  const double w = std::abs(unit.w), x = std::abs(unit.x), y = std::abs(unit.y);
+  const Homogeneous axis = w <= x && w <= y ? Homogeneous{1, 0, 0}
+                           : x <= y         ? Homogeneous{0, 1, 0}
+                                            : Homogeneous{0, 0, 1};
+  const Homogeneous first = normalized(cross(unit, axis));
+  return {first, cross(unit, first)};
+}
+
+/// The four conditions about a dyad, linear in steps of its unit vectors along two tangents each.
+struct Linearized {
+  std::array<Homogeneous, 2> of_circle, of_center;
+  Eigen::Matrix4d slope;
+  Eigen::Vector4d value;
+
+  Linearized(const PoseConditions& conditions, const Dyad& dyad)
+      : of_circle(tangents_at(dyad.circle)), of_center(tangents_at(dyad.center)) {
+    for (int k = 0; k < 4; ++k) {
+      const HomogeneousMatrix& m = conditions.rows[static_cast<std::size_t>(k)];
+      const Homogeneous mc = m * dyad.center, zm = dyad.circle * m;
+      value[k] = dot(dyad.circle, mc);
+      slope.row(k) << dot(of_circle[0], mc), dot(of_circle[1], mc), dot(zm, of_center[0]), dot(zm, of_center[1]);
+    }
+  }
+  [[nodiscard]] Dyad corrected(const Dyad& dyad) const {
+    const Eigen::Vector4d step = slope.partialPivLu().solve(value);
+    return {normalized(dyad.center - step[2] * of_center[0] - step[3] * of_center[1]),
+            normalized(dyad.circle - step[0] * of_circle[0] - step[1] * of_circle[1]), dyad.coordinate};
+  }
+};
+
+// Newton on the conditions themselves for as long as it helps.
+Dyad polished(const PoseConditions& conditions, Dyad dyad) {
+  constexpr int most_steps = 4;
+  double residual = residual_of(conditions, dyad);
+  for (int step = 0; step < most_steps; ++step) {
+    const Dyad next = Linearized(conditions, dyad).corrected(dyad);
+    const double then = residual_of(conditions, next);
+    if (!(then < residual)) break;
+    dyad = next;
+    residual = then;
+  }
+  return dyad;
+}
+
+double condition_of(const PoseConditions& conditions, const Dyad& dyad) {
+  constexpr double most = 1 / std::numeric_limits<double>::epsilon();
+  const Eigen::JacobiSVD<Eigen::Matrix4d> svd(Linearized(conditions, dyad).slope);
+  return std::min(conditions.condition() / std::max(svd.singularValues()[3], 1 / most), most);
+}
+
+// w ≥ 0; at infinity x ≥ 0: the same point has the same vector.
+Homogeneous with_sign(Homogeneous v) {
+  const double sign = v.w != 0 ? v.w : v.x != 0 ? v.x : v.y;
+  return sign < 0 ? -1.0 * v : v;
+}
+
+BurmesterPoint point_of(const PoseConditions& conditions, const DyadSpace& space, const ConicMeeting::Place& place) {
+  Dyad dyad = factors_of(space, place.point).dyad;
+  if (place.multiplicity == 1) dyad = polished(conditions, dyad);
+  dyad.circle = with_sign(dyad.circle);
+  dyad.center = with_sign(dyad.center);
+  return {dyad, place.multiplicity, residual_of(conditions, dyad), condition_of(conditions, dyad)};
+}
+
+// Fewer than four conditions are independent: what is left.
+void explain_dependence(const PoseConditions& conditions, BurmesterPoints& result) {
+  PoseConditions independent = conditions;
+  independent.rows.resize(3);
+  independent.singular_values.resize(3);
+  auto curve = std::make_shared<const BurmesterCurve>(independent);
+  if (curve->kind() == CubicKind::every_point) {
+    result.degeneracy = every_point_reason(independent);
+  } else if (conditions.only_translations) {
+    result.degeneracy = only_translations_reason();
+  } else {
+    const std::string kind(name(curve->kind()));
+    result.degeneracy = {"dependent_rows",
+                         fmt::format("The conditions of the five positions depend on each other: {} are independent, "
+                                     "and a whole curve of side links ({}) passes through all five. Solve them as a "
+                                     "task of four positions, or move one.",
+                                     conditions.rank, kind),
+                         {{"rank", static_cast<double>(conditions.rank)}, {"curve", kind}}};
+    result.curve = std::move(curve);
+  }
+}
+
+Notice common_component() {
+  return {"common_component",
+          "The five positions lie on one motion that more than separate side links can guide: a whole curve of them "
+          "passes through all five. Leave one position out and solve the other four, or move one.",
+          {}};
+}
+
+Notice double_point(std::size_t index, int multiplicity) {
+  return {"double_point",
+          fmt::format("Side link {} counts {} times: solutions have run together there, and a small change of a pose "
+                      "moves it far, parts it, or makes it vanish.",
+                      index + 1, multiplicity),
+          {{"point", static_cast<double>(index + 1)}, {"multiplicity", static_cast<double>(multiplicity)}}};
+}
+
+}  // namespace
+
+BurmesterPoints burmester_points(const PoseConditions& conditions) {
+  assert(conditions.rows.size() == 4);
+  BurmesterPoints result;
+  if (conditions.rank < 4) {
+    explain_dependence(conditions, result);
+    return result;
+  }
+  const DyadSpace space = dyad_space(rows_of(conditions));
+  const ConicMeeting meeting = dyads_in(space);
+  result.complex_roots = meeting.complex_points;
+  if (meeting.common_component) result.degeneracy = common_component();
+  for (int i = 0; i < meeting.count; ++i)
+    result.points.push_back(point_of(conditions, space, meeting.places[static_cast<std::size_t>(i)]));
+  std::sort(result.points.begin(), result.points.end(),
+            [](const BurmesterPoint& a, const BurmesterPoint& b) { return comes_before(a.dyad, b.dyad); });
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    result.points[i].dyad.coordinate = static_cast<double>(i) + 0.5;
+    if (result.points[i].multiplicity > 1) result.warnings.push_back(double_point(i, result.points[i].multiplicity));
+  }
+  return result;
+}
+
+}  // namespace linkwright

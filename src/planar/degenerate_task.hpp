@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "linkwright/core/notice.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
+
+namespace linkwright {
+
+/// Why every point of the body is a circle point, and what does the task instead: common_pole {x, y},
+/// translations_on_circle {x, y}, or every_point where no reason was found. `conditions` that depend on each other.
+[[nodiscard]] Notice every_point_reason(const PoseConditions& conditions);
+
+/// The same of parallel poses on no common circle: only_translations.
+[[nodiscard]] Notice only_translations_reason();
+
+}  // namespace linkwright

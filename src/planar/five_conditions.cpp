@@ -1,0 +1,116 @@
+#include "planar/five_conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwright/algebra/point.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr double root_two = 1.4142135623730951;
+
+// Symmetric matrix of the product of two linear forms.
+void add_product(HomogeneousMatrix& sum, Homogeneous u, Homogeneous v, double factor) {
+  const double half = factor / 2;
+  sum.row[0] = sum.row[0] + half * (u.w * v + v.w * u);
+  sum.row[1] = sum.row[1] + half * (u.x * v + v.x * u);
+  sum.row[2] = sum.row[2] + half * (u.y * v + v.y * u);
+}
+
+struct Reflection {
+  ConditionRow axis{};  ///< zero before its own place
+  double factor = 0;    ///< 2 / |axis|²
+
+  void apply(ConditionRow& v, std::size_t from) const {
+    double along = 0;
+    for (std::size_t i = from; i < 7; ++i) along += axis[i] * v[i];
+    along *= factor;
+    for (std::size_t i = from; i < 7; ++i) v[i] -= along * axis[i];
+  }
+};
+
+// Reflects v so that only its entries up to `place` remain; gives the size of what is left there.
+double reflect(ConditionRow& v, std::size_t place, Reflection& reflection) {
+  double rest = 0;
+  for (std::size_t i = place + 1; i < 7; ++i) rest += v[i] * v[i];
+  const double length = std::sqrt(v[place] * v[place] + rest);
+  if (!(length > 0)) return 0;
+  for (std::size_t i = place; i < 7; ++i) reflection.axis[i] = v[i];
+  reflection.axis[place] += std::copysign(length, v[place]);
+  reflection.factor = 1 / (length * (length + std::abs(v[place])));
+  return length;
+}
+
+// The homogeneous point of a complex pair (w, z) known up to a complex factor; w is made real.
+Homogeneous real_point(Point w, Point z) {
+  const double size = std::abs(w);
+  if (!(size > 0)) return {0, z.real(), z.imag()};
+  const Point turned = z * std::conj(w) / size;
+  return {size, turned.real(), turned.imag()};
+}
+
+}  // namespace
+
+DyadSpace dyad_space(const ConditionRows& rows) {
+  ConditionRows columns = rows;
+  std::array<Reflection, 4> reflections;
+  double smallest = 1, largest = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double diagonal = reflect(columns[k], k, reflections[k]);
+    smallest = std::min(smallest, diagonal);
+    largest = std::max(largest, diagonal);
+    for (std::size_t j = k + 1; j < 4; ++j) reflections[k].apply(columns[j], k);
+  }
+  std::array<ConditionRow, 3> basis{};
+  for (std::size_t n = 0; n < 3; ++n) {
+    basis[n][4 + n] = 1;
+    for (std::size_t k = 4; k-- > 0;) reflections[k].apply(basis[n], k);
+  }
+  DyadSpace space;
+  for (std::size_t i = 0; i < 7; ++i) space.number[i] = {basis[0][i], basis[1][i], basis[2][i]};
+  space.independence = largest > 0 ? smallest / largest : 0;
+  return space;
+}
+
+ConicMeeting dyads_in(const DyadSpace& space) {
+  const auto& [p, q, x, y, u, v, w] = space.number;
+  HomogeneousMatrix real{}, imaginary{};
+  add_product(real, p, w, root_two);
+  add_product(real, x, u, -1);
+  add_product(real, y, v, -1);
+  add_product(imaginary, q, w, root_two);
+  add_product(imaginary, y, u, -1);
+  add_product(imaginary, x, v, 1);
+  return meeting_of(real, imaginary);
+}
+
+Factors factors_of(const DyadSpace& space, Homogeneous parameters) {
+  std::array<double, 7> n{};
+  for (std::size_t i = 0; i < 7; ++i) n[i] = dot(space.number[i], parameters);
+  // [[W, ῡ], [ξ, p]] is the product of the columns (w, z) and (w′, C̄): every row and column of it names a point, the
+  // longer the better, but the turn of a point is told by its w alone.
+  const Point p{root_two * n[0], root_two * n[1]}, xi{n[2], n[3]}, upsilon{n[4], n[5]};
+  const double w = n[6];
+  const double finite_center = w * w + std::norm(xi), far_center = std::norm(upsilon);
+  const double finite_circle = w * w + std::norm(upsilon), far_circle = std::norm(xi);
+  if (!(std::max(finite_center, finite_circle) > 0))
+    return {{normalized(Homogeneous::at_infinity(std::conj(p))), {0, 1, 0}, 0}, 0};
+  const bool by_center = finite_center >= far_center;
+  const bool by_circle = finite_circle >= far_circle;
+  const Homogeneous circle = by_center ? (w < 0 ? Homogeneous{-w, -n[2], -n[3]} : Homogeneous{w, n[2], n[3]})
+                                       : real_point(std::conj(upsilon), p);
+  const Homogeneous center = by_circle ? (w < 0 ? Homogeneous{-w, -n[4], -n[5]} : Homogeneous{w, n[4], n[5]})
+                                       : real_point(std::conj(xi), std::conj(p));
+  const double margin = std::sqrt(std::min(std::max(finite_center, far_center), std::max(finite_circle, far_circle)));
+  return {{normalized(center), normalized(circle), 0}, margin};
+}
+
+bool comes_before(const Dyad& a, const Dyad& b) {
+  if (a.circle.w != b.circle.w) return a.circle.w > b.circle.w;
+  if (a.center.w != b.center.w) return a.center.w > b.center.w;
+  if (a.circle.x != b.circle.x) return a.circle.x < b.circle.x;
+  return a.circle.y < b.circle.y;
+}
+
+}  // namespace linkwright
