@@ -15,16 +15,16 @@ constexpr std::array<std::array<double, 4>, 4> binomial = {{{1, 0, 0, 0}, {1, 1,
 // 1 − e^{−iψ} through the half angle: exact for small turns.
 Point shift_by(double psi) { return Point{0, 2 * std::sin(psi / 2)} * direction(-psi / 2); }
 
-// The pose at a pair: Z(t) = (1 − s) + e^{i(φ − ψ)} z with s = e^{−iψ}, s′ = −iψ′s and so on.
-PrescribedPose pose_at(const AnglePair& first, const AnglePair& pair) {
+// The pose at a pair: Z(t) = g (1 − s) + e^{i(φ − ψ)} z with s = e^{−iψ}, s′ = −iψ′s and so on; g is the ground link.
+PrescribedPose pose_at(const AnglePair& first, const AnglePair& pair, Point ground) {
   const double phi = pair.input - first.input, psi = pair.output - first.output;
-  PrescribedPose pose{{shift_by(psi), phi - psi}, {}};
+  PrescribedPose pose{{ground * shift_by(psi), phi - psi}, {}};
   std::vector<Point> s = {direction(-psi)};
   for (std::size_t m = 0; m < pair.derivatives.size(); ++m) {
     Point sum = 0;
     for (std::size_t k = 0; k <= m; ++k) sum += binomial[m][k] * pair.derivatives[k].output * s[m - k];
     s.push_back(Point{0, -1} * sum);
-    pose.derivatives.push_back({-s.back(), pair.derivatives[m].input - pair.derivatives[m].output});
+    pose.derivatives.push_back({-ground * s.back(), pair.derivatives[m].input - pair.derivatives[m].output});
   }
   return pose;
 }
@@ -35,29 +35,29 @@ double great_circle(Homogeneous a, Homogeneous b) { return std::atan2(norm(cross
 bool is_parallelogram(const FunctionConditions& given) {
   constexpr std::array<Point, 3> probes = {Point{0.3, 0.7}, Point{-1.1, 0.4}, Point{0.6, -0.9}};
   constexpr double same = 1e-7;  // the rank was found to 1e-14 of the rows; this is its square root
-  return std::all_of(probes.begin(), probes.end(), [&](Point a) {
-    const WorkingFrame& frame = given.conditions.frame;
-    const Homogeneous circle = normalized(frame.to_working(Homogeneous::of(a))),
-                      center = normalized(frame.to_working(Homogeneous::of(a + 1.0)));
-    return std::all_of(given.conditions.rows.begin(), given.conditions.rows.begin() + given.conditions.rank,
-                       [&](const HomogeneousMatrix& row) { return std::abs(dot(circle, row * center)) < same; });
-  });
+  const auto ground = finite_point(given.ground.center);
+  return ground && std::all_of(probes.begin(), probes.end(), [&](Point a) {
+           const Homogeneous circle = normalized(Homogeneous::of(a)), center = normalized(Homogeneous::of(a + *ground));
+           return std::all_of(given.conditions.rows.begin(), given.conditions.rows.begin() + given.conditions.rank,
+                              [&](const HomogeneousMatrix& row) { return std::abs(dot(circle, row * center)) < same; });
+         });
 }
 
 }  // namespace
 
-FunctionConditions function_conditions(const std::vector<AnglePair>& pairs) {
+FunctionConditions function_conditions(const std::vector<AnglePair>& pairs, Point input_pivot, Point output_pivot) {
+  const Point ground = output_pivot - input_pivot;
   FunctionConditions given;
-  for (const AnglePair& pair : pairs) given.poses.push_back(pose_at(pairs.front(), pair));
+  for (const AnglePair& pair : pairs) given.poses.push_back(pose_at(pairs.front(), pair, ground));
   given.conditions = pose_conditions(given.poses);
-  const WorkingFrame& frame = given.conditions.frame;
-  given.ground = {normalized(frame.to_working(Homogeneous::of(1))), normalized(frame.to_working(Homogeneous::of(0))),
-                  0};
+  // Moved to the input's pivot only now: huge coordinates cost no digits.
+  given.conditions.frame.origin = input_pivot;
+  given.ground = {normalized(Homogeneous::of(ground / given.conditions.frame.scale)), Homogeneous::of(0), 0};
   return given;
 }
 
 std::optional<Notice> function_degeneracy(const FunctionConditions& given) {
-  const bool dependent = given.conditions.rank < static_cast<int>(given.conditions.rows.size());
+  const bool dependent = given.conditions.rank < 3;  // three leave a curve
   if (!dependent && !given.conditions.only_translations) return std::nullopt;
   if (is_parallelogram(given))
     return Notice{"parallelogram",

@@ -58,18 +58,6 @@ PrescribedPose coupler_pose(const FourBar& bars, const Arms& arms) {
 
 }  // namespace
 
-Homogeneous on_ground(Homogeneous unit, Point input_pivot, Point output_pivot) {
-  const Point v = (output_pivot - input_pivot) * unit.vector() + unit.w * input_pivot;
-  return {unit.w, v.real(), v.imag()};
-}
-
-std::optional<FourBar> function_four_bar(const Dyad& coupler, Point input_pivot, Point output_pivot) {
-  const auto a = finite_point(coupler.circle), b = finite_point(coupler.center);
-  if (!a || !b) return std::nullopt;
-  const Point ground = output_pivot - input_pivot;
-  return FourBar{input_pivot, input_pivot + ground * *a, output_pivot, output_pivot + ground * (*b - 1.0)};
-}
-
 std::vector<PrescribedPose> coupler_poses(const FourBar& four_bar, const std::vector<AnglePair>& pairs) {
   std::vector<PrescribedPose> poses;
   for (const AnglePair& pair : pairs) poses.push_back(coupler_pose(four_bar, arms_at(four_bar, pairs.front(), pair)));

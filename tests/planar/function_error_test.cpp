@@ -9,7 +9,7 @@
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
-#include "linkwright/planar/function_conditions.hpp"
+#include "linkwright/planar/function_couplers.hpp"
 #include "linkwright/planar/function_linkage.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_four_bar.hpp"
@@ -38,12 +38,10 @@ FunctionTask named_task(const std::string& expression, std::array<double, 2> x, 
 
 // Linkages of a four-pair task at even steps along its curve.
 std::vector<FourBar> linkages_of(const FunctionTask& task, int count) {
-  const FunctionConditions given = function_conditions(task.pairs);
-  const BurmesterCurve curve(given.conditions);
+  const FunctionCouplers couplers = function_couplers(task);
   std::vector<FourBar> found;
-  for (const double tau : curve.samples(count, Spacing::coordinate))
-    if (const auto bars = function_four_bar(given.to_unit(curve.dyad(tau)), task.input_pivot, task.output_pivot))
-      found.push_back(*bars);
+  for (const double tau : couplers.curve->samples(count, Spacing::coordinate))
+    if (const auto bars = function_four_bar(task, couplers.frame(), *couplers.coupler(tau))) found.push_back(*bars);
   return found;
 }
 

@@ -9,8 +9,7 @@
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/analysis/velocity.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/burmester_curve.hpp"
-#include "linkwright/planar/function_conditions.hpp"
+#include "linkwright/planar/function_couplers.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"
@@ -24,17 +23,10 @@ Point output_arm_turned(const FourBar& bars, const AnglePair& first, const Angle
   return bars.output_center + direction(pair.output - first.output) * (bars.output_circle - bars.output_center);
 }
 
-TEST(FunctionLinkage, PivotsLieOnTheUsersGroundLink) {
-  const Dyad coupler{Homogeneous::of({1.5, 0.5}), {2, 0.4, -0.2}, 0};
-  const auto bars = function_four_bar(coupler, {3, 1}, {3, 5});
-  ASSERT_TRUE(bars);
-  EXPECT_EQ(bars->input_center, Point(3, 1));
-  EXPECT_EQ(bars->output_center, Point(3, 5));
-  EXPECT_NEAR(std::abs(bars->input_circle - Point(3.4, 1.8)), 0, 1e-15);
-  EXPECT_NEAR(std::abs(bars->output_circle - Point(1, 7)), 0, 1e-15);
-  const Homogeneous a = on_ground(coupler.circle, {3, 1}, {3, 5});
-  EXPECT_NEAR(std::abs(a.vector() / a.w - bars->input_circle), 0, 1e-15);
-  EXPECT_FALSE(function_four_bar({Homogeneous::of(1), {0, 1, 1}, 0}, 0, 1)) << "a slider";
+std::optional<FourBar> linkage_at(const FunctionTask& task, double tau) {
+  const FunctionCouplers couplers = function_couplers(task);
+  const auto coupler = couplers.coupler(tau);
+  return coupler ? function_four_bar(task, couplers.frame(), *coupler) : std::nullopt;
 }
 
 TEST(FunctionLinkage, TheCouplerIsWhereTheArmsAre) {
@@ -42,9 +34,7 @@ TEST(FunctionLinkage, TheCouplerIsWhereTheArmsAre) {
   int linkages = 0;
   for (int i = 0; i < 500; ++i) {
     const auto pairs = testing::random_pairs(random, {1, 1, 1, 1});
-    const FunctionConditions given = function_conditions(pairs);
-    const BurmesterCurve curve(given.conditions);
-    const auto bars = function_four_bar(given.to_unit(curve.dyad(uniform(random, 0, 1))), {2, 1}, {0, 4});
+    const auto bars = linkage_at({pairs, {2, 1}, {0, 4}}, uniform(random, 0, 1));
     if (!bars || bars->lengths().coupler < 1e-2) continue;
     const auto poses = coupler_poses(*bars, pairs);
     for (std::size_t j = 0; j < pairs.size(); ++j) {
@@ -96,10 +86,7 @@ TEST(FunctionLinkage, DefectsAreConfirmedByDriving) {
   for (int i = 0; i < 60; ++i) {
     const bool mixed = i % 3 == 2;
     const auto pairs = mixed ? testing::random_pairs(random, {1, 2, 1}) : testing::gentle_pairs(random, 4);
-    const FunctionConditions given = function_conditions(pairs);
-    const BurmesterCurve curve(given.conditions);
-    const auto bars =
-        function_four_bar(given.to_unit(curve.dyad(uniform(random, 0, curve.coordinate_length()))), {1, 1}, {4, 0});
+    const auto bars = linkage_at({pairs, {1, 1}, {4, 0}}, uniform(random, 0, 1));
     if (!bars || bars->lengths().longest() > 30 * bars->lengths().shortest()) continue;
     const auto poses = coupler_poses(*bars, pairs);
     const DefectReport report = find_defects(*bars, poses);
