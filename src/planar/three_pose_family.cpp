@@ -184,7 +184,7 @@ void SideAngleFamily::fill(RegionMap& map, std::span<const double> input, std::s
     driven.reserve(output.size());
     for (const double tau : output) driven.push_back(output_at(beta, tau).value_or(no_dyad(tau)));
     return RegionRow{RegionAxis({driver}, working_poses(), respect_direction),
-                     RegionAxis(std::move(driven), working_poses(), respect_direction),
+                     RegionAxis(std::move(driven), working_poses(), respect_direction, RegionAxis::Role::driven),
                      {}};
   };
   map.recompute_rows(input, output, row_at, frame().scale, options, progress);

@@ -193,7 +193,7 @@ TEST(SideAngleFamily, ClassifiesEachCellAsAloneItWouldBe) {
         EXPECT_EQ(map.type(cell), LinkageType::degenerate);
         continue;
       }
-      const DefectReport report = find_defects(*bars, family.working_poses({}, *bars), true);
+      const DefectReport report = find_defects(*bars, family.working_poses({input[row], output[column]}, *bars), true);
       EXPECT_EQ(map.type(cell), report.type);
       EXPECT_EQ(map.defects(cell).bits, report.defects.bits);
       ++compared;
