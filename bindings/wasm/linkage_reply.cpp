@@ -150,7 +150,7 @@ PickedLinkage picked_linkage(const TaskFamily& given, RegionPlace place, bool re
   constexpr bool verify = false;
   picked.bars = make_four_bar(given, place, respect_direction, verify);
   if (!picked.bars) return picked;
-  const std::vector<PrescribedPose> poses = given.family->user_poses(picked.bars->four_bar);
+  const std::vector<PrescribedPose> poses = given.family->user_poses(place, picked.bars->four_bar);
   picked.visits = pose_visits(picked.bars->four_bar, poses);
   picked.drive = drive_table(picked.visits, poses, states_of_a_drive);
   return picked;

@@ -28,9 +28,11 @@ bool depends_on_requirements(const Task& task) {
 }
 
 TaskFamily family_of(const Problem& problem) {
-  return std::visit(
-      [&](const auto& task) { return task_family(task, problem.requirements, problem.options.objective); },
-      problem.task);
+  if (const auto* motion = std::get_if<MotionTask>(&problem.task))
+    return task_family(*motion, problem.requirements, problem.options.objective);
+  if (const auto* function = std::get_if<FunctionTask>(&problem.task))
+    return task_family(*function, problem.requirements, problem.options.objective);
+  return {};
 }
 
 constexpr std::array<double, 2> whole = {0, 1};

@@ -19,7 +19,7 @@ std::optional<Candidate> Judge::candidate(RegionPlace place) const {
 std::optional<Candidate> Judge::judged(RegionPlace place, const FourBar& bars) const {
   const Requirements& wanted = requirements_;
   if (!in_window(place)) return std::nullopt;
-  const DefectReport report = find_defects(bars, family_.working_poses(bars), wanted.respect_direction);
+  const DefectReport report = find_defects(bars, family_.working_poses(place, bars), wanted.respect_direction);
   if (report.type == LinkageType::degenerate) return std::nullopt;
   const auto& types = wanted.types;
   if (!types.empty() && std::find(types.begin(), types.end(), report.type) == types.end()) return std::nullopt;

@@ -44,7 +44,7 @@ std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlac
   const WorkingFrame& frame = given.frame();
   const auto bars = links ? user_four_bar(*links, frame) : std::nullopt;
   if (!bars) return std::nullopt;
-  const std::vector<PrescribedPose> poses = given.family->user_poses(*bars);
+  const std::vector<PrescribedPose> poses = given.family->user_poses(place, *bars);
   FourBarSolution solution;
   solution.input = frame.to_user(links->input);
   solution.output = frame.to_user(links->output);

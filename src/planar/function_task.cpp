@@ -1,10 +1,8 @@
 #include "linkwright/planar/function_task.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
-#include <iterator>
 #include <string_view>
 
 #include "linkwright/core/angle.hpp"
@@ -13,7 +11,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, 3> free_names = {"output_scale", "precision_point", "pair_output"};
+constexpr std::array<std::string_view, 2> free_names = {"output_scale", "pair_output"};
 
 std::string place_of(std::size_t pair) { return fmt::format("task.pairs[{}]", pair); }
 
@@ -114,27 +112,6 @@ void check_function(const FunctionTask& task, std::vector<Error>& found) {
   found.insert(found.end(), mistakes.begin(), mistakes.end());
 }
 
-void check_free_pair(const FunctionTask& task, std::vector<Error>& found) {
-  const FreeNumber& free = *task.free;
-  const bool point = free.kind == FreeNumber::Kind::precision_point;
-  if (free.kind == FreeNumber::Kind::output_scale) return;
-  if (free.pair >= task.pairs.size())
-    found.push_back(
-        {"out_of_range", "task.free.pair", fmt::format("there are {} pairs; the first is 0", task.pairs.size())});
-  if (!point) return;
-  if (!task.function) {
-    found.push_back({"no_function", "task.free",
-                     "a precision point moves along a named function; name one, or let the output of a pair be free "
-                     "(pair_output)"});
-    return;
-  }
-  if (!mistakes_in(*task.function).empty()) return;
-  const auto x = DialFunction(*task.function).x_range();
-  if (free.range[0] < x[0] || free.range[1] > x[1])
-    found.push_back({"out_of_range", "task.free.range",
-                     fmt::format("the function has a range of {:g} to {:g} of x; keep within", x[0], x[1])});
-}
-
 void check_free(const FunctionTask& task, std::vector<Error>& found) {
   if (!task.free) return;
   const auto [low, high] = task.free->range;
@@ -147,7 +124,9 @@ void check_free(const FunctionTask& task, std::vector<Error>& found) {
     found.push_back({"out_of_range", "task.free.range",
                      "the output's travel is multiplied by a positive number; turn the signs of the outputs round to "
                      "let it turn the other way"});
-  check_free_pair(task, found);
+  if (task.free->kind == FreeNumber::Kind::pair_output && task.free->pair >= task.pairs.size())
+    found.push_back(
+        {"out_of_range", "task.free.pair", fmt::format("there are {} pairs; the first is 0", task.pairs.size())});
 }
 
 }  // namespace
@@ -195,28 +174,25 @@ std::vector<AnglePair> precision_pairs(const NamedFunction& function) {
   return pairs;
 }
 
-std::vector<AnglePair> pairs_at(const FunctionTask& task, double value) {
-  assert(task.free);
-  std::vector<AnglePair> pairs = task.pairs;
-  AnglePair& free_pair = pairs[task.free->pair];
+FunctionTask task_at(const FunctionTask& task, double value) {
+  if (!task.free) return task;
+  FunctionTask fixed = task;
+  fixed.free.reset();
+  const double datum = task.pairs.front().output;
   switch (task.free->kind) {
     case FreeNumber::Kind::output_scale:
-      for (AnglePair& pair : pairs) {
-        pair.output = task.pairs.front().output + value * (pair.output - task.pairs.front().output);
+      for (AnglePair& pair : fixed.pairs) {
+        pair.output = datum + value * (pair.output - datum);
         for (AngleDerivative& derivative : pair.derivatives) derivative.output *= value;
       }
+      if (fixed.function)
+        for (double& end : fixed.function->output_range) end = datum + value * (end - datum);
       break;
-    case FreeNumber::Kind::precision_point: {
-      const DialFunction dial(*task.function);
-      free_pair.input = dial.input_at(value);
-      free_pair.output = dial.output_of(value);
-      break;
-    }
     case FreeNumber::Kind::pair_output:
-      free_pair.output = value;
+      fixed.pairs[task.free->pair].output = value;
       break;
   }
-  return pairs;
+  return fixed;
 }
 
 int position_count(const std::vector<AnglePair>& pairs) {

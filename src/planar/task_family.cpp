@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "linkwright/planar/instant_center.hpp"
 #include "linkwright/planar/task_curve.hpp"
+#include "linkwright/planar/three_pose_opening.hpp"
 
 namespace linkwright {
 namespace {
@@ -61,11 +63,56 @@ TaskFamily family_of_points(const MotionTask& task) {
   return given;
 }
 
+// Three positions and the centre of the first turn are four positions, PP-P-P; in which sense the body turns there is
+// not given.
+TaskFamily family_of_center(const MotionTask& task, const InstantCenter& center) {
+  TaskFamily given = family_of_curve({with_instant_center(task.poses, center), {}});
+  given.pattern = pattern(task.poses);
+  if (given.family) given.family = std::make_shared<CurveFamily>(given.frame(), task.poses, given.curve);
+  return given;
+}
+
+// Three positions and lengths, or an angle and a length.
+template <class Given>
+TaskFamily family_of_lengths(const MotionTask& task, const Given& of_side_links, const Requirements& requirements,
+                             Objective objective) {
+  TaskFamily given;
+  given.pattern = pattern(task.poses);
+  given.conditions = pose_conditions(task.poses);
+  given.derivative_rows = derivative_conditions(task.poses, given.frame());
+  ThreePoseOpening opening =
+      three_pose_opening(given.conditions, task.poses, of_side_links, requirements, objective);
+  given.family = std::move(opening.family);
+  given.degeneracy = std::move(opening.degeneracy);
+  given.warnings = std::move(opening.notices);
+  if (!given.degeneracy)
+    for (Notice& warning : pose_warnings(task.poses, given.conditions)) given.warnings.push_back(std::move(warning));
+  return given;
+}
+
+TaskFamily family_of_three(const MotionTask& task, const Requirements& requirements, Objective objective) {
+  const ThreePoseGiven given = task.given.value_or(SideLengths{});
+  if (const auto* center = std::get_if<InstantCenter>(&given)) return family_of_center(task, *center);
+  if (const auto* angle = std::get_if<SideAngle>(&given))
+    return family_of_lengths(task, *angle, requirements, objective);
+  return family_of_lengths(task, std::get<SideLengths>(given), requirements, objective);
+}
+
 }  // namespace
 
-TaskFamily task_family(const MotionTask& task, const Requirements& /*requirements*/, Objective /*objective*/) {
-  constexpr int most_of_a_curve = 4;
-  return position_count(task.poses) > most_of_a_curve ? family_of_points(task) : family_of_curve(task);
+TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective) {
+  switch (position_count(task.poses)) {
+    case 3:
+      return family_of_three(task, requirements, objective);
+    case 4:
+      return family_of_curve(task);
+    default:
+      return family_of_points(task);
+  }
+}
+
+TaskFamily task_family(const FunctionTask& /*task*/, const Requirements& /*requirements*/, Objective /*objective*/) {
+  return {};
 }
 
 Requirements with_defaults(Requirements wanted, const WorkingFrame& frame) {

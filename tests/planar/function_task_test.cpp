@@ -106,20 +106,20 @@ TEST(FunctionTask, AFreeNumberChangesThePairs) {
   FunctionTask task = squares();
   task.pairs[1].derivatives = {{1, 3}};
   task.free = FreeNumber{};
-  auto pairs = pairs_at(task, 2);
+  FunctionTask fixed = task_at(task, 2);
+  auto pairs = fixed.pairs;
   for (std::size_t j = 0; j < 4; ++j) {
     EXPECT_EQ(pairs[j].input, task.pairs[j].input);
     EXPECT_NEAR(pairs[j].output - pairs[0].output, 2 * (task.pairs[j].output - task.pairs[0].output), 1e-15);
   }
   EXPECT_EQ(pairs[1].derivatives[0].output, 6);
-  task.free = FreeNumber{FreeNumber::Kind::pair_output, 2, {0, 1}};
-  pairs = pairs_at(task, 0.75);
+  EXPECT_FALSE(fixed.free);
+  const DialFunction stretched(*fixed.function);
+  for (const AnglePair& pair : pairs) EXPECT_NEAR(stretched.output_at(pair.input), pair.output, 1e-15);
+  task.free = FreeNumber{FreeNumber::Kind::pair_output, {0, 1}, 2};
+  pairs = task_at(task, 0.75).pairs;
   EXPECT_EQ(pairs[2].output, 0.75);
   EXPECT_EQ(pairs[2].input, task.pairs[2].input);
-  task.free = FreeNumber{FreeNumber::Kind::precision_point, 2, {0.4, 0.8}};
-  pairs = pairs_at(task, 0.5);
-  EXPECT_NEAR(pairs[2].input, radians(30), 1e-15);
-  EXPECT_NEAR(pairs[2].output, radians(22.5), 1e-15);
 }
 
 TEST(FunctionTask, AFreeNumberIsSpacedOverItsRange) {
@@ -127,28 +127,22 @@ TEST(FunctionTask, AFreeNumberIsSpacedOverItsRange) {
   EXPECT_DOUBLE_EQ(scale.at(0), 0.5);
   EXPECT_DOUBLE_EQ(scale.at(0.5), 1) << "by its logarithm";
   EXPECT_DOUBLE_EQ(scale.at(1), 2);
-  const FreeNumber output{FreeNumber::Kind::pair_output, 0, {-1, 3}};
+  const FreeNumber output{FreeNumber::Kind::pair_output, {-1, 3}};
   EXPECT_DOUBLE_EQ(output.at(0.25), 0);
   for (const FreeNumber& free : {scale, output})
     for (const double t : {0.0, 0.3, 1.0}) EXPECT_NEAR(free.place_of(free.at(t)), t, 1e-15);
-  for (const auto kind :
-       {FreeNumber::Kind::output_scale, FreeNumber::Kind::precision_point, FreeNumber::Kind::pair_output})
+  for (const auto kind : {FreeNumber::Kind::output_scale, FreeNumber::Kind::pair_output})
     EXPECT_EQ(free_number_named(name(kind)), kind);
 }
 
 TEST(FunctionTask, AFreeNumberIsChecked) {
   FunctionTask task = four_pairs();
-  task.free = FreeNumber{FreeNumber::Kind::output_scale, 0, {0, 2}};
+  task.free = FreeNumber{FreeNumber::Kind::output_scale, {0, 2}};
   EXPECT_EQ(codes(task), "out_of_range@free.range");
   task.free->range = {2, 1};
   EXPECT_EQ(codes(task), "out_of_range@free.range");
-  task.free = FreeNumber{FreeNumber::Kind::pair_output, 4, {0, 1}};
+  task.free = FreeNumber{FreeNumber::Kind::pair_output, {0, 1}, 4};
   EXPECT_EQ(codes(task), "out_of_range@free.pair");
-  task.free = FreeNumber{FreeNumber::Kind::precision_point, 1, {0, 1}};
-  EXPECT_EQ(codes(task), "no_function@free");
-  task = squares();
-  task.free = FreeNumber{FreeNumber::Kind::precision_point, 1, {0, 1.5}};
-  EXPECT_EQ(codes(task), "out_of_range@free.range");
   task = four_pairs();
   task.pairs[0].derivatives = {{1, 1}};
   task.free = FreeNumber{};

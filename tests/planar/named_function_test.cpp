@@ -107,7 +107,7 @@ TEST(NamedFunction, RangesPointsAndTablesAreChecked) {
   f.table = {{0, 0}, {1, 1}};
   EXPECT_EQ(codes(f), "two_functions@table");
   EXPECT_EQ(codes(table({{0, 0}}, TableInterpolation::linear)), "table_too_short@table");
-  EXPECT_EQ(codes(table({{0, 0}, {1, nan}, {1, 2}, {1, 3}}, TableInterpolation::linear)),
+  EXPECT_EQ(codes(table({{0, 0}, {1, nan}, {2, 2}, {2, 3}}, TableInterpolation::linear)),
             "out_of_range@table[1] table_out_of_order@table[3]");
   EXPECT_EQ(codes(table({{0, 2}, {1, 2}}, TableInterpolation::linear)), "constant_function@x");
   f = table({{0, 0}, {1, 2}}, TableInterpolation::linear);

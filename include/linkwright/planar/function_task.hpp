@@ -31,12 +31,11 @@ struct AnglePair {
 struct FreeNumber {
   enum class Kind : std::uint8_t {
     output_scale,  ///< factor s > 0 on the output's travel: ψⱼ − ψ₁ becomes s(ψⱼ − ψ₁); spaced by its logarithm
-    precision_point,  ///< x of one precision point of the named function
-    pair_output,      ///< output angle of one pair, radians
+    pair_output,  ///< output angle of one pair, radians
   };
   Kind kind = Kind::output_scale;
-  std::size_t pair = 0;                    ///< of precision_point and pair_output
   std::array<double, 2> range = {0.5, 2};  ///< low first
+  std::size_t pair = 0;                    ///< of pair_output
 
   /// The value at t ∈ [0, 1] of the range, and back.
   [[nodiscard]] double at(double t) const;
@@ -67,8 +66,9 @@ inline constexpr double repeated_input_angle = 1e-9;
 /// The precision points of a named function without mistakes, by rising x.
 [[nodiscard]] std::vector<AnglePair> precision_pairs(const NamedFunction& function);
 
-/// The task's pairs with its free number at a value (of a task without mistakes that has one).
-[[nodiscard]] std::vector<AnglePair> pairs_at(const FunctionTask& task, double value);
+/// The task with its free number at a value, free no longer; the output's dial is stretched about the first pair with
+/// output_scale. `task` without mistakes.
+[[nodiscard]] FunctionTask task_at(const FunctionTask& task, double value);
 
 /// Number of positions, each with its multiplicity.
 [[nodiscard]] int position_count(const std::vector<AnglePair>& pairs);

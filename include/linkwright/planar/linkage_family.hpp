@@ -30,7 +30,8 @@ enum class AxisQuantity {
   burmester_point,   ///< one of a few dyads; each fills a branch
   side_direction,    ///< direction of the side link in position 1, degrees
   side_length,       ///< length of the side link, user's unit
-  output_scale,      ///< factor on the output's range
+  output_scale,      ///< factor on the output's travel
+  pair_output,       ///< output angle of one pair, degrees
   nothing,           ///< one place only
 };
 [[nodiscard]] std::string_view name(AxisQuantity quantity);
@@ -72,10 +73,10 @@ class LinkageFamily {
   /// The side links at a place; nothing where the family has none there. They may be sliders.
   [[nodiscard]] virtual std::optional<SideLinks> side_links(RegionPlace place) const = 0;
 
-  /// What the coupler of `bars` is to visit, position 1 being the one in which they lie; user's frame or working frame,
-  /// as the bars are.
-  [[nodiscard]] virtual std::vector<PrescribedPose> user_poses(const FourBar& bars) const = 0;
-  [[nodiscard]] virtual std::vector<PrescribedPose> working_poses(const FourBar& bars) const = 0;
+  /// What the coupler of `bars`, those at a place, is to visit, position 1 being the one in which they lie; user's frame
+  /// or working frame, as the bars are.
+  [[nodiscard]] virtual std::vector<PrescribedPose> user_poses(RegionPlace place, const FourBar& bars) const = 0;
+  [[nodiscard]] virtual std::vector<PrescribedPose> working_poses(RegionPlace place, const FourBar& bars) const = 0;
 
   /// What people read at a coordinate (degrees, user's length, …): τ itself unless the quantity is another.
   [[nodiscard]] virtual double axis_value(Side side, double tau) const;
@@ -114,8 +115,11 @@ class MotionFamily : public LinkageFamily {
   /// `poses`: the task's, user's frame.
   MotionFamily(WorkingFrame frame, std::vector<PrescribedPose> poses, FamilyAxis input, FamilyAxis output);
 
-  [[nodiscard]] std::vector<PrescribedPose> user_poses(const FourBar& /*bars*/) const override { return user_poses_; }
-  [[nodiscard]] std::vector<PrescribedPose> working_poses(const FourBar& /*bars*/) const override {
+  [[nodiscard]] std::vector<PrescribedPose> user_poses(RegionPlace /*place*/, const FourBar& /*bars*/) const override {
+    return user_poses_;
+  }
+  [[nodiscard]] std::vector<PrescribedPose> working_poses(RegionPlace /*place*/,
+                                                          const FourBar& /*bars*/) const override {
     return working_poses_;
   }
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "linkwright/analysis/position.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/planar/function_task.hpp"
+
+namespace linkwright {
+
+/// The output that a driven four-bar generates, by forward kinematics alone: it stands at the first pair and is driven
+/// from there, without being taken apart. Angles in radians on the task's dials.
+class GeneratedFunction {
+ public:
+  /// `four_bar` stands at `first`.
+  GeneratedFunction(const FourBar& four_bar, const AnglePair& first);
+
+  /// Output at an input angle (modulo whole turns), the one nearest to `near`; nothing where the drive does not get
+  /// there.
+  [[nodiscard]] std::optional<double> output_at(double input, double near) const;
+
+  /// The inputs that the drive reaches, around that of the first pair; a whole turn for a crank. Empty (from = to) for
+  /// links that are none.
+  [[nodiscard]] AngleRange reach() const { return reach_; }
+
+ private:
+  LinkLengths lengths_;
+  Assembly assembly_ = Assembly::positive;
+  AngleRange reach_;
+  double input_offset_ = 0, output_offset_ = 0;  ///< angle from the frame's axis less the dial's
+};
+
+/// One point of the plot.
+struct ErrorSample {
+  double input = 0, wanted = 0;     ///< radians
+  std::optional<double> generated;  ///< nothing where the drive does not get there
+};
+
+/// How well a four-bar generates a function.
+struct FunctionError {
+  /// Generated less wanted output at each pair, radians in (−π, π]; nothing where the drive does not get to the input.
+  std::vector<std::optional<double>> at_pairs;
+  double precision_error = 0;  ///< largest magnitude at the pairs that are reached
+  bool reaches_pairs = false;  ///< the drive gets to every input
+  /// With a named function, over its whole range of inputs: largest magnitude of the structural error where the drive
+  /// gets, and the input there. Nothing where only pairs are given or none of the range is reached.
+  std::optional<double> max_structural_error;
+  double worst_input = 0;
+  std::vector<AngleRange> unreached;  ///< parts of the range of inputs where the drive does not get, ascending
+  std::vector<ErrorSample> samples;   ///< for a plot, by rising input; none where only pairs are given
+};
+
+/// `four_bar` stands at the task's first pair. `samples` ≥ 2 even steps of the range, more where the table has a corner
+/// and where the reach ends; the largest error between them is sought to 1e-10 of the range.
+[[nodiscard]] FunctionError function_error(const FourBar& four_bar, const FunctionTask& task, int samples = 181);
+
+}  // namespace linkwright

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "linkwright/planar/function_couplers.hpp"
+#include "linkwright/planar/function_task.hpp"
+#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/task_family.hpp"
+
+namespace linkwright {
+
+/// The four-bars that generate a function: the rows of their map are places on the curve of couplers (or, with five
+/// positions, its one or three points), the columns the free number of the task, or one only. The input is named by the
+/// task: nothing is driven from the other side.
+///
+/// Where the free number changes the number of the curve's branches, the axis has the most that occur, and the cells
+/// beyond are empty.
+class FunctionFamily : public LinkageFamily {
+ public:
+  /// `task` without mistakes, `couplers` its own, with a curve or points.
+  FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers);
+
+  /// The task at a place: its free number fixed.
+  [[nodiscard]] FunctionTask task_at(RegionPlace place) const;
+
+  /// Input: ground pivot and moving pivot of the input link; output likewise; both carry their axis' coordinate.
+  [[nodiscard]] std::optional<SideLinks> side_links(RegionPlace place) const override;
+  [[nodiscard]] std::vector<PrescribedPose> user_poses(RegionPlace place, const FourBar& bars) const override;
+  [[nodiscard]] std::vector<PrescribedPose> working_poses(RegionPlace place, const FourBar& bars) const override;
+  [[nodiscard]] double axis_value(Side side, double tau) const override;
+  [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
+
+  /// Input: the input links along the curve; output: the output links along it. None with a free number.
+  [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
+
+ private:
+  /// The couplers of the task at one value of the free number.
+  struct Column {
+    std::vector<AnglePair> pairs;
+    std::shared_ptr<const FunctionCouplers> couplers;
+  };
+  [[nodiscard]] Column column_at(double tau) const;
+  [[nodiscard]] std::optional<Dyad> coupler(const Column& column, double tau) const;
+  [[nodiscard]] RegionRow row_at(double tau, std::span<const Column> columns, std::span<const double> coordinates,
+                                 bool respect_direction) const;
+  void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
+            const RegionOptions& options, const Progress& progress) const override;
+
+  FunctionTask task_;
+  std::shared_ptr<const FunctionCouplers> couplers_;
+  Point ground_;  ///< the output's ground pivot, working frame; the input's is at 0
+};
+
+/// What a function task says before its linkages are classified; `derivative_rows` stays empty. `task` without
+/// mistakes.
+[[nodiscard]] TaskFamily task_family(const FunctionTask& task);
+
+}  // namespace linkwright

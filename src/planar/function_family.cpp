@@ -1,0 +1,189 @@
+#include "linkwright/planar/function_family.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/parallel.hpp"
+#include "linkwright/core/tolerance.hpp"
+#include "linkwright/planar/function_linkage.hpp"
+
+namespace linkwright {
+namespace {
+
+// Short enough for a curve that looks smooth at some zoom, as along any Burmester curve.
+constexpr double longest_side = 0.025;
+
+// Values of the free number at which the branches of its curves are counted.
+constexpr int looks_along_the_range = 33;
+
+std::vector<CurveBranch> point_branches(std::size_t count) {
+  std::vector<CurveBranch> branches;
+  for (std::size_t i = 0; i < count; ++i)
+    branches.push_back({"point", static_cast<double>(i), static_cast<double>(i + 1)});
+  return branches;
+}
+
+FamilyAxis coupler_axis(const FunctionTask& task, const FunctionCouplers& couplers) {
+  if (!couplers.curve) return {AxisQuantity::burmester_point, point_branches(couplers.points.size())};
+  FamilyAxis axis{AxisQuantity::curve_coordinate, couplers.curve->branches()};
+  for (int i = 0; task.free && i < looks_along_the_range; ++i) {
+    const double t = (i + 0.5) / looks_along_the_range;
+    const auto there = function_couplers(task_at(task, task.free->at(t)));
+    if (there.curve && there.curve->coordinate_length() > axis.coordinate_length())
+      axis.branches = there.curve->branches();
+  }
+  return axis;
+}
+
+FamilyAxis free_axis(const FunctionTask& task) {
+  if (!task.free) return {AxisQuantity::nothing, {{"point", 0, 1}}};
+  const bool scale = task.free->kind == FreeNumber::Kind::output_scale;
+  return {scale ? AxisQuantity::output_scale : AxisQuantity::pair_output, {{"range", 0, 1}}};
+}
+
+// The input link as a body that turns about the origin.
+std::vector<PrescribedPose> input_turns(const std::vector<AnglePair>& pairs) {
+  std::vector<PrescribedPose> poses;
+  for (const AnglePair& pair : pairs) {
+    poses.push_back({{0, pair.input - pairs.front().input}, {}});
+    for (const AngleDerivative& derivative : pair.derivatives)
+      poses.back().derivatives.push_back({0, derivative.input});
+  }
+  return poses;
+}
+
+RegionAxis empty_axis(std::size_t size, const std::vector<PrescribedPose>& poses) {
+  RegionAxis axis({}, poses);
+  axis.dyads.resize(size);
+  for (auto* values : {&axis.center_x, &axis.center_y, &axis.circle_x, &axis.circle_y, &axis.length})
+    values->resize(size);
+  for (auto* arms : {&axis.arm_x, &axis.arm_y})
+    for (auto& arm : *arms) arm.resize(size);
+  axis.senses.resize(size);
+  axis.wide.resize(size);
+  axis.sweep_ccw.resize(size);
+  return axis;
+}
+
+// Puts an output link on a place of the axis, and how it turns.
+void put(RegionAxis& axis, std::size_t at, Point center, Point circle, const std::vector<AnglePair>& pairs) {
+  axis.center_x[at] = center.real();
+  axis.center_y[at] = center.imag();
+  axis.circle_x[at] = circle.real();
+  axis.circle_y[at] = circle.imag();
+  axis.length[at] = std::abs(circle - center);
+  for (std::size_t j = 0; j < pairs.size(); ++j) {
+    const Point arm = direction(pairs[j].output - pairs.front().output) * (circle - center);
+    axis.arm_x[j][at] = arm.real();
+    axis.arm_y[j][at] = arm.imag();
+  }
+}
+
+}  // namespace
+
+FunctionFamily::FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers)
+    : LinkageFamily(couplers->frame(), coupler_axis(task, *couplers), free_axis(task)),
+      task_(std::move(task)),
+      couplers_(std::move(couplers)),
+      ground_((task_.output_pivot - task_.input_pivot) / frame().scale) {}
+
+FunctionTask FunctionFamily::task_at(RegionPlace place) const {
+  return task_.free ? linkwright::task_at(task_, task_.free->at(wrap_period(place.output, 1))) : task_;
+}
+
+FunctionFamily::Column FunctionFamily::column_at(double tau) const {
+  if (!task_.free) return {task_.pairs, couplers_};
+  FunctionTask fixed = task_at({0, tau});
+  auto couplers = std::make_shared<const FunctionCouplers>(function_couplers(fixed));
+  return {std::move(fixed.pairs), std::move(couplers)};
+}
+
+// In the frame of the family: the frames of all columns have their origin in the input's ground pivot.
+std::optional<Dyad> FunctionFamily::coupler(const Column& column, double tau) const {
+  auto found = column.couplers->coupler(tau);
+  if (!found) return std::nullopt;
+  const double larger = column.couplers->frame().scale / frame().scale;
+  for (Homogeneous* p : {&found->center, &found->circle}) *p = normalized({p->w, larger * p->x, larger * p->y});
+  return found;
+}
+
+std::optional<SideLinks> FunctionFamily::side_links(RegionPlace place) const {
+  const auto found = coupler(column_at(place.output), place.input);
+  if (!found) return std::nullopt;
+  return SideLinks{{Homogeneous::of(0), found->circle, place.input},
+                   {Homogeneous::of(ground_), found->center, place.output}};
+}
+
+std::vector<PrescribedPose> FunctionFamily::user_poses(RegionPlace place, const FourBar& bars) const {
+  return coupler_poses(bars, task_at(place).pairs);
+}
+
+std::vector<PrescribedPose> FunctionFamily::working_poses(RegionPlace place, const FourBar& bars) const {
+  return coupler_poses(bars, task_at(place).pairs);
+}
+
+double FunctionFamily::axis_value(Side side, double tau) const {
+  if (side == Side::input || !task_.free) return tau;
+  const double value = task_.free->at(tau);
+  return task_.free->kind == FreeNumber::Kind::pair_output ? degrees(value) : value;
+}
+
+std::vector<double> FunctionFamily::samples(Side side, int count, Spacing spacing) const {
+  if (side == Side::input && !task_.free && couplers_->curve) return couplers_->curve->samples(count, spacing);
+  return LinkageFamily::samples(side, count, spacing);
+}
+
+std::vector<Dyad> FunctionFamily::polygon(Side side) const {
+  std::vector<Dyad> links;
+  if (task_.free || (couplers_->curve && couplers_->curve->coordinate_length() == 0)) return links;
+  const std::vector<Dyad> couplers = couplers_->curve ? couplers_->curve->polygon(longest_side) : couplers_->points;
+  for (const Dyad& coupler : couplers)
+    links.push_back(side == Side::input ? Dyad{Homogeneous::of(0), coupler.circle, coupler.coordinate}
+                                        : Dyad{Homogeneous::of(ground_), coupler.center, coupler.coordinate});
+  return links;
+}
+
+// Verdicts do not change with size and attitude: every linkage is laid with its input link from 0 to 1 in the first
+// pair, so that one driver stands for the whole row.
+RegionRow FunctionFamily::row_at(double tau, std::span<const Column> columns, std::span<const double> coordinates,
+                                 bool respect_direction) const {
+  const std::vector<PrescribedPose> turns = input_turns(task_.pairs);
+  RegionRow row{RegionAxis({{Homogeneous::of(0), Homogeneous::of(1), tau}}, turns, respect_direction),
+                empty_axis(columns.size(), turns), std::vector<float>(columns.size(), 0)};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    row.output.dyads[k].coordinate = coordinates[k];
+    const auto found = coupler(columns[k], tau);
+    const auto a = found ? finite_point(found->circle) : std::nullopt, b = found ? finite_point(found->center) : a;
+    if (!a || !b || std::abs(*a) <= tolerance::change_point * std::abs(ground_)) continue;  // degenerate
+    row.enlarge[k] = static_cast<float>(std::abs(*a));
+    put(row.output, k, ground_ / *a, *b / *a, columns[k].pairs);
+  }
+  return row;
+}
+
+void FunctionFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                          bool respect_direction, const RegionOptions& options, const Progress& progress) const {
+  std::vector<Column> columns(output.size());
+  parallel_for(output.size(), task_.free ? options.threads : 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end && !progress.is_cancelled(); ++k) columns[k] = column_at(output[k]);
+  });
+  if (progress.is_cancelled()) columns.assign(output.size(), {task_.pairs, couplers_});
+  map.recompute_rows(
+      input, output, [&](std::size_t row) { return row_at(input[row], columns, output, respect_direction); },
+      frame().scale, options, progress);
+}
+
+TaskFamily task_family(const FunctionTask& task) {
+  auto couplers = std::make_shared<const FunctionCouplers>(function_couplers(task));
+  TaskFamily given;
+  given.pattern = pattern(task.pairs);
+  given.conditions = couplers->given.conditions;
+  given.curve = couplers->curve;
+  given.warnings = couplers->warnings;
+  given.degeneracy = couplers->degeneracy;
+  if (!given.degeneracy) given.family = std::make_shared<FunctionFamily>(task, std::move(couplers));
+  return given;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,75 @@
+#include "linkwright/planar/function_linkage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::array<std::array<double, 4>, 4> binomial = {{{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}}};
+
+// An arm turned, and its derivatives: v = e^{iα} arm, v′ = iα′v and so on.
+std::vector<Point> turned(Point arm, double angle, const std::vector<AngleDerivative>& derivatives,
+                          double AngleDerivative::*which) {
+  std::vector<Point> v = {direction(angle) * arm};
+  for (std::size_t m = 0; m < derivatives.size(); ++m) {
+    Point sum = 0;
+    for (std::size_t k = 0; k <= m; ++k) sum += binomial[m][k] * derivatives[k].*which * v[m - k];
+    v.push_back(Point{0, 1} * sum);
+  }
+  return v;
+}
+
+// Derivatives of the angle of w from its own: w^(m+1) = i Σ C(m, k) θ^(k+1) w^(m−k), solved for the highest of θ.
+std::vector<double> angle_derivatives(const std::vector<Point>& w) {
+  std::vector<double> theta;
+  for (std::size_t m = 0; m + 1 < w.size(); ++m) {
+    Point rest = w[m + 1];
+    for (std::size_t k = 0; k < m; ++k) rest -= Point{0, 1} * (binomial[m][k] * theta[k]) * w[m - k];
+    theta.push_back(std::norm(w[0]) > 0 ? cross(w[0], rest) / std::norm(w[0]) : 0);
+  }
+  return theta;
+}
+
+struct Arms {
+  std::vector<Point> input, coupler;  // from the input's ground pivot to A, from A to B; with derivatives
+};
+
+Arms arms_at(const FourBar& bars, const AnglePair& first, const AnglePair& pair) {
+  Arms arms{turned(bars.input_circle - bars.input_center, pair.input - first.input, pair.derivatives,
+                   &AngleDerivative::input),
+            turned(bars.output_circle - bars.output_center, pair.output - first.output, pair.derivatives,
+                   &AngleDerivative::output)};
+  for (std::size_t m = 0; m < arms.coupler.size(); ++m) arms.coupler[m] -= arms.input[m];
+  arms.coupler[0] += bars.output_center - bars.input_center;
+  return arms;
+}
+
+PrescribedPose coupler_pose(const FourBar& bars, const Arms& arms) {
+  const Point first = bars.output_circle - bars.input_circle;
+  PrescribedPose pose{{bars.input_center + arms.input[0], std::arg(arms.coupler[0] * std::conj(first))}, {}};
+  const std::vector<double> rates = angle_derivatives(arms.coupler);
+  for (std::size_t m = 0; m < rates.size(); ++m) pose.derivatives.push_back({arms.input[m + 1], rates[m]});
+  return pose;
+}
+
+}  // namespace
+
+std::vector<PrescribedPose> coupler_poses(const FourBar& four_bar, const std::vector<AnglePair>& pairs) {
+  std::vector<PrescribedPose> poses;
+  for (const AnglePair& pair : pairs) poses.push_back(coupler_pose(four_bar, arms_at(four_bar, pairs.front(), pair)));
+  return poses;
+}
+
+double coupler_residual(const FourBar& four_bar, const std::vector<AnglePair>& pairs) {
+  const double length = four_bar.lengths().coupler;
+  double worst = 0;
+  for (const AnglePair& pair : pairs)
+    worst = std::max(worst, std::abs(std::abs(arms_at(four_bar, pairs.front(), pair).coupler[0]) - length));
+  return length > 0 ? worst / length : 0;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,34 @@
+#include "support/random_function.hpp"
+
+#include "support/random_task.hpp"
+
+namespace linkwright::testing {
+
+std::vector<AnglePair> random_pairs(std::mt19937_64& random, const std::vector<int>& multiplicities) {
+  std::vector<AnglePair> pairs;
+  for (const int multiplicity : multiplicities) {
+    AnglePair pair{uniform(random, -3, 3), uniform(random, -3, 3), {}};
+    for (int m = 1; m < multiplicity; ++m) pair.derivatives.push_back({uniform(random, -2, 2), uniform(random, -2, 2)});
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+std::vector<AnglePair> gentle_pairs(std::mt19937_64& random, int count) {
+  std::vector<AnglePair> pairs = {{uniform(random, -3, 3), uniform(random, -3, 3), {}}};
+  while (static_cast<int>(pairs.size()) < count)
+    pairs.push_back(
+        {pairs.back().input + uniform(random, 0.1, 0.7), pairs.back().output + uniform(random, -0.5, 0.5), {}});
+  return pairs;
+}
+
+const std::vector<std::vector<int>>& four_position_patterns() {
+  static const std::vector<std::vector<int>> patterns = [] {
+    std::vector<std::vector<int>> all = {{1, 1, 1, 1}};
+    all.insert(all.end(), mixed_patterns().begin(), mixed_patterns().end());
+    return all;
+  }();
+  return patterns;
+}
+
+}  // namespace linkwright::testing

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "linkwright/planar/function_task.hpp"
+
+namespace linkwright::testing {
+
+/// Pairs of angles of no particular kind, with derivatives to match the multiplicities.
+[[nodiscard]] std::vector<AnglePair> random_pairs(std::mt19937_64& random, const std::vector<int>& multiplicities);
+
+/// Pairs as people give them: the input goes on by up to 40° from pair to pair, the output by up to 30° either way.
+[[nodiscard]] std::vector<AnglePair> gentle_pairs(std::mt19937_64& random, int count);
+
+/// All patterns of four positions, finite ones first.
+[[nodiscard]] const std::vector<std::vector<int>>& four_position_patterns();
+
+}  // namespace linkwright::testing
