@@ -39,7 +39,7 @@ class Lessening {
   [[nodiscard]] std::optional<Approach> at(RegionPlace place) const {
     const auto candidate = judge_.candidate(on_branches(place));
     if (!candidate) return std::nullopt;
-    const auto miss = pose_miss(candidate->bars, family_.working_poses(candidate->bars), freed_);
+    const auto miss = pose_miss(candidate->bars, family_.working_poses(candidate->place, candidate->bars), freed_);
     if (!miss) return std::nullopt;
     return Approach{candidate->place, miss->combined(freed_.size), change_point_margin(candidate->bars)};
   }
@@ -210,9 +210,11 @@ void pose_misses(const LinkageFamily& family, const RegionMap& map, std::span<co
     for (std::size_t cell = map.index(begin, 0); cell < map.index(end, 0); ++cell) {
       values[cell] = does_not_pass;
       if (failures[cell] != 0) continue;
-      const auto bars =
-          four_bar_of({map.input_dyads()[cell / map.columns()], map.output_dyads()[cell % map.columns()]});
-      const auto miss = bars ? pose_miss(*bars, family.working_poses(*bars), working) : std::nullopt;
+      const std::size_t row = cell / map.columns(), column = cell % map.columns();
+      const auto bars = four_bar_of({map.input_dyads()[row], map.output_dyads()[column]});
+      if (!bars) continue;
+      const RegionPlace place{map.input_coordinates()[row], map.output_coordinates()[column]};
+      const auto miss = pose_miss(*bars, family.working_poses(place, *bars), working);
       if (miss) values[cell] = static_cast<float>(family.frame().scale * miss->combined(working.size));
     }
   });
