@@ -1,5 +1,6 @@
 // linkwright_bench [options of Google Benchmark]
 // linkwright_bench --dump TASK SAMPLES     the sampled side links and the kernel's counts, JSON, for the peers
+// linkwright_bench --dump-five COUNT       random tasks of five poses and their Burmester points, JSON, for the peer
 
 #include <benchmark/benchmark.h>
 #include <cstdlib>
@@ -11,6 +12,10 @@
 int main(int argc, char** argv) {
   if (argc == 4 && std::string_view(argv[1]) == "--dump") {
     fmt::print("{}\n", linkwright::bench::dump(argv[2], std::atoi(argv[3])));
+    return 0;
+  }
+  if (argc == 3 && std::string_view(argv[1]) == "--dump-five") {
+    fmt::print("{}\n", linkwright::bench::dump_five(std::atoi(argv[2])));
     return 0;
   }
   benchmark::Initialize(&argc, argv);

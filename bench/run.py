@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Linkwright's region kernel beside numpy, and the page's engine beside the native one, in one run: script/bench calls this.
+"""Linkwright's region kernel beside numpy, the page's engine beside the native one, and Burmester points of five poses beside
+PHCpack, in one run: script/bench calls this.
 
 The two take turns, so that what else the machine does hits both; a ratio within a run counts, an absolute figure does
 not. Options of Google Benchmark (--benchmark_filter=…) run the benchmarks alone.
@@ -15,7 +16,7 @@ import statistics
 import subprocess
 import sys
 
-from peers import region_numpy
+from peers import burmester_phc, region_numpy
 
 TASKS = ("landing_gear", "drawer_hinge", "tailgate")
 
@@ -25,6 +26,7 @@ def parse(arguments):
     parser.add_argument("bench", help="path of linkwright_bench")
     parser.add_argument("--rounds", type=int, default=5, help="turns of each (default 5)")
     parser.add_argument("--samples", type=int, default=1000, help="N of the N×N region (default 1000; 100 … 10000)")
+    parser.add_argument("--five", type=int, default=1000, help="tasks of five poses for phc, 25 ms each (default 1000)")
     parser.add_argument("--save", metavar="FILE", help="write the figures as JSON, as bench/results/region.json")
     return parser.parse_known_args(arguments)
 
@@ -101,6 +103,31 @@ def print_page_figures(figures):
     return None
 
 
+def five_pose_figures(bench, count):
+    """Burmester points: ns a task of ours, many at once and one with care, and what PHCpack found and took."""
+    ours = {name.split("/")[1]: entry["ns_per_task"] for name, entry in run_benchmarks(bench, "^burmester_points/").items()}
+    if not burmester_phc.is_installed():
+        return {"ns_per_task": ours, "phc": None}
+    tasks = subprocess.run([bench, "--dump-five", str(count)], check=True, capture_output=True, text=True).stdout
+    return {"ns_per_task": ours, "phc": burmester_phc.measure(json.loads(tasks))}
+
+
+def print_five_pose_figures(figures):
+    print("\nfive poses, all Burmester points: ns a task, one thread")
+    for name, ns in figures["ns_per_task"].items():
+        print(f"  {name:<24}{ns:12.0f}")
+    phc = figures["phc"]
+    if phc is None:
+        return print("  phc is not installed (Debian package phcpack): no peer")
+    ratio, inside = (1e6 * phc[key] / figures["ns_per_task"]["many"] for key in ("ms_per_task", "ms_per_task_inside"))
+    print(f"  {'phc -b':<24}{1e6 * phc['ms_per_task']:12.0f}{ratio:9.0f}×   (its own work alone {inside:.0f}×)")
+    print(f"  {phc['tasks']} tasks: phc found {phc['roots_found']} roots of {4 * phc['tasks']}, counts differ on "
+          f"{phc['tasks_whose_counts_differ']}; roots differ by {phc['worst_difference']:.1e} at most, "
+          f"{phc['median_difference']:.1e} in the middle; phc asked again in double-double on "
+          f"{phc['asked_again_in_double_double']}")
+    return None
+
+
 def main(arguments):
     options, rest = parse(arguments)
     if rest:
@@ -127,12 +154,14 @@ def main(arguments):
         print(f"  {name:<24}{rate:8.2f}")
     page = page_figures(options.bench)
     print_page_figures(page)
+    five = five_pose_figures(options.bench, options.five)
+    print_five_pose_figures(five)
     if options.save:
-        save(options, table, sizes, roofline, page)
+        save(options, table, sizes, roofline, page, five)
     return 0
 
 
-def save(options, table, sizes, roofline, page):
+def save(options, table, sizes, roofline, page, five):
     figures = {
         "machine": processor(),
         "threads": os.cpu_count(),
@@ -142,6 +171,7 @@ def save(options, table, sizes, roofline, page):
         "sizes_ns_per_mechanism": sizes,
         "roofline_per_ns": roofline,
         "page_ms": page,
+        "five_poses": five,
     }
     os.makedirs(os.path.dirname(options.save) or ".", exist_ok=True)
     with open(options.save, "w", encoding="utf-8") as file:

@@ -11,29 +11,29 @@
 #include "linkwright/io/svg_drawing.hpp"
 #include "linkwright/planar/improved_linkage.hpp"
 #include "linkwright/planar/pose_halo.hpp"
+#include "io/task_writer.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
 namespace {
 
-// Of poses and of their derivatives.
-template <class Moving>
-bool same(const Moving& a, const Moving& b) {
-  return a.origin == b.origin && a.angle == b.angle;
+std::string task_text(const Task& task) {
+  return json_of([&](JsonWriter& json) { write_task(json, task); });
 }
 
-bool same_task(const MotionTask& a, const MotionTask& b) {
-  return a.given == b.given &&
-         std::equal(a.poses.begin(), a.poses.end(), b.poses.begin(), b.poses.end(),
-                    [](const PrescribedPose& p, const PrescribedPose& q) {
-                      return same(p.pose, q.pose) &&
-                             std::equal(p.derivatives.begin(), p.derivatives.end(), q.derivatives.begin(),
-                                        q.derivatives.end(), same<PoseDerivative>);
-                    });
+// The engine chooses a length of such a task by the requirements.
+bool depends_on_requirements(const Task& task) {
+  const auto* motion = std::get_if<MotionTask>(&task);
+  return motion && motion->given;
 }
 
-// A task of which the engine chooses a length by the requirements.
-bool chooses(const MotionTask& task) { return task.given.has_value(); }
+TaskFamily family_of(const Problem& problem) {
+  if (const auto* motion = std::get_if<MotionTask>(&problem.task))
+    return task_family(*motion, problem.requirements, problem.options.objective);
+  if (const auto* function = std::get_if<FunctionTask>(&problem.task))
+    return task_family(*function, problem.requirements, problem.options.objective);
+  return {};
+}
 
 constexpr std::array<double, 2> whole = {0, 1};
 
@@ -50,10 +50,11 @@ bool Session::set_problem(std::string_view text) {
   mistakes_ = read ? "[]" : mistakes_json(read.errors());
   if (!read) return false;
   text_ = text;
-  const bool unchanged = given_ && same_task(problem_.task, read->task) && !chooses(read->task);
+  const bool unchanged =
+      given_ && task_text(problem_.task) == task_text(read->task) && !depends_on_requirements(read->task);
   problem_ = std::move(*read);
   if (!unchanged) {
-    given_ = task_family(problem_.task, problem_.requirements, problem_.options.objective);
+    given_ = family_of(problem_);
     drawn_.reset();
     mapped_.reset();
   }
@@ -72,6 +73,12 @@ const TaskFamily& Session::given() const {
   return *given_;
 }
 
+const std::vector<PrescribedPose>& Session::poses() const {
+  static const std::vector<PrescribedPose> none;
+  const auto* motion = std::get_if<MotionTask>(&problem_.task);
+  return motion ? motion->poses : none;
+}
+
 const MapOrders& Session::orders() const {
   if (!orders_) std::abort();  // the axes are ordered before a map is made
   return *orders_;
@@ -80,9 +87,9 @@ const MapOrders& Session::orders() const {
 const Session::Drawn& Session::drawn() {
   if (!drawn_) {
     drawn_.emplace();
-    drawn_->input = drawn_curves(problem_.task, given(), Side::input);
+    drawn_->input = drawn_curves(poses(), given(), Side::input);
     drawn_->same = !given().family || given().family->is_symmetric();
-    if (!drawn_->same) drawn_->output = drawn_curves(problem_.task, given(), Side::output);
+    if (!drawn_->same) drawn_->output = drawn_curves(poses(), given(), Side::output);
   }
   return *drawn_;
 }
@@ -183,7 +190,9 @@ LiveReply Session::live(double input_tau, double output_tau) {
 }
 
 std::vector<std::uint32_t> Session::halo(const HaloRequest& request) const {
-  const PoseHalo halo(problem_.task, problem_.requirements, problem_.options.spacing, request.samples);
+  const auto* motion = std::get_if<MotionTask>(&problem_.task);
+  if (!motion) return {};
+  const PoseHalo halo(*motion, problem_.requirements, problem_.options.spacing, request.samples);
   const auto pose = static_cast<std::size_t>(request.pose);
   return request.turn ? halo.turned(pose, request.reach, request.steps)
                       : halo.moved(pose, request.reach, request.steps);
@@ -241,7 +250,8 @@ std::vector<double> Session::trace(double input_tau, double output_tau, Point tr
   std::vector<double> path;
   if (!given().family) return path;
   const PickedLinkage picked = picked_linkage(given(), {input_tau, output_tau}, requirements_.respect_direction);
-  const Pose& first = problem_.task.poses.front().pose;
+  if (!picked.bars) return path;
+  const Pose first = given().family->user_poses(picked.bars->four_bar).front().pose;
   for (const DriveState& state : picked.drive.states) {
     const Point p = displaced(traced, first, state.body);
     path.insert(path.end(), {p.real(), p.imag()});

@@ -85,6 +85,8 @@ class Session {
   [[nodiscard]] std::vector<double> coordinates(const ExploreRequest& request, Side side) const;
   void compute_map(const ExploreRequest& request);
   [[nodiscard]] const TaskFamily& given() const;
+  /// Of a motion task; otherwise none.
+  [[nodiscard]] const std::vector<PrescribedPose>& poses() const;
   [[nodiscard]] const MapOrders& orders() const;
   [[nodiscard]] const Drawn& drawn();
   /// Requirements failed by each cell of a map.

@@ -110,10 +110,10 @@ void write_curves(JsonWriter& json, const TaskFamily& given) {
 
 }  // namespace
 
-DrawnCurves drawn_curves(const MotionTask& task, const TaskFamily& given, Side side) {
+DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFamily& given, Side side) {
   DrawnCurves drawn;
   const std::vector<Dyad> polygon = given.family  ? given.family->polygon(side)
-                                    : given.curve ? CurveFamily(given.frame(), task.poses, given.curve).polygon(side)
+                                    : given.curve ? CurveFamily(given.frame(), poses, given.curve).polygon(side)
                                                   : std::vector<Dyad>{};
   const auto branches = given.family  ? given.family->axis(side).branches
                         : given.curve ? given.curve->branches()
@@ -125,7 +125,7 @@ DrawnCurves drawn_curves(const MotionTask& task, const TaskFamily& given, Side s
     append(drawn.circle, user.circle);
     drawn.branch.push_back(branch_of(branches, dyad.coordinate));
   }
-  if (given.curve) drawn.marks = curve_marks(task.poses, *given.curve, given.frame(), polygon);
+  if (given.curve && !poses.empty()) drawn.marks = curve_marks(poses, *given.curve, given.frame(), polygon);
   return drawn;
 }
 

@@ -18,7 +18,8 @@ struct DrawnCurves {
   std::vector<std::uint8_t> branch;
   std::vector<CurveMark> marks;
 };
-[[nodiscard]] DrawnCurves drawn_curves(const MotionTask& task, const TaskFamily& given, LinkageFamily::Side side);
+[[nodiscard]] DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFamily& given,
+                                       LinkageFamily::Side side);
 
 /// The two axes of a map, each in its display order.
 struct MapOrders {

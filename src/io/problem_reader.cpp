@@ -12,15 +12,10 @@
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/io/text_file.hpp"
 #include "mistakes.hpp"
-#include "pose_reader.hpp"
-#include "vocabulary.hpp"
+#include "task_reader.hpp"
 
 namespace linkwright {
 namespace {
-
-constexpr std::string_view what_is_available = "four positions of a four_bar are";
-constexpr std::size_t most_poses_looked_at =
-    100;  // any more than five are a mistake; comparing pairs of thousands is slow
 
 /// A limit that is a number, or null for none.
 void read_limit(const JsonObject& object, std::string_view key, double off, const std::function<void(double)>& set) {
@@ -46,63 +41,6 @@ void read_whole_number(const JsonObject& object, std::string_view key, int& numb
   const auto found = object.find(key);
   if (!found) return;
   if (const auto read = found->as_whole_number()) number = *read;
-}
-
-void not_available(const JsonValue& value, std::string_view what) {
-  value.mistake("not_available", fmt::format("{} not available in this version; {}", what, what_is_available));
-}
-
-/// `task.kind` or `task.mechanism`: true where it is the one that is built.
-bool is_built(const JsonObject& task, std::string_view key, std::span<const std::string_view> names,
-              std::string_view built) {
-  const auto found = task.require(key, fmt::format("\"{}\": \"{}\"", key, built));
-  const auto name = found ? found->as_one_of(names) : std::nullopt;
-  if (!name) return false;
-  if (*name == built) return true;
-  not_available(*found, fmt::format("{} \"{}\" is", key, *name));
-  return false;
-}
-
-/// The poses, and whether every one could be read.
-bool read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
-  if (value.json().is_array() && value.json().size() > most_poses_looked_at) {
-    value.mistake("pose_count", fmt::format("{} poses are given; four positions can be solved, remove the others",
-                                            value.json().size()));
-    return false;
-  }
-  bool complete = true;
-  const bool is_list = value.for_each("a list of poses", [&](const JsonValue& item) {
-    const auto pose = read_pose(item, mistakes, OtherMembers::refused);
-    if (pose) poses.push_back(*pose);
-    complete = complete && pose.has_value();
-  });
-  return is_list && complete;
-}
-
-void read_task(const JsonValue& value, Mistakes& mistakes, MotionTask& task) {
-  const JsonObject any(value, mistakes, {});
-  if (!value.is_object()) return;
-  const bool kind_is_built = is_built(any, "kind", task_kinds, "motion");
-  const bool mechanism_is_built = is_built(any, "mechanism", mechanism_names, "four_bar");
-  if (!kind_is_built || !mechanism_is_built) return;  // other kinds have other keys
-
-  const JsonObject object(value, mistakes, {"kind", "mechanism", "poses", "given"});
-  if (const auto given = object.find("given")) not_available(*given, "\"given\" belongs to three poses, which are");
-  const auto poses = object.require(
-      "poses", "a list of poses {\"x\": …, \"y\": …, \"theta_deg\": …}, four with none of them given \"derivatives\"");
-  if (poses && read_poses(*poses, mistakes, task.poses)) mistakes.add(mistakes_in(task));
-}
-
-std::optional<Box> read_box(const JsonValue& value, Mistakes& mistakes) {
-  const JsonObject object(value, mistakes, {"x", "y"});
-  const auto interval = [&](std::string_view key) {
-    const auto found = object.require(key, "two numbers [low, high]");
-    return found ? found->as_pair("[low, high]") : std::nullopt;
-  };
-  const auto x = interval("x");
-  const auto y = interval("y");
-  if (!x || !y) return std::nullopt;
-  return Box{x->real(), x->imag(), y->real(), y->imag()};
 }
 
 void read_box(const JsonObject& object, std::string_view key, Mistakes& mistakes, std::optional<Box>& box) {
@@ -173,12 +111,15 @@ std::optional<RegionWindow> read_window(const JsonValue& value) {
 
 void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& options) {
   const std::size_t before = mistakes.size();
-  const JsonObject object(value, mistakes, {"region_samples", "spacing", "objective", "best", "window"});
+  const JsonObject object(value, mistakes, {"region_samples", "spacing", "objective", "best", "window", "box", "seed", "effort"});
   read_whole_number(object, "region_samples", options.region_samples);
   read_name(object, "spacing", {Spacing::coordinate, Spacing::arc_length}, options.spacing);
   read_name(object, "objective", {Objective::min_transmission_angle, Objective::link_ratio, Objective::size},
             options.objective);
   read_whole_number(object, "best", options.best);
+  read_box(object, "box", mistakes, options.box);
+  read_whole_number(object, "seed", options.seed);
+  read_whole_number(object, "effort", options.effort);
   const auto window = object.find("window");
   if (window && !window->is_null()) options.window = read_window(*window);
   if (mistakes.size() == before) mistakes.add(mistakes_in(options));
@@ -195,13 +136,12 @@ void read_view(const JsonValue& value, std::string& view) {
 void read_members(const JsonObject& file, Mistakes& mistakes, Problem& problem) {
   read_text(file, "title", problem.title);
   read_text(file, "length_unit", problem.length_unit);
-  if (const auto task = file.require("task", "the task: \"task\": {\"kind\": \"motion\", …}")) {
-    read_task(*task, mistakes, problem.task);
-  }
   if (const auto requirements = file.find("requirements")) {
     read_requirements(*requirements, mistakes, problem.requirements);
   }
   if (const auto options = file.find("options")) read_options(*options, mistakes, problem.options);
+  if (const auto task = file.require("task", "the task: \"task\": {\"kind\": \"motion\", …}"))
+    problem.task = read_task(*task, problem.options.box, mistakes);
   if (const auto view = file.find("view")) read_view(*view, problem.view);
 }
 

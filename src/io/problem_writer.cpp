@@ -8,13 +8,6 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-void write_interval(JsonWriter& json, double low, double high) {
-  json.begin_list(Layout::one_line);
-  json.value(low);
-  json.value(high);
-  json.end_list();
-}
-
 void write_box(JsonWriter& json, std::string_view key, const std::optional<Box>& box) {
   json.key(key);
   if (!box) return json.null();
@@ -24,30 +17,6 @@ void write_box(JsonWriter& json, std::string_view key, const std::optional<Box>&
   json.key("y");
   write_interval(json, box->y_low, box->y_high);
   json.end_object();
-}
-
-void write_task(JsonWriter& json, const MotionTask& task) {
-  json.begin_object();
-  json.member("kind", "motion");
-  json.member("mechanism", "four_bar");
-  json.key("poses");
-  json.begin_list();
-  for (const PrescribedPose& pose : task.poses) write_pose(json, pose);
-  json.end_list();
-  json.end_object();
-}
-
-void write_derivatives(JsonWriter& json, const std::vector<PoseDerivative>& derivatives) {
-  json.key("derivatives");
-  json.begin_list(Layout::one_line);
-  for (const PoseDerivative& derivative : derivatives) {
-    json.begin_object(Layout::one_line);
-    json.member("x", derivative.origin.real());
-    json.member("y", derivative.origin.imag());
-    json.member("theta", derivative.angle);
-    json.end_object();
-  }
-  json.end_list();
 }
 
 void write_requirements(JsonWriter& json, const Requirements& requirements) {
@@ -72,6 +41,9 @@ void write_options(JsonWriter& json, const SynthesisOptions& options) {
   json.member("spacing", name(options.spacing));
   json.member("objective", name(options.objective));
   json.member("best", options.best);
+  if (options.box) write_box(json, "box", options.box);
+  if (options.seed != SynthesisOptions{}.seed) json.member("seed", options.seed);
+  if (options.effort != SynthesisOptions{}.effort) json.member("effort", options.effort);
   if (options.window) {
     json.key("window");
     json.begin_list(Layout::one_line);
@@ -83,17 +55,6 @@ void write_options(JsonWriter& json, const SynthesisOptions& options) {
 }
 
 }  // namespace
-
-void write_pose(JsonWriter& json, const PrescribedPose& pose) {
-  json.begin_object(Layout::one_line);
-  json.member("x", pose.pose.origin.real());
-  json.member("y", pose.pose.origin.imag());
-  json.member("theta_deg", degrees_for_files(pose.pose.angle));
-  if (!pose.derivatives.empty()) write_derivatives(json, pose.derivatives);
-  json.end_object();
-}
-
-void write_point(JsonWriter& json, Point point) { write_interval(json, point.real(), point.imag()); }
 
 void write_lengths(JsonWriter& json, const LinkLengths& lengths) {
   json.begin_object(Layout::one_line);

@@ -4,17 +4,12 @@
 
 #include "json_writer.hpp"
 #include "linkwright/io/problem_file.hpp"
+#include "task_writer.hpp"
 
 namespace linkwright {
 
 /// The problem as one JSON object, every default written out.
 void write_problem(JsonWriter& json, const Problem& problem);
-
-/// `{"x": …, "y": …, "theta_deg": …}`, with `"derivatives"` where there are any.
-void write_pose(JsonWriter& json, const PrescribedPose& pose);
-
-/// `[x, y]`.
-void write_point(JsonWriter& json, Point point);
 
 /// `{"ground": …, "input": …, "coupler": …, "output": …}`.
 void write_lengths(JsonWriter& json, const LinkLengths& lengths);

@@ -25,13 +25,19 @@ const FourBarSolution* best_of(const Solution& solution) {
   return solution.linkages.empty() ? nullptr : &solution.linkages.front();
 }
 
-Point first_origin(const Problem& problem) { return problem.task.poses.front().pose.origin; }
+const std::vector<PrescribedPose>& poses_of(const Problem& problem) {
+  static const std::vector<PrescribedPose> none;
+  const auto* motion = std::get_if<MotionTask>(&problem.task);
+  return motion ? motion->poses : none;
+}
+
+Point first_origin(const Problem& problem) { return poses_of(problem).front().pose.origin; }
 
 /// What the window must hold: the poses with their arms' room, and the best linkage in all its positions. `size`: of
 /// what there is to see about a single pose.
 std::vector<Point> points_of_interest(const Problem& problem, const FourBarSolution* best, double size) {
   std::vector<Point> points;
-  const auto& poses = problem.task.poses;
+  const auto& poses = poses_of(problem);
   for (const PrescribedPose& pose : poses) points.push_back(pose.pose.origin);
   if (best == nullptr && poses.size() == 1) points = {points[0] - size, points[0] + size};
   if (best == nullptr) return points;
@@ -54,7 +60,7 @@ void draw_curves(SvgCanvas& svg, const Solution& solution, const PlaneWindow& wi
 }
 
 void draw_best_linkage(SvgCanvas& svg, const Problem& problem, const FourBarSolution& best, const PlaneWindow& window) {
-  const auto& poses = problem.task.poses;
+  const auto& poses = poses_of(problem);
   const Point traced = first_origin(problem);
   draw_traced_path(svg, window, path_of_cycle(best.four_bar, traced), false);
   for (std::size_t pose = poses.size(); --pose > 0;) draw_ghost(svg, window, in_pose(best.four_bar, poses, pose));
@@ -85,9 +91,9 @@ void draw_task(SvgCanvas& svg, const Problem& problem, const Solution& solution)
   draw_curves(svg, solution, window);
   if (best != nullptr) draw_best_linkage(svg, problem, *best, window);
   if (best != nullptr) draw_bars(svg, window, best->four_bar);
-  for (std::size_t pose = problem.task.poses.size(); pose-- > 0;) {
-    draw_direction(svg, window, problem.task.poses[pose]);
-    draw_pose(svg, window, problem.task.poses[pose].pose, pose + 1, pose == 0);
+  for (std::size_t pose = poses_of(problem).size(); pose-- > 0;) {
+    draw_direction(svg, window, poses_of(problem)[pose]);
+    draw_pose(svg, window, poses_of(problem)[pose].pose, pose + 1, pose == 0);
   }
   if (best != nullptr) draw_pins(svg, window, best->four_bar);
   draw_scale_bar(svg, window, {box.left + 22, box.bottom() - 20}, problem.length_unit);

@@ -43,7 +43,7 @@ Point tidy(Point p, double size) { return {tidy(p.real(), size), tidy(p.imag(), 
 
 }  // namespace
 
-Notice every_point_reason(const PoseConditions& conditions) {
+std::optional<Notice> shared_center(const PoseConditions& conditions) {
   const auto centers = centers_of_probes(conditions);
   const double size = conditions.frame.scale;
   if (centers && agree(*centers)) {
@@ -62,6 +62,11 @@ Notice every_point_reason(const PoseConditions& conditions) {
                                   "that does the task.",
                                   written(offset)));
   }
+  return std::nullopt;
+}
+
+Notice every_point_reason(const PoseConditions& conditions) {
+  if (auto shared = shared_center(conditions)) return *std::move(shared);
   return {"every_point",
           "The conditions of the poses depend on each other: the dyads form more than a curve. Move one pose.",
           {}};

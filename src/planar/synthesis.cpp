@@ -45,6 +45,13 @@ std::vector<Dyad> curve_samples(const TaskFamily& given, const SynthesisOptions&
   return dyads;
 }
 
+// No defects, then the larger least transmission angle, then the smaller coordinate.
+bool is_better(const FourBarSolution& a, const FourBarSolution& b) {
+  if (a.report.defects.none() != b.report.defects.none()) return a.report.defects.none();
+  const double cosine = a.report.worst_transmission_cosine, other = b.report.worst_transmission_cosine;
+  return cosine != other ? cosine < other : a.input.coordinate < b.input.coordinate;
+}
+
 std::string percent(std::int64_t part, std::int64_t whole) {
   const double share = 100 * static_cast<double>(part) / static_cast<double>(whole);
   if (part < whole && share > 99) return "over 99 %";
@@ -134,13 +141,35 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   return found;
 }
 
-Result<Solution> solve(const MotionTask& task, const Requirements& requirements,
-                                    const SynthesisOptions& options, const Progress& progress) {
-  std::vector<Error> mistakes = mistakes_in(task);
-  append(mistakes, mistakes_in(requirements));
-  append(mistakes, mistakes_in(options));
-  if (!mistakes.empty()) return mistakes;
+namespace {
 
+// Five positions: every pair of side links as a four-bar, the better driver first named, best first.
+std::vector<FourBarSolution> all_pairs(const Solution& solution) {
+  constexpr bool verify = true;
+  const Requirements& wanted = solution.requirements;
+  const std::vector<double> places = solution.given.family->samples(LinkageFamily::Side::input, 0, Spacing::coordinate);
+  std::vector<FourBarSolution> pairs;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = i + 1; j < places.size(); ++j) {
+      auto one = make_four_bar(solution.given, {places[i], places[j]}, wanted.respect_direction, verify);
+      auto other = make_four_bar(solution.given, {places[j], places[i]}, wanted.respect_direction, verify);
+      if (one && other) pairs.push_back(is_better(*other, *one) ? *other : *one);
+    }
+  std::sort(pairs.begin(), pairs.end(), is_better);
+  return pairs;
+}
+
+Result<Solution> solve_of_kind(const SixBarTask& /*task*/, const Requirements& /*requirements*/,
+                               const SynthesisOptions& /*options*/, const Progress& /*progress*/) {
+  return Error{"not_available", "task.mechanism", ""};
+}
+Result<Solution> solve_of_kind(const FunctionTask& /*task*/, const Requirements& /*requirements*/,
+                               const SynthesisOptions& /*options*/, const Progress& /*progress*/) {
+  return Error{"not_available", "task.mechanism", ""};
+}
+
+Result<Solution> solve_of_kind(const MotionTask& task, const Requirements& requirements,
+                                    const SynthesisOptions& options, const Progress& progress) {
   Solution solution;
   solution.given = task_family(task, requirements, options.objective);
   const TaskFamily& given = solution.given;
@@ -148,8 +177,8 @@ Result<Solution> solve(const MotionTask& task, const Requirements& requirements,
   solution.options = options;
   solution.samples = curve_samples(given, options);
   if (!given.family) {
-    solution.status = SolutionStatus::degenerate;
-    solution.reason = *given.degeneracy;
+    solution.status = given.has_no_dyads ? SolutionStatus::no_solution : SolutionStatus::degenerate;
+    solution.reason = given.degeneracy.value_or(Notice{});
     return solution;
   }
 
@@ -162,10 +191,23 @@ Result<Solution> solve(const MotionTask& task, const Requirements& requirements,
   if (census.meeting == 0) solution.relax = filter.relaxations(census);
   progress(0.7);
   solution.linkages = best_linkages(solution, filter, progress);
+  if (!given.points.empty() && !given.curve) solution.pairs = all_pairs(solution);
   if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
   judge(solution);
   progress(1);
   return solution;
+}
+
+}  // namespace
+
+Result<Solution> solve(const Task& task, const Requirements& requirements, const SynthesisOptions& options,
+                       const Progress& progress) {
+  std::vector<Error> mistakes = mistakes_in(task);
+  append(mistakes, mistakes_in(requirements));
+  append(mistakes, mistakes_in(options));
+  if (!mistakes.empty()) return mistakes;
+  return std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); },
+                    task);
 }
 
 }  // namespace linkwright

@@ -24,13 +24,13 @@ std::optional<Notice> degeneracy_of(const PoseConditions& conditions, const Burm
 }
 
 // Groups of parallel poses, in words: "1 and 3", "1, 2 and 4".
-std::vector<std::string> parallel_poses(const MotionTask& task) {
+std::vector<std::string> parallel_groups(const std::vector<PrescribedPose>& poses) {
   std::vector<std::string> groups;
-  std::vector<bool> told(task.poses.size(), false);
-  for (std::size_t i = 0; i < task.poses.size(); ++i) {
+  std::vector<bool> told(poses.size(), false);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
     std::vector<std::size_t> group = {i + 1};
-    for (std::size_t j = i + 1; j < task.poses.size(); ++j) {
-      if (told[i] || !are_parallel(task.poses[i].pose, task.poses[j].pose)) continue;
+    for (std::size_t j = i + 1; j < poses.size(); ++j) {
+      if (told[i] || !are_parallel(poses[i].pose, poses[j].pose)) continue;
       group.push_back(j + 1);
       told[j] = true;
     }
@@ -42,7 +42,9 @@ std::vector<std::string> parallel_poses(const MotionTask& task) {
   return groups;
 }
 
-std::vector<Notice> warnings_of(const MotionTask& task, const PoseConditions& conditions) {
+}  // namespace
+
+std::vector<Notice> pose_warnings(const std::vector<PrescribedPose>& poses, const PoseConditions& conditions) {
   std::vector<Notice> warnings;
   if (conditions.condition() > tolerance::ill_conditioned)
     warnings.push_back(
@@ -52,14 +54,12 @@ std::vector<Notice> warnings_of(const MotionTask& task, const PoseConditions& co
              "one pose with derivatives (direction of travel, curvature).",
              conditions.condition()),
          {{"condition", conditions.condition()}}});
-  for (const auto& group : parallel_poses(task))
+  for (const auto& group : parallel_groups(poses))
     warnings.push_back({"parallel_poses",
                         fmt::format("Poses {} are parallel: their poles lie at infinity. This is fine.", group),
                         {{"poses", group}}});
   return warnings;
 }
-
-}  // namespace
 
 TaskCurve task_curve(const MotionTask& task) {
   TaskCurve found;
@@ -67,7 +67,7 @@ TaskCurve task_curve(const MotionTask& task) {
   found.conditions = pose_conditions(task.poses);
   found.curve = std::make_shared<const BurmesterCurve>(found.conditions);
   found.degeneracy = degeneracy_of(found.conditions, *found.curve);
-  if (!found.degeneracy) found.warnings = warnings_of(task, found.conditions);
+  if (!found.degeneracy) found.warnings = pose_warnings(task.poses, found.conditions);
   return found;
 }
 

@@ -1,6 +1,10 @@
 #include "linkwright/planar/task_family.hpp"
 
+#include <fmt/format.h>
+
+#include "linkwright/planar/instant_center.hpp"
 #include "linkwright/planar/task_curve.hpp"
+#include "linkwright/planar/three_pose_opening.hpp"
 
 namespace linkwright {
 namespace {
@@ -19,10 +23,96 @@ TaskFamily family_of_curve(const MotionTask& task) {
   return given;
 }
 
+Notice too_few_points(std::size_t count) {
+  if (count == 0)
+    return {"no_burmester_point",
+            "No real Burmester point: no side link, and so no four-bar, passes exactly through these five positions. "
+            "Free one of them.",
+            {}};
+  return {"one_burmester_point",
+          "Only one side link passes exactly through these five positions, and a four-bar needs two. Free one of them.",
+          {}};
+}
+
+// Five positions: any two of at most four side links. Where two conditions say the same, what is left is a curve.
+TaskFamily family_of_points(const MotionTask& task) {
+  TaskFamily given;
+  given.pattern = pattern(task.poses);
+  given.conditions = pose_conditions(task.poses);
+  given.derivative_rows = derivative_conditions(task.poses, given.frame());
+  BurmesterPoints found = burmester_points(given.conditions);
+  given.points = std::move(found.points);
+  given.warnings = pose_warnings(task.poses, given.conditions);
+  if (found.degeneracy && found.curve) {
+    given.warnings.push_back(*found.degeneracy);
+    given.curve = std::move(found.curve);
+    given.family = std::make_shared<CurveFamily>(given.frame(), task.poses, given.curve);
+    return given;
+  }
+  given.degeneracy = std::move(found.degeneracy);
+  if (given.degeneracy) return given;
+  given.warnings.insert(given.warnings.end(), found.warnings.begin(), found.warnings.end());
+  if (given.points.size() < 2) {
+    given.degeneracy = too_few_points(given.points.size());
+    given.has_no_dyads = true;
+    return given;
+  }
+  std::vector<Dyad> dyads;
+  for (const BurmesterPoint& point : given.points) dyads.push_back(point.dyad);
+  given.family = std::make_shared<PointFamily>(given.frame(), task.poses, std::move(dyads));
+  return given;
+}
+
+// Three positions and the centre of the first turn are four positions, PP-P-P; in which sense the body turns there is
+// not given.
+TaskFamily family_of_center(const MotionTask& task, const InstantCenter& center) {
+  TaskFamily given = family_of_curve({with_instant_center(task.poses, center), {}});
+  given.pattern = pattern(task.poses);
+  if (given.family) given.family = std::make_shared<CurveFamily>(given.frame(), task.poses, given.curve);
+  return given;
+}
+
+// Three positions and lengths, or an angle and a length.
+template <class Given>
+TaskFamily family_of_lengths(const MotionTask& task, const Given& of_side_links, const Requirements& requirements,
+                             Objective objective) {
+  TaskFamily given;
+  given.pattern = pattern(task.poses);
+  given.conditions = pose_conditions(task.poses);
+  given.derivative_rows = derivative_conditions(task.poses, given.frame());
+  ThreePoseOpening opening =
+      three_pose_opening(given.conditions, task.poses, of_side_links, requirements, objective);
+  given.family = std::move(opening.family);
+  given.degeneracy = std::move(opening.degeneracy);
+  given.warnings = std::move(opening.notices);
+  if (!given.degeneracy)
+    for (Notice& warning : pose_warnings(task.poses, given.conditions)) given.warnings.push_back(std::move(warning));
+  return given;
+}
+
+TaskFamily family_of_three(const MotionTask& task, const Requirements& requirements, Objective objective) {
+  const ThreePoseGiven given = task.given.value_or(SideLengths{});
+  if (const auto* center = std::get_if<InstantCenter>(&given)) return family_of_center(task, *center);
+  if (const auto* angle = std::get_if<SideAngle>(&given))
+    return family_of_lengths(task, *angle, requirements, objective);
+  return family_of_lengths(task, std::get<SideLengths>(given), requirements, objective);
+}
+
 }  // namespace
 
-TaskFamily task_family(const MotionTask& task, const Requirements& /*requirements*/, Objective /*objective*/) {
-  return family_of_curve(task);
+TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective) {
+  switch (position_count(task.poses)) {
+    case 3:
+      return family_of_three(task, requirements, objective);
+    case 4:
+      return family_of_curve(task);
+    default:
+      return family_of_points(task);
+  }
+}
+
+TaskFamily task_family(const FunctionTask& /*task*/, const Requirements& /*requirements*/, Objective /*objective*/) {
+  return {};
 }
 
 Requirements with_defaults(Requirements wanted, const WorkingFrame& frame) {

@@ -10,6 +10,8 @@
 namespace linkwright {
 namespace {
 
+using testing::motion;
+
 struct Pair {
   int code = 0;
   std::string value;
@@ -28,7 +30,7 @@ StoredLinkage best_tailgate(const std::string& unit) {
   StoredLinkage linkage;
   linkage.four_bar = testing::solved_tailgate().linkages.front().four_bar;
   linkage.length_unit = unit;
-  linkage.poses = testing::tailgate().task.poses;
+  linkage.poses = motion(testing::tailgate()).poses;
   return linkage;
 }
 

@@ -67,7 +67,7 @@ Problem problem_of(const std::vector<std::array<double, 3>>& poses) {
   problem.title = "Test";
   problem.length_unit = "mm";
   problem.options.region_samples = 64;
-  for (const auto& [x, y, theta_deg] : poses) problem.task.poses.push_back({{{x, y}, radians(theta_deg)}, {}});
+  for (const auto& [x, y, theta_deg] : poses) motion(problem).poses.push_back({{{x, y}, radians(theta_deg)}, {}});
   return problem;
 }
 

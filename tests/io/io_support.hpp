@@ -39,4 +39,8 @@ class Folder {
 [[nodiscard]] Problem problem_of(const std::vector<std::array<double, 3>>& poses);
 [[nodiscard]] Solution solution_of(const Problem& problem);
 
+/// The task of a problem that is one of motion generation by a four-bar.
+inline MotionTask& motion(Problem& problem) { return std::get<MotionTask>(problem.task); }
+inline const MotionTask& motion(const Problem& problem) { return std::get<MotionTask>(problem.task); }
+
 }  // namespace linkwright::testing

@@ -12,6 +12,8 @@
 namespace linkwright {
 namespace {
 
+using testing::motion;
+
 using ::testing::HasSubstr;
 
 TEST(LinkageFile, ReadsPivots) {
@@ -83,7 +85,7 @@ TEST(LinkageFile, WrittenLinkageReadsBackBitIdentical) {
   StoredLinkage linkage;
   linkage.four_bar = {{0.1, -0.2}, {1.0 / 3, 2e-7}, {4e3, 1e-3}, {3, 3.5}};
   linkage.title = "A \"title\"";
-  linkage.poses = testing::tailgate().task.poses;
+  linkage.poses = motion(testing::tailgate()).poses;
   const auto read = read_linkage(write_linkage(linkage));
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read->four_bar.input_center, linkage.four_bar.input_center);
@@ -98,7 +100,7 @@ TEST(LinkageFile, WrittenLinkageReadsBackBitIdentical) {
 TEST(LinkageFile, DerivativesReadBackBitIdentical) {
   StoredLinkage linkage;
   linkage.four_bar = {{0, 0}, {0, 2}, {4, 0}, {3, 3.5}};
-  linkage.poses = testing::hood_hinge().task.poses;
+  linkage.poses = motion(testing::hood_hinge()).poses;
   linkage.poses[2].derivatives = {{{1.0 / 3, 0.1}, 2e-7}, {{0, 0}, -1}};
   const std::string text = write_linkage(linkage);
   const auto read = read_linkage(text);

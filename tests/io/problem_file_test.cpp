@@ -10,6 +10,8 @@
 namespace linkwright {
 namespace {
 
+using testing::motion;
+
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -31,9 +33,9 @@ TEST(ProblemFile, ReadsTheExample) {
   ASSERT_TRUE(problem.ok());
   EXPECT_EQ(problem->title, "Tailgate hinge");
   EXPECT_EQ(problem->length_unit, "mm");
-  ASSERT_EQ(problem->task.poses.size(), 4u);
-  EXPECT_EQ(problem->task.poses[3].pose.origin, Point(-220, 450));
-  EXPECT_EQ(problem->task.poses[3].pose.angle, radians(-82));
+  ASSERT_EQ(motion(*problem).poses.size(), 4u);
+  EXPECT_EQ(motion(*problem).poses[3].pose.origin, Point(-220, 450));
+  EXPECT_EQ(motion(*problem).poses[3].pose.angle, radians(-82));
   EXPECT_EQ(problem->requirements.min_transmission_angle, radians(30));
   EXPECT_EQ(problem->requirements.max_length, 450);
   ASSERT_TRUE(problem->requirements.moving_pivots_within);
@@ -96,7 +98,7 @@ TEST(ProblemFile, WrittenProblemReadsBackAsItself) {
       "window": [[0.1, 0.7], [0.2, 0.3]]}, "view": {"a": [1e-7]})"));
   const std::string once = write_problem(problem);
   EXPECT_EQ(write_problem(read(once)), once);
-  EXPECT_EQ(read(once).task.poses[1].pose.angle, problem.task.poses[1].pose.angle);
+  EXPECT_EQ(motion(read(once)).poses[1].pose.angle, motion(problem).poses[1].pose.angle);
   EXPECT_EQ(read(once).title, problem.title);
   EXPECT_EQ(read(once).view, problem.view);
 }
@@ -112,25 +114,25 @@ constexpr std::string_view hood = R"(
 
 TEST(ProblemFile, ReadsDerivatives) {
   const Problem problem = read(mixed(hood));
-  ASSERT_EQ(problem.task.poses.size(), 3u);
-  ASSERT_EQ(problem.task.poses[0].derivatives.size(), 1u);
-  EXPECT_EQ(problem.task.poses[0].derivatives[0].origin, Point(0, 1));
-  EXPECT_EQ(problem.task.poses[0].derivatives[0].angle, -0.004) << "radians";
-  EXPECT_TRUE(problem.task.poses[1].derivatives.empty());
+  ASSERT_EQ(motion(problem).poses.size(), 3u);
+  ASSERT_EQ(motion(problem).poses[0].derivatives.size(), 1u);
+  EXPECT_EQ(motion(problem).poses[0].derivatives[0].origin, Point(0, 1));
+  EXPECT_EQ(motion(problem).poses[0].derivatives[0].angle, -0.004) << "radians";
+  EXPECT_TRUE(motion(problem).poses[1].derivatives.empty());
   const Problem one = read(mixed(R"({"x": 1, "y": 2, "theta_deg": 30, "derivatives": [
     {"x": 1, "y": 0, "theta": 0.8}, {"x": 0.6, "y": 1, "theta": 0.2}, {"x": 0, "y": 1.2, "theta": -0.3}]})"));
-  ASSERT_EQ(one.task.poses.size(), 1u);
-  EXPECT_EQ(one.task.poses[0].multiplicity(), 4);
-  EXPECT_EQ(one.task.poses[0].derivatives[2].angle, -0.3);
+  ASSERT_EQ(motion(one).poses.size(), 1u);
+  EXPECT_EQ(motion(one).poses[0].multiplicity(), 4);
+  EXPECT_EQ(motion(one).poses[0].derivatives[2].angle, -0.3);
 }
 
 TEST(ProblemFile, WrittenDerivativesReadBackAsThemselves) {
   Problem problem = read(mixed(hood));
-  problem.task.poses[0].derivatives[0] = {{0.1, -1.0 / 3}, 1e-7};
+  motion(problem).poses[0].derivatives[0] = {{0.1, -1.0 / 3}, 1e-7};
   const std::string once = write_problem(problem);
   EXPECT_EQ(write_problem(read(once)), once);
-  const PoseDerivative again = read(once).task.poses[0].derivatives[0];
-  EXPECT_EQ(again.origin, problem.task.poses[0].derivatives[0].origin);
+  const PoseDerivative again = motion(read(once)).poses[0].derivatives[0];
+  EXPECT_EQ(again.origin, motion(problem).poses[0].derivatives[0].origin);
   EXPECT_EQ(again.angle, 1e-7);
   const auto poses = nlohmann::json::parse(once)["task"]["poses"];
   EXPECT_FALSE(poses[1].contains("derivatives"));

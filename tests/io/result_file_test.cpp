@@ -12,6 +12,8 @@
 namespace linkwright {
 namespace {
 
+using testing::motion;
+
 using nlohmann::json;
 using ::testing::HasSubstr;
 using testing::solved_tailgate;
@@ -193,7 +195,7 @@ TEST(ResultFile, LinkagesReadBackBitIdentical) {
     EXPECT_EQ(linkage.title, "Tailgate hinge");
     EXPECT_EQ(linkage.length_unit, "mm");
     ASSERT_EQ(linkage.poses.size(), 4u);
-    EXPECT_EQ(linkage.poses[2].pose.angle, tailgate().task.poses[2].pose.angle);
+    EXPECT_EQ(linkage.poses[2].pose.angle, motion(tailgate()).poses[2].pose.angle);
     EXPECT_LT(std::abs(linkage.four_bar.input_center - wanted.input_center), 1e-9);
     EXPECT_LT(std::abs(linkage.four_bar.output_circle - wanted.output_circle), 1e-9);
   }
@@ -215,7 +217,7 @@ TEST(ResultFile, OfMixedPositionsSaysHowWellTheDerivativesAreMet) {
 
 TEST(ResultFile, OfASinglePoseIsWhole) {
   Problem problem = testing::problem_of({{1, 2, 30}});
-  problem.task.poses[0].derivatives = {{{1, 0}, 0.8}, {{0.6, 1}, 0.2}, {{0, 1.2}, -0.3}};
+  motion(problem).poses[0].derivatives = {{{1, 0}, 0.8}, {{0.6, 1}, 0.2}, {{0, 1.2}, -0.3}};
   const std::string text = write_result(problem, testing::solution_of(problem), true);
   EXPECT_EQ(text.find("nan"), std::string::npos);
   const json result = json::parse(text);

@@ -10,6 +10,8 @@
 namespace linkwright {
 namespace {
 
+using testing::motion;
+
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -84,7 +86,7 @@ TEST(SvgDrawing, OfATaskWithoutLinkagesSaysWhy) {
 TEST(SvgDrawing, DoesNotDependOnWhereAndHowLargeTheTaskIs) {
   Problem moved = testing::tailgate();
   moved.requirements = {};
-  for (PrescribedPose& pose : moved.task.poses) pose.pose.origin = 1e-3 * pose.pose.origin + Point{0.5, -0.25};
+  for (PrescribedPose& pose : motion(moved).poses) pose.pose.origin = 1e-3 * pose.pose.origin + Point{0.5, -0.25};
   const std::string svg = draw_solution(moved, testing::solution_of(moved));
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_THAT(svg, Not(HasSubstr("1e+")));
@@ -102,7 +104,7 @@ TEST(SvgDrawing, ShowsTheDirectionOfTravelAsAnArrow) {
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
   StoredLinkage linkage;
   linkage.four_bar = testing::solved_hood_hinge().linkages.front().four_bar;
-  linkage.poses = testing::hood_hinge().task.poses;
+  linkage.poses = motion(testing::hood_hinge()).poses;
   const std::string arrow = draw_linkage(linkage);
   EXPECT_TRUE(is_well_formed(arrow));
   linkage.poses[0].derivatives = {{{0, 0}, 1}};  // turning about its origin
@@ -118,7 +120,7 @@ TEST(SvgDrawing, ShowsTheDirectionOfTravelAsAnArrow) {
 
 TEST(SvgDrawing, OfASinglePoseHasRoom) {
   Problem problem = testing::problem_of({{1e5, -2e5, 30}});
-  problem.task.poses[0].derivatives = {{{100, 0}, 0.8}, {{60, 100}, 0.2}, {{0, 120}, -0.3}};
+  motion(problem).poses[0].derivatives = {{{100, 0}, 0.8}, {{60, 100}, 0.2}, {{0, 120}, -0.3}};
   for (const double max_length : {1e-6, 1e9}) {
     problem.requirements.max_length = max_length;
     const Solution solution = testing::solution_of(problem);
@@ -140,7 +142,7 @@ TEST(SvgDrawing, OfALinkageShowsItsDimensions) {
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_THAT(svg, HasSubstr("A &amp; B"));
   EXPECT_THAT(svg, HasSubstr("4.0000 in"));
-  linkage.poses = testing::tailgate().task.poses;
+  linkage.poses = motion(testing::tailgate()).poses;
   EXPECT_TRUE(is_well_formed(draw_linkage(linkage)));
 }
 

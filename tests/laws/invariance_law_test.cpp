@@ -20,7 +20,7 @@ SynthesisOptions small() {
 }
 
 Solution solved(const std::vector<PrescribedPose>& poses) {
-  auto result = solve({poses}, {}, small());
+  auto result = solve(MotionTask{poses, {}}, {}, small());
   EXPECT_TRUE(result.ok());
   return std::move(result).value();
 }

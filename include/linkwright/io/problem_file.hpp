@@ -6,6 +6,7 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/planar/synthesis.hpp"
+#include "linkwright/planar/task.hpp"
 
 namespace linkwright {
 
@@ -13,7 +14,7 @@ namespace linkwright {
 struct Problem {
   std::string title;
   std::string length_unit;  ///< echoed, never converted
-  MotionTask task;
+  Task task;
   Requirements requirements;
   SynthesisOptions options;
   std::string view;  ///< the workbench's own object, kept as JSON text on one line and never read; empty when absent

@@ -12,7 +12,7 @@
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
-#include "linkwright/planar/motion_task.hpp"
+#include "linkwright/planar/task.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/region_map.hpp"
@@ -34,6 +34,12 @@ struct SynthesisOptions {
   Objective objective = Objective::min_transmission_angle;  ///< largest angle, smallest ratio, smallest longest link
   int best = 10;                                            ///< how many linkages, ≥ 0
   std::optional<RegionWindow> window;                       ///< nothing: the whole region
+
+  // Six-bars without a given chain, which is searched for.
+  std::optional<Box> box;  ///< for all pivots in position 1, user's unit
+  int seed = 1;            ///< of the chains tried
+  int effort = 2000;       ///< how many chains are tried
+
   RegionOptions region;
 };
 
@@ -77,8 +83,8 @@ struct Solution {
   std::vector<Relaxation> relax;          ///< when no linkage meets the requirements, dearest first
 };
 
-/// All four-bars that guide a body through the positions of a task, finite or mixed.
-[[nodiscard]] Result<Solution> solve(const MotionTask& task, const Requirements& requirements,
+/// All linkages that do a task.
+[[nodiscard]] Result<Solution> solve(const Task& task, const Requirements& requirements,
                                      const SynthesisOptions& options, const Progress& progress = {});
 
 /// The four-bar at a place of a task's map, analysed, its residuals in user coordinates; with `verify`, driven through

@@ -22,7 +22,11 @@ struct TaskCurve {
                                      ///< translations_on_circle {x, y}, every_point, only_translations
 };
 
-/// `task` without mistakes (mistakes_in).
+/// ill_conditioned {condition}, parallel_poses {poses}.
+[[nodiscard]] std::vector<Notice> pose_warnings(const std::vector<PrescribedPose>& poses,
+                                                const PoseConditions& conditions);
+
+/// `task` without mistakes (mistakes_in), of four positions.
 [[nodiscard]] TaskCurve task_curve(const MotionTask& task);
 
 }  // namespace linkwright

@@ -7,8 +7,9 @@
 
 #include "linkwright/core/notice.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
+#include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/linkage_family.hpp"
-#include "linkwright/planar/motion_task.hpp"
+#include "linkwright/planar/task.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/requirements.hpp"
@@ -22,8 +23,10 @@ struct TaskFamily {
   /// Of the derivatives alone (derivative_conditions), an instant centre among them.
   std::vector<HomogeneousMatrix> derivative_rows;
   std::shared_ptr<const BurmesterCurve> curve;  ///< four positions; otherwise none
+  std::vector<BurmesterPoint> points;           ///< five positions, working frame
   std::vector<Notice> warnings;
   std::optional<Notice> degeneracy;             ///< why there is no family
+  bool has_no_dyads = false;                    ///< because no two side links do the task
   std::shared_ptr<const LinkageFamily> family;  ///< none where degenerate
 
   [[nodiscard]] const WorkingFrame& frame() const { return conditions.frame; }
@@ -32,6 +35,7 @@ struct TaskFamily {
 /// `task` without mistakes (mistakes_in). Requirements and objective choose what the task leaves to be chosen before
 /// there is a map: the length of a side link among three positions.
 [[nodiscard]] TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective);
+[[nodiscard]] TaskFamily task_family(const FunctionTask& task, const Requirements& requirements, Objective objective);
 
 /// The requirements with the default of max_length filled in.
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const WorkingFrame& frame);

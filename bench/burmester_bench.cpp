@@ -1,0 +1,79 @@
+// Burmester points of five poses: many tasks at once, and one with care.
+
+#include <benchmark/benchmark.h>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "bench_task.hpp"
+#include "linkwright/planar/burmester_points.hpp"
+
+namespace linkwright::bench {
+namespace {
+
+std::vector<FivePoses> random_tasks(int count) {
+  std::mt19937_64 random(5);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * std::ldexp(static_cast<double>(random() >> 11), -53);
+  };
+  std::vector<FivePoses> tasks(static_cast<std::size_t>(count));
+  for (FivePoses& poses : tasks)
+    for (Pose& pose : poses) {
+      const double x = uniform(-2, 2), y = uniform(-2, 2);
+      pose = {{x, y}, uniform(-3, 3)};
+    }
+  return tasks;
+}
+
+template <class Body>
+void time_tasks(benchmark::State& state, int count, const Body& body) {
+  const auto begin = std::chrono::steady_clock::now();
+  for (auto _ : state) body();
+  const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - begin;
+  state.counters["ns_per_task"] =
+      taken.count() / (static_cast<double>(count) * static_cast<double>(state.iterations()));
+}
+
+constexpr int some_tasks = 2000;
+
+void of_all(benchmark::State& state) {
+  const std::vector<FivePoses> tasks = random_tasks(some_tasks);
+  std::vector<BurmesterDyads> dyads(tasks.size());
+  time_tasks(state, some_tasks, [&] { burmester_points_of_all(tasks, dyads); });
+}
+BENCHMARK(of_all)->Name("burmester_points/many");
+
+void one_by_one(benchmark::State& state) {
+  std::vector<std::vector<PrescribedPose>> tasks;
+  for (const FivePoses& poses : random_tasks(some_tasks)) {
+    tasks.emplace_back();
+    for (const Pose& pose : poses) tasks.back().push_back({pose, {}});
+  }
+  time_tasks(state, some_tasks, [&] {
+    for (const auto& poses : tasks) benchmark::DoNotOptimize(burmester_points(pose_conditions(poses)));
+  });
+}
+BENCHMARK(one_by_one)->Name("burmester_points/one_by_one");
+
+}  // namespace
+
+std::string dump_five(int count) {
+  const std::vector<FivePoses> tasks = random_tasks(count);
+  std::vector<BurmesterDyads> dyads(tasks.size());
+  burmester_points_of_all(tasks, dyads);
+  nlohmann::json json = nlohmann::json::array();
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    nlohmann::json poses = nlohmann::json::array(), roots = nlohmann::json::array();
+    for (const Pose& pose : tasks[i]) poses.push_back({pose.origin.real(), pose.origin.imag(), pose.angle});
+    for (int k = 0; k < dyads[i].count; ++k) {
+      const auto& [center, circle, coordinate] = dyads[i].dyads[static_cast<std::size_t>(k)];
+      roots.push_back({{circle.w, circle.x, circle.y}, {center.w, center.x, center.y}});
+    }
+    json.push_back(
+        {{"poses", poses}, {"unit", dyads[i].frame.scale}, {"real", roots}, {"complex", dyads[i].complex_roots}});
+  }
+  return json.dump();
+}
+
+}  // namespace linkwright::bench

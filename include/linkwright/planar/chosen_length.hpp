@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/region/best_cells.hpp"
+#include "linkwright/region/requirements.hpp"
+
+namespace linkwright {
+
+/// A length that the task leaves open, chosen so that the map over the rest has something to show.
+struct ChosenLength {
+  static constexpr int rungs = 25;     ///< lengths that are tried, in equal ratios
+  static constexpr double reach = 10;  ///< from L/10 to 10 L, the characteristic length
+  static constexpr int samples = 100;  ///< a side of the map that is made for each
+
+  double length = 0;         ///< user's unit
+  std::int64_t meeting = 0;  ///< cells of that map that meet the requirements
+};
+
+/// The family that goes with a length (user's unit).
+using FamilyOfLength = std::function<std::unique_ptr<const LinkageFamily>(double length)>;
+
+/// Of all rungs the one whose best cell is best by the objective; among equals the one with most cells that meet the
+/// requirements, then the shortest. Where nothing meets them: most cells free of defects, then most four-bars.
+/// `requirements` with max_length set; `frame`: that of the families.
+[[nodiscard]] ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& frame,
+                                         const Requirements& requirements, Objective objective);
+
+}  // namespace linkwright

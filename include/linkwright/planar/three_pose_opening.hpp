@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "linkwright/core/notice.hpp"
+#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
+#include "linkwright/planar/three_pose_given.hpp"
+#include "linkwright/region/best_cells.hpp"
+#include "linkwright/region/requirements.hpp"
+
+namespace linkwright {
+
+/// What three positions and their given number or two open.
+struct ThreePoseOpening {
+  std::shared_ptr<const LinkageFamily> family;  ///< none where degenerate
+  std::vector<Notice> notices;                  ///< chosen_length {side, length}, fixed_direction
+  /// Why there is no family: common_pole {x, y}, translations_on_circle {x, y}, only_translations,
+  /// no_side_link_of_length {side, length, nearest}, no_side_link_at_angle.
+  std::optional<Notice> degeneracy;
+};
+
+/// `conditions`: of these three-position `poses` (user's frame). A length that is left open is chosen: of 25 lengths in
+/// equal ratios from 0.1 L to 10 L the one whose map, 100 × 100, has the best linkage under requirements and objective;
+/// among equals the one with most cells that pass; where nothing passes, the one with most cells free of defects.
+[[nodiscard]] ThreePoseOpening three_pose_opening(const PoseConditions& conditions,
+                                                  const std::vector<PrescribedPose>& poses, const SideLengths& given,
+                                                  const Requirements& requirements, Objective objective);
+[[nodiscard]] ThreePoseOpening three_pose_opening(const PoseConditions& conditions,
+                                                  const std::vector<PrescribedPose>& poses, const SideAngle& given,
+                                                  const Requirements& requirements, Objective objective);
+
+}  // namespace linkwright

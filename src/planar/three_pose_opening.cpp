@@ -1,0 +1,159 @@
+#include "linkwright/planar/three_pose_opening.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <fmt/format.h>
+#include <string_view>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/planar/chosen_length.hpp"
+#include "linkwright/planar/three_pose_family.hpp"
+#include "planar/degenerate_task.hpp"
+
+namespace linkwright {
+namespace {
+
+using Dyads = std::shared_ptr<const ThreePoseDyads>;
+
+// What both kinds of task look at before they look at numbers.
+struct Start {
+  Start(const PoseConditions& conditions, const Requirements& wanted)
+      : frame(conditions.frame),
+        dyads(std::make_shared<const ThreePoseDyads>(conditions)),
+        degeneracy(shared_center(conditions)),
+        requirements(wanted) {
+    if (!degeneracy && dyads->freedom() == DirectionFreedom::only_shifts) degeneracy = only_translations_reason();
+    if (!requirements.max_length) requirements.max_length = default_max_length * frame.scale;
+  }
+
+  WorkingFrame frame;
+  Dyads dyads;
+  std::optional<Notice> degeneracy;
+  Requirements requirements;
+};
+
+bool has_dyads(const ThreePoseDyads& dyads, double length) { return !dyads.directions(length).empty(); }
+
+// The nearest length, in ratio, that has dyads; working frame. Nothing within a factor of 10⁴.
+std::optional<double> nearest_length(const ThreePoseDyads& dyads, double length) {
+  const double ratio = std::pow(10.0, 0.05);
+  double longer = length, shorter = length;
+  for (int step = 0; step < 80; ++step) {
+    for (double* const tried : {&longer, &shorter}) {
+      const double before = *tried;
+      *tried *= tried == &longer ? ratio : 1 / ratio;
+      if (!has_dyads(dyads, *tried)) continue;
+      double with = *tried, without = before;
+      for (int halving = 0; halving < 40; ++halving) {
+        const double middle = std::sqrt(with * without);
+        (has_dyads(dyads, middle) ? with : without) = middle;
+      }
+      return with;
+    }
+  }
+  return std::nullopt;
+}
+
+// A length in the user's unit that has no dyad. `side`: input or output.
+std::optional<Notice> no_side_link(const Start& start, double length, std::string_view side) {
+  if (has_dyads(*start.dyads, length / start.frame.scale)) return std::nullopt;
+  Notice notice{"no_side_link_of_length",
+                fmt::format("No {} side link of length {:.6g} can be carried through the poses, in whatever direction.",
+                            side, length),
+                {{"side", std::string(side)}, {"length", length}}};
+  if (const auto nearest = nearest_length(*start.dyads, length / start.frame.scale)) {
+    const double value = *nearest * start.frame.scale;
+    notice.message += fmt::format(" The nearest length that can is {:.6g}.", value);
+    notice.values.push_back({"nearest", value});
+  } else {
+    notice.message += " Nor can others; move a pose.";
+  }
+  return notice;
+}
+
+Notice chosen_notice(std::string_view side, double length) {
+  return {
+      "chosen_length",
+      fmt::format("The length of the {} side link was left open. Of {} lengths that were tried the map of {:.6g} has "
+                  "the best linkage; give a length to see another.",
+                  side, ChosenLength::rungs, length),
+      {{"side", std::string(side)}, {"length", length}}};
+}
+
+Notice fixed_direction_notice(const ThreePoseDyads& dyads) {
+  return {
+      "fixed_direction",
+      fmt::format("From the first pose to another the body only shifts: that fixes {} of a side link, and its fixed "
+                  "pivot may lie anywhere on a circle. The map runs round these circles.",
+                  dyads.length_of(0) || dyads.length_of(pi / 2) || dyads.length_of(pi) || dyads.length_of(-pi / 2)
+                      ? "the direction that goes with a length"
+                      : "the direction"),
+      {}};
+}
+
+ThreePoseOpening opened(const Start& start, std::shared_ptr<const LinkageFamily> family) {
+  ThreePoseOpening opening;
+  opening.family = std::move(family);
+  if (start.dyads->freedom() == DirectionFreedom::of_length)
+    opening.notices.push_back(fixed_direction_notice(*start.dyads));
+  return opening;
+}
+
+ThreePoseOpening closed(std::optional<Notice> reason) { return {nullptr, {}, std::move(reason)}; }
+
+// Some direction that the input can have goes with an output at the angle.
+bool has_output(const ThreePoseDyads& dyads, const SideAngle& given, double input_length) {
+  if (dyads.freedom() == DirectionFreedom::free) return true;
+  for (const DirectionArc arc : dyads.directions(input_length)) {
+    if (dyads.length_of(arc.from + given.angle)) return true;
+    if (!given.directed && dyads.length_of(arc.from + given.angle + pi)) return true;
+  }
+  return false;
+}
+
+Notice no_side_link_at_angle(double input_length) {
+  return {"no_side_link_at_angle",
+          fmt::format("From the first pose to another the body only shifts, which fixes the direction of an input side "
+                      "link of length {:.6g}, and none at the given angle from it can be carried through the poses. "
+                      "Change the angle or the length, or turn a pose.",
+                      input_length),
+          {{"length", input_length}}};
+}
+
+}  // namespace
+
+ThreePoseOpening three_pose_opening(const PoseConditions& conditions, const std::vector<PrescribedPose>& poses,
+                                    const SideLengths& given, const Requirements& requirements, Objective objective) {
+  const Start start(conditions, requirements);
+  if (start.degeneracy) return closed(start.degeneracy);
+  if (auto reason = no_side_link(start, given.input, "input")) return closed(std::move(reason));
+  const auto family_of = [&](double output) {
+    return std::make_unique<const SideLengthsFamily>(start.frame, poses, start.dyads, given.input, output);
+  };
+  if (given.output) {
+    if (auto reason = no_side_link(start, *given.output, "output")) return closed(std::move(reason));
+    return opened(start, family_of(*given.output));
+  }
+  const double output = chosen_length(family_of, start.frame, start.requirements, objective).length;
+  ThreePoseOpening opening = opened(start, family_of(output));
+  opening.notices.push_back(chosen_notice("output", output));
+  return opening;
+}
+
+ThreePoseOpening three_pose_opening(const PoseConditions& conditions, const std::vector<PrescribedPose>& poses,
+                                    const SideAngle& given, const Requirements& requirements, Objective objective) {
+  const Start start(conditions, requirements);
+  if (start.degeneracy) return closed(start.degeneracy);
+  const auto family_of = [&](double input) {
+    return std::make_unique<const SideAngleFamily>(start.frame, poses, start.dyads, given.angle, given.directed, input);
+  };
+  const double input = given.input_length ? *given.input_length
+                                          : chosen_length(family_of, start.frame, start.requirements, objective).length;
+  if (auto reason = no_side_link(start, input, "input")) return closed(std::move(reason));
+  if (!has_output(*start.dyads, given, input / start.frame.scale)) return closed(no_side_link_at_angle(input));
+  ThreePoseOpening opening = opened(start, family_of(input));
+  if (!given.input_length) opening.notices.push_back(chosen_notice("input", input));
+  return opening;
+}
+
+}  // namespace linkwright

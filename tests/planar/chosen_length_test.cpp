@@ -1,0 +1,79 @@
+#include "linkwright/planar/chosen_length.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "linkwright/planar/three_pose_family.hpp"
+#include "support/random_task.hpp"
+
+namespace linkwright {
+namespace {
+
+const std::vector<PrescribedPose> poses = {{{{0, 0}, 0}, {}}, {{{1.5, 0.6}, 0.5}, {}}, {{{2.6, 1.9}, 1.2}, {}}};
+
+struct Given {
+  PoseConditions conditions = pose_conditions(poses);
+  std::shared_ptr<const ThreePoseDyads> dyads = std::make_shared<const ThreePoseDyads>(conditions);
+  Requirements requirements;
+
+  Given() { requirements.max_length = default_max_length * conditions.frame.scale; }
+  [[nodiscard]] FamilyOfLength family_of(double input) const {
+    return [this, input](double output) {
+      return std::make_unique<const SideLengthsFamily>(conditions.frame, poses, dyads, input, output);
+    };
+  }
+  // The best score of a length's map, seen from outside.
+  [[nodiscard]] double best(double input, double output) const {
+    using Side = LinkageFamily::Side;
+    const auto family = family_of(input)(output);
+    RegionMap map;
+    family->classify(map, family->samples(Side::input, 100, Spacing::coordinate),
+                     family->samples(Side::output, 100, Spacing::coordinate), true);
+    double largest = 0;
+    for (std::size_t row = 0; row < map.rows(); ++row)
+      for (std::size_t column = 0; column < map.columns(); ++column)
+        if (const std::size_t cell = map.index(row, column); filter_of(*family, map, requirements).passes(row, column))
+          largest = std::max(largest, map.min_transmission_angle(cell));
+    return largest;
+  }
+};
+
+TEST(ChosenLength, IsTheRungWithTheBestLinkage) {
+  const Given given;
+  const double scale = given.conditions.frame.scale;
+  const ChosenLength chosen =
+      chosen_length(given.family_of(2), given.conditions.frame, given.requirements, Objective::min_transmission_angle);
+  EXPECT_GT(chosen.meeting, 0);
+  double best_rung = 0, best = -1;
+  for (int rung = 0; rung < 25; rung += 1) {
+    const double length = scale * std::pow(10, rung / 12.0 - 1), angle = given.best(2, length);
+    if (angle > best) {
+      best = angle;
+      best_rung = length;
+    }
+  }
+  EXPECT_NEAR(chosen.length / best_rung, 1, 1e-12);
+}
+
+TEST(ChosenLength, FollowsTheObjective) {
+  const Given given;
+  const auto chosen = [&](Objective objective) {
+    return chosen_length(given.family_of(2), given.conditions.frame, given.requirements, objective).length;
+  };
+  EXPECT_LE(chosen(Objective::size), chosen(Objective::min_transmission_angle));
+  EXPECT_EQ(chosen(Objective::link_ratio), chosen(Objective::link_ratio));
+}
+
+TEST(ChosenLength, IsALengthEvenWhereNothingMeetsTheRequirements) {
+  Given given;
+  given.requirements.max_length = 1e-3;
+  const ChosenLength chosen =
+      chosen_length(given.family_of(2), given.conditions.frame, given.requirements, Objective::size);
+  EXPECT_EQ(chosen.meeting, 0);
+  EXPECT_GE(chosen.length, 0.1 * given.conditions.frame.scale * (1 - 1e-12));
+  EXPECT_TRUE(std::isfinite(chosen.length));
+}
+
+}  // namespace
+}  // namespace linkwright
