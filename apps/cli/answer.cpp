@@ -71,6 +71,8 @@ std::string best_heading(const Solution& solution) {
       return "Best linkages, smallest link ratio first:\n";
     case Objective::size:
       return "Best linkages, smallest longest link first:\n";
+    case Objective::structural_error:
+      return "Best linkages, smallest structural error first:\n";
     case Objective::min_transmission_angle:
       break;
   }
@@ -116,6 +118,8 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
       return rounded_text(found.lengths.longest() / found.lengths.shortest(), 3);
     case Objective::size:
       return rounded_text(found.lengths.longest(), decimals);
+    case Objective::structural_error:
+      return significant_text(degrees(found.function ? found.function->max_structural_error.value_or(0) : 0), 3) + "°";
     case Objective::min_transmission_angle:
       break;
   }
@@ -125,9 +129,9 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
 std::string why_the_best(const Problem& problem, const Solution& solution, int decimals) {
   const auto& linkages = solution.linkages;
   const Objective objective = solution.options.objective;
-  const std::string_view what = objective == Objective::link_ratio ? "smallest link ratio"
-                                : objective == Objective::size     ? "smallest longest link"
-                                                                   : "largest least transmission angle";
+  constexpr std::array<std::string_view, 4> superlatives = {"largest least transmission angle", "smallest link ratio",
+                                                            "smallest longest link", "smallest structural error"};
+  const std::string_view what = superlatives[static_cast<std::size_t>(objective)];
   std::string text = fmt::format("Linkage 1 has the {}, {}", what, score_words(objective, linkages[0], decimals));
   if (linkages.size() > 1)
     text += fmt::format("; linkage 2 follows with {}", score_words(objective, linkages[1], decimals));

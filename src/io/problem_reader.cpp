@@ -114,7 +114,7 @@ void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& 
   const JsonObject object(value, mistakes, {"region_samples", "spacing", "objective", "best", "window", "box", "seed", "effort"});
   read_whole_number(object, "region_samples", options.region_samples);
   read_name(object, "spacing", {Spacing::coordinate, Spacing::arc_length}, options.spacing);
-  read_name(object, "objective", {Objective::min_transmission_angle, Objective::link_ratio, Objective::size},
+  read_name(object, "objective", {Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error},
             options.objective);
   read_whole_number(object, "best", options.best);
   read_box(object, "box", mistakes, options.box);

@@ -1,8 +1,9 @@
+#include "linkwright/planar/four_bar_solution.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "linkwright/analysis/drive_through.hpp"
-#include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright {
 namespace {

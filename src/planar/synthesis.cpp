@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "linkwright/planar/function_family.hpp"
+#include "linkwright/planar/function_search.hpp"
 #include "planar/linkage_search.hpp"
 
 namespace linkwright {
@@ -195,9 +196,29 @@ Result<Solution> solve_family(TaskFamily family, const Requirements& requirement
   return solution;
 }
 
+// Five positions that no usable four-bar passes: which of them to free, and what its error becomes.
 Result<Solution> solve_of_kind(const MotionTask& task, const Requirements& requirements,
                                const SynthesisOptions& options, const Progress& progress) {
-  return solve_family(task_family(task, requirements, options.objective), requirements, options, progress);
+  Result<Solution> solved =
+      solve_family(task_family(task, requirements, options.objective), requirements, options, progress);
+  const bool wanting = solved && position_count(task.poses) == 5 && !solved->given.curve && solved->linkages.empty();
+  if (wanting && options.best > 0)
+    solved->freed = nearest_relaxations(task, requirements, {.region = options.region}, progress);
+  return solved;
+}
+
+std::vector<FourBarSolution> generators(const FunctionFamily& family, const Solution& solution,
+                                        const Progress& progress) {
+  constexpr bool verify = true;
+  GeneratorSearchOptions search;
+  search.most = solution.options.best;
+  std::vector<FourBarSolution> found;
+  for (const RankedGenerator& ranked : best_generators(family, solution.requirements, search, progress))
+    if (auto made = make_four_bar(solution.given, ranked.place, solution.requirements.respect_direction, verify)) {
+      made->local_optimum = true;
+      found.push_back(*std::move(made));
+    }
+  return found;
 }
 
 // The input is the task's, and so are the ground pivots: what is left to measure is the function.
@@ -207,6 +228,7 @@ Result<Solution> solve_of_kind(const FunctionTask& task, const Requirements& req
   const auto family = std::dynamic_pointer_cast<const FunctionFamily>(given.family);
   Result<Solution> solved = solve_family(given, requirements, options, progress);
   if (!solved || !family) return solved;
+  if (options.objective == Objective::structural_error) solved->linkages = generators(*family, *solved, progress);
   for (FourBarSolution& found : solved->linkages)
     found.function = function_error(found.four_bar, family->task_at({found.input.coordinate, found.output.coordinate}));
   return solved;
@@ -219,6 +241,10 @@ Result<Solution> solve(const Task& task, const Requirements& requirements, const
   std::vector<Error> mistakes = mistakes_in(task);
   append(mistakes, mistakes_in(requirements));
   append(mistakes, mistakes_in(options));
+  const auto* function = std::get_if<FunctionTask>(&task);
+  if (options.objective == Objective::structural_error && !(function && function->function))
+    mistakes.push_back({"out_of_range", "options.objective",
+                        "a structural error belongs to a task with a named \"function\"; choose another objective"});
   if (!mistakes.empty()) return mistakes;
   return std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
 }

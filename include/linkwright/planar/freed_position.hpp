@@ -9,8 +9,10 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/notice.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/planar/motion_task.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/region/region_map.hpp"
+#include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
 
