@@ -113,7 +113,8 @@ void* allocate_cells(std::size_t bytes) {
 
 void FreeCells::operator()(void* cells) const { std::free(cells); }
 
-RegionAxis::RegionAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> poses, bool respect_direction)
+RegionAxis::RegionAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> poses, bool respect_direction,
+                       Role role)
     : dyads(std::move(samples)) {
   assert(!poses.empty() && poses.size() <= most_poses);
   const std::size_t count = dyads.size();
@@ -123,6 +124,9 @@ RegionAxis::RegionAxis(std::vector<Dyad> samples, std::span<const PrescribedPose
   senses.assign(count, 0);
   wide.assign(count, 0);
   sweep_ccw.assign(count, 0);
+  const Pose& first = poses.front().pose;
+  std::vector<Point> turns;
+  for (const PrescribedPose& pose : poses) turns.push_back(direction(pose.pose.angle - first.angle));
   for (std::size_t i = 0; i < count; ++i) {
     const auto center = finite_point(dyads[i].center), circle = finite_point(dyads[i].circle);
     if (!center || !circle) continue;  // a slider: length 0 makes its pairs degenerate
@@ -132,10 +136,11 @@ RegionAxis::RegionAxis(std::vector<Dyad> samples, std::span<const PrescribedPose
     circle_y[i] = circle->imag();
     length[i] = std::abs(*circle - *center);
     for (std::size_t j = 0; j < poses.size(); ++j) {
-      const Point arm = displaced(*circle, poses.front().pose, poses[j].pose) - *center;
+      const Point arm = poses[j].pose.origin + turns[j] * (*circle - first.origin) - *center;
       arm_x[j][i] = arm.real();
       arm_y[j][i] = arm.imag();
     }
+    if (role == Role::driven) continue;
     const DriverOrder order = driver_order(*center, *circle, poses, respect_direction);
     senses[i] = bits(order.ccw, order.cw);
     wide[i] = bits(order.is_wide_ccw(), order.is_wide_cw());

@@ -30,11 +30,11 @@ struct Given {
     RegionMap map;
     family->classify(map, family->samples(Side::input, 100, Spacing::coordinate),
                      family->samples(Side::output, 100, Spacing::coordinate), true);
+    const RequirementFilter filter = filter_of(*family, map, requirements);
     double largest = 0;
     for (std::size_t row = 0; row < map.rows(); ++row)
       for (std::size_t column = 0; column < map.columns(); ++column)
-        if (const std::size_t cell = map.index(row, column); filter_of(*family, map, requirements).passes(row, column))
-          largest = std::max(largest, map.min_transmission_angle(cell));
+        if (filter.passes(row, column)) largest = std::max(largest, map.min_transmission_angle(map.index(row, column)));
     return largest;
   }
 };

@@ -18,8 +18,13 @@ namespace linkwright {
 /// One axis of a region: everything that belongs to a single side link, computed once per sample (structure of arrays).
 /// All coordinates in one frame, the working frame of the task.
 struct RegionAxis {
+  /// What the side links of an axis are asked for: all, or nothing that only a driver needs (senses, wide and sweep_ccw
+  /// stay 0).
+  enum class Role { driving, driven };
+
   /// `poses`: the distinct poses, in the same frame as the dyads.
-  RegionAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> poses, bool respect_direction = true);
+  RegionAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> poses, bool respect_direction = true,
+             Role role = Role::driving);
 
   [[nodiscard]] std::size_t size() const { return dyads.size(); }
   [[nodiscard]] std::size_t pose_count() const { return arm_x.size(); }
