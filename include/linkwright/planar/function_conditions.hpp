@@ -11,10 +11,10 @@
 
 namespace linkwright {
 
-/// Function generation by inversion (F. Freudenstein, G. N. Sandor, "Synthesis of path-generating mechanisms by means
-/// of a programmed digital computer", 1959, use it so): seen from the output link the input link is a body that passes
-/// through prescribed poses, and the coupler is one of its side links: a dyad with circle point A, the input's moving
-/// pivot, and centre point B, the output's, both as they lie at the first pair.
+/// Function generation by inversion (R. S. Hartenberg, J. Denavit, Kinematic Synthesis of Linkages, 1964): seen from
+/// the output link the input link is a body that passes through prescribed poses, and the coupler is one of its side
+/// links: a dyad with circle point A, the input's moving pivot, and centre point B, the output's, both as they lie at
+/// the first pair.
 ///
 /// The dyad of the two ground pivots keeps its length whatever the pairs: it is the ground link, always among the
 /// dyads, and no coupler.
