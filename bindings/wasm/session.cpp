@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/task_writer.hpp"
 #include "linkage_reply.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/io/csv_table.hpp"
 #include "linkwright/io/dxf_drawing.hpp"
 #include "linkwright/io/result_file.hpp"
 #include "linkwright/io/svg_drawing.hpp"
+#include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/improved_linkage.hpp"
 #include "linkwright/planar/pose_halo.hpp"
-#include "io/task_writer.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -30,8 +31,7 @@ bool depends_on_requirements(const Task& task) {
 TaskFamily family_of(const Problem& problem) {
   if (const auto* motion = std::get_if<MotionTask>(&problem.task))
     return task_family(*motion, problem.requirements, problem.options.objective);
-  if (const auto* function = std::get_if<FunctionTask>(&problem.task))
-    return task_family(*function, problem.requirements, problem.options.objective);
+  if (const auto* function = std::get_if<FunctionTask>(&problem.task)) return task_family(*function);
   return {};
 }
 
@@ -251,7 +251,7 @@ std::vector<double> Session::trace(double input_tau, double output_tau, Point tr
   if (!given().family) return path;
   const PickedLinkage picked = picked_linkage(given(), {input_tau, output_tau}, requirements_.respect_direction);
   if (!picked.bars) return path;
-  const Pose first = given().family->user_poses(picked.bars->four_bar).front().pose;
+  const Pose first = given().family->user_poses({input_tau, output_tau}, picked.bars->four_bar).front().pose;
   for (const DriveState& state : picked.drive.states) {
     const Point p = displaced(traced, first, state.body);
     path.insert(path.end(), {p.real(), p.imag()});

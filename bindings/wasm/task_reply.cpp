@@ -89,22 +89,30 @@ void write_asymptote(JsonWriter& json, const CircularCubic& curve, const Working
   json.end_list();
 }
 
-void write_curves(JsonWriter& json, const TaskFamily& given) {
-  if (!given.curve) return json.null();
-  const BurmesterCurve& curve = *given.curve;
+void write_asymptotes(JsonWriter& json, const TaskFamily& given) {
+  const std::array parts = {std::pair{"center", given.curve ? &given.curve->center_curve() : nullptr},
+                            std::pair{"circle", given.curve ? &given.curve->circle_curve() : nullptr}};
   json.begin_object();
-  json.member("kind", name(curve.kind()));
-  json.member("center_kind", name(curve.center_kind()));
+  for (const auto& [key, curve] : parts) {
+    json.key(key);
+    curve ? write_asymptote(json, *curve, given.frame()) : json.null();
+  }
+  json.end_object();
+}
+
+/// Of the Burmester curves; where there are none, what the dyads lie along instead.
+void write_curves(JsonWriter& json, const TaskFamily& given) {
+  const BurmesterCurve* curve = given.curve.get();
+  const std::string_view along =
+      given.family ? name(given.family->axis(Side::input).quantity) : name(CubicKind::every_point);
+  json.begin_object();
+  json.member("kind", curve ? name(curve->kind()) : along);
+  json.member("center_kind", curve ? name(curve->center_kind()) : along);
   json.key("kappa");
-  const auto kappa = curve.kappa();
+  const auto kappa = curve ? curve->kappa() : std::nullopt;
   kappa ? json.value(*kappa) : json.null();
   json.key("asymptotes");
-  json.begin_object();
-  json.key("center");
-  write_asymptote(json, curve.center_curve(), given.frame());
-  json.key("circle");
-  write_asymptote(json, curve.circle_curve(), given.frame());
-  json.end_object();
+  write_asymptotes(json, given);
   json.end_object();
 }
 

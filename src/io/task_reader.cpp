@@ -201,8 +201,9 @@ bool read_table(const JsonValue& value, std::vector<std::array<double, 2>>& tabl
 bool read_what_it_is(const JsonObject& object, const JsonValue& value, NamedFunction& function) {
   const auto expression = object.find("expression"), table = object.find("table");
   if (expression.has_value() == table.has_value()) {
-    value.mistake("missing_function", "one of \"expression\" (\"x^2\", \"sqrt\", \"log\", \"sin\", …) and \"table\": [[x, "
-                                      "y], …] belongs here");
+    value.mistake("missing_function",
+                  "one of \"expression\" (\"x^2\", \"sqrt\", \"log\", \"sin\", …) and \"table\": [[x, "
+                  "y], …] belongs here");
     return false;
   }
   if (table) return read_table(*table, function.table);
@@ -248,9 +249,9 @@ bool read_count(const JsonObject& object, NamedFunction& function) {
 }
 
 std::optional<NamedFunction> read_function(const JsonValue& value, Mistakes& mistakes) {
-  const JsonObject object(value, mistakes,
-                          {"expression", "table", "interpolation", "x", "y", "input_range_deg", "output_range_deg",
-                           "points", "spacing"});
+  const JsonObject object(
+      value, mistakes,
+      {"expression", "table", "interpolation", "x", "y", "input_range_deg", "output_range_deg", "points", "spacing"});
   if (!value.is_object()) return std::nullopt;
   NamedFunction function;
   const std::array complete = {read_what_it_is(object, value, function),
@@ -377,8 +378,8 @@ bool read_added(const JsonObject& object, std::array<BodyPair, 2>& added) {
   });
   if (!is_list || !complete) return false;
   if (pairs.size() != added.size()) {
-    found->mistake("added_count", fmt::format("{} added links are given; a six-bar has two beside the chain",
-                                              pairs.size()));
+    found->mistake("added_count",
+                   fmt::format("{} added links are given; a six-bar has two beside the chain", pairs.size()));
     return false;
   }
   added = {pairs[0], pairs[1]};

@@ -46,6 +46,13 @@ class Judge {
   std::optional<RegionWindow> window_;
 };
 
+/// A search stops where the type would hang on this share of the perimeter: near a change point the numbers look best
+/// and a workshop's tolerances decide what the linkage does.
+inline constexpr double buildable_margin = 1e-3;
+
+/// The smallest excess, as a share of the perimeter.
+[[nodiscard]] double change_point_margin(const FourBar& bars);
+
 /// Climbs from a place to the top of its hill, keeping branch, type and requirements; steps begin at `first_step` in τ.
 [[nodiscard]] Candidate climbed(const Judge& judge, const Candidate& start, double first_step);
 

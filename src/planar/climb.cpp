@@ -6,16 +6,13 @@
 #include "planar/candidate.hpp"
 
 namespace linkwright {
-namespace {
-
-// The climb stops where the type would hang on this share of the perimeter: near a change point the numbers look best
-// and a workshop's tolerances decide what the linkage does.
-constexpr double buildable_margin = 1e-3;
 
 double change_point_margin(const FourBar& bars) {
   const GrashofExcesses t = grashof_excesses(bars.lengths());
   return std::min({std::abs(t.t1), std::abs(t.t2), std::abs(t.t3)}) / bars.lengths().perimeter();
 }
+
+namespace {
 
 /// The least transmission angle is the smaller of several smooth functions, so hills have sharp ridges on which steps
 /// in fixed directions get stuck: for each value of one coordinate the best value of the other is sought, and each of

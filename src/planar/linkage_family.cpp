@@ -7,9 +7,8 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, 7> quantity_names = {"curve_coordinate", "burmester_point", "side_direction",
-                                                            "side_length",      "output_scale",    "pair_output",
-                                                            "nothing"};
+constexpr std::array<std::string_view, 7> quantity_names = {
+    "curve_coordinate", "burmester_point", "side_direction", "side_length", "output_scale", "pair_output", "nothing"};
 
 // Short enough for a curve that looks smooth at some zoom: a side this long is a hundredth of a task's size.
 constexpr double longest_side = 0.025;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "linkwright/planar/function_family.hpp"
 #include "planar/linkage_search.hpp"
 
 namespace linkwright {
@@ -163,15 +164,11 @@ Result<Solution> solve_of_kind(const SixBarTask& /*task*/, const Requirements& /
                                const SynthesisOptions& /*options*/, const Progress& /*progress*/) {
   return Error{"not_available", "task.mechanism", ""};
 }
-Result<Solution> solve_of_kind(const FunctionTask& /*task*/, const Requirements& /*requirements*/,
-                               const SynthesisOptions& /*options*/, const Progress& /*progress*/) {
-  return Error{"not_available", "task.mechanism", ""};
-}
 
-Result<Solution> solve_of_kind(const MotionTask& task, const Requirements& requirements,
-                                    const SynthesisOptions& options, const Progress& progress) {
+Result<Solution> solve_family(TaskFamily family, const Requirements& requirements, const SynthesisOptions& options,
+                              const Progress& progress) {
   Solution solution;
-  solution.given = task_family(task, requirements, options.objective);
+  solution.given = std::move(family);
   const TaskFamily& given = solution.given;
   solution.requirements = with_defaults(requirements, given.frame());
   solution.options = options;
@@ -198,6 +195,23 @@ Result<Solution> solve_of_kind(const MotionTask& task, const Requirements& requi
   return solution;
 }
 
+Result<Solution> solve_of_kind(const MotionTask& task, const Requirements& requirements,
+                               const SynthesisOptions& options, const Progress& progress) {
+  return solve_family(task_family(task, requirements, options.objective), requirements, options, progress);
+}
+
+// The input is the task's, and so are the ground pivots: what is left to measure is the function.
+Result<Solution> solve_of_kind(const FunctionTask& task, const Requirements& requirements,
+                               const SynthesisOptions& options, const Progress& progress) {
+  const TaskFamily given = task_family(task);
+  const auto family = std::dynamic_pointer_cast<const FunctionFamily>(given.family);
+  Result<Solution> solved = solve_family(given, requirements, options, progress);
+  if (!solved || !family) return solved;
+  for (FourBarSolution& found : solved->linkages)
+    found.function = function_error(found.four_bar, family->task_at({found.input.coordinate, found.output.coordinate}));
+  return solved;
+}
+
 }  // namespace
 
 Result<Solution> solve(const Task& task, const Requirements& requirements, const SynthesisOptions& options,
@@ -206,8 +220,7 @@ Result<Solution> solve(const Task& task, const Requirements& requirements, const
   append(mistakes, mistakes_in(requirements));
   append(mistakes, mistakes_in(options));
   if (!mistakes.empty()) return mistakes;
-  return std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); },
-                    task);
+  return std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
 }
 
 }  // namespace linkwright

@@ -80,8 +80,7 @@ TaskFamily family_of_lengths(const MotionTask& task, const Given& of_side_links,
   given.pattern = pattern(task.poses);
   given.conditions = pose_conditions(task.poses);
   given.derivative_rows = derivative_conditions(task.poses, given.frame());
-  ThreePoseOpening opening =
-      three_pose_opening(given.conditions, task.poses, of_side_links, requirements, objective);
+  ThreePoseOpening opening = three_pose_opening(given.conditions, task.poses, of_side_links, requirements, objective);
   given.family = std::move(opening.family);
   given.degeneracy = std::move(opening.degeneracy);
   given.warnings = std::move(opening.notices);
@@ -109,10 +108,6 @@ TaskFamily task_family(const MotionTask& task, const Requirements& requirements,
     default:
       return family_of_points(task);
   }
-}
-
-TaskFamily task_family(const FunctionTask& /*task*/, const Requirements& /*requirements*/, Objective /*objective*/) {
-  return {};
 }
 
 Requirements with_defaults(Requirements wanted, const WorkingFrame& frame) {

@@ -176,7 +176,7 @@ std::vector<Dyad> SideAngleFamily::polygon(Side side) const {
 }
 
 void SideAngleFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
-                               bool respect_direction, const RegionOptions& options, const Progress& progress) const {
+                           bool respect_direction, const RegionOptions& options, const Progress& progress) const {
   const auto row_at = [&](std::size_t row) {
     const Dyad driver = input_.dyad(input[row]).value_or(no_dyad(input[row]));
     const double beta = input_.side_direction(input[row]);

@@ -177,7 +177,7 @@ TEST(FunctionCouplers, LinearFunctions) {
 
 TEST(FunctionCouplers, PairsThatAreTooCloseAreTold) {
   const FunctionCouplers couplers =
-      function_couplers(task_of({{0, 0, {}}, {1e-6, 2e-6, {}}, {2.1e-6, 4.4e-6, {}}, {3e-6, 6.5e-6, {}}}));
+      function_couplers(task_of({{0, 0, {}}, {1e-8, 2e-8, {}}, {2.1e-8, 4.4e-8, {}}, {3e-8, 6.5e-8, {}}}));
   ASSERT_EQ(couplers.warnings.size(), 1u);
   EXPECT_EQ(couplers.warnings[0].code, "ill_conditioned");
 }

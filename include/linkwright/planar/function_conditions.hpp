@@ -21,8 +21,8 @@ namespace linkwright {
 struct FunctionConditions {
   std::vector<PrescribedPose> poses;  ///< of the input link seen from the output link, user's frame moved to the
                                       ///< input's ground pivot
-  PoseConditions conditions;  ///< of those poses; its frame is in the user's
-  Dyad ground;                ///< the ground link, working frame, unit vectors
+  PoseConditions conditions;          ///< of those poses; its frame is in the user's
+  Dyad ground;                        ///< the ground link, working frame, unit vectors
 };
 
 /// Displacement j: turn about the input's ground pivot by φⱼ − φ₁, then about the output's by −(ψⱼ − ψ₁); derivatives

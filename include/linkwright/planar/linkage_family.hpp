@@ -73,8 +73,8 @@ class LinkageFamily {
   /// The side links at a place; nothing where the family has none there. They may be sliders.
   [[nodiscard]] virtual std::optional<SideLinks> side_links(RegionPlace place) const = 0;
 
-  /// What the coupler of `bars`, those at a place, is to visit, position 1 being the one in which they lie; user's frame
-  /// or working frame, as the bars are.
+  /// What the coupler of `bars`, those at a place, is to visit, position 1 being the one in which they lie; user's
+  /// frame or working frame, as the bars are.
   [[nodiscard]] virtual std::vector<PrescribedPose> user_poses(RegionPlace place, const FourBar& bars) const = 0;
   [[nodiscard]] virtual std::vector<PrescribedPose> working_poses(RegionPlace place, const FourBar& bars) const = 0;
 

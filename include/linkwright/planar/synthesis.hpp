@@ -12,6 +12,7 @@
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
+#include "linkwright/planar/function_error.hpp"
 #include "linkwright/planar/task.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/best_cells.hpp"
@@ -65,6 +66,8 @@ struct FourBarSolution {
   /// Mixed positions: largest |Zᵀ M C| over derivative_conditions() and both side links, unit vectors of the working
   /// frame.
   std::optional<double> residual_derivatives;
+
+  std::optional<FunctionError> function;  ///< of function tasks
 };
 
 /// Everything found for a task.

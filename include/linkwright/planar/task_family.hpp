@@ -9,8 +9,8 @@
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/linkage_family.hpp"
-#include "linkwright/planar/task.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
+#include "linkwright/planar/task.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -35,7 +35,6 @@ struct TaskFamily {
 /// `task` without mistakes (mistakes_in). Requirements and objective choose what the task leaves to be chosen before
 /// there is a map: the length of a side link among three positions.
 [[nodiscard]] TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective);
-[[nodiscard]] TaskFamily task_family(const FunctionTask& task, const Requirements& requirements, Objective objective);
 
 /// The requirements with the default of max_length filled in.
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const WorkingFrame& frame);

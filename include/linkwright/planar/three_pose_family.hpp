@@ -76,7 +76,7 @@ class SideAngleFamily : public MotionFamily {
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
-                const RegionOptions& options, const Progress& progress) const override;
+            const RegionOptions& options, const Progress& progress) const override;
 
  private:
   SideAngleFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,

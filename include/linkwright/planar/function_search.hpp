@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "linkwright/core/progress.hpp"
+#include "linkwright/planar/function_family.hpp"
+#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/region/requirements.hpp"
+
+namespace linkwright {
+
+/// A linkage that generates a named function, and how well.
+struct RankedGenerator {
+  RegionPlace place;
+  FourBar four_bar;                 ///< user's frame
+  double max_structural_error = 0;  ///< over the whole range, radians; with a free scale, of the output as scaled
+};
+
+struct GeneratorSearchOptions {
+  int input_samples = 400;  ///< along the curve of couplers
+  int free_samples = 40;    ///< along the free number, where there is one
+  int error_samples = 61;   ///< of each error curve while searching; the last word has 181
+  int most = 10;            ///< how many, best first
+};
+
+/// The linkages of a family with a named function whose largest structural error is least: hills of a grid over the
+/// map, climbed continuously in both coordinates with the type kept. All meet the requirements (max_length set) and
+/// reach the whole range of inputs; no two are alike (2 % of the ground link in all pivots). Empty without a named
+/// function, or where nothing meets the requirements.
+[[nodiscard]] std::vector<RankedGenerator> best_generators(const FunctionFamily& family,
+                                                           const Requirements& requirements,
+                                                           const GeneratorSearchOptions& options = {},
+                                                           const Progress& progress = {});
+
+}  // namespace linkwright

@@ -1,0 +1,247 @@
+#include "linkwright/planar/freed_position.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/parallel.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
+#include "planar/candidate.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr float does_not_pass = -1;
+
+FreedPose in_working_frame(const FreedPose& freed, const WorkingFrame& frame) {
+  return {{frame.to_working(freed.pose.origin), freed.pose.angle}, freed.place, freed.size / frame.scale};
+}
+
+/// A linkage of the map and what it misses the freed pose by, working frame.
+struct Approach {
+  RegionPlace place;
+  double miss = 0;
+  double margin = 0;  ///< change_point_margin
+};
+
+/// Looks for the least miss among the linkages that meet the requirements, from cells of a map on.
+class Lessening {
+ public:
+  Lessening(const LinkageFamily& family, const Requirements& requirements, const FreedPose& freed)
+      : family_(family),
+        judge_(family, requirements, Objective::min_transmission_angle),
+        freed_(in_working_frame(freed, family.frame())) {}
+
+  /// Nothing where the linkage does not meet the requirements.
+  [[nodiscard]] std::optional<Approach> at(RegionPlace place) const {
+    const auto candidate = judge_.candidate(on_branches(place));
+    if (!candidate) return std::nullopt;
+    const auto miss = pose_miss(candidate->bars, family_.working_poses(candidate->place, candidate->bars), freed_);
+    if (!miss) return std::nullopt;
+    return Approach{candidate->place, miss->combined(freed_.size), change_point_margin(candidate->bars)};
+  }
+
+  /// Steps to the best of eight neighbours, doubled or halved as they help: the allowed region has edges, along which
+  /// the miss goes on falling.
+  [[nodiscard]] Approach lessened(Approach best, double first_step, int most_steps) const {
+    constexpr double smallest_step = 1e-12;
+    const double least_margin = std::min(buildable_margin, best.margin);
+    double step = first_step;
+    for (int taken = 0; taken < most_steps && step > smallest_step; ++taken) {
+      const auto next = best_around(best, step, least_margin);
+      step = next ? std::min(2 * step, first_step) : step / 2;
+      if (next) best = *next;
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] std::optional<Approach> best_around(const Approach& here, double step, double least_margin) const {
+    constexpr std::array<std::array<int, 2>, 8> ways = {
+        {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
+    std::optional<Approach> better;
+    for (const auto& [input, output] : ways) {
+      const auto tried = at({here.place.input + step * input, here.place.output + step * output});
+      if (tried && tried->margin >= least_margin && tried->miss < (better ? better->miss : here.miss)) better = tried;
+    }
+    return better;
+  }
+
+  /// Branches are closed: leaving the range at its end is entering it at its beginning.
+  [[nodiscard]] RegionPlace on_branches(RegionPlace place) const {
+    using Side = LinkageFamily::Side;
+    return {wrap_period(place.input, family_.axis(Side::input).coordinate_length()),
+            wrap_period(place.output, family_.axis(Side::output).coordinate_length())};
+  }
+
+  const LinkageFamily& family_;
+  Judge judge_;
+  FreedPose freed_;
+};
+
+// Cells of least miss, none in the neighbourhood of another.
+std::vector<RegionPlace> low_cells(const RegionMap& map, const std::vector<float>& misses, int most) {
+  std::vector<std::size_t> cells;
+  for (std::size_t cell = 0; cell < misses.size(); ++cell)
+    if (misses[cell] >= 0) cells.push_back(cell);
+  std::sort(cells.begin(), cells.end(),
+            [&](std::size_t a, std::size_t b) { return misses[a] != misses[b] ? misses[a] < misses[b] : a < b; });
+  const std::size_t reach = map.rows() / 20 + 1;
+  const auto is_near = [&](std::size_t a, std::size_t b) {
+    const auto within = [&](std::size_t i, std::size_t j) { return (i > j ? i - j : j - i) <= reach; };
+    return within(a / map.columns(), b / map.columns()) && within(a % map.columns(), b % map.columns());
+  };
+  std::vector<std::size_t> chosen;
+  for (const std::size_t cell : cells) {
+    if (chosen.size() == static_cast<std::size_t>(most)) break;
+    if (std::none_of(chosen.begin(), chosen.end(), [&](std::size_t other) { return is_near(cell, other); }))
+      chosen.push_back(cell);
+  }
+  std::vector<RegionPlace> places;
+  for (const std::size_t cell : chosen)
+    places.push_back({map.input_coordinates()[cell / map.columns()], map.output_coordinates()[cell % map.columns()]});
+  return places;
+}
+
+Notice nothing_meets(const RegionMap& map, const Requirements& requirements) {
+  const RegionCounts counts = map.counts();
+  const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+  const auto counted = [](std::int64_t count) {
+    return std::vector<Notice::Value>{{"count", static_cast<double>(count)}};
+  };
+  if (whole == 0)
+    return {"no_pair", "No pair of side links through the other poses makes a four-bar with four pivots.", {}};
+  if (counts.defect_free == 0 && requirements.no_defects)
+    return {"none_defect_free", fmt::format("None of {} four-bars through the other poses is free of defects.", whole),
+            counted(whole)};
+  return {"none_left",
+          fmt::format("{} four-bars through the other poses are free of defects, and none meets all requirements.",
+                      counts.defect_free),
+          counted(counts.defect_free)};
+}
+
+/// The map of the family that is left, and where on it the miss is least.
+class Relaxing {
+ public:
+  Relaxing(const TaskFamily& given, const FreedTask& freed, const FreedPositionOptions& options, bool respect_direction)
+      : given_(given), freed_(freed), options_(options), respect_direction_(respect_direction) {
+    const auto samples = [&](LinkageFamily::Side side) {
+      return given.family->samples(side, options.region_samples, Spacing::coordinate);
+    };
+    given.family->classify(map_, samples(LinkageFamily::Side::input), samples(LinkageFamily::Side::output),
+                           respect_direction, options.region);
+    failures_.resize(map_.rows() * map_.columns());
+    misses_.resize(failures_.size());
+  }
+
+  /// False where nothing meets these requirements.
+  [[nodiscard]] bool find(const Requirements& requirements, FreedPosition& found) {
+    filter_of(*given_.family, map_, requirements).failures_of_all(failures_);
+    found.meeting = std::count(failures_.begin(), failures_.end(), 0);
+    if (found.meeting == 0) return false;
+    pose_misses(*given_.family, map_, failures_, freed_.freed, misses_, options_.region.threads);
+    const auto nearest = least(requirements);
+    if (!nearest) return false;
+    found.place = nearest->place;
+    found.linkage = make_four_bar(given_, nearest->place, respect_direction_, true);
+    if (!found.linkage) return false;
+    found.miss = pose_miss(found.linkage->four_bar, freed_.task.poses, freed_.freed).value_or(PoseMiss{});
+    found.combined = found.miss.combined(freed_.freed.size);
+    return true;
+  }
+
+  [[nodiscard]] const RegionMap& map() const { return map_; }
+
+ private:
+  [[nodiscard]] std::optional<Approach> least(const Requirements& requirements) const {
+    constexpr int steps_of_each = 60, steps_of_the_best = 400;
+    const Lessening lessening(*given_.family, requirements, freed_.freed);
+    const double first_step =
+        given_.family->axis(LinkageFamily::Side::input).coordinate_length() / options_.region_samples;
+    std::optional<Approach> best;
+    for (const RegionPlace place : low_cells(map_, misses_, options_.starts)) {
+      // The map's numbers are single: a cell on the very edge of a requirement may fail here.
+      const auto start = lessening.at(place);
+      if (!start) continue;
+      const Approach end = lessening.lessened(*start, first_step, steps_of_each);
+      if (!best || end.miss < best->miss) best = end;
+    }
+    if (best) best = lessening.lessened(*best, first_step, steps_of_the_best);
+    return best;
+  }
+
+  const TaskFamily& given_;
+  const FreedTask& freed_;
+  FreedPositionOptions options_;
+  bool respect_direction_;
+  RegionMap map_;
+  std::vector<std::uint8_t> failures_;
+  std::vector<float> misses_;
+};
+
+// What is nearest of all lies at an edge of what is allowed: where nothing keeps the transmission angle up, at a dead
+// point. So a usable angle is asked for as long as there is one.
+void find_nearest(FreedPosition& found, const FreedTask& freed, const TaskFamily& given,
+                  const Requirements& requirements, const FreedPositionOptions& options) {
+  Relaxing relaxing(given, freed, options, requirements.respect_direction);
+  Requirements usable = requirements;
+  usable.min_transmission_angle = std::max(usable.min_transmission_angle, options.usable_transmission_angle);
+  if (!relaxing.find(usable, found) && !relaxing.find(requirements, found))
+    found.reason = nothing_meets(relaxing.map(), requirements);
+}
+
+}  // namespace
+
+FreedTask freed_task(const MotionTask& task, std::size_t pose) {
+  assert(pose < task.poses.size() && task.poses[pose].derivatives.empty());
+  FreedTask result{task, {task.poses[pose].pose, pose, pose_conditions(task.poses).frame.scale}};
+  result.task.poses.erase(result.task.poses.begin() + static_cast<std::ptrdiff_t>(pose));
+  return result;
+}
+
+void pose_misses(const LinkageFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
+                 const FreedPose& freed, std::span<float> values, int threads) {
+  assert(values.size() == failures.size() && !map.input_dyads().empty());
+  const FreedPose working = in_working_frame(freed, family.frame());
+  parallel_for(map.rows(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = map.index(begin, 0); cell < map.index(end, 0); ++cell) {
+      values[cell] = does_not_pass;
+      if (failures[cell] != 0) continue;
+      const std::size_t row = cell / map.columns(), column = cell % map.columns();
+      const auto bars = four_bar_of({map.input_dyads()[row], map.output_dyads()[column]});
+      if (!bars) continue;
+      const RegionPlace place{map.input_coordinates()[row], map.output_coordinates()[column]};
+      const auto miss = pose_miss(*bars, family.working_poses(place, *bars), working);
+      if (miss) values[cell] = static_cast<float>(family.frame().scale * miss->combined(working.size));
+    }
+  });
+}
+
+std::vector<FreedPosition> nearest_relaxations(const MotionTask& task, const Requirements& requirements,
+                                               const FreedPositionOptions& options, const Progress& progress) {
+  // The same length limit for all, that of the whole task.
+  const Requirements wanted = with_defaults(requirements, pose_conditions(task.poses).frame);
+  std::vector<FreedPosition> found;
+  for (std::size_t pose = 0; pose < task.poses.size() && !progress.is_cancelled(); ++pose) {
+    progress(static_cast<double>(pose) / static_cast<double>(task.poses.size()));
+    if (!task.poses[pose].derivatives.empty()) continue;
+    const FreedTask freed = freed_task(task, pose);
+    const TaskFamily given = task_family(freed.task, wanted, Objective::min_transmission_angle);
+    found.push_back({.pose = pose});
+    if (given.family)
+      find_nearest(found.back(), freed, given, wanted, options);
+    else
+      found.back().reason = given.degeneracy;
+  }
+  std::sort(found.begin(), found.end(), [](const FreedPosition& a, const FreedPosition& b) {
+    if (a.linkage.has_value() != b.linkage.has_value()) return a.linkage.has_value();
+    return a.combined != b.combined ? a.combined < b.combined : a.pose < b.pose;
+  });
+  progress(1);
+  return found;
+}
+
+}  // namespace linkwright

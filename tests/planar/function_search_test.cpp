@@ -1,0 +1,113 @@
+#include "linkwright/planar/function_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "linkwright/analysis/defects.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/planar/function_error.hpp"
+#include "linkwright/planar/function_linkage.hpp"
+
+namespace linkwright {
+namespace {
+
+using Side = LinkageFamily::Side;
+
+FunctionTask task_of(const std::string& expression, std::array<double, 2> x, double input_deg, double output_deg) {
+  FunctionTask task;
+  task.function.emplace();
+  task.function->expression = expression;
+  task.function->x = x;
+  task.function->input_range = {0, radians(input_deg)};
+  task.function->output_range = {0, radians(output_deg)};
+  task.pairs = precision_pairs(*task.function);
+  return task;
+}
+
+Requirements usual() {
+  Requirements wanted;
+  wanted.max_length = 10;
+  return wanted;
+}
+
+std::vector<RankedGenerator> best_of(const FunctionTask& task, const Requirements& wanted,
+                                     const GeneratorSearchOptions& options = {}) {
+  const TaskFamily given = task_family(task);
+  return best_generators(dynamic_cast<const FunctionFamily&>(*given.family), wanted, options);
+}
+
+TEST(FunctionSearch, NoSampleOfTheRibbonBettersTheBest) {
+  for (const FunctionTask& task :
+       {task_of("x^2", {0, 1}, 60, 90), task_of("log", {1, 2}, 60, -90), task_of("sin_deg", {0, 90}, 90, 90)}) {
+    const auto best = best_of(task, usual());
+    ASSERT_FALSE(best.empty());
+    const TaskFamily given = task_family(task);
+    const auto& family = dynamic_cast<const FunctionFamily&>(*given.family);
+    double least = 10;
+    for (const double tau : family.samples(Side::input, 1500, Spacing::coordinate)) {
+      const auto links = family.side_links({tau, 0.5});
+      const auto bars = links ? four_bar_of(*links) : std::nullopt;
+      if (!bars) continue;
+      const LinkLengths lengths = bars->lengths();
+      if (!find_defects(*bars, family.working_poses({tau, 0.5}, *bars)).defects.none() ||
+          lengths.longest() > 20 * lengths.shortest() || family.frame().scale * lengths.longest() > 10)
+        continue;
+      const FunctionError error = function_error(*bars, task, 61);
+      if (error.unreached.empty()) least = std::min(least, error.max_structural_error.value_or(10));
+    }
+    EXPECT_LE(best.front().max_structural_error, least + 1e-12);
+    for (std::size_t i = 0; i + 1 < best.size(); ++i)
+      EXPECT_LE(best[i].max_structural_error, best[i + 1].max_structural_error);
+  }
+}
+
+TEST(FunctionSearch, AFreeNumberLowersTheError) {
+  FunctionTask task = task_of("x^2", {0, 1}, 60, 90);
+  const auto fixed = best_of(task, usual());
+  task.free = FreeNumber{};
+  const auto free = best_of(task, usual(), {60, 10, 31, 1});
+  ASSERT_FALSE(fixed.empty() || free.empty());
+  // Of the travel that it has.
+  const double scale = FreeNumber{}.at(free.front().place.output);
+  EXPECT_LT(free.front().max_structural_error, fixed.front().max_structural_error);
+  EXPECT_GE(scale, 0.5);
+  EXPECT_LE(scale, 2);
+}
+
+TEST(FunctionSearch, RequirementsAreKept) {
+  const FunctionTask task = task_of("log", {1, 2}, 60, 90);
+  Requirements wanted = usual();
+  wanted.min_transmission_angle = radians(25);
+  wanted.max_link_ratio = 6;
+  const auto best = best_of(task, wanted);
+  for (const RankedGenerator& generator : best) {
+    const DefectReport report = find_defects(generator.four_bar, coupler_poses(generator.four_bar, task.pairs));
+    EXPECT_TRUE(report.defects.none());
+    EXPECT_GE(std::acos(report.worst_transmission_cosine), radians(25) - 1e-9);
+    EXPECT_LE(generator.four_bar.lengths().longest(), 6 * generator.four_bar.lengths().shortest() * (1 + 1e-9));
+    const FunctionError error = function_error(generator.four_bar, task);
+    EXPECT_EQ(*error.max_structural_error, generator.max_structural_error);
+    EXPECT_TRUE(error.unreached.empty());
+  }
+  wanted.max_link_ratio = 1.0001;
+  EXPECT_TRUE(best_of(task, wanted).empty());
+}
+
+TEST(FunctionSearch, WithoutANamedFunctionThereIsNoError) {
+  FunctionTask task = task_of("x^2", {0, 1}, 60, 90);
+  task.function.reset();
+  EXPECT_TRUE(best_of(task, usual()).empty());
+}
+
+TEST(FunctionSearch, FivePairsAreOnlyRanked) {
+  FunctionTask task = task_of("sin_deg", {0, 90}, 90, 90);
+  task.function->points = 5;
+  task.pairs = precision_pairs(*task.function);
+  const auto best = best_of(task, usual());
+  ASSERT_EQ(best.size(), 1u);
+  EXPECT_NEAR(degrees(best[0].max_structural_error), 0.28829, 1e-4);
+}
+
+}  // namespace
+}  // namespace linkwright
