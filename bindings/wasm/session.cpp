@@ -58,7 +58,7 @@ bool Session::set_problem(std::string_view text) {
     drawn_.reset();
     mapped_.reset();
   }
-  requirements_ = with_defaults(problem_.requirements, given().frame());
+  requirements_ = with_defaults(problem_.requirements, given());
   return true;
 }
 

@@ -254,7 +254,8 @@ void pose_misses(const LinkageFamily& family, const RegionMap& map, std::span<co
 std::vector<FreedPosition> nearest_relaxations(const MotionTask& task, const Requirements& requirements,
                                                const FreedPositionOptions& options, const Progress& progress) {
   // The same length limit for all, that of the whole task.
-  const Requirements wanted = with_defaults(requirements, pose_conditions(task.poses).frame);
+  Requirements wanted = requirements;
+  if (!wanted.max_length) wanted.max_length = default_max_length * pose_conditions(task.poses).frame.scale;
   std::vector<FreedPosition> found;
   for (std::size_t pose = 0; pose < task.poses.size() && !progress.is_cancelled(); ++pose) {
     progress(static_cast<double>(pose) / static_cast<double>(task.poses.size()));

@@ -171,7 +171,7 @@ Result<Solution> solve_family(TaskFamily family, const Requirements& requirement
   Solution solution;
   solution.given = std::move(family);
   const TaskFamily& given = solution.given;
-  solution.requirements = with_defaults(requirements, given.frame());
+  solution.requirements = with_defaults(requirements, given);
   solution.options = options;
   solution.samples = curve_samples(given, options);
   if (!given.family) {
