@@ -64,9 +64,10 @@ struct Solution {
   SynthesisOptions options;               ///< as used
   std::int64_t meeting_requirements = 0;  ///< cells
   std::vector<FourBarSolution> linkages;  ///< best first
-  std::vector<FourBarSolution> pairs;     ///< five positions: every pair of dyads, whatever its defects, best first
-  std::vector<FreedPosition> freed;       ///< five positions, no linkage that meets the requirements: the ways out
-  std::vector<Relaxation> relax;          ///< when no linkage meets the requirements, dearest first
+  /// Five positions: every pair of dyads, whatever its defects, best first; five precision points: every linkage.
+  std::vector<FourBarSolution> pairs;
+  std::vector<FreedPosition> freed;  ///< five positions, no linkage that meets the requirements: the ways out
+  std::vector<Relaxation> relax;     ///< when no linkage meets the requirements, dearest first
 };
 
 /// All linkages that do a task.
