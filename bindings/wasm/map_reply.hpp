@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwright/analysis/pose_miss.hpp"
 #include "linkwright/planar/linkage_family.hpp"
 #include "linkwright/region/cell_property.hpp"
 #include "linkwright/region/region_map.hpp"
@@ -20,6 +21,8 @@ class JudgedMap {
   /// `wanted` with max_length set.
   void judge(const LinkageFamily& family, const Requirements& wanted);
   void measure(CellProperty property);
+  /// By how much each cell that passes misses a freed pose; 0 of the others.
+  void measure_miss(const LinkageFamily& family, const FreedPose& freed);
 
   [[nodiscard]] const RegionMap& map() const { return map_; }
   [[nodiscard]] const RegionCounts& counts() const { return counts_; }

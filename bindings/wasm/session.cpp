@@ -130,7 +130,10 @@ void Session::compute_map(const ExploreRequest& request) {
     mapped_ = wanted;
   }
   map_.judge(family, requirements_);
-  map_.measure(request.property);
+  if (request.pose_miss && given().freed)
+    map_.measure_miss(family, *given().freed);
+  else
+    map_.measure(request.property);
 }
 
 ExploreReply Session::explore(const ExploreRequest& request) {
