@@ -1,8 +1,8 @@
 // Burmester points of five poses: many tasks at once, and one with care.
 
 #include <benchmark/benchmark.h>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <random>
 
