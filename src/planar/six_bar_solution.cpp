@@ -100,8 +100,7 @@ bool meets(const Requirements& wanted, const SixBar& six_bar, const SixBarRating
   if (!wanted.types.empty() && std::find(wanted.types.begin(), wanted.types.end(), shape.type) == wanted.types.end())
     return false;
   for (const SixBarJoint& joint : six_bar.joints) {
-    const bool on_ground = joint.bodies[0] == 0 || joint.bodies[1] == 0;
-    const std::optional<Box>& box = on_ground ? wanted.ground_pivots_within : wanted.moving_pivots_within;
+    const std::optional<Box>& box = is_on_ground(joint) ? wanted.ground_pivots_within : wanted.moving_pivots_within;
     if (box && !box->contains(joint.point)) return false;
   }
   if (wanted.no_defects && !(rating.drive.completed && rating.drive.defects.none())) return false;

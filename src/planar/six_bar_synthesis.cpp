@@ -183,4 +183,20 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLin
   return solutions;
 }
 
+RequirementFilter filter_of_six_bars(const SixBarFamily& family, const RegionMap& map,
+                                     const Requirements& requirements) {
+  const auto pivots_at = [&family, &map](std::size_t row,
+                                         std::size_t column) -> std::optional<RequirementFilter::Pivots> {
+    const auto first = family.with_first(map.input_coordinates()[row]);
+    const auto member =
+        first ? family.member(*first, family.second_tau(*first, map.output_coordinates()[column])) : std::nullopt;
+    if (!member) return std::nullopt;
+    RequirementFilter::Pivots pivots;
+    for (const SixBarJoint& joint : member->six_bar.joints)
+      (is_on_ground(joint) ? pivots.ground : pivots.moving).push_back(joint.point);
+    return pivots;
+  };
+  return {map, requirements, Point{}, 1, pivots_at};
+}
+
 }  // namespace linkwright

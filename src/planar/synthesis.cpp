@@ -7,6 +7,7 @@
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
 #include "planar/linkage_search.hpp"
+#include "planar/six_bar_answer.hpp"
 
 namespace linkwright {
 namespace {
@@ -161,9 +162,9 @@ std::vector<FourBarSolution> all_pairs(const Solution& solution) {
   return pairs;
 }
 
-Result<Solution> solve_of_kind(const SixBarTask& /*task*/, const Requirements& /*requirements*/,
-                               const SynthesisOptions& /*options*/, const Progress& /*progress*/) {
-  return Error{"not_available", "task.mechanism", ""};
+Result<Solution> solve_of_kind(const SixBarTask& task, const Requirements& requirements,
+                               const SynthesisOptions& options, const Progress& progress) {
+  return solve_six_bars(task, requirements, options, progress);
 }
 
 Result<Solution> solve_family(TaskFamily family, const Requirements& requirements, const SynthesisOptions& options,

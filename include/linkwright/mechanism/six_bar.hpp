@@ -35,6 +35,10 @@ struct SixBarJoint {
   Point point{};
 };
 
+[[nodiscard]] inline bool is_on_ground(const SixBarJoint& joint) {
+  return joint.bodies[0] == 0 || joint.bodies[1] == 0;
+}
+
 /// Distance between two hinges of one body, user's unit.
 struct SixBarLength {
   int body = 0;

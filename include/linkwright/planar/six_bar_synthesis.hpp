@@ -10,6 +10,7 @@
 #include "linkwright/planar/six_bar_solution.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/region_map.hpp"
+#include "linkwright/region/requirement_filter.hpp"
 
 namespace linkwright {
 
@@ -26,6 +27,10 @@ struct SixBarAxes {
   std::vector<double> first, second;
 };
 [[nodiscard]] SixBarAxes six_bar_axes(const SixBarFamily& family, int count);
+
+/// The map under requirements whose max_length is set. Refers to both, which must outlive it.
+[[nodiscard]] RequirementFilter filter_of_six_bars(const SixBarFamily& family, const RegionMap& map,
+                                                   const Requirements& requirements);
 
 /// How many six-bars are wanted, and by what.
 struct SixBarChoice {

@@ -14,6 +14,7 @@
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/planar/freed_position.hpp"
+#include "linkwright/planar/six_bar_synthesis.hpp"
 #include "linkwright/planar/task.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/best_cells.hpp"
@@ -40,7 +41,7 @@ struct SynthesisOptions {
   // Six-bars without a given chain, which is searched for.
   std::optional<Box> box;  ///< for all pivots in position 1, user's unit
   int seed = 1;            ///< of the chains tried
-  int effort = 2000;       ///< how many chains are tried
+  int effort = 20'000;     ///< how many chains are tried
 
   RegionOptions region;
 };
@@ -60,13 +61,15 @@ struct Solution {
   std::vector<Dyad> samples;  ///< of the curve, fixed frame, by rising τ
   RegionMap region;
   RegionCounts counts;
-  Requirements requirements;              ///< as used: defaults filled in
-  SynthesisOptions options;               ///< as used
-  std::int64_t meeting_requirements = 0;  ///< cells
-  std::vector<FourBarSolution> linkages;  ///< best first
-  std::vector<FourBarSolution> pairs;     ///< five positions: every pair of dyads, whatever its defects, best first
-  std::vector<FreedPosition> freed;       ///< five positions, no linkage that meets the requirements: the ways out
-  std::vector<Relaxation> relax;          ///< when no linkage meets the requirements, dearest first
+  Requirements requirements;                 ///< as used: defaults filled in
+  SynthesisOptions options;                  ///< as used
+  std::int64_t meeting_requirements = 0;     ///< cells
+  std::vector<FourBarSolution> linkages;     ///< best first
+  std::vector<FourBarSolution> pairs;        ///< five positions: every pair of dyads, whatever its defects, best first
+  std::vector<FreedPosition> freed;          ///< five positions, no linkage that meets the requirements: the ways out
+  std::vector<SixBarSolution> six_bars;      ///< six-bar tasks, best first
+  std::optional<SixBarSearchResult> search;  ///< six-bars without a given chain: how it went, its linkages moved out
+  std::vector<Relaxation> relax;             ///< when no linkage meets the requirements, dearest first
 };
 
 /// All linkages that do a task.
