@@ -128,7 +128,16 @@ void check_box(const SixBarTask& task, std::vector<Error>& found) {
 }
 
 void check_poses(const SixBarTask& task, std::vector<Error>& found) {
-  for (std::size_t j = 0; j < task.poses.size(); ++j)
+  constexpr std::size_t wanted = 4;
+  const std::size_t count = task.poses.size();
+  if (count != wanted) {
+    found.push_back(
+        {count < wanted ? "too_few_poses" : "too_many_poses", "task.poses",
+         fmt::format("{} pose{} given; a six_bar is found for {}: {} {}", count, count == 1 ? " was" : "s were", wanted,
+                     count < wanted ? "add" : "remove", count < wanted ? wanted - count : count - wanted)});
+    return;
+  }
+  for (std::size_t j = 0; j < count; ++j)
     if (!task.poses[j].derivatives.empty()) {
       found.push_back({"derivatives_not_supported", fmt::format("task.poses[{}].derivatives", j),
                        "six-bars are found for four finite poses; leave the directions of travel out, or take a "
