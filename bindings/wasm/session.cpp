@@ -94,9 +94,19 @@ const Session::Drawn& Session::drawn() {
   return *drawn_;
 }
 
+const BurmesterCurve* Session::curve_along(Side side) const {
+  const TaskFamily& task = given();
+  if (!task.curve || !task.family) return task.curve.get();
+  const FamilyAxis& axis = task.family->axis(side);
+  const bool runs_along = axis.quantity == AxisQuantity::curve_coordinate &&
+                          axis.coordinate_length() == task.curve->coordinate_length();
+  return runs_along ? task.curve.get() : nullptr;
+}
+
 DisplayOrder Session::ordered(const ExploreRequest& request, Side side) const {
   const TaskFamily& task = given();
-  if (!task.curve) return DisplayOrder(task.family ? task.family->axis(side).branches : std::vector<CurveBranch>{});
+  if (!curve_along(side))
+    return DisplayOrder(task.family ? task.family->axis(side).branches : std::vector<CurveBranch>{});
   const Spacing spacing = problem_.options.spacing;
   if (request.order == ExploreRequest::nearest_order && orders_)
     return DisplayOrder::nearest(*task.curve, spacing, task.frame(), orders_->of(side));
@@ -115,7 +125,8 @@ std::vector<double> Session::coordinates(const ExploreRequest& request, Side sid
   const LinkageFamily& family = *given().family;
   const DisplayOrder& order = orders().of(side);
   if (family.axis(side).is_discrete()) return family.samples(side, request.samples, Spacing::coordinate);
-  if (given().curve && from == whole[0] && to == whole[1]) return order.samples(*given().curve, request.samples);
+  const BurmesterCurve* const curve = curve_along(side);
+  if (curve && from == whole[0] && to == whole[1]) return order.samples(*curve, request.samples);
   return order.samples(request.samples, from, to);
 }
 

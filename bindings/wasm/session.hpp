@@ -81,6 +81,8 @@ class Session {
   };
 
   void order_axes(const ExploreRequest& request);
+  /// The Burmester curve that an axis runs along; none where it carries something else.
+  [[nodiscard]] const BurmesterCurve* curve_along(Side side) const;
   [[nodiscard]] DisplayOrder ordered(const ExploreRequest& request, Side side) const;
   [[nodiscard]] std::vector<double> coordinates(const ExploreRequest& request, Side side) const;
   void compute_map(const ExploreRequest& request);

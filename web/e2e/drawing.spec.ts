@@ -289,7 +289,7 @@ test("a place on a curve shows its side link; a click puts the nearer one there,
   const before = await picked(page);
   await page.mouse.move(spot!.x, spot!.y);
   await expect(page.getByTestId("drawing.dyad")).toBeVisible();
-  const tau = await read_state(page, (workbench) => workbench.curve_hover!);
+  const tau = await read_state(page, (workbench) => workbench.curve_hover!.tau);
   await expect(page.getByTestId("drawing.note")).toContainText(tau.toFixed(4));
   await page.mouse.click(spot!.x, spot!.y);
   await until_followed(page);

@@ -6,7 +6,7 @@ import {place_of} from "../src/state/axis";
 import {example, expect, keep_screenshot, map_hash, map_pixel, open_workbench, read_state, solve, test, until_settled} from "./support";
 
 async function places(page: Page, tau: TauPair): Promise<TauPair> {
-  const axis = await read_state(page, (workbench) => workbench.task!.axis);
+  const axis = await read_state(page, (workbench) => workbench.task!.axes.input);
   return [place_of(axis, tau[0])!, place_of(axis, tau[1])!];
 }
 /** Moves the mouse to a pair of curve coordinates; waits until that linkage is in hand. */
@@ -177,7 +177,7 @@ test("9 · the legend filters by type", async ({page}) => {
 test("12 · through infinity", async ({page}) => {
   await open_workbench(page);
   await until_settled(page);
-  const {axis, mark} = await read_state(page, ({task}) => ({axis: task!.axis, mark: task!.specials.find((special) => special.kind === "center_at_infinity" && special.tau.length)!.tau[0]}));
+  const {axis, mark} = await read_state(page, ({task}) => ({axis: task!.axes.input, mark: task!.specials.find((special) => special.kind === "center_at_infinity" && special.tau.length)!.tau[0]}));
   const beyond = place_of(axis, mark)!;
   await read_state(page, (workbench, tau) => workbench.pick(tau), [cell[0], await tau_at_place(page, beyond - 2.5 / 400)] as const);
   await until_settled(page);
@@ -218,7 +218,7 @@ test("13 · when the curve splits, map and pins stay", async ({page}) => {
   await pick(page, cell);
   await read_state(page, (workbench) => workbench.pin());
   const pin = page.getByTestId("region.pin.A"), place_before = await pin.boundingBox();
-  const branches = await read_state(page, (workbench) => workbench.task!.axis.branches.length);
+  const branches = await read_state(page, (workbench) => workbench.task!.axes.input.branches.length);
 
   /** Position 3 moved by so much (mm); the curve's κ, and the map as it is then. */
   const moved = (dx: number) => page.evaluate(async (by) => {
@@ -246,7 +246,7 @@ test("13 · when the curve splits, map and pins stay", async ({page}) => {
     await moved(same);
   }
   await moved(other);
-  await expect.poll(() => read_state(page, (workbench) => workbench.task!.axis.branches.length)).not.toBe(branches);
+  await expect.poll(() => read_state(page, (workbench) => workbench.task!.axes.input.branches.length)).not.toBe(branches);
   await expect.poll(() => read_state(page, (workbench) => workbench.toasts.map((toast) => toast.key as string))).toEqual(expect.arrayContaining([expect.stringMatching(/curve_(split|joined)/)]));
   const changed = await page.evaluate(([a, b]) => {
     const {seen} = (globalThis as any).__linkwright, one = seen.get(a), two = seen.get(b);

@@ -259,7 +259,7 @@ test.describe("22 · on a phone", () => {
     await touch("touchStart", [{x: aim.x - 30, y: aim.y + 30}]);
     await touch("touchMove", [{x: aim.x - 10, y: aim.y + 50}]);
     await touch("touchMove", [{x: aim.x, y: aim.y + 56}]);
-    const axis = await read_state(page, (workbench) => workbench.task!.axis), aimed_at = [tau_at(axis, 0.7), tau_at(axis, 0.3)] as const;
+    const axis = await read_state(page, (workbench) => workbench.task!.axes.input), aimed_at = [tau_at(axis, 0.7), tau_at(axis, 0.3)] as const;
     const off = (of: "hovered" | "picked") => read_state(page, ({hovered, picked}, [which, [a, b]]) => {
       const tau = which === "hovered" ? hovered : picked!.tau;
       return tau ? Math.hypot(tau[0] - a, tau[1] - b) : Infinity;

@@ -27,12 +27,13 @@ export function click_target(bench: Bench, target: Target, shift: boolean): void
 
 /** The nearer side link of the picked linkage goes to the place; with Shift the other one. */
 export function put_side_link({workbench, scene}: Bench, spot: Spot, other: boolean): void {
-  const picked = workbench.picked, linkage = workbench.picked_linkage, samples = scene.samples;
+  const picked = workbench.picked, linkage = workbench.picked_linkage, samples = scene.samples[spot.sides[0]];
   const place = samples && point_at(samples, spot.curve, spot);
   if (!picked || !place) return;
   const away = (point: Point | null | undefined) => (point ? Math.hypot(point[0] - place[0], point[1] - place[1]) : Infinity);
   const input_nearer = away(linkage?.input[spot.curve]) <= away(linkage?.output[spot.curve]);
-  workbench.pick(with_side(picked.tau, input_nearer !== other ? "input" : "output", spot.tau));
+  const side = spot.sides.length > 1 ? (input_nearer !== other ? "input" : "output") : spot.sides[0];
+  workbench.pick(with_side(picked.tau, side, spot.tau));
 }
 
 /** A click on the canvas of a task that is not complete adds a position. */
@@ -117,7 +118,7 @@ function nudge_box({workbench, scene}: Bench, {box, edges}: Extract<Target, {kin
   if (moved.x[1] > moved.x[0] && moved.y[1] > moved.y[0]) workbench.edit((problem) => with_box(problem, box, moved), merge);
 }
 function nudge_pivot({workbench, scene}: Bench, {side, end}: Extract<Target, {kind: "pivot"}>, steps: number, merge: string): void {
-  const {picked} = workbench, {samples} = scene;
+  const {picked} = workbench, samples = scene.samples[side];
   const spot = picked && samples && spot_of_tau(samples, end, picked.tau[side === "input" ? 0 : 1]);
   if (!picked || !samples || !spot) return;
   workbench.pick(with_side(picked.tau, side, stepped(samples, end, scene.view, spot, steps * scene.step * scene.view.scale).tau), merge);

@@ -238,7 +238,7 @@ class Pointer {
     const {workbench, scene} = this.bench, spot = target?.kind === "curve" ? target.spot : null;
     if (!spot && !scene.spot) return;
     scene.spot = spot;
-    workbench.curve_hover = spot?.tau ?? null;
+    workbench.curve_hover = spot && {sides: spot.sides, tau: spot.tau};
   }
   leave(): void {
     if (this.press) return;

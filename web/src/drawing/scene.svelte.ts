@@ -6,7 +6,7 @@ import {preferences} from "../state/preferences.svelte";
 import {body_point, outline_of, placed, type Pose} from "../state/problem";
 import {screen_size} from "../state/screen.svelte";
 import type {Workbench} from "../state/workbench.svelte";
-import {curve_samples, nearest, point_at, type Spot} from "./curve_samples";
+import {nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
 import {
   border_hit, box_handles, corner_handles, edge_cursor, inside, pivot_handles, pose_handles, ranks, target_id, within_reach,
   type BoxName, type Handle, type Target,
@@ -64,9 +64,14 @@ export class Scene {
 
   readonly samples = $derived.by(() => {
     const task = this.workbench.task;
-    if (!task || task.curves.tau.length < 2 || task.axis.branches.length === 0) return null;
+    if (!task) return {input: null, output: null};
     const poses = untrack(() => this.poses), count = poses.length || 1;
-    return curve_samples(task, [poses.reduce((sum, p) => sum + p.x, 0) / count, poses.reduce((sum, p) => sum + p.y, 0) / count]);
+    return samples_of_sides(task, [poses.reduce((sum, p) => sum + p.x, 0) / count, poses.reduce((sum, p) => sum + p.y, 0) / count]);
+  });
+  /** One for both sides where they are the same. */
+  readonly distinct_samples = $derived.by((): CurveSamples[] => {
+    const {input, output} = this.samples;
+    return [input, output === input ? null : output].filter((samples) => samples !== null);
   });
 
   readonly now = $derived.by((): Now | null => {
@@ -131,10 +136,8 @@ export class Scene {
     return first > 0 ? [...found.splice(first, 1), ...found] : found;
   }
   private curves_at(at: Point, touch: boolean): {target: Target; cursor: string}[] {
-    const samples = this.samples;
-    if (!samples) return [];
-    return (["center", "circle"] as const)
-      .flatMap((curve) => nearest(samples, curve, this.view, at) ?? [])
+    return this.distinct_samples
+      .flatMap((samples) => (["center", "circle"] as const).flatMap((curve) => nearest(samples, curve, this.view, at) ?? []))
       .filter((spot) => spot.distance <= curve_reach[touch ? 1 : 0])
       .sort((a, b) => a.distance - b.distance)
       .map((spot) => ({target: {kind: "curve", spot} as Target, cursor: "pointer"}));
@@ -142,7 +145,7 @@ export class Scene {
 
   /** Both ends of the side link at a spot, as in position 1. */
   dyad_at(spot: Spot): {center: Point | null; circle: Point | null} | null {
-    const samples = this.samples;
+    const samples = this.samples[spot.sides[0]];
     return samples && {center: point_at(samples, "center", spot), circle: point_at(samples, "circle", spot)};
   }
 }

@@ -73,7 +73,7 @@ async function settled({workbench}: Bench): Promise<void> {
   await until(() => workbench.picked_linkage!.tau.join() === workbench.picked!.tau.join());
   await new Promise((resolve) => setTimeout(resolve, 60));
 }
-const digest = ({workbench}: Bench) => JSON.stringify([workbench.document, workbench.picked_linkage, workbench.task!.axis]);
+const digest = ({workbench}: Bench) => JSON.stringify([workbench.document, workbench.picked_linkage, workbench.task!.axes.input]);
 
 describe("the workbench", () => {
   it("starts with the best linkage in hand", async () => {
@@ -231,7 +231,7 @@ describe("the workbench", () => {
     await settled(other);
     expect(other.workbench.picked!.tau).toEqual(workbench.picked!.tau);
     expect(other.workbench.pins.map((pin) => [pin.name, pin.tau])).toEqual(workbench.pins.map((pin) => [pin.name, pin.tau]));
-    expect(other.workbench.task!.axis).toEqual(workbench.task!.axis);
+    expect(other.workbench.task!.axes.input).toEqual(workbench.task!.axes.input);
     expect(other.workbench.map!.type).toEqual(workbench.map!.type);
   });
 
