@@ -4,6 +4,7 @@ import type {Linkage, TauPair} from "../src/engine/protocol";
 import {linkage_types} from "../src/engine/protocol";
 import {place_of} from "../src/state/axis";
 import {example, expect, keep_screenshot, map_hash, map_pixel, open_workbench, read_state, solve, test, until_settled} from "./support";
+import type {MotionTask} from "../src/state/task";
 
 async function places(page: Page, tau: TauPair): Promise<TauPair> {
   const axis = await read_state(page, (workbench) => workbench.task!.axes.input);
@@ -224,7 +225,7 @@ test("13 · when the curve splits, map and pins stay", async ({page}) => {
   const moved = (dx: number) => page.evaluate(async (by) => {
     const hook = (globalThis as any).__linkwright, {workbench} = hook, start = -220;
     if (!workbench.gesture) workbench.begin_gesture();
-    workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose: any, i: number) => (i === 2 ? {...pose, x: start + by} : pose))}}));
+    workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.map((pose: any, i: number) => (i === 2 ? {...pose, x: start + by} : pose))}}));
     while (!workbench.is_current || workbench.map.samples !== 400) await new Promise((done) => setTimeout(done));
     hook.seen ??= new Map();
     hook.seen.set(by, {type: workbench.map.type.slice(), defects: workbench.map.defects.slice()});

@@ -65,7 +65,7 @@ export class RegionView {
   }
   pin_near(point: Point, reach = pin_reach): Pin | null {
     let nearest: Pin | null = null;
-    for (const pin of this.workbench.pins) {
+    for (const pin of this.workbench.pins_on_map) {
       if (!pin.place) continue;
       const [x, y] = this.point(pin.place), distance = Math.hypot(x - point[0], y - point[1]);
       if (distance <= reach) [nearest, reach] = [pin, distance];

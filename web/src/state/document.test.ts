@@ -1,7 +1,8 @@
 import {describe, expect, it} from "vitest";
 import type {Axis} from "../engine/protocol";
 import {differs, from_problem, same_tau, settled_on, to_problem, type Document} from "./document";
-import {new_problem, with_pose, with_view, type Pin} from "./problem";
+import {new_problem} from "../tasks/motion/kind";
+import {with_pose, with_view, type Pin} from "./problem";
 
 /** One branch over the whole axis, from τ = 0 to 1. */
 const axis: Axis = {quantity: "curve_coordinate", ticks: null, order: 3, branches: [{name: "odd", from: 0, to: 1}], blocks: [{branch: 0, from: 0, to: 1, knots: [[0, 0], [1, 1]]}]};
@@ -10,7 +11,7 @@ const no_curve: Axis = {...axis, branches: [], blocks: []};
 const both = (one: Axis) => ({input: one, output: one});
 
 const problem = new_problem();
-const pin = {name: "A", tau: [0.5, 0.75], poses: problem.task.poses} as unknown as Pin;
+const pin = {name: "A", tau: [0.5, 0.75], task: problem.task} as unknown as Pin;
 const document: Document = {problem, picked: {tau: [0.25, 0.5], place: null}, pins: [pin], order: null};
 
 describe("a document", () => {

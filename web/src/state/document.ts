@@ -1,6 +1,7 @@
 // What undo restores, as a value, and what can be asked of it without the engine.
 import type {Axes, TauPair} from "../engine/protocol";
 import {places_of, tau_of_places} from "./axis";
+import {map_of} from "../tasks/kinds";
 import {problem_text, with_view, type Pin, type Problem} from "./problem";
 
 export interface Picked {
@@ -30,6 +31,12 @@ export function from_problem(problem: Problem): Document {
 export function to_problem({problem, picked, pins, order}: Document): Problem {
   const view = {...problem.view, pins: pins.length ? pins : undefined, picked: picked?.tau, order: order ?? undefined};
   return with_view(problem, view);
+}
+
+/** After a change: what was picked stays in hand where the map stays one of the same things. */
+export function with_problem(document: Document, problem: Problem): Document {
+  const same_map = map_of(document.problem.task) === map_of(problem.task);
+  return same_map ? {...document, problem} : {...document, problem, picked: null, order: null};
 }
 
 export function same_tau(a: TauPair | null | undefined, b: TauPair | null | undefined): boolean {

@@ -4,6 +4,8 @@ import {EngineClient} from "../engine/client";
 import {
   whole, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
 } from "../engine/protocol";
+import type {Incomplete} from "../tasks/kind";
+import {incompleteness, map_of} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {held_tau, held_window, places_of} from "./axis";
 import {from_problem, to_problem, type Picked} from "./document";
@@ -12,7 +14,8 @@ import {Editing} from "./editing.svelte";
 import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
 import {find_pin, free_name, new_pin} from "./pins";
-import {incompleteness, same_poses, with_poses, type Incomplete, type Pin, type Problem} from "./problem";
+import {with_task, type Pin, type Problem} from "./problem";
+import {same_task} from "./task";
 
 export interface Toast {
   id: number;
@@ -29,7 +32,7 @@ export class Workbench extends Editing {
   map = $state.raw<MapAnswer | null>(null);
   /** Of the whole region at 400² (100² in a slow drag), whatever part of it is on screen. */
   census = $state.raw<Census | null>(null);
-  incomplete = $state<Incomplete>(null);
+  incomplete = $state.raw<Incomplete | null>(null);
   engine_ms = $state(0);
   window = $state.raw<Window>(whole);
 
@@ -221,7 +224,7 @@ export class Workbench extends Editing {
 
   pin(linkage: Linkage | null = this.hand): void {
     if (!linkage) return;
-    const known = find_pin(this.pins, this.problem.task.poses, linkage.tau);
+    const known = find_pin(this.pins, this.problem.task, linkage.tau);
     if (known) return this.say("state.already_pinned", {name: known.name});
     const pin = new_pin(linkage, this.problem, free_name(this.pins), this.place_of(linkage.tau));
     this.edit_document((document) => ({...document, pins: [...document.pins, pin]}));
@@ -237,15 +240,20 @@ export class Workbench extends Editing {
   change_pin(name: string, change: Partial<Pin>): void {
     this.edit_document((document) => ({...document, pins: document.pins.map((pin) => (pin.name === name ? {...pin, ...change} : pin))}), `pin ${name}`);
   }
+  /** Those that have a place on the map. */
+  get pins_on_map(): Pin[] {
+    const map = map_of(this.problem.task);
+    return this.pins.filter((pin) => pin.place && map_of(pin.task) === map);
+  }
   is_stale(pin: Pin): boolean {
-    return !same_poses(pin.poses, this.problem.task.poses);
+    return !same_task(pin.task, this.problem.task);
   }
   /** Takes a pin in hand; one of an earlier task brings that task back. One step. */
   pick_pin(pin: Pin): void {
     const stale = this.is_stale(pin);
     this.edit_document((document) => ({
       ...document,
-      problem: stale ? with_poses(document.problem, pin.poses) : document.problem,
+      problem: stale ? with_task(document.problem, pin.task) : document.problem,
       picked: {tau: pin.tau, place: stale ? null : (pin.place ?? null)},
     }));
   }
