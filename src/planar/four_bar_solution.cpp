@@ -58,6 +58,7 @@ std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlac
   solution.input_residual = length_residual(poses, bars->input_center, bars->input_circle);
   solution.output_residual = length_residual(poses, bars->output_center, bars->output_circle);
   solution.residual = std::max(solution.input_residual, solution.output_residual);
+  if (given.freed) solution.miss = pose_miss(*bars, poses, *given.freed);
   solution.residual_derivatives = derivative_residual(given.derivative_rows, *links);
   if (verify) {
     const DriveThroughReport driven = drive_through(*bars, poses, {.respect_direction = respect_direction});

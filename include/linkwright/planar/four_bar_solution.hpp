@@ -28,6 +28,7 @@ struct FourBarSolution {
   /// frame.
   std::optional<double> residual_derivatives;
 
+  std::optional<PoseMiss> miss;           ///< of the pose that was freed
   std::optional<FunctionError> function;  ///< of function tasks
 };
 
