@@ -111,10 +111,12 @@ std::optional<RegionWindow> read_window(const JsonValue& value) {
 
 void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& options) {
   const std::size_t before = mistakes.size();
-  const JsonObject object(value, mistakes, {"region_samples", "spacing", "objective", "best", "window", "box", "seed", "effort"});
+  const JsonObject object(value, mistakes,
+                          {"region_samples", "spacing", "objective", "best", "window", "box", "seed", "effort"});
   read_whole_number(object, "region_samples", options.region_samples);
   read_name(object, "spacing", {Spacing::coordinate, Spacing::arc_length}, options.spacing);
-  read_name(object, "objective", {Objective::min_transmission_angle, Objective::link_ratio, Objective::size},
+  read_name(object, "objective",
+            {Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error},
             options.objective);
   read_whole_number(object, "best", options.best);
   read_box(object, "box", mistakes, options.box);
@@ -142,6 +144,7 @@ void read_members(const JsonObject& file, Mistakes& mistakes, Problem& problem) 
   if (const auto options = file.find("options")) read_options(*options, mistakes, problem.options);
   if (const auto task = file.require("task", "the task: \"task\": {\"kind\": \"motion\", …}"))
     problem.task = read_task(*task, problem.options.box, mistakes);
+  if (mistakes.empty()) mistakes.add(mistakes_in(problem.task, problem.options));
   if (const auto view = file.find("view")) read_view(*view, problem.view);
 }
 

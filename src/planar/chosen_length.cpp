@@ -1,5 +1,6 @@
 #include "linkwright/planar/chosen_length.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -44,9 +45,11 @@ ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& 
   ChosenLength chosen;
   Offer best;
   RegionMap map;
+  // A side link longer than the longest link allowed is of no use: with small turns L is far larger than the machine.
+  const double longest = std::min(ChosenLength::longest * frame.scale, *requirements.max_length);
   for (int rung = 0; rung < ChosenLength::rungs; ++rung) {
-    const double power = 2.0 * rung / (ChosenLength::rungs - 1) - 1;
-    const double length = frame.scale * std::pow(ChosenLength::reach, power);
+    const double share = 1 - static_cast<double>(rung) / (ChosenLength::rungs - 1);
+    const double length = longest * std::pow(ChosenLength::range, -share);
     const Offer offer = offer_of(*family_of(length), requirements, objective, map);
     if (rung > 0 && !offer.beats(best)) continue;
     best = offer;

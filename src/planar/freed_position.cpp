@@ -8,6 +8,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "planar/candidate.hpp"
 
@@ -123,11 +124,38 @@ Notice nothing_meets(const RegionMap& map, const Requirements& requirements) {
           counted(counts.defect_free)};
 }
 
+// Where the pairs of side links through all five positions lie on the map that is left: there nothing is missed. Their
+// circle points lie as in the whole task's first pose.
+std::vector<RegionPlace> exact_places(const MotionTask& whole, const TaskFamily& given, const FreedTask& freed) {
+  if (!given.curve) return {};
+  const PoseConditions conditions = pose_conditions(whole.poses);
+  const Pose &from = whole.poses.front().pose, &to = freed.task.poses.front().pose;
+  const Point turn = direction(to.angle - from.angle);
+  std::vector<double> coordinates;
+  for (const BurmesterPoint& point : burmester_points(conditions).points) {
+    const Homogeneous circle = conditions.frame.to_user(point.dyad).circle;
+    const Point there = turn * (circle.vector() - circle.w * from.origin) + circle.w * to.origin;
+    const Homogeneous moved{circle.w, there.real(), there.imag()};
+    if (const auto tau = given.curve->circle_curve().coordinate_of(given.frame().to_working(moved)))
+      coordinates.push_back(*tau);
+  }
+  std::vector<RegionPlace> places;
+  for (const double input : coordinates)
+    for (const double output : coordinates)
+      if (input != output) places.push_back({input, output});
+  return places;
+}
+
 /// The map of the family that is left, and where on it the miss is least.
 class Relaxing {
  public:
-  Relaxing(const TaskFamily& given, const FreedTask& freed, const FreedPositionOptions& options, bool respect_direction)
-      : given_(given), freed_(freed), options_(options), respect_direction_(respect_direction) {
+  Relaxing(const TaskFamily& given, const FreedTask& freed, std::vector<RegionPlace> exact,
+           const FreedPositionOptions& options, bool respect_direction)
+      : given_(given),
+        freed_(freed),
+        exact_(std::move(exact)),
+        options_(options),
+        respect_direction_(respect_direction) {
     const auto samples = [&](LinkageFamily::Side side) {
       return given.family->samples(side, options.region_samples, Spacing::coordinate);
     };
@@ -162,7 +190,9 @@ class Relaxing {
     const double first_step =
         given_.family->axis(LinkageFamily::Side::input).coordinate_length() / options_.region_samples;
     std::optional<Approach> best;
-    for (const RegionPlace place : low_cells(map_, misses_, options_.starts)) {
+    std::vector<RegionPlace> starts = low_cells(map_, misses_, options_.starts);
+    starts.insert(starts.end(), exact_.begin(), exact_.end());
+    for (const RegionPlace place : starts) {
       // The map's numbers are single: a cell on the very edge of a requirement may fail here.
       const auto start = lessening.at(place);
       if (!start) continue;
@@ -175,6 +205,7 @@ class Relaxing {
 
   const TaskFamily& given_;
   const FreedTask& freed_;
+  std::vector<RegionPlace> exact_;
   FreedPositionOptions options_;
   bool respect_direction_;
   RegionMap map_;
@@ -184,9 +215,9 @@ class Relaxing {
 
 // What is nearest of all lies at an edge of what is allowed: where nothing keeps the transmission angle up, at a dead
 // point. So a usable angle is asked for as long as there is one.
-void find_nearest(FreedPosition& found, const FreedTask& freed, const TaskFamily& given,
+void find_nearest(FreedPosition& found, const MotionTask& whole, const FreedTask& freed, const TaskFamily& given,
                   const Requirements& requirements, const FreedPositionOptions& options) {
-  Relaxing relaxing(given, freed, options, requirements.respect_direction);
+  Relaxing relaxing(given, freed, exact_places(whole, given, freed), options, requirements.respect_direction);
   Requirements usable = requirements;
   usable.min_transmission_angle = std::max(usable.min_transmission_angle, options.usable_transmission_angle);
   if (!relaxing.find(usable, found) && !relaxing.find(requirements, found))
@@ -199,6 +230,7 @@ FreedTask freed_task(const MotionTask& task, std::size_t pose) {
   assert(pose < task.poses.size() && task.poses[pose].derivatives.empty());
   FreedTask result{task, {task.poses[pose].pose, pose, pose_conditions(task.poses).frame.scale}};
   result.task.poses.erase(result.task.poses.begin() + static_cast<std::ptrdiff_t>(pose));
+  result.task.freed.reset();
   return result;
 }
 
@@ -223,7 +255,8 @@ void pose_misses(const LinkageFamily& family, const RegionMap& map, std::span<co
 std::vector<FreedPosition> nearest_relaxations(const MotionTask& task, const Requirements& requirements,
                                                const FreedPositionOptions& options, const Progress& progress) {
   // The same length limit for all, that of the whole task.
-  const Requirements wanted = with_defaults(requirements, pose_conditions(task.poses).frame);
+  Requirements wanted = requirements;
+  if (!wanted.max_length) wanted.max_length = default_max_length * pose_conditions(task.poses).frame.scale;
   std::vector<FreedPosition> found;
   for (std::size_t pose = 0; pose < task.poses.size() && !progress.is_cancelled(); ++pose) {
     progress(static_cast<double>(pose) / static_cast<double>(task.poses.size()));
@@ -232,7 +265,7 @@ std::vector<FreedPosition> nearest_relaxations(const MotionTask& task, const Req
     const TaskFamily given = task_family(freed.task, wanted, Objective::min_transmission_angle);
     found.push_back({.pose = pose});
     if (given.family)
-      find_nearest(found.back(), freed, given, wanted, options);
+      find_nearest(found.back(), task, freed, given, wanted, options);
     else
       found.back().reason = given.degeneracy;
   }

@@ -10,9 +10,6 @@
 namespace linkwright {
 namespace {
 
-// The ground link comes out of the solver of five positions as near to itself as its condition lets it.
-constexpr double at_the_ground = 1e-4;
-
 Notice double_point(std::size_t number, int multiplicity) {
   return {"double_point",
           fmt::format("Linkage {} counts {} times: solutions have run together there, and a small change of an angle "
@@ -38,7 +35,8 @@ void take_points(FunctionCouplers& couplers) {
   const auto distance = [&](const BurmesterPoint& p) { return distance_from_ground(couplers.given, p.dyad); };
   const auto ground = std::min_element(found.points.begin(), found.points.end(),
                                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-  if (ground != found.points.end() && distance(*ground) < at_the_ground) found.points.erase(ground);
+  // The ground link is one of the four, however far rounding has taken it in an ill-conditioned task.
+  if (ground != found.points.end()) found.points.erase(ground);
   for (const BurmesterPoint& point : found.points) {
     couplers.points.push_back(point.dyad);
     couplers.points.back().coordinate = static_cast<double>(couplers.points.size()) - 0.5;

@@ -179,6 +179,7 @@ TaskFamily task_family(const FunctionTask& task) {
   TaskFamily given;
   given.pattern = pattern(task.pairs);
   given.conditions = couplers->given.conditions;
+  given.size = std::abs(task.output_pivot - task.input_pivot);
   given.curve = couplers->curve;
   given.warnings = couplers->warnings;
   given.degeneracy = couplers->degeneracy;

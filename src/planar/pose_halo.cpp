@@ -21,7 +21,7 @@ class CellCounter {
     const TaskFamily given = task_family(task, wanted_, Objective::min_transmission_angle);
     if (!given.family) return 0;
     const LinkageFamily& family = *given.family;
-    const Requirements wanted = with_defaults(wanted_, family.frame());
+    const Requirements wanted = with_defaults(wanted_, given);
     const auto samples = [&](LinkageFamily::Side side) { return family.samples(side, samples_, spacing_); };
     RegionOptions one_thread;
     one_thread.threads = 1;

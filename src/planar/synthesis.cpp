@@ -1,11 +1,14 @@
 #include "linkwright/planar/synthesis.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
 #include "linkwright/planar/function_family.hpp"
+#include "linkwright/planar/function_search.hpp"
 #include "planar/linkage_search.hpp"
+#include "planar/six_bar_answer.hpp"
 
 namespace linkwright {
 namespace {
@@ -15,6 +18,14 @@ constexpr std::array<std::string_view, 2> spacing_names = {"coordinate", "arc_le
 
 void append(std::vector<Error>& all, std::vector<Error> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+// Those that are not told already.
+void append_new(std::vector<Error>& all, const std::vector<Error>& more) {
+  for (const Error& error : more)
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const Error& known) { return known.code == error.code && known.place == error.place; }))
+      all.push_back(error);
 }
 
 // Coordinates of one axis of the region.
@@ -59,7 +70,20 @@ std::string percent(std::int64_t part, std::int64_t whole) {
   return share < 1 ? "under 1 %" : fmt::format("{:.0f} %", share);
 }
 
-Notice nothing_defect_free(const Solution& solution) {
+/// How a kind of task is spoken of: sentences with places for numbers.
+struct TaskWords {
+  std::string_view solved = "{} four-bars pass through all poses; {} are free of defects; {} meet all requirements.";
+  std::string_view none_defect_free = "{} four-bars pass through all poses and none is free of defects: {}.";
+  std::string_view lock = "lock between two poses (branch)";
+  std::string_view ways_out = "Try another order of the poses, {}allow a defect (no_defects: false), or move a pose.";
+};
+
+constexpr TaskWords function_words = {
+    "Four-bars that generate all pairs: {}; free of defects: {}; meeting all requirements: {}.",
+    "None of the four-bars that generate all pairs ({}) is free of defects: {}.", "lock between two pairs (branch)",
+    "Try other pairs or other ranges of the dials, leave a number free, or allow a defect (no_defects: false)."};
+
+Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
   const RegionCounts& counts = solution.counts;
   const bool directed =
       solution.requirements.respect_direction && solution.given.pattern.find("PP") != std::string::npos;
@@ -69,13 +93,12 @@ Notice nothing_defect_free(const Solution& solution) {
     if (cells > 0) causes.push_back(fmt::format("{} {}", percent(cells, whole), what));
   };
   blame(counts.circuit, "need taking apart (circuit)");
-  blame(counts.branch - counts.circuit, "lock between two poses (branch)");
+  blame(counts.branch - counts.circuit, words.lock);
   blame(counts.order, directed ? "visit them in another order, or against a direction" : "visit them in another order");
   return {"none_defect_free",
-          fmt::format("{} four-bars pass through all poses and none is free of defects: {}. Try another order of the "
-                      "poses, {}allow a defect (no_defects: false), or move a pose.",
-                      whole, fmt::join(causes, ", "),
-                      directed ? "turn a direction round or let none count (respect_direction: false), " : ""),
+          fmt::format(fmt::runtime(words.none_defect_free), whole, fmt::join(causes, ", ")) + " " +
+              fmt::format(fmt::runtime(words.ways_out),
+                          directed ? "turn a direction round or let none count (respect_direction: false), " : ""),
           {{"count", static_cast<double>(whole)}}};
 }
 
@@ -94,7 +117,7 @@ Notice nothing_left(const Solution& solution) {
   return notice;
 }
 
-void judge(Solution& solution) {
+void judge(Solution& solution, const TaskWords& words) {
   const RegionCounts& counts = solution.counts;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   if (whole == 0) {
@@ -104,14 +127,13 @@ void judge(Solution& solution) {
         "No pair of side links makes a four-bar: in every pair a pivot is at infinity or a link has no length.",
         {}};
   } else if (counts.defect_free == 0 && solution.requirements.no_defects) {
-    solution.reason = nothing_defect_free(solution);
+    solution.reason = nothing_defect_free(solution, words);
   } else if (solution.meeting_requirements == 0) {
     solution.reason = nothing_left(solution);
   } else {
     solution.reason = {
         "solved",
-        fmt::format("{} four-bars pass through all poses; {} are free of defects; {} meet all requirements.", whole,
-                    counts.defect_free, solution.meeting_requirements),
+        fmt::format(fmt::runtime(words.solved), whole, counts.defect_free, solution.meeting_requirements),
         {{"count", static_cast<double>(whole)},
          {"defect_free", static_cast<double>(counts.defect_free)},
          {"meeting", static_cast<double>(solution.meeting_requirements)}}};
@@ -139,7 +161,24 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
       if (!(std::isfinite(low) && std::isfinite(high) && low < high))
         found.push_back(
             {"out_of_range", "options.window", "each interval of the window is [low, high] in τ with low below high"});
+  if (options.box) append(found, mistakes_in_search_box(*options.box));
+  if (options.seed < 0 || options.seed > SynthesisOptions::most_seed)
+    found.push_back(
+        {"out_of_range", "options.seed",
+         fmt::format("a seed is a whole number from 0 to {}; any of them will do", SynthesisOptions::most_seed)});
+  if (options.effort < 1 || options.effort > SynthesisOptions::most_effort)
+    found.push_back({"out_of_range", "options.effort",
+                     fmt::format("the number of chains to try lies between 1 and {}; 2000 is usual",
+                                 SynthesisOptions::most_effort)});
   return found;
+}
+
+std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options) {
+  if (options.objective != Objective::structural_error) return {};
+  const auto* function = std::get_if<FunctionTask>(&task);
+  if (function != nullptr && function->function) return {};
+  return {{"out_of_range", "options.objective",
+           "a structural error belongs to a task with a named \"function\"; choose another objective"}};
 }
 
 namespace {
@@ -160,17 +199,17 @@ std::vector<FourBarSolution> all_pairs(const Solution& solution) {
   return pairs;
 }
 
-Result<Solution> solve_of_kind(const SixBarTask& /*task*/, const Requirements& /*requirements*/,
-                               const SynthesisOptions& /*options*/, const Progress& /*progress*/) {
-  return Error{"not_available", "task.mechanism", ""};
+Result<Solution> solve_of_kind(const SixBarTask& task, const Requirements& requirements,
+                               const SynthesisOptions& options, const Progress& progress) {
+  return solve_six_bars(task, requirements, options, progress);
 }
 
 Result<Solution> solve_family(TaskFamily family, const Requirements& requirements, const SynthesisOptions& options,
-                              const Progress& progress) {
+                              const Progress& progress, const TaskWords& words = {}) {
   Solution solution;
   solution.given = std::move(family);
   const TaskFamily& given = solution.given;
-  solution.requirements = with_defaults(requirements, given.frame());
+  solution.requirements = with_defaults(requirements, given);
   solution.options = options;
   solution.samples = curve_samples(given, options);
   if (!given.family) {
@@ -190,14 +229,57 @@ Result<Solution> solve_family(TaskFamily family, const Requirements& requirement
   solution.linkages = best_linkages(solution, filter, progress);
   if (!given.points.empty() && !given.curve) solution.pairs = all_pairs(solution);
   if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
-  judge(solution);
+  judge(solution, words);
   progress(1);
   return solution;
 }
 
+// Five positions that no usable four-bar passes: which of them to free, and what its error becomes.
 Result<Solution> solve_of_kind(const MotionTask& task, const Requirements& requirements,
                                const SynthesisOptions& options, const Progress& progress) {
-  return solve_family(task_family(task, requirements, options.objective), requirements, options, progress);
+  Result<Solution> solved =
+      solve_family(task_family(task, requirements, options.objective), requirements, options, progress);
+  const bool wanting = solved && position_count(task.poses) == 5 && !solved->given.curve && solved->linkages.empty();
+  if (wanting && options.best > 0)
+    solved->freed = nearest_relaxations(task, requirements, {.region = options.region}, progress);
+  return solved;
+}
+
+std::vector<FourBarSolution> generators(const FunctionFamily& family, const Solution& solution,
+                                        const Progress& progress) {
+  constexpr bool verify = true;
+  GeneratorSearchOptions search;
+  search.most = solution.options.best;
+  std::vector<FourBarSolution> found;
+  for (const RankedGenerator& ranked : best_generators(family, solution.requirements, search, progress))
+    if (auto made = make_four_bar(solution.given, ranked.place, solution.requirements.respect_direction, verify)) {
+      made->local_optimum = true;
+      found.push_back(*std::move(made));
+    }
+  return found;
+}
+
+// Where driving a generator free of defects confirms it, it must also have brought the output to each pair.
+void measure_function(FourBarSolution& found, const FunctionFamily& family) {
+  constexpr double right = 1e-6;  // radians; close to a dead point rounding of the input shows this much
+  found.function = function_error(found.four_bar, family.task_at({found.input.coordinate, found.output.coordinate}));
+  if (found.report.defects.none())
+    found.verified_by_driving =
+        found.verified_by_driving && found.function->reaches_pairs && found.function->precision_error <= right;
+}
+
+// Five precision points: the few linkages there are, whatever their defects.
+std::vector<FourBarSolution> all_generators(const Solution& solution) {
+  constexpr bool verify = true;
+  const LinkageFamily& family = *solution.given.family;
+  std::vector<FourBarSolution> found;
+  if (family.axis(LinkageFamily::Side::input).quantity != AxisQuantity::burmester_point) return found;
+  const double only = family.samples(LinkageFamily::Side::output, 0, Spacing::coordinate).front();
+  for (const double place : family.samples(LinkageFamily::Side::input, 0, Spacing::coordinate))
+    if (auto made = make_four_bar(solution.given, {place, only}, solution.requirements.respect_direction, verify))
+      found.push_back(*std::move(made));
+  std::sort(found.begin(), found.end(), is_better);
+  return found;
 }
 
 // The input is the task's, and so are the ground pivots: what is left to measure is the function.
@@ -205,10 +287,12 @@ Result<Solution> solve_of_kind(const FunctionTask& task, const Requirements& req
                                const SynthesisOptions& options, const Progress& progress) {
   const TaskFamily given = task_family(task);
   const auto family = std::dynamic_pointer_cast<const FunctionFamily>(given.family);
-  Result<Solution> solved = solve_family(given, requirements, options, progress);
+  Result<Solution> solved = solve_family(given, requirements, options, progress, function_words);
   if (!solved || !family) return solved;
-  for (FourBarSolution& found : solved->linkages)
-    found.function = function_error(found.four_bar, family->task_at({found.input.coordinate, found.output.coordinate}));
+  if (options.objective == Objective::structural_error) solved->linkages = generators(*family, *solved, progress);
+  solved->pairs = all_generators(*solved);
+  for (std::vector<FourBarSolution>* list : {&solved->linkages, &solved->pairs})
+    for (FourBarSolution& found : *list) measure_function(found, *family);
   return solved;
 }
 
@@ -218,7 +302,8 @@ Result<Solution> solve(const Task& task, const Requirements& requirements, const
                        const Progress& progress) {
   std::vector<Error> mistakes = mistakes_in(task);
   append(mistakes, mistakes_in(requirements));
-  append(mistakes, mistakes_in(options));
+  append_new(mistakes, mistakes_in(options));  // a six-bar's box may stand in both
+  append(mistakes, mistakes_in(task, options));
   if (!mistakes.empty()) return mistakes;
   return std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "linkwright/planar/freed_position.hpp"
 #include "linkwright/planar/instant_center.hpp"
 #include "linkwright/planar/task_curve.hpp"
 #include "linkwright/planar/three_pose_opening.hpp"
@@ -100,18 +101,22 @@ TaskFamily family_of_three(const MotionTask& task, const Requirements& requireme
 }  // namespace
 
 TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective) {
-  switch (position_count(task.poses)) {
-    case 3:
-      return family_of_three(task, requirements, objective);
-    case 4:
-      return family_of_curve(task);
-    default:
-      return family_of_points(task);
+  if (task.freed) {
+    const FreedTask left = freed_task(task, *task.freed);
+    TaskFamily given = task_family(left.task, requirements, objective);
+    given.freed = left.freed;
+    return given;
   }
+  const int positions = position_count(task.poses);
+  TaskFamily given = positions == 3   ? family_of_three(task, requirements, objective)
+                     : positions == 4 ? family_of_curve(task)
+                                      : family_of_points(task);
+  given.size = given.frame().scale;
+  return given;
 }
 
-Requirements with_defaults(Requirements wanted, const WorkingFrame& frame) {
-  if (!wanted.max_length) wanted.max_length = default_max_length * frame.scale;
+Requirements with_defaults(Requirements wanted, const TaskFamily& given) {
+  if (!wanted.max_length) wanted.max_length = default_max_length * given.size;
   return wanted;
 }
 

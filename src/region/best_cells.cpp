@@ -11,7 +11,8 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, 3> objective_names = {"min_transmission_angle", "link_ratio", "size"};
+constexpr std::array<std::string_view, 4> objective_names = {"min_transmission_angle", "link_ratio", "size",
+                                                             "structural_error"};
 
 double score(const RegionMap& map, Objective objective, std::size_t cell) {
   return score_of(objective, static_cast<double>(map.transmission_versines()[cell]),
@@ -68,6 +69,7 @@ std::string_view name(Objective objective) { return objective_names[static_cast<
 double score_of(Objective objective, double versine, double link_ratio, double longest) {
   switch (objective) {
     case Objective::min_transmission_angle:
+    case Objective::structural_error:
       return versine;
     case Objective::link_ratio:
       return -link_ratio;

@@ -71,8 +71,8 @@ TEST(ChosenLength, IsALengthEvenWhereNothingMeetsTheRequirements) {
   const ChosenLength chosen =
       chosen_length(given.family_of(2), given.conditions.frame, given.requirements, Objective::size);
   EXPECT_EQ(chosen.meeting, 0);
-  EXPECT_GE(chosen.length, 0.1 * given.conditions.frame.scale * (1 - 1e-12));
-  EXPECT_TRUE(std::isfinite(chosen.length));
+  EXPECT_GT(chosen.length, 0);
+  EXPECT_LE(chosen.length, 1e-3) << "no longer than a link may be";
 }
 
 }  // namespace

@@ -78,7 +78,8 @@ TEST(FreedPosition, IsServedAsNearlyAsAUsableFourBarCan) {
 
 TEST(FreedPosition, NoCellOfTheMapComesNearer) {
   const MotionTask task = sandor_erdman();
-  const Requirements requirements = with_defaults({}, pose_conditions(task.poses).frame);
+  Requirements requirements;
+  requirements.max_length = default_max_length * pose_conditions(task.poses).frame.scale;
   for (const FreedPosition& freed : nearest_relaxations(task, requirements, coarse())) {
     const FreedTask left = freed_task(task, freed.pose);
     const TaskFamily given = task_family(left.task, requirements, Objective::min_transmission_angle);

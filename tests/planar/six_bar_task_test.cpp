@@ -84,7 +84,7 @@ TEST(SixBarTask, ChecksNumbersAndPoses) {
   task.chain->d = {0, std::numeric_limits<double>::quiet_NaN()};
   EXPECT_TRUE(has(task, "out_of_range", "task.chain.d"));
   task = sound_task();
-  task.poses.pop_back();
+  task.poses.pop_back();  // three would do for a four-bar
   EXPECT_TRUE(has(task, "too_few_poses", "task.poses"));
   task = sound_task();
   task.poses[1].derivatives.push_back({{1, 0}, 0});

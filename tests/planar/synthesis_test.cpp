@@ -355,14 +355,5 @@ TEST(SolveMotion, NamesTheDegeneracyOfMixedPositions) {
   EXPECT_GT(solution.counts.pairs, 0);
 }
 
-TEST(MakeFourBar, SlidersAndTheSameDyadTwiceAreNoFourBar) {
-  const MotionTask task{testing::planar_case("cardan").poses};
-  const Solution solution = solved(task);
-  const double on_circle = 1.3, on_line = 0.3;
-  EXPECT_FALSE(make_four_bar(solution.given, {on_circle, on_line}, true, false));
-  EXPECT_FALSE(make_four_bar(solution.given, {on_line, on_line}, true, false));
-  EXPECT_TRUE(make_four_bar(solution.given, {on_line, 0.6}, true, false));
-}
-
 }  // namespace
 }  // namespace linkwright

@@ -28,10 +28,12 @@ TEST(TaskFamily, DegenerateTasksSayWhy) {
 }
 
 TEST(TaskFamily, DefaultsOfRequirementsFollowTheFrame) {
-  EXPECT_EQ(with_defaults({}, {{1, 2}, 3}).max_length, 30);
+  TaskFamily given;
+  given.size = 3;
+  EXPECT_EQ(with_defaults({}, given).max_length, 30);
   Requirements wanted;
   wanted.max_length = 7;
-  EXPECT_EQ(with_defaults(wanted, {{1, 2}, 3}).max_length, 7);
+  EXPECT_EQ(with_defaults(wanted, given).max_length, 7);
 }
 
 }  // namespace

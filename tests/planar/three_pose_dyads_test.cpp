@@ -179,7 +179,8 @@ TEST(ThreePoseDyads, KeepLengthAndDirectionInRandomTasks) {
   RecordProperty("worst_change_of_length", std::to_string(worst * 1e16) + "e-16");
 }
 
-// A second way: walk over the plane of circle points along level lines of the length, with no formula of the direction.
+// A second way: along lines of circle points, where the distance from the centre passes the length; no formula of the
+// direction is used.
 TEST(ThreePoseDyads, NoneOfALengthIsMissed) {
   std::mt19937_64 random(5);
   int compared = 0;
@@ -339,6 +340,26 @@ TEST(ThreePoseDyads, OnlyShiftsLeaveNoDirection) {
   const Task task({{{{0, 0}, 0.4}, {}}, {{{2, 0}, 0.4}, {}}, {{{1, 3}, 0.4}, {}}});
   EXPECT_EQ(task.dyads.freedom(), DirectionFreedom::only_shifts);
   EXPECT_TRUE(task.dyads.directions(1).empty());
+}
+
+// Parallel poses that are not the first, poses on a line, half-turns: nothing special.
+TEST(ThreePoseDyads, LaterParallelPosesAndHalfTurnsAreOrdinary) {
+  const std::vector<std::vector<PrescribedPose>> tasks = {
+      {{{{0, 0}, 0}, {}}, {{{2, 1}, 0.7}, {}}, {{{3, -1}, 0.7}, {}}},
+      {{{{0, 0}, 0}, {}}, {{{1, 1}, 0.7}, {}}, {{{2, 2}, 1.1}, {}}},
+      {{{{0, 0}, 0}, {}}, {{{1, 1}, pi}, {}}, {{{2, 0}, -pi / 2}, {}}},
+  };
+  for (const auto& poses : tasks) {
+    const Task task(poses);
+    EXPECT_EQ(task.dyads.freedom(), DirectionFreedom::free);
+    int found = 0;
+    for (int i = 0; i < 360; ++i)
+      for (const Links& links : task.of_arm(2.0 * direction(radians(i)))) {
+        EXPECT_LT(task.residual(links), 1e-12);
+        ++found;
+      }
+    EXPECT_GT(found, 100);
+  }
 }
 
 TEST(ThreePoseDyads, SmallTurnsKeepTheirDigits) {

@@ -12,9 +12,10 @@ namespace linkwright {
 
 /// A length that the task leaves open, chosen so that the map over the rest has something to show.
 struct ChosenLength {
-  static constexpr int rungs = 25;     ///< lengths that are tried, in equal ratios
-  static constexpr double reach = 10;  ///< from L/10 to 10 L, the characteristic length
-  static constexpr int samples = 100;  ///< a side of the map that is made for each
+  static constexpr int rungs = 25;       ///< lengths that are tried, in equal ratios
+  static constexpr double longest = 10;  ///< in characteristic lengths; max_length where that is less
+  static constexpr double range = 100;   ///< longest over shortest
+  static constexpr int samples = 100;    ///< a side of the map that is made for each
 
   double length = 0;         ///< user's unit
   std::int64_t meeting = 0;  ///< cells of that map that meet the requirements

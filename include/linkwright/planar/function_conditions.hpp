@@ -11,10 +11,10 @@
 
 namespace linkwright {
 
-/// Function generation by inversion (F. Freudenstein, G. N. Sandor, "Synthesis of path-generating mechanisms by means
-/// of a programmed digital computer", 1959, use it so): seen from the output link the input link is a body that passes
-/// through prescribed poses, and the coupler is one of its side links: a dyad with circle point A, the input's moving
-/// pivot, and centre point B, the output's, both as they lie at the first pair.
+/// Function generation by inversion (R. S. Hartenberg, J. Denavit, Kinematic Synthesis of Linkages, 1964): seen from
+/// the output link the input link is a body that passes through prescribed poses, and the coupler is one of its side
+/// links: a dyad with circle point A, the input's moving pivot, and centre point B, the output's, both as they lie at
+/// the first pair.
 ///
 /// The dyad of the two ground pivots keeps its length whatever the pairs: it is the ground link, always among the
 /// dyads, and no coupler.
@@ -26,7 +26,8 @@ struct FunctionConditions {
 };
 
 /// Displacement j: turn about the input's ground pivot by φⱼ − φ₁, then about the output's by −(ψⱼ − ψ₁); derivatives
-/// by the product rule (docs/theory/planar.md). At least two positions; angles are counted from the first pair.
+/// by the product rule (docs/theory/function_generation.md). At least two positions; angles are counted from the first
+/// pair.
 [[nodiscard]] FunctionConditions function_conditions(const std::vector<AnglePair>& pairs, Point input_pivot = 0,
                                                      Point output_pivot = 1);
 

@@ -14,7 +14,8 @@
 namespace linkwright {
 
 /// All couplers that meet a task's pairs: dyads with circle point A on the input link and centre point B on the output
-/// link, working frame of the conditions. Four positions leave a curve of them, five one or three.
+/// link, working frame of the conditions. Four positions leave a curve of them, five one or three (fewer where
+/// solutions fall on the ground link).
 struct FunctionCouplers {
   FunctionConditions given;
   std::shared_ptr<const BurmesterCurve> curve;  ///< four positions; five whose conditions depend on each other

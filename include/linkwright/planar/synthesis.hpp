@@ -12,7 +12,9 @@
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
-#include "linkwright/planar/function_error.hpp"
+#include "linkwright/planar/four_bar_solution.hpp"
+#include "linkwright/planar/freed_position.hpp"
+#include "linkwright/planar/six_bar_synthesis.hpp"
 #include "linkwright/planar/task.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/best_cells.hpp"
@@ -29,17 +31,18 @@ struct RegionWindow {
 
 struct SynthesisOptions {
   static constexpr int least_samples = 8, most_samples = 20'000, most_best = 1000;
+  static constexpr int most_seed = 999'999'999, most_effort = 10'000'000;
 
-  int region_samples = 400;                                 ///< N of the N×N region
-  Spacing spacing = Spacing::coordinate;                    ///< of the samples along the curve
-  Objective objective = Objective::min_transmission_angle;  ///< largest angle, smallest ratio, smallest longest link
-  int best = 10;                                            ///< how many linkages, ≥ 0
-  std::optional<RegionWindow> window;                       ///< nothing: the whole region
+  int region_samples = 400;               ///< N of the N×N region
+  Spacing spacing = Spacing::coordinate;  ///< of the samples along the curve
+  Objective objective = Objective::min_transmission_angle;
+  int best = 10;                       ///< how many linkages, ≥ 0
+  std::optional<RegionWindow> window;  ///< nothing: the whole region
 
   // Six-bars without a given chain, which is searched for.
   std::optional<Box> box;  ///< for all pivots in position 1, user's unit
-  int seed = 1;            ///< of the chains tried
-  int effort = 2000;       ///< how many chains are tried
+  int seed = 1;            ///< of the chains tried, ≥ 0
+  int effort = 20'000;     ///< how many chains are tried, ≥ 1
 
   RegionOptions region;
 };
@@ -47,28 +50,12 @@ struct SynthesisOptions {
 /// The caller's mistakes. Places are `options.…`.
 [[nodiscard]] std::vector<Error> mistakes_in(const SynthesisOptions& options);
 
+/// What of the options does not go with the task: an objective that it cannot be measured by.
+[[nodiscard]] std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options);
+
 enum class SolutionStatus { solved, no_solution, degenerate };
 [[nodiscard]] std::string_view name(SolutionStatus status);
 [[nodiscard]] std::string_view name(Spacing spacing);
-
-/// A four-bar found, fixed frame, user's unit, checked in user coordinates.
-struct FourBarSolution {
-  Dyad input, output;                              ///< fixed frame; circle points in position 1
-  double input_residual = 0, output_residual = 0;  ///< worst relative change of the side link's length over the poses
-  FourBar four_bar;
-  LinkLengths lengths;
-  DefectReport report;               ///< type, defects, drive sense, transmission angle, sweep
-  DefectReport swapped;              ///< the same bars driven from the other side
-  double residual = 0;               ///< the larger of the two side links' residuals
-  bool local_optimum = false;        ///< refined to the top of its hill; otherwise a distinct linkage beside those
-  bool verified_by_driving = false;  ///< drive_through confirms the defects, and the directions where they count
-
-  /// Mixed positions: largest |Zᵀ M C| over derivative_conditions() and both side links, unit vectors of the working
-  /// frame.
-  std::optional<double> residual_derivatives;
-
-  std::optional<FunctionError> function;  ///< of function tasks
-};
 
 /// Everything found for a task.
 struct Solution {
@@ -82,17 +69,16 @@ struct Solution {
   SynthesisOptions options;               ///< as used
   std::int64_t meeting_requirements = 0;  ///< cells
   std::vector<FourBarSolution> linkages;  ///< best first
-  std::vector<FourBarSolution> pairs;     ///< five positions: every pair of dyads, whatever its defects, best first
-  std::vector<Relaxation> relax;          ///< when no linkage meets the requirements, dearest first
+  /// Five positions: every pair of dyads, whatever its defects, best first; five precision points: every linkage.
+  std::vector<FourBarSolution> pairs;
+  std::vector<FreedPosition> freed;          ///< five positions, no linkage that meets the requirements: the ways out
+  std::vector<SixBarSolution> six_bars;      ///< six-bar tasks, best first
+  std::optional<SixBarSearchResult> search;  ///< six-bars without a given chain: how it went, its linkages moved out
+  std::vector<Relaxation> relax;             ///< when no linkage meets the requirements, dearest first
 };
 
 /// All linkages that do a task.
 [[nodiscard]] Result<Solution> solve(const Task& task, const Requirements& requirements,
                                      const SynthesisOptions& options, const Progress& progress = {});
-
-/// The four-bar at a place of a task's map, analysed, its residuals in user coordinates; with `verify`, driven through
-/// as well. Nothing where the task has none there, a pivot is at infinity or a link has no length.
-[[nodiscard]] std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlace place,
-                                                           bool respect_direction, bool verify);
 
 }  // namespace linkwright

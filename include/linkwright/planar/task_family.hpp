@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwright/analysis/pose_miss.hpp"
 #include "linkwright/core/notice.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/burmester_points.hpp"
@@ -26,8 +27,13 @@ struct TaskFamily {
   std::vector<BurmesterPoint> points;           ///< five positions, working frame
   std::vector<Notice> warnings;
   std::optional<Notice> degeneracy;             ///< why there is no family
+  std::optional<FreedPose> freed;               ///< the pose of a five-position task that need not be passed, user's
+                                                ///< frame
   bool has_no_dyads = false;                    ///< because no two side links do the task
   std::shared_ptr<const LinkageFamily> family;  ///< none where degenerate
+
+  /// What a long link is measured by, user's unit: the characteristic length, for functions the ground link.
+  double size = 1;
 
   [[nodiscard]] const WorkingFrame& frame() const { return conditions.frame; }
 };
@@ -36,7 +42,7 @@ struct TaskFamily {
 /// there is a map: the length of a side link among three positions.
 [[nodiscard]] TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective);
 
-/// The requirements with the default of max_length filled in.
-[[nodiscard]] Requirements with_defaults(Requirements wanted, const WorkingFrame& frame);
+/// The requirements with the default of max_length filled in, as many times TaskFamily::size.
+[[nodiscard]] Requirements with_defaults(Requirements wanted, const TaskFamily& given);
 
 }  // namespace linkwright

@@ -22,9 +22,8 @@ struct ThreePoseOpening {
   std::optional<Notice> degeneracy;
 };
 
-/// `conditions`: of these three-position `poses` (user's frame). A length that is left open is chosen: of 25 lengths in
-/// equal ratios from 0.1 L to 10 L the one whose map, 100 × 100, has the best linkage under requirements and objective;
-/// among equals the one with most cells that pass; where nothing passes, the one with most cells free of defects.
+/// `conditions`: of these three-position `poses` (user's frame). A length that is left open is chosen (chosen_length):
+/// the one of 25 whose map, 100 × 100, has the best linkage under requirements and objective.
 [[nodiscard]] ThreePoseOpening three_pose_opening(const PoseConditions& conditions,
                                                   const std::vector<PrescribedPose>& poses, const SideLengths& given,
                                                   const Requirements& requirements, Objective objective);

@@ -7,8 +7,10 @@
 
 namespace linkwright {
 
-/// What ranks linkages: the largest least transmission angle, the smallest link ratio, the smallest longest link.
-enum class Objective { min_transmission_angle, link_ratio, size };
+/// What ranks linkages: the largest least transmission angle, the smallest link ratio, the smallest longest link; of
+/// generators of a named function the smallest structural error, which no map holds: its cells are ranked by the
+/// transmission angle.
+enum class Objective { min_transmission_angle, link_ratio, size, structural_error };
 [[nodiscard]] std::string_view name(Objective objective);
 
 /// A cell that passes a filter, and how good it is: larger is better for every objective.

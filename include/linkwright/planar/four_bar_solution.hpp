@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "linkwright/analysis/defects.hpp"
+#include "linkwright/core/notice.hpp"
+#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/planar/function_error.hpp"
+#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/task_family.hpp"
+
+namespace linkwright {
+
+/// A four-bar found, fixed frame, user's unit, checked in user coordinates.
+struct FourBarSolution {
+  Dyad input, output;                              ///< fixed frame; circle points in position 1
+  double input_residual = 0, output_residual = 0;  ///< worst relative change of the side link's length over the poses
+  FourBar four_bar;
+  LinkLengths lengths;
+  DefectReport report;               ///< type, defects, drive sense, transmission angle, sweep
+  DefectReport swapped;              ///< the same bars driven from the other side
+  double residual = 0;               ///< the larger of the two side links' residuals
+  bool local_optimum = false;        ///< refined to the top of its hill; otherwise a distinct linkage beside those
+  bool verified_by_driving = false;  ///< drive_through confirms the defects, and the directions where they count
+
+  /// Mixed positions: largest |Zᵀ M C| over derivative_conditions() and both side links, unit vectors of the working
+  /// frame.
+  std::optional<double> residual_derivatives;
+
+  std::optional<PoseMiss> miss;           ///< of the pose that was freed
+  std::optional<FunctionError> function;  ///< of function tasks
+};
+
+/// The four-bar at a place of a task's map, analysed, its residuals in user coordinates; with `verify`, driven through
+/// as well. Nothing where the task has none there, a pivot is at infinity or a link has no length.
+[[nodiscard]] std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlace place,
+                                                           bool respect_direction, bool verify);
+
+/// Why a four-bar of the task's map does not do the task (analysis/pose_visits.hpp); nothing without defects.
+[[nodiscard]] std::optional<Notice> defect_notice(const FourBarSolution& found, const TaskFamily& given);
+
+}  // namespace linkwright
