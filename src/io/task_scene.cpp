@@ -96,7 +96,7 @@ void add_motion(TaskScene& scene, const MotionTask& task, const Solution& soluti
     if (!given.family->is_symmetric()) scene.output_links = links_along(*given.family, Side::output);
   }
   if (scene.linkage != nullptr) {
-    scene.served = task.poses;
+    scene.served = task.freed ? freed_task(task, *task.freed).task.poses : task.poses;
   } else if (const FreedPosition* way_out = way_to_show(solution)) {
     scene.linkage = &*way_out->linkage;
     scene.served = freed_task(task, way_out->pose).task.poses;
