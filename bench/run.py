@@ -113,7 +113,7 @@ def five_pose_figures(bench, count):
 
 
 def print_five_pose_figures(figures):
-    print("\nfive poses, all Burmester points: ns a task, one thread")
+    print("\nfive poses, all Burmester points: ns of processor time a task, one thread")
     for name, ns in figures["ns_per_task"].items():
         print(f"  {name:<24}{ns:12.0f}")
     phc = figures["phc"]

@@ -100,6 +100,17 @@ void write_swapped(JsonWriter& json, const PickedLinkage& picked) {
   json.end_object();
 }
 
+/// Of the pose that was freed.
+void write_miss(JsonWriter& json, const PickedLinkage& picked) {
+  json.key("miss");
+  if (!picked.bars || !picked.bars->miss) return json.null();
+  json.begin_object(Layout::one_line);
+  json.member("distance", picked.bars->miss->distance);
+  json.member("angle_deg", degrees(picked.bars->miss->angle));
+  json.member("input_deg", degrees(picked.bars->miss->turn));
+  json.end_object();
+}
+
 void write_ticks(JsonWriter& json, const DriveTable& drive) {
   json.key("ticks");
   json.begin_list();
@@ -174,6 +185,7 @@ std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame)
                                                    picked.bars->output_residual * picked.bars->lengths.output)
                                         : 0.0);
     write_swapped(json, picked);
+    write_miss(json, picked);
     json.member("fails", int{picked.fails});
     write_drive(json, picked);
     json.end_object();

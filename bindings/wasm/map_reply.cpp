@@ -1,6 +1,9 @@
 #include "map_reply.hpp"
 
+#include <algorithm>
+
 #include "linkwright/io/number_text.hpp"
+#include "linkwright/planar/freed_position.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -33,15 +36,13 @@ void write_relaxation(JsonWriter& json, const Relaxation& relaxation) {
 
 }  // namespace
 
-void JudgedMap::classify(const LinkageFamily& family, std::span<const double> input, std::span<const double> output,
-                         bool respect_direction) {
-  family.classify(map_, input, output, respect_direction);
+void JudgedMap::classify(const std::function<void(RegionMap&)>& fill) {
+  fill(map_);
   counts_ = map_.counts();
   values_.clear();
 }
 
-void JudgedMap::judge(const LinkageFamily& family, const Requirements& wanted) {
-  const RequirementFilter filter = filter_of(family, map_, wanted);
+void JudgedMap::judge(const RequirementFilter& filter) {
   fails_.resize(map_.rows() * map_.columns());
   filter.failures_of_all(fails_);
   census_ = filter.census(fails_);
@@ -53,6 +54,13 @@ void JudgedMap::measure(CellProperty property) {
   for (std::size_t row = 0; row < map_.rows(); ++row)
     row_values(map_, property, row, std::span(values_).subspan(map_.index(row, 0), map_.columns()));
   ridges_ = linkwright::ridges(values_, fails_, map_.columns(), larger_is_better(property));
+}
+
+void JudgedMap::measure_miss(const LinkageFamily& family, const FreedPose& freed) {
+  values_.resize(map_.rows() * map_.columns());
+  pose_misses(family, map_, fails_, freed, values_);
+  for (float& value : values_) value = std::max(value, 0.0F);
+  ridges_ = linkwright::ridges(values_, fails_, map_.columns(), false);
 }
 
 std::string JudgedMap::census_json() const {

@@ -188,22 +188,26 @@ void Meeting::cut(Homogeneous line, const HomogeneousMatrix& conic) {
   add(on_line(c, q), 1);
 }
 
-// One Newton step on both conics, square to the point; gives |det(∂A, ∂B, point)|.
+// Newton on both conics, square to the point: one step, and another where that was longer than the root of rounding.
+// Gives |det(∂A, ∂B, point)|.
 double Meeting::correct(Homogeneous& point) const {
-  const Homogeneous by_e = e_ * point, by_f = f_ * point;
-  const double crossing = linkwright::determinant(by_e, by_f, point);
-  if (std::abs(crossing) > tolerance::double_point) {
+  constexpr double short_enough = 1e-9;
+  double crossing = 0;
+  for (int taken = 0; taken < 2; ++taken) {
+    const Homogeneous by_e = e_ * point, by_f = f_ * point;
+    crossing = linkwright::determinant(by_e, by_f, point);
+    if (!(std::abs(crossing) > tolerance::double_point)) break;
     const double e = dot(point, by_e) / 2, f = dot(point, by_f) / 2;
     const Homogeneous step = (1 / crossing) * (e * cross(by_f, point) + f * cross(point, by_e));
     point = normalized(point - step);
+    if (dot(step, step) < short_enough * short_enough) break;
   }
   return std::abs(crossing);
 }
 
 void Meeting::add(Homogeneous point, int multiplicity) {
   double crossing = 0;
-  if (multiplicity == 1)
-    for (int step = 0; step < 2; ++step) crossing = correct(point);
+  if (multiplicity == 1) crossing = correct(point);
   decide(crossing);
   for (int i = 0; i < found.count; ++i) {
     ConicMeeting::Place& other = found.places[static_cast<std::size_t>(i)];

@@ -128,12 +128,17 @@ std::optional<ThreePoseGiven> read_given(const JsonValue& value, Mistakes& mista
 }
 
 Task read_motion(const JsonValue& value, Mistakes& mistakes) {
-  const JsonObject object(value, mistakes, {"kind", "mechanism", "poses", "given"});
+  const JsonObject object(value, mistakes, {"kind", "mechanism", "poses", "given", "freed_pose"});
   MotionTask task;
   bool complete = read_poses(object, mistakes, task.poses);
   if (const auto given = object.find("given"); given && !given->is_null()) {
     task.given = read_given(*given, mistakes);
     complete = complete && task.given;
+  }
+  if (const auto freed = object.find("freed_pose"); freed && !freed->is_null()) {
+    const auto number = freed->as_whole_number();
+    if (number) task.freed = static_cast<std::size_t>(std::max(*number, 0)) - 1;  // 0 and below: out of range
+    complete = complete && number;
   }
   if (complete) mistakes.add(mistakes_in(task));
   return task;

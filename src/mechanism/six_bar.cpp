@@ -11,10 +11,20 @@ constexpr std::array<std::string_view, SixBar::joint_count> joint_names = {"a", 
 
 bool is_body(char c) { return c >= '0' && c < '0' + SixBar::bodies; }
 
-bool joined(const SixBar& six_bar, int x, int y) {
-  return std::any_of(six_bar.joints.begin(), six_bar.joints.end(), [&](const SixBarJoint& joint) {
-    return joint.bodies == std::array{x, y} || joint.bodies == std::array{y, x};
-  });
+std::optional<std::size_t> hinge_between(const SixBar& six_bar, int x, int y) {
+  for (std::size_t j = 0; j < SixBar::joint_count; ++j)
+    if (six_bar.joints[j].bodies == std::array{x, y} || six_bar.joints[j].bodies == std::array{y, x}) return j;
+  return std::nullopt;
+}
+
+bool joined(const SixBar& six_bar, int x, int y) { return hinge_between(six_bar, x, y).has_value(); }
+
+/// Bodies hinged to a body, ascending.
+std::vector<int> neighbours(const SixBar& six_bar, int body) {
+  std::vector<int> found;
+  for (int other = 0; other < SixBar::bodies; ++other)
+    if (other != body && joined(six_bar, body, other)) found.push_back(other);
+  return found;
 }
 
 bool has_order(const SixBar& six_bar, int body, std::size_t order) { return six_bar.joints_of(body).size() == order; }
@@ -67,6 +77,22 @@ std::vector<SixBarLength> SixBar::lengths() const {
         found.push_back({body, {own[i], own[k]}, std::abs(joints[own[k]].point - joints[own[i]].point)});
   }
   return found;
+}
+
+std::optional<std::array<std::size_t, 4>> SixBar::four_bar_loop() const {
+  for (int frame = 0; frame < bodies; ++frame)
+    for (const int input : neighbours(*this, frame))
+      for (const int coupler : neighbours(*this, input))
+        for (const int output : neighbours(*this, coupler)) {
+          const auto input_center = hinge_between(*this, frame, input),
+                     output_center = hinge_between(*this, frame, output);
+          const auto input_circle = hinge_between(*this, input, coupler),
+                     output_circle = hinge_between(*this, coupler, output);
+          if (coupler == frame || output == input || !output_center || !input_center || !input_circle || !output_circle)
+            continue;
+          return std::array{*input_center, *input_circle, *output_circle, *output_center};
+        }
+  return std::nullopt;
 }
 
 // Two ternary bodies and four binary ones: in Watt's chain the ternaries are joined, in Stephenson's they are not, and

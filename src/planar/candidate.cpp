@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace linkwright {
+namespace {
+
+// Dead at a position to the last digit: whether that is a defect only rounding has decided.
+bool is_locked(const DefectReport& report) { return report.worst_transmission_cosine > 1 - 1e-12; }
+
+}  // namespace
 
 double Judge::largest_coordinate() const {
   return std::max(family_.axis(LinkageFamily::Side::input).coordinate_length(),
@@ -23,7 +29,7 @@ std::optional<Candidate> Judge::judged(RegionPlace place, const FourBar& bars) c
   if (report.type == LinkageType::degenerate) return std::nullopt;
   const auto& types = wanted.types;
   if (!types.empty() && std::find(types.begin(), types.end(), report.type) == types.end()) return std::nullopt;
-  if (wanted.no_defects && !report.defects.none()) return std::nullopt;
+  if (wanted.no_defects && (!report.defects.none() || is_locked(report))) return std::nullopt;
   if (std::acos(report.worst_transmission_cosine) < wanted.min_transmission_angle) return std::nullopt;
   const LinkLengths lengths = bars.lengths();
   const double ratio = lengths.longest() / lengths.shortest();

@@ -26,6 +26,7 @@ class Judge {
         std::optional<RegionWindow> window = {})
       : family_(family), requirements_(requirements), objective_(objective), window_(window) {}
 
+  [[nodiscard]] const LinkageFamily& family() const { return family_; }
   [[nodiscard]] double largest_coordinate() const;
 
   /// The linkage at a place, or nothing where it does not meet the requirements or lies outside the window.

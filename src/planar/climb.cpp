@@ -67,10 +67,15 @@ class Climb {
     return change_point_margin(found->bars) < least_margin_ ? std::nullopt : found;
   }
 
-  /// Branches are closed: leaving one at its end is entering it at its beginning.
+  /// Leaving a closed branch at its end is entering it at its beginning; others end there.
   [[nodiscard]] RegionPlace on_branches(RegionPlace place) const {
-    const double input = std::floor(start_.place.input), output = std::floor(start_.place.output);
-    return {input + wrap_period(place.input - input, 1), output + wrap_period(place.output - output, 1)};
+    return {on_branch(LinkageFamily::Side::input, start_.place.input, place.input),
+            on_branch(LinkageFamily::Side::output, start_.place.output, place.output)};
+  }
+  [[nodiscard]] double on_branch(LinkageFamily::Side side, double start, double tau) const {
+    const double branch = std::floor(start);
+    if (judge_.family().axis(side).is_closed()) return branch + wrap_period(tau - branch, 1);
+    return std::clamp(tau, branch, std::nextafter(branch + 1, branch));
   }
 
   const Judge& judge_;

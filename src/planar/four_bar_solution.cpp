@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linkwright/analysis/drive_through.hpp"
+#include "linkwright/analysis/pose_visits.hpp"
 
 namespace linkwright {
 namespace {
@@ -57,12 +58,19 @@ std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlac
   solution.input_residual = length_residual(poses, bars->input_center, bars->input_circle);
   solution.output_residual = length_residual(poses, bars->output_center, bars->output_circle);
   solution.residual = std::max(solution.input_residual, solution.output_residual);
+  if (given.freed) solution.miss = pose_miss(*bars, poses, *given.freed);
   solution.residual_derivatives = derivative_residual(given.derivative_rows, *links);
   if (verify) {
     const DriveThroughReport driven = drive_through(*bars, poses, {.respect_direction = respect_direction});
     solution.verified_by_driving = driven.completed && driven.defects == solution.report.defects;
   }
   return solution;
+}
+
+std::optional<Notice> defect_notice(const FourBarSolution& found, const TaskFamily& given) {
+  if (found.report.defects.none()) return std::nullopt;
+  const auto poses = given.family->user_poses({found.input.coordinate, found.output.coordinate}, found.four_bar);
+  return defect_notice(found.report.defects, pose_visits(found.four_bar, poses));
 }
 
 }  // namespace linkwright

@@ -230,6 +230,7 @@ FreedTask freed_task(const MotionTask& task, std::size_t pose) {
   assert(pose < task.poses.size() && task.poses[pose].derivatives.empty());
   FreedTask result{task, {task.poses[pose].pose, pose, pose_conditions(task.poses).frame.scale}};
   result.task.poses.erase(result.task.poses.begin() + static_cast<std::ptrdiff_t>(pose));
+  result.task.freed.reset();
   return result;
 }
 

@@ -38,13 +38,14 @@ std::optional<FourBar> four_bar_of(const SideLinks& links) {
 
 RequirementFilter filter_of(const LinkageFamily& family, const RegionMap& map, const Requirements& requirements) {
   const WorkingFrame& frame = family.frame();
-  const auto pivots_at = [&family, &map](std::size_t row, std::size_t column) -> std::optional<FourBar> {
+  const auto pivots_at = [&family, &map](std::size_t row,
+                                         std::size_t column) -> std::optional<RequirementFilter::Pivots> {
     const auto links = family.side_links({map.input_coordinates()[row], map.output_coordinates()[column]});
     const auto bars = links ? four_bar_of(*links) : std::nullopt;
     if (!bars) return std::nullopt;
     const auto user = [&](Point p) { return family.frame().to_user(p); };
-    return FourBar{user(bars->input_center), user(bars->input_circle), user(bars->output_center),
-                   user(bars->output_circle)};
+    return RequirementFilter::Pivots{{user(bars->input_center), user(bars->output_center)},
+                                     {user(bars->input_circle), user(bars->output_circle)}};
   };
   return {map, requirements, frame.origin, frame.scale, pivots_at};
 }

@@ -122,6 +122,16 @@ void check_repetitions(const MotionTask& task, std::vector<Error>& found) {
       }
 }
 
+void check_freed(const MotionTask& task, std::vector<Error>& found) {
+  if (!task.freed) return;
+  if (*task.freed >= task.poses.size())
+    found.push_back(
+        {"out_of_range", "task.freed_pose", fmt::format("there are {} poses; the first is 1", task.poses.size())});
+  else if (position_count(task.poses) != 5 || !task.poses[*task.freed].derivatives.empty())
+    found.push_back({"unneeded_freed_pose", "task.freed_pose",
+                     "a pose is freed of five positions, and one without derivatives; leave \"freed_pose\" out"});
+}
+
 }  // namespace
 
 std::vector<Error> mistakes_in(const MotionTask& task) {
@@ -129,6 +139,7 @@ std::vector<Error> mistakes_in(const MotionTask& task) {
   check_count(task, found);
   check_numbers(task, found);
   check_given(task, found);
+  check_freed(task, found);
   if (found.empty()) check_repetitions(task, found);
   return found;
 }

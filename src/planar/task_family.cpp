@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "linkwright/planar/freed_position.hpp"
 #include "linkwright/planar/instant_center.hpp"
 #include "linkwright/planar/task_curve.hpp"
 #include "linkwright/planar/three_pose_opening.hpp"
@@ -100,6 +101,12 @@ TaskFamily family_of_three(const MotionTask& task, const Requirements& requireme
 }  // namespace
 
 TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective) {
+  if (task.freed) {
+    const FreedTask left = freed_task(task, *task.freed);
+    TaskFamily given = task_family(left.task, requirements, objective);
+    given.freed = left.freed;
+    return given;
+  }
   const int positions = position_count(task.poses);
   TaskFamily given = positions == 3   ? family_of_three(task, requirements, objective)
                      : positions == 4 ? family_of_curve(task)

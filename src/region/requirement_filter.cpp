@@ -84,9 +84,15 @@ unsigned RequirementFilter::box_failures_at(std::size_t row, std::size_t column)
   if (!input_box_failures_.empty()) return input_box_failures_[row] | output_box_failures_[column];
   if (!pivots_at_ || map_->type(map_->index(row, column)) == LinkageType::degenerate) return 0;
   const auto pivots = pivots_at_(row, column);
-  if (!pivots) return box_failures({}, {}, requirements_);
-  return box_failures(pivots->input_center, pivots->input_circle, requirements_) |
-         box_failures(pivots->output_center, pivots->output_circle, requirements_);
+  const auto outside = [&](const std::optional<Box>& box, std::vector<Point> Pivots::*of_kind) {
+    if (!box) return false;
+    return !pivots || !std::all_of(((*pivots).*of_kind).begin(), ((*pivots).*of_kind).end(),
+                                   [&](Point p) { return box->contains(p); });
+  };
+  return (outside(requirements_.ground_pivots_within, &Pivots::ground) ? bit(RequirementKind::ground_pivots_within)
+                                                                       : 0u) |
+         (outside(requirements_.moving_pivots_within, &Pivots::moving) ? bit(RequirementKind::moving_pivots_within)
+                                                                       : 0u);
 }
 
 std::int64_t RequirementCensus::left_after(RequirementKind kind) const {

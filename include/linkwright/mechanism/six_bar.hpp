@@ -35,6 +35,10 @@ struct SixBarJoint {
   Point point{};
 };
 
+[[nodiscard]] inline bool is_on_ground(const SixBarJoint& joint) {
+  return joint.bodies[0] == 0 || joint.bodies[1] == 0;
+}
+
 /// Distance between two hinges of one body, user's unit.
 struct SixBarLength {
   int body = 0;
@@ -62,6 +66,11 @@ struct SixBar {
   [[nodiscard]] std::vector<std::size_t> joints_of(int body) const;
   /// All distances between hinges of one body, by body: one of a binary link, three of a ternary one; ten in all.
   [[nodiscard]] std::vector<SixBarLength> lengths() const;
+  /// The four hinges of a loop of four bodies, of which each six-bar has one or two: as those of a four-bar, the first
+  /// two on the input side link, the second and third on the coupler, the first and last on the frame. The loop of
+  /// ground and driver where there is one, with the driver as the input; otherwise the body with the lowest number is
+  /// the frame, and its neighbour with the lower number the input.
+  [[nodiscard]] std::optional<std::array<std::size_t, 4>> four_bar_loop() const;
   /// Read off the joints; nothing where they do not make one of the four.
   [[nodiscard]] std::optional<SixBarTopology> topology() const;
 };

@@ -42,6 +42,10 @@ struct FamilyAxis {
   std::vector<CurveBranch> branches;
 
   [[nodiscard]] double coordinate_length() const { return branches.empty() ? 0 : branches.back().to; }
+  /// The end of a branch is its beginning.
+  [[nodiscard]] bool is_closed() const {
+    return quantity == AxisQuantity::curve_coordinate || quantity == AxisQuantity::side_direction;
+  }
   /// Every place of a branch is the same.
   [[nodiscard]] bool is_discrete() const {
     return quantity == AxisQuantity::burmester_point || quantity == AxisQuantity::nothing;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace linkwright {
 struct MotionTask {
   std::vector<PrescribedPose> poses;
   std::optional<ThreePoseGiven> given;  ///< three positions: what else is known; otherwise nothing
+  /// Of five positions, the pose (index) that need not be passed exactly: the others are a task of four, and by how
+  /// much a linkage misses this one is told.
+  std::optional<std::size_t> freed;
 };
 
 /// Largest coordinate (user's unit), angle (degrees) and derivative that is taken seriously.

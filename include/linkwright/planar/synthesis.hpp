@@ -14,6 +14,7 @@
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/planar/freed_position.hpp"
+#include "linkwright/planar/six_bar_synthesis.hpp"
 #include "linkwright/planar/task.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/best_cells.hpp"
@@ -30,7 +31,7 @@ struct RegionWindow {
 
 struct SynthesisOptions {
   static constexpr int least_samples = 8, most_samples = 20'000, most_best = 1000;
-  static constexpr int most_seed = 999'999'999, most_effort = 1'000'000;
+  static constexpr int most_seed = 999'999'999, most_effort = 10'000'000;
 
   int region_samples = 400;               ///< N of the N×N region
   Spacing spacing = Spacing::coordinate;  ///< of the samples along the curve
@@ -41,7 +42,7 @@ struct SynthesisOptions {
   // Six-bars without a given chain, which is searched for.
   std::optional<Box> box;  ///< for all pivots in position 1, user's unit
   int seed = 1;            ///< of the chains tried, ≥ 0
-  int effort = 2000;       ///< how many chains are tried, ≥ 1
+  int effort = 20'000;     ///< how many chains are tried, ≥ 1
 
   RegionOptions region;
 };
@@ -68,9 +69,12 @@ struct Solution {
   SynthesisOptions options;               ///< as used
   std::int64_t meeting_requirements = 0;  ///< cells
   std::vector<FourBarSolution> linkages;  ///< best first
-  std::vector<FourBarSolution> pairs;     ///< five positions: every pair of dyads, whatever its defects, best first
-  std::vector<FreedPosition> freed;       ///< five positions, no linkage that meets the requirements: the ways out
-  std::vector<Relaxation> relax;          ///< when no linkage meets the requirements, dearest first
+  /// Five positions: every pair of dyads, whatever its defects, best first; five precision points: every linkage.
+  std::vector<FourBarSolution> pairs;
+  std::vector<FreedPosition> freed;          ///< five positions, no linkage that meets the requirements: the ways out
+  std::vector<SixBarSolution> six_bars;      ///< six-bar tasks, best first
+  std::optional<SixBarSearchResult> search;  ///< six-bars without a given chain: how it went, its linkages moved out
+  std::vector<Relaxation> relax;             ///< when no linkage meets the requirements, dearest first
 };
 
 /// All linkages that do a task.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwright/analysis/pose_miss.hpp"
 #include "linkwright/core/notice.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/burmester_points.hpp"
@@ -26,6 +27,8 @@ struct TaskFamily {
   std::vector<BurmesterPoint> points;           ///< five positions, working frame
   std::vector<Notice> warnings;
   std::optional<Notice> degeneracy;             ///< why there is no family
+  std::optional<FreedPose> freed;               ///< the pose of a five-position task that need not be passed, user's
+                                                ///< frame
   bool has_no_dyads = false;                    ///< because no two side links do the task
   std::shared_ptr<const LinkageFamily> family;  ///< none where degenerate
 

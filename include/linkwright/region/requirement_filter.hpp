@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -57,7 +56,10 @@ struct RequirementCensus {
 class RequirementFilter {
  public:
   /// The pivots of a cell, user's frame; nothing where one is at infinity.
-  using PivotsAt = std::function<std::optional<FourBar>(std::size_t row, std::size_t column)>;
+  struct Pivots {
+    std::vector<Point> ground, moving;
+  };
+  using PivotsAt = std::function<std::optional<Pivots>(std::size_t row, std::size_t column)>;
 
   /// `origin`, `unit`: the axes' frame in the user's, for the boxes. `pivots_at`: for maps whose side links belong to
   /// the cells; asked only where there is a box; called from several threads.

@@ -1,8 +1,10 @@
 // What can be taken hold of on the drawing: where each thing lies on the screen and how near a pointer must come.
 import type {Box, Linkage, Point} from "../engine/protocol";
-import {placed, type Pose, type Problem} from "../state/problem";
+import {placed, type Problem} from "../state/problem";
+import {poses_of, type Pose} from "../state/task";
 import {bend_of, travel_of} from "../task/travel";
 import type {Spot} from "./curve_samples";
+import type {Bench, Drag} from "./drags/drag";
 import {to_screen, type Viewport} from "./viewport";
 
 export type Side = "input" | "output";
@@ -19,7 +21,17 @@ export type Target =
   | {kind: "corner" | "midpoint"; index: number}
   | {kind: "box"; box: BoxName; edges: Edges}
   | {kind: "traced"; index: number}
+  | TaskPart
   | {kind: "curve"; spot: Spot};
+/** A part of the task that its kind brings (tasks/view.ts), and what it does. */
+export interface TaskPart {
+  kind: "task";
+  part: string;
+  label(): string;
+  drag(bench: Bench, from: Point): Drag;
+  /** Arrow keys: steps to the right and up. */
+  nudge(bench: Bench, dx: number, dy: number, step: number): void;
+}
 export interface Handle {
   id: string;
   target: Target;
@@ -28,6 +40,8 @@ export interface Handle {
   reach: readonly [mouse: number, touch: number];
   cursor: string;
   tab: boolean;
+  /** Where it is more than a point: how far it lies from a point of the screen. */
+  distance?(at: Point): number;
 }
 
 /** Priority where targets overlap. Then come the curves, thin as they are, and the insides of bodies. */
@@ -40,6 +54,7 @@ export function target_id(target: Target): string {
     case "corner": case "midpoint": case "traced": return `${target.kind}_${target.index + 1}`;
     case "box": return `box_${target.box}_${target.edges.x}_${target.edges.y}`;
     case "curve": return `curve_${target.spot.curve}`;
+    case "task": return target.part;
     default: return `${target.kind}_${target.pose + 1}`;
   }
 }
@@ -65,9 +80,12 @@ export function knob_place(pose: Pose, view: Viewport, length: number): Point {
   return [x + length * Math.cos(angle), y - length * Math.sin(angle)];
 }
 
+export function task_handle(part: Omit<TaskPart, "kind">, at: Point, cursor = "grab"): Handle {
+  return handle({kind: "task", ...part}, at, ranks.knob, [14, 24], cursor);
+}
 /** Handles of the poses; on a phone only the selected pose has its knob. */
 export function pose_handles(problem: Problem, view: Viewport, selected: number | null, phone: boolean): Handle[] {
-  return problem.task.poses.flatMap((pose, i) => {
+  return poses_of(problem.task).flatMap((pose, i) => {
     const rank = (usual: number) => (i === selected ? ranks.selected : usual);
     const at = to_screen(view, [pose.x, pose.y]);
     const handles = [handle({kind: "disc", pose: i}, at, rank(ranks.disc), [14, 24], "move")];
@@ -147,7 +165,7 @@ export function inside(polygon: readonly Point[], at: Point): boolean {
 /** Handles within reach, the first to be taken first. */
 export function within_reach(handles: readonly Handle[], at: Point, touch: boolean): Handle[] {
   return handles
-    .map((h) => ({h, distance: Math.hypot(h.at[0] - at[0], h.at[1] - at[1])}))
+    .map((h) => ({h, distance: h.distance?.(at) ?? Math.hypot(h.at[0] - at[0], h.at[1] - at[1])}))
     .filter(({h, distance}) => distance <= h.reach[touch ? 1 : 0])
     .sort((a, b) => a.h.rank - b.h.rank || a.distance - b.distance)
     .map(({h}) => h);

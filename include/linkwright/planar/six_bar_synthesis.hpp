@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "linkwright/core/notice.hpp"
+#include "linkwright/core/progress.hpp"
+#include "linkwright/planar/six_bar_solution.hpp"
+#include "linkwright/region/best_cells.hpp"
+#include "linkwright/region/region_map.hpp"
+#include "linkwright/region/requirement_filter.hpp"
+
+namespace linkwright {
+
+/// The map of a chain's six-bars: row τ of link 4, column τ of link 5, the latter as a share of its curve in [0, 1)
+/// where that curve depends on link 4. Each cell is shape and verdict of one six-bar (SixBarRating::cell);
+/// `circuits` as SixBarDriveOptions::circuits. A cell without a link 4 or 5, or whose new link is one that is there
+/// already, is degenerate.
+void classify_six_bars(RegionMap& map, const SixBarFamily& family, std::span<const double> first,
+                       std::span<const double> second, bool circuits, const RegionOptions& options = {},
+                       const Progress& progress = {});
+
+/// `count` coordinates along each axis of that map: τᵢ = length · (i + ½)/count.
+struct SixBarAxes {
+  std::vector<double> first, second;
+};
+[[nodiscard]] SixBarAxes six_bar_axes(const SixBarFamily& family, int count);
+
+/// The map under requirements whose max_length is set. Refers to both, which must outlive it.
+[[nodiscard]] RequirementFilter filter_of_six_bars(const SixBarFamily& family, const RegionMap& map,
+                                                   const Requirements& requirements);
+
+/// How many six-bars are wanted, and by what.
+struct SixBarChoice {
+  Objective objective = Objective::min_transmission_angle;
+  int best = 10;
+};
+
+/// The best six-bars of a map that meet requirements whose max_length is set, refined along both coordinates to the
+/// tops of their hills, checked and driven, best first, no two alike. What was found by then where `progress` is
+/// cancelled.
+[[nodiscard]] std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLinkChain& chain,
+                                                        const SixBarFamily& family, const RegionMap& map,
+                                                        const Requirements& requirements, const SixBarChoice& choice,
+                                                        const Progress& progress = {});
+
+/// A search for six-bars whose chain is not given.
+struct SixBarSearchOptions {
+  std::uint64_t seed = 1;  ///< of the chains drawn: the same seed finds the same six-bars, whatever the machine
+  int effort = 2000;       ///< chains that reach all poses to be tried
+  int threads = 0;
+};
+
+struct SixBarSearchResult {
+  std::vector<SixBarSolution> linkages;  ///< best first
+  std::int64_t chains_drawn = 0;         ///< all pivots in the box; most do not reach all poses
+  std::int64_t chains_tried = 0;         ///< that reach all poses
+  std::int64_t six_bars = 0;             ///< of those chains, sampled along both curves, all pivots in the box
+  std::int64_t driven = 0;               ///< driven through: those that could be better than the chain's best so far
+  std::int64_t defect_free = 0;          ///< of the ones driven
+  bool interrupted = false;              ///< cancelled: the best so far
+  Notice reason;                         ///< in words
+};
+
+/// Draws chains in the task's box, samples the six-bars of each, keeps the best that meet the requirements (all pivots
+/// in the box besides, in position 1), and moves chain and links of the best to where nothing better is near.
+/// `task` has a box and no chain; one that it has is not looked at. Cancelled, it ends with the best so far, checked.
+[[nodiscard]] SixBarSearchResult search_six_bars(const SixBarTask& task, const Requirements& requirements,
+                                                 const SixBarChoice& choice, const SixBarSearchOptions& options,
+                                                 const Progress& progress = {});
+
+}  // namespace linkwright

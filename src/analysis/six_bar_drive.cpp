@@ -1,0 +1,253 @@
+#include "linkwright/analysis/six_bar_drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "analysis/six_bar_walk.hpp"
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr double accuracy = 1e-13;
+constexpr double share_of_reach = 0.75;
+/// Reach below which strands of the curve cannot be told apart any more.
+constexpr double crossing_strands = 1e-7;
+
+/// Sines of the transmission at a place of a walk.
+struct Sample {
+  double arc = 0;
+  std::array<double, 2> sine{};
+};
+
+/// A configuration met: how far the walk had come, and how far the driver had turned.
+struct Meeting {
+  double arc = 0, turn = 0;
+};
+
+/// What a walk from position 1 in one sense of the driver met.
+struct Walk {
+  std::vector<std::optional<Meeting>> meetings;
+  double length = 0, turn = 0;
+  std::vector<Sample> samples;
+  int steps = 0;
+
+  explicit Walk(std::size_t wanted) : meetings(wanted) { meetings.front() = Meeting{}; }
+  [[nodiscard]] bool met_all() const {
+    return std::all_of(meetings.begin(), meetings.end(), [](const auto& meeting) { return meeting.has_value(); });
+  }
+  [[nodiscard]] bool met_all_in_order() const {
+    return met_all() && std::adjacent_find(meetings.begin(), meetings.end(), [](const auto& x, const auto& y) {
+                          return !(x->arc < y->arc);
+                        }) == meetings.end();
+  }
+};
+
+/// Where a walk ends beside a return to position 1 and a meeting of all configurations.
+enum class Until { dead_point, return_only };
+
+class Walker {
+ public:
+  Walker(const SixBar& six_bar, std::span<const SixBarTurns> wanted, const SixBarDriveOptions& options)
+      : loops_(six_bar), wanted_(wanted), options_(options) {}
+
+  /// The signs at all configurations agree: necessary for one branch, and cheap.
+  [[nodiscard]] bool signs_agree() const;
+  /// Least sines at the configurations wanted.
+  [[nodiscard]] std::array<double, 2> sines_at_wanted() const;
+  /// From position 1, first with the driver turning counter-clockwise (`sense` +1) or clockwise (−1). Nothing where
+  /// the curve cannot be followed.
+  [[nodiscard]] std::optional<Walk> walk(int sense, Until until) const;
+
+ private:
+  [[nodiscard]] std::optional<SixBarStrand> advanced(const SixBarStrand& here, const TurnVector& way) const;
+  void meet(const SixBarStrand& here, const TurnVector& ahead, double length, Walk& walk) const;
+
+  SixBarLoops loops_;
+  std::span<const SixBarTurns> wanted_;
+  SixBarDriveOptions options_;
+};
+
+TurnVector times(double s, TurnVector v) {
+  for (double& x : v) x *= s;
+  return v;
+}
+
+TurnVector plus(TurnVector a, const TurnVector& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+  return a;
+}
+
+/// How far along a step of `length` from `here` a point on the strand, or a little off it, lies; nothing where the step
+/// does not pass it. Points off the strand can fall into the wedge between the planes that end one step and begin the
+/// next: they count for both.
+std::optional<double> distance_to(const SixBarTurns& point, const SixBarStrand& here, const TurnVector& ahead,
+                                  double length) {
+  double chords = 0;  // shorter than the angles, and cheap
+  for (std::size_t i = 1; i < point.size(); ++i) chords += std::norm(point[i] - here.turns[i]);
+  if (!(chords <= here.reach * here.reach)) return std::nullopt;
+  const TurnVector way = shortest_way(here.turns, point);
+  if (!(norm(way) <= here.reach)) return std::nullopt;
+  const double along = dot(ahead, way);
+  const double wedge = norm(plus(way, times(-along, ahead))) / 2;
+  if (along < -wedge || along > length + wedge) return std::nullopt;
+  return along;
+}
+
+double turn_between(const SixBarTurns& from, const SixBarTurns& to) {
+  return std::arg(std::conj(from[SixBar::driver]) * to[SixBar::driver]);
+}
+
+bool Walker::signs_agree() const {
+  const SixBarTransmission first = signs_of(loops_, LoopValues(loops_, wanted_.front()));
+  return std::all_of(wanted_.begin() + 1, wanted_.end(), [&](const SixBarTurns& turns) {
+    const SixBarTransmission here = signs_of(loops_, LoopValues(loops_, turns));
+    return here.positive == first.positive && here.joint_positive == first.joint_positive;
+  });
+}
+
+std::array<double, 2> Walker::sines_at_wanted() const {
+  std::array<double, 2> least = {1, 1};
+  for (const SixBarTurns& turns : wanted_) {
+    const std::array<double, 2> sine = sines_of(loops_, LoopValues(loops_, turns));
+    for (std::size_t i = 0; i < 2; ++i) least[i] = std::min(least[i], sine[i]);
+  }
+  return least;
+}
+
+std::optional<SixBarStrand> Walker::advanced(const SixBarStrand& here, const TurnVector& way) const {
+  if (options_.exact_steps) return corrected(loops_, stepped(here.turns, way), accuracy);
+  return strand_at(loops_, stepped(here.turns, plus(way, here.correction)));
+}
+
+/// Within its reach a strand crosses each plane once: the point where it crosses the plane of a wanted configuration
+/// is that configuration, or the linkage misses it.
+void Walker::meet(const SixBarStrand& here, const TurnVector& ahead, double length, Walk& walk) const {
+  for (std::size_t j = 1; j < wanted_.size(); ++j) {
+    if (walk.meetings[j]) continue;
+    const auto along = distance_to(wanted_[j], here, ahead, length);
+    if (!along) continue;
+    const auto point = corrected(loops_, stepped(here.turns, times(*along, ahead)), accuracy);
+    if (!point) continue;
+    if (!(norm(shortest_way(point->turns, wanted_[j])) <= std::min(options_.miss, here.reach / 4))) continue;
+    walk.meetings[j] = Meeting{walk.length + *along, walk.turn + turn_between(here.turns, wanted_[j])};
+  }
+}
+
+std::optional<Walk> Walker::walk(int sense, Until until) const {
+  auto here = corrected(loops_, wanted_.front(), accuracy);
+  if (!here) return std::nullopt;
+  const SixBarTurns home = here->turns;
+  const bool home_positive = here->positive();
+  const double along_tangent = (home_positive ? 1 : -1) * sense;
+  Walk walk(wanted_.size());
+  for (; walk.steps < options_.most_steps; ++walk.steps) {
+    if (!(here->reach > crossing_strands)) return std::nullopt;
+    if (until == Until::dead_point) walk.samples.push_back({walk.length, sines_of(loops_, here->values)});
+    const TurnVector ahead = times(along_tangent, here->tangent);
+    const double length = share_of_reach * here->reach;
+    meet(*here, ahead, length, walk);
+    if (walk.met_all() || (walk.steps > 0 && distance_to(home, *here, ahead, length))) return walk;
+    const auto next = advanced(*here, times(length, ahead));
+    if (!next) return std::nullopt;
+    walk.turn += turn_between(here->turns, next->turns);
+    walk.length += length;
+    if (until == Until::dead_point && next->positive() != home_positive) return walk;
+    here = next;
+  }
+  return std::nullopt;
+}
+
+/// The sense in which the driver's angles come in order, or nearest to it.
+int likelier_sense(std::span<const SixBarTurns> wanted) {
+  double ccw = 0, cw = 0;
+  for (std::size_t j = 1; j < wanted.size(); ++j) {
+    const double turn = wrap_positive(turn_between(wanted[j - 1], wanted[j]));
+    ccw += turn;
+    cw += two_pi - turn;
+  }
+  return ccw <= cw ? 1 : -1;
+}
+
+SixBarDriveReport free_of_defects(const Walker& walker, const Walk& walk, int sense) {
+  const Meeting last = walk.meetings.back().value_or(Meeting{});
+  SixBarDriveReport report;
+  report.completed = true;
+  report.sense = sense > 0 ? DriveSense::ccw : DriveSense::cw;
+  report.sweep = std::abs(last.turn);
+  report.least_sines = walker.sines_at_wanted();
+  for (const Sample& sample : walk.samples)
+    if (sample.arc <= last.arc)
+      for (std::size_t i = 0; i < 2; ++i) report.least_sines[i] = std::min(report.least_sines[i], sample.sine[i]);
+  report.least_sine = std::min(report.least_sines[0], report.least_sines[1]);
+  return report;
+}
+
+SixBarDriveReport with_defects(unsigned bits) {
+  SixBarDriveReport report;
+  report.completed = true;
+  report.defects.bits = static_cast<std::uint8_t>(bits);
+  return report;
+}
+
+SixBarDriveReport undecided() {
+  SixBarDriveReport report = with_defects(Defects::branch_bit | Defects::circuit_bit);
+  report.completed = false;
+  return report;
+}
+
+SixBarDriveReport branch_defect(const Walker& walker, bool circuits) {
+  if (!circuits) return with_defects(Defects::branch_bit);
+  const auto round = walker.walk(+1, Until::return_only);
+  if (!round) return undecided();
+  SixBarDriveReport report =
+      with_defects(Defects::branch_bit | (round->met_all() ? 0u : unsigned{Defects::circuit_bit}));
+  report.steps = round->steps;
+  return report;
+}
+
+/// Configurations that one of two walks met.
+bool met_all_between_them(const Walk& one, const Walk& other) {
+  for (std::size_t j = 0; j < one.meetings.size(); ++j)
+    if (!one.meetings[j] && !other.meetings[j]) return false;
+  return true;
+}
+
+SixBarDriveReport drive(const Walker& walker, int sense, bool circuits) {
+  const auto there = walker.walk(sense, Until::dead_point);
+  if (!there) return undecided();
+  if (there->met_all_in_order()) {
+    SixBarDriveReport report = free_of_defects(walker, *there, sense);
+    report.steps = there->steps;
+    return report;
+  }
+  const auto back = walker.walk(-sense, Until::dead_point);
+  if (!back) return undecided();
+  SixBarDriveReport report = back->met_all_in_order()              ? free_of_defects(walker, *back, -sense)
+                             : met_all_between_them(*there, *back) ? with_defects(Defects::order_bit)
+                                                                   : branch_defect(walker, circuits);
+  report.steps += there->steps + back->steps;
+  return report;
+}
+
+}  // namespace
+
+std::optional<double> sine_at_most(const SixBar& six_bar, std::span<const SixBarTurns> wanted) {
+  if (wanted.empty()) return std::nullopt;
+  const Walker walker(six_bar, wanted, {});
+  if (!walker.signs_agree()) return std::nullopt;
+  const std::array<double, 2> sines = walker.sines_at_wanted();
+  return std::min(sines[0], sines[1]);
+}
+
+SixBarDriveReport drive_six_bar(const SixBar& six_bar, std::span<const SixBarTurns> wanted,
+                                const SixBarDriveOptions& options) {
+  if (wanted.empty()) return undecided();
+  const Walker walker(six_bar, wanted, options);
+  if (!walker.signs_agree()) return branch_defect(walker, options.circuits);
+  return drive(walker, likelier_sense(wanted), options.circuits);
+}
+
+}  // namespace linkwright

@@ -1,0 +1,156 @@
+#include "analysis/six_bar_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace linkwright {
+namespace {
+
+/// A point of the mechanism as a linear form in the turns of the bodies.
+struct LinearForm {
+  std::array<Point, SixBar::bodies> c{};
+  std::array<bool, SixBar::bodies> present{};
+
+  void add(int body, Point vector) {
+    const auto i = static_cast<std::size_t>(body);
+    c[i] += vector;
+    present[i] = true;
+  }
+};
+
+LinearForm operator-(LinearForm x, const LinearForm& y) {
+  for (std::size_t i = 0; i < x.c.size(); ++i) {
+    x.c[i] -= y.c[i];
+    x.present[i] = x.present[i] || y.present[i];
+  }
+  return x;
+}
+
+/// The point of `body` that lies at `point` in position 1, reached from the ground along the chain, or from the body
+/// that an added link hangs on.
+LinearForm point_on(const SixBar& six_bar, int body, Point point) {
+  if (body == 0) {
+    LinearForm form;
+    form.add(0, point);
+    return form;
+  }
+  constexpr std::array<SixBar::JointIndex, SixBar::bodies> from = {SixBar::a, SixBar::a,  SixBar::b,
+                                                                   SixBar::d, SixBar::c4, SixBar::c5};
+  const SixBarJoint& joint = six_bar.joints[from[static_cast<std::size_t>(body)]];
+  LinearForm form = point_on(six_bar, joint.bodies[0], joint.point);
+  form.add(body, point - joint.point);
+  return form;
+}
+
+LinearForm loop_over(const SixBar& six_bar, SixBar::JointIndex closing) {
+  const SixBarJoint& joint = six_bar.joints[closing];
+  const LinearForm one = point_on(six_bar, joint.bodies[0], joint.point),
+                   other = point_on(six_bar, joint.bodies[1], joint.point);
+  LinearForm loop = one - other;
+  // Bodies that both ways go along together, from the same hinge to the same hinge, drop out.
+  for (std::size_t i = 1; i < loop.c.size(); ++i)
+    if (one.present[i] && other.present[i] && one.c[i] == other.c[i]) loop.present[i] = false;
+  return loop;
+}
+
+std::vector<std::size_t> unknown_bodies(const LinearForm& loop) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 2; i < loop.present.size(); ++i)
+    if (loop.present[i]) found.push_back(i);
+  return found;
+}
+
+std::optional<SixBarLoops::Dyads> dyads_of(const std::array<LinearForm, 2>& loops) {
+  for (std::size_t first = 0; first < 2; ++first) {
+    const std::vector<std::size_t> pair = unknown_bodies(loops[first]);
+    if (pair.size() != 2) continue;
+    SixBarLoops::Dyads dyads;
+    dyads.loop = {first, 1 - first};
+    dyads.bodies[0] = {pair[0], pair[1]};
+    std::size_t found = 0;
+    for (std::size_t i = 2; i < static_cast<std::size_t>(SixBar::bodies); ++i)
+      if (i != pair[0] && i != pair[1]) dyads.bodies[1][found++] = i;
+    return dyads;
+  }
+  return std::nullopt;
+}
+
+double determinant_without(const std::array<std::array<double, 5>, 5>& mu,
+                           const std::array<std::array<double, 5>, 5>& mv, std::size_t column) {
+  std::array<std::size_t, 4> k{};
+  for (std::size_t i = 0, n = 0; i < 5; ++i)
+    if (i != column) k[n++] = i;
+  return mu[k[0]][k[1]] * mv[k[2]][k[3]] - mu[k[0]][k[2]] * mv[k[1]][k[3]] + mu[k[0]][k[3]] * mv[k[1]][k[2]] +
+         mu[k[1]][k[2]] * mv[k[0]][k[3]] - mu[k[1]][k[3]] * mv[k[0]][k[2]] + mu[k[2]][k[3]] * mv[k[0]][k[1]];
+}
+
+Point term(const LoopValues& values, std::size_t loop, std::size_t body) {
+  return loop == 0 ? values.u[body - 1] : values.v[body - 1];
+}
+
+double joint_cross(const SixBarLoops::Dyads& dyads, const LoopValues& values, std::size_t dyad) {
+  const auto [x, y] = dyads.bodies[dyad];
+  return cross(term(values, dyads.loop[dyad], x), term(values, dyads.loop[dyad], y));
+}
+
+double joint_sine(const SixBarLoops::Dyads& dyads, const LoopValues& values, std::size_t dyad) {
+  const auto [x, y] = dyads.bodies[dyad];
+  const double size = std::norm(term(values, dyads.loop[dyad], x)) * std::norm(term(values, dyads.loop[dyad], y));
+  return size > 0 ? std::min(1.0, std::abs(joint_cross(dyads, values, dyad)) / std::sqrt(size)) : 0;
+}
+
+}  // namespace
+
+SixBarLoops::SixBarLoops(const SixBar& six_bar) {
+  const std::array<LinearForm, 2> forms = {loop_over(six_bar, SixBar::z4), loop_over(six_bar, SixBar::z5)};
+  double longest = 0;
+  for (const LinearForm& form : forms)
+    for (const Point c : form.c) longest = std::max(longest, std::abs(c));
+  for (std::size_t l = 0; l < 2; ++l)
+    for (std::size_t i = 0; i < coefficient[l].size(); ++i)
+      coefficient[l][i] = longest > 0 && forms[l].present[i] ? forms[l].c[i] / longest : Point{};
+  dyads = dyads_of(forms);
+}
+
+LoopValues::LoopValues(const SixBarLoops& loops, const SixBarTurns& turns)
+    : f(loops.coefficient[0][0]), g(loops.coefficient[1][0]) {
+  for (std::size_t i = 0; i < 5; ++i) {
+    u[i] = loops.coefficient[0][i + 1] * turns[i + 1];
+    v[i] = loops.coefficient[1][i + 1] * turns[i + 1];
+    f += u[i];
+    g += v[i];
+  }
+}
+
+std::array<double, 5> LoopValues::minors() const {
+  std::array<std::array<double, 5>, 5> mu{}, mv{};
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t k = i + 1; k < 5; ++k) {
+      mu[i][k] = cross(u[i], u[k]);
+      mv[i][k] = cross(v[i], v[k]);
+    }
+  std::array<double, 5> result{};
+  for (std::size_t j = 0; j < 5; ++j) result[j] = (j % 2 == 0 ? 1 : -1) * determinant_without(mu, mv, j);
+  return result;
+}
+
+SixBarTransmission signs_of(const SixBarLoops& loops, const LoopValues& values) {
+  SixBarTransmission result;
+  result.dyadic = loops.dyads.has_value();
+  result.positive = values.minors()[0] > 0;
+  for (std::size_t i = 0; i < 2; ++i)
+    result.joint_positive[i] = loops.dyads ? joint_cross(*loops.dyads, values, i) > 0 : result.positive;
+  return result;
+}
+
+std::array<double, 2> sines_of(const SixBarLoops& loops, const LoopValues& values) {
+  if (loops.dyads) return {joint_sine(*loops.dyads, values, 0), joint_sine(*loops.dyads, values, 1)};
+  double columns = 1;
+  for (std::size_t i = 1; i < 5; ++i) columns *= std::norm(values.u[i]) + std::norm(values.v[i]);
+  const double volume = std::abs(values.minors()[0]);
+  const double sine = columns > 0 ? std::min(1.0, std::sqrt(volume / std::sqrt(columns))) : 0;
+  return {sine, sine};
+}
+
+}  // namespace linkwright

@@ -1,0 +1,103 @@
+#include "planar/six_bar_answer.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "linkwright/planar/pose_conditions.hpp"
+
+namespace linkwright {
+namespace {
+
+// The map's cells are driven through one by one, so it is coarser than that of four-bars.
+int samples_of(const SynthesisOptions& options) {
+  constexpr int four_bar_cells_to_a_cell = 4;
+  return std::max(options.region_samples / four_bar_cells_to_a_cell, SynthesisOptions::least_samples);
+}
+
+Notice nothing_found(const Solution& solution) {
+  const std::int64_t whole =
+      solution.counts.pairs - solution.counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+  if (whole == 0)
+    return {"no_pair",
+            "No two added links make a six-bar of this chain: in every pair a hinge is at infinity or a link has no "
+            "length.",
+            {}};
+  if (solution.counts.defect_free == 0)
+    return {"none_defect_free",
+            fmt::format("{} six-bars guide the body through all poses and none is free of defects. Move a hinge of the "
+                        "chain, join other bodies, or leave the chain out and let it be searched for.",
+                        whole),
+            {{"count", static_cast<double>(whole)}}};
+  return {"none_left",
+          fmt::format("{} six-bars are free of defects, and none meets all requirements.", solution.counts.defect_free),
+          {{"count", static_cast<double>(solution.counts.defect_free)}}};
+}
+
+void judge(Solution& solution) {
+  const std::int64_t whole =
+      solution.counts.pairs - solution.counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+  if (whole == 0) solution.status = SolutionStatus::no_solution;
+  if (solution.six_bars.empty() && solution.options.best > 0) {
+    solution.reason = nothing_found(solution);
+    return;
+  }
+  solution.reason = {
+      "solved",
+      fmt::format("{} six-bars guide the body through all poses; {} are free of defects; {} meet all requirements.",
+                  whole, solution.counts.defect_free, solution.meeting_requirements),
+      {{"count", static_cast<double>(whole)},
+       {"defect_free", static_cast<double>(solution.counts.defect_free)},
+       {"meeting", static_cast<double>(solution.meeting_requirements)}}};
+}
+
+Result<Solution> solve_chain(const SixBarTask& task, const ThreeLinkChain& chain, Solution solution,
+                             const Progress& progress) {
+  const auto bodies = chain_positions(task.poses, chain);
+  if (!bodies) return Error{"out_of_reach", "task.chain", "the chain does not reach all poses"};
+  const SixBarFamily family(chain, task.added, *bodies);
+  const auto [first, second] = six_bar_axes(family, samples_of(solution.options));
+  constexpr bool circuits = false;
+  classify_six_bars(solution.region, family, first, second, circuits, solution.options.region, progress);
+  if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
+  solution.counts = solution.region.counts();
+  const RequirementFilter filter = filter_of_six_bars(family, solution.region, solution.requirements);
+  const RequirementCensus census = filter.census();
+  solution.meeting_requirements = census.meeting;
+  if (census.meeting == 0) solution.relax = filter.relaxations(census);
+  solution.six_bars = best_six_bars(task, chain, family, solution.region, solution.requirements,
+                                    {solution.options.objective, solution.options.best}, progress);
+  judge(solution);
+  return solution;
+}
+
+Solution search_chain(const SixBarTask& task, Solution solution, const Progress& progress) {
+  const SynthesisOptions& options = solution.options;
+  SixBarSearchResult found =
+      search_six_bars(task, solution.requirements, {options.objective, options.best},
+                      {static_cast<std::uint64_t>(options.seed), options.effort, options.region.threads}, progress);
+  solution.six_bars = std::move(found.linkages);
+  solution.reason = found.reason;
+  if (solution.six_bars.empty()) solution.status = SolutionStatus::no_solution;
+  found.linkages.clear();
+  solution.search = std::move(found);
+  return solution;
+}
+
+}  // namespace
+
+Result<Solution> solve_six_bars(const SixBarTask& task, const Requirements& requirements,
+                                const SynthesisOptions& options, const Progress& progress) {
+  Solution solution;
+  solution.given.pattern = pattern(task.poses);
+  solution.given.conditions = pose_conditions(task.poses);
+  solution.options = options;
+  if (!task.chain) {
+    solution.requirements = requirements;
+    return search_chain(task, std::move(solution), progress);
+  }
+  solution.given.size = task.chain->size();
+  solution.requirements = with_defaults(requirements, *task.chain);
+  return solve_chain(task, *task.chain, std::move(solution), progress);
+}
+
+}  // namespace linkwright

@@ -1,0 +1,282 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "linkwright/core/parallel.hpp"
+#include "linkwright/planar/six_bar_synthesis.hpp"
+#include "planar/six_bar_prospect.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr int samples = 16;                  // along each curve of a chain
+constexpr std::int64_t draws_a_chain = 200;  // drawn for each that is to be tried, at most
+constexpr double different_design = 0.05;    // share of the box
+
+bool contains_all(const Box& box, std::span<const Point> points) {
+  return std::all_of(points.begin(), points.end(), [&](Point p) { return box.contains(p); });
+}
+
+Box common(const Box& x, const std::optional<Box>& y) {
+  if (!y) return x;
+  return {std::max(x.x_low, y->x_low), std::min(x.x_high, y->x_high), std::max(x.y_low, y->y_low),
+          std::min(x.y_high, y->y_high)};
+}
+
+/// Where the chain's pivots may lie.
+struct ChainBoxes {
+  Box ground, moving;
+  [[nodiscard]] bool empty() const {
+    return !(ground.x_low <= ground.x_high && ground.y_low <= ground.y_high && moving.x_low <= moving.x_high &&
+             moving.y_low <= moving.y_high);
+  }
+};
+
+ThreeLinkChain drawn(std::mt19937_64& random, const ChainBoxes& boxes) {
+  const auto point = [&](const Box& box) {
+    const double x = uniform(random, box.x_low, box.x_high);
+    return Point{x, uniform(random, box.y_low, box.y_high)};
+  };
+  ThreeLinkChain chain;
+  chain.a = point(boxes.ground);
+  chain.b = point(boxes.moving);
+  chain.d = point(boxes.moving);
+  return chain;
+}
+
+/// What trying a chain showed.
+struct Trial {
+  bool done = false;  ///< not cut off by an interruption
+  std::int64_t six_bars = 0, driven = 0, defect_free = 0;
+  std::optional<SixBarProspect> best;
+};
+
+/// Tries chains against one task.
+class Search {
+ public:
+  Search(const SixBarTask& task, const SixBarRow& row, const Box& box, const Requirements& wanted, Objective objective)
+      : task_(task), row_(row), box_(box), wanted_(wanted), objective_(objective) {}
+
+  [[nodiscard]] std::optional<SixBarFamily> family(const ThreeLinkChain& chain) const {
+    if (!contains_all(box_, std::array{chain.a, chain.b, chain.d})) return std::nullopt;
+    const double size = chain.size(), least = 1e-6 * size;  // longer than any that max_link_ratio lets pass
+    if (!(chain.first_length() > least && chain.second_length() > least)) return std::nullopt;
+    const auto bodies = chain_positions(task_.poses, chain);
+    if (!bodies) return std::nullopt;
+    return SixBarFamily(chain, row_.added, *bodies);
+  }
+
+  /// The best of the chain's six-bars, sampled evenly along both curves. Only those are driven that could be it.
+  [[nodiscard]] Trial trial(const ThreeLinkChain& chain) const;
+
+  /// The same six-bar with chain and links moved to where random steps, shorter and shorter, find nothing better.
+  [[nodiscard]] SixBarProspect refined(SixBarProspect here, std::uint64_t seed, const Progress& progress) const;
+
+ private:
+  struct Bounded {
+    double bound = 0;
+    double tau_4 = 0, tau_5 = 0;
+    SixBarMember member;
+  };
+  [[nodiscard]] std::optional<Bounded> bounded(const SixBarMember& member, const Requirements& wanted) const;
+  [[nodiscard]] std::vector<Bounded> sampled(const SixBarFamily& family, const Requirements& wanted,
+                                             Trial& trial) const;
+  [[nodiscard]] std::optional<SixBarProspect> prospect(const ThreeLinkChain& chain, std::array<double, 2> tau) const;
+
+  const SixBarTask& task_;
+  SixBarRow row_;
+  Box box_;
+  Requirements wanted_;
+  Objective objective_;
+};
+
+/// A score that driving cannot better; nothing where it need not be driven.
+std::optional<Search::Bounded> Search::bounded(const SixBarMember& member, const Requirements& wanted) const {
+  SixBarRating best{shape_of(member.six_bar), {}};
+  const auto sine = sine_at_most(member.six_bar, member.turns);
+  if (!sine && wanted.no_defects) return std::nullopt;
+  best.drive.completed = true;
+  best.drive.least_sine = sine.value_or(0);
+  if (!meets(wanted, member.six_bar, best)) return std::nullopt;
+  return Bounded{score_of(objective_, best), member.coordinates[0], member.coordinates[1], member};
+}
+
+std::vector<Search::Bounded> Search::sampled(const SixBarFamily& family, const Requirements& wanted,
+                                             Trial& trial) const {
+  std::vector<Bounded> found;
+  const SixBarAxes axes = six_bar_axes(family, samples);
+  for (const double tau_4 : axes.first) {
+    const auto first = family.with_first(tau_4);
+    if (!first || !contains_all(box_, first->hinges)) continue;
+    for (const double place : axes.second) {
+      const auto member = family.member(*first, family.second_tau(*first, place));
+      if (!member || !box_.contains(member->six_bar.at(SixBar::c5)) || !box_.contains(member->six_bar.at(SixBar::z5)))
+        continue;
+      ++trial.six_bars;
+      if (const auto candidate = bounded(*member, wanted)) found.push_back(*candidate);
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const Bounded& x, const Bounded& y) {
+    return x.bound != y.bound ? x.bound > y.bound : std::pair(x.tau_4, x.tau_5) < std::pair(y.tau_4, y.tau_5);
+  });
+  return found;
+}
+
+Trial Search::trial(const ThreeLinkChain& chain) const {
+  Trial trial;
+  const auto its_family = family(chain);
+  if (!its_family) return trial;
+  const Requirements wanted = with_defaults(wanted_, chain);
+  for (const Bounded& candidate : sampled(*its_family, wanted, trial)) {
+    if (trial.best && candidate.bound <= trial.best->score) break;
+    const SixBarRating rating = rating_of(candidate.member, false);
+    ++trial.driven;
+    if (rating.drive.completed && rating.drive.defects.none()) ++trial.defect_free;
+    if (!meets(wanted, candidate.member.six_bar, rating)) continue;
+    const SixBarProspect found{chain, candidate.member.coordinates, score_of(objective_, rating), candidate.member,
+                               false};
+    if (!trial.best || is_better(found, *trial.best)) trial.best = found;
+  }
+  return trial;
+}
+
+std::optional<SixBarProspect> Search::prospect(const ThreeLinkChain& chain, std::array<double, 2> tau) const {
+  const auto its_family = family(chain);
+  if (!its_family) return std::nullopt;
+  const auto first = its_family->with_first(tau[0]);
+  if (!first || !contains_all(box_, first->hinges)) return std::nullopt;
+  const auto member = its_family->member(*first, tau[1]);
+  if (!member || !box_.contains(member->six_bar.at(SixBar::c5)) || !box_.contains(member->six_bar.at(SixBar::z5)))
+    return std::nullopt;
+  const Requirements wanted = with_defaults(wanted_, chain);
+  if (!bounded(*member, wanted)) return std::nullopt;
+  const SixBarRating rating = rating_of(*member, false);
+  if (!meets(wanted, member->six_bar, rating)) return std::nullopt;
+  return SixBarProspect{chain, tau, score_of(objective_, rating), *member, false};
+}
+
+SixBarProspect Search::refined(SixBarProspect here, std::uint64_t seed, const Progress& progress) const {
+  constexpr int failures_a_length = 40;
+  constexpr double first_length = 0.1, shortest = 3e-4;  // shares of the box, and of a branch of a curve
+  std::mt19937_64 random(seed);
+  const double width = box_.x_high - box_.x_low, height = box_.y_high - box_.y_low;
+  for (double length = first_length; length > shortest && !progress.is_cancelled(); length /= 2)
+    for (int failures = 0; failures < failures_a_length && !progress.is_cancelled();) {
+      const auto step = [&](double size) { return length * size * uniform(random, -1, 1); };
+      ThreeLinkChain chain = here.chain;
+      for (Point* pivot : {&chain.a, &chain.b, &chain.d}) {
+        const double x = step(width);
+        *pivot += Point{x, step(height)};
+      }
+      const double tau_4 = here.tau[0] + step(1);
+      const auto there = prospect(chain, {tau_4, here.tau[1] + step(1)});
+      const bool better = there && there->score > here.score;
+      if (better) here = *there;
+      failures = better ? 0 : failures + 1;
+    }
+  here.local_optimum = true;
+  return here;
+}
+
+/// The chains that reach all poses among the next ones drawn; as many as asked for unless few do.
+std::vector<ThreeLinkChain> next_chains(const SixBarTask& task, const ChainBoxes& boxes, std::mt19937_64& random,
+                                        std::size_t count, std::int64_t& drawn_so_far) {
+  std::vector<ThreeLinkChain> chains;
+  for (std::int64_t i = 0; chains.size() < count && i < draws_a_chain * static_cast<std::int64_t>(count); ++i) {
+    const ThreeLinkChain chain = drawn(random, boxes);
+    ++drawn_so_far;
+    if (chain_positions(task.poses, chain)) chains.push_back(chain);
+  }
+  return chains;
+}
+
+Notice words(const SixBarSearchResult& result) {
+  const auto count = [](std::string name, std::int64_t value) {
+    return Notice::Value{std::move(name), static_cast<double>(value)};
+  };
+  Notice notice{
+      "searched",
+      "",
+      {count("chains", result.chains_tried), count("six_bars", result.six_bars),
+       count("defect_free", result.defect_free), count("found", static_cast<std::int64_t>(result.linkages.size()))}};
+  notice.message = fmt::format("{} chains that reach all poses were tried, {} six-bars with all pivots in the box; ",
+                               result.chains_tried, result.six_bars);
+  if (result.chains_drawn == 0 && !result.interrupted) {
+    notice.code = "no_chain";
+    notice.message = "The box for the pivots and the boxes of the requirements have nothing in common.";
+  } else if (result.chains_tried == 0 && !result.interrupted) {
+    notice.code = "no_chain";
+    notice.message = fmt::format("None of {} chains with pivots in the box reaches all poses; enlarge the box.",
+                                 result.chains_drawn);
+  } else if (result.linkages.empty()) {
+    notice.code = "nothing_found";
+    notice.message +=
+        "none is free of defects and meets all requirements. Enlarge the box, relax a requirement, add the "
+        "links between other bodies, or raise the effort.";
+  } else {
+    notice.message += fmt::format("the best {} were refined.", result.linkages.size());
+  }
+  if (result.interrupted) notice.message += " The search was interrupted: this is the best so far.";
+  return notice;
+}
+
+void keep_best(std::vector<SixBarProspect>& held, std::size_t most, double least) {
+  std::sort(held.begin(), held.end(), is_better);
+  held = distinct(held, most, least);
+}
+
+}  // namespace
+
+SixBarSearchResult search_six_bars(const SixBarTask& task, const Requirements& requirements, const SixBarChoice& choice,
+                                   const SixBarSearchOptions& options, const Progress& progress) {
+  constexpr std::size_t chunk = 64;  // chains between two looks at the progress; no part of the answer
+  constexpr double share_of_trials = 0.7;
+  SixBarSearchResult result;
+  const auto row = six_bar_row(task.added);
+  if (!row || !task.box) return result;
+  const Box box = *task.box;
+  const Search search(task, *row, box, requirements, choice.objective);
+  const double least = different_design * std::hypot(box.x_high - box.x_low, box.y_high - box.y_low);
+  const std::size_t kept = 2 * static_cast<std::size_t>(std::max(choice.best, 0)) + 4;
+  const auto effort = static_cast<std::int64_t>(std::max(options.effort, 0));
+
+  const ChainBoxes boxes = {common(box, requirements.ground_pivots_within),
+                            common(box, requirements.moving_pivots_within)};
+  std::mt19937_64 random(options.seed);
+  std::vector<SixBarProspect> held;
+  while (!boxes.empty() && result.chains_tried < effort && !progress.is_cancelled()) {
+    const auto count = static_cast<std::size_t>(std::min<std::int64_t>(chunk, effort - result.chains_tried));
+    const std::vector<ThreeLinkChain> chains = next_chains(task, boxes, random, count, result.chains_drawn);
+    if (chains.empty()) break;
+    std::vector<Trial> trials(chains.size());
+    parallel_for(chains.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && !progress.is_cancelled(); ++i) {
+        trials[i] = search.trial(chains[i]);
+        trials[i].done = true;
+      }
+    });
+    for (const Trial& trial : trials) {
+      result.chains_tried += trial.done ? 1 : 0;
+      result.six_bars += trial.six_bars;
+      result.driven += trial.driven;
+      result.defect_free += trial.defect_free;
+      if (trial.best) held.push_back(*trial.best);
+    }
+    keep_best(held, kept, least);
+    progress(share_of_trials * static_cast<double>(result.chains_tried) / static_cast<double>(effort));
+  }
+  parallel_for(held.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) held[i] = search.refined(held[i], options.seed + i + 1, progress);
+  });
+  result.interrupted = progress.is_cancelled();
+  keep_best(held, static_cast<std::size_t>(std::max(choice.best, 0)), least);
+  for (const SixBarProspect& prospect : held) {
+    result.linkages.push_back(solution_of(task.poses, prospect.chain, *row, prospect.member));
+    result.linkages.back().local_optimum = prospect.local_optimum && !result.interrupted;
+  }
+  result.reason = words(result);
+  if (!result.interrupted) progress(1);
+  return result;
+}
+
+}  // namespace linkwright

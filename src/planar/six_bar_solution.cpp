@@ -1,0 +1,132 @@
+#include "linkwright/planar/six_bar_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "linkwright/analysis/six_bar_check.hpp"
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+LinkageType type_of_loop(const SixBar& six_bar) {
+  const auto loop = six_bar.four_bar_loop();
+  if (!loop) return LinkageType::degenerate;
+  const auto at = [&](std::size_t i) { return six_bar.joints[(*loop)[i]].point; };
+  return linkage_type(FourBar{at(0), at(1), at(3), at(2)}.lengths());
+}
+
+double length_residual(const SixBarMember& member, const std::vector<SixBarLength>& lengths) {
+  double worst = 0;
+  for (const SixBarTurns& turns : member.turns) {
+    const auto joints = joints_at(member.six_bar, turns);
+    for (const SixBarLength& length : lengths)
+      worst =
+          std::max(worst, std::abs(std::abs(joints[length.joints[1]] - joints[length.joints[0]]) / length.length - 1));
+  }
+  return worst;
+}
+
+double pose_residual(const SixBarMember& member, std::span<const PrescribedPose> poses, double longest) {
+  double worst = 0;
+  for (std::size_t j = 0; j < member.turns.size(); ++j) {
+    const Pose reached = guided_pose(member.six_bar, member.turns[j], poses[0].pose);
+    const double off = std::abs(reached.origin - poses[j].pose.origin) / longest;
+    worst = std::max({worst, off, std::abs(wrap_signed(reached.angle - poses[j].pose.angle))});
+  }
+  return worst;
+}
+
+/// The poses come one after the other in one sense of the driver.
+bool visits_all(const SixBar& six_bar, std::span<const PrescribedPose> poses) {
+  for (const int sense : {+1, -1}) {
+    const SixBarCheck check = check_by_driving(six_bar, poses, sense);
+    constexpr double sound = 1e-9;  // of a distance that Newton's method keeps to rounding
+    if (check.visited.size() + 1 == poses.size() && std::is_sorted(check.visited.begin(), check.visited.end()))
+      return check.worst_length < sound;
+  }
+  return false;
+}
+
+}  // namespace
+
+SixBarShape shape_of(const SixBar& six_bar) {
+  SixBarShape shape;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const SixBarLength& length : six_bar.lengths()) {
+    shortest = std::min(shortest, length.length);
+    shape.longest = std::max(shape.longest, length.length);
+  }
+  const bool sound = shortest > tolerance::change_point * shape.longest && std::isfinite(shape.longest);
+  shape.link_ratio = sound ? shape.longest / shortest : std::numeric_limits<double>::infinity();
+  shape.type = sound ? type_of_loop(six_bar) : LinkageType::degenerate;
+  return shape;
+}
+
+double SixBarRating::versine() const {
+  const double sine = drive.least_sine;
+  return sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
+}
+
+double SixBarRating::min_transmission_angle() const { return std::asin(std::min(1.0, drive.least_sine)); }
+
+RegionCell SixBarRating::cell() const {
+  if (shape.type == LinkageType::degenerate) return {};
+  RegionCell cell;
+  cell.type = shape.type;
+  cell.defects = drive.defects;
+  cell.versine = static_cast<float>(versine());
+  cell.ratio = static_cast<float>(shape.link_ratio);
+  cell.longest = static_cast<float>(shape.longest);
+  return cell;
+}
+
+SixBarRating rating_of(const SixBarMember& member, bool circuits) {
+  SixBarRating rating{shape_of(member.six_bar), {}};
+  if (rating.shape.type != LinkageType::degenerate) {
+    SixBarDriveOptions options;
+    options.circuits = circuits;
+    rating.drive = drive_six_bar(member.six_bar, member.turns, options);
+  }
+  return rating;
+}
+
+bool meets(const Requirements& wanted, const SixBar& six_bar, const SixBarRating& rating) {
+  const SixBarShape& shape = rating.shape;
+  if (shape.type == LinkageType::degenerate || shape.link_ratio > wanted.max_link_ratio ||
+      shape.longest > wanted.max_length.value_or(Requirements::unlimited))
+    return false;
+  if (!wanted.types.empty() && std::find(wanted.types.begin(), wanted.types.end(), shape.type) == wanted.types.end())
+    return false;
+  for (const SixBarJoint& joint : six_bar.joints) {
+    const std::optional<Box>& box = is_on_ground(joint) ? wanted.ground_pivots_within : wanted.moving_pivots_within;
+    if (box && !box->contains(joint.point)) return false;
+  }
+  if (wanted.no_defects && !(rating.drive.completed && rating.drive.defects.none())) return false;
+  return wanted.min_transmission_angle <= 0 || rating.min_transmission_angle() >= wanted.min_transmission_angle;
+}
+
+Requirements with_defaults(Requirements wanted, const ThreeLinkChain& chain) {
+  if (!wanted.max_length) wanted.max_length = default_max_length * chain.size();
+  return wanted;
+}
+
+SixBarSolution solution_of(std::span<const PrescribedPose> poses, const ThreeLinkChain& chain, const SixBarRow& row,
+                           const SixBarMember& member) {
+  SixBarSolution solution;
+  solution.chain = chain;
+  solution.row = row;
+  solution.member = member;
+  SixBarDriveOptions exact;
+  exact.exact_steps = true;
+  solution.rating = {shape_of(member.six_bar), drive_six_bar(member.six_bar, member.turns, exact)};
+  solution.lengths = member.six_bar.lengths();
+  solution.residual = length_residual(member, solution.lengths);
+  solution.pose_residual = pose_residual(member, poses, solution.rating.shape.longest);
+  solution.verified_by_driving =
+      solution.rating.drive.completed && visits_all(member.six_bar, poses) == solution.rating.drive.defects.none();
+  return solution;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,75 @@
+#include "linkwright/analysis/six_bar_check.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "linkwright/analysis/six_bar_position.hpp"
+#include "linkwright/core/angle.hpp"
+#include "support/random_six_bar.hpp"
+
+namespace linkwright {
+namespace {
+
+/// A crank of 1 with all other links long: turns fully. The guided body 3 is a link of the second dyad.
+SixBar with_crank() {
+  return SixBar::of({Point{0, 0}, Point{1, 0}, Point{3, 2}}, {BodyPair{0, 2}, BodyPair{0, 3}},
+                    {Point{5, 0}, Point{4, 3}}, {Point{6, -4}, Point{8, 3}});
+}
+
+TEST(SixBarCheck, GoesRoundAndComesHome) {
+  const SixBar six_bar = with_crank();
+  const std::vector<PrescribedPose> poses = {{{{3, 2}, 0}, {}}, {{{99, 99}, 0}, {}}};  // the second out of reach
+  for (const int sense : {+1, -1}) {
+    const SixBarCheck check = check_by_driving(six_bar, poses, sense);
+    EXPECT_FALSE(check.stopped);
+    EXPECT_TRUE(check.visited.empty());
+    EXPECT_LT(check.worst_length, 1e-12);
+    ASSERT_GT(check.states.size(), 300u);
+    EXPECT_GE(std::abs(check.states.back().turn), two_pi);
+    EXPECT_LT(std::abs(check.states.back().joints[SixBar::z5] - six_bar.at(SixBar::z5)), 0.1);
+  }
+}
+
+TEST(SixBarCheck, MeetsThePosesThatTheLoopsGive) {
+  const SixBar six_bar = with_crank();
+  const Pose first{{3, 2}, 0.4};
+  std::vector<PrescribedPose> poses = {{first, {}}};
+  SixBarTurns turns{1, 1, 1, 1, 1, 1};
+  for (int step = 1; step <= 30; ++step) {
+    turns[1] = direction(0.1 * step);
+    const auto found = closed(six_bar, turns);
+    ASSERT_TRUE(found);
+    turns = *found;
+    if (step % 10 == 0) poses.push_back({guided_pose(six_bar, turns, first), {}});
+  }
+  const SixBarCheck there = check_by_driving(six_bar, poses, +1), back = check_by_driving(six_bar, poses, -1);
+  EXPECT_EQ(there.visited, (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(back.visited, (std::vector<int>{3, 2, 1}));
+  EXPECT_LT(there.worst_pose, 1e-9);
+  const SixBarState& last = there.states[there.states.size() - 1];
+  EXPECT_GE(last.turn, 3.0);
+  EXPECT_LT(last.turn, 3.1);
+}
+
+TEST(SixBarCheck, StopsAtADeadPoint) {
+  // Links 2 and 4 just reach: the crank cannot go round.
+  const SixBar six_bar = SixBar::of({Point{0, 0}, Point{1, 1}, Point{2, 2}}, {BodyPair{0, 2}, BodyPair{0, 3}},
+                                    {Point{3, 0}, Point{2.5, 1.2}}, {Point{5, 0}, Point{4, 2}});
+  const std::vector<PrescribedPose> poses = {{{{0, 0}, 0}, {}}, {{{9, 9}, 0}, {}}};
+  const SixBarCheck check = check_by_driving(six_bar, poses, +1);
+  EXPECT_TRUE(check.stopped);
+  EXPECT_LT(check.states.back().turn, pi);
+  EXPECT_LT(check.worst_length, 1e-9);
+}
+
+TEST(SixBarCheck, FollowsTheBodyWithoutJumps) {
+  const std::vector<PrescribedPose> poses = {{{{3, 2}, 3.1}, {}}, {{{99, 99}, 0}, {}}};
+  const SixBarCheck check = check_by_driving(with_crank(), poses, +1);
+  for (std::size_t i = 1; i < check.states.size(); ++i)
+    EXPECT_LT(std::abs(check.states[i].body.angle - check.states[i - 1].body.angle), 0.1);
+}
+
+TEST(SixBarCheck, OfNoPosesIsEmpty) { EXPECT_TRUE(check_by_driving(with_crank(), {}, 1).states.empty()); }
+
+}  // namespace
+}  // namespace linkwright

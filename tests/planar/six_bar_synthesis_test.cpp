@@ -1,0 +1,193 @@
+#include "linkwright/planar/six_bar_synthesis.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "linkwright/core/angle.hpp"
+#include "support/random_six_bar.hpp"
+
+namespace linkwright {
+namespace {
+
+SixBarTask task_with_chain(std::size_t row) {
+  SixBarTask task;
+  task.poses = {{{{0, 0}, 0}, {}}, {{{0.8, 0.3}, 0.25}, {}}, {{{1.5, 0.9}, 0.6}, {}}, {{{2, 1.7}, 1}, {}}};
+  task.chain = ThreeLinkChain{{-2.5, -1.5}, {-2, 2.2}, {1, 0.9}, {}};
+  task.added = six_bar_rows()[row].added;
+  return task;
+}
+
+struct Mapped {
+  SixBarTask task;
+  ThreeLinkChain chain;
+  SixBarFamily family;
+  SixBarAxes axes;
+  RegionMap map;
+
+  explicit Mapped(std::size_t row, int samples, bool circuits)
+      : task(task_with_chain(row)),
+        chain(task.chain.value_or(ThreeLinkChain{})),
+        family(chain, task.added, chain_positions(task.poses, chain).value_or(std::array<BodyPositions, 4>{})),
+        axes(six_bar_axes(family, samples)) {
+    classify_six_bars(map, family, axes.first, axes.second, circuits);
+  }
+};
+
+TEST(SixBarSynthesis, MapsWhatEachCellIs) {
+  for (std::size_t row = 0; row < six_bar_rows().size(); ++row) {
+    const Mapped mapped(row, 6, false);
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t k = 0; k < 6; ++k) {
+        const auto first = mapped.family.with_first(mapped.axes.first[i]);
+        const auto member = first
+                                ? mapped.family.member(*first, mapped.family.second_tau(*first, mapped.axes.second[k]))
+                                : std::nullopt;
+        const std::size_t cell = mapped.map.index(i, k);
+        if (!member) {
+          EXPECT_EQ(mapped.map.type(cell), LinkageType::degenerate);
+          continue;
+        }
+        const SixBarRating rating = rating_of(*member, false);
+        EXPECT_EQ(mapped.map.type(cell), rating.shape.type);
+        EXPECT_EQ(mapped.map.defects(cell), rating.drive.defects);
+        EXPECT_FLOAT_EQ(mapped.map.longest_links()[cell], static_cast<float>(rating.shape.longest));
+        EXPECT_NEAR(mapped.map.min_transmission_angle(cell), rating.min_transmission_angle(), 1e-3);
+      }
+  }
+}
+
+TEST(SixBarSynthesis, SetsTheCircuitBitOnlyBesideTheBranchBit) {
+  const Mapped without(1, 12, false), with(1, 12, true);
+  std::int64_t circuits = 0;
+  for (std::size_t cell = 0; cell < 144; ++cell) {
+    EXPECT_FALSE(without.map.defects(cell).circuit());
+    EXPECT_EQ(without.map.defects(cell).branch(), with.map.defects(cell).branch());
+    EXPECT_EQ(without.map.defects(cell).order(), with.map.defects(cell).order());
+    if (with.map.defects(cell).circuit()) {
+      EXPECT_TRUE(with.map.defects(cell).branch());
+    }
+    circuits += with.map.defects(cell).circuit();
+  }
+  EXPECT_GT(circuits, 0);
+}
+
+TEST(SixBarSynthesis, TwoWaysRoundAreTheSameMap) {
+  // Links 4 and 5 between the same bodies in the other order: the map is transposed.
+  const Mapped one(0, 10, false), other(6, 10, false);
+  for (std::size_t i = 0; i < 10; ++i)
+    for (std::size_t k = 0; k < 10; ++k) {
+      EXPECT_EQ(one.map.type(one.map.index(i, k)), other.map.type(other.map.index(k, i)));
+      EXPECT_EQ(one.map.defects(one.map.index(i, k)), other.map.defects(other.map.index(k, i)));
+    }
+}
+
+TEST(SixBarSynthesis, RefinesTheBest) {
+  for (const std::size_t row : {std::size_t{1}, std::size_t{5}, std::size_t{9}}) {
+    const Mapped mapped(row, 12, false);
+    float best_cell = 0;
+    for (std::size_t cell = 0; cell < 144; ++cell)
+      if (mapped.map.link_ratios()[cell] < 20)
+        best_cell = std::max(best_cell, mapped.map.transmission_versines()[cell]);
+    const Requirements wanted = with_defaults(Requirements{}, mapped.chain);
+    const auto found = best_six_bars(mapped.task, mapped.chain, mapped.family, mapped.map, wanted, {.best = 2});
+    ASSERT_FALSE(found.empty());
+    EXPECT_LE(found.size(), 2u);
+    EXPECT_GE(found[0].rating.versine(), 0.99 * best_cell);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const SixBarSolution& six_bar = found[i];
+      EXPECT_TRUE(six_bar.rating.drive.defects.none());
+      EXPECT_TRUE(six_bar.verified_by_driving);
+      EXPECT_LT(six_bar.residual, 1e-10);
+      EXPECT_LE(six_bar.rating.shape.link_ratio, wanted.max_link_ratio);
+      if (i > 0) {
+        EXPECT_LE(six_bar.rating.versine(), found[i - 1].rating.versine() + 1e-3);
+      }
+    }
+  }
+}
+
+/// A body that rises and turns; pivots within a few of its steps.
+SixBarTask open_task() {
+  SixBarTask task = task_with_chain(1);
+  task.chain.reset();
+  task.box = Box{-4, 3, -3, 4};
+  return task;
+}
+
+SixBarSearchOptions with_effort(int effort) {
+  SixBarSearchOptions options;
+  options.effort = effort;
+  return options;
+}
+
+TEST(SixBarSynthesis, SearchesTheChainToo) {
+  const SixBarTask task = open_task();
+  const auto found = search_six_bars(task, {}, {.best = 1}, with_effort(300));
+  EXPECT_EQ(found.chains_tried, 300);
+  EXPECT_GT(found.chains_drawn, found.chains_tried);
+  EXPECT_GT(found.six_bars, found.driven);
+  EXPECT_GE(found.driven, found.defect_free);
+  EXPECT_FALSE(found.interrupted);
+  EXPECT_EQ(found.reason.code, "searched");
+  ASSERT_FALSE(found.linkages.empty());
+  for (const SixBarSolution& six_bar : found.linkages) {
+    EXPECT_TRUE(six_bar.rating.drive.defects.none());
+    EXPECT_TRUE(six_bar.verified_by_driving);
+    EXPECT_LT(six_bar.residual, 1e-10);
+    for (const SixBarJoint& joint : six_bar.member.six_bar.joints) EXPECT_TRUE(task.box->contains(joint.point));
+  }
+}
+
+TEST(SixBarSynthesis, FindsTheSameWithTheSameSeed) {
+  SixBarSearchOptions options = with_effort(70), other = options, single = options;
+  other.seed = 2;
+  single.threads = 1;
+  const auto one = search_six_bars(open_task(), {}, {.best = 1}, options),
+             again = search_six_bars(open_task(), {}, {.best = 1}, single),
+             another = search_six_bars(open_task(), {}, {.best = 1}, other);
+  EXPECT_EQ(one.six_bars, again.six_bars);
+  EXPECT_EQ(one.driven, again.driven);
+  ASSERT_EQ(one.linkages.size(), again.linkages.size());
+  for (std::size_t i = 0; i < one.linkages.size(); ++i) EXPECT_EQ(one.linkages[i].chain.b, again.linkages[i].chain.b);
+  EXPECT_NE(one.six_bars, another.six_bars);
+}
+
+TEST(SixBarSynthesis, StopsWithTheBestSoFar) {
+  std::atomic<bool> cancelled = false;
+  double last = 0;
+  Progress progress;
+  progress.cancelled = &cancelled;
+  progress.report = [&](double done) {
+    EXPECT_GE(done, last);
+    last = done;
+    if (done > 0.1) cancelled = true;
+  };
+  const auto found = search_six_bars(open_task(), {}, {}, with_effort(2000), progress);
+  EXPECT_TRUE(found.interrupted);
+  EXPECT_LT(last, 0.5);
+  EXPECT_GT(found.chains_tried, 0);
+  EXPECT_LT(found.chains_tried, 1000);
+  EXPECT_NE(found.reason.message.find("interrupted"), std::string::npos);
+  for (const SixBarSolution& six_bar : found.linkages) {
+    EXPECT_TRUE(six_bar.verified_by_driving);
+    EXPECT_FALSE(six_bar.local_optimum);
+  }
+}
+
+TEST(SixBarSynthesis, SaysWhyNothingIsFound) {
+  SixBarTask task = open_task();
+  task.box = Box{-100, -99, 0, 1};
+  const auto small = search_six_bars(task, {}, {}, with_effort(50));
+  EXPECT_TRUE(small.linkages.empty());
+  EXPECT_EQ(small.reason.code, "no_chain");
+  Requirements wanted;
+  wanted.min_transmission_angle = radians(89);
+  const auto strict = search_six_bars(open_task(), wanted, {}, with_effort(50));
+  EXPECT_EQ(strict.reason.code, "nothing_found");
+  wanted.ground_pivots_within = Box{5000, 6000, 0, 1};
+  EXPECT_EQ(search_six_bars(open_task(), wanted, {}, with_effort(50)).reason.code, "no_chain");
+}
+
+}  // namespace
+}  // namespace linkwright
