@@ -23,7 +23,7 @@ export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}
   let beyond: Beyond | null = null;
   // A moving pivot is taken where it is now; its curve lies in position 1.
   const carried = target.end === "circle" && !target.home && carrier;
-  const on_curve = (at: Point): Point => (carried ? to_screen(view(), placed(body_point(to_user(view(), at), carried), scene.poses[0])) : at);
+  const on_curve = (at: Point): Point => (carried ? to_screen(view(), placed(body_point(to_user(view(), at), carried), scene.served[0])) : at);
   workbench.begin_gesture();
   scene.held = target;
   return {
