@@ -40,6 +40,8 @@ export interface Handle {
   reach: readonly [mouse: number, touch: number];
   cursor: string;
   tab: boolean;
+  /** Where it is more than a point: how far it lies from a point of the screen. */
+  distance?(at: Point): number;
 }
 
 /** Priority where targets overlap. Then come the curves, thin as they are, and the insides of bodies. */
@@ -163,7 +165,7 @@ export function inside(polygon: readonly Point[], at: Point): boolean {
 /** Handles within reach, the first to be taken first. */
 export function within_reach(handles: readonly Handle[], at: Point, touch: boolean): Handle[] {
   return handles
-    .map((h) => ({h, distance: Math.hypot(h.at[0] - at[0], h.at[1] - at[1])}))
+    .map((h) => ({h, distance: h.distance?.(at) ?? Math.hypot(h.at[0] - at[0], h.at[1] - at[1])}))
     .filter(({h, distance}) => distance <= h.reach[touch ? 1 : 0])
     .sort((a, b) => a.h.rank - b.h.rank || a.distance - b.distance)
     .map(({h}) => h);

@@ -44,6 +44,8 @@ export class Scene {
   spot = $state.raw<Spot | null>(null);
   /** A held pose as it was pressed: the halo lies about it. */
   pressed_pose = $state.raw<Pose | null>(null);
+  /** Where a part of the task stood when it was pressed, if it stays there while it is dragged. */
+  anchor = $state.raw<Point | null>(null);
   /** Pixels from the origin to the pointer that turns a pose. */
   arm = $state<number | null>(null);
   rubber = $state.raw<{box: BoxName; shape: Box} | null>(null);

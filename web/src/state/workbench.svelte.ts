@@ -5,7 +5,7 @@ import {
   whole, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
-import {incompleteness, map_of} from "../tasks/kinds";
+import {incompleteness, kind_of, map_of} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {held_tau, held_window, places_of} from "./axis";
 import {from_problem, to_problem, type Picked} from "./document";
@@ -27,6 +27,9 @@ export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "trace" |
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
 
+/** A task is shown between the last two positions. */
+const before_last = 1.55;
+
 export class Workbench extends Editing {
   task = $state.raw<TaskAnswer | null>(null);
   map = $state.raw<MapAnswer | null>(null);
@@ -46,7 +49,7 @@ export class Workbench extends Editing {
   improving = $state(false);
 
   /** Where the drive stands: comparable between linkages (state/drive.ts). */
-  stage = $state(2.45);
+  stage = $state(4 - before_last);
   playing = $state(false);
   /** Play and plot over the whole travel of the driver, not only from the first position to the last. */
   whole_travel = $state(false);
@@ -174,6 +177,7 @@ export class Workbench extends Editing {
     this.hovered = null;
     this.selected_pose = null;
     this.mode = "point";
+    this.stage = Math.max(kind_of(problem.task).stops(problem.task) - before_last, 0.45);
     this.commit(from_problem(problem));
     ++this.opened;
   }

@@ -24,6 +24,8 @@ export interface TaskKind<T extends Task = Task> {
   /** From outside; the engine says what is wrong with it in detail. */
   read(value: Object): T | null;
   incompleteness(task: T): Incomplete | null;
+  /** Where the drive is to stop: positions that lie apart. */
+  stops(task: T): number;
   /** Positions, those infinitely close together counted each, in the field's notation: PP-P-P. */
   pattern(task: T): string;
   /** Whether something moves through a position in a prescribed direction. */

@@ -5,6 +5,7 @@ import {is_number, is_object, is_pair, present, read_list, type Object} from "..
 import {diagonal_of, pattern_of, position_count, type Given, type MotionTask, type Pose} from "../../state/task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
+import {form_of} from "./given";
 
 const most_poses = 100;
 
@@ -33,11 +34,6 @@ function read(value: Object): MotionTask | null {
   if (value.kind !== "motion" || value.mechanism !== "four_bar" || !poses) return null;
   const given = read_given(value.given);
   return {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})};
-}
-
-/** Which of the forms it is. */
-export function form_of(given: Given): "side_lengths" | "side_length" | "side_angle" | "instant_center" {
-  return "side_lengths" in given ? "side_lengths" : "side_length" in given ? "side_length" : "side_angle_deg" in given ? "side_angle" : "instant_center";
 }
 
 function motion_problem(poses: Pose[], given?: Given): Problem {
@@ -78,6 +74,7 @@ export const motion_kind: TaskKind<MotionTask> = {
     if (n > 5) return {state: "too_many", text: "state.too_many", n};
     return n === 3 && !given ? {state: "no_given", text: "state.no_given", n} : null;
   },
+  stops: ({poses}) => poses.length,
   pattern: ({poses}) => pattern_of(poses),
   is_mixed: ({poses}) => poses.some((pose) => pose.derivatives?.length),
   anchors: ({poses}) => poses.map((pose): Point => [pose.x, pose.y]),

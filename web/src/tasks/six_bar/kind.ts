@@ -30,6 +30,7 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
   is: (task): task is SixBarTask => task.mechanism === "six_bar",
   read,
   incompleteness: ({poses}) => ({state: "not_available", text: "state.no_six_bars", n: poses.length}), // the session does not solve them yet
+  stops: ({poses}) => poses.length,
   pattern: ({poses}) => pattern_of(poses),
   is_mixed: () => false,
   anchors: ({poses, chain}) => [...poses.map((pose): Point => [pose.x, pose.y]), ...points_of(chain)],
