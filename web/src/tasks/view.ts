@@ -13,6 +13,8 @@ export interface TaskView {
   Editor: Component<EditorProperties>;
   /** Under the sentence that says why there is no map, or nothing wanted on it: ways on. */
   Offer?: Component;
+  /** On the drawing, in place of a four-bar; its side links do not hang on the guided body alone. */
+  Linkage?: Component;
   /** On the drawing, above the linkage. */
   Layer?: Component;
   /** What can be taken hold of on the drawing, beside poses and pivots: handles whose target is a part of the task. */
