@@ -4,6 +4,7 @@ import type {Problem} from "../state/problem";
 import {is_object} from "../state/shape";
 import {diagonal_of, type Task} from "../state/task";
 import {function_kind} from "./function/kind";
+import type {TextKey} from "../texts/texts.svelte";
 import type {Incomplete, TaskKind} from "./kind";
 import {motion_kind} from "./motion/kind";
 import {six_bar_kind} from "./six_bar/kind";
@@ -34,6 +35,10 @@ export function anchors_of(task: Task): Point[] {
 /** How large the task is: the diagonal of the box around it. */
 export function extent_of(task: Task): number {
   return diagonal_of(anchors_of(task)) || 1;
+}
+/** A text of the frame, as this kind of task says it. */
+export function text_for(task: Task, key: TextKey): TextKey {
+  return kind_of(task).texts?.[key] ?? key;
 }
 export function map_of(task: Task): string {
   return kind_of(task).map_of(task);
