@@ -285,7 +285,8 @@ void write_six_bars(JsonWriter& json, const SixBarTask& task, const Solution& so
 
 std::string Session::best(int most) const {
   SynthesisOptions options = problem_.options;
-  options.region_samples = six_bars_ ? six_bar_samples(samples_of_an_order) : samples_of_an_order;
+  options.region_samples = samples_of_an_order;
+  if (six_bars_) options.region_samples = 4 * six_bar_samples(samples_of_an_order);  // of which solve() takes a quarter
   options.window.reset();
   options.best = most;
   const auto solution = solve(problem_.task, problem_.requirements, options);

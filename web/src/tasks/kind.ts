@@ -43,4 +43,6 @@ export interface TaskKind<T extends Task = Task> {
   /** For the printed sheet. */
   table(task: T, unit: string): {head: string[]; rows: string[][]};
   beginnings: readonly Beginning[];
+  /** What it says in place of a text of the frame. */
+  texts?: Partial<Record<TextKey, TextKey>>;
 }

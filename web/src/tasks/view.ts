@@ -2,6 +2,7 @@
 import type {Component} from "svelte";
 import type {Handle} from "../drawing/handles";
 import type {Scene} from "../drawing/scene.svelte";
+import type {Format} from "../exports/take_away";
 import type {PlotKind} from "../transport/plot";
 
 export interface EditorProperties {
@@ -19,6 +20,8 @@ export interface TaskView {
   Layer?: Component;
   /** What can be taken hold of on the drawing, beside poses and pivots: handles whose target is a part of the task. */
   handles?(scene: Scene): Handle[];
+  /** Formats in which its linkages can be taken away, if not all. */
+  exports?: readonly Format[];
   /** The first one is shown first. */
   plots: readonly PlotKind[];
 }

@@ -43,4 +43,8 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
   moved: (task, point) => (task.chain ? {...task, chain: {...task.chain, a: point(task.chain.a), b: point(task.chain.b), d: point(task.chain.d)}} : task),
   table: ({poses}, unit) => pose_table(poses, unit),
   beginnings: [{id: "six_bar", name: "new.six_bar", about: "new.six_bar_about", make: new_problem}],
+  texts: {
+    "chip.four_bars": "chip.six_bars", "state.none_defect_free": "six_bar.none_defect_free",
+    "region.driver_axis": "six_bar.axis_4", "region.other_axis": "six_bar.axis_5",
+  },
 };

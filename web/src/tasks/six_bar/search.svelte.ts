@@ -7,8 +7,8 @@ import type {SixBarTask} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {default_box, six_bar_task, with_six_bar} from "./chain";
 
-export const default_effort = 2000, most_effort = 1_000_000, most_seed = 1e9;
-const chains_a_round = 250, most_found = 12, most_a_round = 4;
+export const default_effort = 10_000, most_effort = 1_000_000, most_seed = 1e9;
+const chains_a_round = 1000, most_found = 12, most_a_round = 4;
 
 export interface Found {
   chain: Chain;
