@@ -45,18 +45,22 @@ std::string TextTable::text() const {
 }
 
 std::string wrapped(std::string_view text, std::size_t indent) {
-  std::string lines;
-  std::size_t used = 0;
+  const std::size_t start = std::min(text.find_first_not_of(' '), text.size());
+  std::string lines(start, ' ');
+  std::size_t used = start;
+  bool is_first = true;
+  text.remove_prefix(start);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
     const std::string_view word = text.substr(0, end);
-    if (used > 0 && used + 1 + columns(word) > widest_line) {
+    if (!is_first && used + 1 + columns(word) > widest_line) {
       lines += '\n' + std::string(indent, ' ');
       used = indent;
-    } else if (used > 0) {
+    } else if (!is_first) {
       lines += ' ';
       ++used;
     }
+    is_first = false;
     lines += word;
     used += columns(word);
     text.remove_prefix(std::min(end + 1, text.size()));

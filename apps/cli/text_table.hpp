@@ -19,7 +19,8 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;  ///< the headings first
 };
 
-/// The text broken at spaces into lines of at most 100 columns; `indent` columns before every line but the first.
+/// The text broken at spaces into lines of at most 100 columns; `indent` columns before every line but the first, which
+/// keeps the spaces that it starts with.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent = 0);
 
 /// A title or unit from a file, without the control characters that could play tricks on a terminal.

@@ -13,6 +13,7 @@
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/io/result_file.hpp"
 #include "mistakes.hpp"
+#include "nearest_name.hpp"
 #include "pose_reader.hpp"
 
 namespace linkwright {
@@ -111,7 +112,10 @@ std::optional<FourBar> read_four_bar(const JsonValue& value, Mistakes& mistakes)
   if (const auto mechanism = element.find("mechanism")) {
     const auto name = mechanism->as_text();
     if (name && *name != "four_bar") {
-      mechanism->mistake("not_available", "only a \"four_bar\" can be read in this version");
+      mechanism->mistake("not_available",
+                         fmt::format("only a \"four_bar\" can be analysed and exported; this is a \"{}\", whose pivots "
+                                     "stand in the result file",
+                                     presentable(*name)));
       return std::nullopt;
     }
   }
@@ -130,6 +134,14 @@ void read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<Prescrib
   value.for_each("a list of poses", [&](const JsonValue& item) {
     if (auto pose = read_pose(item, mistakes, OtherMembers::ignored)) poses.push_back(*std::move(pose));
   });
+}
+
+/// The poses that a linkage brings along: of functions, and of what passes a part of the task, they are not the task's.
+void read_own_poses(const JsonValue& element, Mistakes& mistakes, StoredLinkage& linkage) {
+  const auto own = element.is_object() ? JsonObject(element, mistakes, {}).find("poses") : std::nullopt;
+  if (!own) return;
+  linkage.poses.clear();
+  read_poses(*own, mistakes, linkage.poses);
 }
 
 /// Title, unit and poses from beside a linkage or from a result's problem.
@@ -171,6 +183,7 @@ Result<StoredLinkage> read_linkage(std::string_view text) {
     read_surroundings(file, mistakes, linkage);
     const JsonValue element = file.find("linkage").value_or(root);
     if (const auto four_bar = read_four_bar(element, mistakes)) linkage.four_bar = *four_bar;
+    if (file.find("linkage")) read_own_poses(element, mistakes, linkage);
     if (file.find("linkage") && !element.json().contains("pivots")) linkage.record = element.json().dump();
   }
   if (!mistakes.empty()) return mistakes.take();
@@ -199,6 +212,7 @@ Result<std::vector<StoredLinkage>> read_result_linkages(std::string_view text) {
       if (!four_bar) return;
       linkages.push_back(surroundings);
       linkages.back().four_bar = *four_bar;
+      read_own_poses(item, mistakes, linkages.back());
       linkages.back().record = item.json().dump();
     });
   }

@@ -111,10 +111,12 @@ std::optional<RegionWindow> read_window(const JsonValue& value) {
 
 void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& options) {
   const std::size_t before = mistakes.size();
-  const JsonObject object(value, mistakes, {"region_samples", "spacing", "objective", "best", "window", "box", "seed", "effort"});
+  const JsonObject object(value, mistakes,
+                          {"region_samples", "spacing", "objective", "best", "window", "box", "seed", "effort"});
   read_whole_number(object, "region_samples", options.region_samples);
   read_name(object, "spacing", {Spacing::coordinate, Spacing::arc_length}, options.spacing);
-  read_name(object, "objective", {Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error},
+  read_name(object, "objective",
+            {Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error},
             options.objective);
   read_whole_number(object, "best", options.best);
   read_box(object, "box", mistakes, options.box);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "axis_label.hpp"
+#include "four_bar_writer.hpp"
 #include "json_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/io/number_text.hpp"
@@ -15,96 +17,6 @@ namespace linkwright {
 namespace {
 
 using Layout = JsonWriter::Layout;
-
-void write_homogeneous(JsonWriter& json, Homogeneous point) {
-  json.begin_list(Layout::one_line);
-  json.value(point.w);
-  json.value(point.x);
-  json.value(point.y);
-  json.end_list();
-}
-
-/// The finite point, or null where it is at infinity by the measure of the working frame.
-void write_point_or_null(JsonWriter& json, Homogeneous point, const WorkingFrame& frame) {
-  if (is_at_infinity(frame.to_working(point))) return json.null();
-  write_point(json, Point{point.x / point.w, point.y / point.w});
-}
-
-void write_dyad(JsonWriter& json, const Dyad& dyad, double residual, const WorkingFrame& frame) {
-  json.begin_object();
-  json.key("center_point");
-  write_point_or_null(json, dyad.center, frame);
-  json.key("circle_point");
-  write_point_or_null(json, dyad.circle, frame);
-  json.member("coordinate", dyad.coordinate);
-  json.key("center_homogeneous");
-  write_homogeneous(json, dyad.center);
-  json.key("circle_homogeneous");
-  write_homogeneous(json, dyad.circle);
-  json.member("residual", residual);
-  json.end_object();
-}
-
-void write_defects(JsonWriter& json, Defects defects) {
-  json.begin_object(Layout::one_line);
-  json.member("order", defects.order());
-  json.member("branch", defects.branch());
-  json.member("circuit", defects.circuit());
-  json.end_object();
-}
-
-double transmission_angle_deg(double worst_cosine) { return degrees(std::acos(std::min(std::abs(worst_cosine), 1.0))); }
-
-/// Over the task; null where a defect leaves it undefined.
-void write_task_transmission(JsonWriter& json, const DefectReport& report) {
-  json.key("min_transmission_angle_deg");
-  if (!report.defects.none()) return json.null();
-  json.value(transmission_angle_deg(report.worst_transmission_cosine));
-}
-
-void write_swapped(JsonWriter& json, const DefectReport& report) {
-  json.begin_object();
-  json.member("type", name(report.type));
-  json.key("defects");
-  write_defects(json, report.defects);
-  write_task_transmission(json, report);
-  json.end_object();
-}
-
-void write_drive(JsonWriter& json, const DefectReport& report) {
-  json.key("drive");
-  report.sense == DriveSense::none ? json.null() : json.value(name(report.sense));
-  json.key("driver_sweep_deg");
-  report.defects.none() ? json.value(degrees(report.sweep)) : json.null();
-}
-
-void write_four_bar(JsonWriter& json, const FourBarSolution& found, const WorkingFrame& frame) {
-  json.begin_object();
-  json.member("mechanism", "four_bar");
-  json.key("input");
-  write_dyad(json, found.input, found.input_residual, frame);
-  json.key("output");
-  write_dyad(json, found.output, found.output_residual, frame);
-  json.key("lengths");
-  write_lengths(json, found.lengths);
-  json.member("link_ratio", found.lengths.longest() / found.lengths.shortest());
-  json.member("type", name(found.report.type));
-  json.key("defects");
-  write_defects(json, found.report.defects);
-  write_drive(json, found.report);
-  write_task_transmission(json, found.report);
-  json.key("min_transmission_angle_full_turn_deg");
-  input_is_crank(found.report.type)
-      ? json.value(transmission_angle_deg(found.report.worst_transmission_cosine_full_turn))
-      : json.null();
-  json.member("residual", found.residual);
-  if (found.residual_derivatives) json.member("residual_derivatives", *found.residual_derivatives);
-  json.member("local_optimum", found.local_optimum);
-  json.member("verified_by_driving", found.verified_by_driving);
-  json.key("swapped");
-  write_swapped(json, found.swapped);
-  json.end_object();
-}
 
 void write_warnings(JsonWriter& json, const std::vector<Notice>& warnings) {
   json.begin_list();
@@ -138,8 +50,19 @@ void write_points(JsonWriter& json, std::string_view key, std::span<const Dyad> 
   json.end_list();
 }
 
-void write_curve(JsonWriter& json, const Solution& solution) {
+/// The side links that a task allows form a curve, if only one that has grown to everything.
+bool asks_for_a_curve(const Task& task) {
+  if (const auto* motion = std::get_if<MotionTask>(&task)) {
+    return position_count(motion->poses) == 4 ||
+           (motion->given && std::holds_alternative<InstantCenter>(*motion->given));
+  }
+  const auto* function = std::get_if<FunctionTask>(&task);
+  return function != nullptr && position_count(function->pairs) == 4;
+}
+
+void write_curve(JsonWriter& json, const Task& task, const Solution& solution) {
   const BurmesterCurve* curve = solution.given.curve.get();
+  if (curve == nullptr && !asks_for_a_curve(task)) return json.null();
   json.begin_object();
   json.member("kind", name(curve ? curve->kind() : CubicKind::every_point));
   json.member("center_kind", name(curve ? curve->center_kind() : CubicKind::every_point));
@@ -157,6 +80,18 @@ void write_curve(JsonWriter& json, const Solution& solution) {
   json.end_object();
 }
 
+void write_burmester_points(JsonWriter& json, const TaskFamily& given) {
+  json.begin_list();
+  for (const BurmesterPoint& point : given.points) {
+    json.begin_object();
+    write_dyad_members(json, given.frame().to_user(point.dyad), point.residual, given.frame());
+    json.member("multiplicity", point.multiplicity);
+    json.member("condition", point.condition);
+    json.end_object();
+  }
+  json.end_list();
+}
+
 void write_counts(JsonWriter& json, const RegionCounts& counts) {
   json.begin_object();
   for (std::size_t type = 0; type < counts.types.size(); ++type)
@@ -169,25 +104,39 @@ void write_counts(JsonWriter& json, const RegionCounts& counts) {
   json.end_object();
 }
 
-void write_axes(JsonWriter& json) {
-  json.begin_list();
-  for (const std::string_view axis : {"input side link, place on its curve", "output side link, place on its curve"}) {
-    json.begin_object(Layout::one_line);
-    json.member("name", axis);
-    json.member("unit", "tau");
-    json.end_object();
+void write_axis(JsonWriter& json, const Problem& problem, const Solution& solution, LinkageFamily::Side side) {
+  const LinkageFamily* family = solution.given.family.get();
+  const FamilyAxis axis = family ? family->axis(side) : FamilyAxis{};
+  const AxisLabel label = axis_label(axis, side, problem.task, problem.length_unit);
+  json.begin_object();
+  json.member("name", std::string_view(label.name));
+  json.member("quantity", name(axis.quantity));
+  json.member("unit", std::string_view(label.unit));
+  json.key("branches");
+  write_branches(json, axis.branches);
+  if (family && has_values(axis.quantity)) {
+    const RegionMap& region = solution.region;
+    json.key("values");
+    json.begin_list(Layout::one_line);
+    for (const double tau :
+         side == LinkageFamily::Side::input ? region.input_coordinates() : region.output_coordinates())
+      json.value(family->axis_value(side, tau));
+    json.end_list();
   }
-  json.end_list();
+  json.end_object();
 }
 
-void write_region(JsonWriter& json, const Solution& solution, bool with_arrays) {
+void write_region(JsonWriter& json, const Problem& problem, const Solution& solution, bool with_arrays) {
   const RegionMap& region = solution.region;
   json.begin_object();
   json.member("samples", static_cast<std::int64_t>(region.rows()));
   write_numbers(json, "input_coordinate", region.input_coordinates());
   write_numbers(json, "output_coordinate", region.output_coordinates());
   json.key("axes");
-  write_axes(json);
+  json.begin_list();
+  for (const auto side : {LinkageFamily::Side::input, LinkageFamily::Side::output})
+    write_axis(json, problem, solution, side);
+  json.end_list();
   json.key("counts");
   write_counts(json, solution.counts);
   json.member("meeting_requirements", solution.meeting_requirements);
@@ -210,6 +159,42 @@ void write_relaxations(JsonWriter& json, const std::vector<Relaxation>& relaxati
   json.end_list();
 }
 
+void write_four_bars(JsonWriter& json, const std::vector<FourBarSolution>& list, const TaskFamily& given) {
+  json.begin_list();
+  for (const FourBarSolution& found : list) write_four_bar(json, found, given.frame(), notes_on(found, given));
+  json.end_list();
+}
+
+void write_way_out(JsonWriter& json, const FreedPosition& way_out, const MotionTask& task, const WorkingFrame& frame) {
+  json.begin_object();
+  json.member("pose", static_cast<int>(way_out.pose) + 1);
+  json.key("reason");
+  way_out.reason ? json.value(std::string_view(way_out.reason->message)) : json.null();
+  json.member("meeting_requirements", way_out.meeting);
+  json.key("miss");
+  if (way_out.linkage) {
+    json.begin_object(Layout::one_line);
+    json.member("distance", way_out.miss.distance);
+    json.member("angle_deg", degrees(way_out.miss.angle));
+    json.member("combined", way_out.combined);
+    json.end_object();
+  } else {
+    json.null();
+  }
+  json.key("linkage");
+  way_out.linkage ? write_four_bar(json, *way_out.linkage, frame, {{}, freed_task(task, way_out.pose).task.poses, {}})
+                  : json.null();
+  json.end_object();
+}
+
+void write_ways_out(JsonWriter& json, const Problem& problem, const Solution& solution) {
+  json.begin_list();
+  if (const auto* motion = std::get_if<MotionTask>(&problem.task)) {
+    for (const FreedPosition& way_out : solution.freed) write_way_out(json, way_out, *motion, solution.given.frame());
+  }
+  json.end_list();
+}
+
 Problem as_solved(const Problem& problem, const Solution& solution) {
   Problem used = problem;
   used.requirements = solution.requirements;
@@ -217,7 +202,7 @@ Problem as_solved(const Problem& problem, const Solution& solution) {
   return used;
 }
 
-void write_answer(JsonWriter& json, const Solution& solution, bool with_region) {
+void write_answer(JsonWriter& json, const Problem& problem, const Solution& solution, bool with_region) {
   json.member("status", name(solution.status));
   json.member("reason", std::string_view(solution.reason.message));
   json.member("pattern", std::string_view(solution.given.pattern));
@@ -226,16 +211,17 @@ void write_answer(JsonWriter& json, const Solution& solution, bool with_region) 
   json.key("warnings");
   write_warnings(json, solution.given.warnings);
   json.key("curve");
-  write_curve(json, solution);
+  write_curve(json, problem.task, solution);
   json.key("dyads");
-  json.begin_list();  // five positions only
-  json.end_list();
+  write_burmester_points(json, solution.given);
   json.key("region");
-  write_region(json, solution, with_region);
+  write_region(json, problem, solution, with_region);
   json.key("linkages");
-  json.begin_list();
-  for (const FourBarSolution& found : solution.linkages) write_four_bar(json, found, solution.given.frame());
-  json.end_list();
+  write_four_bars(json, solution.linkages, solution.given);
+  json.key("pairs");
+  write_four_bars(json, solution.pairs, solution.given);
+  json.key("freed");
+  write_ways_out(json, problem, solution);
   json.key("relax");
   write_relaxations(json, solution.relax);
 }
@@ -260,7 +246,7 @@ void write_result(const TextSink& sink, const Problem& problem, const Solution& 
   json.member("linkwright", file_version);
   json.key("problem");
   write_problem(json, as_solved(problem, solution));
-  write_answer(json, solution, with_region);
+  write_answer(json, problem, solution, with_region);
   json.end_object();
 }
 

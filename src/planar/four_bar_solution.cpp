@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linkwright/analysis/drive_through.hpp"
+#include "linkwright/analysis/pose_visits.hpp"
 
 namespace linkwright {
 namespace {
@@ -64,6 +65,12 @@ std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlac
     solution.verified_by_driving = driven.completed && driven.defects == solution.report.defects;
   }
   return solution;
+}
+
+std::optional<Notice> defect_notice(const FourBarSolution& found, const TaskFamily& given) {
+  if (found.report.defects.none()) return std::nullopt;
+  const auto poses = given.family->user_poses({found.input.coordinate, found.output.coordinate}, found.four_bar);
+  return defect_notice(found.report.defects, pose_visits(found.four_bar, poses));
 }
 
 }  // namespace linkwright

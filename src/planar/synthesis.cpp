@@ -61,7 +61,20 @@ std::string percent(std::int64_t part, std::int64_t whole) {
   return share < 1 ? "under 1 %" : fmt::format("{:.0f} %", share);
 }
 
-Notice nothing_defect_free(const Solution& solution) {
+/// How a kind of task is spoken of: sentences with places for numbers.
+struct TaskWords {
+  std::string_view solved = "{} four-bars pass through all poses; {} are free of defects; {} meet all requirements.";
+  std::string_view none_defect_free = "{} four-bars pass through all poses and none is free of defects: {}.";
+  std::string_view lock = "lock between two poses (branch)";
+  std::string_view ways_out = "Try another order of the poses, {}allow a defect (no_defects: false), or move a pose.";
+};
+
+constexpr TaskWords function_words = {
+    "Four-bars that generate all pairs: {}; free of defects: {}; meeting all requirements: {}.",
+    "None of the four-bars that generate all pairs ({}) is free of defects: {}.", "lock between two pairs (branch)",
+    "Try other pairs or other ranges of the dials, leave a number free, or allow a defect (no_defects: false)."};
+
+Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
   const RegionCounts& counts = solution.counts;
   const bool directed =
       solution.requirements.respect_direction && solution.given.pattern.find("PP") != std::string::npos;
@@ -71,13 +84,12 @@ Notice nothing_defect_free(const Solution& solution) {
     if (cells > 0) causes.push_back(fmt::format("{} {}", percent(cells, whole), what));
   };
   blame(counts.circuit, "need taking apart (circuit)");
-  blame(counts.branch - counts.circuit, "lock between two poses (branch)");
+  blame(counts.branch - counts.circuit, words.lock);
   blame(counts.order, directed ? "visit them in another order, or against a direction" : "visit them in another order");
   return {"none_defect_free",
-          fmt::format("{} four-bars pass through all poses and none is free of defects: {}. Try another order of the "
-                      "poses, {}allow a defect (no_defects: false), or move a pose.",
-                      whole, fmt::join(causes, ", "),
-                      directed ? "turn a direction round or let none count (respect_direction: false), " : ""),
+          fmt::format(fmt::runtime(words.none_defect_free), whole, fmt::join(causes, ", ")) + " " +
+              fmt::format(fmt::runtime(words.ways_out),
+                          directed ? "turn a direction round or let none count (respect_direction: false), " : ""),
           {{"count", static_cast<double>(whole)}}};
 }
 
@@ -96,7 +108,7 @@ Notice nothing_left(const Solution& solution) {
   return notice;
 }
 
-void judge(Solution& solution) {
+void judge(Solution& solution, const TaskWords& words) {
   const RegionCounts& counts = solution.counts;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   if (whole == 0) {
@@ -106,14 +118,13 @@ void judge(Solution& solution) {
         "No pair of side links makes a four-bar: in every pair a pivot is at infinity or a link has no length.",
         {}};
   } else if (counts.defect_free == 0 && solution.requirements.no_defects) {
-    solution.reason = nothing_defect_free(solution);
+    solution.reason = nothing_defect_free(solution, words);
   } else if (solution.meeting_requirements == 0) {
     solution.reason = nothing_left(solution);
   } else {
     solution.reason = {
         "solved",
-        fmt::format("{} four-bars pass through all poses; {} are free of defects; {} meet all requirements.", whole,
-                    counts.defect_free, solution.meeting_requirements),
+        fmt::format(fmt::runtime(words.solved), whole, counts.defect_free, solution.meeting_requirements),
         {{"count", static_cast<double>(whole)},
          {"defect_free", static_cast<double>(counts.defect_free)},
          {"meeting", static_cast<double>(solution.meeting_requirements)}}};
@@ -168,7 +179,7 @@ Result<Solution> solve_of_kind(const SixBarTask& task, const Requirements& requi
 }
 
 Result<Solution> solve_family(TaskFamily family, const Requirements& requirements, const SynthesisOptions& options,
-                              const Progress& progress) {
+                              const Progress& progress, const TaskWords& words = {}) {
   Solution solution;
   solution.given = std::move(family);
   const TaskFamily& given = solution.given;
@@ -192,7 +203,7 @@ Result<Solution> solve_family(TaskFamily family, const Requirements& requirement
   solution.linkages = best_linkages(solution, filter, progress);
   if (!given.points.empty() && !given.curve) solution.pairs = all_pairs(solution);
   if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
-  judge(solution);
+  judge(solution, words);
   progress(1);
   return solution;
 }
@@ -222,16 +233,40 @@ std::vector<FourBarSolution> generators(const FunctionFamily& family, const Solu
   return found;
 }
 
+// Where driving a generator free of defects confirms it, it must also have brought the output to each pair.
+void measure_function(FourBarSolution& found, const FunctionFamily& family) {
+  constexpr double right = 1e-6;  // radians; close to a dead point rounding of the input shows this much
+  found.function = function_error(found.four_bar, family.task_at({found.input.coordinate, found.output.coordinate}));
+  if (found.report.defects.none())
+    found.verified_by_driving =
+        found.verified_by_driving && found.function->reaches_pairs && found.function->precision_error <= right;
+}
+
+// Five precision points: the few linkages there are, whatever their defects.
+std::vector<FourBarSolution> all_generators(const Solution& solution) {
+  constexpr bool verify = true;
+  const LinkageFamily& family = *solution.given.family;
+  std::vector<FourBarSolution> found;
+  if (family.axis(LinkageFamily::Side::input).quantity != AxisQuantity::burmester_point) return found;
+  const double only = family.samples(LinkageFamily::Side::output, 0, Spacing::coordinate).front();
+  for (const double place : family.samples(LinkageFamily::Side::input, 0, Spacing::coordinate))
+    if (auto made = make_four_bar(solution.given, {place, only}, solution.requirements.respect_direction, verify))
+      found.push_back(*std::move(made));
+  std::sort(found.begin(), found.end(), is_better);
+  return found;
+}
+
 // The input is the task's, and so are the ground pivots: what is left to measure is the function.
 Result<Solution> solve_of_kind(const FunctionTask& task, const Requirements& requirements,
                                const SynthesisOptions& options, const Progress& progress) {
   const TaskFamily given = task_family(task);
   const auto family = std::dynamic_pointer_cast<const FunctionFamily>(given.family);
-  Result<Solution> solved = solve_family(given, requirements, options, progress);
+  Result<Solution> solved = solve_family(given, requirements, options, progress, function_words);
   if (!solved || !family) return solved;
   if (options.objective == Objective::structural_error) solved->linkages = generators(*family, *solved, progress);
-  for (FourBarSolution& found : solved->linkages)
-    found.function = function_error(found.four_bar, family->task_at({found.input.coordinate, found.output.coordinate}));
+  solved->pairs = all_generators(*solved);
+  for (std::vector<FourBarSolution>* list : {&solved->linkages, &solved->pairs})
+    for (FourBarSolution& found : *list) measure_function(found, *family);
   return solved;
 }
 

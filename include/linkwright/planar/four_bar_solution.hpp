@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "linkwright/analysis/defects.hpp"
+#include "linkwright/core/notice.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/planar/function_error.hpp"
@@ -35,5 +36,8 @@ struct FourBarSolution {
 /// as well. Nothing where the task has none there, a pivot is at infinity or a link has no length.
 [[nodiscard]] std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlace place,
                                                            bool respect_direction, bool verify);
+
+/// Why a four-bar of the task's map does not do the task (analysis/pose_visits.hpp); nothing without defects.
+[[nodiscard]] std::optional<Notice> defect_notice(const FourBarSolution& found, const TaskFamily& given);
 
 }  // namespace linkwright

@@ -61,11 +61,12 @@ struct Solution {
   std::vector<Dyad> samples;  ///< of the curve, fixed frame, by rising τ
   RegionMap region;
   RegionCounts counts;
-  Requirements requirements;                 ///< as used: defaults filled in
-  SynthesisOptions options;                  ///< as used
-  std::int64_t meeting_requirements = 0;     ///< cells
-  std::vector<FourBarSolution> linkages;     ///< best first
-  std::vector<FourBarSolution> pairs;        ///< five positions: every pair of dyads, whatever its defects, best first
+  Requirements requirements;              ///< as used: defaults filled in
+  SynthesisOptions options;               ///< as used
+  std::int64_t meeting_requirements = 0;  ///< cells
+  std::vector<FourBarSolution> linkages;  ///< best first
+  /// Five positions: every pair of dyads, whatever its defects, best first; five precision points: every linkage.
+  std::vector<FourBarSolution> pairs;
   std::vector<FreedPosition> freed;          ///< five positions, no linkage that meets the requirements: the ways out
   std::vector<SixBarSolution> six_bars;      ///< six-bar tasks, best first
   std::optional<SixBarSearchResult> search;  ///< six-bars without a given chain: how it went, its linkages moved out

@@ -1,0 +1,72 @@
+#include "function_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/io/number_text.hpp"
+#include "text_table.hpp"
+
+namespace linkwright::cli {
+namespace {
+
+constexpr int digits = 3;
+
+using Side = LinkageFamily::Side;
+
+std::string angle(double radians) { return rounded_text(degrees(radians), 2) + "°"; }
+std::string small_angle(double radians) { return significant_text(degrees(radians), digits) + "°"; }
+
+std::string precision_text(const FunctionError& error) {
+  return error.reaches_pairs ? small_angle(error.precision_error) : "not reached";
+}
+
+std::string reach_text(const FunctionError& error) {
+  if (error.samples.empty()) return "–";  // only pairs are given
+  if (error.unreached.empty()) return "whole range";
+  std::string text = "not";
+  for (const AngleRange& gap : error.unreached) text += fmt::format(" {}…{}", angle(gap.from), angle(gap.to));
+  return text;
+}
+
+bool has_free_number(const Solution& solution) {
+  const AxisQuantity quantity = solution.given.family->axis(Side::output).quantity;
+  return quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output;
+}
+
+std::string free_text(const Solution& solution, const FourBarSolution& found) {
+  const LinkageFamily& family = *solution.given.family;
+  const std::string value = significant_text(family.axis_value(Side::output, found.output.coordinate), 5);
+  return family.axis(Side::output).quantity == AxisQuantity::pair_output ? value + "°" : "× " + value;
+}
+
+}  // namespace
+
+std::string function_error_words(const Solution& solution) {
+  if (solution.linkages.empty() || !solution.linkages.front().function) return "";
+  const bool with_free = has_free_number(solution);
+  if (solution.linkages.front().function->samples.empty() && !with_free) return "";  // only pairs, which are exact
+  std::vector<std::string> headings = {"#", "at the pairs", "structural error", "at input", "<reach"};
+  if (with_free) headings.insert(headings.begin() + 1, "output");
+  TextTable table(headings);
+  for (std::size_t i = 0; i < solution.linkages.size(); ++i) {
+    const FourBarSolution& found = solution.linkages[i];
+    if (!found.function) continue;
+    const FunctionError& error = *found.function;
+    std::vector<std::string> cells = {fmt::format("{}", i + 1), precision_text(error),
+                                      error.max_structural_error ? small_angle(*error.max_structural_error) : "–",
+                                      error.max_structural_error ? angle(error.worst_input) : "–", reach_text(error)};
+    if (with_free) cells.insert(cells.begin() + 1, free_text(solution, found));
+    table.add_row(std::move(cells));
+  }
+  return "Largest errors of the output, generated less wanted, over the range:\n" + table.text();
+}
+
+std::string precision_words(const Solution& solution) {
+  double worst = 0;
+  for (const FourBarSolution& found : solution.linkages)
+    if (found.function) worst = std::max(worst, found.function->precision_error);
+  return fmt::format("the output stands right at every pair reached to {}", small_angle(worst));
+}
+
+}  // namespace linkwright::cli

@@ -1,0 +1,120 @@
+#include "pair_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "four_bar_columns.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/io/label.hpp"
+#include "linkwright/io/number_text.hpp"
+#include "text_table.hpp"
+
+namespace linkwright::cli {
+namespace {
+
+constexpr int condition_digits = 2;
+
+std::string point_or_direction(Homogeneous point, const WorkingFrame& frame, int decimals) {
+  if (is_at_infinity(frame.to_working(point)))
+    return fmt::format("at infinity, {}°", rounded_text(degrees(std::atan2(point.y, point.x)), 1));
+  return pivot_text({point.x / point.w, point.y / point.w}, decimals);
+}
+
+std::string length_or_slider(const Dyad& dyad, const WorkingFrame& frame, int decimals) {
+  if (is_at_infinity(frame.to_working(dyad.center)) || is_at_infinity(frame.to_working(dyad.circle))) return "slider";
+  const Point link = dyad.circle.vector() / dyad.circle.w - dyad.center.vector() / dyad.center.w;
+  return rounded_text(std::abs(link), decimals);
+}
+
+/// Number of a side link or linkage from its place on the axis.
+int number_at(double coordinate) { return static_cast<int>(std::floor(coordinate)) + 1; }
+
+std::string pair_name(const FourBarSolution& found) {
+  const int input = number_at(found.input.coordinate);
+  return found.function ? fmt::format("{}", input) : fmt::format("{}–{}", input, number_at(found.output.coordinate));
+}
+
+std::string pair_table(const Solution& solution) {
+  const int decimals = decimals_for(solution.pairs);
+  const bool are_functions = solution.pairs.front().function.has_value();
+  TextTable table({are_functions ? "#" : "pair", "<type", "<drive", "γ", "γ turn", "ratio", "ground", "input",
+                   "coupler", "output"});
+  for (const FourBarSolution& found : solution.pairs) {
+    std::vector<std::string> cells = {pair_name(found), std::string(short_label(found.report.type)),
+                                      drive_text(found.report), task_gamma(found.report),
+                                      full_turn_gamma(found.report)};
+    for (std::string& cell : length_cells(found.lengths, decimals)) cells.push_back(std::move(cell));
+    table.add_row(std::move(cells));
+  }
+  return table.text();
+}
+
+std::string reasons(const Solution& solution) {
+  std::string text;
+  for (const FourBarSolution& found : solution.pairs) {
+    const auto reason = defect_notice(found, solution.given);
+    if (reason) text += wrapped(fmt::format("  {}: {}", pair_name(found), reason->message), 6);
+  }
+  return text.empty() ? "" : "Why they fail:\n" + text;
+}
+
+std::string sliders_among(const Solution& solution) {
+  const std::size_t links = solution.given.points.size(), whole = links * (links - 1) / 2;
+  if (links < 2 || solution.pairs.size() == whole) return "";
+  return wrapped(fmt::format("{} of {} pairs {} no four-bar: a pivot lies at infinity, or a link has no length.",
+                             whole - solution.pairs.size(), whole, whole - solution.pairs.size() == 1 ? "is" : "are"));
+}
+
+std::string length_words(double length, std::string_view unit) {
+  const std::string number = significant_text(length, 3);
+  return unit.empty() ? number : fmt::format("{} {}", number, unit);
+}
+
+std::string way_out_words(const FreedPosition& way, const Requirements& requirements, std::string_view unit) {
+  const std::string start = fmt::format("  Free position {}: ", way.pose + 1);
+  if (!way.linkage) return wrapped(start + (way.reason ? way.reason->message : "nothing was found."), 4);
+  const FourBarSolution& found = *way.linkage;
+  return wrapped(fmt::format("{}the nearest four-bar{} misses it by {} and {}° ({}, γ {}).", start,
+                             requirements.no_defects ? " free of defects" : "", length_words(way.miss.distance, unit),
+                             significant_text(degrees(way.miss.angle), 3), short_label(found.report.type),
+                             task_gamma(found.report)),
+                 4);
+}
+
+}  // namespace
+
+std::string side_link_words(const Solution& solution) {
+  const TaskFamily& given = solution.given;
+  if (given.points.empty()) return "";
+  const int decimals = std::min(length_decimals(given.frame().scale), 9);
+  TextTable table({"#", "fixed pivot", "moving pivot", "length", "multiplicity", "condition"});
+  for (std::size_t i = 0; i < given.points.size(); ++i) {
+    const BurmesterPoint& point = given.points[i];
+    const Dyad dyad = given.frame().to_user(point.dyad);
+    table.add_row({fmt::format("{}", i + 1), point_or_direction(dyad.center, given.frame(), decimals),
+                   point_or_direction(dyad.circle, given.frame(), decimals),
+                   length_or_slider(dyad, given.frame(), decimals), fmt::format("{}", point.multiplicity),
+                   significant_text(point.condition, condition_digits)});
+  }
+  return "\nSide links through all five positions, moving pivots as they lie in position 1:\n" + table.text();
+}
+
+std::string pair_words(const Problem& problem, const Solution& solution) {
+  const bool all_are_listed = solution.pairs.size() == solution.linkages.size();
+  if (solution.pairs.empty() || (all_are_listed && solution.pairs.front().function)) return "";
+  const bool are_functions = std::holds_alternative<FunctionTask>(problem.task);
+  const std::string_view heading = are_functions ? "All linkages through the five precision points, best first:\n"
+                                                 : "Their pairs as four-bars, the first of each drives, best first:\n";
+  return fmt::format("\n{}", heading) + pair_table(solution) + sliders_among(solution) + reasons(solution);
+}
+
+std::string ways_out_words(const Problem& problem, const Solution& solution) {
+  if (solution.freed.empty()) return "";
+  std::string text = "\nWays out, nearest first: four-bars through four of the positions that meet the requirements.\n";
+  for (const FreedPosition& way : solution.freed)
+    text += way_out_words(way, solution.requirements, problem.length_unit);
+  return text + wrapped("Leave such a position out of the task to see all the four-bars that are left.");
+}
+
+}  // namespace linkwright::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "linkwright/io/problem_file.hpp"
+#include "linkwright/planar/synthesis.hpp"
+
+namespace linkwright::cli {
+
+/// Five positions: the table of side links. Empty for other tasks.
+[[nodiscard]] std::string side_link_words(const Solution& solution);
+
+/// Five positions: every pair as a four-bar, and why it fails; five precision points: every linkage. Empty for others.
+[[nodiscard]] std::string pair_words(const Problem& problem, const Solution& solution);
+
+/// What freeing one of five positions comes to; empty where nothing was tried.
+[[nodiscard]] std::string ways_out_words(const Problem& problem, const Solution& solution);
+
+}  // namespace linkwright::cli
