@@ -36,15 +36,13 @@ void write_relaxation(JsonWriter& json, const Relaxation& relaxation) {
 
 }  // namespace
 
-void JudgedMap::classify(const LinkageFamily& family, std::span<const double> input, std::span<const double> output,
-                         bool respect_direction) {
-  family.classify(map_, input, output, respect_direction);
+void JudgedMap::classify(const std::function<void(RegionMap&)>& fill) {
+  fill(map_);
   counts_ = map_.counts();
   values_.clear();
 }
 
-void JudgedMap::judge(const LinkageFamily& family, const Requirements& wanted) {
-  const RequirementFilter filter = filter_of(family, map_, wanted);
+void JudgedMap::judge(const RequirementFilter& filter) {
   fails_.resize(map_.rows() * map_.columns());
   filter.failures_of_all(fails_);
   census_ = filter.census(fails_);

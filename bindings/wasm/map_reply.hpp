@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,9 @@ namespace linkwright::wasm {
 class JudgedMap {
  public:
   /// Takes over the memory of the map before.
-  void classify(const LinkageFamily& family, std::span<const double> input, std::span<const double> output,
-                bool respect_direction);
-  /// `wanted` with max_length set.
-  void judge(const LinkageFamily& family, const Requirements& wanted);
+  void classify(const std::function<void(RegionMap&)>& fill);
+  /// `filter` of map().
+  void judge(const RequirementFilter& filter);
   void measure(CellProperty property);
   /// By how much each cell that passes misses a freed pose; 0 of the others.
   void measure_miss(const LinkageFamily& family, const FreedPose& freed);

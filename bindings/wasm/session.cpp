@@ -35,6 +35,19 @@ TaskFamily family_of(const Problem& problem) {
   return {};
 }
 
+// With a free number the curve is another at each value of it.
+bool lies_along_its_curve(const TaskFamily& task, LinkageFamily::Side side) {
+  if (!task.curve || !task.family) return task.curve != nullptr;
+  const FamilyAxis& axis = task.family->axis(side);
+  return axis.quantity == AxisQuantity::curve_coordinate && axis.branches.size() == task.curve->branches().size();
+}
+
+// Those of the usual map, so that its cells are solve()'s.
+constexpr int samples_of_an_order = 400;
+
+// Each cell of such a map is driven through.
+constexpr int most_six_bar_samples = 60;
+
 constexpr std::array<double, 2> whole = {0, 1};
 
 const Notice no_pair = {
@@ -54,7 +67,9 @@ bool Session::set_problem(std::string_view text) {
       given_ && task_text(problem_.task) == task_text(read->task) && !depends_on_requirements(read->task);
   problem_ = std::move(*read);
   if (!unchanged) {
-    given_ = family_of(problem_);
+    const auto* six_bar = std::get_if<SixBarTask>(&problem_.task);
+    six_bars_ = six_bar ? std::optional<SixBarMap>(*six_bar) : std::nullopt;
+    given_ = six_bars_ ? six_bars_->given() : family_of(problem_);
     drawn_.reset();
     mapped_.reset();
   }
@@ -75,18 +90,35 @@ const TaskFamily& Session::given() const {
 
 const std::vector<PrescribedPose>& Session::poses() const {
   static const std::vector<PrescribedPose> none;
+  if (const auto* six_bar = std::get_if<SixBarTask>(&problem_.task)) return six_bar->poses;
   const auto* motion = std::get_if<MotionTask>(&problem_.task);
   return motion ? motion->poses : none;
 }
 
-const MapOrders& Session::orders() const {
-  if (!orders_) std::abort();  // the axes are ordered before a map is made
-  return *orders_;
+bool Session::has_map() const { return given().family || (six_bars_ && six_bars_->has_chain()); }
+
+void Session::classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const {
+  if (six_bars_) return six_bars_->classify(map, input, output);
+  given().family->classify(map, input, output, requirements_.respect_direction);
+}
+
+RequirementFilter Session::filter(const RegionMap& map) const {
+  if (six_bars_) return six_bars_->filter(map, requirements_);
+  return filter_of(*given().family, map, requirements_);
+}
+
+const MapAxes& Session::axes() const {
+  if (!axes_) std::abort();  // the axes are ordered before a map is made
+  return *axes_;
 }
 
 const Session::Drawn& Session::drawn() {
   if (!drawn_) {
     drawn_.emplace();
+    if (six_bars_) {
+      *drawn_ = {six_bars_->drawn(Side::input), six_bars_->drawn(Side::output), false};
+      return *drawn_;
+    }
     drawn_->input = drawn_curves(poses(), given(), Side::input);
     drawn_->same = !given().family || given().family->is_symmetric();
     if (!drawn_->same) drawn_->output = drawn_curves(poses(), given(), Side::output);
@@ -94,44 +126,61 @@ const Session::Drawn& Session::drawn() {
   return *drawn_;
 }
 
-DisplayOrder Session::ordered(const ExploreRequest& request, Side side) const {
+MapAxis Session::ordered(const ExploreRequest& request, Side side) const {
   const TaskFamily& task = given();
-  if (!task.curve) return DisplayOrder(task.family ? task.family->axis(side).branches : std::vector<CurveBranch>{});
+  MapAxis ordered;
+  if (task.family) {
+    ordered.axis = task.family->axis(side);
+    ordered.ticks = axis_ticks(*task.family, side);
+  } else if (task.curve) {
+    ordered.axis.branches = task.curve->branches();
+  }
   const Spacing spacing = problem_.options.spacing;
-  if (request.order == ExploreRequest::nearest_order && orders_)
-    return DisplayOrder::nearest(*task.curve, spacing, task.frame(), orders_->of(side));
-  return DisplayOrder(*task.curve, spacing, task.frame(), std::max(request.order, 0));
+  if (!lies_along_its_curve(task, side))
+    ordered.order = task.family && !ordered.axis.is_discrete()
+                        ? DisplayOrder(ordered.axis.branches, task.family->samples(side, samples_of_an_order, spacing))
+                        : DisplayOrder(ordered.axis.branches);
+  else if (request.order == ExploreRequest::nearest_order && axes_)
+    ordered.order = DisplayOrder::nearest(*task.curve, spacing, task.frame(), axes_->of(side).order);
+  else
+    ordered.order = DisplayOrder(*task.curve, spacing, task.frame(), std::max(request.order, 0));
+  return ordered;
 }
 
 void Session::order_axes(const ExploreRequest& request) {
-  DisplayOrder input = ordered(request, Side::input);
+  if (six_bars_) {
+    axes_ = six_bars_->axes();
+    return;
+  }
+  MapAxis input = ordered(request, Side::input);
   const bool same = !given().family || given().family->is_symmetric();
-  DisplayOrder output = same ? input : ordered(request, Side::output);
-  orders_ = MapOrders{std::move(input), std::move(output)};
+  MapAxis output = same ? input : ordered(request, Side::output);
+  axes_ = MapAxes{std::move(input), std::move(output), same};
 }
 
 std::vector<double> Session::coordinates(const ExploreRequest& request, Side side) const {
   const auto& [from, to] = side == Side::input ? request.input : request.output;
-  const LinkageFamily& family = *given().family;
-  const DisplayOrder& order = orders().of(side);
-  if (family.axis(side).is_discrete()) return family.samples(side, request.samples, Spacing::coordinate);
-  if (given().curve && from == whole[0] && to == whole[1]) return order.samples(*given().curve, request.samples);
+  const MapAxis& axis = axes().of(side);
+  const DisplayOrder& order = axis.order;
+  if (six_bars_) return order.samples(std::min(request.samples, most_six_bar_samples), from, to);
+  if (axis.axis.is_discrete()) return given().family->samples(side, request.samples, Spacing::coordinate);
+  if (lies_along_its_curve(given(), side) && from == whole[0] && to == whole[1])
+    return order.samples(*given().curve, request.samples);
   return order.samples(request.samples, from, to);
 }
 
 void Session::compute_map(const ExploreRequest& request) {
-  const LinkageFamily& family = *given().family;
-  const MapKey wanted{request.samples, orders().input.code(),    request.input,
-                      request.output,  problem_.options.spacing, requirements_.respect_direction};
+  const MapKey wanted{request.samples, axes().input.order.code(), request.input,
+                      request.output,  problem_.options.spacing,  requirements_.respect_direction};
   if (mapped_ != wanted) {
     input_tau_ = coordinates(request, Side::input);
     output_tau_ = coordinates(request, Side::output);
-    map_.classify(family, input_tau_, output_tau_, requirements_.respect_direction);
+    map_.classify([&](RegionMap& map) { classify(map, input_tau_, output_tau_); });
     mapped_ = wanted;
   }
-  map_.judge(family, requirements_);
+  map_.judge(filter(map_.map()));
   if (request.pose_miss && given().freed)
-    map_.measure_miss(family, *given().freed);
+    map_.measure_miss(*given().family, *given().freed);
   else
     map_.measure(request.property);
 }
@@ -143,7 +192,7 @@ ExploreReply Session::explore(const ExploreRequest& request) {
   reply.output_curves = drawn().same ? nullptr : &drawn().output;
   std::string_view status = "solved";
   const Notice* reason = nullptr;
-  if (!given().family) {
+  if (!has_map()) {
     status = "degenerate";
     reason = &given().degeneracy.value();
   } else {
@@ -159,13 +208,18 @@ ExploreReply Session::explore(const ExploreRequest& request) {
       reason = &no_pair;
     }
   }
-  reply.task = task_json(given(), drawn().input.marks, orders(), requirements_, status, reason);
+  reply.task = task_json(given(), drawn().input.marks, axes(), requirements_, status, reason);
   return reply;
 }
 
 LinkageReply Session::linkage(double input_tau, double output_tau) {
   LinkageReply reply;
-  if (!given().family) return reply;
+  if (!has_map()) return reply;
+  if (six_bars_) {
+    const std::uint8_t fails = failures(cell_, std::array{input_tau}, std::array{output_tau}).front();
+    SixBarReply six_bar = six_bar_reply(poses(), six_bars_->at(input_tau, output_tau), {input_tau, output_tau}, fails);
+    return {std::move(six_bar.linkage), std::move(six_bar.states)};
+  }
   PickedLinkage picked = picked_linkage(given(), {input_tau, output_tau}, requirements_.respect_direction);
   // By the map's own kernel, so that the card and the cell agree to the last bit.
   picked.fails = failures(cell_, std::array{input_tau}, std::array{output_tau}).front();
@@ -176,10 +230,9 @@ LinkageReply Session::linkage(double input_tau, double output_tau) {
 
 std::vector<std::uint8_t> Session::failures(RegionMap& map, std::span<const double> input,
                                             std::span<const double> output) const {
-  const LinkageFamily& family = *given().family;
-  family.classify(map, input, output, requirements_.respect_direction);
+  classify(map, input, output);
   std::vector<std::uint8_t> found(map.rows() * map.columns());
-  filter_of(family, map, requirements_).failures_of_all(found);
+  filter(map).failures_of_all(found);
   return found;
 }
 
@@ -201,6 +254,31 @@ std::vector<std::uint32_t> Session::halo(const HaloRequest& request) const {
                       : halo.moved(pose, request.reach, request.steps);
 }
 
+namespace {
+
+SixBarTask with_chain(SixBarTask task, const ThreeLinkChain& chain) {
+  task.chain = chain;
+  return task;
+}
+
+// With their chains: of a search each has one of its own.
+void write_six_bars(JsonWriter& json, const SixBarTask& task, const Solution& solution) {
+  for (const SixBarSolution& found : solution.six_bars) {
+    json.begin_object(JsonWriter::Layout::one_line);
+    json.key("tau");
+    write_numbers(json, SixBarMap(with_chain(task, found.chain)).place_of(found));
+    json.member("type", name(found.rating.shape.type));
+    json.member("min_transmission_angle_deg", degrees(found.rating.min_transmission_angle()));
+    json.member("link_ratio", found.rating.shape.link_ratio);
+    json.member("longest", found.rating.shape.longest);
+    json.key("chain");
+    write_chain(json, found.chain);
+    json.end_object();
+  }
+}
+
+}  // namespace
+
 std::string Session::best(int most) const {
   SynthesisOptions options = problem_.options;
   options.region_samples = 400;
@@ -209,6 +287,8 @@ std::string Session::best(int most) const {
   const auto solution = solve(problem_.task, problem_.requirements, options);
   return json_of([&](JsonWriter& json) {
     json.begin_list();
+    if (const auto* six_bar = std::get_if<SixBarTask>(&problem_.task); six_bar && solution)
+      write_six_bars(json, *six_bar, *solution);
     for (const FourBarSolution& found : solution ? solution->linkages : std::vector<FourBarSolution>{}) {
       json.begin_object(JsonWriter::Layout::one_line);
       json.key("tau");
@@ -237,6 +317,15 @@ std::string Session::improve(double input_tau, double output_tau) {
 }
 
 std::string Session::verify(double input_tau, double output_tau) {
+  if (six_bars_) {
+    const auto found = six_bars_->at(input_tau, output_tau);
+    return json_of([&](JsonWriter& json) {
+      json.begin_object();
+      json.member("verified", found && found->verified_by_driving);
+      json.member("residual", found ? found->residual * found->rating.shape.longest : 0.0);
+      json.end_object();
+    });
+  }
   constexpr bool by_driving = true;
   const auto driven = make_four_bar(given(), {input_tau, output_tau}, requirements_.respect_direction, by_driving);
   return json_of([&](JsonWriter& json) {
@@ -251,6 +340,7 @@ std::string Session::verify(double input_tau, double output_tau) {
 
 std::vector<double> Session::trace(double input_tau, double output_tau, Point traced) {
   std::vector<double> path;
+  if (six_bars_) return six_bar_trace(poses(), six_bars_->at(input_tau, output_tau), traced);
   if (!given().family) return path;
   const PickedLinkage picked = picked_linkage(given(), {input_tau, output_tau}, requirements_.respect_direction);
   if (!picked.bars) return path;

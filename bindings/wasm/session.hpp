@@ -12,6 +12,7 @@
 #include "linkwright/planar/display_order.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "map_reply.hpp"
+#include "six_bar_map.hpp"
 #include "task_reply.hpp"
 
 namespace linkwright::wasm {
@@ -81,14 +82,17 @@ class Session {
     bool same = true;
   };
 
+  [[nodiscard]] bool has_map() const;
+  void classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const;
+  [[nodiscard]] RequirementFilter filter(const RegionMap& map) const;
   void order_axes(const ExploreRequest& request);
-  [[nodiscard]] DisplayOrder ordered(const ExploreRequest& request, Side side) const;
+  [[nodiscard]] MapAxis ordered(const ExploreRequest& request, Side side) const;
   [[nodiscard]] std::vector<double> coordinates(const ExploreRequest& request, Side side) const;
   void compute_map(const ExploreRequest& request);
   [[nodiscard]] const TaskFamily& given() const;
   /// Of a motion task; otherwise none.
   [[nodiscard]] const std::vector<PrescribedPose>& poses() const;
-  [[nodiscard]] const MapOrders& orders() const;
+  [[nodiscard]] const MapAxes& axes() const;
   [[nodiscard]] const Drawn& drawn();
   /// Requirements failed by each cell of a map.
   [[nodiscard]] std::vector<std::uint8_t> failures(RegionMap& map, std::span<const double> input,
@@ -98,8 +102,9 @@ class Session {
   Problem problem_;
   Requirements requirements_;  ///< the problem's, defaults filled in
   std::optional<TaskFamily> given_;
+  std::optional<SixBarMap> six_bars_;  ///< of six-bar tasks, whose given_ has no family
   std::optional<Drawn> drawn_;
-  std::optional<MapOrders> orders_;
+  std::optional<MapAxes> axes_;
 
   struct MapKey {
     int samples = 0, order = 0;

@@ -36,30 +36,23 @@ void write_block(JsonWriter& json, const OrderBlock& block) {
   json.end_object();
 }
 
-/// What people read along the axis, at even steps of each branch.
-void write_ticks(JsonWriter& json, const LinkageFamily& family, Side side) {
-  json.begin_list(Layout::one_line);
-  for (const CurveBranch& branch : family.axis(side).branches)
-    for (int i = 0; i < ticks_of_a_branch; ++i) {
-      const double tau = branch.from + (branch.to - branch.from) * i / ticks_of_a_branch;
-      write_numbers(json, std::array{tau, family.axis_value(side, tau)});
-    }
-  json.end_list();
-}
-
-void write_axis(JsonWriter& json, const TaskFamily& given, Side side, const DisplayOrder& order) {
-  const FamilyAxis axis = given.family ? given.family->axis(side) : FamilyAxis{};
+void write_axis(JsonWriter& json, const MapAxis& axis) {
   json.begin_object();
-  json.member("quantity", name(axis.quantity));
-  json.member("order", order.code());
+  json.member("quantity", name(axis.axis.quantity));
+  json.member("order", axis.order.code());
   json.key("branches");
-  write_branches(json, given.family || !given.curve ? axis.branches : given.curve->branches());
+  write_branches(json, axis.axis.branches);
   json.key("ticks");
-  const bool counted = given.family && axis.quantity != AxisQuantity::curve_coordinate && !axis.is_discrete();
-  counted ? write_ticks(json, *given.family, side) : json.null();
+  if (axis.ticks.empty()) {
+    json.null();
+  } else {
+    json.begin_list(Layout::one_line);
+    for (const auto& tick : axis.ticks) write_numbers(json, tick);
+    json.end_list();
+  }
   json.key("blocks");
   json.begin_list();
-  for (const OrderBlock& block : order.blocks()) write_block(json, block);
+  for (const OrderBlock& block : axis.order.blocks()) write_block(json, block);
   json.end_list();
   json.end_object();
 }
@@ -118,26 +111,44 @@ void write_curves(JsonWriter& json, const TaskFamily& given) {
 
 }  // namespace
 
-DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFamily& given, Side side) {
+DrawnCurves drawn_dyads(std::span<const Dyad> polygon, const std::vector<CurveBranch>& branches,
+                        const WorkingFrame& frame) {
   DrawnCurves drawn;
+  for (const Dyad& dyad : polygon) {
+    const Dyad user = frame.to_user(dyad);
+    drawn.tau.push_back(dyad.coordinate);
+    append(drawn.center, user.center);
+    append(drawn.circle, user.circle);
+    drawn.branch.push_back(branch_of(branches, dyad.coordinate));
+  }
+  return drawn;
+}
+
+DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFamily& given, Side side) {
   const std::vector<Dyad> polygon = given.family  ? given.family->polygon(side)
                                     : given.curve ? CurveFamily(given.frame(), poses, given.curve).polygon(side)
                                                   : std::vector<Dyad>{};
   const auto branches = given.family  ? given.family->axis(side).branches
                         : given.curve ? given.curve->branches()
                                       : std::vector<CurveBranch>{};
-  for (const Dyad& dyad : polygon) {
-    const Dyad user = given.frame().to_user(dyad);
-    drawn.tau.push_back(dyad.coordinate);
-    append(drawn.center, user.center);
-    append(drawn.circle, user.circle);
-    drawn.branch.push_back(branch_of(branches, dyad.coordinate));
-  }
+  DrawnCurves drawn = drawn_dyads(polygon, branches, given.frame());
   if (given.curve && !poses.empty()) drawn.marks = curve_marks(poses, *given.curve, given.frame(), polygon);
   return drawn;
 }
 
-std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapOrders& orders,
+std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, Side side) {
+  std::vector<std::array<double, 2>> ticks;
+  const FamilyAxis& axis = family.axis(side);
+  if (axis.quantity == AxisQuantity::curve_coordinate || axis.is_discrete()) return ticks;
+  for (const CurveBranch& branch : axis.branches)
+    for (int i = 0; i < ticks_of_a_branch; ++i) {
+      const double tau = branch.from + (branch.to - branch.from) * i / ticks_of_a_branch;
+      ticks.push_back({tau, family.axis_value(side, tau)});
+    }
+  return ticks;
+}
+
+std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapAxes& axes,
                       const Requirements& requirements, std::string_view status, const Notice* reason) {
   return json_of([&](JsonWriter& json) {
     json.begin_object();
@@ -153,13 +164,13 @@ std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks,
     json.end_list();
     json.key("curves");
     write_curves(json, given);
-    json.member("symmetric", !given.family || given.family->is_symmetric());
+    json.member("symmetric", axes.symmetric);
     json.key("axes");
     json.begin_object();
     json.key("input");
-    write_axis(json, given, Side::input, orders.input);
+    write_axis(json, axes.input);
     json.key("output");
-    write_axis(json, given, Side::output, orders.output);
+    write_axis(json, axes.output);
     json.end_object();
     json.key("specials");
     json.begin_list();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -20,17 +21,28 @@ struct DrawnCurves {
 };
 [[nodiscard]] DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFamily& given,
                                        LinkageFamily::Side side);
+/// Of dyads by rising τ, working frame.
+[[nodiscard]] DrawnCurves drawn_dyads(std::span<const Dyad> polygon, const std::vector<CurveBranch>& branches,
+                                      const WorkingFrame& frame);
 
-/// The two axes of a map, each in its display order.
-struct MapOrders {
-  DisplayOrder input, output;
-  [[nodiscard]] const DisplayOrder& of(LinkageFamily::Side side) const {
+/// An axis of a map in its display order, and what people read along it, (τ, value); none: nothing but τ.
+struct MapAxis {
+  FamilyAxis axis;
+  DisplayOrder order;
+  std::vector<std::array<double, 2>> ticks;
+};
+struct MapAxes {
+  MapAxis input, output;
+  bool symmetric = true;
+  [[nodiscard]] const MapAxis& of(LinkageFamily::Side side) const {
     return side == LinkageFamily::Side::input ? input : output;
   }
 };
+/// Twelve to a branch where the axis has numbers of its own.
+[[nodiscard]] std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, LinkageFamily::Side side);
 
 /// TaskAnswer without its arrays. `reason`: null when solved.
-[[nodiscard]] std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapOrders& orders,
+[[nodiscard]] std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapAxes& axes,
                                     const Requirements& requirements, std::string_view status, const Notice* reason);
 
 }  // namespace linkwright::wasm

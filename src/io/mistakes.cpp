@@ -1,5 +1,6 @@
 #include "mistakes.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace linkwright {
@@ -14,6 +15,13 @@ void Mistakes::add(std::string code, std::string place, std::string message) {
 
 void Mistakes::add(const std::vector<Error>& errors) {
   for (const Error& error : errors) add(error.code, error.place, error.message);
+}
+
+void Mistakes::add_new(const std::vector<Error>& errors) {
+  for (const Error& error : errors)
+    if (std::none_of(errors_.begin(), errors_.end(),
+                     [&](const Error& known) { return known.code == error.code && known.place == error.place; }))
+      add(error.code, error.place, error.message);
 }
 
 std::vector<Error> Mistakes::take() {

@@ -15,6 +15,8 @@ class Mistakes {
 
   void add(std::string code, std::string place, std::string message);
   void add(const std::vector<Error>& errors);
+  /// Those of the errors that are not in the list: two readers may look at the same member.
+  void add_new(const std::vector<Error>& errors);
   [[nodiscard]] bool empty() const { return errors_.empty(); }
   [[nodiscard]] std::size_t size() const { return errors_.size() + unlisted_; }
   /// The list, with a last entry for those that were only counted.

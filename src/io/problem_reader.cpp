@@ -144,6 +144,7 @@ void read_members(const JsonObject& file, Mistakes& mistakes, Problem& problem) 
   if (const auto options = file.find("options")) read_options(*options, mistakes, problem.options);
   if (const auto task = file.require("task", "the task: \"task\": {\"kind\": \"motion\", …}"))
     problem.task = read_task(*task, problem.options.box, mistakes);
+  if (mistakes.empty()) mistakes.add(mistakes_in(problem.task, problem.options));
   if (const auto view = file.find("view")) read_view(*view, problem.view);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "linkwright/core/angle.hpp"
+#include "nearest_name.hpp"
 #include "pose_reader.hpp"
 #include "vocabulary.hpp"
 
@@ -87,9 +88,20 @@ std::optional<ThreePoseGiven> read_instant_center(const JsonObject& object) {
   return given;
 }
 
+constexpr std::array<std::string_view, 4> forms_of_given = {"side_lengths", "side_length", "side_angle_deg",
+                                                            "instant_center"};
+
 std::optional<ThreePoseGiven> read_given(const JsonValue& value, Mistakes& mistakes) {
   const JsonObject any(value, mistakes, {});
   if (!value.is_object()) return std::nullopt;
+  std::vector<std::string_view> there;
+  for (const std::string_view form : forms_of_given)
+    if (any.find(form)) there.push_back(form);
+  if (there.size() > 1) {
+    value.mistake("two_given",
+                  fmt::format("\"{}\" and \"{}\" are two ways to say what is given; keep one", there[0], there[1]));
+    return std::nullopt;
+  }
   if (const auto lengths = any.find("side_lengths")) {
     const JsonObject object(value, mistakes, {"side_lengths"});
     const auto pair = lengths->as_pair("[input, output]");
@@ -104,9 +116,14 @@ std::optional<ThreePoseGiven> read_given(const JsonValue& value, Mistakes& mista
     return read_side_angle(JsonObject(value, mistakes, {"side_angle_deg", "directed", "input_length"}));
   if (any.find("instant_center"))
     return read_instant_center(JsonObject(value, mistakes, {"instant_center", "at_infinity"}));
-  value.mistake("missing_given",
-                "one of \"side_lengths\": [input, output], \"side_length\", \"side_angle_deg\" and \"instant_center\": "
-                "[x, y] belongs here");
+  const std::size_t before = mistakes.size();
+  const JsonObject misspelled(
+      value, mistakes,
+      {"side_lengths", "side_length", "side_angle_deg", "directed", "input_length", "instant_center", "at_infinity"});
+  if (mistakes.size() == before)
+    value.mistake("missing_given",
+                  "one of \"side_lengths\": [input, output], \"side_length\", \"side_angle_deg\" and "
+                  "\"instant_center\": [x, y] belongs here");
   return std::nullopt;
 }
 
@@ -208,14 +225,21 @@ bool read_what_it_is(const JsonObject& object, const JsonValue& value, NamedFunc
   const auto expression = object.find("expression"), table = object.find("table");
   if (expression.has_value() == table.has_value()) {
     value.mistake("missing_function",
-                  "one of \"expression\" (\"x^2\", \"sqrt\", \"log\", \"sin\", …) and \"table\": [[x, "
-                  "y], …] belongs here");
+                  "either \"expression\" (\"x^2\", \"sqrt\", \"log\", \"sin\", …) or \"table\": [[x, y], …] belongs "
+                  "here, not both");
     return false;
   }
   if (table) return read_table(*table, function.table);
   auto text = expression->as_text();
-  if (text) function.expression = *std::move(text);
-  return text.has_value();
+  if (!text) return false;
+  if (text->empty() || presentable(*text) != *text) {  // no line breaks in messages
+    expression->mistake("unknown_expression", fmt::format("{} is no expression; write \"x^2\", \"sqrt\", \"log\", "
+                                                          "\"sin\", …",
+                                                          in_quotes(*text)));
+    return false;
+  }
+  function.expression = *std::move(text);
+  return true;
 }
 
 bool read_interpolation(const JsonObject& object, NamedFunction& function) {
@@ -246,8 +270,11 @@ bool read_spacing(const JsonObject& object, NamedFunction& function) {
   return complete;
 }
 
+/// How many precision points; where there is a list of them, as many as it has. After read_spacing().
 bool read_count(const JsonObject& object, NamedFunction& function) {
   const auto found = object.find("points");
+  if (!found && function.spacing == PointSpacing::given)
+    function.points = static_cast<int>(std::min<std::size_t>(function.given_points.size(), most_poses_looked_at));
   if (!found) return true;
   const auto count = found->as_whole_number();
   function.points = count.value_or(function.points);
@@ -266,35 +293,43 @@ std::optional<NamedFunction> read_function(const JsonValue& value, Mistakes& mis
                                read_range(object, "y", function.y),
                                read_dial(object, "input_range_deg", function.input_range),
                                read_dial(object, "output_range_deg", function.output_range),
-                               read_count(object, function),
-                               read_spacing(object, function)};
+                               read_spacing(object, function),
+                               read_count(object, function)};
   for (const bool part : complete)
     if (!part) return std::nullopt;
   return function;
 }
 
+/// Pairs count from 1 in files.
+bool read_pair_number(const JsonValue& value, FreeNumber& free) {
+  const auto number = value.as_whole_number();
+  if (!number) return false;
+  if (*number < 1) {
+    value.mistake("out_of_range", "pairs count from 1");
+    return false;
+  }
+  free.pair = static_cast<std::size_t>(*number) - 1;
+  return true;
+}
+
 std::optional<FreeNumber> read_free(const JsonValue& value, Mistakes& mistakes) {
-  constexpr std::array names = {std::string_view("output_scale"), std::string_view("precision_point"),
-                                std::string_view("pair_output")};
+  constexpr std::array names = {std::string_view("output_scale"), std::string_view("pair_output")};
   const JsonObject object(value, mistakes, {"number", "pair", "range"});
   const auto written = object.require("number", "\"number\": \"output_scale\"");
   const auto kind = written ? written->as_one_of(names) : std::nullopt;
   if (!kind) return std::nullopt;
   FreeNumber free;
   free.kind = free_number_named(*kind).value_or(free.kind);
-  std::optional<std::array<double, 2>> range;
-  if (const auto pair = object.find("pair")) {
-    const auto index = pair->as_whole_number();
-    if (!index) return std::nullopt;
-    if (*index < 1) {
-      pair->mistake("out_of_range", "pairs count from 1");
-      return std::nullopt;
-    }
-    free.pair = static_cast<std::size_t>(*index) - 1;
+  if (free.kind == FreeNumber::Kind::pair_output) {
+    const auto pair = object.require("pair", "which pair it is, counted from 1");
+    const bool ranged = read_dial(object, "range", free.range);
+    return pair && read_pair_number(*pair, free) && ranged ? std::optional(free) : std::nullopt;
   }
-  if (!read_range(object, "range", range)) return std::nullopt;
+  std::optional<std::array<double, 2>> range;
+  if (const auto pair = object.find("pair"))
+    pair->mistake("unneeded_pair", "the output's scale is of all pairs; leave \"pair\" out");
+  if (object.find("pair") || !read_range(object, "range", range)) return std::nullopt;
   if (range) free.range = *range;
-  if (range && free.kind == FreeNumber::Kind::pair_output) free.range = {radians((*range)[0]), radians((*range)[1])};
   return free;
 }
 
@@ -314,8 +349,8 @@ bool read_what_is_wanted(const JsonObject& object, const JsonValue& value, Mista
   const auto pairs = object.find("pairs"), function = object.find("function");
   if (pairs.has_value() == function.has_value()) {
     value.mistake("missing_pairs",
-                  "one of \"pairs\": [{\"input_deg\": …, \"output_deg\": …}, …] and \"function\": {\"expression\": …} "
-                  "belongs here");
+                  "either \"pairs\": [{\"input_deg\": …, \"output_deg\": …}, …] or \"function\": {\"expression\": …} "
+                  "belongs here, not both");
     return false;
   }
   if (pairs) return read_pairs(*pairs, mistakes, task.pairs);
@@ -367,7 +402,7 @@ bool read_added(const JsonObject& object, std::array<BodyPair, 2>& added) {
     const auto text = item.as_text();
     const auto pair = text ? body_pair_from(*text) : std::nullopt;
     if (text && !pair)
-      item.mistake("unknown_bodies", fmt::format("\"{}\" names no two bodies; write them as in \"0-2\"", *text));
+      item.mistake("unknown_bodies", fmt::format("{} names no two bodies; write them as in \"0-2\"", in_quotes(*text)));
     if (pair) pairs.push_back(*pair);
     complete = complete && pair;
   });
@@ -391,7 +426,7 @@ Task read_six_bar(const JsonValue& value, const std::optional<Box>& box, Mistake
     task.chain = read_chain(*chain, mistakes);
     complete = complete && task.chain;
   }
-  if (complete) mistakes.add(mistakes_in(task));
+  if (complete) mistakes.add_new(mistakes_in(task));  // the box is also the options'
   return task;
 }
 

@@ -208,9 +208,31 @@ DisplayOrder::DisplayOrder(const BurmesterCurve& curve, Spacing spacing, const W
 DisplayOrder::DisplayOrder(std::vector<CurveBranch> branches) : branches_(std::move(branches)) {
   const double length = branches_.empty() ? 0 : branches_.back().to;
   for (std::size_t b = 0; b < branches_.size(); ++b) {
+    if (branches_[b].from == branches_[b].to) continue;
     const double from = branches_[b].from / length, to = branches_[b].to / length;
     blocks_.push_back({b, from, to, {{from, branches_[b].from}, {to, branches_[b].to}}});
   }
+}
+
+DisplayOrder::DisplayOrder(std::vector<CurveBranch> branches, std::span<const double> samples)
+    : branches_(std::move(branches)) {
+  const double step = samples.empty() ? 1 : 1 / static_cast<double>(samples.size());
+  std::size_t next = 0;
+  for (std::size_t b = 0; b < branches_.size(); ++b) {
+    const std::size_t first = next;
+    while (next < samples.size() && (samples[next] < branches_[b].to || b + 1 == branches_.size())) ++next;
+    if (next == first) continue;
+    const double from = static_cast<double>(first) * step, to = static_cast<double>(next) * step;
+    OrderBlock block{b, from, to, {}};
+    // A sample's cell reaches half a step beyond it, or as far as the branch.
+    const double width = next - first > 1 ? samples[first + 1] - samples[first] : branches_[b].to - branches_[b].from;
+    block.knots.push_back({from, std::max(branches_[b].from, samples[first] - width / 2)});
+    for (std::size_t i = first; i < next; ++i)
+      block.knots.push_back({(static_cast<double>(i) + 0.5) * step, samples[i]});
+    block.knots.push_back({to, std::min(branches_[b].to, samples[next - 1] + width / 2)});
+    blocks_.push_back(std::move(block));
+  }
+  if (!blocks_.empty()) blocks_.back().to = blocks_.back().knots.back()[0] = 1;
 }
 
 DisplayOrder DisplayOrder::nearest(const BurmesterCurve& curve, Spacing spacing, const WorkingFrame& frame,

@@ -115,18 +115,22 @@ void check_function(const FunctionTask& task, std::vector<Error>& found) {
 void check_free(const FunctionTask& task, std::vector<Error>& found) {
   if (!task.free) return;
   const auto [low, high] = task.free->range;
+  const bool scales = task.free->kind == FreeNumber::Kind::output_scale;
+  const double most = scales ? largest_coordinate : radians(largest_coordinate);
   if (position_count(task.pairs) != 4)
     found.push_back({"free_number_of_five", "task.free",
                      "a number can be left free with four positions; five already leave nothing to choose"});
-  if (!(std::isfinite(low) && std::isfinite(high) && low < high))
-    found.push_back({"out_of_range", "task.free.range", "the range is [low, high] with low below high"});
-  else if (task.free->kind == FreeNumber::Kind::output_scale && low <= 0)
+  if (!(std::abs(low) <= most && std::abs(high) <= most && low < high))
+    found.push_back({"out_of_range", "task.free.range",
+                     fmt::format("the range is [low, high] with low below high, both numbers between −{0:g} and {0:g}",
+                                 largest_coordinate)});
+  else if (scales && low < 1 / largest_coordinate)
     found.push_back({"out_of_range", "task.free.range",
                      "the output's travel is multiplied by a positive number; turn the signs of the outputs round to "
                      "let it turn the other way"});
-  if (task.free->kind == FreeNumber::Kind::pair_output && task.free->pair >= task.pairs.size())
-    found.push_back(
-        {"out_of_range", "task.free.pair", fmt::format("there are {} pairs; the first is 0", task.pairs.size())});
+  if (!scales && task.free->pair >= task.pairs.size())
+    found.push_back({"out_of_range", "task.free.pair",
+                     fmt::format("there are only {} pairs; name one of them", task.pairs.size())});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/planar/motion_task.hpp"
 
 namespace linkwright {
 namespace {
@@ -36,17 +37,23 @@ bool is_whole(double value) { return value == std::floor(value); }
 
 std::string place(std::string_view key) { return fmt::format("task.function.{}", key); }
 
-bool are_finite(const std::array<double, 2>& range) { return std::isfinite(range[0]) && std::isfinite(range[1]); }
+constexpr double largest_value = 1e100;  // of x and y: their products and quotients stay finite
 
-void check_range(const std::array<double, 2>& range, std::string_view key, std::vector<Error>& found) {
-  if (!are_finite(range))
-    found.push_back({"out_of_range", place(key), "a range is two finite numbers"});
+bool are_inside(const std::array<double, 2>& range, double most) {
+  return std::abs(range[0]) <= most && std::abs(range[1]) <= most;
+}
+
+// `most` in what the file has: for the dials degrees.
+void check_range(const std::array<double, 2>& range, double unit, double most, std::string_view key,
+                 std::vector<Error>& found) {
+  if (!are_inside({range[0] / unit, range[1] / unit}, most))
+    found.push_back({"out_of_range", place(key), fmt::format("a range is two numbers between −{0:g} and {0:g}", most)});
   else if (range[0] == range[1])
     found.push_back({"empty_range", place(key), "the range is empty; give two different numbers"});
 }
 
 void check_rising(const std::array<double, 2>& range, std::string_view key, std::vector<Error>& found) {
-  if (are_finite(range) && range[0] > range[1])
+  if (are_inside(range, largest_value) && range[0] > range[1])
     found.push_back({"out_of_range", place(key),
                      "the range is written with the lower number first; turn the dial's range in degrees round to let "
                      "the link turn the other way"});
@@ -59,8 +66,9 @@ void check_table(const NamedFunction& function, std::vector<Error>& found) {
     return;
   }
   for (std::size_t i = 0; i < table.size(); ++i)
-    if (!are_finite(table[i]))
-      found.push_back({"out_of_range", fmt::format("task.function.table[{}]", i), "x and y must be finite numbers"});
+    if (!are_inside(table[i], largest_value))
+      found.push_back({"out_of_range", fmt::format("task.function.table[{}]", i),
+                       fmt::format("x and y must be numbers between −{0:g} and {0:g}", largest_value)});
     else if (i > 0 && table[i][0] <= table[i - 1][0])
       found.push_back({"table_out_of_order", fmt::format("task.function.table[{}]", i),
                        "the rows of a table go by rising x, no x twice; sort them"});
@@ -68,14 +76,14 @@ void check_table(const NamedFunction& function, std::vector<Error>& found) {
 
 void check_dials(const NamedFunction& function, std::vector<Error>& found) {
   if (function.x) {
-    check_range(*function.x, "x", found);
+    check_range(*function.x, 1, largest_value, "x", found);
     check_rising(*function.x, "x", found);
   } else if (function.table.empty()) {
     found.push_back({"missing_range", place("x"), "an expression needs the range of x: [low, high]"});
   }
-  if (function.y) check_range(*function.y, "y", found);
-  check_range(function.input_range, "input_range_deg", found);
-  check_range(function.output_range, "output_range_deg", found);
+  if (function.y) check_range(*function.y, 1, largest_value, "y", found);
+  check_range(function.input_range, radians(1), largest_coordinate, "input_range_deg", found);
+  check_range(function.output_range, radians(1), largest_coordinate, "output_range_deg", found);
   constexpr double room = 1e-9;
   if (std::abs(function.input_range[1] - function.input_range[0]) > two_pi + room)
     found.push_back({"out_of_range", place("input_range_deg"),
@@ -323,7 +331,7 @@ std::vector<Error> mistakes_in(const NamedFunction& function) {
 
   const DialFunction dial(function);
   const auto [low, high] = dial.x_;
-  if (!dial.exists_over(low, high) || !are_finite(dial.least_and_greatest())) {
+  if (!dial.exists_over(low, high) || !are_inside(dial.least_and_greatest(), largest_value)) {
     found.push_back({"not_defined", place("x"),
                      is_table ? fmt::format("the table runs from {:g} to {:g}; keep x within",
                                             function.table.front()[0], function.table.back()[0])

@@ -118,13 +118,8 @@ void check_box(const SixBarTask& task, std::vector<Error>& found) {
                        "\"y\": [low, high]}, or a chain"});
     return;
   }
-  const Box& box = *task.box;
-  if (!is_inside({box.x_low, box.y_low}) || !is_inside({box.x_high, box.y_high}))
-    found.push_back({"out_of_range", "options.box",
-                     fmt::format("its borders must be numbers between −{0:g} and {0:g}", largest_coordinate)});
-  else if (!(box.x_low < box.x_high && box.y_low < box.y_high))
-    found.push_back(
-        {"empty_box", "options.box", "the box is empty; each of x and y is [low, high] with low below high"});
+  std::vector<Error> mistakes = mistakes_in_search_box(*task.box);
+  found.insert(found.end(), mistakes.begin(), mistakes.end());
 }
 
 void check_poses(const SixBarTask& task, std::vector<Error>& found) {
@@ -159,6 +154,15 @@ std::optional<SixBarRow> six_bar_row(std::array<BodyPair, 2> added) {
     return same_bodies(row.added[0], added[0]) && same_bodies(row.added[1], added[1]);
   });
   return found == rows.end() ? std::nullopt : std::optional(*found);
+}
+
+std::vector<Error> mistakes_in_search_box(const Box& box) {
+  if (!is_inside({box.x_low, box.y_low}) || !is_inside({box.x_high, box.y_high}))
+    return {{"out_of_range", "options.box",
+             fmt::format("its borders must be numbers between −{0:g} and {0:g}", largest_coordinate)}};
+  if (!(box.x_low < box.x_high && box.y_low < box.y_high))
+    return {{"empty_box", "options.box", "the box is empty; each of x and y is [low, high] with low below high"}};
+  return {};
 }
 
 std::vector<Error> mistakes_in(const SixBarTask& task) {

@@ -1,5 +1,6 @@
 #include "linkwright/planar/synthesis.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
@@ -17,6 +18,14 @@ constexpr std::array<std::string_view, 2> spacing_names = {"coordinate", "arc_le
 
 void append(std::vector<Error>& all, std::vector<Error> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+// Those that are not told already.
+void append_new(std::vector<Error>& all, const std::vector<Error>& more) {
+  for (const Error& error : more)
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const Error& known) { return known.code == error.code && known.place == error.place; }))
+      all.push_back(error);
 }
 
 // Coordinates of one axis of the region.
@@ -152,7 +161,24 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
       if (!(std::isfinite(low) && std::isfinite(high) && low < high))
         found.push_back(
             {"out_of_range", "options.window", "each interval of the window is [low, high] in τ with low below high"});
+  if (options.box) append(found, mistakes_in_search_box(*options.box));
+  if (options.seed < 0 || options.seed > SynthesisOptions::most_seed)
+    found.push_back(
+        {"out_of_range", "options.seed",
+         fmt::format("a seed is a whole number from 0 to {}; any of them will do", SynthesisOptions::most_seed)});
+  if (options.effort < 1 || options.effort > SynthesisOptions::most_effort)
+    found.push_back({"out_of_range", "options.effort",
+                     fmt::format("the number of chains to try lies between 1 and {}; 2000 is usual",
+                                 SynthesisOptions::most_effort)});
   return found;
+}
+
+std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options) {
+  if (options.objective != Objective::structural_error) return {};
+  const auto* function = std::get_if<FunctionTask>(&task);
+  if (function != nullptr && function->function) return {};
+  return {{"out_of_range", "options.objective",
+           "a structural error belongs to a task with a named \"function\"; choose another objective"}};
 }
 
 namespace {
@@ -276,11 +302,8 @@ Result<Solution> solve(const Task& task, const Requirements& requirements, const
                        const Progress& progress) {
   std::vector<Error> mistakes = mistakes_in(task);
   append(mistakes, mistakes_in(requirements));
-  append(mistakes, mistakes_in(options));
-  const auto* function = std::get_if<FunctionTask>(&task);
-  if (options.objective == Objective::structural_error && !(function && function->function))
-    mistakes.push_back({"out_of_range", "options.objective",
-                        "a structural error belongs to a task with a named \"function\"; choose another objective"});
+  append_new(mistakes, mistakes_in(options));  // a six-bar's box may stand in both
+  append(mistakes, mistakes_in(task, options));
   if (!mistakes.empty()) return mistakes;
   return std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
 }

@@ -163,5 +163,21 @@ TEST(DisplayOrder, ExchangesTheBlocksWhereTheFocalFormTurnsRound) {
   EXPECT_LT(changed_share(one.map, other.map), 0.1);
 }
 
+TEST(DisplayOrder, SamplesTakeTheirRoomAndGapsNone) {
+  const std::vector<CurveBranch> branches = {{"sheet_1", 0, 1}, {"sheet_2", 1, 2}};
+  const std::vector<double> samples = {0.1, 0.12, 0.6, 0.62, 1.1, 1.12, 1.6, 1.62};
+  const DisplayOrder order(branches, samples);
+  ASSERT_EQ(order.blocks().size(), 2u);
+  EXPECT_EQ(order.blocks()[1].from, 0.5);
+  const std::vector<double> again = order.samples(8, 0, 1);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    EXPECT_NEAR(again[i], samples[i], 1e-12);
+    EXPECT_NEAR(order.place(samples[i]).value_or(-1), (static_cast<double>(i) + 0.5) / 8, 1e-12);
+  }
+  const DisplayOrder plain(branches);
+  EXPECT_EQ(plain.coordinate(0.75), 1.5);
+  EXPECT_TRUE(DisplayOrder(std::vector<CurveBranch>{}, {}).blocks().empty());
+}
+
 }  // namespace
 }  // namespace linkwright

@@ -2,6 +2,7 @@
 import type {Locator, Page} from "@playwright/test";
 import type {Point} from "../src/engine/protocol";
 import {drag, example, expect, keep_screenshot, map_hash, middle_of, open_workbench, read_state, solve, test, until_mapped, type Pixel} from "./support";
+import type {MotionTask} from "../src/state/task";
 
 /** Map, linkage and the document are those of the same task, and the map has reached its finest. */
 async function until_at_rest(page: Page): Promise<void> {
@@ -11,7 +12,7 @@ async function until_at_rest(page: Page): Promise<void> {
   });
 }
 const handle = (page: Page, id: string): Locator => page.getByTestId(`drawing.${id}`);
-const poses = (page: Page) => read_state(page, (workbench) => workbench.problem.task.poses.map((pose) => ({...pose})));
+const poses = (page: Page) => read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses.map((pose) => ({...pose})));
 const picked = (page: Page) => read_state(page, (workbench) => workbench.picked!.tau);
 async function canvas(page: Page): Promise<Pixel & {width: number; height: number}> {
   return (await page.getByTestId("drawing.canvas").boundingBox())!;
@@ -289,7 +290,7 @@ test("a place on a curve shows its side link; a click puts the nearer one there,
   const before = await picked(page);
   await page.mouse.move(spot!.x, spot!.y);
   await expect(page.getByTestId("drawing.dyad")).toBeVisible();
-  const tau = await read_state(page, (workbench) => workbench.curve_hover!);
+  const tau = await read_state(page, (workbench) => workbench.curve_hover!.tau);
   await expect(page.getByTestId("drawing.note")).toContainText(tau.toFixed(4));
   await page.mouse.click(spot!.x, spot!.y);
   await until_followed(page);
@@ -356,9 +357,9 @@ test("the outline is edited at its corners, traced points draw their curves", as
 });
 
 test("two positions that are the same are refused in words, the map gone with the marks on it", async ({page}) => {
-  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, task: {...problem.task, poses: problem.task.poses.slice(0, 3)}})));
+  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.slice(0, 3)}})));
   await expect(page.getByTestId("region.crosshair_row")).toHaveCount(0);
-  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, task: {...problem.task, poses: [...problem.task.poses, problem.task.poses[2]]}})));
+  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, task: {...problem.task, poses: [...(problem.task as MotionTask).poses, (problem.task as MotionTask).poses[2]]}})));
   await expect(page.getByTestId("region.notice")).toHaveText(/Position 4 is the same as an earlier one/);
 });
 

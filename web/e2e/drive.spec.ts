@@ -5,6 +5,7 @@ import {tmpdir} from "node:os";
 import {join} from "node:path";
 import type {Download, Page} from "@playwright/test";
 import {analyze, drag, expect, expect_accessible, keep_screenshot, open_workbench, read_state, solve, test} from "./support";
+import type {MotionTask} from "../src/state/task";
 
 /** Opens the example and waits for the picked linkage and its drive. */
 async function open_with_drive(page: Page): Promise<void> {
@@ -16,7 +17,7 @@ async function open_with_drive(page: Page): Promise<void> {
 function body_at(page: Page, pose: number) {
   return read_state(page, (workbench, index) => {
     const {states, ticks} = workbench.hand!.drive!, width = states.length / Math.round(states.length / 13);
-    const at = ticks[index].state * width, wanted = workbench.problem.task.poses[index];
+    const at = ticks[index].state * width, wanted = (workbench.problem.task as MotionTask).poses[index];
     const turn = ((states[at + 7] - wanted.theta_deg) / 360) % 1;
     return {
       angle: states[at] + 0, now: workbench.angle + 0, // no −0

@@ -3,7 +3,7 @@
 import {readFileSync} from "node:fs";
 import type {Page} from "@playwright/test";
 import {requirement_keys, type TauPair} from "../src/engine/protocol";
-import type {Pose} from "../src/state/problem";
+import type {MotionTask, Pose} from "../src/state/task";
 import {example, expect, expect_accessible, keep_screenshot, open_workbench, read_state, solve, test, until_settled} from "./support";
 
 type Hooked = {__linkwright: {workbench: any; preferences: any}};
@@ -14,7 +14,7 @@ test.beforeEach(async ({page}) => {
   await until_settled(page);
 });
 
-const poses = (page: Page): Promise<Pose[]> => read_state(page, (workbench) => workbench.problem.task.poses as Pose[]);
+const poses = (page: Page): Promise<Pose[]> => read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses as Pose[]);
 const meeting = (page: Page): Promise<number> => read_state(page, (workbench) => workbench.census!.meeting);
 const grouped = (count: number) => String(count).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 

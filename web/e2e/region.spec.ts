@@ -4,9 +4,10 @@ import type {Linkage, TauPair} from "../src/engine/protocol";
 import {linkage_types} from "../src/engine/protocol";
 import {place_of} from "../src/state/axis";
 import {example, expect, keep_screenshot, map_hash, map_pixel, open_workbench, read_state, solve, test, until_settled} from "./support";
+import type {MotionTask} from "../src/state/task";
 
 async function places(page: Page, tau: TauPair): Promise<TauPair> {
-  const axis = await read_state(page, (workbench) => workbench.task!.axis);
+  const axis = await read_state(page, (workbench) => workbench.task!.axes.input);
   return [place_of(axis, tau[0])!, place_of(axis, tau[1])!];
 }
 /** Moves the mouse to a pair of curve coordinates; waits until that linkage is in hand. */
@@ -177,7 +178,7 @@ test("9 · the legend filters by type", async ({page}) => {
 test("12 · through infinity", async ({page}) => {
   await open_workbench(page);
   await until_settled(page);
-  const {axis, mark} = await read_state(page, ({task}) => ({axis: task!.axis, mark: task!.specials.find((special) => special.kind === "center_at_infinity" && special.tau.length)!.tau[0]}));
+  const {axis, mark} = await read_state(page, ({task}) => ({axis: task!.axes.input, mark: task!.specials.find((special) => special.kind === "center_at_infinity" && special.tau.length)!.tau[0]}));
   const beyond = place_of(axis, mark)!;
   await read_state(page, (workbench, tau) => workbench.pick(tau), [cell[0], await tau_at_place(page, beyond - 2.5 / 400)] as const);
   await until_settled(page);
@@ -218,13 +219,13 @@ test("13 · when the curve splits, map and pins stay", async ({page}) => {
   await pick(page, cell);
   await read_state(page, (workbench) => workbench.pin());
   const pin = page.getByTestId("region.pin.A"), place_before = await pin.boundingBox();
-  const branches = await read_state(page, (workbench) => workbench.task!.axis.branches.length);
+  const branches = await read_state(page, (workbench) => workbench.task!.axes.input.branches.length);
 
   /** Position 3 moved by so much (mm); the curve's κ, and the map as it is then. */
   const moved = (dx: number) => page.evaluate(async (by) => {
     const hook = (globalThis as any).__linkwright, {workbench} = hook, start = -220;
     if (!workbench.gesture) workbench.begin_gesture();
-    workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose: any, i: number) => (i === 2 ? {...pose, x: start + by} : pose))}}));
+    workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.map((pose: any, i: number) => (i === 2 ? {...pose, x: start + by} : pose))}}));
     while (!workbench.is_current || workbench.map.samples !== 400) await new Promise((done) => setTimeout(done));
     hook.seen ??= new Map();
     hook.seen.set(by, {type: workbench.map.type.slice(), defects: workbench.map.defects.slice()});
@@ -246,7 +247,7 @@ test("13 · when the curve splits, map and pins stay", async ({page}) => {
     await moved(same);
   }
   await moved(other);
-  await expect.poll(() => read_state(page, (workbench) => workbench.task!.axis.branches.length)).not.toBe(branches);
+  await expect.poll(() => read_state(page, (workbench) => workbench.task!.axes.input.branches.length)).not.toBe(branches);
   await expect.poll(() => read_state(page, (workbench) => workbench.toasts.map((toast) => toast.key as string))).toEqual(expect.arrayContaining([expect.stringMatching(/curve_(split|joined)/)]));
   const changed = await page.evaluate(([a, b]) => {
     const {seen} = (globalThis as any).__linkwright, one = seen.get(a), two = seen.get(b);

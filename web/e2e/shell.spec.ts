@@ -7,6 +7,7 @@ import {
   bad_problems, drag, expect, expect_accessible, file_menu, keep_screenshot, map_pixel, middle_of, move_a_pose, open_files, open_workbench,
   read_state, shown, test, toasts, until_ready, until_settled,
 } from "./support";
+import type {MotionTask} from "../src/state/task";
 
 // ---- 1 ----------------------------------------------------------------------------------------------------------
 
@@ -47,7 +48,7 @@ test("1 · the linkage opens once, and the tour goes with what one does and neve
   await expect(page.locator(".tour_hint")).toContainText("1 of 3");
   await read_state(page, (workbench) => {
     workbench.begin_gesture();
-    workbench.drag((problem) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose, i) => (i === 2 ? {...pose, x: -222} : pose))}}));
+    workbench.drag((problem) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.map((pose, i) => (i === 2 ? {...pose, x: -222} : pose))}}));
   });
   await expect(disc).toBeAttached();
   await read_state(page, (workbench) => workbench.end_gesture());
@@ -141,7 +142,7 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
   await page.keyboard.press("Control+z");
   await expect.poll(() => shown(page)).toEqual(before);
   await page.keyboard.press("Control+z");
-  expect(await read_state(page, ({can_undo, problem}) => [can_undo, problem.task.poses[2].x])).toEqual([false, -220]);
+  expect(await read_state(page, ({can_undo, problem}) => [can_undo, (problem.task as MotionTask).poses[2].x])).toEqual([false, -220]);
 });
 
 // ---- 21 ---------------------------------------------------------------------------------------------------------
@@ -259,7 +260,7 @@ test.describe("22 · on a phone", () => {
     await touch("touchStart", [{x: aim.x - 30, y: aim.y + 30}]);
     await touch("touchMove", [{x: aim.x - 10, y: aim.y + 50}]);
     await touch("touchMove", [{x: aim.x, y: aim.y + 56}]);
-    const axis = await read_state(page, (workbench) => workbench.task!.axis), aimed_at = [tau_at(axis, 0.7), tau_at(axis, 0.3)] as const;
+    const axis = await read_state(page, (workbench) => workbench.task!.axes.input), aimed_at = [tau_at(axis, 0.7), tau_at(axis, 0.3)] as const;
     const off = (of: "hovered" | "picked") => read_state(page, ({hovered, picked}, [which, [a, b]]) => {
       const tau = which === "hovered" ? hovered : picked!.tau;
       return tau ? Math.hypot(tau[0] - a, tau[1] - b) : Infinity;

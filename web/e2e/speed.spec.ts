@@ -5,6 +5,7 @@ import {join, resolve} from "node:path";
 import {gzipSync} from "node:zlib";
 import type {Page} from "@playwright/test";
 import {expect, map_hash, open_workbench, test, until_settled} from "./support";
+import type {MotionTask} from "../src/state/task";
 
 const served = resolve(process.env.LINKWRIGHT_WEB ?? "../build/web");
 
@@ -27,7 +28,7 @@ test("the map follows a drag", async ({page}) => {
       const start = performance.now(), dx = 5 * Math.sin(i / 5), dy = 5 * Math.cos(i / 7);
       let arrived = start;
       maps.take = (...answer: unknown[]) => { arrived = performance.now(); take(...answer); };
-      workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose: any, k: number) => (k === 2 ? {...pose, x: -220 + dx, y: 220 + dy} : pose))}}));
+      workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.map((pose: any, k: number) => (k === 2 ? {...pose, x: -220 + dx, y: 220 + dy} : pose))}}));
       while (!workbench.is_current || hook.painted_map() !== workbench.map) await new Promise((done) => setTimeout(done));
       found.push({engine: workbench.engine_ms, round: arrived - start, paint: workbench.paint_ms, samples: workbench.map.samples});
     }

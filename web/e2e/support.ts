@@ -8,6 +8,7 @@ import {dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
 import type {TauPair} from "../src/engine/protocol";
 import type {Workbench} from "../src/state/workbench.svelte";
+import type {MotionTask} from "../src/state/task";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 const program = process.env.LINKWRIGHT_CLI ? resolve(root, "web", process.env.LINKWRIGHT_CLI) : join(root, "build/release/bin/linkwright");
@@ -126,13 +127,13 @@ export async function shown(page: Page): Promise<Shown> {
       map: `${map!.samples} ${sum >>> 0}`,
       picked: picked!.tau.join(),
       pins: JSON.stringify(pins.map(({name, note, tau}) => [name, note, tau])),
-      poses: JSON.stringify(problem.task.poses.map(({x, y, theta_deg}) => [x, y, theta_deg])),
+      poses: JSON.stringify((problem.task as MotionTask).poses.map(({x, y, theta_deg}) => [x, y, theta_deg])),
     };
   });
 }
 export async function move_a_pose(page: Page, x = -222): Promise<void> {
   await read_state(page, (workbench, value) => {
-    workbench.edit((problem) => ({...problem, task: {...problem.task, poses: problem.task.poses.map((pose, i) => (i === 2 ? {...pose, x: value} : pose))}}));
+    workbench.edit((problem) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.map((pose, i) => (i === 2 ? {...pose, x: value} : pose))}}));
   }, x);
 }
 

@@ -76,8 +76,11 @@ function start_of(session, problem) {
 function thumbnail_of(session, problem) {
   open(session, problem);
   const {map} = explored(session, thumbnail_samples);
-  const thumbnail = {title: JSON.parse(session.read(problem.text)).title, samples: 0, type: "", fails: "", linkage: null};
-  if (map) Object.assign(thumbnail, {samples: thumbnail_samples, type: packed(map.type.slice()), fails: packed(map.fails.slice())});
+  const thumbnail = {title: JSON.parse(session.read(problem.text)).title, rows: 0, columns: 0, type: "", fails: "", linkage: null};
+  if (map) {
+    const {input_tau: {length: rows}, output_tau: {length: columns}} = map;
+    Object.assign(thumbnail, {rows, columns, type: packed(map.type.slice()), fails: packed(map.fails.slice())});
+  }
   const tau = best_tau(session);
   if (tau) {
     const {type, input, output} = JSON.parse(session.linkage(...tau).linkage);

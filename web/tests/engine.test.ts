@@ -117,7 +117,7 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     expect(task.curves.kind).toBe(result.curve.kind);
     expect(task.curves.center_kind).toBe(result.curve.center_kind);
     expect_near(task.characteristic_length, result.characteristic_length, 1e-12 * result.characteristic_length, "length");
-    expect(task.axis.branches).toEqual(result.curve.branches);
+    expect(task.axes.input.branches).toEqual(result.curve.branches);
     if (task.reason) expect(task.reason.message).toBe(result.reason);
     expect(task.warnings.map(({code, message}) => ({code, message}))).toEqual(result.warnings);
     if (!well_conditioned || result.status !== "solved") return;
@@ -256,7 +256,7 @@ describe("the tailgate", () => {
       (type, i) => type !== other.map!.type[i] || one.map!.defects[i] !== other.map!.defects[i]);
     expect(changed.length / 200 ** 2).toBeLessThan(0.1);
     const forced = ask("explore", {
-      problem: moved(-0.373), samples: 200, window: whole, property: "link_ratio", order: other.task.axis.order});
+      problem: moved(-0.373), samples: 200, window: whole, property: "link_ratio", order: other.task.axes.input.order});
     expect(forced.map!.type).toEqual(other.map!.type);
   });
   test("says where its third position may go", () => {
@@ -300,7 +300,7 @@ describe("the tailgate", () => {
   });
   test("is stored for the page to begin with", () => {
     const stored = stored_start(), live = explored(tailgate, stored.map.property, stored.map.samples);
-    expect(stored.task.axis).toEqual(live.task.axis);
+    expect(stored.task.axes.input).toEqual(live.task.axes.input);
     expect(stored.map.type).toEqual(live.map!.type);
     expect(stored.map.fails).toEqual(live.map!.fails);
     expect(stored.task.curves.center.length).toBe(3 * stored.task.curves.tau.length);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "linkwright/planar/burmester_curve.hpp"
@@ -34,8 +35,11 @@ class DisplayOrder {
   DisplayOrder() = default;
   /// `frame`: the curve's. An axis that is not two blocks has code 0 whatever is asked.
   DisplayOrder(const BurmesterCurve& curve, Spacing spacing, const WorkingFrame& frame, int code = 0);
-  /// Branch by branch in order of τ, evenly; each branch has a length.
+  /// Branch by branch in order of τ, evenly; a branch without length has no block.
   explicit DisplayOrder(std::vector<CurveBranch> branches);
+  /// The same through samples of the axis, by rising τ: they lie evenly by place, in the middles of equal steps, so
+  /// that where there is nothing to sample there is no room on the axis.
+  DisplayOrder(std::vector<CurveBranch> branches, std::span<const double> samples);
   /// The one whose dyads lie nearest to those at the same places of `before`, compared in that one's frame.
   [[nodiscard]] static DisplayOrder nearest(const BurmesterCurve& curve, Spacing spacing, const WorkingFrame& frame,
                                             const DisplayOrder& before);

@@ -56,4 +56,7 @@ struct SixBarRow {
 /// eleven rows, no chain and no box. Places are `task.…` and `options.box`. Empty when the task can be solved.
 [[nodiscard]] std::vector<Error> mistakes_in(const SixBarTask& task);
 
+/// The same of a box alone, as it stands in a file's options: borders out of range, low not below high.
+[[nodiscard]] std::vector<Error> mistakes_in_search_box(const Box& box);
+
 }  // namespace linkwright

@@ -31,6 +31,7 @@ struct RegionWindow {
 
 struct SynthesisOptions {
   static constexpr int least_samples = 8, most_samples = 20'000, most_best = 1000;
+  static constexpr int most_seed = 999'999'999, most_effort = 10'000'000;
 
   int region_samples = 400;               ///< N of the N×N region
   Spacing spacing = Spacing::coordinate;  ///< of the samples along the curve
@@ -40,14 +41,17 @@ struct SynthesisOptions {
 
   // Six-bars without a given chain, which is searched for.
   std::optional<Box> box;  ///< for all pivots in position 1, user's unit
-  int seed = 1;            ///< of the chains tried
-  int effort = 20'000;     ///< how many chains are tried
+  int seed = 1;            ///< of the chains tried, ≥ 0
+  int effort = 20'000;     ///< how many chains are tried, ≥ 1
 
   RegionOptions region;
 };
 
 /// The caller's mistakes. Places are `options.…`.
 [[nodiscard]] std::vector<Error> mistakes_in(const SynthesisOptions& options);
+
+/// What of the options does not go with the task: an objective that it cannot be measured by.
+[[nodiscard]] std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options);
 
 enum class SolutionStatus { solved, no_solution, degenerate };
 [[nodiscard]] std::string_view name(SolutionStatus status);

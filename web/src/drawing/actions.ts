@@ -1,6 +1,7 @@
 // What a click or a key does to the thing under it.
 import type {Point} from "../engine/protocol";
-import {body_point, outline_of, placed, round_step, with_pose, with_poses, with_view, type Pose} from "../state/problem";
+import {body_point, outline_of, placed, round_step, with_pose, with_poses, with_view} from "../state/problem";
+import {poses_of, type Pose} from "../state/task";
 import {bend_of, travel_of, with_bend, with_travel} from "../task/travel";
 import {point_at, spot_of_tau, type Spot} from "./curve_samples";
 import {ordered, with_box} from "./drags/box_drags";
@@ -27,20 +28,25 @@ export function click_target(bench: Bench, target: Target, shift: boolean): void
 
 /** The nearer side link of the picked linkage goes to the place; with Shift the other one. */
 export function put_side_link({workbench, scene}: Bench, spot: Spot, other: boolean): void {
-  const picked = workbench.picked, linkage = workbench.picked_linkage, samples = scene.samples;
+  const picked = workbench.picked, linkage = workbench.picked_linkage, samples = scene.samples[spot.sides[0]];
   const place = samples && point_at(samples, spot.curve, spot);
   if (!picked || !place) return;
   const away = (point: Point | null | undefined) => (point ? Math.hypot(point[0] - place[0], point[1] - place[1]) : Infinity);
   const input_nearer = away(linkage?.input[spot.curve]) <= away(linkage?.output[spot.curve]);
-  workbench.pick(with_side(picked.tau, input_nearer !== other ? "input" : "output", spot.tau));
+  const side = spot.sides.length > 1 ? (input_nearer !== other ? "input" : "output") : spot.sides[0];
+  workbench.pick(with_side(picked.tau, side, spot.tau));
 }
 
-/** A click on the canvas of a task that is not complete adds a position. */
+/** Whether a click on the canvas adds a position: the task lacks some. */
+export function poses_are_wanted({incomplete, problem}: Bench["workbench"]): boolean {
+  return "poses" in problem.task && (incomplete?.state === "empty" || incomplete?.state === "too_few" || incomplete?.state === "no_given");
+}
+/** A click on the canvas of such a task. */
 export function add_position({workbench, scene}: Bench, at: Point): void {
   const [x, y] = to_user(scene.view, at), snap = (value: number) => multiple(value, scene.snap_step ?? 10 ** Math.floor(Math.log10(scene.step / 8)));
   const last = scene.poses.at(-1);
   scene.touched = true;
-  workbench.edit((problem) => with_poses(problem, [...problem.task.poses, {x: snap(x), y: snap(y), theta_deg: last?.theta_deg ?? 0}]));
+  workbench.edit((problem) => with_poses(problem, [...poses_of(problem.task), {x: snap(x), y: snap(y), theta_deg: last?.theta_deg ?? 0}]));
   workbench.selected_pose = scene.poses.length - 1;
 }
 
@@ -86,7 +92,7 @@ export function nudge(bench: Bench, target: Target, dx: number, dy: number, time
   const {workbench, scene} = bench, step = scene.step * times, merge = `nudge ${target_id(target)}`;
   const add = (value: number, by: number) => Number((value + by).toPrecision(12)) + 0;
   const change_pose = (index: number, change: (pose: Pose) => Pose) =>
-    workbench.edit((problem) => with_poses(problem, problem.task.poses.map((p, i) => (i === index ? change(p) : p))), merge);
+    workbench.edit((problem) => with_poses(problem, poses_of(problem.task).map((p, i) => (i === index ? change(p) : p))), merge);
   scene.touched = true;
   if ("pose" in target) workbench.selected_pose = target.pose;
   const turn = (dy || -dx) * times;
@@ -101,6 +107,7 @@ export function nudge(bench: Bench, target: Target, dx: number, dy: number, time
       return workbench.edit((problem) => with_outline(problem, outline.map((p, i) => (i === target.index ? [add(x, dx * step), add(y, dy * step)] : p))), merge);
     }
     case "box": return nudge_box(bench, target, dx * step, dy * step, merge);
+    case "task": return target.nudge(bench, dx, dy, step);
     case "pivot": return nudge_pivot(bench, target, (dx || dy) * times, merge);
   }
 }
@@ -117,7 +124,7 @@ function nudge_box({workbench, scene}: Bench, {box, edges}: Extract<Target, {kin
   if (moved.x[1] > moved.x[0] && moved.y[1] > moved.y[0]) workbench.edit((problem) => with_box(problem, box, moved), merge);
 }
 function nudge_pivot({workbench, scene}: Bench, {side, end}: Extract<Target, {kind: "pivot"}>, steps: number, merge: string): void {
-  const {picked} = workbench, {samples} = scene;
+  const {picked} = workbench, samples = scene.samples[side];
   const spot = picked && samples && spot_of_tau(samples, end, picked.tau[side === "input" ? 0 : 1]);
   if (!picked || !samples || !spot) return;
   workbench.pick(with_side(picked.tau, side, stepped(samples, end, scene.view, spot, steps * scene.step * scene.view.scale).tau), merge);
@@ -135,7 +142,7 @@ export function remove_target({workbench, scene}: Bench, target: Target): boolea
       workbench.edit((problem) => with_box(problem, target.box, undefined));
       return true;
     case "disc":
-      workbench.edit((problem) => with_poses(problem, problem.task.poses.filter((_, i) => i !== target.pose)));
+      workbench.edit((problem) => with_poses(problem, poses_of(problem.task).filter((_, i) => i !== target.pose)));
       workbench.selected_pose = null;
       return true;
     default:

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {TaskAnswer} from "../engine/protocol";
-import {clip, curve_path, curve_samples, nearest, point_at, spot_of_tau, through_infinity} from "./curve_samples";
+import {clip, curve_path, nearest, point_at, samples_of_sides, spot_of_tau, through_infinity} from "./curve_samples";
 import type {Viewport} from "./viewport";
 
 const view: Viewport = {x: 0, y: 0, scale: 1, width: 400, height: 400};
@@ -17,13 +17,13 @@ function task(count: number, flips: boolean): TaskAnswer {
   }
   return {
     characteristic_length: 100,
-    curves: {tau, center, circle, branch: new Uint8Array(count)},
-    axis: {order: 0, branches: [{name: "odd", from: 0, to: 1}], blocks: []},
+    curves: {kind: "one_branch", tau, center, circle, branch: new Uint8Array(count)},
+    axes: {input: {quantity: "curve_coordinate", order: 0, branches: [{name: "odd", from: 0, to: 1}], blocks: []}}, output_curves: null,
   } as unknown as TaskAnswer;
 }
 
 describe.each([false, true])("curve samples, signs flipped: %s", (flips) => {
-  const samples = curve_samples(task(300, flips), [3, 5]);
+  const samples = samples_of_sides(task(300, flips), [3, 5]).input!;
 
   it("break at infinity only", () => {
     const breaks = [...Array(300).keys()].filter((a) => through_infinity(samples, "center", a, (a + 1) % 300));

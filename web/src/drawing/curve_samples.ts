@@ -1,16 +1,20 @@
-// The two curves as polylines through projective samples: where they run through infinity they are broken, and a place
-// between two samples has a curve coordinate.
-import type {Branch, Curves, Point, TaskAnswer} from "../engine/protocol";
+// The curves of an axis' dyads as polylines through projective samples: where they run through infinity, or where there
+// are no dyads, they are broken, and a place between two samples has a curve coordinate.
+import type {Branch, DyadPolygon, Point, Side, TaskAnswer} from "../engine/protocol";
+import {has_burmester_curve, is_discrete} from "../state/axis";
 import type {Viewport} from "./viewport";
 
 export type CurveName = "center" | "circle";
-/** Samples from..to-1 belong to one closed branch. */
+/** Samples from..to-1 belong to one branch, or to a stretch of it. */
 export interface Run {
   from: number;
   to: number;
   branch: Branch;
+  closed: boolean;
 }
 export interface CurveSamples {
+  /** Whose axes carry these dyads: both side links', where they come from the same curve. */
+  sides: readonly Side[];
   tau: Float64Array;
   /** Homogeneous (w, x, y) about `origin`, lengths in `unit`: only so do neighbours with a negative product of their
    *  vectors lie on both sides of infinity. */
@@ -19,17 +23,30 @@ export interface CurveSamples {
   origin: Point;
   unit: number;
   runs: Run[];
+  /** Single dyads: each run is one of them, all its samples alike. */
+  discrete: boolean;
 }
 /** A place on a curve: between sample `index` and the next of its run. */
 export interface Spot {
+  sides: readonly Side[];
   curve: CurveName;
   index: number;
   share: number; // 0 … 1
   tau: number;
 }
 
-export function curve_samples(task: TaskAnswer, origin: Point): CurveSamples {
-  const {curves, axis} = task;
+/** Of each side; the same object where they come from the same curve. Nothing where a side's dyads depend on the other's. */
+export function samples_of_sides(task: TaskAnswer, origin: Point): Record<Side, CurveSamples | null> {
+  const of = (curves: DyadPolygon, side: Side, sides: readonly Side[]) =>
+    curves.tau.length > 0 && task.axes[side].branches.length > 0 ? curve_samples(task, curves, side, sides, origin) : null;
+  if (!task.output_curves) {
+    const both = of(task.curves, "input", ["input", "output"]);
+    return {input: both, output: both};
+  }
+  return {input: of(task.curves, "input", ["input"]), output: of(task.output_curves, "output", ["output"])};
+}
+function curve_samples(task: TaskAnswer, curves: DyadPolygon, side: Side, sides: readonly Side[], origin: Point): CurveSamples {
+  const axis = task.axes[side], discrete = is_discrete(axis);
   const unit = task.characteristic_length > 0 ? task.characteristic_length : 1;
   const moved = (samples: Float64Array) => {
     const out = new Float64Array(samples.length);
@@ -42,22 +59,33 @@ export function curve_samples(task: TaskAnswer, origin: Point): CurveSamples {
     }
     return out;
   };
-  return {tau: curves.tau, center: moved(curves.center), circle: moved(curves.circle), origin, unit, runs: runs_of(curves, axis.branches)};
+  const gap = has_burmester_curve(task) ? Infinity : 2.5 * least_step(curves);
+  const runs = runs_of(curves, axis.branches, gap).filter((run) => discrete || run.to - run.from > 1);
+  return {sides, tau: curves.tau, center: moved(curves.center), circle: moved(curves.circle), origin, unit, runs, discrete};
 }
-function runs_of(curves: Curves, branches: readonly Branch[]): Run[] {
+/** Samples that are even in τ have gaps where there are no dyads. */
+function least_step({tau, branch}: DyadPolygon): number {
+  let least = Infinity;
+  for (let i = 1; i < tau.length; ++i) if (branch[i] === branch[i - 1]) least = Math.min(least, tau[i] - tau[i - 1]);
+  return least;
+}
+function runs_of({tau, branch}: DyadPolygon, branches: readonly Branch[], gap: number): Run[] {
   const runs: Run[] = [];
-  for (let i = 0; i < curves.branch.length; ++i) {
+  for (let i = 0; i < branch.length; ++i) {
     const last = runs[runs.length - 1];
-    if (last && curves.branch[i] === curves.branch[i - 1]) last.to = i + 1;
-    else runs.push({from: i, to: i + 1, branch: branches[curves.branch[i]]});
+    if (last && branch[i] === branch[i - 1] && tau[i] - tau[i - 1] <= gap) last.to = i + 1;
+    else runs.push({from: i, to: i + 1, branch: branches[branch[i]], closed: false});
   }
-  return runs.filter((run) => run.branch !== undefined && run.to - run.from > 1);
+  const known = runs.filter((run) => run.branch !== undefined);
+  for (const run of known) run.closed = tau[run.from] + run.branch.to - run.branch.from - tau[run.to - 1] <= gap;
+  return known;
 }
+/** The next sample; the last of an open stretch has none and stays. */
 export function next_in(run: Run, index: number): number {
-  return index + 1 === run.to ? run.from : index + 1;
+  return index + 1 < run.to ? index + 1 : run.closed ? run.from : index;
 }
 export function previous_in(run: Run, index: number): number {
-  return index === run.from ? run.to - 1 : index - 1;
+  return index > run.from ? index - 1 : run.closed ? run.to - 1 : index;
 }
 export function run_of(samples: CurveSamples, index: number): Run | null {
   return samples.runs.find((run) => index >= run.from && index < run.to) ?? null;
@@ -186,15 +214,20 @@ export function clip(p: Point, q: Point, low: Point, high: Point): [Point, Point
 // ---- places on the curve --------------------------------------------------------------------------------------
 
 export function spot_at(samples: CurveSamples, curve: CurveName, run: Run, index: number, share: number): Spot {
-  const next = next_in(run, index), length = run.branch.to - run.branch.from;
-  const from = samples.tau[index], to = samples.tau[next] + (next === run.from ? length : 0);
-  let tau = from + share * (to - from);
+  const length = run.branch.to - run.branch.from;
+  let tau = samples.tau[index] + share * (next_tau(samples, run, index) - samples.tau[index]);
   if (tau >= run.branch.to) tau -= length;
-  return {curve, index, share, tau};
+  return {sides: samples.sides, curve, index, share, tau};
+}
+/** τ of the next sample, running on past the end of a closed branch. */
+function next_tau(samples: CurveSamples, run: Run, index: number): number {
+  const next = next_in(run, index);
+  return samples.tau[next] + (run.closed && next === run.from ? run.branch.to - run.branch.from : 0);
 }
 /** The place of a curve coordinate. */
 export function spot_of_tau(samples: CurveSamples, curve: CurveName, tau: number): Spot | null {
-  const run = samples.runs.find((r) => tau >= r.branch.from - 1e-12 && tau <= r.branch.to + 1e-12);
+  const on = samples.runs.filter((r) => tau >= r.branch.from - 1e-12 && tau <= r.branch.to + 1e-12);
+  const run = on.findLast((r) => tau >= samples.tau[r.from]) ?? on[0];
   if (!run) return null;
   let low = run.from, high = run.to;
   while (high - low > 1) {
@@ -203,9 +236,10 @@ export function spot_of_tau(samples: CurveSamples, curve: CurveName, tau: number
     else high = middle;
   }
   const length = run.branch.to - run.branch.from;
-  if (tau < samples.tau[run.from]) return {curve, index: run.to - 1, share: wrap_share(samples, run, tau + length), tau};
-  const next = next_in(run, low), to = samples.tau[next] + (next === run.from ? length : 0);
-  return {curve, index: low, share: to > samples.tau[low] ? (tau - samples.tau[low]) / (to - samples.tau[low]) : 0, tau};
+  const spot = {sides: samples.sides, curve, tau};
+  if (run.closed && tau < samples.tau[run.from]) return {...spot, index: run.to - 1, share: wrap_share(samples, run, tau + length)};
+  const to = next_tau(samples, run, low);
+  return {...spot, index: low, share: to > samples.tau[low] ? Math.max((tau - samples.tau[low]) / (to - samples.tau[low]), 0) : 0};
 }
 function wrap_share(samples: CurveSamples, run: Run, tau: number): number {
   const from = samples.tau[run.to - 1], to = samples.tau[run.from] + run.branch.to - run.branch.from;

@@ -1,10 +1,12 @@
 // What the drawing shows when a task is opened, and when one asks for everything.
 import type {Linkage, Point} from "../engine/protocol";
-import {placed, type Pose, type Problem} from "../state/problem";
+import {placed, type Problem} from "../state/problem";
+import type {Pose} from "../state/task";
 import {bounds, fitted, type Margins, type Viewport} from "./viewport";
 
-export function body_points(poses: readonly Pose[], outline: readonly Point[], has_body: boolean): Point[] {
-  return poses.flatMap((pose) => [[pose.x, pose.y] as Point, ...(has_body ? outline.map((p) => placed(p, pose)) : [])]);
+/** Where the task lies, with the body in its positions. */
+export function task_points(anchors: readonly Point[], poses: readonly Pose[], outline: readonly Point[], has_body: boolean): Point[] {
+  return [...anchors, ...(has_body ? poses.flatMap((pose) => outline.map((p) => placed(p, pose))) : [])];
 }
 /** Pivots that lie near enough to the rest to be shown with it. */
 export function useful_pivots(linkage: Linkage | null, around: readonly Point[]): Point[] {

@@ -1,8 +1,10 @@
 // What can be taken hold of on the drawing: where each thing lies on the screen and how near a pointer must come.
 import type {Box, Linkage, Point} from "../engine/protocol";
-import {placed, type Pose, type Problem} from "../state/problem";
+import {placed, type Problem} from "../state/problem";
+import {poses_of, type Pose} from "../state/task";
 import {bend_of, travel_of} from "../task/travel";
 import type {Spot} from "./curve_samples";
+import type {Bench, Drag} from "./drags/drag";
 import {to_screen, type Viewport} from "./viewport";
 
 export type Side = "input" | "output";
@@ -19,7 +21,17 @@ export type Target =
   | {kind: "corner" | "midpoint"; index: number}
   | {kind: "box"; box: BoxName; edges: Edges}
   | {kind: "traced"; index: number}
+  | TaskPart
   | {kind: "curve"; spot: Spot};
+/** A part of the task that its kind brings (tasks/view.ts), and what it does. */
+export interface TaskPart {
+  kind: "task";
+  part: string;
+  label(): string;
+  drag(bench: Bench, from: Point): Drag;
+  /** Arrow keys: steps to the right and up. */
+  nudge(bench: Bench, dx: number, dy: number, step: number): void;
+}
 export interface Handle {
   id: string;
   target: Target;
@@ -40,6 +52,7 @@ export function target_id(target: Target): string {
     case "corner": case "midpoint": case "traced": return `${target.kind}_${target.index + 1}`;
     case "box": return `box_${target.box}_${target.edges.x}_${target.edges.y}`;
     case "curve": return `curve_${target.spot.curve}`;
+    case "task": return target.part;
     default: return `${target.kind}_${target.pose + 1}`;
   }
 }
@@ -65,9 +78,12 @@ export function knob_place(pose: Pose, view: Viewport, length: number): Point {
   return [x + length * Math.cos(angle), y - length * Math.sin(angle)];
 }
 
+export function task_handle(part: Omit<TaskPart, "kind">, at: Point, cursor = "grab"): Handle {
+  return handle({kind: "task", ...part}, at, ranks.knob, [14, 24], cursor);
+}
 /** Handles of the poses; on a phone only the selected pose has its knob. */
 export function pose_handles(problem: Problem, view: Viewport, selected: number | null, phone: boolean): Handle[] {
-  return problem.task.poses.flatMap((pose, i) => {
+  return poses_of(problem.task).flatMap((pose, i) => {
     const rank = (usual: number) => (i === selected ? ranks.selected : usual);
     const at = to_screen(view, [pose.x, pose.y]);
     const handles = [handle({kind: "disc", pose: i}, at, rank(ranks.disc), [14, 24], "move")];

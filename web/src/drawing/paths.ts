@@ -1,6 +1,7 @@
 // SVG path data in screen pixels.
 import type {Point} from "../engine/protocol";
-import {placed, type Pose} from "../state/problem";
+import {placed} from "../state/problem";
+import type {Pose} from "../state/task";
 import {to_screen, type Viewport} from "./viewport";
 
 export function px(value: number): number {

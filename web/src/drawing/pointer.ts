@@ -2,7 +2,7 @@
 import {tick} from "svelte";
 import type {Attachment} from "svelte/attachments";
 import type {Point} from "../engine/protocol";
-import {add_draft_corner, add_position, click_target, focus_handle, toggle_traced} from "./actions";
+import {add_draft_corner, add_position, click_target, focus_handle, poses_are_wanted, toggle_traced} from "./actions";
 import {box_drag, rubber_drag} from "./drags/box_drags";
 import type {Bench, Drag} from "./drags/drag";
 import {corner_drag, remove_corner} from "./drags/outline_drags";
@@ -181,6 +181,7 @@ class Pointer {
       case "curvature": return curvature_drag(this.bench, taken);
       case "pivot": return pivot_drag(this.bench, taken) ?? pan_drag(this.bench, from);
       case "box": return box_drag(this.bench, taken, from);
+      case "task": return taken.drag(this.bench, from);
       case "corner": case "midpoint": return corner_drag(this.bench, taken);
       default: return pan_drag(this.bench, from);
     }
@@ -212,7 +213,7 @@ class Pointer {
   }
   private click_canvas(at: Point): void {
     const {workbench, scene} = this.bench;
-    if (workbench.incomplete === "empty" || workbench.incomplete === "too_few") return add_position(this.bench, at);
+    if (poses_are_wanted(workbench)) return add_position(this.bench, at);
     workbench.selected_pose = null;
     if (document.activeElement instanceof SVGElement && this.svg.contains(document.activeElement)) document.activeElement.blur();
     scene.corner = null;
@@ -238,7 +239,7 @@ class Pointer {
     const {workbench, scene} = this.bench, spot = target?.kind === "curve" ? target.spot : null;
     if (!spot && !scene.spot) return;
     scene.spot = spot;
-    workbench.curve_hover = spot?.tau ?? null;
+    workbench.curve_hover = spot && {sides: spot.sides, tau: spot.tau};
   }
   leave(): void {
     if (this.press) return;

@@ -3,14 +3,18 @@ import {getContext, setContext, untrack} from "svelte";
 import type {Box, Point} from "../engine/protocol";
 import {state_at} from "../state/drive";
 import {preferences} from "../state/preferences.svelte";
-import {body_point, outline_of, placed, type Pose} from "../state/problem";
+import {body_point, outline_of, placed} from "../state/problem";
 import {screen_size} from "../state/screen.svelte";
+import {poses_of, type Pose} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
-import {curve_samples, nearest, point_at, type Spot} from "./curve_samples";
+import {nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
 import {
   border_hit, box_handles, corner_handles, edge_cursor, inside, pivot_handles, pose_handles, ranks, target_id, within_reach,
   type BoxName, type Handle, type Target,
 } from "./handles";
+import {anchors_of} from "../tasks/kinds";
+import {task_view} from "../tasks/views";
+import {task_points} from "./fit";
 import {grid_step, to_screen, type Viewport} from "./viewport";
 import type {Guide} from "./snapping";
 
@@ -55,7 +59,7 @@ export class Scene {
 
   // ---- what there is ------------------------------------------------------------------------------------------
 
-  readonly poses = $derived.by(() => this.workbench.problem.task.poses);
+  readonly poses = $derived.by(() => poses_of(this.workbench.problem.task));
   readonly outline = $derived.by(() => outline_of(this.workbench.problem));
   /** Without an outline of its own, the body is sized from the poses, so it takes two. */
   readonly has_body = $derived.by(() => this.poses.length > 1 || (this.poses.length === 1 && (this.workbench.problem.view?.outline?.length ?? 0) >= 3));
@@ -64,18 +68,24 @@ export class Scene {
 
   readonly samples = $derived.by(() => {
     const task = this.workbench.task;
-    if (!task || task.curves.tau.length < 2 || task.axis.branches.length === 0) return null;
-    const poses = untrack(() => this.poses), count = poses.length || 1;
-    return curve_samples(task, [poses.reduce((sum, p) => sum + p.x, 0) / count, poses.reduce((sum, p) => sum + p.y, 0) / count]);
+    if (!task) return {input: null, output: null};
+    const points = untrack(() => anchors_of(this.workbench.problem.task)), count = points.length || 1;
+    return samples_of_sides(task, [points.reduce((sum, p) => sum + p[0], 0) / count, points.reduce((sum, p) => sum + p[1], 0) / count]);
+  });
+  /** One for both sides where they are the same. */
+  readonly distinct_samples = $derived.by((): CurveSamples[] => {
+    const {input, output} = this.samples;
+    return [input, output === input ? null : output].filter((samples) => samples !== null);
   });
 
   readonly now = $derived.by((): Now | null => {
     const {hand} = this.workbench;
-    if (!hand || this.poses.length === 0) return null;
+    if (!hand) return null;
     if (hand.drive) {
       const s = state_at(hand.drive, this.workbench.angle);
       return {pose: s, input: [s.ax, s.ay], output: [s.bx, s.by]};
     }
+    if (this.poses.length === 0) return {pose: {x: 0, y: 0, theta_deg: 0}, input: hand.input.circle, output: hand.output.circle};
     const pose = this.nearest_pose;
     const carried = (point: Point | null) => point && placed(body_point(point, this.poses[0]), pose);
     return {pose, input: carried(hand.input.circle), output: carried(hand.output.circle)};
@@ -92,18 +102,23 @@ export class Scene {
     ...(this.moving_box ? box_handles("moving", this.moving_box, this.view) : []),
   ]);
   readonly pose_handles = $derived.by(() => pose_handles(this.workbench.problem, this.view, this.workbench.selected_pose, screen_size.kind === "phone"));
+  readonly task_handles = $derived.by(() => task_view(this.workbench.problem.task).handles?.(this) ?? []);
   readonly pivot_handles = $derived.by(() => (this.workbench.hand && this.now ? pivot_handles(this.workbench.hand, this.now, this.view) : []));
   readonly corner_handles = $derived.by(() => {
     const editing = this.workbench.mode === "outline" && this.draft === null && this.outline_pose;
     return editing ? corner_handles(this.outline, this.outline_pose, this.view) : [];
   });
   /** In reading order. */
-  readonly handles = $derived.by((): Handle[] => [...this.corner_handles, ...this.pose_handles, ...this.pivot_handles, ...this.box_handles]);
+  readonly handles = $derived.by((): Handle[] => [...this.corner_handles, ...this.pose_handles, ...this.task_handles, ...this.pivot_handles, ...this.box_handles]);
 
   readonly step = $derived(grid_step(this.view));
   /** What the status line says of snapping: step in the user's unit, or nothing while it is off. */
   get snap_step(): number | null {
     return preferences.snap ? this.step : null;
+  }
+
+  task_points(): Point[] {
+    return task_points(anchors_of(this.workbench.problem.task), this.poses, this.outline, this.has_body);
   }
 
   // ---- what is under the pointer ------------------------------------------------------------------------------
@@ -131,10 +146,8 @@ export class Scene {
     return first > 0 ? [...found.splice(first, 1), ...found] : found;
   }
   private curves_at(at: Point, touch: boolean): {target: Target; cursor: string}[] {
-    const samples = this.samples;
-    if (!samples) return [];
-    return (["center", "circle"] as const)
-      .flatMap((curve) => nearest(samples, curve, this.view, at) ?? [])
+    return this.distinct_samples
+      .flatMap((samples) => (["center", "circle"] as const).flatMap((curve) => nearest(samples, curve, this.view, at) ?? []))
       .filter((spot) => spot.distance <= curve_reach[touch ? 1 : 0])
       .sort((a, b) => a.distance - b.distance)
       .map((spot) => ({target: {kind: "curve", spot} as Target, cursor: "pointer"}));
@@ -142,7 +155,7 @@ export class Scene {
 
   /** Both ends of the side link at a spot, as in position 1. */
   dyad_at(spot: Spot): {center: Point | null; circle: Point | null} | null {
-    const samples = this.samples;
+    const samples = this.samples[spot.sides[0]];
     return samples && {center: point_at(samples, "center", spot), circle: point_at(samples, "circle", spot)};
   }
 }

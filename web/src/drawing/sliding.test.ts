@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {TaskAnswer} from "../engine/protocol";
-import {curve_samples, point_at, spot_of_tau} from "./curve_samples";
+import {point_at, samples_of_sides, spot_of_tau} from "./curve_samples";
 import {beyond_edge, beyond_spot, overshoot, slid, stepped} from "./sliding";
 import type {Viewport} from "./viewport";
 
@@ -15,11 +15,11 @@ function hyperbola() {
     tau[i] = i / count;
     center.set([Math.sin(t) * Math.cos(t), 100 * Math.cos(t) ** 2, 100 * Math.sin(t) ** 2], 3 * i);
   }
-  return curve_samples({
+  return samples_of_sides({
     characteristic_length: 100,
-    curves: {tau, center, circle: center, branch: new Uint8Array(count)},
-    axis: {order: 0, branches: [{name: "odd", from: 0, to: 1}], blocks: []},
-  } as unknown as TaskAnswer, [0, 0]);
+    curves: {kind: "one_branch", tau, center, circle: center, branch: new Uint8Array(count)},
+    axes: {input: {quantity: "curve_coordinate", order: 0, branches: [{name: "odd", from: 0, to: 1}], blocks: []}}, output_curves: null,
+  } as unknown as TaskAnswer, [0, 0]).input!;
 }
 const samples = hyperbola();
 

@@ -1,6 +1,6 @@
 // Words and numbers that stand on the drawing.
 import {unmet_text} from "../requirements/requirements";
-import type {Pose} from "../state/problem";
+import type {Pose} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {fixed} from "../texts/numbers";
 import {notice_text, t} from "../texts/texts.svelte";
@@ -41,6 +41,7 @@ export function target_label(target: Target, scene: Scene): string {
     case "midpoint": return t("drawing.midpoint", {n: target.index + 1});
     case "box": return t(target.edges.x === 0 && target.edges.y === 0 ? `drawing.box_${target.box}` : `drawing.box_corner_${target.box}`);
     case "traced": return t("drawing.traced", {n: target.index + 1});
+    case "task": return target.label();
     case "curve": return t(`curve.${target.spot.curve}`);
   }
 }

@@ -1,13 +1,8 @@
 // The engine's module (bindings/wasm/bind.cpp). Arrays are views into the engine's memory: to be copied before the next
 // call.
+import type {DyadPolygon} from "./protocol";
 import untyped from "./generated/linkwright.mjs";
 
-export interface CurveArrays {
-  tau: Float64Array;
-  center: Float64Array;
-  circle: Float64Array;
-  branch: Uint8Array;
-}
 export interface MapArrays {
   census: string;
   input_tau: Float64Array;
@@ -29,7 +24,7 @@ export interface Session {
   explore(
     samples: number, input_from: number, input_to: number, output_from: number, output_to: number, property: string,
     order: number,
-  ): {task: string; curves: CurveArrays; map: MapArrays | null};
+  ): {task: string; curves: DyadPolygon; output_curves: DyadPolygon | null; map: MapArrays | null};
   linkage(input_tau: number, output_tau: number): {linkage: string; states: Float64Array};
   live(input_tau: number, output_tau: number): {input: Uint8Array; output: Uint8Array};
   halo(pose: number, turn: boolean, reach: number, steps: number, samples: number): Uint32Array;

@@ -2,7 +2,8 @@
 // C++ engine; the page only draws and words. Angles are degrees where a name ends in _deg, else radians; lengths and
 // points are the user's unit, fixed frame; moving pivots lie as in position 1 unless said otherwise.
 
-/** A cell or a point of the map: curve coordinates of the driving (input) and of the other (output) side link. */
+/** A cell or a point of the map: coordinates τ along its two axes, that of the driving side link (input) and the other's
+ *  (output) where each has an axis of its own. */
 export type TauPair = readonly [input: number, output: number];
 export type Point = readonly [x: number, y: number];
 
@@ -53,17 +54,37 @@ export interface AxisBlock {
   knots: [place: number, tau: number][]; // at least the two ends, rising places, tau strictly monotone
 }
 export interface Branch {
-  name: string; // odd, oval, nodal, line, circle, conic, line_at_infinity, point, center_line
+  /** Of a curve: odd, oval, nodal, line, circle, conic, line_at_infinity, point, center_line. Of other axes: sheet_1,
+   *  sheet_2, sheet_1_opposite, …, direction_1, …, direct, opposite, range. */
+  name: string;
   from: number;
   to: number; // τ
 }
+/** What the coordinate along an axis stands for. */
+export const axis_quantities = [
+  "curve_coordinate", // place on a curve of dyads
+  "burmester_point", // one of a few dyads; each fills a branch
+  "side_direction", // of the side link in position 1, degrees
+  "side_length", // of the side link
+  "output_scale", // factor on the output's travel
+  "pair_output", // output angle of one pair, degrees
+  "nothing", // one place only
+] as const;
+export type AxisQuantity = (typeof axis_quantities)[number];
+
 export interface Axis {
+  quantity: AxisQuantity;
+  /** What people read along it, at even steps of each branch; null where they read nothing. */
+  ticks: (readonly [tau: number, value: number])[] | null;
   /** Which of the display orders this is: given back in `explore.order`, it is forced (undo restores the map exactly). */
   order: number;
   branches: Branch[];
   blocks: AxisBlock[];
 }
-/** Marks along the axis and on the curves. */
+export type Side = "input" | "output";
+export type Axes = Record<Side, Axis>;
+
+/** Marks along the axes and on the curves. */
 export interface Special {
   kind: "pole" | "node" | "center_at_infinity" | "circle_at_infinity" | "focus";
   /** pole: the two positions, from 1. */
@@ -73,16 +94,20 @@ export interface Special {
   center: Point | null; // where it lies on the drawing, fixed curve
   circle: Point | null;
 }
-export interface Curves {
-  kind: string;
-  center_kind: string;
-  kappa: number | null;
-  /** M dyads along all branches by rising τ, dense enough to draw (evenly by length). Homogeneous (w, x, y) of unit
-   *  length, user's frame; a point at infinity has |w| < 1e-9 in the working frame. Each branch is closed. */
+/** M dyads along all branches of an axis by rising τ, dense enough to draw (evenly by length). Homogeneous (w, x, y) of
+ *  unit length, user's frame; a point at infinity has |w| < 1e-9 in the working frame. Each branch is closed. None where
+ *  the dyads depend on the other axis as well. */
+export interface DyadPolygon {
   tau: Float64Array;
   center: Float64Array; // 3M
   circle: Float64Array; // 3M
   branch: Uint8Array; // M
+}
+/** The Burmester curves; where there are none, what the dyads of the input lie along. */
+export interface Curves extends DyadPolygon {
+  kind: string; // or an axis quantity
+  center_kind: string;
+  kappa: number | null;
   /** Asymptotes of the two curves as (point, direction), where they have one. */
   asymptotes: {center: [Point, Point] | null; circle: [Point, Point] | null};
 }
@@ -94,7 +119,11 @@ export interface TaskAnswer {
   characteristic_length: number;
   warnings: Notice[];
   curves: Curves;
-  axis: Axis;
+  /** Of the output; null: the same as the input's. */
+  output_curves: DyadPolygon | null;
+  axes: Axes;
+  /** Both axes carry the same dyads: (u, v) and (v, u) are the same bars, driven from the other side. */
+  symmetric: boolean;
   specials: Special[];
   /** Requirements as used, the defaults filled in (null: switched off). */
   requirements: Requirements;
@@ -128,13 +157,15 @@ export interface Census {
   relax: {requirement: RequirementKey; value: number | null; leaves: number}[]; // dearest first; only if meeting = 0
 }
 export interface MapAnswer {
-  samples: number; // n
+  samples: number; // as asked; an axis of a few places has one row or column to each
+  rows: number;
+  columns: number;
   window: Window;
   property: Property;
   /** τ of rows (input, driving side link) and columns, in display order: row 0 is place window.input[0]. */
   input_tau: Float64Array;
   output_tau: Float64Array;
-  // n × n, row-major [input][output]
+  // rows × columns, row-major [input][output]
   type: Uint8Array;
   defects: Uint8Array;
   fails: Uint8Array;
@@ -228,11 +259,11 @@ export type ExportFormat = "svg" | "dxf" | "csv" | "json" | "result";
 /** Requests by kind. Every request carries the problem (the file's text); a worker keeps the last and reads it again
  *  only when the text differs. */
 export interface Requests {
-  /** Task, map and census at once: what follows a dragged pose. `order`: "nearest" to the last frame's, "fresh" (the
+  /** Task, map and census at once: what follows a drag. `order`: "nearest" to the last frame's, "fresh" (the
    *  canonical one), or the code of a display order. */
   explore: {problem: string; samples: number; window: Window; property: Property; order: "nearest" | "fresh" | number};
   linkage: {problem: string; tau: TauPair};
-  /** Bits failed along the curve samples when one side link is held and the other slides. */
+  /** Bits failed along the curve samples of each side when one side link is held and the other slides. */
   live: {problem: string; tau: TauPair};
   /** Cells that pass (of samples² ) with position `pose` moved by a grid of offsets up to ± reach (user's unit) or
    *  turned up to ± reach_deg. */
@@ -248,7 +279,7 @@ export interface Requests {
 export interface Replies {
   explore: {task: TaskAnswer; map: MapAnswer | null; engine_ms: number};
   linkage: {linkage: Linkage; engine_ms: number};
-  live: {input: Uint8Array; output: Uint8Array}; // by curves.tau index: that side link there, the other held
+  live: Record<Side, Uint8Array>; // by the index of that side's curve samples: that side link there, the other held
   halo: {offsets: Float64Array; counts: Uint32Array; steps: number; reach: number; engine_ms: number}; // counts: row-major [dy][dx] (steps²) or [turn] (steps)
   best: {linkages: {tau: TauPair; type: LinkageType; min_transmission_angle_deg: number; link_ratio: number; longest: number}[]};
   improve: {tau: TauPair; improved: boolean};

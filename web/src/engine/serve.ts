@@ -1,7 +1,7 @@
 // Answers the page's requests from an engine session: the worker without the worker.
-import type {CurveArrays, LinkwrightModule, MapArrays, Session} from "./module";
+import type {LinkwrightModule, MapArrays, Session} from "./module";
 import type {
-  Census, Drive, Kind, Linkage, MapAnswer, Mistake, Replies, ReplyMessage, RequestMessage, Requests, TaskAnswer,
+  Census, Drive, DyadPolygon, Kind, Linkage, MapAnswer, Mistake, Replies, ReplyMessage, RequestMessage, Requests, TaskAnswer,
 } from "./protocol";
 
 class Mistaken extends Error {
@@ -74,6 +74,7 @@ export class Server {
     const found = this.holding(problem).explore(samples, ...window.input, ...window.output, property, code);
     const task = JSON.parse(found.task) as TaskAnswer;
     Object.assign(task.curves, copied_curves(found.curves));
+    task.output_curves = found.output_curves && copied_curves(found.output_curves);
     const map = found.map && copied_map(found.map, {samples, window, property});
     return {task, map, engine_ms: now() - start};
   }
@@ -114,13 +115,15 @@ export class Server {
   }
 }
 
-function copied_curves(from: CurveArrays): CurveArrays {
+function copied_curves(from: DyadPolygon): DyadPolygon {
   return {tau: copied(from.tau), center: copied(from.center), circle: copied(from.circle), branch: copied(from.branch)};
 }
 
 function copied_map(from: MapArrays, asked: Pick<MapAnswer, "samples" | "window" | "property">): MapAnswer {
   return {
     ...asked,
+    rows: from.input_tau.length,
+    columns: from.output_tau.length,
     input_tau: copied(from.input_tau),
     output_tau: copied(from.output_tau),
     type: copied(from.type),

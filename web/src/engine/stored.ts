@@ -10,12 +10,13 @@ interface Stored {
     name: string;
     task: TaskAnswer;
     curves: Packed<"tau" | "center" | "circle" | "branch">;
-    map: Pick<MapAnswer, "samples" | "property" | "census"> & Packed<"tau" | "type" | "defects" | "fails">;
+    map: Pick<MapAnswer, "samples" | "property" | "census"> & // a square whose axes are alike
+      Packed<"tau" | "type" | "defects" | "fails">;
     linkage: Linkage;
     states: string;
     live: Packed<"input" | "output">;
   };
-  thumbnails: Record<string, (Pick<Thumbnail, "title" | "samples" | "linkage"> & Packed<"type" | "fails">) | undefined>;
+  thumbnails: Record<string, (Pick<Thumbnail, "title" | "rows" | "columns" | "linkage"> & Packed<"type" | "fails">) | undefined>;
 }
 const stored = untyped as unknown as Stored;
 
@@ -47,8 +48,8 @@ export interface StoredStart {
 /** The first example, in single precision. */
 export function stored_start(): StoredStart {
   const {name, task, curves, map, linkage, states, live} = stored.start;
-  const tau = unpacked_numbers(map.tau), cells = map.samples ** 2;
-  const none = () => new Float32Array(map.samples), nobody = () => new Uint32Array(map.samples);
+  const tau = unpacked_numbers(map.tau), {samples} = map;
+  const none = () => new Float32Array(samples), nobody = () => new Uint32Array(samples);
   return {
     name,
     task: {
@@ -60,10 +61,10 @@ export function stored_start(): StoredStart {
       },
     },
     map: {
-      samples: map.samples, window: whole, property: map.property, census: map.census,
+      samples, rows: samples, columns: samples, window: whole, property: map.property, census: map.census,
       input_tau: tau, output_tau: tau.slice(),
       type: unpacked(map.type), defects: unpacked(map.defects), fails: unpacked(map.fails),
-      value: new Float32Array(cells),
+      value: new Float32Array(samples ** 2),
       ridge: {input: none(), input_partner: nobody(), output: none(), output_partner: nobody()},
     },
     linkage: {...linkage, drive: linkage.drive && {...linkage.drive, states: unpacked_numbers(states, state_width)}},
@@ -73,7 +74,8 @@ export function stored_start(): StoredStart {
 
 export interface Thumbnail {
   title: string;
-  samples: number; // 0: there is no map
+  rows: number; // 0: there is no map
+  columns: number;
   type: Uint8Array; // as in MapAnswer
   fails: Uint8Array;
   /** The best linkage: centre and circle point of the input, then of the output. */
@@ -83,6 +85,6 @@ export interface Thumbnail {
 export function thumbnail(name: string): Thumbnail | null {
   const found = stored.thumbnails[name];
   if (!found) return null;
-  const cells = (text: string) => (found.samples > 0 ? unpacked(text) : new Uint8Array());
+  const cells = (text: string) => (found.rows > 0 ? unpacked(text) : new Uint8Array());
   return {...found, type: cells(found.type), fails: cells(found.fails)};
 }

@@ -1,7 +1,8 @@
 // A compact picture of one linkage and its body for animations: links, pivots, body, its path and the positions.
 import type {Drive, Linkage, Point} from "../engine/protocol";
 import {state_at, type State} from "../state/drive";
-import {placed, type Pose} from "../state/problem";
+import {placed} from "../state/problem";
+import type {Pose} from "../state/task";
 import {shown_states, swept_points} from "../transport/swept";
 
 export const picture_colors = ["paper", "ink", "ink3", "line", "grid", "accent", "input", "output", "body", "curve"] as const;

@@ -2,7 +2,8 @@
 import type {ExportFormat, Linkage, LinkageType, TauPair} from "../engine/protocol";
 import {drawing_svg} from "../drawing/snapshot";
 import {css_values} from "../state/css_values";
-import {engine_text, outline_of, with_poses, type Problem} from "../state/problem";
+import {engine_text, outline_of, with_task, type Problem} from "../state/problem";
+import {poses_of} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {animated_gif, film, type Progress} from "./animation";
 import {animation_frames} from "./frames";
@@ -31,7 +32,7 @@ const film_size = {width: 640, height: 480};
 export function targets(workbench: Workbench): Target[] {
   const {problem, pins, picked_linkage, picked} = workbench;
   const own: Target[] = picked && picked_linkage ? [{pin: null, tau: picked.tau, type: picked_linkage.type, problem}] : [];
-  return [...own, ...pins.map((pin) => ({pin: pin.name, tau: pin.tau, type: pin.type, problem: with_poses(problem, pin.poses)}))];
+  return [...own, ...pins.map((pin) => ({pin: pin.name, tau: pin.tau, type: pin.type, problem: with_task(problem, pin.task)}))];
 }
 
 export interface File {
@@ -71,7 +72,7 @@ async function linkage_of(workbench: Workbench, {pin, problem, tau}: Target): Pr
 async function animation(workbench: Workbench, target: Target, format: "gif" | "webm", progress: Progress): Promise<Blob> {
   const linkage = await linkage_of(workbench, target), {problem} = target;
   const {width, height} = film_size;
-  const picture = picture_of(linkage, outline_of(problem), problem.task.poses, workbench.whole_travel, width, height, css_values(document.documentElement, picture_colors));
+  const picture = picture_of(linkage, poses_of(problem.task).length ? outline_of(problem) : [], poses_of(problem.task), workbench.whole_travel, width, height, css_values(document.documentElement, picture_colors));
   if (!picture) throw new Error("no drive table");
   const frames = animation_frames(picture.drive, workbench.whole_travel);
   return format === "gif" ? animated_gif(picture, frames, progress) : film(picture, frames, progress);

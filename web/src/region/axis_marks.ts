@@ -1,12 +1,18 @@
-// What stands along a map axis: names of its blocks, ∞ marks, poles, nodes, in pixels.
-import type {Axis, Special} from "../engine/protocol";
+// What stands along a map axis: names of its blocks, numbers, ∞ marks, poles, nodes, in pixels.
+import type {Axis, AxisQuantity, Side, Special} from "../engine/protocol";
 import {place_of} from "../state/axis";
+import {significant} from "../texts/numbers";
 import {t, type TextKey} from "../texts/texts.svelte";
 import {pixel_of, type Scale} from "./scale";
 
 const branch_texts: Record<string, TextKey> = {
   odd: "curve.odd", oval: "curve.oval", nodal: "curve.nodal", line: "curve.line", circle: "curve.circle_part", conic: "curve.conic",
   line_at_infinity: "curve.line_at_infinity", point: "curve.single_point", center_line: "curve.center_line",
+  direct: "axis.direct", opposite: "axis.opposite",
+};
+const sheets: Record<string, string> = {sheet_1: "I", sheet_2: "II", sheet_1_opposite: "III", sheet_2_opposite: "IV"};
+const quantity_texts: Partial<Record<AxisQuantity, TextKey>> = {
+  side_direction: "axis.side_direction", side_length: "axis.side_length", output_scale: "axis.output_scale", pair_output: "axis.pair_output",
 };
 
 export interface AxisBar {
@@ -20,14 +26,48 @@ export interface AxisMark {
   text: string;
 }
 
-export function block_text(axis: Axis, index: number): string {
-  const {branch} = axis.blocks[index], halves = axis.blocks.filter((block) => block.branch === branch);
-  if (axis.branches.length === 1 && halves.length === 2) return t(halves[0] === axis.blocks[index] ? "region.first_half" : "region.second_half");
-  const key = branch_texts[axis.branches[branch].name];
-  return key ? t(key) : axis.branches[branch].name;
+export interface AxisNumber {
+  at: number;
+  text: string;
 }
-export function axis_bars(axis: Axis, scale: Scale): AxisBar[] {
-  return scale.pieces.map(({start, end, block}) => ({start, end, text: axis.blocks[block] ? block_text(axis, block) : ""}));
+
+export function block_text(axis: Axis, index: number): string {
+  const {branch} = axis.blocks[index], halves = axis.blocks.filter((block) => block.branch === branch), {name} = axis.branches[branch];
+  if (axis.quantity === "nothing" || name === "range") return "";
+  if (axis.quantity === "burmester_point") return String(branch + 1);
+  if (name in sheets) return t("axis.sheet", {n: sheets[name]});
+  if (name.startsWith("direction_")) return t("axis.direction", {n: branch + 1});
+  if (axis.branches.length === 1 && halves.length === 2) return t(halves[0] === axis.blocks[index] ? "region.first_half" : "region.second_half");
+  const key = branch_texts[name];
+  return key ? t(key) : name;
+}
+/** Each block with what its numbers are, if it has any, and its name. */
+export function axis_bars(axis: Axis, side: Side, scale: Scale, unit: string): AxisBar[] {
+  const key = quantity_texts[axis.quantity], of = side === "input" ? "₁" : "₂";
+  const quantity = key ? [t(key, {of, unit}).trim()] : [];
+  return scale.pieces.map(({start, end, block}) => {
+    const name = axis.blocks[block] ? block_text(axis, block) : "";
+    return {start, end, text: [...quantity, ...(name ? [name] : [])].join(" · ")};
+  });
+}
+
+const number_px = 34, every = [1, 2, 3, 4, 6, 12];
+
+function number_text(quantity: AxisQuantity, value: number): string {
+  if (quantity === "side_direction" || quantity === "pair_output") return `${significant(value, 3)}°`;
+  return quantity === "output_scale" ? `×${significant(value, 2)}` : significant(value, 3);
+}
+/** The engine's ticks, as many of each block as there is room for. */
+export function axis_numbers(axis: Axis, scale: Scale): AxisNumber[] {
+  return scale.pieces.flatMap(({block, from, to, end}) => {
+    const own = (axis.ticks ?? []).flatMap(([tau, value]) => {
+      const branch = axis.branches[axis.blocks[block]?.branch], place = branch && tau >= branch.from && tau < branch.to ? place_of(axis, tau) : null;
+      return place !== null && place >= from && place < to ? [{at: pixel_of(scale, place), text: number_text(axis.quantity, value)}] : [];
+    });
+    const apart = own.length > 1 ? own[1].at - own[0].at : Infinity;
+    const step = every.find((k) => k * apart >= number_px) ?? own.length;
+    return own.filter(({at}, k) => k % step === 0 && at <= end - number_px / 2);
+  });
 }
 
 function mark_text(special: Special): string {

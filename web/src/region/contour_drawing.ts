@@ -1,6 +1,6 @@
 // Contours on a canvas: white lines with a dark edge, each labelled where it is straightest.
 import {contours, straightest, type Contour} from "./contours";
-import type {MapAnswer} from "../engine/protocol";
+import type {Axes, Axis, MapAnswer} from "../engine/protocol";
 import {point_of, type Frame} from "./painter";
 
 const label_px = 30, label_apart_px = 22, most_lines = 500; // squares along an edge: finer is not seen
@@ -9,23 +9,24 @@ function breaks(window: readonly [number, number], edges: readonly number[], n: 
   return new Set(edges.map((edge) => Math.round(((edge - window[0]) / (window[1] - window[0])) * n)));
 }
 
-/** `edges`: places where blocks end. `ignored`: failures (bits) that do not keep a cell out. */
-export function map_contours(map: MapAnswer, levels: readonly number[], edges: readonly number[], ignored: number): Contour[] {
-  const {samples: n, value, defects, type, fails, window} = map;
+/** `ignored`: failures (bits) that do not keep a cell out. */
+export function map_contours(map: MapAnswer, levels: readonly number[], axes: Axes, ignored: number): Contour[] {
+  const {rows, columns, value, defects, type, fails, window} = map;
+  const edges = (axis: Axis) => axis.blocks.flatMap((block) => [block.from, block.to]);
   return contours({
-    n, value, stride: Math.max(1, Math.round(n / most_lines)),
+    rows, columns, value, stride: Math.max(1, Math.round(Math.max(rows, columns) / most_lines)),
     counts: (i) => defects[i] === 0 && type[i] < 9 && (fails[i] & ~ignored) === 0,
-    row_breaks: breaks(window.input, edges, n), column_breaks: breaks(window.output, edges, n),
+    row_breaks: breaks(window.input, edges(axes.input), rows), column_breaks: breaks(window.output, edges(axes.output), columns),
   }, levels);
 }
 
 /** The same in pixels of the frame. */
-export function placed_contours(found: readonly Contour[], {samples: n, window}: MapAnswer, frame: Frame): Contour[] {
-  const place = (cell: number, [from, to]: readonly [number, number]) => from + ((cell + 0.5) / n) * (to - from);
+export function placed_contours(found: readonly Contour[], {rows, columns, window}: MapAnswer, frame: Frame): Contour[] {
+  const place = (cell: number, n: number, [from, to]: readonly [number, number]) => from + ((cell + 0.5) / n) * (to - from);
   const placed = (line: Float32Array) => {
     const moved = new Float32Array(line.length);
     for (let i = 0; i < line.length; i += 2) {
-      [moved[i], moved[i + 1]] = point_of(frame, [place(line[i + 1], window.input), place(line[i], window.output)]);
+      [moved[i], moved[i + 1]] = point_of(frame, [place(line[i + 1], rows, window.input), place(line[i], columns, window.output)]);
     }
     return moved;
   };

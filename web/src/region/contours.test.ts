@@ -3,7 +3,7 @@ import {contours, straightest, type Field} from "./contours";
 
 function field(n: number, value: (row: number, column: number) => number, change: Partial<Field> = {}): Field {
   const values = Float32Array.from({length: n * n}, (_, i) => value(Math.floor(i / n), i % n));
-  return {n, value: values, counts: () => true, row_breaks: new Set(), column_breaks: new Set(), stride: 1, ...change};
+  return {rows: n, columns: n, value: values, counts: () => true, row_breaks: new Set(), column_breaks: new Set(), stride: 1, ...change};
 }
 
 describe("contours", () => {

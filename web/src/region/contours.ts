@@ -6,7 +6,8 @@ export interface Contour {
   lines: Float32Array[];
 }
 export interface Field {
-  n: number;
+  rows: number;
+  columns: number;
   value: ArrayLike<number>;
   /** A square with a corner that is not counted is left out. */
   counts(index: number): boolean;
@@ -23,37 +24,37 @@ export function contours(field: Field, levels: readonly number[]): Contour[] {
 
 interface Grid {
   rows: Int32Array; // indices into the field
-  n: number;
+  columns: Int32Array;
   value: Float32Array; // NaN where not counted
   row_cut: Uint8Array;
   column_cut: Uint8Array; // 1: no squares between k − 1 and k
 }
-function thinned({n, value, counts, row_breaks, column_breaks, stride}: Field): Grid {
-  const rows = Int32Array.from({length: Math.floor((n - 1) / stride) + 1}, (_, i) => i * stride);
-  const m = rows.length, values = new Float32Array(m * m);
-  for (let r = 0; r < m; ++r) {
-    for (let c = 0; c < m; ++c) {
-      const index = rows[r] * n + rows[c];
-      values[r * m + c] = counts(index) ? value[index] : NaN;
+function thinned({value, counts, row_breaks, column_breaks, stride, ...field}: Field): Grid {
+  const every = (count: number) => Int32Array.from({length: Math.floor((count - 1) / stride) + 1}, (_, i) => i * stride);
+  const rows = every(field.rows), columns = every(field.columns), values = new Float32Array(rows.length * columns.length);
+  for (let r = 0; r < rows.length; ++r) {
+    for (let c = 0; c < columns.length; ++c) {
+      const index = rows[r] * field.columns + columns[c];
+      values[r * columns.length + c] = counts(index) ? value[index] : NaN;
     }
   }
-  const cut = (breaks: ReadonlySet<number>) => {
-    const cuts = new Uint8Array(m);
-    for (let k = 1; k < m; ++k) for (let j = rows[k - 1] + 1; j <= rows[k]; ++j) if (breaks.has(j)) cuts[k] = 1;
+  const cut = (kept: Int32Array, breaks: ReadonlySet<number>) => {
+    const cuts = new Uint8Array(kept.length);
+    for (let k = 1; k < kept.length; ++k) for (let j = kept[k - 1] + 1; j <= kept[k]; ++j) if (breaks.has(j)) cuts[k] = 1;
     return cuts;
   };
-  return {rows, n: m, value: values, row_cut: cut(row_breaks), column_cut: cut(column_breaks)};
+  return {rows, columns, value: values, row_cut: cut(rows, row_breaks), column_cut: cut(columns, column_breaks)};
 }
 
-// Edges of the grid: 2 (r m + c) from (r, c) to the next column, + 1 to the next row. By the corners above the level
+// Edges of the grid of m columns: 2 (r m + c) from (r, c) to the next column, + 1 to the next row. By the corners above the level
 // (1 lower left, 2 lower right, 4 upper right, 8 upper left): pairs of the square's edges, 0 bottom, 1 right, 2 top, 3 left.
 const cases: readonly (readonly number[])[] = [
   [], [3, 0], [0, 1], [3, 1], [1, 2], [3, 0, 1, 2], [0, 2], [3, 2], [2, 3], [0, 2], [0, 1, 2, 3], [1, 2], [3, 1], [0, 1], [3, 0], [],
 ];
 
-function segments({n, value, row_cut, column_cut}: Grid, level: number): number[] {
+function segments({rows, columns: {length: n}, value, row_cut, column_cut}: Grid, level: number): number[] {
   const found: number[] = [];
-  for (let r = 0; r + 1 < n; ++r) {
+  for (let r = 0; r + 1 < rows.length; ++r) {
     if (row_cut[r + 1]) continue;
     for (let c = 0; c + 1 < n; ++c) {
       const at = r * n + c, a = value[at], b = value[at + 1], d = value[at + n], e = value[at + n + 1];
@@ -90,15 +91,16 @@ function chained(pairs: readonly number[], grid: Grid, level: number): Float32Ar
   return lines;
 }
 
-function points(edges: readonly number[], {n, value, rows}: Grid, level: number): Float32Array {
+function points(edges: readonly number[], {value, rows, columns}: Grid, level: number): Float32Array {
+  const n = columns.length;
   const line = new Float32Array(2 * edges.length);
   edges.forEach((edge, i) => {
     const at = edge >> 1, next = edge & 1 ? at + n : at + 1;
     const share = (level - value[at]) / (value[next] - value[at]);
     const row = Math.floor(at / n), column = at % n;
-    const along = (k: number, on: boolean) => rows[k] + (on ? share * (rows[k + 1] - rows[k]) : 0);
-    line[2 * i] = along(column, !(edge & 1));
-    line[2 * i + 1] = along(row, (edge & 1) === 1);
+    const along = (kept: Int32Array, k: number, on: boolean) => kept[k] + (on ? share * (kept[k + 1] - kept[k]) : 0);
+    line[2 * i] = along(columns, column, !(edge & 1));
+    line[2 * i + 1] = along(rows, row, (edge & 1) === 1);
   });
   return line;
 }

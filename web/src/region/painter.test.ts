@@ -12,7 +12,7 @@ const palette: Palette = {
 const look: Look = {palette, only_meeting: false, type_hover: null};
 // Row 0: crank-rocker that meets all, the same failing; row 1: with a defect, degenerate.
 const map = {
-  samples: 2, window: whole, type: Uint8Array.of(0, 0, 2, 9), defects: Uint8Array.of(0, 0, 2, 0),
+  samples: 2, rows: 2, columns: 2, window: whole, type: Uint8Array.of(0, 0, 2, 9), defects: Uint8Array.of(0, 0, 2, 0),
   fails: Uint8Array.of(0, 4, 2, 127), value: Float32Array.of(90, 45, 0, 0),
 } as MapAnswer;
 

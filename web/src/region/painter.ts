@@ -9,34 +9,34 @@ export interface Range {
   to: number;
 }
 
-/** Fills n × n pixels, row 0 of the map at the bottom. */
+/** Fills columns × rows pixels, row 0 of the map at the bottom. */
 export function paint_types(map: MapAnswer, look: Look, out: Uint32Array): void {
-  const table = type_table(look), n = map.samples, {type, defects, fails} = map;
-  for (let row = 0; row < n; ++row) {
-    let from = row * n, to = (n - 1 - row) * n;
-    for (const end = from + n; from < end; ++from, ++to) {
+  const table = type_table(look), {rows, columns, type, defects, fails} = map;
+  for (let row = 0; row < rows; ++row) {
+    let from = row * columns, to = (rows - 1 - row) * columns;
+    for (const end = from + columns; from < end; ++from, ++to) {
       out[to] = table[type[from] | (fails[from] === 0 ? 16 : 0) | (defects[from] << 5)];
     }
   }
 }
 export function paint_values(map: MapAnswer, look: Look, range: Range, out: Uint32Array): void {
-  const {rows, pixels} = ramp_table(look), n = map.samples, {type, defects, fails, value} = map;
+  const table = ramp_table(look), {rows, columns, type, defects, fails, value} = map;
   const scale = (ramp_steps - 1) / (range.to - range.from || 1), top = ramp_steps - 1;
-  for (let row = 0; row < n; ++row) {
-    let from = row * n, to = (n - 1 - row) * n;
-    for (const end = from + n; from < end; ++from, ++to) {
+  for (let row = 0; row < rows; ++row) {
+    let from = row * columns, to = (rows - 1 - row) * columns;
+    for (const end = from + columns; from < end; ++from, ++to) {
       const step = (value[from] - range.from) * scale;
       const kind = type[from] | (fails[from] === 0 ? 16 : 0) | (defects[from] << 5);
-      out[to] = pixels[rows[kind] + (step > 0 ? (step < top ? step | 0 : top) : 0)];
+      out[to] = table.pixels[table.rows[kind] + (step > 0 ? (step < top ? step | 0 : top) : 0)];
     }
   }
 }
 /** Opaque where a cell has exactly this kind of defect as its worst: for hatching by kind. */
 export function paint_defect_mask(map: MapAnswer, kind: DefectKind, out: Uint32Array): void {
-  const n = map.samples, {defects} = map;
-  for (let row = 0; row < n; ++row) {
-    let from = row * n, to = (n - 1 - row) * n;
-    for (const end = from + n; from < end; ++from, ++to) out[to] = worst_kind[defects[from] & 7] === kind ? 0xff000000 : 0;
+  const {rows, columns, defects} = map;
+  for (let row = 0; row < rows; ++row) {
+    let from = row * columns, to = (rows - 1 - row) * columns;
+    for (const end = from + columns; from < end; ++from, ++to) out[to] = worst_kind[defects[from] & 7] === kind ? 0xff000000 : 0;
   }
 }
 export type DefectKind = 0 | 1 | 2 | 3; // none, order, branch, circuit
@@ -48,11 +48,12 @@ export interface Bitmap {
   pixels: ImageData;
   words: Uint32Array;
 }
-export function sized_bitmap(before: Bitmap | null, n: number): Bitmap {
-  if (before && before.canvas.width === n) return before;
+export function sized_bitmap(before: Bitmap | null, {rows, columns}: Pick<MapAnswer, "rows" | "columns">): Bitmap {
+  if (before && before.canvas.width === columns && before.canvas.height === rows) return before;
   const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = n;
-  const pixels = canvas.getContext("2d")!.createImageData(n, n);
+  canvas.width = columns;
+  canvas.height = rows;
+  const pixels = canvas.getContext("2d")!.createImageData(columns, rows);
   return {canvas, pixels, words: new Uint32Array(pixels.data.buffer)};
 }
 export function put(bitmap: Bitmap): void {
@@ -78,17 +79,18 @@ function part(piece: Piece, scale: Scale, span: readonly [number, number], n: nu
 }
 
 /** Draws the bitmap of the part `window` of the region, wherever that part lies in the frame. */
-export function draw_bitmap(context: CanvasRenderingContext2D, bitmap: CanvasImageSource, n: number, window: Window, frame: Frame): void {
-  const {up, across} = frame;
+export function draw_bitmap(context: CanvasRenderingContext2D, {canvas}: Bitmap, window: Window, frame: Frame): void {
+  const {up, across} = frame, {width: columns, height: rows} = canvas;
   const ratio = context.getTransform().a; // device pixels
-  context.imageSmoothingEnabled = n > (up.per_place * ratio) * (window.input[1] - window.input[0]) * 1.3;
+  const crowded = (count: number, scale: Scale, [from, to]: readonly [number, number]) => count > scale.per_place * ratio * (to - from) * 1.3;
+  context.imageSmoothingEnabled = crowded(rows, up, window.input) || crowded(columns, across, window.output);
   for (const row of up.pieces) {
-    const v = part(row, up, window.input, n);
+    const v = part(row, up, window.input, rows);
     if (!v) continue;
     for (const column of across.pieces) {
-      const h = part(column, across, window.output, n);
+      const h = part(column, across, window.output, columns);
       if (!h) continue;
-      context.drawImage(bitmap, h.source, n - v.source - v.source_size, h.source_size, v.source_size,
+      context.drawImage(canvas, h.source, rows - v.source - v.source_size, h.source_size, v.source_size,
         h.start, up.size - v.start - v.size, h.size, v.size);
     }
   }

@@ -1,7 +1,7 @@
 // How the map lies on the screen and where it is being pointed at. Nothing here outlives the pointer: what is shown of
 // the region, picked and hovered is the workbench's.
-import type {Point, TauPair} from "../engine/protocol";
-import {place_of, places_of, tau_at} from "../state/axis";
+import type {Axis, Point, Side, TauPair} from "../engine/protocol";
+import {held_place, place_of, places_of, stepped_place, tau_of_places} from "../state/axis";
 import type {Pin} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
 import {point_of, type Frame} from "./painter";
@@ -9,7 +9,7 @@ import {make_scale, place_at} from "./scale";
 import {panned, showing, zoomed} from "./zoom";
 
 export const pin_reach = 6; // pixels
-export const cells_along = 400; // what a step of the arrow keys is a part of
+const cells_along = 400; // what a step of the arrow keys is a part of
 
 export class RegionView {
   readonly workbench: Workbench;
@@ -25,8 +25,9 @@ export class RegionView {
   whole_picture = $state.raw<{canvas: HTMLCanvasElement} | null>(null);
 
   readonly frame: Frame = $derived.by(() => {
-    const blocks = this.workbench.task?.axis.blocks ?? [], {window} = this.workbench;
-    return {up: make_scale(blocks, window.input, this.size), across: make_scale(blocks, window.output, this.size)};
+    const {task, window} = this.workbench;
+    const scale = (side: Side) => make_scale(task?.axes[side].blocks ?? [], window[side], this.size);
+    return {up: scale("input"), across: scale("output")};
   });
   /** Where the picked linkage stands. */
   readonly picked_place = $derived.by(() => {
@@ -45,7 +46,8 @@ export class RegionView {
   }
 
   place(point: Point): TauPair {
-    return [place_at(this.frame.up, this.size - point[1]), place_at(this.frame.across, point[0])];
+    const {task} = this.workbench, place = [place_at(this.frame.up, this.size - point[1]), place_at(this.frame.across, point[0])] as const;
+    return task ? [held_place(task.axes.input, place[0]), held_place(task.axes.output, place[1])] : place;
   }
   point(place: TauPair): Point {
     return point_of(this.frame, place);
@@ -54,16 +56,16 @@ export class RegionView {
     return x >= 0 && y >= 0 && x <= this.size && y <= this.size;
   }
   place_of_tau(tau: TauPair): TauPair | null {
-    const axis = this.workbench.task?.axis;
-    return axis ? places_of(axis, tau) : null;
+    const {task} = this.workbench;
+    return task && places_of(task.axes, tau);
   }
   tau_of_place(place: TauPair): TauPair | null {
-    const axis = this.workbench.task?.axis;
-    return axis && axis.blocks.length > 0 ? [tau_at(axis, place[0]), tau_at(axis, place[1])] : null;
+    const {task} = this.workbench;
+    return task && tau_of_places(task.axes, place);
   }
   pin_near(point: Point, reach = pin_reach): Pin | null {
     let nearest: Pin | null = null;
-    for (const pin of this.workbench.pins) {
+    for (const pin of this.workbench.pins_on_map) {
       if (!pin.place) continue;
       const [x, y] = this.point(pin.place), distance = Math.hypot(x - point[0], y - point[1]);
       if (distance <= reach) [nearest, reach] = [pin, distance];
@@ -86,10 +88,11 @@ export class RegionView {
   }
   /** The keyboard's crosshair, by cells of the map as it is shown. */
   step(rows: number, columns: number): void {
-    const from = this.hand_place ?? this.middle(), {input, output} = this.workbench.window;
-    const moved = (place: number, by: number, span: readonly [number, number]) =>
-      this.up_to_infinity(place, Math.min(Math.max(place + (by * (span[1] - span[0])) / cells_along, 0), 1));
-    const to = [moved(from[0], rows, input), moved(from[1], columns, output)] as const;
+    const from = this.hand_place ?? this.middle(), {task} = this.workbench;
+    if (!task) return;
+    const moved = (side: Side, place: number, by: number) =>
+      this.up_to_infinity(task.axes[side], place, by === 0 ? place : stepped_place(task.axes[side], place, by, this.cell_width(side)));
+    const to = [moved("input", from[0], rows), moved("output", from[1], columns)] as const;
     const place: TauPair = [to[0].place, to[1].place], plain = this.tau_of_place(place);
     if (!plain) return;
     const tau: TauPair = [to[0].tau ?? plain[0], to[1].tau ?? plain[1]];
@@ -100,12 +103,17 @@ export class RegionView {
     const window = showing(this.workbench.window, place);
     if (window !== this.workbench.window) this.workbench.zoom(window);
   }
+  /** What a step of the arrow keys goes along an axis. */
+  cell_width(side: Side): number {
+    const [from, to] = this.workbench.window[side];
+    return (to - from) / cells_along;
+  }
   /** A step across an ∞ mark stops there: one comes upon the slider exactly. */
-  private up_to_infinity(from: number, to: number): {place: number; tau: number | null} {
-    const task = this.workbench.task, marks = (task?.specials ?? []).filter((special) => special.kind.endsWith("_at_infinity"));
+  private up_to_infinity(axis: Axis, from: number, to: number): {place: number; tau: number | null} {
+    const marks = (this.workbench.task?.specials ?? []).filter((special) => special.kind.endsWith("_at_infinity"));
     let stop: {place: number; tau: number | null} = {place: to, tau: null};
     for (const tau of marks.flatMap((mark) => mark.tau)) {
-      const place = place_of(task!.axis, tau);
+      const place = place_of(axis, tau);
       if (place === null || Math.abs(place - from) < 1e-12 || (place - from) * (stop.place - place) < 0 || from === to) continue;
       if (Math.sign(place - from) === Math.sign(to - from)) stop = {place, tau};
     }
@@ -132,12 +140,9 @@ export class RegionView {
   cell(place: TauPair): number | null {
     const map = this.workbench.map;
     if (!map) return null;
-    const index = (at: number, [from, to]: readonly [number, number]) => {
-      const i = Math.floor(((at - from) / (to - from)) * map.samples);
-      return at === to ? map.samples - 1 : i;
-    };
-    const row = index(place[0], map.window.input), column = index(place[1], map.window.output);
-    return row < 0 || column < 0 || row >= map.samples || column >= map.samples ? null : row * map.samples + column;
+    const index = (at: number, [from, to]: readonly [number, number], count: number) => (at === to ? count - 1 : Math.floor(((at - from) / (to - from)) * count));
+    const row = index(place[0], map.window.input, map.rows), column = index(place[1], map.window.output, map.columns);
+    return row < 0 || column < 0 || row >= map.rows || column >= map.columns ? null : row * map.columns + column;
   }
   /** Nothing to take hold of here: a defect, or no four-bar. */
   is_empty(place: TauPair): boolean {

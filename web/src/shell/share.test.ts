@@ -1,6 +1,7 @@
 import {deflateSync, strToU8} from "fflate";
 import {describe, expect, it} from "vitest";
-import {new_problem, type Problem} from "../state/problem";
+import {type Problem} from "../state/problem";
+import {new_problem} from "../tasks/motion/kind";
 import {check_sum, fragment_of, link_of, longest_link, read_fragment} from "./share";
 
 const page = "https://example.org/linkwright/";

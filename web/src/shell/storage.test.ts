@@ -1,5 +1,6 @@
 import {describe, expect, it} from "vitest";
-import {new_problem, with_view, type Problem} from "../state/problem";
+import {with_view, type Problem} from "../state/problem";
+import {new_problem} from "../tasks/motion/kind";
 import {read_work, write_work, type Store} from "./storage";
 
 function store_of(most = 1e9): Store & {items: Map<string, string>} {

@@ -7,13 +7,13 @@ const degenerate = linkage_types.indexOf("degenerate");
 const defect = 1 << requirement_keys.indexOf("no_defects");
 
 /** Pixels from the top: the input's place upwards, the output's to the right. */
-export function painted({samples, type, fails}: Pick<Thumbnail, "samples" | "type" | "fails">, colors: Record<string, string>): Uint8ClampedArray<ArrayBuffer> {
+export function painted({rows, columns, type, fails}: Pick<Thumbnail, "rows" | "columns" | "type" | "fails">, colors: Record<string, string>): Uint8ClampedArray<ArrayBuffer> {
   const paper = rgb_of(colors.paper), grey = rgb_of(colors.hatch);
   const full = linkage_types.map((name) => rgb_of(colors[name])), faint = full.map((color) => mixed(color, paper, washed_share));
-  const pixels = new Uint8ClampedArray(4 * samples * samples);
-  for (let row = 0; row < samples; ++row) {
-    for (let column = 0; column < samples; ++column) {
-      const cell = row * samples + column, at = 4 * ((samples - 1 - row) * samples + column);
+  const pixels = new Uint8ClampedArray(4 * rows * columns);
+  for (let row = 0; row < rows; ++row) {
+    for (let column = 0; column < columns; ++column) {
+      const cell = row * columns + column, at = 4 * ((rows - 1 - row) * columns + column);
       const color = type[cell] === degenerate ? paper : fails[cell] === 0 ? full[type[cell]] : fails[cell] & defect ? grey : faint[type[cell]];
       pixels.set(color, at);
       pixels[at + 3] = 255;

@@ -1,10 +1,10 @@
 import {describe, expect, it} from "vitest";
-import type {Axis} from "../engine/protocol";
-import {block_at, place_of, places_of, tau_at} from "./axis";
+import {whole, type Axis} from "../engine/protocol";
+import {block_at, held_place, held_tau, held_window, place_of, places_of, stepped_place, tau_at, tau_of_places} from "./axis";
 
 /** Two branches: the first in two blocks, one of them running backwards through the branch's end; the second whole. */
 const axis: Axis = {
-  order: 3,
+  quantity: "curve_coordinate", ticks: null, order: 3,
   branches: [{name: "odd", from: 0, to: 1}, {name: "oval", from: 1, to: 2}],
   blocks: [
     {branch: 0, from: 0, to: 0.25, knots: [[0, 0.75], [0.25, 0.25]]},
@@ -43,7 +43,35 @@ describe("places on the axis", () => {
     expect(place_of({...axis, blocks: axis.blocks.slice(2)}, 0.5)).toBeNull();
   });
   it("are a pair where both are shown", () => {
-    expect(places_of(axis, [0.75, 1.8])).toEqual([place_of(axis, 0.75), place_of(axis, 1.8)]);
-    expect(places_of(axis, [0.75, 9])).toBeNull();
+    const axes = {input: axis, output: axis};
+    expect(places_of(axes, [0.75, 1.8])).toEqual([place_of(axis, 0.75), place_of(axis, 1.8)]);
+    expect(places_of(axes, [0.75, 9])).toBeNull();
+    expect(tau_of_places(axes, [0.125, 0.45])!.map((tau) => tau.toFixed(12))).toEqual(["0.500000000000", "0.125000000000"]);
+    expect(tau_of_places({input: axis, output: {...axis, blocks: []}}, [0, 0])).toBeNull();
+  });
+});
+
+describe("an axis of a few dyads", () => {
+  const points: Axis = {
+    quantity: "burmester_point", ticks: null, order: 0,
+    branches: [0, 1, 2].map((i) => ({name: "point", from: i, to: i + 1})),
+    blocks: [0, 1, 2].map((i) => ({branch: i, from: i / 3, to: (i + 1) / 3, knots: [[i / 3, i], [(i + 1) / 3, i + 1]]})),
+  };
+  const axes = {input: points, output: axis};
+  it("has one τ and one place to each", () => {
+    expect([0, 0.2, 0.34, 0.66, 1].map((place) => tau_at(points, place))).toEqual([0.5, 0.5, 1.5, 1.5, 2.5]);
+    expect(held_place(points, 0.9)).toBeCloseTo(5 / 6, 14);
+    expect(held_place(axis, 0.9)).toBe(0.9);
+    expect(held_tau(axes, [2.01, 1.8])).toEqual([2.5, 1.8]);
+    expect(places_of(axes, [2.01, 0.75])![0]).toBeCloseTo(5 / 6, 14);
+  });
+  it("is stepped along from one to the next, and not beyond the ends", () => {
+    expect(tau_at(points, stepped_place(points, 0.1, 10, 1 / 400))).toBe(1.5);
+    expect(tau_at(points, stepped_place(points, 0.9, 0.1, 1 / 400))).toBe(2.5);
+    expect(stepped_place(axis, 0.5, -2, 0.01)).toBeCloseTo(0.48, 14);
+  });
+  it("is always shown whole", () => {
+    expect(held_window(axes, {input: [0, 0.5], output: [0.25, 0.5]})).toEqual({input: [0, 1], output: [0.25, 0.5]});
+    expect(held_window(axes, {input: [0.5, 0.6], output: [0, 1]})).toBe(whole);
   });
 });

@@ -1,5 +1,7 @@
 // Places on the map's axes and curve coordinates, as the engine's axis tells them.
-import type {Axis, AxisBlock, Branch, TauPair} from "../engine/protocol";
+import {
+  axis_quantities, whole, type Axes, type Axis, type AxisBlock, type Branch, type Side, type TaskAnswer, type TauPair, type Window,
+} from "../engine/protocol";
 
 function interpolated(knots: readonly (readonly [number, number])[], value: number, from: 0 | 1): number {
   const to = from === 0 ? 1 : 0;
@@ -27,11 +29,55 @@ export function block_at(axis: Axis, place: number): AxisBlock {
   return axis.blocks.find((block) => place < block.to) ?? axis.blocks[axis.blocks.length - 1];
 }
 
+/** Whether the dyads lie along Burmester's curves; where there are none, the engine says what they lie along instead. */
+export function has_burmester_curve({curves}: TaskAnswer): boolean {
+  return !(axis_quantities as readonly string[]).includes(curves.kind);
+}
+
+/** Every place of a block is the same: one row or column of the map to each. */
+export function is_discrete({quantity}: Axis): boolean {
+  return quantity === "burmester_point" || quantity === "nothing";
+}
+function middle_tau({from, to}: Branch): number {
+  return (from + to) / 2;
+}
+/** What stands for all places of a block, on an axis of a few; otherwise the place itself. */
+export function held_place(axis: Axis, place: number): number {
+  if (!is_discrete(axis) || axis.blocks.length === 0) return place;
+  const {from, to} = block_at(axis, place);
+  return (from + to) / 2;
+}
+/** So many cells of `cell` on; on an axis of a few places to the next. */
+export function stepped_place(axis: Axis, place: number, cells: number, cell: number): number {
+  if (!is_discrete(axis)) return Math.min(Math.max(place + cells * cell, 0), 1);
+  const at = axis.blocks.indexOf(block_at(axis, place)), to = Math.min(Math.max(at + Math.sign(cells), 0), axis.blocks.length - 1);
+  return held_place(axis, axis.blocks[to].from);
+}
+
+/** An axis of a few places is shown whole. */
+export function held_window(axes: Axes, window: Window): Window {
+  const held = (side: Side) => (is_discrete(axes[side]) ? whole[side] : window[side]);
+  const [input, output] = [held("input"), held("output")];
+  return [...input, ...output].join() === [...whole.input, ...whole.output].join() ? whole : {input, output};
+}
+/** τ as the engine names it: of an axis of a few places the middle of the branch. */
+export function held_tau(axes: Axes, tau: TauPair): TauPair {
+  const held = (axis: Axis, value: number) => {
+    const branch = is_discrete(axis) ? axis.branches.find(({from, to}) => value >= from && value <= to) : undefined;
+    return branch ? middle_tau(branch) : value;
+  };
+  return [held(axes.input, tau[0]), held(axes.output, tau[1])];
+}
+
 /** τ at a place of the axis, on its branch. */
 export function tau_at(axis: Axis, place: number): number {
   const inside = Math.min(Math.max(place, 0), 1);
-  const block = block_at(axis, inside);
-  return wrapped(interpolated(block.knots, inside, 0), axis.branches[block.branch]);
+  const block = block_at(axis, inside), branch = axis.branches[block.branch];
+  return is_discrete(axis) ? middle_tau(branch) : wrapped(interpolated(block.knots, inside, 0), branch);
+}
+export function tau_of_places(axes: Axes, place: TauPair): TauPair | null {
+  if (axes.input.blocks.length === 0 || axes.output.blocks.length === 0) return null;
+  return [tau_at(axes.input, place[0]), tau_at(axes.output, place[1])];
 }
 
 /** Place of τ on the axis; nothing where no block shows it. */
@@ -52,7 +98,7 @@ export function place_of(axis: Axis, tau: number): number | null {
   return null;
 }
 /** Where a pair stands on the map. */
-export function places_of(axis: Axis, tau: TauPair): TauPair | null {
-  const input = place_of(axis, tau[0]), output = place_of(axis, tau[1]);
-  return input === null || output === null ? null : [input, output];
+export function places_of(axes: Axes, tau: TauPair): TauPair | null {
+  const input = place_of(axes.input, tau[0]), output = place_of(axes.output, tau[1]);
+  return input === null || output === null ? null : [held_place(axes.input, input), held_place(axes.output, output)];
 }

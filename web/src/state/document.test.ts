@@ -1,15 +1,17 @@
 import {describe, expect, it} from "vitest";
 import type {Axis} from "../engine/protocol";
 import {differs, from_problem, same_tau, settled_on, to_problem, type Document} from "./document";
-import {new_problem, with_pose, with_view, type Pin} from "./problem";
+import {new_problem} from "../tasks/motion/kind";
+import {with_pose, with_view, type Pin} from "./problem";
 
 /** One branch over the whole axis, from τ = 0 to 1. */
-const axis: Axis = {order: 3, branches: [{name: "odd", from: 0, to: 1}], blocks: [{branch: 0, from: 0, to: 1, knots: [[0, 0], [1, 1]]}]};
+const axis: Axis = {quantity: "curve_coordinate", ticks: null, order: 3, branches: [{name: "odd", from: 0, to: 1}], blocks: [{branch: 0, from: 0, to: 1, knots: [[0, 0], [1, 1]]}]};
 const shifted: Axis = {...axis, blocks: [{branch: 0, from: 0, to: 1, knots: [[0, 0.25], [1, 1.25]]}]};
-const no_curve: Axis = {order: 3, branches: [], blocks: []};
+const no_curve: Axis = {...axis, branches: [], blocks: []};
+const both = (one: Axis) => ({input: one, output: one});
 
 const problem = new_problem();
-const pin = {name: "A", tau: [0.5, 0.75], poses: problem.task.poses} as unknown as Pin;
+const pin = {name: "A", tau: [0.5, 0.75], task: problem.task} as unknown as Pin;
 const document: Document = {problem, picked: {tau: [0.25, 0.5], place: null}, pins: [pin], order: null};
 
 describe("a document", () => {
@@ -33,23 +35,23 @@ describe("a document", () => {
 
 describe("on the axis of an answer", () => {
   it("what was loaded gets its place from τ", () => {
-    const settled = settled_on(axis, document);
+    const settled = settled_on(both(axis), document);
     expect(settled.picked).toEqual({tau: [0.25, 0.5], place: [0.25, 0.5]});
     expect(settled.pins[0].place).toEqual([0.5, 0.75]);
     expect(settled.order).toBe(3);
-    expect(settled_on(axis, settled)).toBe(settled);
+    expect(settled_on(both(axis), settled)).toBe(settled);
   });
   it("what has a place keeps it, and τ follows, the picked linkage's only", () => {
-    const settled = settled_on(shifted, settled_on(axis, document));
+    const settled = settled_on(both(shifted), settled_on(both(axis), document));
     expect(settled.picked).toEqual({tau: [0.5, 0.75], place: [0.25, 0.5]});
     expect(settled.pins[0]).toMatchObject({tau: [0.5, 0.75], place: [0.5, 0.75]});
   });
   it("τ stays to the last bit where it has not moved", () => {
-    const tau = [0.25 + 1e-12, 0.5] as const, settled = settled_on(axis, {...document, picked: {tau, place: [0.25, 0.5]}});
+    const tau = [0.25 + 1e-12, 0.5] as const, settled = settled_on(both(axis), {...document, picked: {tau, place: [0.25, 0.5]}});
     expect(settled.picked!.tau).toBe(tau);
   });
   it("without a curve everything waits for one", () => {
-    expect(settled_on(no_curve, document)).toBe(document);
+    expect(settled_on(both(no_curve), document)).toBe(document);
   });
 });
 

@@ -1,6 +1,7 @@
 // What undo restores, as a value, and what can be asked of it without the engine.
-import type {Axis, TauPair} from "../engine/protocol";
-import {places_of, tau_at} from "./axis";
+import type {Axes, TauPair} from "../engine/protocol";
+import {places_of, tau_of_places} from "./axis";
+import {map_of} from "../tasks/kinds";
 import {problem_text, with_view, type Pin, type Problem} from "./problem";
 
 export interface Picked {
@@ -32,6 +33,12 @@ export function to_problem({problem, picked, pins, order}: Document): Problem {
   return with_view(problem, view);
 }
 
+/** After a change: what was picked stays in hand where the map stays one of the same things. */
+export function with_problem(document: Document, problem: Problem): Document {
+  const same_map = map_of(document.problem.task) === map_of(problem.task);
+  return same_map ? {...document, problem} : {...document, problem, picked: null, order: null};
+}
+
 export function same_tau(a: TauPair | null | undefined, b: TauPair | null | undefined): boolean {
   return a === b || (!!a && !!b && a[0] === b[0] && a[1] === b[1]);
 }
@@ -41,22 +48,23 @@ export function differs(a: Document, b: Document): boolean {
   return !same_problem || a.pins !== b.pins || a.picked?.tau.join() !== b.picked?.tau.join();
 }
 
-/** On the axis of an answer, the picked linkage keeps its place on the map; what was freshly loaded gets its place from τ.
+/** On the axes of an answer, the picked linkage keeps its place on the map; what was freshly loaded gets its place from τ.
  *  The same document where that changes nothing. */
-export function settled_on(axis: Axis, document: Document): Document {
-  if (axis.blocks.length === 0) return document; // no curve: picked and pins wait for one
-  const picked = document.picked && settled(axis, document.picked);
-  const pins = document.pins.some((pin) => !pin.place) ? document.pins.map((pin) => marked(axis, pin)) : document.pins;
-  const same = picked === document.picked && pins === document.pins && axis.order === document.order;
-  return same ? document : {...document, picked, pins, order: axis.order};
+export function settled_on(axes: Axes, document: Document): Document {
+  const {order, blocks} = axes.input;
+  if (blocks.length === 0) return document; // nothing to stand on: picked and pins wait for it
+  const picked = document.picked && settled(axes, document.picked);
+  const pins = document.pins.some((pin) => !pin.place) ? document.pins.map((pin) => marked(axes, pin)) : document.pins;
+  const same = picked === document.picked && pins === document.pins && order === document.order;
+  return same ? document : {...document, picked, pins, order};
 }
-function settled(axis: Axis, picked: Picked): Picked {
-  const tau = picked.place ? kept_tau(picked.tau, [tau_at(axis, picked.place[0]), tau_at(axis, picked.place[1])]) : picked.tau;
-  const place = picked.place ?? places_of(axis, picked.tau);
+function settled(axes: Axes, picked: Picked): Picked {
+  const place = picked.place ?? places_of(axes, picked.tau);
+  const tau = picked.place ? kept_tau(picked.tau, tau_of_places(axes, picked.place) ?? picked.tau) : picked.tau;
   return tau === picked.tau && place === picked.place ? picked : {tau, place};
 }
-function marked(axis: Axis, pin: Pin): Pin {
-  return pin.place ? pin : {...pin, place: places_of(axis, pin.tau) ?? undefined};
+function marked(axes: Axes, pin: Pin): Pin {
+  return pin.place ? pin : {...pin, place: places_of(axes, pin.tau) ?? undefined};
 }
 /** τ as it was where its place has not moved it: undo restores a linkage to the last bit. */
 function kept_tau(before: TauPair, now: TauPair): TauPair {

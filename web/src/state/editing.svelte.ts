@@ -1,7 +1,7 @@
 // The document as it is edited: steps and undo, gestures that become a step when they end, and what happens to a step
 // that the engine refuses.
 import type {Mistake} from "../engine/protocol";
-import {differs, from_problem, type Document, type Picked} from "./document";
+import {differs, from_problem, with_problem, type Document, type Picked} from "./document";
 import {History} from "./history";
 import {engine_text, type Pin, type Problem} from "./problem";
 
@@ -53,7 +53,7 @@ export abstract class Editing {
 
   /** One undoable step. Steps with the same `merge` label within a second are one. */
   edit(change: (problem: Problem) => Problem, merge: string | null = null): void {
-    this.commit({...this.document, problem: change(this.problem)}, merge);
+    this.commit(with_problem(this.document, change(this.problem)), merge);
   }
   edit_document(change: (document: Document) => Document, merge: string | null = null): void {
     this.commit(change(this.document), merge);
@@ -91,7 +91,7 @@ export abstract class Editing {
   }
   /** A change inside a gesture: shown at once, not a step. */
   drag(change: (problem: Problem) => Problem): void {
-    this.show({...this.document, problem: change(this.problem)});
+    this.show(with_problem(this.document, change(this.problem)));
   }
   drag_document(change: (document: Document) => Document): void {
     this.show(change(this.document));

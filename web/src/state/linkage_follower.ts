@@ -100,7 +100,7 @@ export class LinkageFollower {
     }
     const {tau} = reply.linkages[0];
     if (!quietly) return workbench.pick(tau);
-    workbench.amend({picked: {tau, place: workbench.task && places_of(workbench.task.axis, tau)}});
+    workbench.amend({picked: {tau, place: workbench.task && places_of(workbench.task.axes, tau)}});
     this.follow();
   }
   async pick_next_best(step: 1 | -1): Promise<void> {

@@ -58,7 +58,7 @@ export class MapFollower {
       if (samples === even_samples) this.weigh(reply.engine_ms);
       this.take(reply, document, samples, window);
       if (this.asked !== asked) return;
-      this.asked = question(reply.task.axis.order);
+      this.asked = question(reply.task.axes.input.order);
       this.refine();
     } catch (error) {
       if (error instanceof Superseded) return;
@@ -71,7 +71,7 @@ export class MapFollower {
     if (this.slow_maps >= slow_often) this.quick_maps = quick_often;
   }
   private take(reply: Replies["explore"], document: Document, samples: number, window: Window): void {
-    const {workbench} = this, {task, gesture} = workbench, {axis} = reply.task;
+    const {workbench} = this, {task, gesture} = workbench, {input: axis} = reply.task.axes;
     if (workbench.incomplete) return; // positions were removed meanwhile
     workbench.task = reply.task;
     if (reply.map) workbench.map = reply.map;
@@ -79,16 +79,16 @@ export class MapFollower {
     workbench.engine_ms = reply.engine_ms;
     workbench.accept(document);
     if (reply.map && window === whole && samples !== fine_samples) workbench.census = reply.map.census;
-    const split = task !== null && gesture && task.axis.branches.length !== axis.branches.length;
+    const split = task !== null && gesture && axis.quantity === "curve_coordinate" && task.axes.input.branches.length !== axis.branches.length;
     if (split) workbench.say(axis.branches.length > 1 ? "state.curve_split" : "state.curve_joined");
     if (gesture || workbench.problem === document.problem) this.settle();
     workbench.linkages.follow();
   }
   private settle(): void {
     const {document, task, linkages} = this.workbench;
-    const settled = settled_on(task!.axis, document);
+    const settled = settled_on(task!.axes, document);
     if (settled !== document) this.workbench.amend(settled);
-    if (!settled.picked && task!.axis.blocks.length > 0) linkages.start_with_best();
+    if (!settled.picked && task!.axes.input.blocks.length > 0) linkages.start_with_best();
   }
   private not_explored(error: unknown, document: Document, asked: string): void {
     if (this.asked === asked) this.forget();

@@ -1,9 +1,10 @@
 import {describe, expect, it} from "vitest";
 import {find_pin, free_name} from "./pins";
-import {new_problem, with_pose, type Pin} from "./problem";
+import {new_problem} from "../tasks/motion/kind";
+import {with_pose, type Pin} from "./problem";
 
-const {poses} = new_problem().task;
-const named = (name: string) => ({name, tau: [0.5, 0.75], poses}) as unknown as Pin;
+const {task} = new_problem();
+const named = (name: string) => ({name, tau: [0.5, 0.75], task}) as unknown as Pin;
 
 describe("pins", () => {
   it("take the first free name", () => {
@@ -14,9 +15,9 @@ describe("pins", () => {
     expect(free_name([...alphabet, named("A1")])).toBe("B1");
   });
   it("are found by their linkage, in their own task", () => {
-    const pins = [named("A")], other = with_pose(new_problem(), 0, {x: 1}).task.poses;
-    expect(find_pin(pins, poses.map((pose) => ({...pose})), [0.5, 0.75 + 1e-9])?.name).toBe("A");
-    expect(find_pin(pins, poses, [0.5, 0.76])).toBeUndefined();
+    const pins = [named("A")], other = with_pose(new_problem(), 0, {x: 1}).task;
+    expect(find_pin(pins, new_problem().task, [0.5, 0.75 + 1e-9])?.name).toBe("A");
+    expect(find_pin(pins, task, [0.5, 0.76])).toBeUndefined();
     expect(find_pin(pins, other, [0.5, 0.75])).toBeUndefined();
   });
 });

@@ -1,6 +1,7 @@
 // Pins as values: each belongs to the task in which it was made.
 import type {Linkage, TauPair} from "../engine/protocol";
-import {same_poses, type Pin, type Pose, type Problem} from "./problem";
+import type {Pin, Problem} from "./problem";
+import {same_task, type Task} from "./task";
 
 export function new_pin(linkage: Linkage, problem: Problem, name: string, place: TauPair | null): Pin {
   const {input, output} = linkage;
@@ -8,7 +9,7 @@ export function new_pin(linkage: Linkage, problem: Problem, name: string, place:
     name,
     tau: linkage.tau,
     place: place ?? undefined,
-    poses: problem.task.poses,
+    task: problem.task,
     type: linkage.type,
     min_transmission_angle_deg: linkage.min_transmission_angle_deg,
     link_ratio: linkage.link_ratio,
@@ -24,7 +25,7 @@ export function free_name(pins: readonly Pin[]): string {
     if (!pins.some((pin) => pin.name === name)) return name;
   }
 }
-/** The pin that keeps this linkage of the task with these poses. */
-export function find_pin(pins: readonly Pin[], poses: readonly Pose[], tau: TauPair): Pin | undefined {
-  return pins.find((pin) => same_poses(pin.poses, poses) && Math.hypot(pin.tau[0] - tau[0], pin.tau[1] - tau[1]) < 1e-6);
+/** The pin that keeps this linkage of the task. */
+export function find_pin(pins: readonly Pin[], task: Task, tau: TauPair): Pin | undefined {
+  return pins.find((pin) => same_task(pin.task, task) && Math.hypot(pin.tau[0] - tau[0], pin.tau[1] - tau[1]) < 1e-6);
 }

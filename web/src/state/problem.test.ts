@@ -1,16 +1,18 @@
 import {describe, expect, it} from "vitest";
+import {default_max_length} from "../tasks/kinds";
+import {new_problem} from "../tasks/motion/kind";
 import {
-  body_point, default_max_length, engine_text, incompleteness, new_problem, outline_of, placed, poses_extent, round_step, same_poses, with_options,
-  with_pose, with_poses, with_requirements, with_view, type Problem,
+  body_point, engine_text, outline_of, placed, poses_extent, round_step, with_options, with_pose, with_poses, with_requirements, with_view,
 } from "./problem";
+import {poses_of} from "./task";
 
 describe("a problem", () => {
   it("is changed by making another", () => {
     const problem = new_problem(), before = JSON.stringify(problem);
     const changed = with_view(with_options(with_requirements(with_pose(problem, 2, {x: 7}), {max_link_ratio: 5}), {best: 3}), {traced: [[1, 2]]});
     expect(JSON.stringify(problem)).toBe(before);
-    expect(changed.task.poses[2]).toEqual({...problem.task.poses[2], x: 7});
-    expect(changed.task.poses[1]).toBe(problem.task.poses[1]);
+    expect(poses_of(changed.task)[2]).toEqual({...poses_of(problem.task)[2], x: 7});
+    expect(poses_of(changed.task)[1]).toBe(poses_of(problem.task)[1]);
     expect(changed.requirements).toMatchObject({max_link_ratio: 5, min_transmission_angle_deg: 30});
     expect(changed.options).toEqual({best: 3});
   });
@@ -22,23 +24,9 @@ describe("a problem", () => {
     const problem = new_problem();
     expect(engine_text(with_view(problem, {picked: [1, 2], outline: [[0, 0], [1, 0], [0, 1]]}))).toBe(engine_text(problem));
   });
-  it("is complete with four positions, derivatives counted", () => {
-    const problem = new_problem(), {poses} = problem.task, moving = {...poses[0], derivatives: [{x: 1, y: 0, theta: 0}]};
-    const found = [[], poses.slice(1), poses, [moving, ...poses.slice(2)], [moving, ...poses.slice(1)]].map((list) => incompleteness(with_poses(problem, list)));
-    expect(found).toEqual(["empty", "too_few", null, null, "too_many"]);
-  });
 });
 
 describe("poses", () => {
-  it("are the same by value, in whatever order their keys come", () => {
-    const a = [{x: 1, y: 2, theta_deg: 3}], b = [{theta_deg: 3, y: 2, x: 1}];
-    expect(same_poses(a, b)).toBe(true);
-    expect(same_poses(a, [{x: 1, y: 2, theta_deg: 4}])).toBe(false);
-    expect(same_poses(a, [...b, ...b])).toBe(false);
-    const bent = {...a[0], derivatives: [{x: 1, y: 0, theta: 0.5}]};
-    expect(same_poses(a, [bent])).toBe(false);
-    expect(same_poses([bent], [{...b[0], derivatives: [{theta: 0.5, y: 0, x: 1}]}])).toBe(true);
-  });
   it("place points of the body, and take them back", () => {
     const pose = {x: 10, y: -5, theta_deg: 90};
     const at = placed([2, 1], pose);
@@ -68,7 +56,7 @@ describe("sizes", () => {
   it("give new tasks a limit that grows with them", () => {
     const problem = new_problem(), limit = default_max_length(problem);
     expect(problem.requirements!.max_length).toBe(limit);
-    const twice: Problem = {...problem, task: {...problem.task, poses: problem.task.poses.map((p) => ({...p, x: 2 * p.x, y: 2 * p.y}))}};
+    const twice = with_poses(problem, poses_of(problem.task).map((p) => ({...p, x: 2 * p.x, y: 2 * p.y})));
     expect(default_max_length(twice) / limit).toBeCloseTo(2, 0);
   });
 });

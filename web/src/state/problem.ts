@@ -1,17 +1,7 @@
 // The problem file as the page holds it: a plain immutable value. Its normal form and its mistakes come from the engine.
 import type {LinkageType, Point, Requirements, TauPair} from "../engine/protocol";
+import {diagonal_of, poses_of, with_task_poses, type Pose, type Task} from "./task";
 
-export interface Pose {
-  x: number;
-  y: number;
-  theta_deg: number;
-  derivatives?: {x: number; y: number; theta: number}[];
-}
-export interface Task {
-  kind: "motion";
-  mechanism: "four_bar";
-  poses: readonly Pose[];
-}
 export interface Options {
   region_samples?: number;
   spacing?: "coordinate" | "arc_length";
@@ -19,13 +9,13 @@ export interface Options {
   best?: number;
   window?: unknown;
 }
-/** A linkage that the user keeps: it belongs to the task in which it was pinned, whose poses it carries. */
+/** A linkage that the user keeps: it carries the task in which it was pinned. */
 export interface Pin {
   name: string; // A, B, …
   note?: string;
   tau: TauPair;
   place?: TauPair; // where its marker stands on the map, display coordinates
-  poses: readonly Pose[];
+  task: Task;
   shown?: boolean; // as a ghost on the drawing
   type: LinkageType;
   min_transmission_angle_deg: number | null;
@@ -62,17 +52,6 @@ export interface Problem {
   view?: View;
 }
 
-/** Why there is no map: the number of positions. */
-export type Incomplete = "empty" | "too_few" | "too_many" | null;
-
-export function position_count(problem: Problem): number {
-  return problem.task.poses.reduce((sum, pose) => sum + 1 + (pose.derivatives?.length ?? 0), 0);
-}
-export function incompleteness(problem: Problem): Incomplete {
-  const count = position_count(problem);
-  return count === 0 ? "empty" : count < 4 ? "too_few" : count > 4 ? "too_many" : null;
-}
-
 export function problem_text(problem: Problem, indent?: number): string {
   return JSON.stringify(problem, null, indent);
 }
@@ -84,11 +63,14 @@ export function engine_text(problem: Problem): string {
 }
 
 export function with_pose(problem: Problem, index: number, change: Partial<Pose>): Problem {
-  const poses = problem.task.poses.map((pose, i) => (i === index ? {...pose, ...change} : pose));
+  const poses = poses_of(problem.task).map((pose, i) => (i === index ? {...pose, ...change} : pose));
   return with_poses(problem, poses);
 }
 export function with_poses(problem: Problem, poses: readonly Pose[]): Problem {
-  return {...problem, task: {...problem.task, poses}};
+  return with_task(problem, with_task_poses(problem.task, poses));
+}
+export function with_task(problem: Problem, task: Task): Problem {
+  return {...problem, task};
 }
 export function with_requirements(problem: Problem, change: Partial<Requirements>): Problem {
   const requirements = {...problem.requirements, ...change};
@@ -102,14 +84,6 @@ export function with_options(problem: Problem, change: Partial<Options>): Proble
 }
 export function with_view(problem: Problem, change: Partial<View>): Problem {
   return {...problem, view: {...problem.view, ...change}};
-}
-
-export function same_poses(a: readonly Pose[], b: readonly Pose[]): boolean {
-  return a === b || (a.length === b.length && a.every((pose, i) => same_pose(pose, b[i])));
-}
-function same_pose(a: Pose, b: Pose): boolean {
-  const rest = (pose: Pose) => JSON.stringify((pose.derivatives ?? []).map((d) => [d.x, d.y, d.theta]));
-  return a.x === b.x && a.y === b.y && a.theta_deg === b.theta_deg && rest(a) === rest(b);
 }
 
 /** A body point's place in the fixed frame when the moving frame lies at `pose`. */
@@ -126,8 +100,7 @@ export function body_point(point: Point, pose: {x: number; y: number; theta_deg:
 
 /** Diagonal of the box around the poses. */
 export function poses_extent(poses: readonly Pose[]): number {
-  const xs = poses.map((p) => p.x), ys = poses.map((p) => p.y);
-  return Math.hypot(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys)) || 1;
+  return diagonal_of(poses.map((p) => [p.x, p.y] as const)) || 1;
 }
 
 /** A round number of one digit (1, 2, 5 × 10ⁿ) that is at least `value`. */
@@ -140,34 +113,7 @@ export function round_step(value: number): number {
 /** Outline of the body: the file's, or a rectangle sized from the poses. */
 export function outline_of(problem: Problem): readonly Point[] {
   if (problem.view?.outline && problem.view.outline.length >= 3) return problem.view.outline;
-  const size = poses_extent(problem.task.poses);
+  const size = poses_extent(poses_of(problem.task));
   const w = round_step(0.3 * size), h = round_step(0.1 * size);
   return [[-w / 2, -h / 2], [w / 2, -h / 2], [w / 2, h / 2], [-w / 2, h / 2]];
-}
-
-/** New tasks get a size limit (the best transmission angle alone is found next to links of many metres). */
-export function default_max_length(problem: Problem): number {
-  const points = problem.task.poses.flatMap((pose) => outline_of(problem).map((p) => placed(p, pose)));
-  const xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
-  const diagonal = Math.hypot(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
-  return Number((3 * diagonal).toPrecision(2));
-}
-
-export function new_problem(): Problem {
-  const problem: Problem = {
-    linkwright: 1,
-    title: "",
-    length_unit: "mm",
-    task: {
-      kind: "motion",
-      mechanism: "four_bar",
-      poses: [
-        {x: 0, y: 0, theta_deg: 0},
-        {x: -60, y: 80, theta_deg: 20},
-        {x: -80, y: 190, theta_deg: 50},
-        {x: -40, y: 300, theta_deg: 85},
-      ],
-    },
-  };
-  return with_requirements(problem, {min_transmission_angle_deg: 30, max_length: default_max_length(problem)});
 }

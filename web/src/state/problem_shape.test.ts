@@ -1,9 +1,9 @@
 import {describe, expect, it} from "vitest";
-import {new_problem} from "./problem";
+import {new_problem} from "../tasks/motion/kind";
 import {read_problem, read_view} from "./problem_shape";
 
 const pin = {
-  name: "A", note: "near the roof", tau: [0.1, 0.2], place: [0.3, 0.4], poses: [{x: 0, y: 1, theta_deg: 2}], type: "double_crank",
+  name: "A", note: "near the roof", tau: [0.1, 0.2], place: [0.3, 0.4], task: {kind: "motion", mechanism: "four_bar", poses: [{x: 0, y: 1, theta_deg: 2}]}, type: "double_crank",
   min_transmission_angle_deg: 40, link_ratio: null, longest: 3, lengths: {ground: 1, input: 2, coupler: 3, output: 4},
   pivots: {input_center: [0, 0], input_circle: null, output_center: [1, 0], output_circle: [1, 1]},
 };
@@ -25,6 +25,11 @@ describe("a view from outside", () => {
     expect(read.map((p) => p.name)).toEqual(["A", "D"]);
     expect(read[1].note).toBeUndefined();
     expect(read[1].lengths).toBeNull();
+  });
+  it("takes pins of old, which had poses", () => {
+    const {task, ...old} = pin;
+    expect(read_view({pins: [{...old, poses: task.poses}]}).pins).toEqual([pin]);
+    expect(read_view({pins: [old]}).pins).toEqual([]);
   });
   it("keeps one pin of each name", () => {
     expect(read_view({pins: [pin, {...pin, tau: [9, 9]}]}).pins).toEqual([pin]);

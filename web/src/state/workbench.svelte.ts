@@ -2,17 +2,20 @@
 // (editing.svelte.ts); the rest is how it is being looked at and what the engine answers, for which two followers ask.
 import {EngineClient} from "../engine/client";
 import {
-  whole, type Census, type Linkage, type MapAnswer, type Property, type Replies, type TaskAnswer, type TauPair, type Window,
+  whole, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
 } from "../engine/protocol";
+import type {Incomplete} from "../tasks/kind";
+import {incompleteness, map_of} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
-import {places_of} from "./axis";
-import {from_problem, to_problem} from "./document";
+import {held_tau, held_window, places_of} from "./axis";
+import {from_problem, to_problem, type Picked} from "./document";
 import {angle_at_stage, stage_at_angle} from "./drive";
 import {Editing} from "./editing.svelte";
 import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
 import {find_pin, free_name, new_pin} from "./pins";
-import {incompleteness, same_poses, with_poses, type Incomplete, type Pin, type Problem} from "./problem";
+import {with_task, type Pin, type Problem} from "./problem";
+import {same_task} from "./task";
 
 export interface Toast {
   id: number;
@@ -29,7 +32,7 @@ export class Workbench extends Editing {
   map = $state.raw<MapAnswer | null>(null);
   /** Of the whole region at 400² (100² in a slow drag), whatever part of it is on screen. */
   census = $state.raw<Census | null>(null);
-  incomplete = $state<Incomplete>(null);
+  incomplete = $state.raw<Incomplete | null>(null);
   engine_ms = $state(0);
   window = $state.raw<Window>(whole);
 
@@ -56,8 +59,8 @@ export class Workbench extends Editing {
   mode = $state<Mode>("point");
   /** Counts the tasks that were opened: each is shown whole. */
   opened = $state(0);
-  /** Curve coordinate under the pointer on the drawing: bead on both axes of the map. */
-  curve_hover = $state<number | null>(null);
+  /** Curve coordinate under the pointer on the drawing: bead on the axes of these sides. */
+  curve_hover = $state.raw<{sides: readonly Side[]; tau: number} | null>(null);
   /** Legend entry under the pointer (type code): others fade. */
   type_hover = $state<number | null>(null);
   /** Ends of the colour ramp that the user has set, by property. */
@@ -131,7 +134,7 @@ export class Workbench extends Editing {
     this.map = map;
     this.census = map?.census ?? null;
     if (linkage && !this.picked) this.amend({picked: {tau: linkage.tau, place: this.place_of(linkage.tau)}});
-    this.amend({order: task.axis.order});
+    this.amend({order: task.axes.input.order});
     this.hand = this.picked_linkage = linkage;
     this.live = live;
   }
@@ -149,7 +152,7 @@ export class Workbench extends Editing {
     }
   }
   zoom(window: Window): void {
-    this.window = window;
+    this.window = this.task ? held_window(this.task.axes, window) : window;
     this.refresh();
   }
 
@@ -183,13 +186,16 @@ export class Workbench extends Editing {
   }
   /** An undoable choice. */
   pick(tau: TauPair, merge: string | null = null): void {
-    const place = this.place_of(tau);
-    this.edit_document((document) => ({...document, picked: {tau, place}}), merge);
+    const picked = this.placed(tau);
+    this.edit_document((document) => ({...document, picked}), merge);
   }
   /** Inside a gesture: a pivot slides along its curve. */
   slide(tau: TauPair): void {
-    const place = this.place_of(tau);
-    this.drag_document((document) => ({...document, picked: {tau, place}}));
+    const picked = this.placed(tau);
+    this.drag_document((document) => ({...document, picked}));
+  }
+  private placed(tau: TauPair): Picked {
+    return {tau: this.task ? held_tau(this.task.axes, tau) : tau, place: this.place_of(tau)};
   }
   pick_best(): Promise<void> {
     return this.linkages.pick_best();
@@ -204,21 +210,21 @@ export class Workbench extends Editing {
   /** The same bars driven from the other side. */
   swap_driver(): void {
     const tau = this.tau_in_hand;
-    if (tau) this.pick([tau[1], tau[0]]);
+    if (tau && this.task?.symmetric) this.pick([tau[1], tau[0]]);
   }
   /** Where a held position may go with linkages left. */
   fetch_halo(pose: number, mode: "move" | "turn", reach: number): Promise<void> {
     return this.linkages.fetch_halo(pose, mode, reach);
   }
   private place_of(tau: TauPair): TauPair | null {
-    return this.task && places_of(this.task.axis, tau);
+    return this.task && places_of(this.task.axes, tau);
   }
 
   // ---- pins ---------------------------------------------------------------------------------------------------
 
   pin(linkage: Linkage | null = this.hand): void {
     if (!linkage) return;
-    const known = find_pin(this.pins, this.problem.task.poses, linkage.tau);
+    const known = find_pin(this.pins, this.problem.task, linkage.tau);
     if (known) return this.say("state.already_pinned", {name: known.name});
     const pin = new_pin(linkage, this.problem, free_name(this.pins), this.place_of(linkage.tau));
     this.edit_document((document) => ({...document, pins: [...document.pins, pin]}));
@@ -234,15 +240,20 @@ export class Workbench extends Editing {
   change_pin(name: string, change: Partial<Pin>): void {
     this.edit_document((document) => ({...document, pins: document.pins.map((pin) => (pin.name === name ? {...pin, ...change} : pin))}), `pin ${name}`);
   }
+  /** Those that have a place on the map. */
+  get pins_on_map(): Pin[] {
+    const map = map_of(this.problem.task);
+    return this.pins.filter((pin) => pin.place && map_of(pin.task) === map);
+  }
   is_stale(pin: Pin): boolean {
-    return !same_poses(pin.poses, this.problem.task.poses);
+    return !same_task(pin.task, this.problem.task);
   }
   /** Takes a pin in hand; one of an earlier task brings that task back. One step. */
   pick_pin(pin: Pin): void {
     const stale = this.is_stale(pin);
     this.edit_document((document) => ({
       ...document,
-      problem: stale ? with_poses(document.problem, pin.poses) : document.problem,
+      problem: stale ? with_task(document.problem, pin.task) : document.problem,
       picked: {tau: pin.tau, place: stale ? null : (pin.place ?? null)},
     }));
   }

@@ -5,9 +5,11 @@ import {create_linkwright} from "../engine/module";
 import type {ReplyMessage, RequestMessage} from "../engine/protocol";
 import {Server} from "../engine/serve";
 import {first_example} from "../gallery/gallery";
-import {new_problem, with_pose, with_poses, with_requirements, type Problem} from "./problem";
+import {with_pose, with_poses, with_requirements, type Problem} from "./problem";
+import {new_problem} from "../tasks/motion/kind";
 import {preferences} from "./preferences.svelte";
 import {Workbench} from "./workbench.svelte";
+import {poses_of} from "./task";
 
 const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
 const tailgate = first_example.problem;
@@ -73,7 +75,7 @@ async function settled({workbench}: Bench): Promise<void> {
   await until(() => workbench.picked_linkage!.tau.join() === workbench.picked!.tau.join());
   await new Promise((resolve) => setTimeout(resolve, 60));
 }
-const digest = ({workbench}: Bench) => JSON.stringify([workbench.document, workbench.picked_linkage, workbench.task!.axis]);
+const digest = ({workbench}: Bench) => JSON.stringify([workbench.document, workbench.picked_linkage, workbench.task!.axes.input]);
 
 describe("the workbench", () => {
   it("starts with the best linkage in hand", async () => {
@@ -125,7 +127,7 @@ describe("the workbench", () => {
   });
 
   it("keeps the last good state when a drag ends where the engine refuses", async () => {
-    const b = bench(tailgate), {workbench} = b, {poses} = tailgate.task;
+    const b = bench(tailgate), {workbench} = b, poses = poses_of(tailgate.task);
     await settled(b);
     workbench.begin_gesture();
     workbench.drag((problem) => with_pose(problem, 2, {x: -222}));
@@ -136,10 +138,10 @@ describe("the workbench", () => {
     expect(workbench.map).not.toBeNull();
     workbench.end_gesture();
     await settled(b);
-    expect(workbench.problem.task.poses[2].x).toBe(-222);
+    expect(poses_of(workbench.problem.task)[2].x).toBe(-222);
     expect(workbench.refusal).toBeNull();
     workbench.undo();
-    expect(workbench.problem.task.poses[2].x).toBe(-220);
+    expect(poses_of(workbench.problem.task)[2].x).toBe(-220);
     expect(workbench.can_undo).toBe(false);
   });
 
@@ -148,9 +150,9 @@ describe("the workbench", () => {
     await settled(b);
     workbench.pin();
     expect(workbench.pins.length).toBe(1);
-    workbench.edit((problem) => with_pose(problem, 2, {...tailgate.task.poses[1]}));
+    workbench.edit((problem) => with_pose(problem, 2, {...poses_of(tailgate.task)[1]}));
     await until(() => workbench.refusal !== null);
-    expect(workbench.problem.task.poses).toEqual(tailgate.task.poses);
+    expect(poses_of(workbench.problem.task)).toEqual(poses_of(tailgate.task));
     expect(workbench.pins.length).toBe(1);
     workbench.undo();
     expect(workbench.pins.length).toBe(0); // the pin was the last step: the refused one left none
@@ -161,13 +163,13 @@ describe("the workbench", () => {
     const b = bench(tailgate), {workbench} = b;
     await settled(b);
     workbench.edit((problem) => with_pose(problem, 2, {x: -219}));
-    workbench.edit((problem) => with_poses(problem, problem.task.poses.slice(1)));
+    workbench.edit((problem) => with_poses(problem, poses_of(problem.task).slice(1)));
     await new Promise((resolve) => setTimeout(resolve, 300));
-    expect(workbench.incomplete).toBe("too_few");
+    expect(workbench.incomplete?.state).toBe("no_given");
     expect([workbench.task, workbench.map, workbench.hand]).toEqual([null, null, null]);
     workbench.undo();
     await settled(b);
-    expect(workbench.problem.task.poses[2].x).toBe(-219);
+    expect(poses_of(workbench.problem.task)[2].x).toBe(-219);
   });
 
   it("lives with a task whose dyads are no curve", async () => {
@@ -216,7 +218,7 @@ describe("the workbench", () => {
     const before = digest(b);
     workbench.open(new_problem());
     await settled(b);
-    expect(workbench.problem.task.poses[1].x).toBe(-60);
+    expect(poses_of(workbench.problem.task)[1].x).toBe(-60);
     workbench.undo();
     await settled(b);
     expect(digest(b)).toBe(before);
@@ -231,7 +233,7 @@ describe("the workbench", () => {
     await settled(other);
     expect(other.workbench.picked!.tau).toEqual(workbench.picked!.tau);
     expect(other.workbench.pins.map((pin) => [pin.name, pin.tau])).toEqual(workbench.pins.map((pin) => [pin.name, pin.tau]));
-    expect(other.workbench.task!.axis).toEqual(workbench.task!.axis);
+    expect(other.workbench.task!.axes.input).toEqual(workbench.task!.axes.input);
     expect(other.workbench.map!.type).toEqual(workbench.map!.type);
   });
 
@@ -272,7 +274,7 @@ describe("the workbench", () => {
     const dragged = async (steps: number): Promise<number[]> => {
       const seen: number[] = [];
       for (let i = 1; i <= steps; ++i) {
-        workbench.drag((problem) => with_pose(problem, 2, {x: workbench.problem.task.poses[2].x - 0.01}));
+        workbench.drag((problem) => with_pose(problem, 2, {x: poses_of(workbench.problem.task)[2].x - 0.01}));
         await until(() => workbench.is_current);
         seen.push(workbench.map!.samples);
       }

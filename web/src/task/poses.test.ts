@@ -1,7 +1,8 @@
 import {describe, expect, it} from "vitest";
-import {placed, type Pose, type Problem} from "../state/problem";
 import type {Document} from "../state/document";
-import {duplicated, length_step, moved, pattern_of, proposed, referred, stepped} from "./poses";
+import {placed, type Problem} from "../state/problem";
+import {poses_of, type Pose} from "../state/task";
+import {duplicated, length_step, moved, proposed, referred, stepped} from "./poses";
 
 const tailgate: Pose[] = [
   {x: 0, y: 0, theta_deg: 0}, {x: -125, y: 75, theta_deg: -25}, {x: -220, y: 220, theta_deg: -52}, {x: -220, y: 450, theta_deg: -82},
@@ -17,28 +18,24 @@ describe("poses", () => {
     expect(proposed([{x: 0, y: 0, theta_deg: 170}, {x: 1, y: 0, theta_deg: -170}], 0.01)).toEqual({x: 2, y: 0, theta_deg: -150});
   });
   it("has a step that suits the size", () => {
-    expect(length_step(tailgate)).toBe(1);
-    expect(length_step(tailgate.map((p) => ({...p, x: p.x / 1000, y: p.y / 1000})))).toBe(0.001);
+    const points = tailgate.map((p) => [p.x, p.y] as const);
+    expect(length_step(points)).toBe(1);
+    expect(length_step(points.map(([x, y]) => [x / 1000, y / 1000] as const))).toBe(0.001);
     expect(length_step([])).toBe(1);
     expect(stepped(0.1, 2, 0.1)).toBe(0.3);
     expect(stepped(12.345678, 1, 1)).toBe(13.345678);
     expect(stepped(0.3, -0.1, 1)).toBe(0.2);
-  });
-  it("has a pattern", () => {
-    const d = {x: 1, y: 0, theta: 0};
-    expect(pattern_of(tailgate)).toBe("P-P-P-P");
-    expect(pattern_of([{...tailgate[0], derivatives: [d]}, ...tailgate.slice(1, 3)])).toBe("PP-P-P");
   });
   it("is seen from another pose", () => {
     const problem: Problem = {
       linkwright: 1, task: {kind: "motion", mechanism: "four_bar", poses: tailgate},
       requirements: {ground_pivots_within: {x: [0, 10], y: [0, 20]}, max_length: 450},
     };
-    const pin = {name: "A", tau: [0, 1], poses: tailgate, pivots: {input_center: [1, 2], input_circle: null, output_center: null, output_circle: null}};
+    const pin = {name: "A", tau: [0, 1], task: problem.task, pivots: {input_center: [1, 2], input_circle: null, output_center: null, output_circle: null}};
     const document = {problem, picked: null, pins: [pin], order: 0} as unknown as Document;
     const seen = referred(document, 2), back = tailgate[2];
-    expect(seen.problem.task.poses[2]).toEqual({x: 0, y: 0, theta_deg: 0});
-    seen.problem.task.poses.forEach((pose, i) => {
+    expect(poses_of(seen.problem.task)[2]).toEqual({x: 0, y: 0, theta_deg: 0});
+    poses_of(seen.problem.task).forEach((pose, i) => {
       const [x, y] = placed([pose.x, pose.y], back);
       expect([x, y, pose.theta_deg + back.theta_deg].map((v) => Number(v.toFixed(9)) + 0)).toEqual([tailgate[i].x, tailgate[i].y, tailgate[i].theta_deg]);
     });
@@ -48,7 +45,10 @@ describe("poses", () => {
     expect(x[1] - x[0]).toBeCloseTo(10 * Math.cos(0.9075712) + 20 * Math.sin(0.9075712), 4);
     expect(y[1] - y[0]).toBeCloseTo(20 * Math.cos(0.9075712) + 10 * Math.sin(0.9075712), 4);
     expect(seen.problem.requirements!.max_length).toBe(450);
-    expect(seen.pins[0].poses).toEqual(seen.problem.task.poses);
+    expect(seen.pins[0].task).toBe(seen.problem.task);
     expect(placed(seen.pins[0].pivots.input_center!, back)).toEqual([expect.closeTo(1, 9), expect.closeTo(2, 9)]);
+    const given = referred({...document, problem: {...problem, task: {kind: "motion", mechanism: "four_bar", poses: tailgate.slice(1), given: {instant_center: [5, 6]}}}}, 1);
+    const {given: center} = given.problem.task as unknown as {given: {instant_center: [number, number]}};
+    expect(placed(center.instant_center, back)).toEqual([expect.closeTo(5, 9), expect.closeTo(6, 9)]);
   });
 });

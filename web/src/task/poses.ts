@@ -1,7 +1,9 @@
 // What the table does to the list of poses.
 import type {Box, Point} from "../engine/protocol";
-import {body_point, same_poses, with_poses, type Pin, type Pose} from "../state/problem";
+import {body_point, with_task, type Pin} from "../state/problem";
 import type {Document} from "../state/document";
+import {poses_of, same_task, with_task_poses, type Pose, type Task} from "../state/task";
+import {kind_of} from "../tasks/kinds";
 
 export function moved(poses: readonly Pose[], from: number, to: number): Pose[] {
   const list = [...poses], [pose] = list.splice(from, 1);
@@ -27,10 +29,10 @@ export function proposed(poses: readonly Pose[], step: number): Pose {
   return {x: on(last.x, before.x), y: on(last.y, before.y), theta_deg: Math.round(last.theta_deg + wound)};
 }
 
-/** One step of the arrow keys for lengths: a power of ten, about a hundredth of the poses' box or less. */
-export function length_step(poses: readonly Pose[]): number {
-  const size = (key: "x" | "y") => Math.max(...poses.map((p) => p[key])) - Math.min(...poses.map((p) => p[key]));
-  const extent = poses.length > 1 ? Math.max(size("x"), size("y")) : 0;
+/** One step of the arrow keys for lengths: a power of ten, about a hundredth of the points' box or less. */
+export function length_step(points: readonly Point[]): number {
+  const size = (k: 0 | 1) => Math.max(...points.map((p) => p[k])) - Math.min(...points.map((p) => p[k]));
+  const extent = points.length > 1 ? Math.max(size(0), size(1)) : 0;
   return extent > 0 ? 10 ** (Math.floor(Math.log10(extent)) - 2) : 1;
 }
 /** A value some steps on, without the dust of binary fractions. */
@@ -39,19 +41,15 @@ export function stepped(value: number, steps: number, step: number): number {
   return Math.abs(result - Number(result.toFixed(decimals))) < 1e-9 * step ? Number(result.toFixed(decimals)) : result;
 }
 
-/** "PP-P-P": positions, those infinitely close together written without a stroke. */
-export function pattern_of(poses: readonly Pose[]): string {
-  return poses.map((pose) => "P".repeat(1 + (pose.derivatives?.length ?? 0))).join("-");
-}
-
 /** Everything as seen from pose `index`: it becomes (0, 0, 0°). What stands in the fixed frame follows; outline and
  *  traced points belong to the body and stay as they are. */
 export function referred(document: Document, index: number): Document {
-  const {problem} = document, {poses} = problem.task, origin = poses[index];
+  const {problem} = document, origin = poses_of(problem.task)[index];
   const pose = (p: Pose) => referred_pose(p, origin);
-  const point = (p: Point | null) => p && body_point(p, origin);
-  const pins = document.pins.map((pin) => (same_poses(pin.poses, poses) ? referred_pin(pin, pose, point) : pin));
-  const changed = with_poses(problem, poses.map((p, i) => (i === index ? {...pose(p), x: 0, y: 0, theta_deg: 0} : pose(p))));
+  const point = (p: Point) => body_point(p, origin);
+  const task = referred_task(problem.task, pose, point, index);
+  const pins = document.pins.map((pin) => (same_task(pin.task, problem.task) ? referred_pin(pin, task, point) : pin));
+  const changed = with_task(problem, task);
   const {requirements, view} = changed;
   if (requirements?.ground_pivots_within) changed.requirements = {...changed.requirements, ground_pivots_within: referred_box(requirements.ground_pivots_within, origin)};
   if (requirements?.moving_pivots_within) changed.requirements = {...changed.requirements, moving_pivots_within: referred_box(requirements.moving_pivots_within, origin)};
@@ -61,6 +59,10 @@ export function referred(document: Document, index: number): Document {
     changed.view = {...view, background: {...view.background, x: center[0] - width / 2, y: center[1] - (width * aspect) / 2}};
   }
   return {...document, problem: changed, pins};
+}
+function referred_task(task: Task, pose: (p: Pose) => Pose, point: (p: Point) => Point, index: number): Task {
+  const poses = poses_of(task).map((p, i) => (i === index ? {...pose(p), x: 0, y: 0, theta_deg: 0} : pose(p)));
+  return with_task_poses(kind_of(task).moved(task, ([x, y]) => point([x, y]).map(clean) as unknown as Point), poses);
 }
 function referred_pose(pose: Pose, origin: Pose): Pose {
   const [x, y] = body_point([pose.x, pose.y], origin);
@@ -72,11 +74,11 @@ function referred_pose(pose: Pose, origin: Pose): Pose {
     return {x: clean(dx), y: clean(dy), theta: d.theta};
   })};
 }
-function referred_pin(pin: Pin, pose: (p: Pose) => Pose, point: (p: Point | null) => Point | null): Pin {
-  const {input_center, input_circle, output_center, output_circle} = pin.pivots;
-  return {...pin, poses: pin.poses.map(pose), pivots: {
-    input_center: point(input_center), input_circle: point(input_circle),
-    output_center: point(output_center), output_circle: point(output_circle),
+function referred_pin(pin: Pin, task: Task, point: (p: Point) => Point): Pin {
+  const {input_center, input_circle, output_center, output_circle} = pin.pivots, moved = (p: Point | null) => p && point(p);
+  return {...pin, task, pivots: {
+    input_center: moved(input_center), input_circle: moved(input_circle),
+    output_center: moved(output_center), output_circle: moved(output_circle),
   }};
 }
 /** A turned box is no box: the smallest one around it. */

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Pose} from "../state/problem";
+import type {Pose} from "../state/task";
 import {bend_of, travel_of, with_bend, with_next_derivative, with_travel, without_last_derivative} from "./travel";
 
 const at = (x: number, y: number, theta_deg: number, derivatives?: Pose["derivatives"]): Pose => ({x, y, theta_deg, ...(derivatives && {derivatives})});

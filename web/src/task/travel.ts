@@ -1,6 +1,6 @@
 // Direction and curvature of travel: the derivatives of a pose as a person thinks of them. They are by path length of
 // the moving frame's origin, wherever it moves; other parameters are brought to it and keep their geometry.
-import type {Pose} from "../state/problem";
+import type {Pose} from "../state/task";
 
 type Derivative = {x: number; y: number; theta: number};
 const degree = Math.PI / 180;

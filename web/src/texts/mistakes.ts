@@ -1,7 +1,7 @@
 // The engine's sentences about a file: in English as the command line prints them, in other languages by what they say.
 import type {Mistake} from "../engine/protocol";
 import {preferences} from "../state/preferences.svelte";
-import {t, type TextKey, type Values} from "./texts.svelte";
+import {known_text, t, type TextKey, type Values} from "./texts.svelte";
 
 /** First match wins; named groups are the values of the text. */
 const readings: readonly (readonly [RegExp, TextKey])[] = [
@@ -14,8 +14,11 @@ const readings: readonly (readonly [RegExp, TextKey])[] = [
   [/^(?<given>".*") is listed twice/, "mistake.repeated_type"],
   [/^(?<given>".*") is too large for a number/, "mistake.number_too_large"],
   [/is not available in this version|are not available in this version/, "mistake.not_available"],
-  [/^(?<count>\d+) (?:poses|positions) (?:were|was|are) given.*4 are needed/, "mistake.too_few_poses"],
+  [/^(?<count>\d+) (?:poses|positions) (?:were|was|are) given.* (?<least>\d) to \d are needed/, "mistake.too_few_poses"],
   [/^(?<count>\d+) (?:poses|positions) (?:were|was|are) given/, "mistake.too_many_poses"],
+  [/^(?<count>\d+) pairs? (?:were|was) given.* are needed/, "mistake.too_few_pairs"],
+  [/^(?<count>\d+) pairs (?:were|are) given/, "mistake.too_many_pairs"],
+  [/^the length of a side link is/, "mistake.side_length_range"],
   [/^(?<count>\d+) derivatives are given/, "mistake.too_many_derivatives"],
   [/^poses\[(?<i>\d+)\] and poses\[(?<j>\d+)\] are the same/, "mistake.same_poses"],
   [/^(?<name>\S+) must be a number between/, "mistake.number_range"],
@@ -69,14 +72,15 @@ function place_text(place: string): string {
   return at ? t("mistake.line", {line: at[1], column: at[2]}) : place;
 }
 
-export function mistake_text({place, message}: Mistake): string {
+/** In other languages: by what the sentence says, else by the code, whose text says all there is. */
+export function mistake_text({code, place, message}: Mistake): string {
   const before = place ? `${place_text(place)}${t("mistake.colon_after_place")}` : "";
   if (preferences.language === "en") return before + message;
   for (const [pattern, key] of readings) {
     const found = pattern.exec(message);
     if (found) return before + t(key, in_words(found.groups ?? {}));
   }
-  return before + message;
+  return before + (known_text(`mistake.${code}`) ?? message);
 }
 
 const most_told = 3;

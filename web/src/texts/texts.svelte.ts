@@ -15,12 +15,21 @@ export function t(key: TextKey, values: Values = {}): string {
 /** A sentence of the engine: `notice.<code>` of the texts, or its English message. */
 export function notice_text(notice: Notice): string {
   const known = texts[preferences.language][`notice.${notice.code}`];
-  return known === undefined ? notice.message : filled(known, told(notice.values));
+  return known === undefined ? notice.message : as_far_as_known(filled(known, told(notice.values)));
+}
+/** The text of a key that may be there. */
+export function known_text(key: string): string | null {
+  return key in en ? t(key as TextKey) : null;
+}
+/** A sentence whose value the engine did not give is left out. */
+function as_far_as_known(text: string): string {
+  return text.split(/(?<=\. |。)/).filter((sentence) => !/\{\w+\}/.test(sentence)).join("").trimEnd();
 }
 /** The engine's values for people: numbers at three digits, its lists in the language in force. */
 function told(values: Values): Values {
   const one = (value: string | number) =>
     typeof value === "number" ? (Number.isInteger(value) ? value : Number(value.toPrecision(3)))
+    : known_text(`word.${value}`) ? known_text(`word.${value}`)!
     : preferences.language === "zh" ? value.replace(/, | and /g, "、") : value;
   return Object.fromEntries(Object.entries(values).map(([name, value]) => [name, one(value)]));
 }

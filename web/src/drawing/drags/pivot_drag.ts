@@ -16,8 +16,9 @@ export function with_side(tau: TauPair, side: Side, value: number): TauPair {
 /** `view` is what the pointer's pixels are of: the drawing's, or the 3-D view's. */
 export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}>, view: () => Viewport = () => bench.scene.view): Drag | null {
   const {workbench, scene} = bench, picked = workbench.picked, carrier = scene.now?.pose ?? null;
-  if (!picked || !scene.samples) return null;
-  let spot: Spot | null = spot_of_tau(scene.samples, target.end, picked.tau[target.side === "input" ? 0 : 1]);
+  const samples = scene.samples[target.side];
+  if (!picked || !samples) return null;
+  let spot: Spot | null = spot_of_tau(samples, target.end, picked.tau[target.side === "input" ? 0 : 1]);
   if (!spot) return null;
   let beyond: Beyond | null = null;
   // A moving pivot is taken where it is now; its curve lies in position 1.
@@ -28,13 +29,13 @@ export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}
   return {
     cursor: "grabbing",
     move(at) {
-      const samples = scene.samples;
+      const samples = scene.samples[target.side];
       if (!samples || !spot) return;
       const over = overshoot(view(), at);
       if (over === 0) beyond = null;
       else beyond ??= beyond_edge(samples, target.end, view(), on_curve(at), spot);
       spot = beyond ? beyond_spot(samples, target.end, beyond, over) : slid(samples, target.end, view(), on_curve(at), spot);
-      workbench.curve_hover = spot.tau;
+      workbench.curve_hover = {sides: spot.sides, tau: spot.tau};
       workbench.slide(with_side(workbench.picked?.tau ?? picked.tau, target.side, spot.tau));
       scene.note = {at, text: `τ ${spot.tau.toFixed(4)}`, reason: reason_of(workbench)};
     },

@@ -1,6 +1,7 @@
 // Dragging a position: its place, its angle, its direction and curvature of travel.
 import type {Point} from "../../engine/protocol";
-import {poses_extent, round_step, with_pose, with_poses, type Pose, type Problem} from "../../state/problem";
+import {poses_extent, round_step, with_pose, with_poses, type Problem} from "../../state/problem";
+import {poses_of, type Pose} from "../../state/task";
 import {mistake_sentence} from "../../task/mistakes";
 import {with_bend, with_travel} from "../../task/travel";
 import {curvature_reach, arm_length, travel_direction, type Target} from "../handles";
@@ -36,7 +37,7 @@ function tell(bench: Bench, at: Point, text: string): void {
 }
 /** The same pose, however it was changed meanwhile. */
 function changed(problem: Problem, index: number, change: (pose: Pose) => Pose): Problem {
-  return with_poses(problem, problem.task.poses.map((pose, i) => (i === index ? change(pose) : pose)));
+  return with_poses(problem, poses_of(problem.task).map((pose, i) => (i === index ? change(pose) : pose)));
 }
 
 export function move_drag(bench: Bench, target: PoseTarget, from: Point): Drag {

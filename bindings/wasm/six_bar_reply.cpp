@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/task_writer.hpp"
+#include "linkwright/analysis/six_bar_check.hpp"
+#include "linkwright/core/angle.hpp"
+#include "reply_json.hpp"
+#include "six_bar_map.hpp"
+
+namespace linkwright::wasm {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+/// The six-bar driven from position 1 through the others, or as far as it comes.
+SixBarCheck driven(const SixBarSolution& found, const std::vector<PrescribedPose>& poses) {
+  const int sense = found.rating.drive.sense == DriveSense::cw ? -1 : 1;
+  return check_by_driving(found.member.six_bar, poses, sense);
+}
+
+/// Turns of all bodies from where their hinges are.
+SixBarTurns turns_of(const SixBar& six_bar, const SixBarState& state) {
+  SixBarTurns turns;
+  turns.fill(1);
+  for (int body = 1; body < SixBar::bodies; ++body) {
+    const auto joints = six_bar.joints_of(body);
+    const Point before = six_bar.joints[joints[1]].point - six_bar.joints[joints[0]].point;
+    const Point now = state.joints[joints[1]] - state.joints[joints[0]];
+    turns[static_cast<std::size_t>(body)] = now / before / std::abs(now / before);
+  }
+  return turns;
+}
+
+void append(const SixBar& six_bar, const SixBarState& state, std::vector<double>& states) {
+  const SixBarTurns turns = turns_of(six_bar, state);
+  const double gamma = std::asin(std::clamp(six_bar_transmission(six_bar, turns).sine, 0.0, 1.0));
+  const Point b = state.joints[SixBar::b], d = state.joints[SixBar::d];
+  states.insert(states.end(), {degrees(std::abs(state.turn)), b.real(), b.imag(), d.real(), d.imag(),
+                               state.body.origin.real(), state.body.origin.imag(), degrees(state.body.angle),
+                               degrees(gamma), degrees(std::arg(turns[2])), degrees(std::arg(turns[3])), 0, 0});
+  for (const Point joint : state.joints) states.insert(states.end(), {joint.real(), joint.imag()});
+}
+
+/// The row of each pose; −1 where the drive does not come to it.
+std::vector<int> rows_of_poses(const SixBarCheck& check, const std::vector<PrescribedPose>& poses) {
+  std::vector<int> rows(poses.size(), -1);
+  if (!check.states.empty()) rows[0] = 0;
+  for (const int pose : check.visited) {
+    const auto& wanted = poses[static_cast<std::size_t>(pose)].pose;
+    const auto nearest =
+        std::min_element(check.states.begin(), check.states.end(), [&](const SixBarState& a, const SixBarState& b) {
+          return std::abs(a.body.origin - wanted.origin) + std::abs(wrap_signed(a.body.angle - wanted.angle)) <
+                 std::abs(b.body.origin - wanted.origin) + std::abs(wrap_signed(b.body.angle - wanted.angle));
+        });
+    rows[static_cast<std::size_t>(pose)] = static_cast<int>(nearest - check.states.begin());
+  }
+  return rows;
+}
+
+void write_drive(JsonWriter& json, const SixBarCheck& check, const std::vector<PrescribedPose>& poses) {
+  const std::vector<int> rows = rows_of_poses(check, poses);
+  const bool all = std::none_of(rows.begin(), rows.end(), [](int row) { return row < 0; });
+  json.begin_object();
+  json.member("width", static_cast<int>(six_bar_state_width));
+  json.key("ticks");
+  json.begin_list();
+  for (std::size_t pose = 0; pose < rows.size(); ++pose) {
+    json.begin_object(Layout::one_line);
+    json.member("position", static_cast<int>(pose) + 1);
+    json.member("state", rows[pose]);
+    json.member("reached", rows[pose] >= 0);
+    json.end_object();
+  }
+  json.end_list();
+  json.member("full_turn", false);
+  json.key("limits");
+  json.begin_object(Layout::one_line);
+  for (const char* end : {"low", "high"}) {
+    json.key(end);
+    check.stopped&& end == std::string_view("high") ? json.value("dead_point") : json.null();
+  }
+  json.end_object();
+  json.key("task");
+  json.begin_list(Layout::one_line);
+  json.value(all ? rows.front() : -1);
+  json.value(all ? rows.back() : -1);
+  json.end_list();
+  json.end_object();
+}
+
+void write_joints(JsonWriter& json, const SixBar& six_bar) {
+  json.key("joints");
+  json.begin_list();
+  for (std::size_t joint = 0; joint < SixBar::joint_count; ++joint) {
+    json.begin_object(Layout::one_line);
+    json.member("name", joint_name(joint));
+    json.member("ground", is_on_ground(six_bar.joints[joint]));
+    json.key("at");
+    write_point(json, six_bar.joints[joint].point);
+    json.end_object();
+  }
+  json.end_list();
+  json.key("bodies");
+  json.begin_list();
+  for (int body = 0; body < SixBar::bodies; ++body) {
+    json.begin_list(Layout::one_line);
+    for (const std::size_t joint : six_bar.joints_of(body)) json.value(static_cast<int>(joint));
+    json.end_list();
+  }
+  json.end_list();
+}
+
+void write_lengths(JsonWriter& json, const SixBarSolution& found) {
+  json.key("lengths");
+  json.begin_list();
+  for (const SixBarLength& length : found.lengths) {
+    json.begin_object(Layout::one_line);
+    json.member("name", std::string_view(name(length)));
+    json.member("length", length.length);
+    json.end_object();
+  }
+  json.end_list();
+}
+
+Notice defect_reason(Defects defects) {
+  if (defects.circuit()) return {"six_bar_circuit", "Circuit defect: some position needs taking it apart.", {}};
+  if (defects.branch())
+    return {"six_bar_branch", "Branch defect: it locks (dead point) before it has passed all positions.", {}};
+  return {"six_bar_order", "Order defect: it comes to the positions in another order.", {}};
+}
+
+void write_verdict(JsonWriter& json, const SixBarSolution& found) {
+  const SixBarDriveReport& drive = found.rating.drive;
+  const bool clean = drive.completed && drive.defects.none();
+  json.member("type", name(found.rating.shape.type));
+  json.key("defects");
+  json.begin_object(Layout::one_line);
+  json.member("order", drive.defects.order());
+  json.member("branch", drive.defects.branch());
+  json.member("circuit", drive.defects.circuit());
+  json.end_object();
+  json.key("reason");
+  clean ? json.null() : write_notice(json, defect_reason(drive.defects));
+  json.member("topology", name(found.row.topology));
+  json.member("link_ratio", found.rating.shape.link_ratio);
+  json.member("longest", found.rating.shape.longest);
+  json.key("min_transmission_angle_deg");
+  clean ? json.value(degrees(found.rating.min_transmission_angle())) : json.null();
+  json.key("driver_sweep_deg");
+  clean ? json.value(degrees(drive.sweep)) : json.null();
+  json.key("drive_sense");
+  drive.sense == DriveSense::none ? json.null() : json.value(name(drive.sense));
+  json.member("residual", found.residual * found.rating.shape.longest);
+}
+
+}  // namespace
+
+std::vector<double> six_bar_trace(const std::vector<PrescribedPose>& poses, const std::optional<SixBarSolution>& found,
+                                  Point traced) {
+  std::vector<double> path;
+  if (!found) return path;
+  for (const SixBarState& state : driven(*found, poses).states) {
+    const Point p = displaced(traced, poses.front().pose, state.body);
+    path.insert(path.end(), {p.real(), p.imag()});
+  }
+  return path;
+}
+
+SixBarReply six_bar_reply(const std::vector<PrescribedPose>& poses, const std::optional<SixBarSolution>& found,
+                          std::array<double, 2> coordinates, std::uint8_t fails) {
+  SixBarReply reply;
+  const SixBarCheck check = found ? driven(*found, poses) : SixBarCheck{};
+  reply.linkage = json_of([&](JsonWriter& json) {
+    json.begin_object();
+    json.member("mechanism", "six_bar");
+    json.key("tau");
+    write_numbers(json, coordinates);
+    json.member("fails", int{fails});
+    if (found) {
+      write_verdict(json, *found);
+      write_joints(json, found->member.six_bar);
+      write_lengths(json, *found);
+    } else {
+      json.member("type", name(LinkageType::degenerate));
+      json.key("reason");
+      write_notice(json, {"no_six_bar",
+                          "There is no six-bar here: an added link has no hinge, no length, or is one "
+                          "that is there already.",
+                          {}});
+    }
+    json.key("drive");
+    check.states.empty() ? json.null() : write_drive(json, check, poses);
+    json.end_object();
+  });
+  if (found)
+    for (const SixBarState& state : check.states) append(found->member.six_bar, state, reply.states);
+  return reply;
+}
+
+}  // namespace linkwright::wasm

@@ -1,0 +1,155 @@
+// The session asked about every kind of task: what the page is told agrees with what solve() says.
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "linkwright/planar/synthesis.hpp"
+#include "session.hpp"
+
+namespace linkwright::wasm {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view three_poses =
+    R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar", "poses": [{"x": 0, "y": 0, "theta_deg": 0},
+    {"x": 50, "y": 30, "theta_deg": 30}, {"x": 60, "y": 90, "theta_deg": 80}], "given": {"side_lengths": [80, 60]}}})";
+constexpr std::string_view five_poses =
+    R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar", "poses": [
+    {"x": 10, "y": 9, "theta_deg": 5}, {"x": 9, "y": 30, "theta_deg": 35}, {"x": 18, "y": 32, "theta_deg": 5},
+    {"x": 22, "y": 25, "theta_deg": -45}, {"x": 13, "y": 22, "theta_deg": -70}]}})";
+constexpr std::string_view square =
+    R"({"linkwright": 1, "task": {"kind": "function", "mechanism": "four_bar", "function": {"expression": "x^2",
+    "x": [0, 1], "input_range_deg": [0, 90], "output_range_deg": [0, 90], "points": 4}}})";
+constexpr std::string_view loader =
+    R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "six_bar", "poses": [{"x": 0, "y": 0, "theta_deg": 0},
+    {"x": 0, "y": 300, "theta_deg": 40}, {"x": 200, "y": 1000, "theta_deg": 45}, {"x": 400, "y": 1500, "theta_deg": -30}],
+    "chain": {"a": [-2160.6, 1069.8], "b": [288.6, 1029.9], "d": [-19.3, 251.8]}, "added": ["0-2", "1-3"]}})";
+
+Solution solved(std::string_view text) {
+  const auto problem = read_problem(text);
+  auto solution = solve(problem->task, problem->requirements, problem->options);
+  return std::move(solution).value();
+}
+
+/// A session that holds a problem, and its map.
+struct Explored {
+  explicit Explored(std::string_view text, int samples = 400) {
+    EXPECT_TRUE(session.set_problem(text)) << session.mistakes();
+    request.samples = samples;
+    reply = session.explore(request);
+    task = json::parse(reply.task);
+  }
+  /// A cell that meets everything.
+  [[nodiscard]] std::array<double, 2> passing() const {
+    const auto& fails = reply.map->fails();
+    const auto found = static_cast<std::size_t>(std::find(fails.begin(), fails.end(), 0) - fails.begin());
+    const std::size_t columns = reply.output_tau.size();
+    return {reply.input_tau[found / columns], reply.output_tau[found % columns]};
+  }
+  Session session;
+  ExploreRequest request;
+  ExploreReply reply;
+  json task;
+};
+
+void expect_linkage_without_defects(Explored& explored, std::size_t width) {
+  ASSERT_NE(explored.reply.map, nullptr);
+  ASSERT_GT(explored.reply.map->census().meeting, 0);
+  const auto [input, output] = explored.passing();
+  const LinkageReply reply = explored.session.linkage(input, output);
+  const json linkage = json::parse(reply.linkage);
+  EXPECT_EQ(linkage["fails"], 0);
+  EXPECT_FALSE(linkage["defects"]["branch"].get<bool>());
+  ASSERT_FALSE(linkage["drive"].is_null());
+  EXPECT_EQ(reply.states.size() % width, 0u);
+  for (const json& tick : linkage["drive"]["ticks"]) EXPECT_TRUE(tick["reached"].get<bool>());
+  EXPECT_TRUE(json::parse(explored.session.verify(input, output))["verified"].get<bool>());
+}
+
+TEST(SessionOfThreePoses, HasAMapOverTwoDirections) {
+  Explored explored(three_poses);
+  EXPECT_EQ(explored.task["axes"]["input"]["quantity"], "side_direction");
+  EXPECT_FALSE(explored.task["symmetric"].get<bool>());
+  EXPECT_EQ(explored.task["axes"]["input"]["branches"].size(), 2u);
+  EXPECT_GT(explored.task["axes"]["output"]["ticks"].size(), 4u);
+  EXPECT_NE(explored.reply.output_curves, nullptr);
+  EXPECT_EQ(json::parse(explored.reply.census)["meeting"], solved(three_poses).meeting_requirements);
+  expect_linkage_without_defects(explored, state_width);
+}
+
+TEST(SessionOfFivePoses, HasABoard) {
+  Explored explored(five_poses);
+  EXPECT_EQ(explored.reply.input_tau.size(), 4u);
+  EXPECT_EQ(explored.reply.map->fails().size(), 16u);
+  EXPECT_EQ(explored.reply.input_curves->tau.size(), 4u);
+  EXPECT_EQ(explored.task["axes"]["input"]["quantity"], "burmester_point");
+  EXPECT_EQ(json::parse(explored.reply.census)["pairs"], 12);
+  expect_linkage_without_defects(explored, state_width);
+}
+
+TEST(SessionOfFivePoses, FreesOneOfThem) {
+  json problem = json::parse(five_poses);
+  problem["task"]["freed_pose"] = 3;
+  Explored explored(problem.dump(), 100);
+  explored.request.pose_miss = true;
+  explored.reply = explored.session.explore(explored.request);
+  const auto& values = explored.reply.map->values();
+  const auto& fails = explored.reply.map->fails();
+  for (std::size_t cell = 0; cell < values.size(); ++cell)
+    EXPECT_TRUE(fails[cell] == 0 ? values[cell] > 0 : values[cell] == 0);
+  const auto [input, output] = explored.passing();
+  const json linkage = json::parse(explored.session.linkage(input, output).linkage);
+  ASSERT_FALSE(linkage["miss"].is_null());
+  const double distance = linkage["miss"]["distance"], angle = linkage["miss"]["angle_deg"];
+  EXPECT_GT(std::hypot(distance, angle), 0);
+}
+
+TEST(SessionOfAFunction, HasARibbon) {
+  Explored explored(square);
+  EXPECT_EQ(explored.reply.output_tau.size(), 1u);
+  EXPECT_EQ(explored.task["axes"]["output"]["quantity"], "nothing");
+  EXPECT_GT(explored.reply.input_curves->tau.size(), 100u);
+  EXPECT_EQ(json::parse(explored.reply.census)["meeting"], solved(square).meeting_requirements);
+  expect_linkage_without_defects(explored, state_width);
+  const auto [input, output] = explored.passing();
+  const LiveReply live = explored.session.live(input, output);
+  EXPECT_EQ(live.input.size(), explored.reply.input_curves->tau.size());
+}
+
+TEST(SessionOfASixBar, HasAMapOverBothAddedLinks) {
+  Explored explored(loader, 40);
+  EXPECT_EQ(explored.reply.map->fails().size(), 1600u);
+  EXPECT_FALSE(explored.task["symmetric"].get<bool>());
+  EXPECT_FALSE(explored.reply.input_curves->tau.empty());
+  expect_linkage_without_defects(explored, six_bar_state_width);
+  const auto [input, output] = explored.passing();
+  const json linkage = json::parse(explored.session.linkage(input, output).linkage);
+  EXPECT_EQ(linkage["mechanism"], "six_bar");
+  EXPECT_EQ(linkage["joints"].size(), 7u);
+  EXPECT_EQ(linkage["lengths"].size(), 10u);
+  EXPECT_GT(explored.session.trace(input, output, {0, 0}).size(), 20u);
+}
+
+TEST(SessionOfASixBar, WithoutAChainAsksForOne) {
+  json problem = json::parse(loader);
+  problem["task"].erase("chain");
+  problem["options"] = {{"box", {{"x", {-2600, 400}}, {"y", {0, 2400}}}}, {"effort", 400}};
+  Session session;
+  ASSERT_TRUE(session.set_problem(problem.dump())) << session.mistakes();
+  const ExploreReply reply = session.explore({});
+  EXPECT_EQ(reply.map, nullptr);
+  EXPECT_EQ(json::parse(reply.task)["reason"]["code"], "chain_wanted");
+  for (const json& found : json::parse(session.best(3))) {
+    problem["task"]["chain"] = found["chain"];
+    Session chained;
+    ASSERT_TRUE(chained.set_problem(problem.dump())) << chained.mistakes();
+    const json linkage = json::parse(chained.linkage(found["tau"][0], found["tau"][1]).linkage);
+    EXPECT_NEAR(linkage["min_transmission_angle_deg"], found["min_transmission_angle_deg"], 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace linkwright::wasm

@@ -1,0 +1,27 @@
+// Values that come from outside, looked at one by one.
+import type {Point} from "../engine/protocol";
+
+export type Object = Record<string, unknown>;
+
+export function is_object(value: unknown): value is Object {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+export function is_number(value: unknown): value is number {
+  return typeof value === "number" && Math.abs(value) <= 1e12;
+}
+export function is_pair(value: unknown): value is Point {
+  return Array.isArray(value) && value.length === 2 && value.every(is_number);
+}
+export function number_or_null(value: unknown): number | null {
+  return is_number(value) ? value : null;
+}
+/** All of a list, or nothing where one of them is none. */
+export function read_list<T>(value: unknown, read: (item: unknown) => T | null, most: number): T[] | null {
+  if (!Array.isArray(value) || value.length > most) return null;
+  const list = value.map(read);
+  return list.every((item) => item !== null) ? list : null;
+}
+/** The members that are there. */
+export function present<T extends object>(members: T): {[K in keyof T]?: NonNullable<T[K]>} {
+  return Object.fromEntries(Object.entries(members).filter(([, value]) => value !== undefined && value !== null)) as {[K in keyof T]?: NonNullable<T[K]>};
+}

@@ -1,0 +1,87 @@
+// The output link of a four-bar turns with its input link as prescribed: by pairs of angles, or by a function.
+import type {Point} from "../../engine/protocol";
+import type {Problem} from "../../state/problem";
+import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
+import {pattern_of, position_count, type AnglePair, type FreeNumber, type FunctionTask, type NamedFunction, type Range} from "../../state/task";
+import {significant} from "../../texts/numbers";
+import type {TaskKind} from "../kind";
+
+const most_rows = 1000;
+
+function read_pair(value: unknown): AnglePair | null {
+  if (!is_object(value) || !is_number(value.input_deg) || !is_number(value.output_deg)) return null;
+  const {input_deg, output_deg} = value;
+  const rates = (item: unknown) => (is_object(item) && is_number(item.input) && is_number(item.output) ? {input: item.input, output: item.output} : null);
+  const derivatives = read_list(value.derivatives, rates, 4);
+  return {input_deg, output_deg, ...(derivatives?.length ? {derivatives} : {})};
+}
+function read_range(value: unknown): Range | null {
+  return is_pair(value) ? value : null;
+}
+function read_function(value: unknown): NamedFunction | null {
+  if (!is_object(value)) return null;
+  const input_range_deg = read_range(value.input_range_deg), output_range_deg = read_range(value.output_range_deg);
+  if (!input_range_deg || !output_range_deg) return null;
+  const {interpolation, spacing} = value;
+  return {
+    input_range_deg, output_range_deg,
+    ...present({
+      expression: typeof value.expression === "string" ? value.expression.slice(0, 100) : null,
+      table: read_list(value.table, read_range, most_rows), x: read_range(value.x), y: read_range(value.y),
+      interpolation: interpolation === "linear" || interpolation === "monotone_cubic" ? interpolation : null,
+      points: is_number(value.points) ? value.points : null,
+      spacing: spacing === "chebyshev" || spacing === "even" ? spacing : read_list(spacing, (x) => (is_number(x) ? x : null), 5),
+    }),
+  } as NamedFunction;
+}
+function read_free(value: unknown): FreeNumber | null {
+  if (!is_object(value) || (value.number !== "output_scale" && value.number !== "pair_output")) return null;
+  return {number: value.number, ...present({pair: is_number(value.pair) ? value.pair : null, range: read_range(value.range)})} as FreeNumber;
+}
+function read(value: Object): FunctionTask | null {
+  if (value.kind !== "function" || value.mechanism !== "four_bar") return null;
+  const pairs = read_list(value.pairs, read_pair, most_rows), of = read_function(value.function);
+  if (!pairs && !of) return null;
+  const pivots = value.ground_pivots;
+  const ground_pivots = is_object(pivots) && is_pair(pivots.input) && is_pair(pivots.output) ? {input: pivots.input, output: pivots.output} : null;
+  return {kind: "function", mechanism: "four_bar", ...present({pairs: of ? null : pairs, function: of, ground_pivots, free: read_free(value.free)})} as FunctionTask;
+}
+
+export function ground_pivots_of({ground_pivots}: FunctionTask): {input: Point; output: Point} {
+  return ground_pivots ?? {input: [0, 0], output: [1, 0]};
+}
+function count_of(task: FunctionTask): number {
+  return task.function ? (task.function.points ?? 4) : position_count(task.pairs ?? []);
+}
+function default_max_length({task}: Problem): number {
+  const {input, output} = ground_pivots_of(task as FunctionTask);
+  return Number((5 * Math.hypot(output[0] - input[0], output[1] - input[1])).toPrecision(2));
+}
+function new_problem(): Problem {
+  const task: FunctionTask = {
+    kind: "function", mechanism: "four_bar",
+    pairs: [{input_deg: 0, output_deg: 0}, {input_deg: 20, output_deg: 12}, {input_deg: 40, output_deg: 31}, {input_deg: 60, output_deg: 60}],
+    ground_pivots: {input: [0, 0], output: [100, 0]},
+  };
+  const problem: Problem = {linkwright: 1, title: "", length_unit: "mm", task};
+  return {...problem, requirements: {min_transmission_angle_deg: 30, max_length: default_max_length(problem)}};
+}
+
+export const function_kind: TaskKind<FunctionTask> = {
+  name: "task.kind_function",
+  is: (task): task is FunctionTask => task.kind === "function",
+  read,
+  incompleteness(task) {
+    const n = count_of(task);
+    if (n < 4) return {state: "too_few", text: "state.too_few_pairs", n};
+    return n > 5 ? {state: "too_many", text: "state.too_many_pairs", n} : null;
+  },
+  pattern: ({pairs}) => pattern_of(pairs ?? []),
+  is_mixed: ({pairs}) => (pairs ?? []).some((pair) => pair.derivatives?.length),
+  anchors: (task) => Object.values(ground_pivots_of(task)),
+  default_max_length,
+  map_of: (task) => `function ${count_of(task)} ${task.free?.number ?? ""}`,
+  moved: (task, point) => ({...task, ground_pivots: {input: point(ground_pivots_of(task).input), output: point(ground_pivots_of(task).output)}}),
+  table: ({pairs}) => ({head: ["φ °", "ψ °"], rows: (pairs ?? []).map((pair) => [significant(pair.input_deg, 7), significant(pair.output_deg, 7)])}),
+  beginnings: [{id: "function", name: "new.function", about: "new.function_about", make: new_problem}],
+};

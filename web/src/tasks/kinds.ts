@@ -1,0 +1,40 @@
+// The kinds of tasks there are.
+import type {Point} from "../engine/protocol";
+import type {Problem} from "../state/problem";
+import {is_object} from "../state/shape";
+import {diagonal_of, type Task} from "../state/task";
+import {function_kind} from "./function/kind";
+import type {Incomplete, TaskKind} from "./kind";
+import {motion_kind} from "./motion/kind";
+import {six_bar_kind} from "./six_bar/kind";
+
+export const task_kinds = [motion_kind, function_kind, six_bar_kind] as unknown as readonly TaskKind[];
+
+export function kind_of(task: Task): TaskKind {
+  return task_kinds.find((kind) => kind.is(task)) ?? task_kinds[0];
+}
+export function read_task(value: unknown): Task | null {
+  if (!is_object(value)) return null;
+  for (const kind of task_kinds) {
+    const task = kind.read(value);
+    if (task) return task;
+  }
+  return null;
+}
+
+export function incompleteness({task}: Problem): Incomplete | null {
+  return kind_of(task).incompleteness(task);
+}
+export function default_max_length(problem: Problem): number {
+  return kind_of(problem.task).default_max_length(problem);
+}
+export function anchors_of(task: Task): Point[] {
+  return kind_of(task).anchors(task);
+}
+/** How large the task is: the diagonal of the box around it. */
+export function extent_of(task: Task): number {
+  return diagonal_of(anchors_of(task)) || 1;
+}
+export function map_of(task: Task): string {
+  return kind_of(task).map_of(task);
+}

@@ -1,0 +1,97 @@
+// A body is guided through three, four or five positions by a four-bar.
+import type {Point} from "../../engine/protocol";
+import {outline_of, placed, with_requirements, type Problem} from "../../state/problem";
+import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
+import {diagonal_of, pattern_of, position_count, type Given, type MotionTask, type Pose} from "../../state/task";
+import {significant} from "../../texts/numbers";
+import type {Beginning, TaskKind} from "../kind";
+
+const most_poses = 100;
+
+export function read_pose(value: unknown): Pose | null {
+  if (!is_object(value) || !is_number(value.x) || !is_number(value.y) || !is_number(value.theta_deg)) return null;
+  const {x, y, theta_deg, derivatives} = value;
+  const known = Array.isArray(derivatives) ? derivatives.filter((d): d is {x: number; y: number; theta: number} => is_object(d) && is_number(d.x) && is_number(d.y) && is_number(d.theta)) : [];
+  return known.length ? {x, y, theta_deg, derivatives: known.map((d) => ({x: d.x, y: d.y, theta: d.theta}))} : {x, y, theta_deg};
+}
+export function read_poses(value: unknown): Pose[] | null {
+  return read_list(value, read_pose, most_poses);
+}
+function read_given(value: unknown): Given | null {
+  if (!is_object(value)) return null;
+  if (is_pair(value.side_lengths)) return {side_lengths: value.side_lengths};
+  if (is_number(value.side_length)) return {side_length: value.side_length};
+  if (is_number(value.side_angle_deg)) {
+    const directed = typeof value.directed === "boolean" ? value.directed : null;
+    return {side_angle_deg: value.side_angle_deg, ...present({directed, input_length: is_number(value.input_length) ? value.input_length : null})};
+  }
+  if (is_pair(value.instant_center)) return {instant_center: value.instant_center, ...(value.at_infinity === true ? {at_infinity: true} : {})};
+  return null;
+}
+function read(value: Object): MotionTask | null {
+  const poses = read_poses(value.poses);
+  if (value.kind !== "motion" || value.mechanism !== "four_bar" || !poses) return null;
+  const given = read_given(value.given);
+  return {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})};
+}
+
+/** Which of the forms it is. */
+export function form_of(given: Given): "side_lengths" | "side_length" | "side_angle" | "instant_center" {
+  return "side_lengths" in given ? "side_lengths" : "side_length" in given ? "side_length" : "side_angle_deg" in given ? "side_angle" : "instant_center";
+}
+
+function motion_problem(poses: Pose[], given?: Given): Problem {
+  const problem: Problem = {linkwright: 1, title: "", length_unit: "mm", task: {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})}};
+  return with_requirements(problem, {min_transmission_angle_deg: 30, max_length: default_max_length(problem)});
+}
+export function default_max_length(problem: Problem): number {
+  const {poses} = problem.task as Pick<MotionTask, "poses">;
+  const points = poses.flatMap((pose) => outline_of(problem).map((p) => placed(p, pose)));
+  return Number((3 * diagonal_of(points)).toPrecision(2));
+}
+
+const some_poses: Pose[] = [
+  {x: 0, y: 0, theta_deg: 0}, {x: -60, y: 80, theta_deg: 20}, {x: -80, y: 190, theta_deg: 50}, {x: -40, y: 300, theta_deg: 85},
+];
+/** The best known: four positions. */
+export function new_problem(): Problem {
+  return motion_problem(some_poses);
+}
+const beginnings: Beginning[] = [
+  {id: "four_positions", name: "new.four_positions", about: "new.four_positions_about", make: new_problem},
+  {id: "three_positions", name: "new.three_positions", about: "new.three_positions_about",
+    make: () => motion_problem([some_poses[0], some_poses[1], some_poses[3]], {side_lengths: [200, 250]})},
+  {id: "five_positions", name: "new.five_positions", about: "new.five_positions_about", make: () => motion_problem(five_poses)},
+];
+const five_poses: Pose[] = [
+  {x: 0, y: 0, theta_deg: 0}, {x: -20, y: 70, theta_deg: 15}, {x: -60, y: 140, theta_deg: 32}, {x: -80, y: 220, theta_deg: 54}, {x: -40, y: 300, theta_deg: 85},
+];
+
+export const motion_kind: TaskKind<MotionTask> = {
+  name: "task.kind_motion",
+  is: (task): task is MotionTask => task.kind === "motion" && task.mechanism === "four_bar",
+  read,
+  incompleteness({poses, given}) {
+    const n = position_count(poses);
+    if (n === 0) return {state: "empty", text: "state.empty_task", n};
+    if (n < 3) return {state: "too_few", text: "state.too_few", n};
+    if (n > 5) return {state: "too_many", text: "state.too_many", n};
+    return n === 3 && !given ? {state: "no_given", text: "state.no_given", n} : null;
+  },
+  pattern: ({poses}) => pattern_of(poses),
+  is_mixed: ({poses}) => poses.some((pose) => pose.derivatives?.length),
+  anchors: ({poses}) => poses.map((pose): Point => [pose.x, pose.y]),
+  default_max_length,
+  map_of: ({poses, given}) => `motion ${position_count(poses)} ${given ? form_of(given) + ("directed" in given ? given.directed : "") : ""}`,
+  moved: (task, point) => (task.given && "instant_center" in task.given ? {...task, given: {...task.given, instant_center: point(task.given.instant_center)}} : task),
+  table: ({poses}, unit) => pose_table(poses, unit),
+  beginnings,
+};
+
+export function pose_table(poses: readonly Pose[], unit: string): {head: string[]; rows: string[][]} {
+  const with_unit = (name: string) => (unit ? `${name} ${unit}` : name);
+  return {
+    head: [with_unit("x"), with_unit("y"), "θ °"],
+    rows: poses.map(({x, y, theta_deg}) => [x, y, theta_deg].map((value) => significant(value, 7))),
+  };
+}

@@ -1,0 +1,22 @@
+// What a kind of task shows and lets take hold of: the frame has a place for each.
+import type {Component} from "svelte";
+import type {Handle} from "../drawing/handles";
+import type {Scene} from "../drawing/scene.svelte";
+import type {PlotKind} from "../transport/plot";
+
+export interface EditorProperties {
+  /** A sentence about a field, or that there is nothing to say about it any more. */
+  report: (place: string, sentence: string | null) => void;
+}
+export interface TaskView {
+  /** In the task panel. */
+  Editor: Component<EditorProperties>;
+  /** Under the sentence that says what is missing. */
+  Offer?: Component;
+  /** On the drawing, above the linkage. */
+  Layer?: Component;
+  /** What can be taken hold of on the drawing, beside poses and pivots: handles whose target is a part of the task. */
+  handles?(scene: Scene): Handle[];
+  /** The first one is shown first. */
+  plots: readonly PlotKind[];
+}
