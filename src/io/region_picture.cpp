@@ -42,12 +42,17 @@ std::vector<int> samples_of_pixels(const RegionScale& scale, int pixels_per_px) 
 
 PngImage region_picture(const Solution& solution, const RegionScale& input, const RegionScale& output,
                         int pixels_per_px) {
+  const RequirementFilter filter = filter_of(*solution.given.family, solution.region, solution.requirements);
+  return region_picture(solution, filter, input, output, pixels_per_px);
+}
+
+PngImage region_picture(const Solution& solution, const RequirementFilter& filter, const RegionScale& input,
+                        const RegionScale& output, int pixels_per_px) {
   const RegionMap& region = solution.region;
-  const RequirementFilter filter = filter_of(*solution.given.family, region, solution.requirements);
   const std::vector<int> rows = samples_of_pixels(input, pixels_per_px);
   const std::vector<int> columns = samples_of_pixels(output, pixels_per_px);
   // Where each cell can be named its type is shown, defect or not.
-  const bool is_board = solution.given.family->axis(LinkageFamily::Side::input).is_discrete();
+  const bool is_board = solution.given.family && solution.given.family->axis(LinkageFamily::Side::input).is_discrete();
   PngImage image{columns.size(), rows.size(), picture_colors(), {}};
   image.pixels.reserve(rows.size() * columns.size());
   const auto pixel = [&](std::size_t x, std::size_t y) -> std::uint8_t {

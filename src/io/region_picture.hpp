@@ -10,5 +10,8 @@ namespace linkwright {
 /// last sample.
 [[nodiscard]] PngImage region_picture(const Solution& solution, const RegionScale& input, const RegionScale& output,
                                       int pixels_per_px);
+/// The same of a map that has no LinkageFamily.
+[[nodiscard]] PngImage region_picture(const Solution& solution, const RequirementFilter& filter,
+                                      const RegionScale& input, const RegionScale& output, int pixels_per_px);
 
 }  // namespace linkwright

@@ -142,7 +142,7 @@ std::vector<Point> obstacles(const PlaneWindow& window, const SixBarScene& scene
   constexpr int points_a_side = 12;
   constexpr Point ground_symbol{0, 16};
   std::vector<Point> found;
-  for (int body = 1; body < SixBar::bodies; ++body) {
+  for (int body = 0; body < SixBar::bodies; ++body) {
     const std::vector<Point> corners = to_px(window, body_corners(scene.six_bar, hinges, body));
     for (std::size_t i = 0; i < corners.size(); ++i)
       for (int k = 0; k < points_a_side; ++k)
