@@ -90,13 +90,16 @@ std::string dimension_table(const Solutions& found, int decimals) {
   return table.text();
 }
 
+/// "c4 (0-4)".
+std::string hinge_name(const SixBar& six_bar, SixBar::JointIndex joint) {
+  const auto& bodies = six_bar.joints[joint].bodies;
+  return fmt::format("{} ({}-{})", joint_name(joint), bodies[0], bodies[1]);
+}
+
 /// The hinges of each six-bar: `joints` as columns.
 std::string hinge_table(const Solutions& found, std::initializer_list<SixBar::JointIndex> joints, int decimals) {
   std::vector<std::string> heading = {"#"};
-  for (const auto joint : joints) {
-    const auto& bodies = found.front().member.six_bar.joints[joint].bodies;
-    heading.push_back(fmt::format("{} ({}-{})", joint_name(joint), bodies[0], bodies[1]));
-  }
+  for (const auto joint : joints) heading.push_back(hinge_name(found.front().member.six_bar, joint));
   TextTable table(heading);
   for (std::size_t i = 0; i < found.size(); ++i) {
     std::vector<std::string> row = {fmt::format("{}", i + 1)};
@@ -109,10 +112,23 @@ std::string hinge_table(const Solutions& found, std::initializer_list<SixBar::Jo
 constexpr std::string_view body_words =
     "Bodies: 0 the ground, 1 the driver, 2 the link between, 3 the guided body; 4 and 5 the added links.";
 
-std::string hinge_words(const Solutions& found, int decimals) {
-  return "Hinges (x, y) and the bodies they join, in position 1; the chain:\n" +
-         hinge_table(found, {SixBar::a, SixBar::b, SixBar::d}, decimals) + "The added links:\n" +
-         hinge_table(found, {SixBar::c4, SixBar::z4, SixBar::c5, SixBar::z5}, decimals) + wrapped(body_words);
+std::string chain_words(const Solution& solution, int decimals) {
+  const Solutions& found = solution.six_bars;
+  const auto chain = {SixBar::a, SixBar::b, SixBar::d};
+  if (solution.search) return "The chain:\n" + hinge_table(found, chain, decimals);
+  const SixBar& six_bar = found.front().member.six_bar;  // the same in all
+  std::string text = "The chain, as given:";
+  for (const auto joint : chain)
+    text += fmt::format("{} {} at {}", joint == SixBar::a ? "" : ";", hinge_name(six_bar, joint),
+                        pivot_text(six_bar.at(joint), decimals));
+  return wrapped(text + ".");
+}
+
+std::string hinge_words(const Solution& solution, int decimals) {
+  return "Hinges (x, y) and the bodies they join, in position 1.\n" + chain_words(solution, decimals) +
+         "The added links:\n" +
+         hinge_table(solution.six_bars, {SixBar::c4, SixBar::z4, SixBar::c5, SixBar::z5}, decimals) +
+         wrapped(body_words);
 }
 
 std::string check_words(const Solutions& all) {
@@ -192,7 +208,7 @@ std::string six_bar_answer(const Problem& problem, const Solution& solution) {
   for (const SixBarSolution& one : found) longest = std::max(longest, one.rating.shape.longest);
   const int decimals = std::min(length_decimals(longest), 9);
   return text + "\n" + best_heading(solution.options.objective) + dimension_table(found, decimals) + "\n" +
-         hinge_words(found, decimals) + "\n" + check_words(found);
+         hinge_words(solution, decimals) + "\n" + check_words(found);
 }
 
 std::string six_bar_words(const SixBarAnalysis& analysis) {

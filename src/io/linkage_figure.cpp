@@ -84,7 +84,7 @@ void draw_grid(SvgCanvas& svg, const PlaneWindow& window) {
   svg.end_group();
 }
 
-void draw_box(SvgCanvas& svg, const PlaneWindow& window, const Box& box, std::string_view name) {
+void draw_box(SvgCanvas& svg, const PlaneWindow& window, const Box& box, std::string_view name, BoxName place) {
   const Point corner = window.to_px({box.x_low, box.y_high}), opposite = window.to_px({box.x_high, box.y_low});
   const Point size = opposite - corner;
   svg.rectangle(corner, size.real(), size.imag(),
@@ -92,7 +92,8 @@ void draw_box(SvgCanvas& svg, const PlaneWindow& window, const Box& box, std::st
   const Point visible{std::min(opposite.real(), window.box().right()),
                       std::min(opposite.imag(), window.box().bottom())};
   if (visible.real() - corner.real() < text_width(name, 11) + 16 || visible.imag() - corner.imag() < 20) return;
-  svg.text(visible + Point{-6, -7}, name,
+  const Point above{visible.real(), std::max(corner.imag(), window.box().top) + 22};
+  svg.text((place == BoxName::above ? above : visible) + Point{-6, -7}, name,
            {.size = 11, .color = palette::ink3, .anchor = "end", .halo = palette::paper});
 }
 

@@ -78,10 +78,14 @@ void draw_bare_task(SvgCanvas& svg, const PlaneWindow& window, const SixBarTask&
     draw_pose(svg, window, task.poses[pose].pose, pose + 1, pose == 0);
 }
 
+/// Named where the body is not at first.
 void draw_boxes(SvgCanvas& svg, const PlaneWindow& window, const SixBarTask& task, const Requirements& requirements) {
-  if (!task.chain && task.box) draw_box(svg, window, *task.box, "all pivots");
-  if (requirements.ground_pivots_within) draw_box(svg, window, *requirements.ground_pivots_within, "ground pivots");
-  if (requirements.moving_pivots_within) draw_box(svg, window, *requirements.moving_pivots_within, "moving pivots");
+  const auto draw = [&](const std::optional<Box>& box, std::string_view name) {
+    if (box) draw_box(svg, window, *box, name, BoxName::above);
+  };
+  if (!task.chain) draw(task.box, "all pivots");
+  draw(requirements.ground_pivots_within, "ground pivots");
+  draw(requirements.moving_pivots_within, "moving pivots");
 }
 
 void draw_task_card(SvgCanvas& svg, const Problem& problem, const SixBarTask& task, const Solution& solution) {
