@@ -268,9 +268,11 @@ void draw_six_bar_region(SvgCanvas& svg, const SixBarTask& task, const Solution&
   const SixBarAxis first = six_bar_axis(task, Side::input), second = six_bar_axis(task, Side::output);
   const RegionScale up(first.branches, region.input_coordinates(), {}, map.height);
   const RegionScale across(second.branches, region.output_coordinates(), {}, map.width);
-  const RequirementFilter filter = filter_of_six_bars(*family, region, solution.requirements);
+  std::vector<std::uint8_t> failures(region.rows() * region.columns());
+  filter_of_six_bars(*family, region, solution.requirements).failures_of_all(failures);
+  const auto passes = [&](std::size_t row, std::size_t column) { return failures[region.index(row, column)] == 0; };
   svg.png(map.corner(), map.width, map.height,
-          base64(region_picture(solution, filter, up, across, pixels_per_px).file()));
+          base64(region_picture(solution, passes, up, across, pixels_per_px).file()));
   draw_frames(svg, up, across, map);
   draw_axis(svg, {up, first.title, body_color(4), {}}, left_of(map));
   draw_axis(svg, {across, second.title, body_color(5), {}}, below(map));

@@ -1,5 +1,6 @@
 #include "six_bar_drawing.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <optional>
 
@@ -119,7 +120,9 @@ void draw_search_card(SvgCanvas& svg, const Solution& solution) {
   const Point corner = side_card.corner() + Point{18, 62};
   const double inside = side_card.width - 36;
   draw_six_bar_table(svg, corner, inside, solution);
-  constexpr double table_height = 290;
+  constexpr double row_height = 23, gap = 40;
+  const double table_height =
+      row_height * static_cast<double>(std::min<std::size_t>(solution.six_bars.size(), 10)) + gap;
   svg.text(corner + Point{0, table_height}, "The bodies of six-bar 1, and their hinges", {.size = 14, .weight = 650});
   draw_body_rows(svg, corner + Point{0, table_height - 10}, inside, solution.six_bars.front().member.six_bar);
   const Point foot = corner + Point{0, table_height + 180};
