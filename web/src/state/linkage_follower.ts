@@ -1,15 +1,18 @@
 // Keeps the picked linkage and the one in hand up to the document and the pointer, and asks for better ones.
 import {Crashed, type EngineClient} from "../engine/client";
-import type {Linkage, TauPair} from "../engine/protocol";
+import type {Linkage, MapAnswer, TauPair} from "../engine/protocol";
 import {places_of} from "./axis";
 import {same_tau} from "./document";
 import {engine_text, type Problem} from "./problem";
 import type {Workbench} from "./workbench.svelte";
 
+const slow_ms = 100;
+
 export class LinkageFollower {
   private picked_problem: Problem | null = null; // whose answer the picked linkage is
   private verified_for = "";
   private want_best = false;
+  private live_ms = 0; // what the last live part took
 
   constructor(private readonly workbench: Workbench) {}
 
@@ -49,9 +52,11 @@ export class LinkageFollower {
     }
   }
   private async fetch_live(): Promise<void> {
-    const {tau_in_hand: tau, problem} = this.workbench;
+    const {tau_in_hand: tau, problem, hovered, gesture} = this.workbench;
     if (!tau || !this.driver) return;
-    const reply = await this.driver.request("live", {problem: engine_text(problem), tau}).catch(() => null);
+    if (this.live_ms > slow_ms && (hovered || gesture)) return void (this.workbench.live = null); // the next linkage would wait for it
+    const start = performance.now(), reply = await this.driver.request("live", {problem: engine_text(problem), tau}).catch(() => null);
+    this.live_ms = performance.now() - start;
     if (reply) this.workbench.live = reply;
   }
   private take_picked(linkage: Linkage, problem: Problem): void {
@@ -94,11 +99,11 @@ export class LinkageFollower {
     const reply = await this.driver.request("best", {problem: engine_text(problem), most: 1}).catch(() => null);
     this.want_best = false;
     if (!reply || workbench.problem !== problem) return;
-    if (reply.linkages.length === 0) {
+    const tau = reply.linkages[0]?.tau ?? (quietly && workbench.map ? least_bad(workbench.map) : null);
+    if (!tau) {
       if (!quietly) workbench.say("state.nothing_to_go_to");
       return;
     }
-    const {tau} = reply.linkages[0];
     if (!quietly) return workbench.pick(tau);
     workbench.amend({picked: {tau, place: workbench.task && places_of(workbench.task.axes, tau)}});
     this.follow();
@@ -156,6 +161,15 @@ export class LinkageFollower {
       seen = workbench.document;
     }
   }
+}
+
+const few_cells = 16;
+/** Of a few linkages one is in hand even where none will do: the one with the least against it. */
+function least_bad({type, defects, fails, columns, input_tau, output_tau}: MapAnswer): TauPair | null {
+  if (type.length > few_cells) return null;
+  const against = (cell: number) => (defects[cell] ? 100 : 0) + [...fails[cell].toString(2)].filter((bit) => bit === "1").length;
+  const [best] = [...type.keys()].filter((cell) => type[cell] < 9).sort((a, b) => against(a) - against(b));
+  return best === undefined ? null : [input_tau[Math.floor(best / columns)], output_tau[best % columns]];
 }
 
 /** Whether there is something, and nothing of it outside of the inner half of a square of steps² cells. */

@@ -5,7 +5,7 @@ import {
   whole, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
-import {incompleteness, map_of} from "../tasks/kinds";
+import {incompleteness, kind_of, map_of, properties_of} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {held_tau, held_window, places_of} from "./axis";
 import {from_problem, to_problem, type Picked} from "./document";
@@ -14,6 +14,7 @@ import {Editing} from "./editing.svelte";
 import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
 import {find_pin, free_name, new_pin} from "./pins";
+import {preferences} from "./preferences.svelte";
 import {with_task, type Pin, type Problem} from "./problem";
 import {same_task} from "./task";
 
@@ -23,9 +24,12 @@ export interface Toast {
   values: Values;
   action?: {key: TextKey; run: () => void};
 }
-export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "trace" | "scale";
+export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
+
+/** A task is shown between the last two positions. */
+const before_last = 1.55;
 
 export class Workbench extends Editing {
   task = $state.raw<TaskAnswer | null>(null);
@@ -46,7 +50,7 @@ export class Workbench extends Editing {
   improving = $state(false);
 
   /** Where the drive stands: comparable between linkages (state/drive.ts). */
-  stage = $state(2.45);
+  stage = $state(4 - before_last);
   playing = $state(false);
   /** Play and plot over the whole travel of the driver, not only from the first position to the last. */
   whole_travel = $state(false);
@@ -57,6 +61,8 @@ export class Workbench extends Editing {
   /** A pose being dragged: its table row glows. */
   held_pose = $state<number | null>(null);
   mode = $state<Mode>("point");
+  /** Whether the box in which a search puts its pivots is on the drawing. */
+  box_of_search = $state(false);
   /** Counts the tasks that were opened: each is shown whole. */
   opened = $state(0);
   /** Curve coordinate under the pointer on the drawing: bead on the axes of these sides. */
@@ -84,10 +90,17 @@ export class Workbench extends Editing {
   readonly linkages = new LinkageFollower(this);
   engine: EngineClient | null = null; // follows the task
   driver_client: EngineClient | null = null; // follows the pointer
+  /** One more engine, for what takes its time. */
+  start_engine: ((on_ready: () => void, on_crash: () => void) => EngineClient) | null = null;
   private toast_id = 0;
 
   get tau_in_hand(): TauPair | null {
     return this.hovered ?? this.picked?.tau ?? null;
+  }
+  /** What the map's colours stand for: what the user wants, where the task has it. */
+  get coloring(): "type" | Property {
+    const {colour_by} = preferences;
+    return colour_by !== "type" && properties_of(this.problem.task).includes(colour_by) ? colour_by : "type";
   }
   get unit(): string {
     return this.problem.length_unit ?? "";
@@ -114,6 +127,7 @@ export class Workbench extends Editing {
     };
     this.engine = new EngineClient(start, crashed, ready);
     this.driver_client = cores > 1 ? new EngineClient(start, (_, resting) => resting && gave_up(), () => this.linkages.follow()) : this.engine;
+    this.start_engine = (on_ready, on_crash) => new EngineClient(start, on_crash, on_ready);
     this.on_commit(() => this.wake());
   }
   /** For tests and the Stop button. */
@@ -174,6 +188,7 @@ export class Workbench extends Editing {
     this.hovered = null;
     this.selected_pose = null;
     this.mode = "point";
+    this.stage = Math.max(kind_of(problem.task).stops(problem.task) - before_last, 0.45);
     this.commit(from_problem(problem));
     ++this.opened;
   }

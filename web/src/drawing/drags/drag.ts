@@ -49,7 +49,7 @@ export class Way {
 
 /** Ends or cancels one gesture, and takes away what only a drag shows. */
 export function finish({workbench, scene}: Bench, keep: boolean): void {
-  scene.held = scene.note = scene.pressed_pose = scene.arm = scene.rubber = null;
+  scene.held = scene.note = scene.pressed_pose = scene.anchor = scene.arm = scene.rubber = null;
   scene.guides = [];
   workbench.held_pose = null;
   if (keep) workbench.end_gesture();

@@ -76,6 +76,7 @@ export const function_kind: TaskKind<FunctionTask> = {
     if (n < 4) return {state: "too_few", text: "state.too_few_pairs", n};
     return n > 5 ? {state: "too_many", text: "state.too_many_pairs", n} : null;
   },
+  stops: (task) => task.pairs?.length ?? count_of(task),
   pattern: ({pairs}) => pattern_of(pairs ?? []),
   is_mixed: ({pairs}) => (pairs ?? []).some((pair) => pair.derivatives?.length),
   anchors: (task) => Object.values(ground_pivots_of(task)),

@@ -1,0 +1,57 @@
+// What is given beside three positions: its forms, and what of it can be seen and dragged.
+import type {Linkage, Point, Side} from "../../engine/protocol";
+import {poses_extent, round_step, with_task, type Problem} from "../../state/problem";
+import {poses_of, position_count, type Given, type MotionTask} from "../../state/task";
+
+export const given_forms = ["side_lengths", "side_length", "side_angle", "instant_center"] as const;
+export type GivenForm = (typeof given_forms)[number];
+
+export function form_of(given: Given): GivenForm {
+  return "side_lengths" in given ? "side_lengths" : "side_length" in given ? "side_length" : "side_angle_deg" in given ? "side_angle" : "instant_center";
+}
+export function given_of({task}: Problem): Given | null {
+  return (task as MotionTask).given ?? null;
+}
+export function with_given(problem: Problem, given: Given): Problem {
+  return with_task(problem, {...(problem.task as MotionTask), given});
+}
+export function takes_given({task}: Problem): boolean {
+  return task.kind === "motion" && task.mechanism === "four_bar" && position_count(task.poses) === 3;
+}
+/** A direction of travel says the same as an instant centre. */
+export function has_form({task}: Problem, form: GivenForm): boolean {
+  return form !== "instant_center" || poses_of(task).every((pose) => !pose.derivatives?.length);
+}
+
+/** A form to start from: as the linkage in hand has it, else of the task's size. */
+export function fresh_given(form: GivenForm, problem: Problem, hand: Linkage | null): Given {
+  const poses = poses_of(problem.task), size = poses_extent(poses), [{x, y}] = poses;
+  const length = (side: Side) => Number((hand?.[side].length ?? round_step(0.5 * size)).toPrecision(3));
+  if (form === "side_lengths") return {side_lengths: [length("input"), length("output")]};
+  if (form === "side_length") return {side_length: length("input")};
+  if (form === "side_angle") return {side_angle_deg: 60, directed: true};
+  return {instant_center: [Number((x + round_step(0.5 * size)).toPrecision(6)), y]};
+}
+
+/** Lengths of side links that are given; null: the engine chooses this one, and it can be set. */
+export function lengths_of(given: Given): Partial<Record<Side, number | null>> {
+  if ("side_lengths" in given) return {input: given.side_lengths[0], output: given.side_lengths[1]};
+  if ("side_length" in given) return {input: given.side_length, output: null};
+  return "side_angle_deg" in given ? {input: given.input_length ?? null} : {};
+}
+export function with_length(given: Given, side: Side, length: number): Given {
+  if ("side_lengths" in given) return {side_lengths: side === "input" ? [length, given.side_lengths[1]] : [given.side_lengths[0], length]};
+  if ("side_length" in given) return side === "input" ? {side_length: length} : {side_lengths: [given.side_length, length]};
+  return "side_angle_deg" in given ? {...given, input_length: length} : given;
+}
+
+/** Three positions leave four numbers free. */
+export function free_numbers(given: Given): number {
+  const taken = "side_lengths" in given || "instant_center" in given ? 2 : "side_length" in given ? 1 : given.input_length === undefined ? 1 : 2;
+  return 4 - taken;
+}
+
+/** Direction of a side link in position 1, degrees. */
+export function direction_deg(center: Point, circle: Point): number {
+  return (Math.atan2(circle[1] - center[1], circle[0] - center[0]) * 180) / Math.PI;
+}
