@@ -18,6 +18,7 @@ struct PickedLinkage {
   PoseVisits visits;
   DriveTable drive;
   std::uint8_t fails = 0;
+  std::optional<std::size_t> freed_place;  ///< how many of the poses served come before the freed one, if one is
 };
 
 /// `given` with a family.

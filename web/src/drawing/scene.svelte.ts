@@ -5,7 +5,7 @@ import {joints_at, state_at} from "../state/drive";
 import {preferences} from "../state/preferences.svelte";
 import {body_point, outline_of, placed} from "../state/problem";
 import {screen_size} from "../state/screen.svelte";
-import {poses_of, type Pose} from "../state/task";
+import {poses_of, served_poses, type Pose} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {carrier_of, joint_of, type Carrier} from "./carrier";
 import {nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
@@ -64,6 +64,8 @@ export class Scene {
   // ---- what there is ------------------------------------------------------------------------------------------
 
   readonly poses = $derived.by(() => poses_of(this.workbench.problem.task));
+  /** Those that a linkage passes exactly. */
+  readonly served = $derived.by(() => served_poses(this.workbench.problem.task));
   readonly outline = $derived.by(() => outline_of(this.workbench.problem));
   /** Without an outline of its own, the body is sized from the poses, so it takes two. */
   readonly has_body = $derived.by(() => this.poses.length > 1 || (this.poses.length === 1 && (this.workbench.problem.view?.outline?.length ?? 0) >= 3));
@@ -96,17 +98,17 @@ export class Scene {
       return {pose, joints: hand.six_bar?.joints.map(({at}) => at) ?? [], ends: ends_of(hand, hand.input.circle, hand.output.circle)};
     }
     const pose = this.nearest_pose;
-    const carried = (point: Point | null) => point && placed(body_point(point, this.poses[0]), pose);
+    const carried = (point: Point | null) => point && placed(body_point(point, this.served[0]), pose);
     return {pose, joints: [], ends: ends_of(hand, carried(hand.input.circle), carried(hand.output.circle))};
   });
   /** What carries an end of a side link; nothing on the ground. */
   carrier(side: Side, end: End): Carrier | null {
     const {hand} = this.workbench;
-    return hand && this.now && carrier_of(hand, side, end, this.now, this.poses[0]);
+    return hand && this.now && carrier_of(hand, side, end, this.now, this.served[0]);
   }
   /** The position nearest to where the drive stands. */
   get nearest_pose(): Pose {
-    return this.poses[Math.min(Math.max(Math.round(this.workbench.stage), 0), this.poses.length - 1)];
+    return this.served[Math.min(Math.max(Math.round(this.workbench.stage), 0), this.served.length - 1)];
   }
   /** The pose on which the outline is edited. */
   readonly outline_pose = $derived.by(() => this.poses[this.workbench.selected_pose ?? 0] ?? this.poses[0] ?? null);

@@ -25,6 +25,7 @@ export type RequirementKey = (typeof requirement_keys)[number];
 /** What a colour of the map can stand for, beside the type. Values as f32; 0 where not defined, never NaN. */
 export const properties = [
   "min_transmission_angle_deg", "min_transmission_angle_full_turn_deg", "link_ratio", "longest_link", "driver_sweep_deg",
+  "pose_miss", // by how much the freed pose is missed, user's unit; of tasks that have one, in cells that meet everything
 ] as const;
 export type Property = (typeof properties)[number];
 
@@ -244,6 +245,8 @@ export interface Linkage {
   drive_sense: "ccw" | "cw" | "either" | null;
   dead_points_deg: number[]; // driver angles from position 1
   residual: number; // worst error of a side link's length over the positions, user's unit
+  /** By how much the freed pose is missed at best, and where the driver stands then; null where none is freed. */
+  miss?: {distance: number; angle_deg: number; input_deg: number} | null;
   swapped: {type: LinkageType; defects: Defects; min_transmission_angle_deg: number | null} | null;
   fails: number; // requirement bits
   drive: Drive | null; // null: a slider or zero link

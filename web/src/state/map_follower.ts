@@ -3,7 +3,6 @@
 import {Crashed, Refusal, Superseded} from "../engine/client";
 import {whole, type Replies, type Window} from "../engine/protocol";
 import {settled_on, type Document} from "./document";
-import {preferences} from "./preferences.svelte";
 import {engine_text} from "./problem";
 import type {Workbench} from "./workbench.svelte";
 
@@ -44,7 +43,7 @@ export class MapFollower {
     const {document, window, engine, engine_state, gesture} = this.workbench;
     if (!engine || engine_state === "missing") return;
     const problem = engine_text(document.problem);
-    const property = preferences.colour_by === "type" ? "min_transmission_angle_deg" : preferences.colour_by;
+    const {coloring} = this.workbench, property = coloring === "type" ? "min_transmission_angle_deg" : coloring;
     const question = (order: number | null) => JSON.stringify([problem, window, property, order]);
     const asked = question(document.order);
     if (asked === this.asked && samples <= this.asked_samples) return this.refine();

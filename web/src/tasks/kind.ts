@@ -1,5 +1,5 @@
 // What a kind of task brings, without its views (view.ts): the frame asks it through kinds.ts and knows none by name.
-import type {Point} from "../engine/protocol";
+import type {Point, Property} from "../engine/protocol";
 import type {Problem} from "../state/problem";
 import type {Object} from "../state/shape";
 import type {Task} from "../state/task";
@@ -36,6 +36,8 @@ export interface TaskKind<T extends Task = Task> {
   default_max_length(problem: Problem): number;
   /** What the map is of: a linkage keeps its place on the map from task to task only where this stays. */
   map_of(task: T): string;
+  /** What the map's colours can stand for beside what they always can. */
+  properties?(task: T): readonly Property[];
   /** The fixed frame seen from elsewhere: points by `point`; poses are the frame's matter. */
   moved(task: T, point: (p: Point) => Point): T;
   /** For the printed sheet. */
