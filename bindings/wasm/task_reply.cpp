@@ -1,5 +1,6 @@
 #include "task_reply.hpp"
 
+#include "function_reply.hpp"
 #include "io/result_writer.hpp"
 #include "reply_json.hpp"
 
@@ -149,7 +150,8 @@ std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, Side 
 }
 
 std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapAxes& axes,
-                      const Requirements& requirements, std::string_view status, const Notice* reason) {
+                      const Requirements& requirements, std::string_view status, const Notice* reason,
+                      const FunctionTask* function) {
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.member("status", status);
@@ -176,6 +178,8 @@ std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks,
     json.begin_list();
     for (const CurveMark& mark : marks) write_mark(json, mark);
     json.end_list();
+    json.key("function");
+    function ? write_wanted_function(json, *function) : json.null();
     json.key("requirements");
     write_requirements(json, requirements);
     json.end_object();

@@ -110,8 +110,10 @@ export class Scene {
     const editing = this.workbench.mode === "outline" && this.draft === null && this.outline_pose;
     return editing ? corner_handles(this.outline, this.outline_pose, this.view) : [];
   });
+  /** Without those that a handle of the task stands for. */
+  private readonly own_pivot_handles = $derived.by(() => this.pivot_handles.filter(({id}) => !this.task_handles.some((handle) => handle.id === id)));
   /** In reading order. */
-  readonly handles = $derived.by((): Handle[] => [...this.corner_handles, ...this.pose_handles, ...this.task_handles, ...this.pivot_handles, ...this.box_handles]);
+  readonly handles = $derived.by((): Handle[] => [...this.corner_handles, ...this.pose_handles, ...this.task_handles, ...this.own_pivot_handles, ...this.box_handles]);
 
   readonly step = $derived(grid_step(this.view));
   /** What the status line says of snapping: step in the user's unit, or nothing while it is off. */

@@ -5,6 +5,8 @@ import folding_table from "../../../examples/folding_table.json?raw";
 import hood_hinge from "../../../examples/hood_hinge.json?raw";
 import landing_gear from "../../../examples/landing_gear.json?raw";
 import lift_platform from "../../../examples/lift_platform.json?raw";
+import log_generator from "../../../examples/log_generator.json?raw";
+import sine_generator from "../../../examples/sine_generator.json?raw";
 import tailgate from "../../../examples/tailgate.json?raw";
 import type {Problem} from "../state/problem";
 import type {TextKey} from "../texts/texts.svelte";
@@ -15,7 +17,7 @@ import parallel_moves from "./parallel_moves.json?raw";
 import three_parallel from "./three_parallel.json?raw";
 
 const files = {
-  tailgate, drawer_hinge, dump_bucket, landing_gear, folding_table, lift_platform, hood_hinge, hatchback_lid,
+  tailgate, drawer_hinge, dump_bucket, landing_gear, folding_table, lift_platform, hood_hinge, sine_generator, log_generator, hatchback_lid,
   almost_symmetric, mirror_symmetric, three_parallel, parallel_moves,
 };
 export type ExampleName = keyof typeof files;

@@ -38,6 +38,10 @@ export function has_burmester_curve({curves}: TaskAnswer): boolean {
 export function is_discrete({quantity}: Axis): boolean {
   return quantity === "burmester_point" || quantity === "nothing";
 }
+/** Many places along the input's axis, one along the output's. */
+export function is_ribbon({input, output}: Axes): boolean {
+  return output.quantity === "nothing" && !is_discrete(input);
+}
 function middle_tau({from, to}: Branch): number {
   return (from + to) / 2;
 }

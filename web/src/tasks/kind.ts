@@ -1,6 +1,6 @@
 // What a kind of task brings, without its views (view.ts): the frame asks it through kinds.ts and knows none by name.
-import type {Point} from "../engine/protocol";
-import type {Problem} from "../state/problem";
+import type {Point, Property} from "../engine/protocol";
+import type {Objective, Problem} from "../state/problem";
 import type {Object} from "../state/shape";
 import type {Task} from "../state/task";
 import type {TextKey} from "../texts/texts.svelte";
@@ -38,6 +38,9 @@ export interface TaskKind<T extends Task = Task> {
   map_of(task: T): string;
   /** The fixed frame seen from elsewhere: points by `point`; poses are the frame's matter. */
   moved(task: T, point: (p: Point) => Point): T;
+  /** What a linkage can be measured by here beside the usual. */
+  properties?(task: T): readonly Property[];
+  objectives?(task: T): readonly Objective[];
   /** For the printed sheet. */
   table(task: T, unit: string): {head: string[]; rows: string[][]};
   beginnings: readonly Beginning[];

@@ -13,6 +13,14 @@ export function with_side(tau: TauPair, side: Side, value: number): TauPair {
   return side === "input" ? [value, tau[1]] : [tau[0], value];
 }
 
+/** Where links are to turn by given angles, as far as the linkage has turned, back to position 1. */
+function turned_home({workbench, scene}: Bench, side: Side): ((point: Point) => Point) | null {
+  const link = workbench.picked_linkage?.[side], now = scene.now?.[side];
+  if (!link?.center || !link.circle || !now) return null;
+  const [x, y] = link.center, direction = (p: Point) => Math.atan2(p[1] - y, p[0] - x), back = direction(link.circle) - direction(now);
+  return (p) => [x + Math.cos(back) * (p[0] - x) - Math.sin(back) * (p[1] - y), y + Math.sin(back) * (p[0] - x) + Math.cos(back) * (p[1] - y)];
+}
+
 /** `view` is what the pointer's pixels are of: the drawing's, or the 3-D view's. */
 export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}>, view: () => Viewport = () => bench.scene.view): Drag | null {
   const {workbench, scene} = bench, picked = workbench.picked, carrier = scene.now?.pose ?? null;
@@ -23,7 +31,9 @@ export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}
   let beyond: Beyond | null = null;
   // A moving pivot is taken where it is now; its curve lies in position 1.
   const carried = target.end === "circle" && !target.home && carrier;
-  const on_curve = (at: Point): Point => (carried ? to_screen(view(), placed(body_point(to_user(view(), at), carried), scene.poses[0])) : at);
+  const [first] = scene.poses, turn_back = carried && !first ? turned_home(bench, target.side) : null;
+  const home = (point: Point): Point => (carried && first ? placed(body_point(point, carried), first) : (turn_back?.(point) ?? point));
+  const on_curve = (at: Point): Point => (carried ? to_screen(view(), home(to_user(view(), at))) : at);
   workbench.begin_gesture();
   scene.held = target;
   return {

@@ -5,4 +5,4 @@ import {given_handles} from "./given_handles";
 import GivenLayer from "./GivenLayer.svelte";
 import Offer from "./Offer.svelte";
 
-export const motion_view: TaskView = {Editor, Offer, Layer: GivenLayer, handles: given_handles, plots: plot_kinds};
+export const motion_view: TaskView = {Editor, Offer, Layer: GivenLayer, handles: given_handles, plots: () => plot_kinds};
