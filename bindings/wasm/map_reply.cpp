@@ -71,7 +71,7 @@ void JudgedMap::measure_error(const FunctionFamily& family) {
   for (std::size_t row = 0; row < map_.rows(); ++row)
     for (std::size_t column = 0; column < map_.columns(); ++column) {
       const std::size_t cell = map_.index(row, column);
-      if (fails_[cell] != 0) continue;
+      if (map_.defects()[cell] != 0) continue;
       const RegionPlace place{map_.input_coordinates()[row], map_.output_coordinates()[column]};
       const auto links = family.side_links(place);
       const auto bars = links ? four_bar_of(*links) : std::nullopt;

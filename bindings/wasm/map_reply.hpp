@@ -24,7 +24,7 @@ class JudgedMap {
   void measure(CellProperty property);
   /// By how much each cell that passes misses a freed pose; 0 of the others.
   void measure_miss(const LinkageFamily& family, const FreedPose& freed);
-  /// Largest structural error of each cell that passes and reaches the whole range, degrees; 0 of the others.
+  /// Largest structural error of each cell without defects that reaches the whole range, degrees; 0 of the others.
   void measure_error(const FunctionFamily& family);
 
   [[nodiscard]] const RegionMap& map() const { return map_; }

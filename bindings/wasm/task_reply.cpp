@@ -129,7 +129,9 @@ DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFam
   const std::vector<Dyad> polygon = given.family  ? given.family->polygon(side)
                                     : given.curve ? CurveFamily(given.frame(), poses, given.curve).polygon(side)
                                                   : std::vector<Dyad>{};
-  const auto branches = given.family  ? given.family->axis(side).branches
+  // Where nothing is left to choose of the output, it moves with the input.
+  const bool along_input = given.family && given.family->axis(side).quantity == AxisQuantity::nothing;
+  const auto branches = given.family  ? given.family->axis(along_input ? Side::input : side).branches
                         : given.curve ? given.curve->branches()
                                       : std::vector<CurveBranch>{};
   DrawnCurves drawn = drawn_dyads(polygon, branches, given.frame());

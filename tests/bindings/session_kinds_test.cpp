@@ -117,6 +117,8 @@ TEST(SessionOfAFunction, HasARibbon) {
   const auto [input, output] = explored.passing();
   const LiveReply live = explored.session.live(input, output);
   EXPECT_EQ(live.input.size(), explored.reply.input_curves->tau.size());
+  EXPECT_EQ(live.output.size(), explored.reply.output_curves->tau.size());
+  EXPECT_EQ(explored.reply.output_curves->tau, explored.reply.input_curves->tau);
 }
 
 TEST(SessionOfAFunction, TellsWhatIsWantedAndWhatIsGenerated) {

@@ -7,12 +7,12 @@ import {body_point, outline_of, placed} from "../state/problem";
 import {screen_size} from "../state/screen.svelte";
 import {poses_of, type Pose} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
-import {nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
+import {curves_of, nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
 import {
   border_hit, box_handles, corner_handles, edge_cursor, inside, pivot_handles, pose_handles, ranks, target_id, within_reach,
   type BoxName, type Handle, type Target,
 } from "./handles";
-import {anchors_of} from "../tasks/kinds";
+import {anchors_of, kind_of} from "../tasks/kinds";
 import {task_view} from "../tasks/views";
 import {task_points} from "./fit";
 import {grid_step, to_screen, type Viewport} from "./viewport";
@@ -96,6 +96,8 @@ export class Scene {
   get nearest_pose(): Pose {
     return this.poses[Math.min(Math.max(Math.round(this.workbench.stage), 0), this.poses.length - 1)];
   }
+  /** There are curves of ground pivots, not of moving ones only. */
+  readonly has_center_curves = $derived.by(() => this.distinct_samples.some((samples) => curves_of(samples).includes("center")));
   /** The pose on which the outline is edited. */
   readonly outline_pose = $derived.by(() => this.poses[this.workbench.selected_pose ?? 0] ?? this.poses[0] ?? null);
 
@@ -122,7 +124,8 @@ export class Scene {
   }
 
   task_points(): Point[] {
-    return task_points(anchors_of(this.workbench.problem.task), this.poses, this.outline, this.has_body);
+    const {task} = this.workbench.problem;
+    return task_points([...anchors_of(task), ...(kind_of(task).around?.(task) ?? [])], this.poses, this.outline, this.has_body);
   }
 
   // ---- what is under the pointer ------------------------------------------------------------------------------
@@ -151,7 +154,7 @@ export class Scene {
   }
   private curves_at(at: Point, touch: boolean): {target: Target; cursor: string}[] {
     return this.distinct_samples
-      .flatMap((samples) => (["center", "circle"] as const).flatMap((curve) => nearest(samples, curve, this.view, at) ?? []))
+      .flatMap((samples) => curves_of(samples).flatMap((curve) => nearest(samples, curve, this.view, at) ?? []))
       .filter((spot) => spot.distance <= curve_reach[touch ? 1 : 0])
       .sort((a, b) => a.distance - b.distance)
       .map((spot) => ({target: {kind: "curve", spot} as Target, cursor: "pointer"}));

@@ -32,6 +32,8 @@ export interface TaskKind<T extends Task = Task> {
   is_mixed(task: T): boolean;
   /** Points of the fixed frame between which the task lies. */
   anchors(task: T): Point[];
+  /** Points that are shown with them: of what is drawn about them. */
+  around?(task: T): Point[];
   /** New tasks get a size limit (the best transmission angle alone is found next to links of many metres). */
   default_max_length(problem: Problem): number;
   /** What the map is of: a linkage keeps its place on the map from task to task only where this stays. */

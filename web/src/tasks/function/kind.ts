@@ -2,7 +2,7 @@
 import type {Point} from "../../engine/protocol";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
-import {pattern_of, position_count, type AnglePair, type FreeNumber, type FunctionTask, type NamedFunction, type Range} from "../../state/task";
+import {diagonal_of, pattern_of, position_count, type AnglePair, type FreeNumber, type FunctionTask, type NamedFunction, type Range} from "../../state/task";
 import {significant} from "../../texts/numbers";
 import type {TaskKind} from "../kind";
 
@@ -82,9 +82,13 @@ export const function_kind: TaskKind<FunctionTask> = {
     return n > 5 ? {state: "too_many", text: "state.too_many_pairs", n} : null;
   },
   stops: (task) => task.pairs?.length ?? position_count_of(task),
-  pattern: ({pairs}) => pattern_of(pairs ?? []),
+  pattern: (task) => pattern_of(task.pairs ?? Array.from({length: position_count_of(task)}, () => ({}))),
   is_mixed: ({pairs}) => (pairs ?? []).some((pair) => pair.derivatives?.length),
   anchors: (task) => Object.values(ground_pivots_of(task)),
+  around(task) {
+    const pivots = Object.values(ground_pivots_of(task)), room = 0.5 * diagonal_of(pivots);
+    return pivots.flatMap(([x, y]): Point[] => [[x - room, y], [x + room, y], [x, y - room], [x, y + room]]);
+  },
   default_max_length,
   map_of: (task) => `function ${position_count_of(task)} ${task.free?.number ?? ""}`,
   moved: (task, point) => ({...task, ground_pivots: {input: point(ground_pivots_of(task).input), output: point(ground_pivots_of(task).output)}}),
