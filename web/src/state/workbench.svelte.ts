@@ -5,7 +5,7 @@ import {
   whole, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
-import {incompleteness, kind_of, map_of, properties_of} from "../tasks/kinds";
+import {incompleteness, kind_of, map_of} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {held_tau, held_window, places_of} from "./axis";
 import {from_problem, to_problem, type Picked} from "./document";
@@ -14,7 +14,6 @@ import {Editing} from "./editing.svelte";
 import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
 import {find_pin, free_name, new_pin} from "./pins";
-import {preferences} from "./preferences.svelte";
 import {with_task, type Pin, type Problem} from "./problem";
 import {same_task} from "./task";
 
@@ -96,11 +95,6 @@ export class Workbench extends Editing {
 
   get tau_in_hand(): TauPair | null {
     return this.hovered ?? this.picked?.tau ?? null;
-  }
-  /** What the map's colours stand for: what the user wants, where the task has it. */
-  get coloring(): "type" | Property {
-    const {colour_by} = preferences;
-    return colour_by !== "type" && properties_of(this.problem.task).includes(colour_by) ? colour_by : "type";
   }
   get unit(): string {
     return this.problem.length_unit ?? "";
