@@ -118,12 +118,19 @@ void write_function(JsonWriter& json, const PickedLinkage& picked) {
   write_generated_function(json, *picked.task, *picked.bars->function);
 }
 
-void write_ticks(JsonWriter& json, const DriveTable& drive) {
+/// Positions as the task counts them, from 1: the freed pose is none of those that are served.
+int position_of(std::size_t pose, const PickedLinkage& picked) {
+  const bool behind = picked.freed_place && pose >= *picked.freed_place;
+  return static_cast<int>(pose) + (behind ? 2 : 1);
+}
+
+void write_ticks(JsonWriter& json, const PickedLinkage& picked) {
+  const DriveTable& drive = picked.drive;
   json.key("ticks");
   json.begin_list();
   for (std::size_t pose = 0; pose < drive.state_of_pose.size(); ++pose) {
     json.begin_object(Layout::one_line);
-    json.member("position", static_cast<int>(pose) + 1);
+    json.member("position", position_of(pose, picked));
     json.member("state", drive.state_of_pose[pose]);
     json.member("reached", drive.state_of_pose[pose] >= 0);
     json.end_object();
@@ -139,7 +146,7 @@ void write_drive(JsonWriter& json, const PickedLinkage& picked) {
   json.key("drive");
   if (picked.drive.states.empty()) return json.null();
   json.begin_object();
-  write_ticks(json, picked.drive);
+  write_ticks(json, picked);
   json.member("full_turn", picked.drive.full_turn);
   json.key("limits");
   json.begin_object(Layout::one_line);
@@ -165,6 +172,7 @@ PickedLinkage picked_linkage(const TaskFamily& given, RegionPlace place, bool re
   const SideLinks none{{{}, {}, place.input}, {{}, {}, place.output}};
   const SideLinks links = given.family->side_links(place).value_or(none);
   PickedLinkage picked{frame.to_user(links.input), frame.to_user(links.output), {}, {}, {}};
+  if (given.freed) picked.freed_place = given.freed->place;
   constexpr bool verify = false;
   picked.bars = make_four_bar(given, place, respect_direction, verify);
   if (!picked.bars) return picked;

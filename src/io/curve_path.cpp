@@ -1,6 +1,7 @@
 #include "curve_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace linkwright {
@@ -109,7 +110,56 @@ class CurveTracer {
   CurvePaths paths_;
 };
 
+using Path = std::vector<Point>;  // px
+
+/// Paths of one pivot, a new one at each branch, leap, and run through infinity.
+std::vector<Path> paths_of(std::span<const Dyad> dyads, Homogeneous Dyad::*point, const PlaneWindow& window) {
+  std::vector<Path> paths;
+  double branch = -1;
+  bool continues = false;
+  for (const Dyad& dyad : dyads) {
+    const Homogeneous p = dyad.*point;
+    continues = continues && std::floor(dyad.coordinate) == branch && p.w != 0;
+    branch = std::floor(dyad.coordinate);
+    if (p.w == 0) continue;
+    const Point px = window.to_px(p.vector() / p.w);
+    if (!continues || !(std::abs(px - paths.back().back()) <= longest_line)) paths.emplace_back();
+    paths.back().push_back(px);
+    continues = true;
+  }
+  return paths;
+}
+
+/// Two sheets meet where a direction ceases to have side links, between samples: each path goes on to the nearest end.
+void join_ends(std::vector<Path>& paths) {
+  std::vector<Point> ends;
+  for (const Path& path : paths) ends.insert(ends.end(), {path.front(), path.back()});
+  const std::vector<Path> before = paths;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Point here = ends[i];
+    std::size_t nearest = i;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const bool is_dot = k / 2 == i / 2 && before[k / 2].size() < 3;
+      if (k == i || is_dot || !(std::abs(ends[k] - here) <= longest_line)) continue;
+      if (nearest == i || std::abs(ends[k] - here) < std::abs(ends[nearest] - here)) nearest = k;
+    }
+    if (nearest > i) paths.push_back({here, ends[nearest]});
+  }
+}
+
+std::vector<Path> visible_path(std::span<const Dyad> dyads, Homogeneous Dyad::*point, const PlaneWindow& window) {
+  std::vector<Path> paths = paths_of(dyads, point, window), seen;
+  join_ends(paths);
+  for (const Path& path : paths)
+    for (Path& piece : window.clipped(path)) seen.push_back(std::move(piece));
+  return seen;
+}
+
 }  // namespace
+
+CurvePaths visible_polygon(std::span<const Dyad> dyads, const PlaneWindow& window) {
+  return {visible_path(dyads, &Dyad::center, window), visible_path(dyads, &Dyad::circle, window)};
+}
 
 CurvePaths visible_curves(const BurmesterCurve& curve, const WorkingFrame& frame, const PlaneWindow& window) {
   return CurveTracer(curve, frame, window).trace();

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "plane_window.hpp"
 
@@ -15,5 +17,9 @@ struct CurvePaths {
 /// Follows both curves by τ, with smaller steps where the window shows them.
 [[nodiscard]] CurvePaths visible_curves(const BurmesterCurve& curve, const WorkingFrame& frame,
                                         const PlaneWindow& window);
+
+/// The pivots of side links along an axis of a map (fixed frame, by rising coordinate), joined where they follow each
+/// other on one branch.
+[[nodiscard]] CurvePaths visible_polygon(std::span<const Dyad> dyads, const PlaneWindow& window);
 
 }  // namespace linkwright

@@ -41,7 +41,7 @@ constexpr std::array<std::string_view, 7> change_point_labels = {"",
                                                                  "parallelogram or kite",
                                                                  "rhombus"};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> branch_labels = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> branch_labels = {{
     {"odd", "branch through infinity"},
     {"oval", "closed branch"},
     {"nodal", "branch with a node"},
@@ -50,6 +50,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> branch_la
     {"conic", "conic"},
     {"line_at_infinity", "line at infinity"},
     {"center_line", "line of centre points"},
+    {"sheet_1", "sheet 1"},
+    {"sheet_2", "sheet 2"},
+    {"sheet_1_opposite", "sheet 1, opposite"},
+    {"sheet_2_opposite", "sheet 2, opposite"},
+    {"direction_1", "direction 1"},
+    {"direction_2", "direction 2"},
+    {"direct", "as given"},
+    {"opposite", "opposite"},
+    {"range", ""},
 }};
 
 }  // namespace

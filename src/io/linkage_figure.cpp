@@ -185,11 +185,18 @@ void draw_scale_bar(SvgCanvas& svg, const PlaneWindow& window, Point left, std::
            {.size = 12, .color = palette::ink2, .anchor = "middle", .halo = palette::paper});
 }
 
+namespace {
+
+constexpr double key_sample = 30, key_gap = 7, key_size = 12, key_space = 18;
+
+}  // namespace
+
+double line_key_width(std::string_view name) { return key_sample + key_gap + text_width(name, key_size) + key_space; }
+
 double draw_line_key(SvgCanvas& svg, Point left, std::string_view attributes, std::string_view name) {
-  constexpr double sample = 30, gap = 7, size = 12;
-  svg.line(left, left + sample, attributes);
-  svg.text(left + Point{sample + gap, 4}, name, {.size = size, .color = palette::ink2});
-  return left.real() + sample + gap + text_width(name, size) + 18;
+  svg.line(left, left + key_sample, attributes);
+  svg.text(left + Point{key_sample + key_gap, 4}, name, {.size = key_size, .color = palette::ink2});
+  return left.real() + line_key_width(name);
 }
 
 }  // namespace linkwright

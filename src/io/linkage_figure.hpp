@@ -47,4 +47,7 @@ void draw_scale_bar(SvgCanvas& svg, const PlaneWindow& window, Point left, std::
 /// A sample of a line with its name, and where the next entry starts.
 double draw_line_key(SvgCanvas& svg, Point left, std::string_view attributes, std::string_view name);
 
+/// px from where an entry starts to where the next one does.
+[[nodiscard]] double line_key_width(std::string_view name);
+
 }  // namespace linkwright

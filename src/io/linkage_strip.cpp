@@ -70,8 +70,8 @@ void draw_card(SvgCanvas& svg, const PixelBox& card, std::string_view heading) {
   svg.text(card.corner() + Point{18, 29}, heading, {.size = 14, .weight = 650});
 }
 
-void draw_wrapped(SvgCanvas& svg, Point position, std::string_view text, double width, int lines) {
-  constexpr double size = 15, leading = 22;
+void draw_wrapped(SvgCanvas& svg, Point position, std::string_view text, double width, int lines, double size) {
+  const double leading = std::floor(1.5 * size);
   for (int line = 0; line < lines && !text.empty(); ++line) {
     std::size_t end = text.size();
     const bool is_last = line + 1 == lines;
@@ -104,7 +104,107 @@ void draw_pivot_rows(SvgCanvas& svg, Point corner, double width, const FourBar& 
   rows.row("its moving pivot, position 1", pivot_text(four_bar.output_circle, decimals), palette::output);
 }
 
-void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const FourBarSolution& found, std::string_view unit) {
+namespace {
+
+std::string small_angle(double radians) { return fmt::format("{}°", significant_text(degrees(radians), 3)); }
+
+/// What is read at a coordinate of an axis: "β₁ = 258.5°", "number 3", or τ.
+std::string place_text(const LinkageFamily& family, LinkageFamily::Side side, double tau) {
+  switch (family.axis(side).quantity) {
+    case AxisQuantity::burmester_point:
+      return fmt::format("{}", static_cast<int>(std::floor(tau)) + 1);
+    case AxisQuantity::side_direction:
+    case AxisQuantity::pair_output:
+      return rounded_text(family.axis_value(side, tau), 2) + "°";
+    case AxisQuantity::side_length:
+    case AxisQuantity::output_scale:
+      return significant_text(family.axis_value(side, tau), 5);
+    default:
+      return rounded_text(tau, 4);
+  }
+}
+
+std::string_view place_name(const LinkageFamily& family) {
+  switch (family.axis(LinkageFamily::Side::output).quantity) {
+    case AxisQuantity::burmester_point:
+      return "side links, by their numbers";
+    case AxisQuantity::side_direction:
+      return "directions β₁ and β₂";
+    case AxisQuantity::side_length:
+      return "direction β₁ and length R₂";
+    case AxisQuantity::output_scale:
+      return "place τ and factor on the output";
+    case AxisQuantity::pair_output:
+      return "place τ and free output angle";
+    case AxisQuantity::nothing:
+      return family.axis(LinkageFamily::Side::input).is_discrete() ? "which of the linkages"
+                                                                   : "place of the coupler, τ";
+    default:
+      return "place on the curves, τ₁ and τ₂";
+  }
+}
+
+void add_place(NumberRows& checks, const Solution& solution) {
+  using Side = LinkageFamily::Side;
+  const LinkageFamily& family = *solution.given.family;
+  const FourBarSolution& found = solution.linkages.front();
+  std::string text = place_text(family, Side::input, found.input.coordinate);
+  if (family.axis(Side::output).quantity != AxisQuantity::nothing)
+    text += ", " + place_text(family, Side::output, found.output.coordinate);
+  checks.row(place_name(family), text);
+}
+
+void add_motion_checks(NumberRows& checks, const Solution& solution) {
+  const FourBarSolution& found = solution.linkages.front();
+  checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
+  checks.row("driver turns through the task", drive_text(found.report));
+  add_place(checks, solution);
+  checks.row("relative error at the positions", fmt::format("{}{}", significant_text(found.residual, 2),
+                                                            found.verified_by_driving ? ", checked by driving" : ""));
+}
+
+void add_function_checks(NumberRows& checks, const Solution& solution) {
+  const FourBarSolution& found = solution.linkages.front();
+  const FunctionError& error = *found.function;
+  const bool has_function = !error.samples.empty();
+  if (error.max_structural_error)
+    checks.row("largest structural error", fmt::format("{} at input {}°", small_angle(*error.max_structural_error),
+                                                       rounded_text(degrees(error.worst_input), 1)));
+  else
+    checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
+  checks.row("driver turns through the task", drive_text(found.report));
+  add_place(checks, solution);
+  const std::string_view reach = !has_function || error.unreached.empty() ? "" : ", not the whole range";
+  checks.row("error at the pairs, by driving",
+             (error.reaches_pairs ? significant_text(degrees(error.precision_error), 2) + "°" : "not reached") +
+                 std::string(reach));
+}
+
+}  // namespace
+
+void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const Solution& solution, std::string_view unit) {
+  draw_card(svg, card, "No linkage to show");
+  const Point corner = card.corner() + Point{18, 54};
+  if (solution.freed.empty()) return draw_wrapped(svg, corner, solution.reason.message, card.width - 36, 2);
+  draw_wrapped(svg, corner - Point{0, 4}, solution.reason.message, card.width / 2 - 40, 4, 12.5);
+  const double left = card.left + card.width / 2, column = card.width / 2 - 18;
+  svg.text({left, card.top + 29}, "Ways out: what freeing one position comes to", {.size = 14, .weight = 650});
+  constexpr double leading = 14.5, first = 45;
+  for (std::size_t i = 0; i < solution.freed.size(); ++i) {
+    const FreedPosition& way = solution.freed[i];
+    const std::string words = way.linkage
+                                  ? fmt::format("missed by {} {} and {}", significant_text(way.miss.distance, 3), unit,
+                                                small_angle(way.miss.angle))
+                              : way.reason ? way.reason->message
+                                           : "nothing was found";
+    const Point at{left, card.top + first + leading * static_cast<double>(i)};
+    svg.text(at, fmt::format("position {}", way.pose + 1), {.size = 12, .color = palette::ink2});
+    svg.text(at + 76.0, fitted(words, 12, column - 76), {.size = 12});
+  }
+}
+
+void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const Solution& solution, std::string_view unit) {
+  const FourBarSolution& found = solution.linkages.front();
   draw_card(svg, card, "");
   const Point corner = card.corner() + Point{18, -7};
   draw_type(svg, corner + Point{0, 11}, found);
@@ -112,12 +212,7 @@ void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const FourBarSolut
   draw_pivot_rows(svg, corner + Point{546, 0}, 344, found.four_bar);
 
   NumberRows checks(svg, corner + Point{940, 0}, 416);
-  checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
-  checks.row("driver turns through the task", drive_text(found.report));
-  checks.row("place on the curves, τ₁ and τ₂",
-             fmt::format("{}, {}", rounded_text(found.input.coordinate, 4), rounded_text(found.output.coordinate, 4)));
-  checks.row("relative error at the positions", fmt::format("{}{}", significant_text(found.residual, 2),
-                                                            found.verified_by_driving ? ", checked by driving" : ""));
+  found.function ? add_function_checks(checks, solution) : add_motion_checks(checks, solution);
 }
 
 }  // namespace linkwright

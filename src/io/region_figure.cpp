@@ -3,8 +3,13 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
+#include <optional>
 
+#include "axis_label.hpp"
+#include "axis_ticks.hpp"
 #include "base64.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/io/label.hpp"
 #include "linkwright/io/number_text.hpp"
 #include "palette.hpp"
@@ -13,6 +18,8 @@
 
 namespace linkwright {
 namespace {
+
+using Side = LinkageFamily::Side;
 
 constexpr int pixels_per_px = 2;
 // px from the map to the axis, to the middles of the ∞ marks, the branches' names and the axis's title
@@ -26,49 +33,89 @@ struct AxisPlace {
   Point along;  ///< unit vector of rising samples
   Point away;   ///< unit vector away from the map
   double turn;  ///< of texts, degrees
+
+  [[nodiscard]] Point at(double px, double distance) const { return start + px * along + distance * away; }
+  /// From the middle of a text's height to its base line.
+  [[nodiscard]] Point to_baseline() const { return turn == 0 ? Point{0, 4} : Point{4, 0}; }
+};
+
+AxisPlace below(const PixelBox& map) { return {{map.left, map.bottom()}, {1, 0}, {0, 1}, 0}; }
+AxisPlace left_of(const PixelBox& map) { return {{map.left, map.bottom()}, {0, -1}, {-1, 0}, -90}; }
+
+/// One axis of the map.
+struct MapAxis {
+  const RegionScale& scale;
+  LinkageFamily::Side side;
+  std::string title;
+  std::string_view color;
+  std::vector<AxisTick> ticks;
 };
 
 TextStyle axis_text(const AxisPlace& place, double size, std::string_view color, int weight = 400) {
   return {.size = size, .color = color, .anchor = "middle", .weight = weight, .turn = place.turn};
 }
 
-void draw_axis(SvgCanvas& svg, const RegionScale& scale, const AxisPlace& place, std::string_view color,
-               std::string_view title) {
-  const auto at = [&](double px, double away) { return place.start + px * place.along + away * place.away; };
-  const Point to_baseline = place.turn == 0 ? Point{0, 4} : Point{4, 0};  // from the middle of a text's height
-  for (const RegionScale::Block& block : scale.blocks()) {
-    svg.line(at(block.from_px, axis_distance), at(block.to_px, axis_distance), stroke(color, 2));
+void draw_blocks(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+  for (const RegionScale::Block& block : axis.scale.blocks()) {
+    svg.line(place.at(block.from_px, axis_distance), place.at(block.to_px, axis_distance), stroke(axis.color, 2));
     const std::string_view words = branch_label(block.branch);
     const double middle = (block.from_px + block.to_px) / 2;
-    if (text_width(words, 11) > block.to_px - block.from_px) continue;
-    svg.text(at(middle, branch_distance) + to_baseline, words, axis_text(place, 11, palette::ink2));
+    if (words.empty() || text_width(words, 11) > block.to_px - block.from_px) continue;
+    svg.text(place.at(middle, branch_distance) + place.to_baseline(), words, axis_text(place, 11, palette::ink2));
   }
-  svg.text(at(scale.length() / 2, title_distance) + to_baseline, title, axis_text(place, 12, color, 650));
+}
 
+/// Of a few side links: their numbers.
+void draw_numbers(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+  for (const RegionScale::Block& block : axis.scale.blocks()) {
+    svg.line(place.at(block.from_px, axis_distance), place.at(block.to_px, axis_distance), stroke(axis.color, 2));
+    const int number = static_cast<int>(std::floor(axis.scale.coordinates()[block.first])) + 1;
+    svg.text(place.at((block.from_px + block.to_px) / 2, mark_distance + 4) + Point{0, 4}, fmt::format("{}", number),
+             {.size = 14, .color = axis.color, .anchor = "middle", .weight = 650});
+  }
+}
+
+void draw_ticks(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+  for (const AxisTick& tick : axis.ticks) {
+    svg.line(place.at(tick.px, axis_distance), place.at(tick.px, axis_distance + 4), stroke(axis.color, 1.2));
+    svg.text(place.at(tick.px, mark_distance) + place.to_baseline(), tick.text, axis_text(place, 10.5, palette::ink2));
+  }
+}
+
+void draw_infinities(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
   double last = -100;
-  for (const double px : scale.crossings_of_infinity()) {
-    svg.line(at(px, axis_distance - 4), at(px, axis_distance + 4), stroke(palette::ink, 1.4));
+  for (const double px : axis.scale.crossings_of_infinity()) {
+    svg.line(place.at(px, axis_distance - 4), place.at(px, axis_distance + 4), stroke(palette::ink, 1.4));
     if (px - last < 14) continue;
-    svg.text(at(px, mark_distance) + Point{0, 4}, "∞", {.size = 13, .color = palette::ink, .anchor = "middle"});
+    svg.text(place.at(px, mark_distance) + Point{0, 4}, "∞", {.size = 13, .color = palette::ink, .anchor = "middle"});
     last = px;
   }
 }
 
+void draw_axis(SvgCanvas& svg, const LinkageFamily& family, const MapAxis& axis, const AxisPlace& place) {
+  const bool is_discrete = family.axis(axis.side).is_discrete();
+  is_discrete ? draw_numbers(svg, axis, place) : draw_blocks(svg, axis, place);
+  svg.text(place.at(axis.scale.length() / 2, title_distance) + place.to_baseline(), axis.title,
+           axis_text(place, 12, axis.color, 650));
+  draw_ticks(svg, axis, place);
+  if (!is_discrete) draw_infinities(svg, axis, place);
+}
+
+/// Where the linkages lie on the map; nothing outside the window.
+using PlaceOnMap = std::function<std::optional<Point>(const FourBarSolution& found)>;
+
 /// Rings with numbers where the best linkages lie; dots where a ring would cover another.
-void draw_best(SvgCanvas& svg, const Solution& solution, const RegionScale& input, const RegionScale& output,
-               const PixelBox& map) {
+void draw_best(SvgCanvas& svg, const Solution& solution, const PlaceOnMap& place_of) {
   constexpr double ring = 9, closest = 2 * ring + 1;
   std::vector<Point> rings;
   std::vector<std::pair<Point, std::size_t>> dots;
   for (std::size_t i = 0; i < solution.linkages.size(); ++i) {
-    const FourBarSolution& found = solution.linkages[i];
-    const auto across = output.position(found.output.coordinate), up = input.position(found.input.coordinate);
-    if (!across || !up) continue;  // outside the window
-    const Point at{map.left + *across, map.bottom() - *up};
+    const auto at = place_of(solution.linkages[i]);
+    if (!at) continue;
     bool is_free = true;
-    for (const Point other : rings) is_free = is_free && std::abs(other - at) >= closest;
-    is_free ? rings.push_back(at) : void();
-    dots.emplace_back(at, is_free ? i + 1 : 0);
+    for (const Point other : rings) is_free = is_free && std::abs(other - *at) >= closest;
+    is_free ? rings.push_back(*at) : void();
+    dots.emplace_back(*at, is_free ? i + 1 : 0);
   }
   for (const auto& [at, number] : dots) {
     if (number == 0) svg.circle(at, 2.6, fill(palette::paper) + " " + stroke(palette::ink, 1.2));
@@ -77,6 +124,51 @@ void draw_best(SvgCanvas& svg, const Solution& solution, const RegionScale& inpu
     if (number == 0) continue;
     svg.circle(at, ring, fill(palette::paper) + " " + stroke(palette::ink, 1.6));
     svg.text(at + Point{0, 4}, fmt::format("{}", number), {.size = 11, .anchor = "middle", .weight = 650});
+  }
+}
+
+/// What a large cell says: its type above the middle, the transmission angle or the defect below.
+void draw_cell_text(SvgCanvas& svg, const RegionMap& region, std::size_t cell, Point middle, double width) {
+  constexpr double size = 11, leading = 13;
+  const LinkageType type = region.type(cell);
+  if (type == LinkageType::degenerate) return;
+  const TextStyle style{.size = size, .color = palette::ink, .anchor = "middle", .weight = 650, .halo = palette::paper};
+  std::string_view words = short_label(type);
+  const std::size_t comma = text_width(words, size) > width - 8 ? words.find(", ") : std::string_view::npos;
+  double y = comma == std::string_view::npos ? -16 : -16 - leading;
+  if (comma != std::string_view::npos) {
+    svg.text(middle + Point{0, y}, words.substr(0, comma + 1), style);
+    words.remove_prefix(comma + 2);
+    y += leading;
+  }
+  svg.text(middle + Point{0, y}, words, style);
+  const Defects defects = region.defects(cell);
+  const std::string verdict = defects.circuit()  ? "circuit defect"
+                              : defects.branch() ? "branch defect"
+                              : defects.order()
+                                  ? "order defect"
+                                  : fmt::format("γ {}°", rounded_text(degrees(region.min_transmission_angle(cell)), 1));
+  svg.text(middle + Point{0, 25}, verdict, style);
+}
+
+void draw_frames(SvgCanvas& svg, const RegionScale& up, const RegionScale& across, const PixelBox& map) {
+  for (const RegionScale::Block& row : up.blocks()) {
+    for (const RegionScale::Block& column : across.blocks()) {
+      svg.rectangle({map.left + column.from_px, map.bottom() - row.to_px}, column.to_px - column.from_px,
+                    row.to_px - row.from_px, "fill=\"none\" " + stroke(palette::line, 1));
+    }
+  }
+}
+
+void draw_cell_texts(SvgCanvas& svg, const RegionMap& region, const RegionScale& up, const RegionScale& across,
+                     const PixelBox& map, bool lies_on_its_side) {
+  for (const RegionScale::Block& row : up.blocks()) {
+    for (const RegionScale::Block& column : across.blocks()) {
+      const Point middle{map.left + (column.from_px + column.to_px) / 2, map.bottom() - (row.from_px + row.to_px) / 2};
+      const std::size_t cell =
+          lies_on_its_side ? region.index(column.first, row.first) : region.index(row.first, column.first);
+      draw_cell_text(svg, region, cell, middle, column.to_px - column.from_px);
+    }
   }
 }
 
@@ -93,27 +185,78 @@ void draw_hatched_swatch(SvgCanvas& svg, Point corner) {
   }
 }
 
+/// Scales of the map's rows and columns over so many px.
+struct MapScales {
+  RegionScale input, output;
+};
+
+MapScales scales_of(const Solution& solution, double input_length, double output_length) {
+  const RegionMap& region = solution.region;
+  const LinkageFamily& family = *solution.given.family;
+  return {
+      RegionScale(family.axis(Side::input).branches, region.input_coordinates(), region.input_dyads(), input_length),
+      RegionScale(family.axis(Side::output).branches, region.output_coordinates(), region.output_dyads(),
+                  output_length)};
+}
+
+MapAxis axis_of(const Problem& problem, const LinkageFamily& family, const RegionScale& scale, Side side) {
+  return {scale, side, axis_label(family.axis(side), side, problem.task, problem.length_unit).title,
+          side == Side::input ? palette::input : palette::output, axis_ticks(scale, family, side)};
+}
+
+/// The picture of a map of one column, its rows from left to right.
+PngImage on_its_side(const PngImage& image) {
+  PngImage turned{image.height, image.width, image.colors, {}};
+  turned.pixels.reserve(image.pixels.size());
+  for (std::size_t y = 0; y < turned.height; ++y)
+    for (std::size_t x = 0; x < turned.width; ++x)
+      turned.pixels.push_back(image.pixels[(image.height - 1 - x) * image.width + y]);
+  return turned;
+}
+
+void draw_ribbon(SvgCanvas& svg, const Problem& problem, const Solution& solution, const PixelBox& map) {
+  const LinkageFamily& family = *solution.given.family;
+  const auto [along, thick] = scales_of(solution, map.width, map.height);
+  svg.png(map.corner(), map.width, map.height,
+          base64(on_its_side(region_picture(solution, along, thick, pixels_per_px)).file()));
+  draw_frames(svg, thick, along, map);
+  draw_axis(svg, family, axis_of(problem, family, along, Side::input), below(map));
+  if (is_board(solution)) draw_cell_texts(svg, solution.region, thick, along, map, true);
+  draw_best(svg, solution, [&, &scale = along](const FourBarSolution& found) -> std::optional<Point> {
+    const auto px = scale.position(found.input.coordinate);
+    if (!px) return std::nullopt;
+    return Point{map.left + *px, map.top + map.height / 2};
+  });
+}
+
 }  // namespace
 
-void draw_region(SvgCanvas& svg, const Solution& solution, const PixelBox& map) {
+bool is_ribbon(const Solution& solution) {
+  return solution.given.family && solution.given.family->axis(Side::output).quantity == AxisQuantity::nothing;
+}
+
+bool is_board(const Solution& solution) {
+  return solution.given.family && solution.given.family->axis(Side::input).is_discrete();
+}
+
+void draw_region(SvgCanvas& svg, const Problem& problem, const Solution& solution, const PixelBox& map) {
   const RegionMap& region = solution.region;
   if (region.rows() == 0) return;
+  if (is_ribbon(solution)) return draw_ribbon(svg, problem, solution, map);
   const LinkageFamily& family = *solution.given.family;
-  const RegionScale input(family.axis(LinkageFamily::Side::input).branches, region.input_coordinates(),
-                          region.input_dyads(), map.height);
-  const RegionScale output(family.axis(LinkageFamily::Side::output).branches, region.output_coordinates(),
-                           region.output_dyads(), map.width);
-  const auto file = region_picture(solution, input, output, pixels_per_px).file();
+  const MapScales scales = scales_of(solution, map.height, map.width);
+  const auto file = region_picture(solution, scales.input, scales.output, pixels_per_px).file();
   svg.png(map.corner(), map.width, map.height, base64(file));
-  for (const RegionScale::Block& row : input.blocks()) {
-    for (const RegionScale::Block& column : output.blocks()) {
-      svg.rectangle({map.left + column.from_px, map.bottom() - row.to_px}, column.to_px - column.from_px,
-                    row.to_px - row.from_px, "fill=\"none\" " + stroke(palette::line, 1));
-    }
-  }
-  draw_axis(svg, input, {{map.left, map.bottom()}, {0, -1}, {-1, 0}, -90}, palette::input, "Driving side link, τ₁");
-  draw_axis(svg, output, {{map.left, map.bottom()}, {1, 0}, {0, 1}, 0}, palette::output, "Other side link, τ₂");
-  draw_best(svg, solution, input, output, map);
+  draw_frames(svg, scales.input, scales.output, map);
+  draw_axis(svg, family, axis_of(problem, family, scales.input, Side::input), left_of(map));
+  draw_axis(svg, family, axis_of(problem, family, scales.output, Side::output), below(map));
+  if (is_board(solution)) draw_cell_texts(svg, region, scales.input, scales.output, map, false);
+  draw_best(svg, solution, [&](const FourBarSolution& found) -> std::optional<Point> {
+    const auto across = scales.output.position(found.output.coordinate),
+               up = scales.input.position(found.input.coordinate);
+    if (!across || !up) return std::nullopt;
+    return Point{map.left + *across, map.bottom() - *up};
+  });
 }
 
 std::int64_t four_bars_in(const RegionCounts& counts) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "linkwright/io/problem_file.hpp"
 #include "linkwright/planar/synthesis.hpp"
 #include "plane_window.hpp"
 #include "svg_canvas.hpp"
@@ -7,10 +8,16 @@
 namespace linkwright {
 
 /// The solution region by type: full colour where all requirements are met, washed where only a requirement fails,
-/// grey with hatching where the linkage has a defect. Up: the driving side link's place on its curve; right: the
-/// other's. The best linkages carry rings with their numbers. `map`: the square of the cells; axes stand left of and
-/// below it.
-void draw_region(SvgCanvas& svg, const Solution& solution, const PixelBox& map);
+/// grey with hatching where the linkage has a defect. Up: the driving side link; right: the other, or a function's free
+/// number; a map of one column lies on its side as a ribbon. Where there are only a few cells each says what it is. The
+/// best linkages carry rings with their numbers. `map`: the rectangle of the cells; axes stand left of and below it.
+void draw_region(SvgCanvas& svg, const Problem& problem, const Solution& solution, const PixelBox& map);
+
+/// One column only: a function without a free number.
+[[nodiscard]] bool is_ribbon(const Solution& solution);
+
+/// A few cells only: side links, or linkages, that can be counted.
+[[nodiscard]] bool is_board(const Solution& solution);
 
 /// Cells that are four-bars with four pivots.
 [[nodiscard]] std::int64_t four_bars_in(const RegionCounts& counts);

@@ -46,6 +46,8 @@ PngImage region_picture(const Solution& solution, const RegionScale& input, cons
   const RequirementFilter filter = filter_of(*solution.given.family, region, solution.requirements);
   const std::vector<int> rows = samples_of_pixels(input, pixels_per_px);
   const std::vector<int> columns = samples_of_pixels(output, pixels_per_px);
+  // Where each cell can be named its type is shown, defect or not.
+  const bool is_board = solution.given.family->axis(LinkageFamily::Side::input).is_discrete();
   PngImage image{columns.size(), rows.size(), picture_colors(), {}};
   image.pixels.reserve(rows.size() * columns.size());
   const auto pixel = [&](std::size_t x, std::size_t y) -> std::uint8_t {
@@ -55,6 +57,8 @@ PngImage region_picture(const Solution& solution, const RegionScale& input, cons
     const std::size_t cell = region.index(i, k);
     if (region.type(cell) == LinkageType::degenerate) return paper;
     const bool has_defect = !region.defects(cell).none();
+    if (has_defect && is_board)
+      return static_cast<std::uint8_t>((hatching(x, y) == 2 ? full_types : washed_types) + region.types()[cell]);
     if (has_defect && solution.requirements.no_defects) return static_cast<std::uint8_t>(defect + hatching(x, y));
     const bool is_line = has_defect && hatching(x, y) > 0;  // defects are allowed: lines over the type's colour
     if (!filter.passes(i, k)) return is_line ? paper : static_cast<std::uint8_t>(washed_types + region.types()[cell]);

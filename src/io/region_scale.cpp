@@ -1,6 +1,7 @@
 #include "region_scale.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace linkwright {
 namespace {
@@ -65,6 +66,7 @@ std::optional<double> RegionScale::position(double tau) const {
   for (const Block& block : blocks_) {
     const auto begin = coordinates_.begin() + static_cast<std::ptrdiff_t>(block.first);
     const auto end = coordinates_.begin() + static_cast<std::ptrdiff_t>(block.last);
+    if (end - begin == 1 && std::abs(tau - *begin) <= 0.5) return middle_of(block, static_cast<double>(block.first));
     if (end - begin < 2) continue;
     auto upper = std::upper_bound(begin, end, tau);
     upper = std::clamp(upper, begin + 1, end - 1);

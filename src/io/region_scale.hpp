@@ -26,6 +26,7 @@ class RegionScale {
 
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
+  [[nodiscard]] std::span<const double> coordinates() const { return coordinates_; }
   /// The sample whose cell is `px` from the start; −1 in a gap.
   [[nodiscard]] int sample_at(double px) const;
   /// px of τ, between samples in proportion; nothing where the samples do not reach.

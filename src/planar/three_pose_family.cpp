@@ -100,6 +100,29 @@ std::vector<double> SideLinksOfLength::samples(int count) const {
   return coordinates;
 }
 
+std::vector<Dyad> SideLinksOfLength::polygon() const {
+  constexpr int corners_of_a_branch = 512;
+  constexpr double inside = 1e-9;  // the ends themselves are double roots, which rounding may lose
+  std::vector<double> coordinates;
+  if (is_empty() || dyads_->freedom() != DirectionFreedom::free) {
+    coordinates = evenly(axis_, corners_of_a_branch * static_cast<int>(axis_.branches.size()));
+  } else {
+    const auto intervals = intervals_of(arcs_);
+    for (int sheet = 0; sheet < 2; ++sheet)
+      for (const auto& [from, to] : intervals) {
+        const int count = std::max(2, static_cast<int>(corners_of_a_branch * (to - from)));
+        for (int i = 0; i <= count; ++i) {
+          const double share = std::clamp((1 - std::cos(pi * i / count)) / 2, inside, 1 - inside);
+          coordinates.push_back(sheet + from + (to - from) * share);
+        }
+      }
+  }
+  std::vector<Dyad> corners;
+  for (const double tau : coordinates)
+    if (const auto corner = dyad(tau)) corners.push_back(*corner);
+  return corners;
+}
+
 SideLengthsFamily::SideLengthsFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
                                      const std::shared_ptr<const ThreePoseDyads>& dyads, double input_length,
                                      double output_length)
@@ -167,12 +190,7 @@ std::vector<double> SideAngleFamily::samples(Side side, int count, Spacing spaci
 }
 
 std::vector<Dyad> SideAngleFamily::polygon(Side side) const {
-  constexpr int corners = 1024;
-  std::vector<Dyad> found;
-  if (side == Side::output) return found;
-  for (const double tau : input_.samples(corners))
-    if (const auto dyad = input_.dyad(tau)) found.push_back(*dyad);
-  return found;
+  return side == Side::input ? input_.polygon() : std::vector<Dyad>{};
 }
 
 void SideAngleFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,

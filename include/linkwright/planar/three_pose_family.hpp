@@ -31,6 +31,8 @@ class SideLinksOfLength {
   [[nodiscard]] double axis_value(double tau) const;
   /// Evenly over the directions that have real dyads, the same on both sheets: with small turns these are few.
   [[nodiscard]] std::vector<double> samples(int count) const;
+  /// To be drawn as curves: closer toward the ends of the directions, where both sheets meet with all speed.
+  [[nodiscard]] std::vector<Dyad> polygon() const;
 
  private:
   std::shared_ptr<const ThreePoseDyads> dyads_;
@@ -51,6 +53,7 @@ class SideLengthsFamily : public ProductFamily {
   [[nodiscard]] double axis_value(Side side, double tau) const override { return of(side).axis_value(tau); }
   [[nodiscard]] std::optional<Dyad> dyad(Side side, double tau) const override { return of(side).dyad(tau); }
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
+  [[nodiscard]] std::vector<Dyad> polygon(Side side) const override { return of(side).polygon(); }
 
  private:
   SideLengthsFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses, SideLinksOfLength input,

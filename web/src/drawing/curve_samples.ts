@@ -59,7 +59,7 @@ function curve_samples(task: TaskAnswer, curves: DyadPolygon, side: Side, sides:
     }
     return out;
   };
-  const gap = has_burmester_curve(task) ? Infinity : 2.5 * least_step(curves);
+  const gap = has_burmester_curve(task) ? Infinity : least_gap;
   const runs = runs_of(curves, axis.branches, gap).filter((run) => discrete || run.to - run.from > 1);
   return {sides, tau: curves.tau, center: moved(curves.center), circle: moved(curves.circle), origin, unit, runs, discrete};
 }
@@ -68,12 +68,8 @@ export function curves_of({center}: CurveSamples): readonly CurveName[] {
   for (let i = 3; i < center.length; ++i) if (Math.abs(center[i] - center[i % 3]) > 1e-9) return ["center", "circle"];
   return ["circle"];
 }
-/** Samples that are even in τ have gaps where there are no dyads. */
-function least_step({tau, branch}: DyadPolygon): number {
-  let least = Infinity;
-  for (let i = 1; i < tau.length; ++i) if (branch[i] === branch[i - 1]) least = Math.min(least, tau[i] - tau[i - 1]);
-  return least;
-}
+/** Other curves have gaps where there are no dyads: steps of τ, the branches of which are 1 long, wider than this. */
+const least_gap = 0.012;
 function runs_of({tau, branch}: DyadPolygon, branches: readonly Branch[], gap: number): Run[] {
   const runs: Run[] = [];
   for (let i = 0; i < branch.length; ++i) {

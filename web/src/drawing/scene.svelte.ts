@@ -5,7 +5,7 @@ import {state_at} from "../state/drive";
 import {preferences} from "../state/preferences.svelte";
 import {body_point, outline_of, placed} from "../state/problem";
 import {screen_size} from "../state/screen.svelte";
-import {poses_of, type Pose} from "../state/task";
+import {poses_of, served_poses, type Pose} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {curves_of, nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
 import {
@@ -62,6 +62,8 @@ export class Scene {
   // ---- what there is ------------------------------------------------------------------------------------------
 
   readonly poses = $derived.by(() => poses_of(this.workbench.problem.task));
+  /** Those that a linkage passes exactly. */
+  readonly served = $derived.by(() => served_poses(this.workbench.problem.task));
   readonly outline = $derived.by(() => outline_of(this.workbench.problem));
   /** Without an outline of its own, the body is sized from the poses, so it takes two. */
   readonly has_body = $derived.by(() => this.poses.length > 1 || (this.poses.length === 1 && (this.workbench.problem.view?.outline?.length ?? 0) >= 3));
@@ -89,12 +91,12 @@ export class Scene {
     }
     if (this.poses.length === 0) return {pose: {x: 0, y: 0, theta_deg: 0}, input: hand.input.circle, output: hand.output.circle};
     const pose = this.nearest_pose;
-    const carried = (point: Point | null) => point && placed(body_point(point, this.poses[0]), pose);
+    const carried = (point: Point | null) => point && placed(body_point(point, this.served[0]), pose);
     return {pose, input: carried(hand.input.circle), output: carried(hand.output.circle)};
   });
   /** The position nearest to where the drive stands. */
   get nearest_pose(): Pose {
-    return this.poses[Math.min(Math.max(Math.round(this.workbench.stage), 0), this.poses.length - 1)];
+    return this.served[Math.min(Math.max(Math.round(this.workbench.stage), 0), this.served.length - 1)];
   }
   /** There are curves of ground pivots, not of moving ones only. */
   readonly has_center_curves = $derived.by(() => this.distinct_samples.some((samples) => curves_of(samples).includes("center")));

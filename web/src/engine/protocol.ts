@@ -26,6 +26,7 @@ export type RequirementKey = (typeof requirement_keys)[number];
 export const properties = [
   "min_transmission_angle_deg", "min_transmission_angle_full_turn_deg", "link_ratio", "longest_link", "driver_sweep_deg",
   "max_structural_error_deg", // of a named function, where no number is free; lesser is better
+  "pose_miss", // by how much the freed pose is missed, user's unit; of tasks that have one, in cells that meet everything
 ] as const;
 export type Property = (typeof properties)[number];
 
@@ -249,6 +250,8 @@ export interface Linkage {
   drive_sense: "ccw" | "cw" | "either" | null;
   dead_points_deg: number[]; // driver angles from position 1
   residual: number; // worst error of a side link's length over the positions, user's unit
+  /** By how much the freed pose is missed at best, and where the driver stands then; null where none is freed. */
+  miss?: {distance: number; angle_deg: number; input_deg: number} | null;
   swapped: {type: LinkageType; defects: Defects; min_transmission_angle_deg: number | null} | null;
   fails: number; // requirement bits
   function: GeneratedFunction | null; // function generation

@@ -1,23 +1,30 @@
 // The tasks that are shown to choose from: the examples of the project, then some that show a property of the curves.
+import airtight_hatch from "../../../examples/airtight_hatch.json?raw";
+import corner_drawer from "../../../examples/corner_drawer.json?raw";
 import dump_bucket from "../../../examples/dump_bucket.json?raw";
 import drawer_hinge from "../../../examples/drawer_hinge.json?raw";
 import folding_table from "../../../examples/folding_table.json?raw";
 import hood_hinge from "../../../examples/hood_hinge.json?raw";
 import landing_gear from "../../../examples/landing_gear.json?raw";
+import latch from "../../../examples/latch.json?raw";
 import lift_platform from "../../../examples/lift_platform.json?raw";
 import log_generator from "../../../examples/log_generator.json?raw";
+import nose_gear from "../../../examples/nose_gear.json?raw";
 import sine_generator from "../../../examples/sine_generator.json?raw";
 import tailgate from "../../../examples/tailgate.json?raw";
+import transfer_arm from "../../../examples/transfer_arm.json?raw";
 import type {Problem} from "../state/problem";
 import type {TextKey} from "../texts/texts.svelte";
 import almost_symmetric from "./almost_symmetric.json?raw";
+import five_hatch from "./five_hatch.json?raw";
 import hatchback_lid from "./hatchback_lid.json?raw";
 import mirror_symmetric from "./mirror_symmetric.json?raw";
 import parallel_moves from "./parallel_moves.json?raw";
 import three_parallel from "./three_parallel.json?raw";
 
 const files = {
-  tailgate, drawer_hinge, dump_bucket, landing_gear, folding_table, lift_platform, hood_hinge, sine_generator, log_generator, hatchback_lid,
+  tailgate, drawer_hinge, dump_bucket, landing_gear, folding_table, lift_platform, hood_hinge, latch,
+  airtight_hatch, corner_drawer, nose_gear, transfer_arm, sine_generator, log_generator, five_hatch, hatchback_lid,
   almost_symmetric, mirror_symmetric, three_parallel, parallel_moves,
 };
 export type ExampleName = keyof typeof files;

@@ -57,16 +57,23 @@ function number_text(quantity: AxisQuantity, value: number): string {
   if (quantity === "side_direction" || quantity === "pair_output") return `${significant(value, 3)}°`;
   return quantity === "output_scale" ? `×${significant(value, 2)}` : significant(value, 3);
 }
-/** The engine's ticks, as many of each block as there is room for. */
+/** The engine's ticks, as many of each block as there is room for: where an axis leaves out what has no dyads, some lie
+ *  close together. */
 export function axis_numbers(axis: Axis, scale: Scale): AxisNumber[] {
   return scale.pieces.flatMap(({block, from, to, end}) => {
-    const own = (axis.ticks ?? []).flatMap(([tau, value]) => {
-      const branch = axis.branches[axis.blocks[block]?.branch], place = branch && tau >= branch.from && tau < branch.to ? place_of(axis, tau) : null;
-      return place !== null && place >= from && place < to ? [{at: pixel_of(scale, place), text: number_text(axis.quantity, value)}] : [];
+    const branch = axis.branches[axis.blocks[block]?.branch];
+    const own = (axis.ticks ?? []).filter(([tau]) => branch && tau >= branch.from && tau < branch.to).flatMap(([tau, value], index) => {
+      const place = place_of(axis, tau);
+      return place !== null && place >= from && place < to ? [{index, at: pixel_of(scale, place), text: number_text(axis.quantity, value)}] : [];
     });
-    const apart = own.length > 1 ? own[1].at - own[0].at : Infinity;
-    const step = every.find((k) => k * apart >= number_px) ?? own.length;
-    return own.filter(({at}, k) => k % step === 0 && at <= end - number_px / 2);
+    const widest = Math.max(...own.slice(1).map(({at}, i) => at - own[i].at), 0) || Infinity;
+    const step = every.find((k) => k * widest >= number_px) ?? own.length;
+    let last = -Infinity;
+    return own.filter(({index, at}) => {
+      const fits = index % step === 0 && at - last >= number_px && at <= end - number_px / 2;
+      if (fits) last = at;
+      return fits;
+    });
   });
 }
 

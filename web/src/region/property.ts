@@ -1,11 +1,13 @@
 // What a colour of the map can stand for: its words, its range, which end is good, its requirement.
 import type {LinkageType, Property, Requirements} from "../engine/protocol";
-import type {Coloring} from "../state/coloring";
 import {round_step} from "../state/problem";
+import type {Task} from "../state/task";
+import {properties_of} from "../tasks/kinds";
 import type {TextKey} from "../texts/texts.svelte";
 import {degrees_text, significant} from "../texts/numbers";
 import type {Range} from "./painter";
 
+export type Coloring = "type" | Property;
 interface Description {
   text: TextKey;
   short: TextKey;
@@ -18,9 +20,15 @@ export const descriptions: Record<Property, Description> = {
   link_ratio: {text: "region.by_ratio", short: "region.short_ratio", larger_is_better: false, requirement: "max_link_ratio", quantity: "ratio"},
   longest_link: {text: "region.by_size", short: "region.by_size", larger_is_better: false, requirement: "max_length", quantity: "length"},
   min_transmission_angle_full_turn_deg: {text: "num.min_turn", short: "num.min_turn", larger_is_better: true, requirement: null, quantity: "angle"},
+  pose_miss: {text: "region.by_miss", short: "region.by_miss", larger_is_better: false, requirement: null, quantity: "length"},
   driver_sweep_deg: {text: "num.sweep", short: "num.sweep", larger_is_better: true, requirement: null, quantity: "angle"},
   max_structural_error_deg: {text: "function.max_error", short: "function.error", larger_is_better: false, requirement: null, quantity: "fine_angle"},
 };
+/** In the order in which C walks through them. */
+export function colorings_of(task: Task): Coloring[] {
+  return ["type", ...properties_of(task)];
+}
+
 export function coloring_text(coloring: Coloring): TextKey {
   return coloring === "type" ? "region.by_type" : descriptions[coloring].short;
 }
@@ -30,6 +38,7 @@ export function domain(property: Property, requirements: Requirements, typical: 
   if (property === "driver_sweep_deg") return [0, 360];
   if (property === "max_structural_error_deg") return [0, 2];
   if (property === "link_ratio") return [1, Math.max(1.25 * (requirements.max_link_ratio ?? 20), 4)];
+  if (property === "pose_miss") return [0, 0.2 * typical];
   if (property === "longest_link") return [0, 1.25 * (requirements.max_length ?? 10 * typical)];
   return [0, 90];
 }
@@ -71,7 +80,7 @@ function plain_levels(property: Property, [from, to]: [number, number]): number[
   if (property === "link_ratio") return [2, 3, 5, 8, 12].filter((level) => level < to);
   if (property === "max_structural_error_deg") return [0.1, 0.2, 0.5, 1];
   if (property === "driver_sweep_deg") return [45, 90, 135, 180, 270];
-  if (property !== "longest_link") return [30, 45, 60, 75];
+  if (property !== "longest_link" && property !== "pose_miss") return [30, 45, 60, 75];
   const step = round_step((to - from) / 8);
   return [1, 2, 3, 4, 5, 6].map((k) => k * step).filter((level) => level < to);
 }

@@ -1,6 +1,6 @@
 // Keeps the picked linkage and the one in hand up to the document and the pointer, and asks for better ones.
 import {Crashed, type EngineClient} from "../engine/client";
-import type {Linkage, TauPair} from "../engine/protocol";
+import type {Linkage, MapAnswer, TauPair} from "../engine/protocol";
 import {places_of} from "./axis";
 import {same_tau} from "./document";
 import {engine_text, type Problem} from "./problem";
@@ -94,11 +94,11 @@ export class LinkageFollower {
     const reply = await this.driver.request("best", {problem: engine_text(problem), most: 1}).catch(() => null);
     this.want_best = false;
     if (!reply || workbench.problem !== problem) return;
-    if (reply.linkages.length === 0) {
+    const tau = reply.linkages[0]?.tau ?? (quietly && workbench.map ? least_bad(workbench.map) : null);
+    if (!tau) {
       if (!quietly) workbench.say("state.nothing_to_go_to");
       return;
     }
-    const {tau} = reply.linkages[0];
     if (!quietly) return workbench.pick(tau);
     workbench.amend({picked: {tau, place: workbench.task && places_of(workbench.task.axes, tau)}});
     this.follow();
@@ -156,6 +156,15 @@ export class LinkageFollower {
       seen = workbench.document;
     }
   }
+}
+
+const few_cells = 16;
+/** Of a few linkages one is in hand even where none will do: the one with the least against it. */
+function least_bad({type, defects, fails, columns, input_tau, output_tau}: MapAnswer): TauPair | null {
+  if (type.length > few_cells) return null;
+  const against = (cell: number) => (defects[cell] ? 100 : 0) + [...fails[cell].toString(2)].filter((bit) => bit === "1").length;
+  const [best] = [...type.keys()].filter((cell) => type[cell] < 9).sort((a, b) => against(a) - against(b));
+  return best === undefined ? null : [input_tau[Math.floor(best / columns)], output_tau[best % columns]];
 }
 
 /** Whether there is something, and nothing of it outside of the inner half of a square of steps² cells. */

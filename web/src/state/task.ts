@@ -18,6 +18,7 @@ export interface MotionTask {
   mechanism: "four_bar";
   poses: readonly Pose[];
   given?: Given;
+  freed_pose?: number; // from 1: of five positions, the one that need not be passed exactly
 }
 
 export interface AnglePair {
@@ -74,6 +75,11 @@ export type Task = MotionTask | FunctionTask | SixBarTask;
 export function poses_of(task: Task): readonly Pose[] {
   return "poses" in task ? task.poses : [];
 }
+/** Those that are passed exactly: moving pivots lie as in the first of them. */
+export function served_poses(task: Task): readonly Pose[] {
+  const poses = poses_of(task), freed = "freed_pose" in task ? task.freed_pose : undefined;
+  return freed === undefined ? poses : poses.filter((_, i) => i + 1 !== freed);
+}
 /** Positions of poses, those infinitely close together counted each. */
 export function position_count(poses: readonly {derivatives?: readonly unknown[]}[]): number {
   return poses.reduce((sum, pose) => sum + 1 + (pose.derivatives?.length ?? 0), 0);
@@ -83,11 +89,15 @@ export function pattern_of(poses: readonly {derivatives?: readonly unknown[]}[])
   return poses.map((pose) => "P".repeat(1 + (pose.derivatives?.length ?? 0))).join("-");
 }
 
-/** What is given beside the poses belongs to three positions only. */
+/** What is given beside the poses belongs to three positions, a freed pose to five. */
 export function with_task_poses(task: Task, poses: readonly Pose[]): Task {
   if (!("poses" in task)) return task;
   const changed = {...task, poses};
-  if (changed.mechanism === "four_bar" && position_count(poses) !== 3) delete changed.given;
+  if (changed.mechanism === "four_bar") {
+    const count = position_count(poses);
+    if (count !== 3) delete changed.given;
+    if (count !== 5 || poses[(changed.freed_pose ?? 1) - 1]?.derivatives?.length) delete changed.freed_pose;
+  }
   return changed;
 }
 

@@ -13,7 +13,7 @@ export interface EditorProperties {
 export interface TaskView {
   /** In the task panel. */
   Editor: Component<EditorProperties>;
-  /** Under the sentence that says what is missing. */
+  /** Under the sentence that says why there is no map, or nothing wanted on it: ways on. */
   Offer?: Component;
   /** On the drawing, above the linkage. */
   Layer?: Component;

@@ -51,11 +51,11 @@ export interface Stop {
 }
 /** The positions the drive reaches, in the order in which it meets them. */
 export function stops_of(drive: Drive): Stop[] {
-  const stops = drive.ticks.flatMap((tick, pose) => (tick.reached && tick.state >= 0 ? [{pose, angle: angle_of_row(drive, tick.state)}] : []));
+  const stops = drive.ticks.flatMap((tick) => (tick.reached && tick.state >= 0 ? [{pose: tick.position - 1, angle: angle_of_row(drive, tick.state)}] : []));
   return stops.sort((a, b) => a.angle - b.angle);
 }
 export function unreached_poses(drive: Drive): number[] {
-  return drive.ticks.flatMap((tick, pose) => (tick.reached && tick.state >= 0 ? [] : [pose]));
+  return drive.ticks.flatMap((tick) => (tick.reached && tick.state >= 0 ? [] : [tick.position - 1]));
 }
 /** The stops that are passed on the way from one angle to another, in that order; where the way begins does not count. */
 export function passed(stops: readonly Stop[], from: number, to: number): Stop[] {

@@ -28,7 +28,7 @@ export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}
   let beyond: Beyond | null = null;
   // A moving pivot is taken where it is now; its curve lies in position 1.
   const carried = target.end === "circle" && !target.home && carrier;
-  const [first] = scene.poses, turn_back = carried && !first ? turned_home(bench, target.side) : null;
+  const [first] = scene.served, turn_back = carried && !first ? turned_home(bench, target.side) : null;
   const home = (point: Point): Point => (carried && first ? placed(body_point(point, carried), first) : (turn_back?.(point) ?? point));
   const on_curve = (at: Point): Point => (carried ? to_screen(view(), home(to_user(view(), at))) : at);
   workbench.begin_gesture();

@@ -6,14 +6,15 @@ import {finish, grid, pixel, Way} from "../../drawing/drags/drag";
 import {task_handle, type Handle} from "../../drawing/handles";
 import type {Scene} from "../../drawing/scene.svelte";
 import {multiple, snapped_angle, snapped_point, wrapped_deg, type Keys} from "../../drawing/snapping";
-import {to_screen, to_user} from "../../drawing/viewport";
+import {shows, to_screen, to_user} from "../../drawing/viewport";
 import {angle_note, length_note, point_note} from "../../drawing/words";
 import {mistake_sentence} from "../../task/mistakes";
 import {t} from "../../texts/texts.svelte";
 import type {Given} from "../../state/task";
 import {direction_deg, given_of, lengths_of, takes_given, with_given, with_length} from "./given";
 
-export const wedge_radius = 64, ring_knob_deg = 45;
+export const wedge_radius = 64;
+const knob_turns_deg = [45, -45, 90, -90, 135, -135, 180]; // from the side link; the first that is to be seen
 
 export interface Ring {
   side: Side;
@@ -48,9 +49,13 @@ export function rings_of(scene: Scene): Ring[] {
     const radius = length ?? hand?.[side].length, held = scene.held?.kind === "task" && scene.held.part === `ring_${side}`;
     if (!radius) return [];
     const center = held ? center_of(scene, side) : (hand?.[side].center ?? [scene.poses[0].x, scene.poses[0].y]);
-    const circle = hand?.[side].circle, along = (((circle && hand?.[side].center ? direction_deg(hand[side].center, circle) : 0) + ring_knob_deg) * Math.PI) / 180;
-    return [{side, center, radius, chosen: length === null, knob: [center[0] + radius * Math.cos(along), center[1] + radius * Math.sin(along)] as Point}];
+    const circle = hand?.[side].circle, from_deg = circle && hand?.[side].center ? direction_deg(hand[side].center, circle) : 0;
+    return [{side, center, radius, chosen: length === null, knob: knob_of(scene, center, radius, from_deg)}];
   });
+}
+function knob_of({view}: Scene, [x, y]: Point, radius: number, from_deg: number): Point {
+  const at = (turn: number): Point => [x + radius * Math.cos(((from_deg + turn) * Math.PI) / 180), y + radius * Math.sin(((from_deg + turn) * Math.PI) / 180)];
+  return at(knob_turns_deg.find((turn) => shows(view, at(turn), 20)) ?? knob_turns_deg[0]);
 }
 export function wedge_of(scene: Scene): Wedge | null {
   const given = given_here(scene), input = scene.workbench.hand?.input;

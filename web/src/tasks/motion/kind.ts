@@ -2,7 +2,7 @@
 import type {Point} from "../../engine/protocol";
 import {outline_of, placed, with_requirements, type Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
-import {diagonal_of, pattern_of, position_count, type Given, type MotionTask, type Pose} from "../../state/task";
+import {diagonal_of, pattern_of, position_count, served_poses, type Given, type MotionTask, type Pose} from "../../state/task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
 import {form_of} from "./given";
@@ -32,8 +32,8 @@ function read_given(value: unknown): Given | null {
 function read(value: Object): MotionTask | null {
   const poses = read_poses(value.poses);
   if (value.kind !== "motion" || value.mechanism !== "four_bar" || !poses) return null;
-  const given = read_given(value.given);
-  return {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})};
+  const freed_pose = Number.isInteger(value.freed_pose) ? (value.freed_pose as number) : null;
+  return {kind: "motion", mechanism: "four_bar", poses, ...present({given: read_given(value.given), freed_pose})};
 }
 
 function motion_problem(poses: Pose[], given?: Given): Problem {
@@ -74,12 +74,13 @@ export const motion_kind: TaskKind<MotionTask> = {
     if (n > 5) return {state: "too_many", text: "state.too_many", n};
     return n === 3 && !given ? {state: "no_given", text: "state.no_given", n} : null;
   },
-  stops: ({poses}) => poses.length,
+  stops: (task) => served_poses(task).length,
   pattern: ({poses}) => pattern_of(poses),
   is_mixed: ({poses}) => poses.some((pose) => pose.derivatives?.length),
   anchors: ({poses}) => poses.map((pose): Point => [pose.x, pose.y]),
   default_max_length,
-  map_of: ({poses, given}) => `motion ${position_count(poses)} ${given ? form_of(given) + ("directed" in given ? given.directed : "") : ""}`,
+  map_of: ({poses, given, freed_pose}) => `motion ${freed_pose === undefined ? position_count(poses) : "freed"} ${given ? form_of(given) + ("directed" in given ? given.directed : "") : ""}`,
+  properties: ({freed_pose}) => (freed_pose === undefined ? [] : ["pose_miss"]),
   moved: (task, point) => (task.given && "instant_center" in task.given ? {...task, given: {...task.given, instant_center: point(task.given.instant_center)}} : task),
   table: ({poses}, unit) => pose_table(poses, unit),
   beginnings,

@@ -2,7 +2,7 @@ import {plot_kinds} from "../../transport/plot";
 import type {TaskView} from "../view";
 import Editor from "./Editor.svelte";
 import {given_handles} from "./given_handles";
-import GivenLayer from "./GivenLayer.svelte";
+import Layer from "./Layer.svelte";
 import Offer from "./Offer.svelte";
 
-export const motion_view: TaskView = {Editor, Offer, Layer: GivenLayer, handles: given_handles, plots: () => plot_kinds};
+export const motion_view: TaskView = {Editor, Offer, Layer, handles: given_handles, plots: () => plot_kinds};

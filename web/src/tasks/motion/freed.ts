@@ -1,0 +1,16 @@
+// Of five positions one may be freed: the others are a task of four, whose map says what the exactness of all five costs.
+import {with_task, type Problem} from "../../state/problem";
+import {position_count, type MotionTask} from "../../state/task";
+
+/** Poses that can be freed, from 1; none where there are not five positions. */
+export function freeable({task}: Problem): number[] {
+  if (task.kind !== "motion" || task.mechanism !== "four_bar" || position_count(task.poses) !== 5) return [];
+  return task.poses.flatMap((pose, i) => (pose.derivatives?.length ? [] : [i + 1]));
+}
+export function freed_of({task}: Problem): number | null {
+  return (task as MotionTask).freed_pose ?? null;
+}
+export function with_freed(problem: Problem, pose: number | null): Problem {
+  const {freed_pose: _, ...task} = problem.task as MotionTask;
+  return with_task(problem, pose === null ? task : {...task, freed_pose: pose});
+}
