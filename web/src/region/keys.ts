@@ -1,7 +1,7 @@
 // The map's keys.
 import {whole} from "../engine/protocol";
-import {coloring_of, colorings_of} from "../state/coloring";
 import {preferences} from "../state/preferences.svelte";
+import {colorings_of} from "./property";
 import type {RegionView} from "./view.svelte";
 
 const arrows: Record<string, readonly [rows: number, columns: number]> = {
@@ -51,9 +51,9 @@ const commands: Record<string, (view: RegionView, shift: boolean) => void> = {
   b: (view) => jump(view, () => view.workbench.pick_best()),
   n: (view, shift) => jump(view, () => view.workbench.pick_next_best(shift ? -1 : 1)),
   i: (view) => jump(view, () => view.workbench.improve()),
-  c: ({workbench: {problem}}) => {
-    const colorings = colorings_of(problem);
-    preferences.colour_by = colorings[(colorings.indexOf(coloring_of(problem)) + 1) % colorings.length];
+  c: ({workbench}) => {
+    const colorings = colorings_of(workbench.problem.task);
+    preferences.colour_by = colorings[(colorings.indexOf(workbench.coloring) + 1) % colorings.length];
   },
   h: () => (preferences.only_meeting = !preferences.only_meeting),
   "+": (view) => zoom(view, 1 / zoom_step),

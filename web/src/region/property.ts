@@ -1,11 +1,13 @@
 // What a colour of the map can stand for: its words, its range, which end is good, its requirement.
 import type {LinkageType, Property, Requirements} from "../engine/protocol";
-import type {Coloring} from "../state/coloring";
 import {round_step} from "../state/problem";
+import type {Task} from "../state/task";
+import {properties_of} from "../tasks/kinds";
 import type {TextKey} from "../texts/texts.svelte";
 import {degrees_text, significant} from "../texts/numbers";
 import type {Range} from "./painter";
 
+export type Coloring = "type" | Property;
 interface Description {
   text: TextKey;
   short: TextKey;
@@ -22,6 +24,10 @@ export const descriptions: Record<Property, Description> = {
   driver_sweep_deg: {text: "num.sweep", short: "num.sweep", larger_is_better: true, requirement: null, quantity: "angle"},
   max_structural_error_deg: {text: "function.max_error", short: "function.error", larger_is_better: false, requirement: null, quantity: "fine_angle"},
 };
+/** In the order in which C walks through them. */
+export function colorings_of(task: Task): Coloring[] {
+  return ["type", ...properties_of(task)];
+}
 
 export function coloring_text(coloring: Coloring): TextKey {
   return coloring === "type" ? "region.by_type" : descriptions[coloring].short;

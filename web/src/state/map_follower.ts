@@ -2,7 +2,6 @@
 // looks closer at rest.
 import {Crashed, Refusal, Superseded} from "../engine/client";
 import {whole, type Replies, type Window} from "../engine/protocol";
-import {coloring_of, measure_of} from "./coloring";
 import {settled_on, type Document} from "./document";
 import {engine_text} from "./problem";
 import type {Workbench} from "./workbench.svelte";
@@ -44,7 +43,7 @@ export class MapFollower {
     const {document, window, engine, engine_state, gesture} = this.workbench;
     if (!engine || engine_state === "missing") return;
     const problem = engine_text(document.problem);
-    const coloring = coloring_of(document.problem), property = coloring === "type" ? measure_of(document.problem) : coloring;
+    const {property} = this.workbench;
     const question = (order: number | null) => JSON.stringify([problem, window, property, order]);
     const asked = question(document.order);
     if (asked === this.asked && samples <= this.asked_samples) return this.refine();

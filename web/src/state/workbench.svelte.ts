@@ -5,7 +5,7 @@ import {
   whole, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
-import {incompleteness, kind_of, map_of} from "../tasks/kinds";
+import {incompleteness, kind_of, map_of, properties_of} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {held_tau, held_window, places_of} from "./axis";
 import {from_problem, to_problem, type Picked} from "./document";
@@ -14,7 +14,8 @@ import {Editing} from "./editing.svelte";
 import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
 import {find_pin, free_name, new_pin} from "./pins";
-import {with_task, type Pin, type Problem} from "./problem";
+import {preferences} from "./preferences.svelte";
+import {with_task, type Objective, type Pin, type Problem} from "./problem";
 import {same_task} from "./task";
 
 export interface Toast {
@@ -26,6 +27,10 @@ export interface Toast {
 export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
+
+const measures: Record<Objective, Property> = {
+  min_transmission_angle: "min_transmission_angle_deg", link_ratio: "link_ratio", size: "longest_link", structural_error: "max_structural_error_deg",
+};
 
 /** A task is shown between the last two positions. */
 const before_last = 1.55;
@@ -95,6 +100,17 @@ export class Workbench extends Editing {
 
   get tau_in_hand(): TauPair | null {
     return this.hovered ?? this.picked?.tau ?? null;
+  }
+  /** What the map's colours stand for: what the user wants, where the task has it. */
+  get coloring(): "type" | Property {
+    const {colour_by} = preferences;
+    return colour_by !== "type" && properties_of(this.problem.task).includes(colour_by) ? colour_by : "type";
+  }
+  /** What is asked of the engine with a map: behind the types, what the objective goes by. */
+  get property(): Property {
+    const {coloring, problem} = this, wanted = measures[problem.options?.objective ?? "min_transmission_angle"];
+    if (coloring !== "type") return coloring;
+    return properties_of(problem.task).includes(wanted) ? wanted : "min_transmission_angle_deg";
   }
   get unit(): string {
     return this.problem.length_unit ?? "";

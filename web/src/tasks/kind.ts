@@ -38,10 +38,11 @@ export interface TaskKind<T extends Task = Task> {
   default_max_length(problem: Problem): number;
   /** What the map is of: a linkage keeps its place on the map from task to task only where this stays. */
   map_of(task: T): string;
+  /** What the map's colours can stand for beside what they always can. */
+  properties?(task: T): readonly Property[];
   /** The fixed frame seen from elsewhere: points by `point`; poses are the frame's matter. */
   moved(task: T, point: (p: Point) => Point): T;
-  /** What a linkage can be measured by here beside the usual. */
-  properties?(task: T): readonly Property[];
+  /** What a linkage can be the best by beside the usual. */
   objectives?(task: T): readonly Objective[];
   /** For the printed sheet. */
   table(task: T, unit: string): {head: string[]; rows: string[][]};

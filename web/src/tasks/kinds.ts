@@ -1,5 +1,5 @@
 // The kinds of tasks there are.
-import type {Point} from "../engine/protocol";
+import type {Point, Property} from "../engine/protocol";
 import type {Problem} from "../state/problem";
 import {is_object} from "../state/shape";
 import {diagonal_of, type Task} from "../state/task";
@@ -10,6 +10,10 @@ import {motion_kind} from "./motion/kind";
 import {six_bar_kind} from "./six_bar/kind";
 
 export const task_kinds = [motion_kind, function_kind, six_bar_kind] as unknown as readonly TaskKind[];
+
+const common_properties: readonly Property[] = [
+  "min_transmission_angle_deg", "link_ratio", "longest_link", "min_transmission_angle_full_turn_deg", "driver_sweep_deg",
+];
 
 export function kind_of(task: Task): TaskKind {
   return task_kinds.find((kind) => kind.is(task)) ?? task_kinds[0];
@@ -35,6 +39,10 @@ export function anchors_of(task: Task): Point[] {
 /** How large the task is: the diagonal of the box around it. */
 export function extent_of(task: Task): number {
   return diagonal_of(anchors_of(task)) || 1;
+}
+/** What a colour of the map can stand for, beside the type. */
+export function properties_of(task: Task): Property[] {
+  return [...common_properties, ...(kind_of(task).properties?.(task) ?? [])];
 }
 /** A text of the frame, as this kind of task says it. */
 export function text_for(task: Task, key: TextKey): TextKey {

@@ -94,6 +94,11 @@ export const function_kind: TaskKind<FunctionTask> = {
   moved: (task, point) => ({...task, ground_pivots: {input: point(ground_pivots_of(task).input), output: point(ground_pivots_of(task).output)}}),
   properties: ({function: named, free}) => (named && !free ? ["max_structural_error_deg"] : []),
   objectives: ({function: named}) => (named ? ["structural_error"] : []),
-  table: ({pairs}) => ({head: ["φ °", "ψ °"], rows: (pairs ?? []).map((pair) => [significant(pair.input_deg, 7), significant(pair.output_deg, 7)])}),
+  table({pairs, function: named}) {
+    if (!named) return {head: ["φ °", "ψ °"], rows: (pairs ?? []).map((pair) => [significant(pair.input_deg, 7), significant(pair.output_deg, 7)])};
+    const range = (ends: Range | undefined) => ends?.map((end) => significant(end, 7)).join(" … ") ?? "";
+    const x: Range | undefined = named.x ?? (named.table && [named.table[0][0], named.table[named.table.length - 1][0]]);
+    return {head: ["y", "x", "φ °", "ψ °"], rows: [[named.expression ?? "y(x)", range(x), range(named.input_range_deg), range(named.output_range_deg)]]};
+  },
   beginnings: [{id: "function", name: "new.function", about: "new.function_about", make: new_problem}],
 };
