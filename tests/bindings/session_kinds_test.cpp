@@ -134,8 +134,11 @@ TEST(SessionOfAFunction, TellsWhatIsWantedAndWhatIsGenerated) {
   const json best = json::parse(explored.session.best(1))[0];
   const json generated = json::parse(explored.session.linkage(best["tau"][0], best["tau"][1]).linkage)["function"];
   const double error = generated["max_structural_error_deg"];
-  for (const float value : values)
-    if (value > 0) EXPECT_LE(error, value * (1 + 1e-3));
+  for (const float value : values) {
+    if (value > 0) {
+      EXPECT_LE(error, value * (1 + 1e-3));
+    }
+  }
   EXPECT_TRUE(generated["reaches_pairs"].get<bool>());
   EXPECT_TRUE(generated["unreached_deg"].empty());
   for (std::size_t j = 0; j < 4; ++j) {
@@ -158,7 +161,9 @@ TEST(SessionOfAFunction, ImprovesItsObjective) {
     return function["max_structural_error_deg"].get<double>();
   };
   const json improved = json::parse(explored.session.improve(input, output));
-  if (improved["improved"].get<bool>()) EXPECT_LT(error_at(improved["tau"][0]), error_at(input));
+  if (improved["improved"].get<bool>()) {
+    EXPECT_LT(error_at(improved["tau"][0]), error_at(input));
+  }
 }
 
 TEST(SessionOfAFunction, WithoutANameKnowsItsPairsOnly) {
