@@ -252,7 +252,7 @@ LiveReply Session::live(double input_tau, double output_tau) {
   const Drawn& curves = drawn();
   reply.input = failures(strip_, curves.input.tau, std::array{output_tau});
   // Where nothing is left to choose of the output, it moves with the input.
-  if (given().family->axis(Side::output).quantity == AxisQuantity::nothing)
+  if (given().family && given().family->axis(Side::output).quantity == AxisQuantity::nothing)
     reply.output = reply.input;
   else
     reply.output = failures(strip_, std::array{input_tau}, (curves.same ? curves.input : curves.output).tau);
