@@ -4,6 +4,7 @@ import type {Handle} from "../drawing/handles";
 import type {Linkage} from "../engine/protocol";
 import type {Task} from "../state/task";
 import type {Scene} from "../drawing/scene.svelte";
+import type {Format} from "../exports/take_away";
 import type {PlotKind} from "../transport/plot";
 
 export interface EditorProperties {
@@ -15,12 +16,16 @@ export interface TaskView {
   Editor: Component<EditorProperties>;
   /** Under the sentence that says why there is no map, or nothing wanted on it: ways on. */
   Offer?: Component;
+  /** On the drawing, in place of a four-bar; its side links do not hang on the guided body alone. */
+  Linkage?: Component;
   /** On the drawing, above the linkage. */
   Layer?: Component;
   /** What can be taken hold of on the drawing, beside poses and pivots: handles whose target is a part of the task. */
   handles?(scene: Scene): Handle[];
   /** Beside the numbers of the linkage in hand. */
   Numbers?: Component<{hand: Linkage}>;
+  /** Formats in which its linkages can be taken away, if not all. */
+  exports?: readonly Format[];
   /** The first one is shown first. */
   plots(task: Task): readonly PlotKind[];
 }

@@ -4,33 +4,23 @@ import {coordinate_of, with_side} from "../../state/axis";
 import {body_point, placed} from "../../state/problem";
 import type {Spot} from "../curve_samples";
 import {spot_of_tau} from "../curve_samples";
-import type {Side, Target} from "../handles";
+import type {Target} from "../handles";
 import {reason_of} from "../words";
 import {beyond_edge, beyond_spot, overshoot, slid, type Beyond} from "../sliding";
 import {to_screen, to_user, type Viewport} from "../viewport";
 import {finish, type Bench, type Drag} from "./drag";
 
-/** Where links are to turn by given angles, as far as the linkage has turned, back to position 1. */
-function turned_home({workbench, scene}: Bench, side: Side): ((point: Point) => Point) | null {
-  const link = workbench.picked_linkage?.[side], now = scene.now?.[side];
-  if (!link?.center || !link.circle || !now) return null;
-  const [x, y] = link.center, direction = (p: Point) => Math.atan2(p[1] - y, p[0] - x), back = direction(link.circle) - direction(now);
-  return (p) => [x + Math.cos(back) * (p[0] - x) - Math.sin(back) * (p[1] - y), y + Math.sin(back) * (p[0] - x) + Math.cos(back) * (p[1] - y)];
-}
-
 /** `view` is what the pointer's pixels are of: the drawing's, or the 3-D view's. */
 export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}>, view: () => Viewport = () => bench.scene.view): Drag | null {
-  const {workbench, scene} = bench, {picked, task} = workbench, carrier = scene.now?.pose ?? null;
+  const {workbench, scene} = bench, {picked, task} = workbench;
   const samples = scene.samples[target.side];
   if (!picked || !samples || !task) return null;
   let spot: Spot | null = spot_of_tau(samples, target.end, coordinate_of(task, picked.tau, target.side));
   if (!spot) return null;
   let beyond: Beyond | null = null;
-  // A moving pivot is taken where it is now; its curve lies in position 1.
-  const carried = target.end === "circle" && !target.home && carrier;
-  const [first] = scene.served, turn_back = carried && !first ? turned_home(bench, target.side) : null;
-  const home = (point: Point): Point => (carried && first ? placed(body_point(point, carried), first) : (turn_back?.(point) ?? point));
-  const on_curve = (at: Point): Point => (carried ? to_screen(view(), home(to_user(view(), at))) : at);
+  // A pivot that moves is taken where it is now; its curve lies in position 1.
+  const carrier = target.home ? null : scene.carrier(target.side, target.end);
+  const on_curve = (at: Point): Point => (carrier ? to_screen(view(), placed(body_point(to_user(view(), at), carrier.now), carrier.first)) : at);
   workbench.begin_gesture();
   scene.held = target;
   return {
