@@ -19,8 +19,8 @@ struct PickedLinkage {
   PoseVisits visits;
   DriveTable drive;
   std::uint8_t fails = 0;
-  std::optional<std::size_t> freed_place;  ///< how many of the poses served come before the freed one, if one is
   std::optional<FunctionTask> task;        ///< of generators, the free number fixed
+  std::optional<std::size_t> freed_place;  ///< how many of the poses served come before the freed one, if one is
 };
 
 /// `given` with a family.

@@ -63,13 +63,13 @@ function curve_samples(task: TaskAnswer, curves: DyadPolygon, side: Side, sides:
   const runs = runs_of(curves, axis.branches, gap).filter((run) => discrete || run.to - run.from > 1);
   return {sides, tau: curves.tau, center: moved(curves.center), circle: moved(curves.circle), origin, unit, runs, discrete};
 }
-/** Other curves have gaps where there are no dyads: steps of τ, the branches of which are 1 long, wider than this. */
-const least_gap = 0.012;
 /** What is drawn and slid along: where the ground pivots are given, the centres are no curve. */
 export function curves_of({center}: CurveSamples): readonly CurveName[] {
   for (let i = 3; i < center.length; ++i) if (Math.abs(center[i] - center[i % 3]) > 1e-9) return ["center", "circle"];
   return ["circle"];
 }
+/** Other curves have gaps where there are no dyads: steps of τ, the branches of which are 1 long, wider than this. */
+const least_gap = 0.012;
 function runs_of({tau, branch}: DyadPolygon, branches: readonly Branch[], gap: number): Run[] {
   const runs: Run[] = [];
   for (let i = 0; i < branch.length; ++i) {

@@ -14,9 +14,8 @@ export function useful_pivots(linkage: Linkage | null, around: readonly Point[],
   const box = bounds(around);
   if (!linkage || !box) return [];
   const reach = 1.5 * Math.max(box.x[1] - box.x[0], box.y[1] - box.y[0]);
-  const joints = linkage.six_bar?.joints.map(({at}) => at) ?? [];
-  const visits = poses.length === 0 && linkage.drive ? visited(linkage.drive) : [];
-  return [linkage.input.center, linkage.output.center, linkage.input.circle, linkage.output.circle, ...joints, ...visits].filter(
+  const visits = poses.length === 0 && linkage.drive ? visited(linkage.drive) : [], joints = linkage.six_bar?.joints.map(({at}) => at) ?? [];
+  return [linkage.input.center, linkage.output.center, linkage.input.circle, linkage.output.circle, ...visits, ...joints].filter(
     (p): p is Point => p !== null && p[0] > box.x[0] - reach && p[0] < box.x[1] + reach && p[1] > box.y[0] - reach && p[1] < box.y[1] + reach,
   );
 }

@@ -25,8 +25,8 @@ export type RequirementKey = (typeof requirement_keys)[number];
 /** What a colour of the map can stand for, beside the type. Values as f32; 0 where not defined, never NaN. */
 export const properties = [
   "min_transmission_angle_deg", "min_transmission_angle_full_turn_deg", "link_ratio", "longest_link", "driver_sweep_deg",
-  "pose_miss", // by how much the freed pose is missed, user's unit; of tasks that have one, in cells that meet everything
   "max_structural_error_deg", // of a named function, where no number is free; lesser is better
+  "pose_miss", // by how much the freed pose is missed, user's unit; of tasks that have one, in cells that meet everything
 ] as const;
 export type Property = (typeof properties)[number];
 

@@ -25,7 +25,7 @@ import three_parallel from "./three_parallel.json?raw";
 
 const files = {
   tailgate, drawer_hinge, dump_bucket, landing_gear, folding_table, lift_platform, hood_hinge, latch,
-  airtight_hatch, corner_drawer, nose_gear, transfer_arm, five_hatch, loader_bucket, sine_generator, log_generator, hatchback_lid,
+  airtight_hatch, corner_drawer, nose_gear, transfer_arm, sine_generator, log_generator, five_hatch, loader_bucket, hatchback_lid,
   almost_symmetric, mirror_symmetric, three_parallel, parallel_moves,
 };
 export type ExampleName = keyof typeof files;

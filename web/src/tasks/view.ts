@@ -22,10 +22,10 @@ export interface TaskView {
   Layer?: Component;
   /** What can be taken hold of on the drawing, beside poses and pivots: handles whose target is a part of the task. */
   handles?(scene: Scene): Handle[];
-  /** Formats in which its linkages can be taken away, if not all. */
-  exports?: readonly Format[];
   /** Beside the numbers of the linkage in hand. */
   Numbers?: Component<{hand: Linkage}>;
+  /** Formats in which its linkages can be taken away, if not all. */
+  exports?: readonly Format[];
   /** The first one is shown first. */
   plots(task: Task): readonly PlotKind[];
 }

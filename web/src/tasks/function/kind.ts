@@ -53,6 +53,10 @@ export function ground_pivots_of({ground_pivots}: FunctionTask): {input: Point; 
 export function position_count_of(task: FunctionTask): number {
   return task.function ? (task.function.points ?? 4) : position_count(task.pairs ?? []);
 }
+/** A table's own where none is given. */
+export function x_range_of({x, table}: NamedFunction): Range | undefined {
+  return x ?? (table && [table[0][0], table[table.length - 1][0]]);
+}
 /** A square over the angles of the pairs. */
 export function fresh_function(pairs: readonly AnglePair[]): NamedFunction {
   const range = (key: "input_deg" | "output_deg"): Range => [pairs[0]?.[key] ?? 0, pairs.length > 1 ? pairs[pairs.length - 1][key] : 60];
@@ -97,8 +101,7 @@ export const function_kind: TaskKind<FunctionTask> = {
   table({pairs, function: named}) {
     if (!named) return {head: ["φ °", "ψ °"], rows: (pairs ?? []).map((pair) => [significant(pair.input_deg, 7), significant(pair.output_deg, 7)])};
     const range = (ends: Range | undefined) => ends?.map((end) => significant(end, 7)).join(" … ") ?? "";
-    const x: Range | undefined = named.x ?? (named.table && [named.table[0][0], named.table[named.table.length - 1][0]]);
-    return {head: ["y", "x", "φ °", "ψ °"], rows: [[named.expression ?? "y(x)", range(x), range(named.input_range_deg), range(named.output_range_deg)]]};
+    return {head: ["y", "x", "φ °", "ψ °"], rows: [[named.expression ?? "y(x)", range(x_range_of(named)), range(named.input_range_deg), range(named.output_range_deg)]]};
   },
   beginnings: [{id: "function", name: "new.function", about: "new.function_about", make: new_problem}],
 };
