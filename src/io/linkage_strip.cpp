@@ -158,7 +158,11 @@ void add_motion_checks(NumberRows& checks, const Solution& solution) {
   const FourBarSolution& found = solution.linkages.front();
   checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
   checks.row("driver turns through the task", drive_text(found.report));
-  add_place(checks, solution);
+  if (found.miss)
+    checks.row("misses the freed position by",
+               fmt::format("{} and {}", significant_text(found.miss->distance, 3), small_angle(found.miss->angle)));
+  else
+    add_place(checks, solution);
   checks.row("relative error at the positions", fmt::format("{}{}", significant_text(found.residual, 2),
                                                             found.verified_by_driving ? ", checked by driving" : ""));
 }

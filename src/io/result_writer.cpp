@@ -53,7 +53,7 @@ void write_points(JsonWriter& json, std::string_view key, std::span<const Dyad> 
 /// The side links that a task allows form a curve, if only one that has grown to everything.
 bool asks_for_a_curve(const Task& task) {
   if (const auto* motion = std::get_if<MotionTask>(&task)) {
-    return position_count(motion->poses) == 4 ||
+    return motion->freed || position_count(motion->poses) == 4 ||
            (motion->given && std::holds_alternative<InstantCenter>(*motion->given));
   }
   const auto* function = std::get_if<FunctionTask>(&task);
@@ -173,16 +173,12 @@ void write_way_out(JsonWriter& json, const FreedPosition& way_out, const MotionT
   json.member("meeting_requirements", way_out.meeting);
   json.key("miss");
   if (way_out.linkage) {
-    json.begin_object(Layout::one_line);
-    json.member("distance", way_out.miss.distance);
-    json.member("angle_deg", degrees(way_out.miss.angle));
-    json.member("combined", way_out.combined);
-    json.end_object();
+    write_miss(json, way_out.miss, frame.scale);
   } else {
     json.null();
   }
   json.key("linkage");
-  way_out.linkage ? write_four_bar(json, *way_out.linkage, frame, {{}, freed_task(task, way_out.pose).task.poses, {}})
+  way_out.linkage ? write_four_bar(json, *way_out.linkage, frame, {.poses = freed_task(task, way_out.pose).task.poses})
                   : json.null();
   json.end_object();
 }

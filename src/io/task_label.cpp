@@ -40,6 +40,7 @@ std::string given_words(const InstantCenter& given) {
 
 std::string label_of(const MotionTask& task) {
   std::string text = fmt::format("{} ({})", positions(position_count(task.poses)), pattern(task.poses));
+  if (task.freed) text += fmt::format(", position {} free", *task.freed + 1);
   if (task.given) text += ", " + std::visit([](const auto& given) { return given_words(given); }, *task.given);
   return text;
 }

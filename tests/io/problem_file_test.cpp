@@ -139,6 +139,78 @@ TEST(ProblemFile, WrittenDerivativesReadBackAsThemselves) {
   EXPECT_EQ(poses[0]["derivatives"].size(), 1u);
 }
 
+std::string with_task(std::string_view task, std::string_view options = "{}") {
+  return R"({"linkwright": 1, "title": "T", "task": )" + std::string(task) + R"(, "options": )" + std::string(options) +
+         "}";
+}
+
+std::string three(std::string_view given) {
+  return with_task(R"({"kind": "motion", "mechanism": "four_bar", "poses": [{"x": 0.1, "y": 0, "theta_deg": 0.3},
+    {"x": 50, "y": 30, "theta_deg": 33.3}, {"x": 60, "y": 90, "theta_deg": 80}], "given": )" +
+                   std::string(given) + "}");
+}
+
+std::string five(std::string_view more) {
+  return with_task(R"({"kind": "motion", "mechanism": "four_bar", "poses": [{"x": 0, "y": 0, "theta_deg": 0},
+    {"x": 30, "y": 10, "theta_deg": 25}, {"x": 55, "y": 40, "theta_deg": 40}, {"x": 60, "y": 75, "theta_deg": 75},
+    {"x": 40, "y": 100, "theta_deg": 110.1}])" +
+                   std::string(more) + "}");
+}
+
+std::string function(std::string_view members, std::string_view options = "{}") {
+  return with_task(
+      R"({"kind": "function", "mechanism": "four_bar", "ground_pivots": {"input": [0.1, -3], "output": [1, 1e-3]}, )" +
+          std::string(members) + "}",
+      options);
+}
+
+constexpr std::string_view scale_of_sine = R"("function": {"expression": "sin_deg", "x": [0, 90.1],
+  "y": [-0.1, 1.5], "input_range_deg": [0, -77.7], "output_range_deg": [10, 61.3], "points": 4, "spacing": "even"})";
+
+const std::vector<std::string>& one_of_each_kind() {
+  static const std::vector<std::string> problems = {
+      three(R"({"side_lengths": [80.1, 60]})"),
+      three(R"({"side_length": 0.1})"),
+      three(R"({"side_angle_deg": 33.3, "directed": false})"),
+      three(R"({"side_angle_deg": -60, "directed": true, "input_length": 7.7})"),
+      three(R"({"instant_center": [-20.2, 0.1]})"),
+      three(R"({"instant_center": [1, 0.3], "at_infinity": true})"),
+      five(""),
+      five(R"(, "freed_pose": 4)"),
+      mixed(R"({"x": 1, "y": 2, "theta_deg": 30, "derivatives": [{"x": 1, "y": 0, "theta": 0.8}]},
+        {"x": 4, "y": 3, "theta_deg": 70, "derivatives": [{"x": 0.1, "y": 1, "theta": 0.2}]},
+        {"x": 5, "y": 6, "theta_deg": 100})"),
+      function(std::string(scale_of_sine), R"({"objective": "structural_error"})"),
+      function(std::string(scale_of_sine) + R"(, "free": {"number": "output_scale", "range": [0.3, 1.7]})"),
+      function(R"("function": {"expression": "log", "x": [1, 10], "input_range_deg": [0, 60],
+        "output_range_deg": [0, 60], "points": 5, "spacing": [1, 2.2, 3.3, 5, 9.9]})"),
+      function(R"("function": {"table": [[0, 0], [1, 0.1], [2, 0.7], [3.3, 1]], "interpolation": "linear",
+        "input_range_deg": [0, 60], "output_range_deg": [0, 60], "points": 4})"),
+      function(R"("pairs": [{"input_deg": 0, "output_deg": 0}, {"input_deg": 30.3, "output_deg": 10},
+        {"input_deg": 50, "output_deg": 30}, {"input_deg": 70, "output_deg": 70}],
+        "free": {"number": "pair_output", "pair": 3, "range": [21.1, 41]})"),
+      function(R"("pairs": [{"input_deg": 0, "output_deg": 0, "derivatives": [{"input": 1, "output": -0.3}]},
+        {"input_deg": 50, "output_deg": 30}, {"input_deg": 70, "output_deg": 70.7}])"),
+  };
+  return problems;
+}
+
+TEST(ProblemFile, OfEveryKindReadsBackAsItself) {
+  for (const std::string& text : one_of_each_kind()) {
+    SCOPED_TRACE(text);
+    const std::string once = write_problem(read(text));
+    EXPECT_EQ(write_problem(read(once)), once);
+    // What the file gave is echoed: nothing of the task is lost or changed.
+    const auto given = nlohmann::json::parse(text)["task"], echo = nlohmann::json::parse(once)["task"];
+    for (const auto& [key, value] : given.items()) {
+      if (value.is_object())
+        for (const auto& [inner, member] : value.items()) EXPECT_EQ(echo[key][inner], member) << key << "." << inner;
+      else
+        EXPECT_EQ(echo[key], value) << key;
+    }
+  }
+}
+
 TEST(ProblemFile, ThousandsOfDerivativesAreOneMistake) {
   std::string derivatives = R"({"x": 1, "y": 0, "theta": 0})";
   for (int i = 0; i < 16; ++i) derivatives += "," + derivatives;

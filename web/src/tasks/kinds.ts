@@ -40,13 +40,13 @@ export function anchors_of(task: Task): Point[] {
 export function extent_of(task: Task): number {
   return diagonal_of(anchors_of(task)) || 1;
 }
-/** A text of the frame, as this kind of task says it. */
-export function text_for(task: Task, key: TextKey): TextKey {
-  return kind_of(task).texts?.[key] ?? key;
-}
 /** What a colour of the map can stand for, beside the type. */
 export function properties_of(task: Task): Property[] {
   return [...common_properties, ...(kind_of(task).properties?.(task) ?? [])];
+}
+/** A text of the frame, as this kind of task says it. */
+export function text_for(task: Task, key: TextKey): TextKey {
+  return kind_of(task).texts?.[key] ?? key;
 }
 export function map_of(task: Task): string {
   return kind_of(task).map_of(task);
