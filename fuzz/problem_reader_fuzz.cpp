@@ -1,10 +1,14 @@
 // Any bytes as a problem file, a linkage file and a result file. A problem that is read must write as a file that reads
 // as the same problem; a linkage likewise.
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 #include "fuzz_support.hpp"
 #include "linkwright/io/linkage_file.hpp"
@@ -16,6 +20,45 @@ namespace {
 using namespace linkwright;
 using fuzz::check_errors, fuzz::require;
 
+void check_same_poses(const std::vector<PrescribedPose>& again, const std::vector<PrescribedPose>& poses) {
+  require(again.size() == poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    require(again[i].pose.origin == poses[i].pose.origin);
+    require(again[i].pose.angle == poses[i].pose.angle);
+    require(again[i].multiplicity() == poses[i].multiplicity());
+  }
+}
+
+void check_same(const MotionTask& again, const MotionTask& task) {
+  check_same_poses(again.poses, task.poses);
+  require(again.given == task.given);
+}
+
+void check_same(const FunctionTask& again, const FunctionTask& task) {
+  require(again.pairs.size() == task.pairs.size());
+  for (std::size_t i = 0; i < task.pairs.size(); ++i) {
+    require(std::isfinite(task.pairs[i].input) && std::isfinite(task.pairs[i].output));
+    require(again.pairs[i].input == task.pairs[i].input && again.pairs[i].output == task.pairs[i].output);
+    require(again.pairs[i].multiplicity() == task.pairs[i].multiplicity());
+  }
+  require(again.input_pivot == task.input_pivot && again.output_pivot == task.output_pivot);
+  require(again.function.has_value() == task.function.has_value());
+  require(again.free.has_value() == task.free.has_value());
+  if (task.free) require(again.free->range == task.free->range && again.free->pair == task.free->pair);
+}
+
+void check_same(const SixBarTask& again, const SixBarTask& task) {
+  check_same_poses(again.poses, task.poses);
+  require(again.added == task.added);
+  require(again.chain.has_value() == task.chain.has_value() && again.box.has_value() == task.box.has_value());
+  if (task.chain) require(again.chain->b == task.chain->b && again.chain->elbow == task.chain->elbow);
+}
+
+void check_same_task(const Task& again, const Task& task) {
+  require(again.index() == task.index());
+  std::visit([&](const auto& of_kind) { check_same(std::get<std::decay_t<decltype(of_kind)>>(again), of_kind); }, task);
+}
+
 void check_problem(std::string_view text) {
   const auto problem = read_problem(text);
   if (!problem) return check_errors(problem.errors());
@@ -23,12 +66,7 @@ void check_problem(std::string_view text) {
   const auto again = read_problem(written);
   require(again.ok());
   require(write_problem(*again) == written);
-  require(again->task.poses.size() == problem->task.poses.size());
-  for (std::size_t i = 0; i < problem->task.poses.size(); ++i) {
-    require(again->task.poses[i].pose.origin == problem->task.poses[i].pose.origin);
-    require(again->task.poses[i].pose.angle == problem->task.poses[i].pose.angle);
-    require(again->task.poses[i].multiplicity() == problem->task.poses[i].multiplicity());
-  }
+  check_same_task(again->task, problem->task);
 }
 
 void check_linkage(std::string_view text) {

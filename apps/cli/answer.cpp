@@ -15,6 +15,7 @@
 #include "linkwright/planar/chosen_length.hpp"
 #include "pair_words.hpp"
 #include "requirement_words.hpp"
+#include "six_bar_words.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {
@@ -105,7 +106,14 @@ std::string dimension_table(const std::vector<FourBarSolution>& linkages, int de
   return table.text();
 }
 
-std::string pivot_table(const std::vector<FourBarSolution>& linkages, int decimals) {
+/// The pose in which linkages are told: that of the first position, or of the second where the first is free.
+std::string_view first_pose(const Solution& solution) {
+  if (solution.linkages.front().function) return "at the first pair";
+  return solution.given.freed && solution.given.freed->place == 0 ? "in position 2" : "in position 1";
+}
+
+std::string pivot_table(const Solution& solution, int decimals) {
+  const std::vector<FourBarSolution>& linkages = solution.linkages;
   TextTable table({"#", "input: fixed pivot", "moving pivot", "output: fixed pivot", "moving pivot"});
   for (std::size_t i = 0; i < linkages.size(); ++i) {
     const FourBar& bars = linkages[i].four_bar;
@@ -113,8 +121,7 @@ std::string pivot_table(const std::vector<FourBarSolution>& linkages, int decima
                    pivot_text(bars.input_circle, decimals), pivot_text(bars.output_center, decimals),
                    pivot_text(bars.output_circle, decimals)});
   }
-  const std::string_view where = linkages.front().function ? "at the first pair" : "in position 1";
-  return fmt::format("Pivots (x, y), moving pivots as they lie {}:\n", where) + table.text();
+  return fmt::format("Pivots (x, y), moving pivots as they lie {}:\n", first_pose(solution)) + table.text();
 }
 
 std::string score_words(Objective objective, const FourBarSolution& found, int decimals) {
@@ -173,9 +180,9 @@ std::string check_words(const Solution& solution) {
 std::string linkages_words(const Problem& problem, const Solution& solution) {
   if (solution.linkages.empty()) return "";
   const int decimals = decimals_for(solution.linkages);
-  const std::string errors = function_error_words(solution);
+  const std::string errors = function_error_words(solution) + miss_words(problem, solution);
   return "\n" + best_heading(solution) + dimension_table(solution.linkages, decimals) + "\n" +
-         (errors.empty() ? "" : errors + "\n") + pivot_table(solution.linkages, decimals) + "\n" +
+         (errors.empty() ? "" : errors + "\n") + pivot_table(solution, decimals) + "\n" +
          why_the_best(problem, solution, decimals) + check_words(solution);
 }
 
@@ -236,6 +243,8 @@ std::string free_words(const Problem& problem, const Solution& solution) {
 std::string answer(const Problem& problem, const Solution& solution) {
   Problem shown = problem;
   shown.length_unit = printable(shown.length_unit);
+  if (std::holds_alternative<SixBarTask>(problem.task))
+    return heading(shown, solution) + warnings_words(solution) + six_bar_answer(shown, solution);
   return heading(shown, solution) + curve_words(shown, solution) + free_words(shown, solution) +
          counts_words(shown, solution) + warnings_words(solution) + side_link_words(solution) +
          pair_words(shown, solution) + linkages_words(shown, solution) + nothing_words(shown, solution) +

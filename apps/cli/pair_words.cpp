@@ -109,12 +109,25 @@ std::string pair_words(const Problem& problem, const Solution& solution) {
   return fmt::format("\n{}", heading) + pair_table(solution) + sliders_among(solution) + reasons(solution);
 }
 
+std::string miss_words(const Problem& problem, const Solution& solution) {
+  if (!solution.given.freed || solution.linkages.empty()) return "";
+  TextTable table({"#", "distance", "angle"});
+  for (std::size_t i = 0; i < solution.linkages.size(); ++i) {
+    const auto& miss = solution.linkages[i].miss;
+    table.add_row({fmt::format("{}", i + 1), miss ? length_words(miss->distance, problem.length_unit) : "–",
+                   miss ? significant_text(degrees(miss->angle), 3) + "°" : "–"});
+  }
+  return "How near they come to the freed position:\n" + table.text();
+}
+
 std::string ways_out_words(const Problem& problem, const Solution& solution) {
   if (solution.freed.empty()) return "";
   std::string text = "\nWays out, nearest first: four-bars through four of the positions that meet the requirements.\n";
   for (const FreedPosition& way : solution.freed)
     text += way_out_words(way, solution.requirements, problem.length_unit);
-  return text + wrapped("Leave such a position out of the task to see all the four-bars that are left.");
+  return text +
+         wrapped(fmt::format("With \"freed_pose\": {} in the task all such four-bars are shown, and what each misses.",
+                             solution.freed.front().pose + 1));
 }
 
 }  // namespace linkwright::cli

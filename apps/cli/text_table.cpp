@@ -13,6 +13,17 @@ std::size_t columns(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The next space that a line may break at: not one between two digits, which holds a number together.
+std::size_t end_of_word(std::string_view text) {
+  std::size_t end = text.find(' ');
+  while (end != std::string_view::npos && end > 0 && end + 1 < text.size() && is_digit(text[end - 1]) &&
+         is_digit(text[end + 1]))
+    end = text.find(' ', end + 1);
+  return std::min(end, text.size());
+}
+
 }  // namespace
 
 TextTable::TextTable(std::vector<std::string> headings) {
@@ -51,7 +62,7 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   bool is_first = true;
   text.remove_prefix(start);
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::size_t end = end_of_word(text);
     const std::string_view word = text.substr(0, end);
     if (!is_first && used + 1 + columns(word) > widest_line) {
       lines += '\n' + std::string(indent, ' ');

@@ -46,7 +46,7 @@ bool lies_along_its_curve(const TaskFamily& task, LinkageFamily::Side side) {
 constexpr int samples_of_an_order = 400;
 
 // Each cell of such a map is driven through.
-constexpr int most_six_bar_samples = 60;
+int six_bar_samples(int samples) { return std::clamp(samples / 5, 20, 60); }
 
 constexpr std::array<double, 2> whole = {0, 1};
 
@@ -162,7 +162,7 @@ std::vector<double> Session::coordinates(const ExploreRequest& request, Side sid
   const auto& [from, to] = side == Side::input ? request.input : request.output;
   const MapAxis& axis = axes().of(side);
   const DisplayOrder& order = axis.order;
-  if (six_bars_) return order.samples(std::min(request.samples, most_six_bar_samples), from, to);
+  if (six_bars_) return order.samples(six_bar_samples(request.samples), from, to);
   if (axis.axis.is_discrete()) return given().family->samples(side, request.samples, Spacing::coordinate);
   if (lies_along_its_curve(given(), side) && from == whole[0] && to == whole[1])
     return order.samples(*given().curve, request.samples);
@@ -170,8 +170,12 @@ std::vector<double> Session::coordinates(const ExploreRequest& request, Side sid
 }
 
 void Session::compute_map(const ExploreRequest& request) {
-  const MapKey wanted{request.samples, axes().input.order.code(), request.input,
-                      request.output,  problem_.options.spacing,  requirements_.respect_direction};
+  const MapKey wanted{six_bars_ ? six_bar_samples(request.samples) : request.samples,
+                      axes().input.order.code(),
+                      request.input,
+                      request.output,
+                      problem_.options.spacing,
+                      requirements_.respect_direction};
   if (mapped_ != wanted) {
     input_tau_ = coordinates(request, Side::input);
     output_tau_ = coordinates(request, Side::output);
@@ -238,7 +242,7 @@ std::vector<std::uint8_t> Session::failures(RegionMap& map, std::span<const doub
 
 LiveReply Session::live(double input_tau, double output_tau) {
   LiveReply reply;
-  if (!given().family) return reply;
+  if (!has_map()) return reply;
   const Drawn& curves = drawn();
   reply.input = failures(strip_, curves.input.tau, std::array{output_tau});
   reply.output = failures(strip_, std::array{input_tau}, (curves.same ? curves.input : curves.output).tau);
@@ -281,7 +285,8 @@ void write_six_bars(JsonWriter& json, const SixBarTask& task, const Solution& so
 
 std::string Session::best(int most) const {
   SynthesisOptions options = problem_.options;
-  options.region_samples = 400;
+  options.region_samples = samples_of_an_order;
+  if (six_bars_) options.region_samples = 4 * six_bar_samples(samples_of_an_order);  // of which solve() takes a quarter
   options.window.reset();
   options.best = most;
   const auto solution = solve(problem_.task, problem_.requirements, options);

@@ -110,6 +110,39 @@ void write_joints(JsonWriter& json, const SixBar& six_bar) {
   json.end_list();
 }
 
+/// The two added links take the places of the side links: their coordinates are those of the map.
+void write_added_link(JsonWriter& json, const char* side, double coordinate, const std::array<std::size_t, 2>& ends,
+                      const std::optional<SixBarSolution>& found) {
+  const auto end = [&](std::size_t which) {
+    return found ? std::optional(found->member.six_bar.joints[ends[which]].point) : std::nullopt;
+  };
+  json.key(side);
+  json.begin_object();
+  json.member("coordinate", coordinate);
+  json.key("center");
+  write_point(json, end(0));
+  json.key("circle");
+  write_point(json, end(1));
+  for (const auto& [key, which] : {std::pair("center_homogeneous", 0u), std::pair("circle_homogeneous", 1u)}) {
+    const Point p = end(which).value_or(Point{});
+    json.key(key);
+    write_numbers(json, std::array{found ? 1.0 : 0.0, p.real(), p.imag()});
+  }
+  json.key("length");
+  found ? json.value(std::abs(*end(1) - *end(0))) : json.null();
+  json.end_object();
+}
+
+/// What a four-bar has and a six-bar has not.
+void write_absent(JsonWriter& json) {
+  for (const char* key : {"lengths", "min_transmission_angle_full_turn_deg", "swapped"}) {
+    json.key(key);
+    json.null();
+  }
+  json.key("dead_points_deg");
+  write_numbers(json, {});
+}
+
 void write_lengths(JsonWriter& json, const SixBarSolution& found) {
   json.key("lengths");
   json.begin_list();
@@ -141,7 +174,6 @@ void write_verdict(JsonWriter& json, const SixBarSolution& found) {
   json.end_object();
   json.key("reason");
   clean ? json.null() : write_notice(json, defect_reason(drive.defects));
-  json.member("topology", name(found.row.topology));
   json.member("link_ratio", found.rating.shape.link_ratio);
   json.member("longest", found.rating.shape.longest);
   json.key("min_transmission_angle_deg");
@@ -151,6 +183,33 @@ void write_verdict(JsonWriter& json, const SixBarSolution& found) {
   json.key("drive_sense");
   drive.sense == DriveSense::none ? json.null() : json.value(name(drive.sense));
   json.member("residual", found.residual * found.rating.shape.longest);
+}
+
+void write_six_bar(JsonWriter& json, const SixBarSolution& found) {
+  json.key("six_bar");
+  json.begin_object();
+  json.member("topology", name(found.row.topology));
+  write_joints(json, found.member.six_bar);
+  write_lengths(json, found);
+  json.end_object();
+}
+
+void write_no_six_bar(JsonWriter& json) {
+  json.member("type", name(LinkageType::degenerate));
+  json.key("defects");
+  json.begin_object(Layout::one_line);
+  for (const char* defect : {"order", "branch", "circuit"}) json.member(defect, false);
+  json.end_object();
+  json.key("reason");
+  write_notice(json, {"no_six_bar",
+                      "There is no six-bar here: an added link has no hinge, no length, or is one "
+                      "that is there already.",
+                      {}});
+  for (const char* key : {"link_ratio", "longest", "min_transmission_angle_deg", "driver_sweep_deg", "drive_sense"}) {
+    json.key(key);
+    json.null();
+  }
+  json.member("residual", 0.0);
 }
 
 }  // namespace
@@ -176,17 +235,14 @@ SixBarReply six_bar_reply(const std::vector<PrescribedPose>& poses, const std::o
     json.key("tau");
     write_numbers(json, coordinates);
     json.member("fails", int{fails});
+    write_added_link(json, "input", coordinates[0], {SixBar::c4, SixBar::z4}, found);
+    write_added_link(json, "output", coordinates[1], {SixBar::c5, SixBar::z5}, found);
+    write_absent(json);
     if (found) {
       write_verdict(json, *found);
-      write_joints(json, found->member.six_bar);
-      write_lengths(json, *found);
+      write_six_bar(json, *found);
     } else {
-      json.member("type", name(LinkageType::degenerate));
-      json.key("reason");
-      write_notice(json, {"no_six_bar",
-                          "There is no six-bar here: an added link has no hinge, no length, or is one "
-                          "that is there already.",
-                          {}});
+      write_no_six_bar(json);
     }
     json.key("drive");
     check.states.empty() ? json.null() : write_drive(json, check, poses);

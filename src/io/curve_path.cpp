@@ -147,11 +147,20 @@ void join_ends(std::vector<Path>& paths) {
   }
 }
 
+/// Without points closer to the last one than can be seen; the ends stay.
+Path thinned(const Path& path) {
+  constexpr double visible = 1.5;
+  Path kept;
+  for (std::size_t i = 0; i < path.size(); ++i)
+    if (i == 0 || i + 1 == path.size() || std::abs(path[i] - kept.back()) >= visible) kept.push_back(path[i]);
+  return kept;
+}
+
 std::vector<Path> visible_path(std::span<const Dyad> dyads, Homogeneous Dyad::*point, const PlaneWindow& window) {
   std::vector<Path> paths = paths_of(dyads, point, window), seen;
   join_ends(paths);
   for (const Path& path : paths)
-    for (Path& piece : window.clipped(path)) seen.push_back(std::move(piece));
+    for (const Path& piece : window.clipped(path)) seen.push_back(thinned(piece));
   return seen;
 }
 

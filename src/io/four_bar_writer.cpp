@@ -103,6 +103,18 @@ void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses) {
   json.end_list();
 }
 
+}  // namespace
+
+void write_miss(JsonWriter& json, const PoseMiss& miss, double size) {
+  json.begin_object(Layout::one_line);
+  json.member("distance", miss.distance);
+  json.member("angle_deg", degrees(miss.angle));
+  json.member("combined", miss.combined(size));
+  json.end_object();
+}
+
+namespace {
+
 void write_notes(JsonWriter& json, const FourBarNotes& notes) {
   if (notes.defect) json.member("reason", std::string_view(notes.defect->message));
   if (notes.free_value) json.member("free_value", *notes.free_value);
@@ -115,7 +127,8 @@ FourBarNotes notes_on(const FourBarSolution& found, const TaskFamily& given) {
   const LinkageFamily& family = *given.family;
   FourBarNotes notes;
   notes.defect = defect_notice(found, given);
-  if (found.function)
+  if (given.freed) notes.miss_size = given.freed->size;
+  if (found.function || given.freed)
     notes.poses = family.user_poses({found.input.coordinate, found.output.coordinate}, found.four_bar);
   const AxisQuantity quantity = family.axis(LinkageFamily::Side::output).quantity;
   if (quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output)
@@ -167,6 +180,10 @@ void write_four_bar(JsonWriter& json, const FourBarSolution& found, const Workin
   json.member("residual", found.residual);
   if (found.residual_derivatives) json.member("residual_derivatives", *found.residual_derivatives);
   if (found.function) write_function_error(json, *found.function);
+  if (found.miss) {
+    json.key("miss");
+    write_miss(json, *found.miss, notes.miss_size);
+  }
   json.member("local_optimum", found.local_optimum);
   json.member("verified_by_driving", found.verified_by_driving);
   write_notes(json, notes);

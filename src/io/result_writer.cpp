@@ -12,6 +12,7 @@
 #include "linkwright/io/result_file.hpp"
 #include "problem_writer.hpp"
 #include "region_arrays.hpp"
+#include "six_bar_writer.hpp"
 
 namespace linkwright {
 namespace {
@@ -53,7 +54,7 @@ void write_points(JsonWriter& json, std::string_view key, std::span<const Dyad> 
 /// The side links that a task allows form a curve, if only one that has grown to everything.
 bool asks_for_a_curve(const Task& task) {
   if (const auto* motion = std::get_if<MotionTask>(&task)) {
-    return position_count(motion->poses) == 4 ||
+    return motion->freed || position_count(motion->poses) == 4 ||
            (motion->given && std::holds_alternative<InstantCenter>(*motion->given));
   }
   const auto* function = std::get_if<FunctionTask>(&task);
@@ -105,6 +106,7 @@ void write_counts(JsonWriter& json, const RegionCounts& counts) {
 }
 
 void write_axis(JsonWriter& json, const Problem& problem, const Solution& solution, LinkageFamily::Side side) {
+  if (const auto* six_bar = std::get_if<SixBarTask>(&problem.task)) return write_six_bar_axis(json, *six_bar, side);
   const LinkageFamily* family = solution.given.family.get();
   const FamilyAxis axis = family ? family->axis(side) : FamilyAxis{};
   const AxisLabel label = axis_label(axis, side, problem.task, problem.length_unit);
@@ -127,6 +129,7 @@ void write_axis(JsonWriter& json, const Problem& problem, const Solution& soluti
 }
 
 void write_region(JsonWriter& json, const Problem& problem, const Solution& solution, bool with_arrays) {
+  if (solution.search) return json.null();
   const RegionMap& region = solution.region;
   json.begin_object();
   json.member("samples", static_cast<std::int64_t>(region.rows()));
@@ -165,6 +168,14 @@ void write_four_bars(JsonWriter& json, const std::vector<FourBarSolution>& list,
   json.end_list();
 }
 
+void write_linkages(JsonWriter& json, const Problem& problem, const Solution& solution) {
+  if (!std::holds_alternative<SixBarTask>(problem.task))
+    return write_four_bars(json, solution.linkages, solution.given);
+  json.begin_list();
+  for (const SixBarSolution& found : solution.six_bars) write_six_bar(json, found);
+  json.end_list();
+}
+
 void write_way_out(JsonWriter& json, const FreedPosition& way_out, const MotionTask& task, const WorkingFrame& frame) {
   json.begin_object();
   json.member("pose", static_cast<int>(way_out.pose) + 1);
@@ -173,16 +184,12 @@ void write_way_out(JsonWriter& json, const FreedPosition& way_out, const MotionT
   json.member("meeting_requirements", way_out.meeting);
   json.key("miss");
   if (way_out.linkage) {
-    json.begin_object(Layout::one_line);
-    json.member("distance", way_out.miss.distance);
-    json.member("angle_deg", degrees(way_out.miss.angle));
-    json.member("combined", way_out.combined);
-    json.end_object();
+    write_miss(json, way_out.miss, frame.scale);
   } else {
     json.null();
   }
   json.key("linkage");
-  way_out.linkage ? write_four_bar(json, *way_out.linkage, frame, {{}, freed_task(task, way_out.pose).task.poses, {}})
+  way_out.linkage ? write_four_bar(json, *way_out.linkage, frame, {.poses = freed_task(task, way_out.pose).task.poses})
                   : json.null();
   json.end_object();
 }
@@ -216,8 +223,12 @@ void write_answer(JsonWriter& json, const Problem& problem, const Solution& solu
   write_burmester_points(json, solution.given);
   json.key("region");
   write_region(json, problem, solution, with_region);
+  if (solution.search) {
+    json.key("search");
+    write_search(json, *solution.search, solution.options);
+  }
   json.key("linkages");
-  write_four_bars(json, solution.linkages, solution.given);
+  write_linkages(json, problem, solution);
   json.key("pairs");
   write_four_bars(json, solution.pairs, solution.given);
   json.key("freed");

@@ -53,9 +53,19 @@ std::vector<Dyad> with_ends(const std::vector<Dyad>& polygon, const ProductFamil
   return links;
 }
 
+/// So many that curves look smooth in the picture, however fast the pivots run.
+std::vector<Dyad> fine_polygon(const ProductFamily& family, Side side) {
+  constexpr int corners_of_a_branch = 4096;
+  const int corners = corners_of_a_branch * static_cast<int>(family.axis(side).branches.size());
+  std::vector<Dyad> polygon;
+  for (const double tau : family.samples(side, corners, Spacing::coordinate))
+    if (const auto dyad = family.dyad(side, tau)) polygon.push_back(*dyad);
+  return with_ends(polygon, family, side);
+}
+
 std::vector<Dyad> links_along(const LinkageFamily& family, Side side) {
-  std::vector<Dyad> polygon = family.polygon(side);
-  if (const auto* product = dynamic_cast<const ProductFamily*>(&family)) polygon = with_ends(polygon, *product, side);
+  const auto* product = dynamic_cast<const ProductFamily*>(&family);
+  std::vector<Dyad> polygon = product ? fine_polygon(*product, side) : family.polygon(side);
   for (Dyad& dyad : polygon) {
     const double coordinate = dyad.coordinate;
     dyad = family.frame().to_user(dyad);
@@ -86,7 +96,7 @@ void add_motion(TaskScene& scene, const MotionTask& task, const Solution& soluti
     if (!given.family->is_symmetric()) scene.output_links = links_along(*given.family, Side::output);
   }
   if (scene.linkage != nullptr) {
-    scene.served = task.poses;
+    scene.served = task.freed ? freed_task(task, *task.freed).task.poses : task.poses;
   } else if (const FreedPosition* way_out = way_to_show(solution)) {
     scene.linkage = &*way_out->linkage;
     scene.served = freed_task(task, way_out->pose).task.poses;

@@ -81,7 +81,7 @@ struct TaskWords {
 constexpr TaskWords function_words = {
     "Four-bars that generate all pairs: {}; free of defects: {}; meeting all requirements: {}.",
     "None of the four-bars that generate all pairs ({}) is free of defects: {}.", "lock between two pairs (branch)",
-    "Try other pairs or other ranges of the dials, leave a number free, or allow a defect (no_defects: false)."};
+    "Try other ranges of the dials, fewer or other pairs, or allow a defect (no_defects: false)."};
 
 Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
   const RegionCounts& counts = solution.counts;
@@ -168,8 +168,8 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
          fmt::format("a seed is a whole number from 0 to {}; any of them will do", SynthesisOptions::most_seed)});
   if (options.effort < 1 || options.effort > SynthesisOptions::most_effort)
     found.push_back({"out_of_range", "options.effort",
-                     fmt::format("the number of chains to try lies between 1 and {}; 2000 is usual",
-                                 SynthesisOptions::most_effort)});
+                     fmt::format("the number of chains to try lies between 1 and {}; {} is usual",
+                                 SynthesisOptions::most_effort, SynthesisOptions{}.effort)});
   return found;
 }
 

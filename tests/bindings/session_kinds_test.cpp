@@ -120,16 +120,19 @@ TEST(SessionOfAFunction, HasARibbon) {
 }
 
 TEST(SessionOfASixBar, HasAMapOverBothAddedLinks) {
-  Explored explored(loader, 40);
-  EXPECT_EQ(explored.reply.map->fails().size(), 1600u);
+  Explored explored(loader, 100);
+  EXPECT_EQ(explored.reply.map->fails().size(), 400u);
   EXPECT_FALSE(explored.task["symmetric"].get<bool>());
   EXPECT_FALSE(explored.reply.input_curves->tau.empty());
   expect_linkage_without_defects(explored, six_bar_state_width);
   const auto [input, output] = explored.passing();
   const json linkage = json::parse(explored.session.linkage(input, output).linkage);
   EXPECT_EQ(linkage["mechanism"], "six_bar");
-  EXPECT_EQ(linkage["joints"].size(), 7u);
-  EXPECT_EQ(linkage["lengths"].size(), 10u);
+  EXPECT_EQ(linkage["six_bar"]["joints"].size(), 7u);
+  EXPECT_EQ(linkage["six_bar"]["lengths"].size(), 10u);
+  EXPECT_EQ(linkage["input"]["center"], linkage["six_bar"]["joints"][3]["at"]);
+  const LiveReply live = explored.session.live(input, output);
+  EXPECT_EQ(live.input.size(), explored.reply.input_curves->tau.size());
   EXPECT_GT(explored.session.trace(input, output, {0, 0}).size(), 20u);
 }
 

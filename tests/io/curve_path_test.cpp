@@ -68,5 +68,32 @@ TEST(CurvePath, OfDegenerateCurvesIsWholeToo) {
   expect_faithful(symmetric, PlaneWindow(box, around, 0));
 }
 
+Dyad dyad_at(double x, double tau) { return {{1, x, 10}, {1, x, 30}, tau}; }
+
+TEST(CurvePath, OfAPolygonBreaksAtInfinityAndAtLeaps) {
+  const std::array<Point, 2> around = {Point{0, 0}, Point{800, 600}};
+  const PlaneWindow window(box, around, 0);
+  std::vector<Dyad> dyads;
+  for (int i = 0; i < 10; ++i) dyads.push_back(dyad_at(100 + 20 * i, 0.05 * i));
+  for (int i = 0; i < 10; ++i) dyads.push_back(dyad_at(500 + 20 * i, 1 + 0.05 * i));  // the next branch, far away
+  const CurvePaths paths = visible_polygon(dyads, window);
+  ASSERT_EQ(paths.centers.size(), 2u);
+  EXPECT_EQ(paths.centers[0].size(), 10u);
+  EXPECT_EQ(paths.circles.size(), 2u);
+  dyads[15].center = {0, 1, 0};
+  EXPECT_EQ(visible_polygon(dyads, window).centers.size(), 4u) << "parted, and joined again with a stretch";
+  dyads[15].center = {1, 620, 600};
+  EXPECT_GT(visible_polygon(dyads, window).centers.size(), 2u);
+}
+
+TEST(CurvePath, OfAPolygonJoinsTheEndsOfSheetsThatMeet) {
+  const std::array<Point, 2> around = {Point{0, 0}, Point{800, 600}};
+  const PlaneWindow window(box, around, 0);
+  std::vector<Dyad> dyads;
+  for (int i = 0; i < 10; ++i) dyads.push_back(dyad_at(100 + 20 * i, 0.05 * i));
+  for (int i = 0; i < 10; ++i) dyads.push_back({{1, 100.0 + 20 * i, 30}, {1, 100, 30.0 + i}, 1 + 0.05 * i});
+  EXPECT_EQ(visible_polygon(dyads, window).centers.size(), 4u) << "two paths and a stretch at either end";
+}
+
 }  // namespace
 }  // namespace linkwright

@@ -30,8 +30,6 @@ std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-namespace {
-
 Problem example(const std::string& name, int region_samples) {
   auto read = read_problem_file(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / name);
   EXPECT_TRUE(read.ok());
@@ -40,7 +38,37 @@ Problem example(const std::string& name, int region_samples) {
   return small;
 }
 
+namespace {
+
+Solved solved(const Problem& problem) { return {problem, solution_of(problem)}; }
+
 }  // namespace
+
+const Solved& three_positions() {
+  static const Solved latch = solved(example("latch.json", 160));
+  return latch;
+}
+
+const Solved& five_positions() {
+  static const Solved nose_gear = solved(example("nose_gear.json", 64));
+  return nose_gear;
+}
+
+const Solved& function() {
+  static const Solved sine = solved(example("sine_generator.json", 120));
+  return sine;
+}
+
+const Solved& five_without_answer() {
+  static const Solved none = solved(problem_of({{0, 0, 0}, {30, 10, 25}, {55, 40, 40}, {60, 75, 75}, {40, 100, 110}}));
+  return none;
+}
+
+Problem problem_from(const std::string& text) {
+  auto read = read_problem(text);
+  EXPECT_TRUE(read.ok()) << (read.ok() ? "" : read.errors()[0].place + ": " + read.errors()[0].message);
+  return read.ok() ? read.value() : Problem{};
+}
 
 const Problem& tailgate() {
   static const Problem problem = example("tailgate.json", 96);

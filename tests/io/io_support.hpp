@@ -35,6 +35,25 @@ class Folder {
 [[nodiscard]] const Problem& hood_hinge();
 [[nodiscard]] const Solution& solved_hood_hinge();
 
+/// One of examples/, with a small region.
+[[nodiscard]] Problem example(const std::string& name, int region_samples);
+
+/// examples/latch.json: three positions and both side links; examples/nose_gear.json: five positions;
+/// examples/sine_generator.json: a function on four precision points. With their solutions on small regions.
+struct Solved {
+  Problem problem;
+  Solution solution;
+};
+[[nodiscard]] const Solved& three_positions();
+[[nodiscard]] const Solved& five_positions();
+[[nodiscard]] const Solved& function();
+
+/// Five positions that no four-bar free of defects passes, and what freeing one of them comes to.
+[[nodiscard]] const Solved& five_without_answer();
+
+/// A problem from its text.
+[[nodiscard]] Problem problem_from(const std::string& text);
+
 /// The problem with other poses: x, y, degrees.
 [[nodiscard]] Problem problem_of(const std::vector<std::array<double, 3>>& poses);
 [[nodiscard]] Solution solution_of(const Problem& problem);

@@ -28,6 +28,7 @@ TEST(Label, FollowsTheEnumerators) {
 
 TEST(Label, OfAnUnknownBranchIsItsName) {
   EXPECT_EQ(branch_label("odd"), "branch through infinity");
+  EXPECT_EQ(branch_label("sheet_2_opposite"), "sheet 2, opposite");
   EXPECT_EQ(branch_label("something"), "something");
 }
 

@@ -112,6 +112,29 @@ TEST(LinkageFile, DerivativesReadBackBitIdentical) {
   EXPECT_EQ(read->poses[0].derivatives[0].angle, -0.004);
 }
 
+TEST(LinkageFile, OfEveryKindReadsBackWithItsPoses) {
+  for (const auto* solved : {&testing::three_positions(), &testing::five_positions(), &testing::function()}) {
+    const auto linkages = read_result_linkages(write_result(solved->problem, solved->solution, false));
+    ASSERT_TRUE(linkages.ok());
+    ASSERT_GT(linkages->size(), 0u);
+    const std::string text = write_linkage(linkages.value().front());
+    const auto read = read_linkage(text);
+    ASSERT_TRUE(read.ok());
+    EXPECT_EQ(write_linkage(*read), text);
+    EXPECT_EQ(read->poses.size(), linkages.value().front().poses.size());
+    EXPECT_EQ(read->four_bar.output_circle, linkages.value().front().four_bar.output_circle);
+  }
+}
+
+TEST(LinkageFile, ALinkagesOwnPosesCountNotThoseBesideIt) {
+  const auto read = read_linkage(R"({"poses": [{"x": 1, "y": 2, "theta_deg": 3}], "linkage": {"input":
+    {"center_point": [0, 0], "circle_point": [0, 2]}, "output": {"center_point": [4, 0], "circle_point": [3, 3.5]},
+    "poses": [{"x": 0, "y": 2, "theta_deg": 0}, {"x": 1, "y": 2, "theta_deg": 10}]}})");
+  ASSERT_TRUE(read.ok());
+  ASSERT_EQ(read->poses.size(), 2u);
+  EXPECT_EQ(read->poses[0].pose.origin, Point(0, 2));
+}
+
 TEST(LinkageFile, OfAResultKeepsItsRecord) {
   const auto linkages = read_result_linkages(write_result(testing::tailgate(), testing::solved_tailgate(), false));
   ASSERT_TRUE(linkages.ok());

@@ -139,6 +139,151 @@ TEST(ProblemFile, WrittenDerivativesReadBackAsThemselves) {
   EXPECT_EQ(poses[0]["derivatives"].size(), 1u);
 }
 
+std::string with_task(std::string_view task, std::string_view options = "{}") {
+  return R"({"linkwright": 1, "title": "T", "task": )" + std::string(task) + R"(, "options": )" + std::string(options) +
+         "}";
+}
+
+std::string three(std::string_view given) {
+  return with_task(R"({"kind": "motion", "mechanism": "four_bar", "poses": [{"x": 0.1, "y": 0, "theta_deg": 0.3},
+    {"x": 50, "y": 30, "theta_deg": 33.3}, {"x": 60, "y": 90, "theta_deg": 80}], "given": )" +
+                   std::string(given) + "}");
+}
+
+std::string five(std::string_view more) {
+  return with_task(R"({"kind": "motion", "mechanism": "four_bar", "poses": [{"x": 0, "y": 0, "theta_deg": 0},
+    {"x": 30, "y": 10, "theta_deg": 25}, {"x": 55, "y": 40, "theta_deg": 40}, {"x": 60, "y": 75, "theta_deg": 75},
+    {"x": 40, "y": 100, "theta_deg": 110.1}])" +
+                   std::string(more) + "}");
+}
+
+std::string function(std::string_view members, std::string_view options = "{}") {
+  return with_task(
+      R"({"kind": "function", "mechanism": "four_bar", "ground_pivots": {"input": [0.1, -3], "output": [1, 1e-3]}, )" +
+          std::string(members) + "}",
+      options);
+}
+
+constexpr std::string_view scale_of_sine = R"("function": {"expression": "sin_deg", "x": [0, 90.1],
+  "y": [-0.1, 1.5], "input_range_deg": [0, -77.7], "output_range_deg": [10, 61.3], "points": 4, "spacing": "even"})";
+
+const std::vector<std::string>& one_of_each_kind() {
+  static const std::vector<std::string> problems = {
+      three(R"({"side_lengths": [80.1, 60]})"),
+      three(R"({"side_length": 0.1})"),
+      three(R"({"side_angle_deg": 33.3, "directed": false})"),
+      three(R"({"side_angle_deg": -60, "directed": true, "input_length": 7.7})"),
+      three(R"({"instant_center": [-20.2, 0.1]})"),
+      three(R"({"instant_center": [1, 0.3], "at_infinity": true})"),
+      five(""),
+      five(R"(, "freed_pose": 4)"),
+      mixed(R"({"x": 1, "y": 2, "theta_deg": 30, "derivatives": [{"x": 1, "y": 0, "theta": 0.8}]},
+        {"x": 4, "y": 3, "theta_deg": 70, "derivatives": [{"x": 0.1, "y": 1, "theta": 0.2}]},
+        {"x": 5, "y": 6, "theta_deg": 100})"),
+      function(std::string(scale_of_sine), R"({"objective": "structural_error"})"),
+      function(std::string(scale_of_sine) + R"(, "free": {"number": "output_scale", "range": [0.3, 1.7]})"),
+      function(R"("function": {"expression": "log", "x": [1, 10], "input_range_deg": [0, 60],
+        "output_range_deg": [0, 60], "points": 5, "spacing": [1, 2.2, 3.3, 5, 9.9]})"),
+      function(R"("function": {"table": [[0, 0], [1, 0.1], [2, 0.7], [3.3, 1]], "interpolation": "linear",
+        "input_range_deg": [0, 60], "output_range_deg": [0, 60], "points": 4})"),
+      function(R"("pairs": [{"input_deg": 0, "output_deg": 0}, {"input_deg": 30.3, "output_deg": 10},
+        {"input_deg": 50, "output_deg": 30}, {"input_deg": 70, "output_deg": 70}],
+        "free": {"number": "pair_output", "pair": 3, "range": [21.1, 41]})"),
+      function(R"("pairs": [{"input_deg": 0, "output_deg": 0, "derivatives": [{"input": 1, "output": -0.3}]},
+        {"input_deg": 50, "output_deg": 30}, {"input_deg": 70, "output_deg": 70.7}])"),
+  };
+  return problems;
+}
+
+TEST(ProblemFile, OfEveryKindReadsBackAsItself) {
+  for (const std::string& text : one_of_each_kind()) {
+    SCOPED_TRACE(text);
+    const std::string once = write_problem(read(text));
+    EXPECT_EQ(write_problem(read(once)), once);
+    // What the file gave is echoed: nothing of the task is lost or changed.
+    const auto given = nlohmann::json::parse(text)["task"], echo = nlohmann::json::parse(once)["task"];
+    for (const auto& [key, value] : given.items()) {
+      if (value.is_object())
+        for (const auto& [inner, member] : value.items()) EXPECT_EQ(echo[key][inner], member) << key << "." << inner;
+      else
+        EXPECT_EQ(echo[key], value) << key;
+    }
+  }
+}
+
+// Tasks as they are written: members in order, defaults filled in.
+std::vector<std::string> tasks_of_every_kind() {
+  const std::string motion = R"({"kind":"motion","mechanism":"four_bar","poses":[{"x":0,"y":0,"theta_deg":0},)"
+                             R"({"x":4,"y":10,"theta_deg":-10},{"x":34,"y":14,"theta_deg":-75}],"given":)";
+  const std::string function = R"({"kind":"function","mechanism":"four_bar",)";
+  const std::string pivots = R"("ground_pivots":{"input":[0,0],"output":[60.5,1]})";
+  const std::string dials = R"("input_range_deg":[0,60],"output_range_deg":[0,-45.3],"points":)";
+  const std::string pairs = R"("pairs":[{"input_deg":0,"output_deg":0,"derivatives":[{"input":1,"output":0.8}]},)"
+                            R"({"input_deg":33.3,"output_deg":21.7},{"input_deg":60,"output_deg":30}],)";
+  const std::string six_bar = R"({"kind":"motion","mechanism":"six_bar","poses":[{"x":0,"y":0,"theta_deg":0},)"
+                              R"({"x":80,"y":30,"theta_deg":14},{"x":150,"y":90,"theta_deg":34},)"
+                              R"({"x":200,"y":170,"theta_deg":57}],)";
+  return {
+      motion + R"({"side_length":18}})",
+      motion + R"({"side_lengths":[18,24.1]}})",
+      motion + R"({"side_angle_deg":33.3,"directed":false,"input_length":18}})",
+      motion + R"({"instant_center":[20.1,-3]}})",
+      motion + R"({"instant_center":[0,1],"at_infinity":true}})",
+      function + pairs + pivots + "}",
+      function + pairs + pivots + R"(,"free":{"number":"output_scale","range":[0.7,1.1]}})",
+      function + pairs + pivots + R"(,"free":{"number":"pair_output","pair":2,"range":[20.1,30]}})",
+      function + R"("function":{"expression":"x^-1.5","x":[1,2],)" + dials + R"(4,"spacing":[1,1.2,1.5,1.9]},)" +
+          pivots + "}",
+      function + R"("function":{"table":[[0,0],[1,2.5],[2,3],[4,3.5]],"interpolation":"linear","x":[0.5,3],)" +
+          R"("y":[0,4],)" + dials + R"(5,"spacing":"even"},)" + pivots + "}",
+      six_bar + R"("chain":{"a":[-250,-150],"b":[-200,220],"d":[100,90],"elbow":[1,-1,0,1]},"added":["0-2","3-4"]})",
+      six_bar + R"("added":["1-3","0-4"]})"};
+}
+
+TEST(ProblemFile, TasksOfEveryKindAreWrittenAsTheyWereRead) {
+  for (const std::string& task : tasks_of_every_kind()) {
+    SCOPED_TRACE(task);
+    const std::string text =
+        R"({"linkwright":1,"options":{"box":{"x":[-300,300],"y":[-200,250.5]},"seed":7,"effort":100},)"
+        R"("task":)" +
+        task + "}";
+    const std::string once = write_problem(read(text));
+    const auto again = nlohmann::json::parse(once);
+    EXPECT_EQ(again["task"], nlohmann::json::parse(task));
+    for (const auto& [key, value] : nlohmann::json::parse(text)["options"].items())
+      EXPECT_EQ(again["options"][key], value);
+    EXPECT_EQ(write_problem(read(once)), once);
+  }
+}
+
+TEST(ProblemFile, ANamedFunctionBringsItsPairs) {
+  const Problem problem = read(R"({"linkwright": 1, "task": {"kind": "function", "mechanism": "four_bar",
+    "function": {"expression": "x^2", "x": [0, 1], "input_range_deg": [10, 70], "output_range_deg": [0, 90],
+      "points": 5, "spacing": "even"}}})");
+  const auto& task = std::get<FunctionTask>(problem.task);
+  ASSERT_EQ(task.pairs.size(), 5u);
+  EXPECT_NEAR(degrees(task.pairs[1].input), 25, 1e-12);
+  EXPECT_NEAR(degrees(task.pairs[1].output), 90.0 / 16, 1e-12);
+}
+
+TEST(ProblemFile, ASearchTakesItsBoxFromTheOptions) {
+  const Problem problem =
+      read(R"({"linkwright": 1, "options": {"box": {"x": [-300, 300], "y": [-200, 250]}}, "task":)" +
+           tasks_of_every_kind().back() + "}");
+  const auto& task = std::get<SixBarTask>(problem.task);
+  ASSERT_TRUE(task.box);
+  EXPECT_EQ(task.box->y_high, 250);
+  EXPECT_FALSE(task.chain);
+}
+
+TEST(ProblemFile, AWrongBoxIsToldOnce) {
+  const auto problem =
+      read_problem(R"({"linkwright": 1, "options": {"box": {"x": [300, -300], "y": [-200, 250]}}, "task":)" +
+                   tasks_of_every_kind().back() + "}");
+  ASSERT_EQ(problem.errors().size(), 1u);
+  EXPECT_EQ(problem.errors()[0].place, "options.box");
+}
+
 TEST(ProblemFile, ThousandsOfDerivativesAreOneMistake) {
   std::string derivatives = R"({"x": 1, "y": 0, "theta": 0})";
   for (int i = 0; i < 16; ++i) derivatives += "," + derivatives;

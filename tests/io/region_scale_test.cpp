@@ -48,5 +48,13 @@ TEST(RegionScale, MarksWhereAPivotPassesInfinity) {
   EXPECT_TRUE(RegionScale({{"line_at_infinity", 0, 1}}, samples, dyads, 100).crossings_of_infinity().empty());
 }
 
+TEST(RegionScale, ABlockOfOneSampleIsOneCell) {
+  const RegionScale scale({{"point", 0, 1}, {"point", 1, 2}}, Samples{0.5, 1.5}, {}, 104);
+  ASSERT_EQ(scale.blocks().size(), 2u);
+  EXPECT_DOUBLE_EQ(*scale.position(0.5), 25);
+  EXPECT_DOUBLE_EQ(*scale.position(1.5), 79);
+  EXPECT_FALSE(scale.position(2.2));
+}
+
 }  // namespace
 }  // namespace linkwright

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "io_support.hpp"
@@ -244,6 +245,230 @@ TEST(ResultFile, LinkagesOfMixedPositionsKeepTheirDerivatives) {
   }
 }
 
+const json& result_of(const testing::Solved& solved) {
+  static std::map<const testing::Solved*, json> results;
+  const auto [place, is_new] = results.try_emplace(&solved);
+  if (is_new) place->second = json::parse(write_result(solved.problem, solved.solution, true));
+  return place->second;
+}
+
+TEST(ResultFile, OfThreePositionsHasNoCurveButDirections) {
+  const testing::Solved& latch = testing::three_positions();
+  const json& result = result_of(latch);
+  EXPECT_TRUE(result["curve"].is_null());
+  EXPECT_EQ(result["pattern"], "P-P-P");
+  EXPECT_EQ(result["dyads"].size() + result["pairs"].size() + result["freed"].size(), 0u);
+  ASSERT_EQ(result["region"]["axes"].size(), 2u);
+  for (const auto side : {LinkageFamily::Side::input, LinkageFamily::Side::output}) {
+    const bool is_input = side == LinkageFamily::Side::input;
+    const json& axis = result["region"]["axes"][is_input ? 0 : 1];
+    EXPECT_EQ(axis["quantity"], "side_direction");
+    EXPECT_EQ(axis["unit"], "deg");
+    EXPECT_EQ(axis["branches"][1], (json{{"name", "sheet_2"}, {"from", 1}, {"to", 2}}));
+    const json& coordinates = result["region"][is_input ? "input_coordinate" : "output_coordinate"];
+    ASSERT_EQ(axis["values"].size(), coordinates.size());
+    for (std::size_t i = 0; i < coordinates.size(); ++i)
+      EXPECT_EQ(axis["values"][i].get<double>(),
+                latch.solution.given.family->axis_value(side, coordinates[i].get<double>()));
+  }
+  ASSERT_GT(result["linkages"].size(), 0u);
+  for (const json& linkage : result["linkages"]) {
+    EXPECT_NEAR(linkage["lengths"]["input"].get<double>(), 18, 1e-9);
+    EXPECT_NEAR(linkage["lengths"]["output"].get<double>(), 24, 1e-9);
+    EXPECT_FALSE(linkage.contains("poses")) << "they are the task's";
+    EXPECT_FALSE(linkage.contains("reason"));
+  }
+}
+
+TEST(ResultFile, OfThreePositionsAtAnAngleHasLengths) {
+  const Problem problem = testing::problem_from(R"({"linkwright": 1, "length_unit": "in", "options":
+    {"region_samples": 40, "best": 2}, "task": {"kind": "motion", "mechanism": "four_bar", "poses": [
+    {"x": 0, "y": 0, "theta_deg": 0}, {"x": 50, "y": 30, "theta_deg": 30}, {"x": 60, "y": 90, "theta_deg": 80}],
+    "given": {"side_angle_deg": 60, "directed": true, "input_length": 80}}})");
+  const json result = json::parse(write_result(problem, testing::solution_of(problem), false));
+  const json& axis = result["region"]["axes"][1];
+  EXPECT_EQ(axis["quantity"], "side_length");
+  EXPECT_EQ(axis["unit"], "in");
+  EXPECT_EQ(axis["values"].size(), 40u);
+  EXPECT_TRUE(result["curve"].is_null());
+}
+
+TEST(ResultFile, OfAnInstantCentreHasItsCurve) {
+  const Problem airtight = testing::example("airtight_hatch.json", 40);
+  const json result = json::parse(write_result(airtight, testing::solution_of(airtight), false));
+  EXPECT_EQ(result["pattern"], "P-P-P");
+  EXPECT_TRUE(result["curve"]["kind"].is_string());
+  EXPECT_EQ(result["region"]["axes"][0]["quantity"], "curve_coordinate");
+  EXPECT_FALSE(result["region"]["axes"][0].contains("values"));
+}
+
+TEST(ResultFile, OfFivePositionsHasItsDyadsAndEveryPair) {
+  const testing::Solved& gear = testing::five_positions();
+  const json& result = result_of(gear);
+  EXPECT_TRUE(result["curve"].is_null());
+  ASSERT_EQ(result["dyads"].size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const json& dyad = result["dyads"][i];
+    const BurmesterPoint& point = gear.solution.given.points[i];
+    EXPECT_EQ(dyad["multiplicity"], 1);
+    EXPECT_EQ(dyad["condition"].get<double>(), point.condition);
+    EXPECT_EQ(dyad["residual"].get<double>(), point.residual);
+    EXPECT_EQ(dyad["coordinate"].get<double>(), static_cast<double>(i) + 0.5);
+    EXPECT_EQ(dyad["circle_homogeneous"][0].get<double>(), gear.solution.given.frame().to_user(point.dyad).circle.w);
+  }
+  ASSERT_EQ(result["pairs"].size(), 6u);
+  EXPECT_EQ(result["region"]["samples"], 4);
+  EXPECT_EQ(result["region"]["axes"][0]["quantity"], "burmester_point");
+  EXPECT_EQ(result["region"]["axes"][1]["branches"].size(), 4u);
+  EXPECT_EQ(decoded(result["region"]["type"]).size(), 16u);
+  int with_defect = 0;
+  for (const json& pair : result["pairs"]) {
+    EXPECT_TRUE(pair["verified_by_driving"].get<bool>());
+    const bool has_defect = pair["defects"]["branch"].get<bool>() || pair["defects"]["order"].get<bool>();
+    EXPECT_EQ(pair.contains("reason"), has_defect);
+    with_defect += has_defect ? 1 : 0;
+    if (has_defect) {
+      EXPECT_THAT(pair["reason"].get<std::string>(), HasSubstr("defect: "));
+    }
+  }
+  EXPECT_GT(with_defect, 0);
+  EXPECT_EQ(result["freed"].size(), 0u) << "there are linkages";
+}
+
+TEST(ResultFile, OfFivePositionsWithoutAnswerNamesTheWaysOut) {
+  const testing::Solved& none = testing::five_without_answer();
+  const json& result = result_of(none);
+  EXPECT_EQ(result["linkages"].size(), 0u);
+  ASSERT_EQ(result["freed"].size(), 5u);
+  double last = 0;
+  int open = 0;
+  for (const json& way : result["freed"]) {
+    const int pose = way["pose"];
+    EXPECT_GE(pose, 1);
+    EXPECT_LE(pose, 5);
+    EXPECT_NE(way["linkage"].is_null(), way["reason"].is_null());
+    EXPECT_EQ(way["linkage"].is_null(), way["miss"].is_null());
+    if (way["linkage"].is_null()) continue;
+    ++open;
+    const double distance = way["miss"]["distance"], angle = radians(way["miss"]["angle_deg"].get<double>());
+    const double combined = way["miss"]["combined"], size = result["characteristic_length"];
+    EXPECT_NEAR(combined, std::hypot(distance, size * angle), 1e-9 * combined);
+    EXPECT_GE(combined, last);
+    last = combined;
+    // The linkage brings along the poses that it passes, and reads back with them.
+    json poses = result["problem"]["task"]["poses"];
+    poses.erase(static_cast<std::size_t>(pose - 1));
+    EXPECT_EQ(way["linkage"]["poses"], poses);
+    const auto read = read_linkage(way["linkage"].dump());
+    ASSERT_TRUE(read.ok());
+    EXPECT_EQ(read->poses.size(), 4u);
+  }
+  EXPECT_GT(open, 0);
+}
+
+TEST(ResultFile, OfAFreedPositionSaysWhatIsMissed) {
+  Problem problem = testing::five_without_answer().problem;
+  motion(problem).freed = 0;
+  problem.options.region_samples = 80;
+  const Solution solution = testing::solution_of(problem);
+  const std::string text = write_result(problem, solution, false);
+  const json result = json::parse(text);
+  EXPECT_EQ(result["problem"]["task"]["freed_pose"], 1);
+  EXPECT_TRUE(result["curve"]["kind"].is_string());
+  ASSERT_GT(result["linkages"].size(), 0u);
+  EXPECT_EQ(result["linkages"][0]["miss"]["distance"].get<double>(), solution.linkages[0].miss->distance);
+  const auto linkages = read_result_linkages(text);
+  ASSERT_TRUE(linkages.ok());
+  ASSERT_EQ(linkages.value()[0].poses.size(), 4u) << "not the freed one, though the problem has it";
+  EXPECT_EQ(linkages.value()[0].poses[0].pose.origin, motion(problem).poses[1].pose.origin);
+}
+
+TEST(ResultFile, OfAFunctionTellsItsErrors) {
+  const testing::Solved& sine = testing::function();
+  const json& result = result_of(sine);
+  EXPECT_TRUE(result["curve"]["kind"].is_string());
+  EXPECT_EQ(result["region"]["axes"][1]["quantity"], "nothing");
+  EXPECT_EQ(result["region"]["output_coordinate"].size(), 1u);
+  ASSERT_GT(result["linkages"].size(), 0u);
+  for (std::size_t i = 0; i < result["linkages"].size(); ++i) {
+    const json& linkage = result["linkages"][i];
+    const FunctionError& error = *sine.solution.linkages[i].function;
+    EXPECT_TRUE(linkage["verified_by_driving"].get<bool>());
+    EXPECT_LT(linkage["precision_error_deg"].get<double>(), 1e-9);
+    EXPECT_EQ(linkage["errors_at_pairs_deg"].size(), 4u);
+    const double largest = linkage["max_structural_error_deg"];
+    EXPECT_EQ(largest, degrees(*error.max_structural_error));
+    const json& curve = linkage["error_curve"];
+    ASSERT_EQ(curve["input_deg"].size(), error.samples.size());
+    for (std::size_t k = 0; k < error.samples.size(); ++k) {
+      EXPECT_EQ(curve["wanted_output_deg"][k].get<double>(), degrees(error.samples[k].wanted));
+      EXPECT_LE(std::abs(curve["error_deg"][k].get<double>()), largest * (1 + 1e-9));
+    }
+    EXPECT_EQ(linkage["unreached_deg"], json::array());
+  }
+}
+
+TEST(ResultFile, OfAFunctionSaysWhatIsNotReached) {
+  const Problem square = testing::problem_from(R"({"linkwright": 1, "options": {"region_samples": 100}, "task":
+    {"kind": "function", "mechanism": "four_bar", "function": {"expression": "x^2", "x": [0, 1],
+    "input_range_deg": [0, 90], "output_range_deg": [0, 90], "points": 4}}})");
+  const std::string text = write_result(square, testing::solution_of(square), true);
+  EXPECT_EQ(text.find("nan"), std::string::npos);
+  int short_of_it = 0;
+  const json result = json::parse(text);
+  for (const json& linkage : result["linkages"]) {
+    const json& errors = linkage["error_curve"]["error_deg"];
+    const bool has_gap = std::any_of(errors.begin(), errors.end(), [](const json& e) { return e.is_null(); });
+    EXPECT_EQ(has_gap, !linkage["unreached_deg"].empty());
+    short_of_it += has_gap ? 1 : 0;
+  }
+  EXPECT_GT(short_of_it, 0);
+}
+
+TEST(ResultFile, OfPairsAloneHasNoStructuralError) {
+  const Problem pairs = testing::problem_from(R"({"linkwright": 1, "options": {"region_samples": 24}, "task":
+    {"kind": "function", "mechanism": "four_bar", "pairs": [{"input_deg": 0, "output_deg": 0},
+    {"input_deg": 30, "output_deg": 10}, {"input_deg": 50, "output_deg": 30}, {"input_deg": 70, "output_deg": 70}],
+    "free": {"number": "pair_output", "pair": 3, "range": [25, 35]}}})");
+  const json result = json::parse(write_result(pairs, testing::solution_of(pairs), false));
+  EXPECT_EQ(result["region"]["axes"][1]["quantity"], "pair_output");
+  ASSERT_GT(result["linkages"].size(), 0u);
+  for (const json& linkage : result["linkages"]) {
+    EXPECT_TRUE(linkage["max_structural_error_deg"].is_null());
+    EXPECT_FALSE(linkage.contains("error_curve"));
+    EXPECT_LT(linkage["precision_error_deg"].get<double>(), 1e-6);
+    EXPECT_GE(linkage["free_value"].get<double>(), 25);
+    EXPECT_LE(linkage["free_value"].get<double>(), 35);
+  }
+}
+
+TEST(ResultFile, LinkagesOfFunctionsKeepTheirCouplersPoses) {
+  const testing::Solved& sine = testing::function();
+  const auto linkages = read_result_linkages(write_result(sine.problem, sine.solution, false));
+  ASSERT_TRUE(linkages.ok());
+  ASSERT_EQ(linkages->size(), sine.solution.linkages.size());
+  for (std::size_t i = 0; i < linkages->size(); ++i) {
+    const FourBarSolution& found = sine.solution.linkages[i];
+    const auto poses =
+        sine.solution.given.family->user_poses({found.input.coordinate, found.output.coordinate}, found.four_bar);
+    ASSERT_EQ(linkages.value()[i].poses.size(), poses.size());
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      EXPECT_EQ(linkages.value()[i].poses[k].pose.origin, poses[k].pose.origin);
+      EXPECT_DOUBLE_EQ(linkages.value()[i].poses[k].pose.angle, poses[k].pose.angle) << "through degrees";
+    }
+  }
+}
+
+TEST(ResultFile, OfFivePrecisionPointsListsEveryLinkage) {
+  const Problem log = testing::example("log_generator.json", 40);
+  const json result = json::parse(write_result(log, testing::solution_of(log), true));
+  EXPECT_TRUE(result["curve"].is_null());
+  EXPECT_EQ(result["dyads"].size(), 0u);
+  EXPECT_EQ(result["pairs"].size(), result["region"]["input_coordinate"].size());
+  ASSERT_GT(result["pairs"].size(), 0u);
+  EXPECT_TRUE(result["pairs"][0].contains("precision_error_deg"));
+}
+
 TEST(ResultFile, RefusesWhatIsNone) {
   const std::pair<std::string, std::string> refused[] = {
       {"", "empty"},
@@ -253,6 +478,10 @@ TEST(ResultFile, RefusesWhatIsNone) {
       {R"({"linkages": [{"input": {"center_point": null}}]})", "infinity"},
       {R"({"linkwright": 9, "linkages": []})", "newer Linkwright"},
       {write_problem(tailgate()), "problem file"},
+      {R"({"linkages": [{"mechanism": "six_bar"}]})", "this is a \"six_bar\""},
+      {R"({"linkages": [{"input": {"center_point": [0, 0], "circle_point": [0, 2]}, "output":
+        {"center_point": [4, 0], "circle_point": [3, 3.5]}, "poses": [1, 2, 3, 4, 5, 6]}]})",
+       "at most 5 poses"},
       {R"({"linkages": [], "problem": {"task": {"poses": [1, 2, 3, 4, 5, 6]}}})", "at most 5 poses"},
   };
   for (const auto& [text, reason] : refused) {

@@ -5,6 +5,7 @@
 #include <regex>
 #include <vector>
 
+#include "io/svg_canvas.hpp"
 #include "io_support.hpp"
 
 namespace linkwright {
@@ -116,6 +117,105 @@ TEST(SvgDrawing, ShowsTheDirectionOfTravelAsAnArrow) {
   EXPECT_EQ(count_of(bent, "<polyline"), count_of(none, "<polyline") + 1);
   EXPECT_EQ(count_of(arrow, "<polygon"), count_of(none, "<polygon") + 1);
   EXPECT_EQ(count_of(bent, "<polygon"), count_of(none, "<polygon") + 1);
+}
+
+/// No text begins or ends beyond the picture's borders, as far as the font's width is known.
+void expect_texts_inside(const std::string& svg, double width, double height) {
+  const std::regex text("<text x=\"([-.\\d]+)\" y=\"([-.\\d]+)\" font-size=\"([.\\d]+)\"([^>]*)>([^<]*)</text>");
+  int count = 0;
+  for (std::sregex_iterator found(svg.begin(), svg.end(), text), end; found != end; ++found, ++count) {
+    const std::string rest = (*found)[4];
+    const std::string words = std::regex_replace((*found)[5].str(), std::regex(" +"), " ");  // as they are drawn
+    if (rest.find("rotate") != std::string::npos) continue;
+    const double room = text_width(words, std::stod((*found)[3])), x = std::stod((*found)[1]);
+    const bool ends = rest.find("\"end\"") != std::string::npos, centred = rest.find("middle") != std::string::npos;
+    const double left = ends ? x - room : centred ? x - room / 2 : x;
+    EXPECT_GE(left, 0) << words;
+    EXPECT_LE(left + room, width) << words;
+    EXPECT_LE(std::stod((*found)[2]), height) << words;
+  }
+  EXPECT_GT(count, 8);
+}
+
+void expect_whole(const std::string& svg) {
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(svg, Not(HasSubstr("inf\"")));
+  EXPECT_LT(svg.size(), 300'000u);
+  expect_texts_inside(svg, 1440, 900);
+}
+
+TEST(SvgDrawing, OfThreePositionsHasDirectionsInDegrees) {
+  const auto& [problem, solution] = testing::three_positions();
+  const std::string svg = draw_solution(problem, solution);
+  expect_whole(svg);
+  EXPECT_THAT(svg, HasSubstr("Three positions (P-P-P), side links 18 and 24"));
+  EXPECT_THAT(svg, HasSubstr("direction β₁ in position 1, degrees"));
+  EXPECT_THAT(svg, HasSubstr("sheet 2"));
+  EXPECT_THAT(svg, HasSubstr(">150</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr("our positions")));
+  EXPECT_THAT(svg, HasSubstr("directions β₁ and β₂"));
+}
+
+TEST(SvgDrawing, OfFivePositionsIsABoardWithBeads) {
+  const auto& [problem, solution] = testing::five_positions();
+  const std::string svg = draw_solution(problem, solution);
+  expect_whole(svg);
+  EXPECT_THAT(svg, HasSubstr("4 Burmester points"));
+  EXPECT_THAT(svg, HasSubstr("Every cell is a pair of side links"));
+  EXPECT_THAT(svg, HasSubstr("circuit defect"));
+  EXPECT_THAT(svg, HasSubstr("γ 54.5°"));
+  EXPECT_THAT(svg, HasSubstr("side links, by their numbers"));
+}
+
+TEST(SvgDrawing, OfFivePositionsWithoutAnswerShowsAWayOut) {
+  const auto& [problem, solution] = testing::five_without_answer();
+  const std::string svg = draw_solution(problem, solution);
+  expect_whole(svg);
+  EXPECT_THAT(svg, HasSubstr("A way out: without position "));
+  EXPECT_THAT(svg, HasSubstr("No linkage to show"));
+  EXPECT_THAT(svg, HasSubstr("missed by "));
+}
+
+TEST(SvgDrawing, OfAFunctionHasItsRibbonDialsAndError) {
+  const auto& [problem, solution] = testing::function();
+  const std::string svg = draw_solution(problem, solution);
+  expect_whole(svg);
+  EXPECT_THAT(svg, HasSubstr("Solution ribbon: every place is one four-bar"));
+  EXPECT_THAT(svg, HasSubstr("Structural error of linkage 1"));
+  EXPECT_THAT(svg, HasSubstr("Input, degrees"));
+  EXPECT_THAT(svg, HasSubstr("largest structural error"));
+  EXPECT_THAT(svg, Not(HasSubstr("path of the frame's origin")));
+}
+
+TEST(SvgDrawing, OfOtherKindsIsWhole) {
+  const char* const pairs = R"("pairs": [{"input_deg": 0, "output_deg": 0}, {"input_deg": 30, "output_deg": 10},
+    {"input_deg": 50, "output_deg": 30}, {"input_deg": 70, "output_deg": 70}])";
+  const char* const poses = R"("poses": [{"x": 0, "y": 0, "theta_deg": 0}, {"x": 50, "y": 30, "theta_deg": 30},
+    {"x": 60, "y": 90, "theta_deg": 80}])";
+  const char* const shifts = R"("poses": [{"x": 0, "y": 0, "theta_deg": 0}, {"x": 50, "y": 30, "theta_deg": 0},
+    {"x": 60, "y": 90, "theta_deg": 80}])";
+  const std::string motion_start = R"({"kind": "motion", "mechanism": "four_bar", )",
+                    function_start = R"({"kind": "function", "mechanism": "four_bar", )";
+  const std::pair<std::string, std::string> tasks[] = {
+      {motion_start + poses + R"(, "given": {"side_angle_deg": 60, "directed": false}})", "length R₂"},
+      {motion_start + poses + R"(, "given": {"instant_center": [-20, 120]}})", "Burmester curve: "},
+      {motion_start + shifts + R"(, "given": {"side_lengths": [80, 60]}})", "round its circle"},
+      {motion_start + poses + R"(, "given": {"side_lengths": [1e-3, 60]}})", "No linkage to show"},
+      {function_start + pairs + "}", "output over input"},
+      {function_start + pairs + R"(, "free": {"number": "output_scale", "range": [0.5, 2]}})", "Factor on the output"},
+      {function_start + R"("function": {"expression": "log", "x": [1, 10], "input_range_deg": [0, 60],
+        "output_range_deg": [0, 60], "points": 5}})",
+       "Every cell is one four-bar"},
+  };
+  for (const auto& [task, words] : tasks) {
+    SCOPED_TRACE(task);
+    const Problem problem = testing::problem_from(
+        R"({"linkwright": 1, "options": {"region_samples": 40, "best": 3}, "task": )" + task + "}");
+    const std::string svg = draw_solution(problem, testing::solution_of(problem));
+    expect_whole(svg);
+    EXPECT_THAT(svg, HasSubstr(words));
+  }
 }
 
 TEST(SvgDrawing, OfASinglePoseHasRoom) {

@@ -83,9 +83,9 @@ function thumbnail_of(session, problem) {
   }
   const tau = best_tau(session);
   if (tau) {
-    const {type, input, output} = JSON.parse(session.linkage(...tau).linkage);
+    const {type, input, output, six_bar} = JSON.parse(session.linkage(...tau).linkage);
     const pivots = [input.center, input.circle, output.center, output.circle];
-    thumbnail.linkage = {tau, type, pivots: pivots.map((point) => point.map((x) => Number(x.toPrecision(6))))};
+    if (!six_bar) thumbnail.linkage = {tau, type, pivots: pivots.map((point) => point.map((x) => Number(x.toPrecision(6))))};
   }
   return thumbnail;
 }

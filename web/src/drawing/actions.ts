@@ -115,7 +115,7 @@ function bend_step(scale: number): number {
   return round_step(scale / 2000);
 }
 function nudge_box({workbench, scene}: Bench, {box, edges}: Extract<Target, {kind: "box"}>, dx: number, dy: number, merge: string): void {
-  const before = box === "ground" ? scene.ground_box : scene.moving_box;
+  const before = scene.boxes[box];
   if (!before) return;
   const whole = edges.x === 0 && edges.y === 0, add = (value: number, by: number) => Number((value + by).toPrecision(12));
   const along = ([low, high]: readonly [number, number], edge: number, by: number) =>

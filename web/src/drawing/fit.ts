@@ -13,7 +13,8 @@ export function useful_pivots(linkage: Linkage | null, around: readonly Point[])
   const box = bounds(around);
   if (!linkage || !box) return [];
   const reach = 1.5 * Math.max(box.x[1] - box.x[0], box.y[1] - box.y[0]);
-  return [linkage.input.center, linkage.output.center, linkage.input.circle, linkage.output.circle].filter(
+  const joints = linkage.six_bar?.joints.map(({at}) => at) ?? [];
+  return [linkage.input.center, linkage.output.center, linkage.input.circle, linkage.output.circle, ...joints].filter(
     (p): p is Point => p !== null && p[0] > box.x[0] - reach && p[0] < box.x[1] + reach && p[1] > box.y[0] - reach && p[1] < box.y[1] + reach,
   );
 }

@@ -9,7 +9,9 @@ import {to_screen, type Viewport} from "./viewport";
 
 export type Side = "input" | "output";
 export type End = "center" | "circle";
-export type BoxName = "ground" | "moving";
+/** Of the requirements, and where a search puts its pivots. */
+export const box_names = ["ground", "moving", "search"] as const;
+export type BoxName = (typeof box_names)[number];
 /** Which edges of a box move: −1 the lesser, 1 the greater, 0 neither; both 0 moves the box. */
 export interface Edges {
   x: -1 | 0 | 1;
@@ -97,17 +99,19 @@ export function pose_handles(problem: Problem, view: Viewport, selected: number 
   });
 }
 
-/** Pivots where they are now; a moving pivot can be taken at its home on the circle-point curve as well. */
-export function pivot_handles(linkage: Linkage, now: {input: Point | null; output: Point | null}, view: Viewport): Handle[] {
+/** Both ends of the side links. */
+export type Ends = Record<Side, Record<End, Point | null>>;
+/** Pivots where they are now; one that moves can be taken at its home on its curve as well. */
+export function pivot_handles(linkage: Linkage, now: Ends, view: Viewport): Handle[] {
   const handles: Handle[] = [];
   for (const side of ["input", "output"] as const) {
-    const center = linkage[side].center, circle = now[side], home = linkage[side].circle;
-    if (center) handles.push(handle({kind: "pivot", side, end: "center", home: false}, to_screen(view, center), ranks.pivot, [14, 24], "pointer"));
-    if (circle) handles.push(handle({kind: "pivot", side, end: "circle", home: false}, to_screen(view, circle), ranks.pivot, [14, 24], "pointer"));
-    if (!home || !circle) continue;
-    const at = to_screen(view, home), other = to_screen(view, circle);
-    if (Math.hypot(at[0] - other[0], at[1] - other[1]) > 12) {
-      handles.push(handle({kind: "pivot", side, end: "circle", home: true}, at, ranks.pivot + 0.5, [10, 20], "pointer", false));
+    const ends = (["center", "circle"] as const).flatMap((end) => (now[side][end] ? [{end, at: to_screen(view, now[side][end])}] : []));
+    for (const {end, at} of ends) handles.push(handle({kind: "pivot", side, end, home: false}, at, ranks.pivot, [14, 24], "pointer"));
+    for (const {end, at} of ends) {
+      const place = linkage[side][end], home = place && to_screen(view, place);
+      if (home && Math.hypot(home[0] - at[0], home[1] - at[1]) > 12) {
+        handles.push(handle({kind: "pivot", side, end, home: true}, home, ranks.pivot + 0.5, [10, 20], "pointer", false));
+      }
     }
   }
   return handles;

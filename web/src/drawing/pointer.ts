@@ -9,7 +9,7 @@ import {corner_drag, remove_corner} from "./drags/outline_drags";
 import {pivot_drag} from "./drags/pivot_drag";
 import {curvature_drag, move_drag, turn_drag, velocity_drag} from "./drags/pose_drags";
 import {pan_drag, picture_drag} from "./drags/view_drags";
-import {target_id, type Target} from "./handles";
+import {box_names, target_id, type Target} from "./handles";
 import {keys_of, type Keys} from "./snapping";
 import {panned, to_user, zoomed} from "./viewport";
 
@@ -172,7 +172,8 @@ class Pointer {
   }
   private begin({from, taken}: Press): Drag | null {
     const {workbench} = this.bench;
-    if (workbench.mode === "ground_box" || workbench.mode === "moving_box") return rubber_drag(this.bench, workbench.mode === "ground_box" ? "ground" : "moving", from);
+    const box = box_names.find((name) => workbench.mode === `${name}_box`);
+    if (box) return rubber_drag(this.bench, box, from);
     if (workbench.mode === "scale") return picture_drag(this.bench, from);
     switch (taken?.kind) {
       case "disc": case "body": return move_drag(this.bench, taken, from);

@@ -1,16 +1,17 @@
 // The drawing's own state: what part it shows, what the pointer is over, what is being drawn. Not part of the task.
 import {getContext, setContext, untrack} from "svelte";
-import type {Box, Point} from "../engine/protocol";
-import {state_at} from "../state/drive";
+import type {Box, Linkage, Point, Side} from "../engine/protocol";
+import {joints_at, state_at} from "../state/drive";
 import {preferences} from "../state/preferences.svelte";
 import {body_point, outline_of, placed} from "../state/problem";
 import {screen_size} from "../state/screen.svelte";
 import {poses_of, served_poses, type Pose} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
+import {carrier_of, joint_of, type Carrier} from "./carrier";
 import {nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
 import {
-  border_hit, box_handles, corner_handles, edge_cursor, inside, pivot_handles, pose_handles, ranks, target_id, within_reach,
-  type BoxName, type Handle, type Target,
+  border_hit, box_handles, box_names, corner_handles, edge_cursor, inside, pivot_handles, pose_handles, ranks, target_id, within_reach,
+  type BoxName, type End, type Ends, type Handle, type Target,
 } from "./handles";
 import {anchors_of} from "../tasks/kinds";
 import {task_view} from "../tasks/views";
@@ -27,8 +28,9 @@ export interface Note {
 /** The linkage as it stands: at the drive's angle, or, without a drive, at the nearest position. */
 export interface Now {
   pose: {x: number; y: number; theta_deg: number};
-  input: Point | null;
-  output: Point | null;
+  ends: Ends;
+  /** All hinges of a six-bar. */
+  joints: readonly Point[];
 }
 const curve_reach = [8, 20] as const;
 
@@ -67,8 +69,10 @@ export class Scene {
   readonly outline = $derived.by(() => outline_of(this.workbench.problem));
   /** Without an outline of its own, the body is sized from the poses, so it takes two. */
   readonly has_body = $derived.by(() => this.poses.length > 1 || (this.poses.length === 1 && (this.workbench.problem.view?.outline?.length ?? 0) >= 3));
-  readonly ground_box = $derived.by(() => this.workbench.problem.requirements?.ground_pivots_within ?? null);
-  readonly moving_box = $derived.by(() => this.workbench.problem.requirements?.moving_pivots_within ?? null);
+  readonly boxes = $derived.by((): Record<BoxName, Box | null> => {
+    const {problem, box_of_search} = this.workbench, {requirements, options} = problem;
+    return {ground: requirements?.ground_pivots_within ?? null, moving: requirements?.moving_pivots_within ?? null, search: (box_of_search && options?.box) || null};
+  });
 
   readonly samples = $derived.by(() => {
     const task = this.workbench.task;
@@ -86,14 +90,22 @@ export class Scene {
     const {hand} = this.workbench;
     if (!hand) return null;
     if (hand.drive) {
-      const s = state_at(hand.drive, this.workbench.angle);
-      return {pose: s, input: [s.ax, s.ay], output: [s.bx, s.by]};
+      const s = state_at(hand.drive, this.workbench.angle), joints = joints_at(hand.drive, this.workbench.angle);
+      return {pose: s, joints, ends: hand.six_bar ? added_ends(joints) : ends_of(hand, [s.ax, s.ay], [s.bx, s.by])};
     }
-    if (this.poses.length === 0) return {pose: {x: 0, y: 0, theta_deg: 0}, input: hand.input.circle, output: hand.output.circle};
+    if (hand.six_bar || this.poses.length === 0) {
+      const pose = this.poses[0] ?? {x: 0, y: 0, theta_deg: 0};
+      return {pose, joints: hand.six_bar?.joints.map(({at}) => at) ?? [], ends: ends_of(hand, hand.input.circle, hand.output.circle)};
+    }
     const pose = this.nearest_pose;
     const carried = (point: Point | null) => point && placed(body_point(point, this.served[0]), pose);
-    return {pose, input: carried(hand.input.circle), output: carried(hand.output.circle)};
+    return {pose, joints: [], ends: ends_of(hand, carried(hand.input.circle), carried(hand.output.circle))};
   });
+  /** What carries an end of a side link; nothing on the ground. */
+  carrier(side: Side, end: End): Carrier | null {
+    const {hand} = this.workbench;
+    return hand && this.now && carrier_of(hand, side, end, this.now, this.served[0]);
+  }
   /** The position nearest to where the drive stands. */
   get nearest_pose(): Pose {
     return this.served[Math.min(Math.max(Math.round(this.workbench.stage), 0), this.served.length - 1)];
@@ -102,12 +114,11 @@ export class Scene {
   readonly outline_pose = $derived.by(() => this.poses[this.workbench.selected_pose ?? 0] ?? this.poses[0] ?? null);
 
   readonly box_handles = $derived.by(() => [
-    ...(this.ground_box ? box_handles("ground", this.ground_box, this.view) : []),
-    ...(this.moving_box ? box_handles("moving", this.moving_box, this.view) : []),
+    ...box_names.flatMap((name) => (this.boxes[name] ? box_handles(name, this.boxes[name], this.view) : [])),
   ]);
   readonly pose_handles = $derived.by(() => pose_handles(this.workbench.problem, this.view, this.workbench.selected_pose, screen_size.kind === "phone"));
   readonly task_handles = $derived.by(() => task_view(this.workbench.problem.task).handles?.(this) ?? []);
-  readonly pivot_handles = $derived.by(() => (this.workbench.hand && this.now ? pivot_handles(this.workbench.hand, this.now, this.view) : []));
+  readonly pivot_handles = $derived.by(() => (this.workbench.hand && this.now ? pivot_handles(this.workbench.hand, this.now.ends, this.view) : []));
   readonly corner_handles = $derived.by(() => {
     const editing = this.workbench.mode === "outline" && this.draft === null && this.outline_pose;
     return editing ? corner_handles(this.outline, this.outline_pose, this.view) : [];
@@ -134,8 +145,8 @@ export class Scene {
   }
   private boxes_at(at: Point, touch: boolean): Handle[] {
     const found: Handle[] = [];
-    for (const [name, box] of [["ground", this.ground_box], ["moving", this.moving_box]] as const) {
-      const hit = box && border_hit(box, this.view, at, touch ? 20 : 8);
+    for (const name of box_names) {
+      const box = this.boxes[name], hit = box && border_hit(box, this.view, at, touch ? 20 : 8);
       if (!hit) continue;
       const target: Target = {kind: "box", box: name, edges: hit.edges};
       found.push({id: target_id(target), target, at, rank: ranks.box + hit.distance / 1000, reach: [8, 20], cursor: edge_cursor(hit.edges), tab: false});
@@ -164,6 +175,13 @@ export class Scene {
   }
 }
 
+function ends_of({input, output}: Linkage, a: Point | null, b: Point | null): Ends {
+  return {input: {center: input.center, circle: a}, output: {center: output.center, circle: b}};
+}
+function added_ends(joints: readonly Point[]): Ends {
+  const link = (side: Side) => ({center: joints[joint_of(side, "center")], circle: joints[joint_of(side, "circle")]});
+  return {input: link("input"), output: link("output")};
+}
 function unique(handle: Handle, index: number, all: readonly Handle[]): boolean {
   return all.findIndex((h) => h.id === handle.id) === index;
 }

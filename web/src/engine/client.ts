@@ -68,6 +68,15 @@ export class EngineClient {
     this.restarts = 0;
     this.crashed(message);
   }
+  /** It is not needed any more; what it has under way is not answered. */
+  close(): void {
+    this.worker?.terminate();
+    this.worker = null;
+    this.ready = false;
+    for (const job of [this.running, ...this.waiting.values()]) job?.reject(new Superseded());
+    this.running = null;
+    this.waiting.clear();
+  }
   /** For tests: the worker dies, and says so as the browser would. */
   kill(): void {
     const worker = this.worker;

@@ -205,14 +205,28 @@ export const state_columns = [
 ] as const;
 export const state_width = state_columns.length;
 export interface Drive {
-  /** K × state_width, by rising input_deg, the prescribed positions among them exactly. */
+  /** K × width, by rising input_deg, the prescribed positions among them exactly. */
   states: Float64Array;
+  /** Numbers to a state: state_columns, and of a six-bar x and y of each hinge after them. */
+  width: number;
   /** One per position: its row, and whether the driver gets there in this assembly. Unreached: state = -1. */
   ticks: {position: number; state: number; reached: boolean}[];
   full_turn: boolean; // first and last state are the same place
   limits: {low: "dead_point" | null; high: "dead_point" | null};
   /** Prescribed stretch: rows of the first and last position (task), −1 where a defect keeps them apart. */
   task: [number, number];
+}
+export const six_bar_topologies = ["watt_1", "stephenson_1", "stephenson_2", "stephenson_3"] as const;
+/** What a six-bar has beside its two added links, which take the places of the side links (their centre point on the
+ *  first of the bodies that they join, their circle point on the second). */
+export interface SixBar {
+  topology: (typeof six_bar_topologies)[number];
+  /** a, b, d of the chain, both ends of link 4, both of link 5; in position 1. */
+  joints: {name: string; ground: boolean; at: Point}[];
+  /** Joints of bodies 0 (ground), 1 (driver), 2, 3 (guided), 4, 5. */
+  bodies: number[][];
+  /** Distances between joints of a body: "2:b-d". */
+  lengths: {name: string; length: number}[];
 }
 export interface Linkage {
   tau: TauPair;
@@ -236,10 +250,20 @@ export interface Linkage {
   swapped: {type: LinkageType; defects: Defects; min_transmission_angle_deg: number | null} | null;
   fails: number; // requirement bits
   drive: Drive | null; // null: a slider or zero link
+  /** Of six-bars only. */
+  six_bar?: SixBar;
 }
 
 // ---- the file -------------------------------------------------------------------------------------------------
 
+/** Hinges of the chain that guides a six-bar's body, in position 1, fixed frame. */
+export interface Chain {
+  a: Point;
+  b: Point;
+  d: Point;
+  /** By position: +1 where b lies to the left of the line from a to d, −1 to its right. */
+  elbow?: readonly number[];
+}
 export interface Box {
   x: [number, number];
   y: [number, number];
@@ -284,7 +308,7 @@ export interface Replies {
   linkage: {linkage: Linkage; engine_ms: number};
   live: Record<Side, Uint8Array>; // by the index of that side's curve samples: that side link there, the other held
   halo: {offsets: Float64Array; counts: Uint32Array; steps: number; reach: number; engine_ms: number}; // counts: row-major [dy][dx] (steps²) or [turn] (steps)
-  best: {linkages: {tau: TauPair; type: LinkageType; min_transmission_angle_deg: number; link_ratio: number; longest: number}[]};
+  best: {linkages: {tau: TauPair; type: LinkageType; min_transmission_angle_deg: number; link_ratio: number; longest: number; chain?: Chain}[]}; // each with its chain where that is searched for
   improve: {tau: TauPair; improved: boolean};
   verify: {verified: boolean; residual: number};
   trace: {points: Float64Array}; // 2K, one per drive state

@@ -1,7 +1,8 @@
 // Answers the page's requests from an engine session: the worker without the worker.
 import type {LinkwrightModule, MapArrays, Session} from "./module";
+import {state_width} from "./protocol";
 import type {
-  Census, Drive, DyadPolygon, Kind, Linkage, MapAnswer, Mistake, Replies, ReplyMessage, RequestMessage, Requests, TaskAnswer,
+  Census, DyadPolygon, Kind, Linkage, MapAnswer, Mistake, Replies, ReplyMessage, RequestMessage, Requests, TaskAnswer,
 } from "./protocol";
 
 class Mistaken extends Error {
@@ -84,7 +85,7 @@ export class Server {
     const found = this.holding(problem).linkage(...tau);
     if (!found.linkage) throw new Mistaken([no_dyads]);
     const linkage = JSON.parse(found.linkage) as Linkage;
-    if (linkage.drive) (linkage.drive as Drive).states = copied(found.states);
+    if (linkage.drive) linkage.drive = {...linkage.drive, width: linkage.drive.width ?? state_width, states: copied(found.states)};
     return {linkage, engine_ms: now() - start};
   }
 

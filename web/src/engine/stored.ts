@@ -67,7 +67,7 @@ export function stored_start(): StoredStart {
       value: new Float32Array(samples ** 2),
       ridge: {input: none(), input_partner: nobody(), output: none(), output_partner: nobody()},
     },
-    linkage: {...linkage, drive: linkage.drive && {...linkage.drive, states: unpacked_numbers(states, state_width)}},
+    linkage: {...linkage, drive: linkage.drive && {...linkage.drive, width: state_width, states: unpacked_numbers(states, state_width)}},
     live: {input: unpacked(live.input), output: unpacked(live.output)},
   };
 }

@@ -1,8 +1,9 @@
 // A compact picture of one linkage and its body for animations: links, pivots, body, its path and the positions.
-import type {Drive, Linkage, Point} from "../engine/protocol";
-import {state_at, type State} from "../state/drive";
+import type {Drive, Linkage, Point, SixBar} from "../engine/protocol";
+import {joints_at, row_count, row_joints, state_at, type State} from "../state/drive";
 import {placed} from "../state/problem";
 import type {Pose} from "../state/task";
+import {role_of_body, role_of_joint, type Role} from "../tasks/six_bar/roles";
 import {shown_states, swept_points} from "../transport/swept";
 
 export const picture_colors = ["paper", "ink", "ink3", "line", "grid", "accent", "input", "output", "body", "curve"] as const;
@@ -10,6 +11,7 @@ export type PictureColors = Record<(typeof picture_colors)[number], string>;
 export interface Picture {
   drive: Drive;
   fixed: [input: Point, output: Point];
+  six_bar: SixBar | null;
   outline: readonly Point[];
   poses: readonly Pose[];
   path: Point[];
@@ -25,9 +27,10 @@ export function picture_of(linkage: Linkage, outline: readonly Point[], poses: r
   if (!drive || !linkage.input.center || !linkage.output.center) return null;
   const states = shown_states(drive, whole);
   const fixed: [Point, Point] = [linkage.input.center, linkage.output.center];
-  const points = [...fixed, ...poses.flatMap((pose) => outline.map((p) => placed(p, pose))), ...swept_points(states, outline)];
+  const six_bar = linkage.six_bar ?? null, hinges = six_bar ? Array.from({length: row_count(drive)}, (_, row) => row_joints(drive, row)).flat() : fixed;
+  const points = [...hinges, ...poses.flatMap((pose) => outline.map((p) => placed(p, pose))), ...swept_points(states, outline)];
   const path = states.map((s): Point => [s.x, s.y]);
-  return {drive, fixed, outline, poses, path, colors, view: fitted(points, width, height, 0.06 * width), width, height};
+  return {drive, fixed, six_bar, outline, poses, path, colors, view: fitted(points, width, height, 0.06 * width), width, height};
 }
 
 export function fitted(points: readonly Point[], width: number, height: number, margin: number): Picture["view"] {
@@ -48,7 +51,8 @@ export function paint_picture(context: Context, picture: Picture, angle: number)
   context.fillRect(0, 0, picture.width, picture.height);
   paint_task(context, picture);
   paint_body(context, picture, state);
-  paint_links(context, picture, state);
+  if (picture.six_bar) paint_six_bar(context, picture, picture.six_bar, joints_at(picture.drive, angle));
+  else paint_links(context, picture, state);
 }
 
 export function pixels({view}: Pick<Picture, "view">, [x, y]: Point): [number, number] {
@@ -104,6 +108,23 @@ function paint_links(context: Context, picture: Picture, state: State): void {
   }
   for (const [pivot, color] of [[fixed[0], colors.input], [fixed[1], colors.output]] as const) paint_ground(context, picture, pivot, color);
   for (const [pivot, color] of [[a, colors.input], [b, colors.output]] as const) disc(context, ...pixels(picture, pivot), 6.5, colors.paper, color, 2.4);
+}
+function paint_six_bar(context: Context, picture: Picture, {bodies, joints}: SixBar, now: readonly Point[]): void {
+  const {colors} = picture, color = (role: Role) => colors[role === "driver" ? "accent" : role === "chain" ? "body" : role];
+  bodies.forEach((list, body) => {
+    if (body === 0) return;
+    context.strokeStyle = context.fillStyle = color(role_of_body(body));
+    context.lineWidth = list.length > 2 ? 4 : 6;
+    trace(context, picture, list.map((joint) => now[joint]), list.length > 2);
+    context.globalAlpha = 0.2;
+    if (list.length > 2) context.fill();
+    context.globalAlpha = 1;
+    context.stroke();
+  });
+  joints.forEach(({ground}, i) => {
+    if (ground) paint_ground(context, picture, now[i], color(role_of_joint(i)));
+    else disc(context, ...pixels(picture, now[i]), 6, colors.paper, color(role_of_joint(i)), 2.2);
+  });
 }
 function paint_ground(context: Context, picture: Picture, pivot: Point, color: string): void {
   const [x, y] = pixels(picture, pivot);

@@ -10,6 +10,10 @@ export function short_type(type: LinkageType): string {
   const short = `region.short.${type}`;
   return t((short in en ? short : `type.${type}`) as TextKey);
 }
+/** "Crank-rocker"; of a six-bar, "Watt I". */
+export function linkage_name({six_bar, type}: Pick<Linkage, "six_bar" | "type">): string {
+  return six_bar ? t(`six_bar.${six_bar.topology}`) : t(`type.${type}`);
+}
 /** Lengths of a linkage, two decimals for links of some hundred millimetres. */
 export function link_text(length: number, longest: number): string {
   return length_text(length, longest / 10);

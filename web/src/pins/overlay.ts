@@ -1,7 +1,7 @@
 // Transmission angles of several linkages over their driver angles, in one plot.
 import UPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import {state_columns, state_width, type Drive} from "../engine/protocol";
+import {state_columns, type Drive} from "../engine/protocol";
 
 export interface Curve {
   name: string;
@@ -16,14 +16,14 @@ export const colors = ["--accent", "--output", "--good", "--body", "--warn", "--
 
 /** Angles and transmission angles between the first and the last position, or over all that can be driven. */
 export function stretch(drive: Drive): [angles: number[], values: number[]] {
-  const all = drive.states.length / state_width, whole = drive.task[0] < 0 || drive.task[1] < 0;
+  const all = drive.states.length / drive.width, whole = drive.task[0] < 0 || drive.task[1] < 0;
   const first = whole ? 0 : Math.min(...drive.task), last = whole ? all - 1 : Math.max(...drive.task);
   const angles: number[] = [], values: number[] = [];
   for (let row = first; row <= last; ++row) {
-    const angle = drive.states[row * state_width];
+    const angle = drive.states[row * drive.width];
     if (angles.length && angle <= angles[angles.length - 1]) continue; // uPlot wants rising x
     angles.push(angle);
-    values.push(drive.states[row * state_width + transmission]);
+    values.push(drive.states[row * drive.width + transmission]);
   }
   return [angles, values];
 }

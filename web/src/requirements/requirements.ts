@@ -1,6 +1,8 @@
 // Requirements as the panel sees them: which are asked, how one is dropped or relaxed, and the words for it.
 import {linkage_types, requirement_keys, type Box, type Census, type Linkage, type RequirementKey, type Requirements} from "../engine/protocol";
+import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
+import {text_for} from "../tasks/kinds";
 import {grouped, significant} from "../texts/numbers";
 import {t, type TextKey} from "../texts/texts.svelte";
 
@@ -84,9 +86,9 @@ export function relaxation_text({requirement, value: relaxed, leaves}: Census["r
   if (relaxed === null) return t(dearest ? "state.without_leaves" : "state.also_without", values);
   return t(dearest ? "state.costs_most" : "state.also", values);
 }
-export function none_defect_free_text({pairs, types, order, branch}: Census): string {
+export function none_defect_free_text({pairs, types, order, branch}: Census, task: Task): string {
   const four_bars = Math.max(pairs - types[linkage_types.indexOf("degenerate")], 1), percent = (part: number) => Math.round((100 * part) / four_bars);
-  return t("state.none_defect_free", {order: percent(order), branch: percent(branch)});
+  return t(text_for(task, "state.none_defect_free"), {order: percent(order), branch: percent(branch)});
 }
 
 // ---- boxes ----------------------------------------------------------------------------------------------------------

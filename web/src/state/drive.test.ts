@@ -9,7 +9,7 @@ function drive(reached = [true, true, true, false]): Drive {
   angles.forEach((angle, row) => state_columns.forEach((_, column) => (states[row * state_width + column] = column === 0 ? angle : column * angle + 1)));
   const rows = [1, 3, 4, -1];
   return {
-    states, full_turn: false, limits: {low: null, high: "dead_point"}, task: [1, 4],
+    states, width: state_width, full_turn: false, limits: {low: null, high: "dead_point"}, task: [1, 4],
     ticks: rows.map((state, i) => ({position: i + 1, state: reached[i] ? state : -1, reached: reached[i]})),
   };
 }

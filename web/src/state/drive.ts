@@ -1,25 +1,32 @@
 // Looking up a drive table: where the linkage is at a driver angle. Nothing is computed here but interpolation.
-import {state_columns, state_width, type Drive} from "../engine/protocol";
+import {state_columns, state_width, type Drive, type Point} from "../engine/protocol";
 
 export type State = Record<(typeof state_columns)[number], number>;
 
 export function row_count(drive: Drive): number {
-  return drive.states.length / state_width;
+  return drive.states.length / drive.width;
 }
 export function angle_of_row(drive: Drive, row: number): number {
-  return drive.states[row * state_width];
+  return drive.states[row * drive.width];
 }
 export function travel(drive: Drive): [low: number, high: number] {
   return [angle_of_row(drive, 0), angle_of_row(drive, row_count(drive) - 1)];
 }
 export function row_state(drive: Drive, row: number): State {
   const state = {} as State;
-  state_columns.forEach((name, column) => (state[name] = drive.states[row * state_width + column]));
+  state_columns.forEach((name, column) => (state[name] = drive.states[row * drive.width + column]));
   return state;
 }
 
-/** The state at a driver angle (degrees from position 1), linear between the table's rows; rows themselves exactly. */
-export function state_at(drive: Drive, angle_deg: number): State {
+/** All hinges of a six-bar. */
+export function row_joints(drive: Drive, row: number): Point[] {
+  const found: Point[] = [];
+  for (let at = row * drive.width + state_width; at < (row + 1) * drive.width; at += 2) found.push([drive.states[at], drive.states[at + 1]]);
+  return found;
+}
+
+/** The last row before a driver angle (degrees from position 1), and the share of the way to the next. */
+function row_at(drive: Drive, angle_deg: number): {row: number; share: number} {
   const last = row_count(drive) - 1;
   let low = 0, high = last;
   const angle = Math.min(Math.max(angle_deg, angle_of_row(drive, 0)), angle_of_row(drive, last));
@@ -28,13 +35,24 @@ export function state_at(drive: Drive, angle_deg: number): State {
     if (angle_of_row(drive, middle) <= angle) low = middle;
     else high = middle;
   }
-  if (angle_of_row(drive, high) === angle) return row_state(drive, high);
+  if (angle_of_row(drive, high) === angle) return {row: high, share: 0};
   const from = angle_of_row(drive, low), to = angle_of_row(drive, high);
-  const share = to > from ? (angle - from) / (to - from) : 0;
-  if (share === 0) return row_state(drive, low);
-  const state = row_state(drive, low), next = row_state(drive, high);
+  return {row: low, share: to > from ? (angle - from) / (to - from) : 0};
+}
+/** The state at a driver angle, linear between the table's rows; rows themselves exactly. */
+export function state_at(drive: Drive, angle_deg: number): State {
+  const {row, share} = row_at(drive, angle_deg), state = row_state(drive, row);
+  if (share === 0) return state;
+  const next = row_state(drive, row + 1);
   for (const name of state_columns) state[name] += share * (next[name] - state[name]);
   return state;
+}
+
+export function joints_at(drive: Drive, angle_deg: number): Point[] {
+  const {row, share} = row_at(drive, angle_deg), joints = row_joints(drive, row);
+  if (share === 0) return joints;
+  const next = row_joints(drive, row + 1);
+  return joints.map(([x, y], i) => [x + share * (next[i][0] - x), y + share * (next[i][1] - y)]);
 }
 
 const beyond_deg = 30; // outside the task, one unit of the stage is so many degrees

@@ -6,10 +6,13 @@ import {same_tau} from "./document";
 import {engine_text, type Problem} from "./problem";
 import type {Workbench} from "./workbench.svelte";
 
+const slow_ms = 100;
+
 export class LinkageFollower {
   private picked_problem: Problem | null = null; // whose answer the picked linkage is
   private verified_for = "";
   private want_best = false;
+  private live_ms = 0; // what the last live part took
 
   constructor(private readonly workbench: Workbench) {}
 
@@ -49,9 +52,11 @@ export class LinkageFollower {
     }
   }
   private async fetch_live(): Promise<void> {
-    const {tau_in_hand: tau, problem} = this.workbench;
+    const {tau_in_hand: tau, problem, hovered, gesture} = this.workbench;
     if (!tau || !this.driver) return;
-    const reply = await this.driver.request("live", {problem: engine_text(problem), tau}).catch(() => null);
+    if (this.live_ms > slow_ms && (hovered || gesture)) return void (this.workbench.live = null); // the next linkage would wait for it
+    const start = performance.now(), reply = await this.driver.request("live", {problem: engine_text(problem), tau}).catch(() => null);
+    this.live_ms = performance.now() - start;
     if (reply) this.workbench.live = reply;
   }
   private take_picked(linkage: Linkage, problem: Problem): void {

@@ -1,5 +1,5 @@
 // The problem file as the page holds it: a plain immutable value. Its normal form and its mistakes come from the engine.
-import type {LinkageType, Point, Requirements, TauPair} from "../engine/protocol";
+import type {Box, LinkageType, Point, Requirements, TauPair} from "../engine/protocol";
 import {diagonal_of, poses_of, with_task_poses, type Pose, type Task} from "./task";
 
 export interface Options {
@@ -8,6 +8,10 @@ export interface Options {
   objective?: "min_transmission_angle" | "link_ratio" | "size";
   best?: number;
   window?: unknown;
+  /** Of a search for a six-bar's chain. */
+  box?: Box;
+  seed?: number;
+  effort?: number;
 }
 /** A linkage that the user keeps: it carries the task in which it was pinned. */
 export interface Pin {
@@ -80,7 +84,9 @@ export function with_requirements(problem: Problem, change: Partial<Requirements
   return {...problem, requirements};
 }
 export function with_options(problem: Problem, change: Partial<Options>): Problem {
-  return {...problem, options: {...problem.options, ...change}};
+  const options = {...problem.options, ...change};
+  for (const key of Object.keys(options) as (keyof Options)[]) if (options[key] === undefined) delete options[key];
+  return {...problem, options};
 }
 export function with_view(problem: Problem, change: Partial<View>): Problem {
   return {...problem, view: {...problem.view, ...change}};

@@ -1,5 +1,5 @@
 // What a linkage is asked to do, as the problem file has it: a form to each kind of task (tasks/ has what they bring).
-import type {Box, Point} from "../engine/protocol";
+import type {Box, Chain, Point} from "../engine/protocol";
 
 export interface Pose {
   x: number;
@@ -54,13 +54,6 @@ export interface FunctionTask {
   free?: FreeNumber;
 }
 
-/** Hinges in position 1, fixed frame. */
-export interface Chain {
-  a: Point;
-  b: Point;
-  d: Point;
-  elbow?: readonly number[];
-}
 export interface SixBarTask {
   kind: "motion";
   mechanism: "six_bar";

@@ -24,7 +24,7 @@ export interface Toast {
   values: Values;
   action?: {key: TextKey; run: () => void};
 }
-export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "trace" | "scale";
+export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
 
@@ -61,6 +61,8 @@ export class Workbench extends Editing {
   /** A pose being dragged: its table row glows. */
   held_pose = $state<number | null>(null);
   mode = $state<Mode>("point");
+  /** Whether the box in which a search puts its pivots is on the drawing. */
+  box_of_search = $state(false);
   /** Counts the tasks that were opened: each is shown whole. */
   opened = $state(0);
   /** Curve coordinate under the pointer on the drawing: bead on the axes of these sides. */
@@ -88,6 +90,8 @@ export class Workbench extends Editing {
   readonly linkages = new LinkageFollower(this);
   engine: EngineClient | null = null; // follows the task
   driver_client: EngineClient | null = null; // follows the pointer
+  /** One more engine, for what takes its time. */
+  start_engine: ((on_ready: () => void, on_crash: () => void) => EngineClient) | null = null;
   private toast_id = 0;
 
   get tau_in_hand(): TauPair | null {
@@ -123,6 +127,7 @@ export class Workbench extends Editing {
     };
     this.engine = new EngineClient(start, crashed, ready);
     this.driver_client = cores > 1 ? new EngineClient(start, (_, resting) => resting && gave_up(), () => this.linkages.follow()) : this.engine;
+    this.start_engine = (on_ready, on_crash) => new EngineClient(start, on_crash, on_ready);
     this.on_commit(() => this.wake());
   }
   /** For tests and the Stop button. */

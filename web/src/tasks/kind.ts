@@ -7,7 +7,7 @@ import type {TextKey} from "../texts/texts.svelte";
 
 /** Why the engine is not asked yet: `state` for the page, a sentence with {n} for people. */
 export interface Incomplete {
-  state: "empty" | "too_few" | "too_many" | "no_given" | "not_available";
+  state: "empty" | "too_few" | "too_many" | "no_given" | "no_chain";
   text: TextKey;
   n: number;
 }
@@ -43,4 +43,6 @@ export interface TaskKind<T extends Task = Task> {
   /** For the printed sheet. */
   table(task: T, unit: string): {head: string[]; rows: string[][]};
   beginnings: readonly Beginning[];
+  /** What it says in place of a text of the frame. */
+  texts?: Partial<Record<TextKey, TextKey>>;
 }

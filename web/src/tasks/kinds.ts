@@ -4,6 +4,7 @@ import type {Problem} from "../state/problem";
 import {is_object} from "../state/shape";
 import {diagonal_of, type Task} from "../state/task";
 import {function_kind} from "./function/kind";
+import type {TextKey} from "../texts/texts.svelte";
 import type {Incomplete, TaskKind} from "./kind";
 import {motion_kind} from "./motion/kind";
 import {six_bar_kind} from "./six_bar/kind";
@@ -42,6 +43,10 @@ export function extent_of(task: Task): number {
 /** What a colour of the map can stand for, beside the type. */
 export function properties_of(task: Task): Property[] {
   return [...common_properties, ...(kind_of(task).properties?.(task) ?? [])];
+}
+/** A text of the frame, as this kind of task says it. */
+export function text_for(task: Task, key: TextKey): TextKey {
+  return kind_of(task).texts?.[key] ?? key;
 }
 export function map_of(task: Task): string {
   return kind_of(task).map_of(task);

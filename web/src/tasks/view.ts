@@ -2,6 +2,7 @@
 import type {Component} from "svelte";
 import type {Handle} from "../drawing/handles";
 import type {Scene} from "../drawing/scene.svelte";
+import type {Format} from "../exports/take_away";
 import type {PlotKind} from "../transport/plot";
 
 export interface EditorProperties {
@@ -13,10 +14,14 @@ export interface TaskView {
   Editor: Component<EditorProperties>;
   /** Under the sentence that says why there is no map, or nothing wanted on it: ways on. */
   Offer?: Component;
+  /** On the drawing, in place of a four-bar; its side links do not hang on the guided body alone. */
+  Linkage?: Component;
   /** On the drawing, above the linkage. */
   Layer?: Component;
   /** What can be taken hold of on the drawing, beside poses and pivots: handles whose target is a part of the task. */
   handles?(scene: Scene): Handle[];
+  /** Formats in which its linkages can be taken away, if not all. */
+  exports?: readonly Format[];
   /** The first one is shown first. */
   plots: readonly PlotKind[];
 }

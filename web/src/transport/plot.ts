@@ -1,5 +1,5 @@
 // What the plot shows: columns of the drive table over the driver angle, or the path of the body.
-import {state_columns, state_width, type Drive} from "../engine/protocol";
+import {state_columns, type Drive} from "../engine/protocol";
 import {row_count, state_at} from "../state/drive";
 import {played_span, stops_of} from "./play";
 
@@ -28,13 +28,13 @@ export interface Plot {
 export function plot_of(drive: Drive, kind: PlotKind, whole: boolean): Plot {
   const [low, high] = played_span(drive, whole);
   const rows = Array.from({length: row_count(drive)}, (_, row) => row).filter((row) => {
-    const angle = drive.states[row * state_width];
+    const angle = drive.states[row * drive.width];
     return angle >= low && angle <= high;
   });
   const names = columns[kind];
-  const values = names.map((name) => rows.map((row) => shown(kind, drive.states[row * state_width + state_columns.indexOf(name)])));
+  const values = names.map((name) => rows.map((row) => shown(kind, drive.states[row * drive.width + state_columns.indexOf(name)])));
   const dots = stops_of(drive).filter((s) => s.angle >= low && s.angle <= high).map((s) => ({...s, values: values_at(drive, kind, s.angle)}));
-  const plot: Plot = {kind, angles: rows.map((row) => drive.states[row * state_width]), values, dots, x: [low, high], y: [0, 1]};
+  const plot: Plot = {kind, angles: rows.map((row) => drive.states[row * drive.width]), values, dots, x: [low, high], y: [0, 1]};
   if (kind === "path") plot.x = extent(values[0], 0.08);
   plot.y = value_range(kind, values[values.length - 1]);
   return plot;

@@ -7,6 +7,7 @@ export function sample_drive(rows: Partial<State>[], ticks: number[], more: Part
   rows.forEach((row, i) => state_columns.forEach((name, column) => (states[i * state_width + column] = row[name] ?? 0)));
   return {
     states,
+    width: state_width,
     ticks: ticks.map((state, i) => ({position: i + 1, state, reached: state >= 0})),
     full_turn: false,
     limits: {low: "dead_point", high: "dead_point"},

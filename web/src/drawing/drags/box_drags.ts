@@ -1,6 +1,6 @@
 // Requirement boxes: drawn with a rubber band, moved and resized at their borders.
 import type {Box, Point} from "../../engine/protocol";
-import {with_requirements, type Problem} from "../../state/problem";
+import {with_options, with_requirements, type Problem} from "../../state/problem";
 import type {BoxName, Edges, Target} from "../handles";
 import {edge_cursor} from "../handles";
 import {length_note} from "../words";
@@ -9,6 +9,7 @@ import {to_user} from "../viewport";
 import {finish, grid, Way, type Bench, type Drag} from "./drag";
 
 export function with_box(problem: Problem, name: BoxName, box: Box | null | undefined): Problem {
+  if (name === "search") return with_options(problem, {box: box ?? undefined});
   return with_requirements(problem, name === "ground" ? {ground_pivots_within: box} : {moving_pivots_within: box});
 }
 export function ordered(a: number, b: number): [number, number] {
@@ -39,7 +40,7 @@ function has_area(box: Box): boolean {
 
 export function box_drag(bench: Bench, target: Extract<Target, {kind: "box"}>, from: Point): Drag {
   const {workbench, scene} = bench, way = new Way(scene, from);
-  const start = (target.box === "ground" ? scene.ground_box : scene.moving_box)!;
+  const start = scene.boxes[target.box]!;
   workbench.begin_gesture();
   scene.held = target;
   return {

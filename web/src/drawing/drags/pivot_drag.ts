@@ -15,15 +15,15 @@ export function with_side(tau: TauPair, side: Side, value: number): TauPair {
 
 /** `view` is what the pointer's pixels are of: the drawing's, or the 3-D view's. */
 export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}>, view: () => Viewport = () => bench.scene.view): Drag | null {
-  const {workbench, scene} = bench, picked = workbench.picked, carrier = scene.now?.pose ?? null;
+  const {workbench, scene} = bench, picked = workbench.picked;
   const samples = scene.samples[target.side];
   if (!picked || !samples) return null;
   let spot: Spot | null = spot_of_tau(samples, target.end, picked.tau[target.side === "input" ? 0 : 1]);
   if (!spot) return null;
   let beyond: Beyond | null = null;
-  // A moving pivot is taken where it is now; its curve lies in position 1.
-  const carried = target.end === "circle" && !target.home && carrier;
-  const on_curve = (at: Point): Point => (carried ? to_screen(view(), placed(body_point(to_user(view(), at), carried), scene.served[0])) : at);
+  // A pivot that moves is taken where it is now; its curve lies in position 1.
+  const carrier = target.home ? null : scene.carrier(target.side, target.end);
+  const on_curve = (at: Point): Point => (carrier ? to_screen(view(), placed(body_point(to_user(view(), at), carrier.now), carrier.first)) : at);
   workbench.begin_gesture();
   scene.held = target;
   return {

@@ -1,8 +1,8 @@
 // A body is guided through four poses by a six-bar: a chain of three links and two links that are added to it.
-import type {Point} from "../../engine/protocol";
+import type {Chain, Point} from "../../engine/protocol";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, read_list, type Object} from "../../state/shape";
-import {pattern_of, type Chain, type SixBarTask} from "../../state/task";
+import {pattern_of, position_count, type SixBarTask} from "../../state/task";
 import type {TaskKind} from "../kind";
 import {default_max_length, new_problem as new_motion, pose_table, read_poses} from "../motion/kind";
 
@@ -29,7 +29,11 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
   name: "task.kind_six_bar",
   is: (task): task is SixBarTask => task.mechanism === "six_bar",
   read,
-  incompleteness: ({poses}) => ({state: "not_available", text: "state.no_six_bars", n: poses.length}), // the session does not solve them yet
+  incompleteness({poses, chain}) {
+    const n = position_count(poses);
+    if (n !== 4) return {state: n === 0 ? "empty" : n < 4 ? "too_few" : "too_many", text: "state.four_for_six_bar", n};
+    return chain ? null : {state: "no_chain", text: "state.no_chain", n};
+  },
   stops: ({poses}) => poses.length,
   pattern: ({poses}) => pattern_of(poses),
   is_mixed: () => false,
@@ -39,4 +43,8 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
   moved: (task, point) => (task.chain ? {...task, chain: {...task.chain, a: point(task.chain.a), b: point(task.chain.b), d: point(task.chain.d)}} : task),
   table: ({poses}, unit) => pose_table(poses, unit),
   beginnings: [{id: "six_bar", name: "new.six_bar", about: "new.six_bar_about", make: new_problem}],
+  texts: {
+    "chip.four_bars": "chip.six_bars", "state.none_defect_free": "six_bar.none_defect_free",
+    "region.driver_axis": "six_bar.axis_4", "region.other_axis": "six_bar.axis_5",
+  },
 };

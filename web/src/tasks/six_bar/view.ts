@@ -1,5 +1,8 @@
 import {plot_kinds} from "../../transport/plot";
+import ChainLayer from "./ChainLayer.svelte";
+import {chain_handles} from "./chain_handles";
 import Editor from "./Editor.svelte";
+import SixBarLayer from "./SixBarLayer.svelte";
 import type {TaskView} from "../view";
 
-export const six_bar_view: TaskView = {Editor, plots: plot_kinds};
+export const six_bar_view: TaskView = {Editor, Linkage: SixBarLayer, Layer: ChainLayer, handles: chain_handles, exports: ["png", "gif", "webm"], plots: plot_kinds.slice(0, 3)};

@@ -1,0 +1,104 @@
+// Looks for a chain, in an engine of its own: the page goes on. Rounds of few chains, each with the next seed, so that
+// what was found is there when the search is stopped.
+import {Refusal, type EngineClient} from "../../engine/client";
+import type {Box, Chain, Linkage, Replies, TauPair} from "../../engine/protocol";
+import {engine_text, with_options, type Problem} from "../../state/problem";
+import type {SixBarTask} from "../../state/task";
+import type {Workbench} from "../../state/workbench.svelte";
+import {default_box, six_bar_task, with_six_bar} from "./chain";
+
+export const default_effort = 10_000, most_effort = 1_000_000, most_seed = 1e9;
+const chains_a_round = 1000, most_found = 12, most_a_round = 4;
+
+export interface Found {
+  chain: Chain;
+  tau: TauPair;
+  seed: number;
+  min_transmission_angle_deg: number;
+  link_ratio: number;
+  longest: number;
+  added: SixBarTask["added"];
+  linkage: Linkage | null;
+}
+type Entry = Replies["best"]["linkages"][number];
+
+export function box_of_search(problem: Problem): Box {
+  return problem.options?.box ?? default_box(problem);
+}
+/** The problem of one round. */
+export function round_of(problem: Problem, round: number): Problem {
+  const {seed = 1, effort = default_effort} = problem.options ?? {};
+  const chains = Math.min(chains_a_round, effort - round * chains_a_round);
+  return with_options(with_six_bar(problem, {chain: undefined}), {box: box_of_search(problem), seed: seed + round, effort: chains, best: most_a_round});
+}
+export function rounds_of({options}: Problem): number {
+  return Math.ceil((options?.effort ?? default_effort) / chains_a_round);
+}
+/** The best of all rounds, best first. */
+export function merged(known: readonly Found[], more: readonly Found[]): Found[] {
+  return [...known, ...more].sort((a, b) => b.min_transmission_angle_deg - a.min_transmission_angle_deg).slice(0, most_found);
+}
+
+export class ChainSearch {
+  found = $state.raw<readonly Found[]>([]);
+  running = $state(false);
+  round = $state(0);
+  rounds = $state(0);
+  seconds = $state(0);
+  /** How the last one ended. */
+  end = $state.raw<"done" | "stopped" | "failed" | null>(null);
+  private client: EngineClient | null = null;
+  private timer: ReturnType<typeof setInterval> | undefined;
+
+  constructor(private readonly workbench: Workbench) {}
+
+  async start(): Promise<void> {
+    const {problem, start_engine} = this.workbench, task = six_bar_task(problem);
+    if (this.running || !start_engine || !task) return;
+    const begin = performance.now();
+    this.found = [];
+    [this.running, this.seconds, this.round, this.rounds, this.end] = [true, 0, 0, rounds_of(problem), null];
+    this.timer = setInterval(() => (this.seconds = Math.round((performance.now() - begin) / 1000)), 250);
+    const client = (this.client = start_engine(() => {}, () => {}));
+    try {
+      for (; this.round < this.rounds && this.client === client; ++this.round) await this.try_round(client, problem, task);
+      if (this.client === client) this.stop("done");
+    } catch (error) {
+      if (this.client !== client) return; // stopped
+      this.stop("failed");
+      if (!(error instanceof Refusal)) throw error;
+      this.workbench.say("six_bar.refused", {reason: error.message});
+    }
+  }
+  /** What was found so far is kept. */
+  stop(end: "done" | "stopped" | "failed" = "stopped"): void {
+    clearInterval(this.timer);
+    const {client} = this;
+    this.client = null;
+    this.running = false;
+    this.end = end;
+    client?.close();
+  }
+  private async try_round(client: EngineClient, problem: Problem, {added}: SixBarTask): Promise<void> {
+    const asked = round_of(problem, this.round), {linkages} = await client.request("best", {problem: engine_text(asked), most: most_a_round});
+    const entries = linkages.filter((entry): entry is Entry & {chain: Chain} => entry.chain !== undefined);
+    const known = this.found;
+    this.found = merged(known, entries.map((entry) => ({...entry, added, seed: asked.options!.seed!, linkage: null})));
+    for (const one of this.found.filter((found) => !known.includes(found))) {
+      const {linkage} = await client.request("linkage", {problem: engine_text(with_six_bar(problem, {chain: one.chain})), tau: one.tau});
+      this.found = this.found.map((other) => (other === one ? {...one, linkage} : other));
+    }
+  }
+
+  /** Takes one in hand: its chain and its place on the map of that chain, one step. */
+  take({chain, added, tau}: Found): void {
+    this.workbench.edit_document((document) => ({...document, problem: with_six_bar(document.problem, {chain, added}), picked: {tau, place: null}}));
+  }
+}
+
+const searches = new WeakMap<Workbench, ChainSearch>();
+export function search_of(workbench: Workbench): ChainSearch {
+  const search = searches.get(workbench) ?? new ChainSearch(workbench);
+  searches.set(workbench, search);
+  return search;
+}
