@@ -5,7 +5,9 @@
 #include "linkwright/io/analysis_file.hpp"
 #include "linkwright/io/csv_table.hpp"
 #include "linkwright/io/result_file.hpp"
+#include "linkwright/io/six_bar_file.hpp"
 #include "linkwright/io/text_file.hpp"
+#include "six_bar_words.hpp"
 
 namespace linkwright::cli {
 namespace {
@@ -16,15 +18,26 @@ bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-Result<StoredLinkage> read_linkage_file(const std::string& path) {
+Result<AnyStoredLinkage> read_linkage_file(const std::string& path) {
   const auto text = read_text_file(path, most_result_bytes);
-  return text ? read_linkage(*text) : Result<StoredLinkage>(text.errors());
+  return text ? read_any_linkage(*text) : Result<AnyStoredLinkage>(text.errors());
 }
 
-bool write_report(const std::string& path, const LinkageAnalysis& analysis) {
+template <class Analysis>
+bool write_report(const std::string& path, const Analysis& analysis) {
   return write_output(path, [&](const TextSink& sink) {
     sink(ends_with(path, ".csv") ? motion_table(analysis.motion) : write_analysis(analysis));
   });
+}
+
+std::string words(const LinkageAnalysis& analysis, std::string_view drive) { return linkage_words(analysis, drive); }
+std::string words(const SixBarAnalysis& analysis, std::string_view /*drive*/) { return six_bar_words(analysis); }
+
+template <class Stored>
+int report_on(const Stored& linkage, const AnalyzeArguments& arguments) {
+  const auto analysis = linkwright::analyze(linkage);
+  if (!arguments.report.empty() && !write_report(arguments.report, analysis)) return failure;
+  return arguments.report == "-" || print_answer(words(analysis, arguments.drive)) ? 0 : failure;
 }
 
 }  // namespace
@@ -41,10 +54,15 @@ int analyze(const AnalyzeArguments& arguments) {
     print_mistakes(arguments.linkage, linkage.errors());
     return mistake;
   }
-  if (arguments.drive == "output") linkage->four_bar = linkage->four_bar.swapped();
-  const LinkageAnalysis analysis = linkwright::analyze(*linkage);
-  if (!report.empty() && !write_report(report, analysis)) return failure;
-  return report == "-" || print_answer(linkage_words(analysis, arguments.drive)) ? 0 : failure;
+  if (const auto* six_bar = std::get_if<StoredSixBar>(&linkage.value())) {
+    if (arguments.drive == "input") return report_on(*six_bar, arguments);
+    print_mistakes(arguments.linkage, {{"six_bar_driver", "--drive",
+                                        "a six-bar is analysed as body 1 drives it, at hinge a; leave --drive out"}});
+    return mistake;
+  }
+  auto four_bar = std::get<StoredLinkage>(*linkage);
+  if (arguments.drive == "output") four_bar.four_bar = four_bar.four_bar.swapped();
+  return report_on(four_bar, arguments);
 }
 
 }  // namespace linkwright::cli

@@ -15,6 +15,7 @@
 #include "linkwright/planar/chosen_length.hpp"
 #include "pair_words.hpp"
 #include "requirement_words.hpp"
+#include "six_bar_words.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {
@@ -242,6 +243,8 @@ std::string free_words(const Problem& problem, const Solution& solution) {
 std::string answer(const Problem& problem, const Solution& solution) {
   Problem shown = problem;
   shown.length_unit = printable(shown.length_unit);
+  if (std::holds_alternative<SixBarTask>(problem.task))
+    return heading(shown, solution) + warnings_words(solution) + six_bar_answer(shown, solution);
   return heading(shown, solution) + curve_words(shown, solution) + free_words(shown, solution) +
          counts_words(shown, solution) + warnings_words(solution) + side_link_words(solution) +
          pair_words(shown, solution) + linkages_words(shown, solution) + nothing_words(shown, solution) +

@@ -80,7 +80,8 @@ Interruption::Interruption() {
 
 bool Interruption::happened() { return interrupted; }
 const std::atomic<bool>* Interruption::flag() { return &interrupted; }
-int Interruption::exit_status() { return 128 + interrupting_signal; }
+void Interruption::settle() { interrupted = false; }
+int Interruption::exit_status() { return interrupting_signal == 0 ? 0 : 128 + interrupting_signal; }
 
 ProgressLine::ProgressLine() : is_terminal_(::isatty(STDERR_FILENO) != 0) {}
 

@@ -35,7 +35,9 @@ class Interruption {
   Interruption();
   [[nodiscard]] static bool happened();
   [[nodiscard]] static const std::atomic<bool>* flag();
-  /// 128 + the signal's number.
+  /// The work has stopped as asked and has something to show: what follows counts as not interrupted.
+  static void settle();
+  /// 128 + the number of the signal that came, settled or not; 0 without one.
   [[nodiscard]] static int exit_status();
 };
 

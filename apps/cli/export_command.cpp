@@ -4,22 +4,29 @@
 #include "linkwright/io/csv_table.hpp"
 #include "linkwright/io/dxf_drawing.hpp"
 #include "linkwright/io/result_file.hpp"
+#include "linkwright/io/six_bar_file.hpp"
 #include "linkwright/io/svg_drawing.hpp"
 #include "linkwright/io/text_file.hpp"
 
 namespace linkwright::cli {
 namespace {
 
-std::string converted(const StoredLinkage& linkage, std::string_view format) {
+std::string table(const StoredLinkage& linkage) {
+  return motion_table(tabulated_motion(linkage.four_bar, traced_point(linkage)));
+}
+std::string table(const StoredSixBar& linkage) { return motion_table(tabulated_motion(linkage)); }
+
+template <class Stored>
+std::string converted(const Stored& linkage, std::string_view format) {
   if (format == "svg") return draw_linkage(linkage);
   if (format == "dxf") return draw_dxf(linkage);
-  if (format == "csv") return motion_table(tabulated_motion(linkage.four_bar, traced_point(linkage)));
+  if (format == "csv") return table(linkage);
   return write_linkage(linkage);
 }
 
-Result<std::vector<StoredLinkage>> read_linkages(const std::string& path) {
+Result<std::vector<AnyStoredLinkage>> read_linkages(const std::string& path) {
   const auto text = read_text_file(path, most_result_bytes);
-  return text ? read_result_linkages(*text) : Result<std::vector<StoredLinkage>>(text.errors());
+  return text ? read_any_result_linkages(*text) : Result<std::vector<AnyStoredLinkage>>(text.errors());
 }
 
 }  // namespace
@@ -39,10 +46,11 @@ int export_linkage(const ExportArguments& arguments) {
     print_mistakes(arguments.result, {{"no_such_linkage", "--linkage", message}});
     return mistake;
   }
-  StoredLinkage linkage = (*linkages)[static_cast<std::size_t>(arguments.linkage - 1)];
-  linkage.title += fmt::format("{}linkage {}", linkage.title.empty() ? "" : ", ", arguments.linkage);
-  const bool written =
-      write_output(arguments.output, [&](const TextSink& sink) { sink(converted(linkage, arguments.format)); });
+  const auto written_as = [&](auto linkage) {
+    linkage.title += fmt::format("{}linkage {}", linkage.title.empty() ? "" : ", ", arguments.linkage);
+    return write_output(arguments.output, [&](const TextSink& sink) { sink(converted(linkage, arguments.format)); });
+  };
+  const bool written = std::visit(written_as, (*linkages)[static_cast<std::size_t>(arguments.linkage - 1)]);
   return written ? 0 : static_cast<int>(Status::failure);
 }
 

@@ -51,6 +51,7 @@ int solve(const SolveArguments& arguments) {
     return mistake;
   }
   const auto solution = solve_with_progress(*problem);
+  if (solution && solution->search) Interruption::settle();  // a search hands over the best so far
   if (Interruption::happened()) return stopped();
   if (!solution) {
     print_mistakes(file, solution.errors());
@@ -60,7 +61,8 @@ int solve(const SolveArguments& arguments) {
   if (Interruption::happened()) return stopped();
   if (!written) return failure;
   const bool text_goes_elsewhere = arguments.result == "-" || arguments.picture == "-";
-  return text_goes_elsewhere || print_answer(answer(*problem, *solution)) ? 0 : failure;
+  const bool told = text_goes_elsewhere || print_answer(answer(*problem, *solution));
+  return told ? Interruption::exit_status() : failure;
 }
 
 }  // namespace linkwright::cli

@@ -175,9 +175,11 @@ class Drive {
 
   SixBarCheck run() && {
     constexpr double shortest_step = 1e-7;
-    note(joints_, 0);
+    note(joints_, 0, 0);
     double step = options_.step;
-    while (std::abs(turn_) < two_pi && check_.visited.size() + 1 < targets_.size()) {
+    while (two_pi - std::abs(turn_) > shortest_step &&
+           (options_.to_the_end || check_.visited.size() + 1 < targets_.size())) {
+      step = std::min(step, two_pi - std::abs(turn_));
       if (advance(step)) {
         step = std::min(options_.step, 1.5 * step);
       } else if (step /= 2; step < shortest_step) {
@@ -259,7 +261,7 @@ class Drive {
       if (std::abs(change) < 1e-12) {
         if (off > options_.miss * system_.size()) return false;
         check_.worst_pose = std::max(check_.worst_pose, off / system_.size());
-        note(at, turn_ + turn);
+        note(at, turn_ + turn, static_cast<int>(&target - targets_.data()));
         return true;
       }
       if ((turn + change) * sense_ < -beyond * step || (turn + change) * sense_ > (1 + beyond) * step) return false;
@@ -276,7 +278,7 @@ class Drive {
     return false;
   }
 
-  void note(const Joints& joints, double turn) {
+  void note(const Joints& joints, double turn, int pose = -1) {
     check_.worst_length = std::max(check_.worst_length, system_.length_error(joints));
     const Point before = six_bar_.joints[guided_[1]].point - six_bar_.joints[guided_[0]].point;
     const Point now = joints[guided_[1]] - joints[guided_[0]];
@@ -286,7 +288,7 @@ class Drive {
     double body_turn = first.angle + angle;
     if (!check_.states.empty()) body_turn = body_turn_ + wrap_signed(body_turn - body_turn_);
     body_turn_ = body_turn;
-    check_.states.push_back({turn, joints, {origin, body_turn}});
+    check_.states.push_back({turn, joints, {origin, body_turn}, pose});
   }
 
   SixBar six_bar_;

@@ -23,6 +23,9 @@ constexpr std::array<std::string_view, 10> short_type_labels = {
 
 constexpr std::array<std::string_view, 4> sense_labels = {"", "counter-clockwise", "clockwise", "either way"};
 
+constexpr std::array<std::string_view, 4> topology_labels = {"Watt I", "Stephenson I", "Stephenson II",
+                                                             "Stephenson III"};
+
 constexpr std::array<std::string_view, 9> cubic_labels = {"one branch",
                                                           "two branches",
                                                           "one branch with a node",
@@ -67,6 +70,7 @@ std::string_view label(LinkageType type) { return type_labels[static_cast<std::s
 std::string_view short_label(LinkageType type) { return short_type_labels[static_cast<std::size_t>(type)]; }
 std::string_view label(DriveSense sense) { return sense_labels[static_cast<std::size_t>(sense)]; }
 std::string_view label(CubicKind kind) { return cubic_labels[static_cast<std::size_t>(kind)]; }
+std::string_view label(SixBarTopology topology) { return topology_labels[static_cast<std::size_t>(topology)]; }
 std::string_view label(ChangePointKind kind) { return change_point_labels[static_cast<std::size_t>(kind)]; }
 
 std::string_view branch_label(std::string_view name) {

@@ -17,27 +17,6 @@ constexpr double link_width = 7, pin_radius = 5.5, disc_radius = 9.5;
 /// px of a direction of the fixed frame (y up) in the picture (y down).
 Point flipped(Point p) { return std::conj(p); }
 
-/// Triangle, base line and four hatch strokes below a fixed pivot.
-void draw_ground_symbol(SvgCanvas& svg, Point pivot) {
-  constexpr double half = 10, depth = 17, overhang = 5, hatch = 6;
-  const Point left = pivot + Point{-half, depth}, right = pivot + Point{half, depth};
-  const std::array<Point, 3> triangle = {pivot, left, right};
-  svg.polygon(triangle, fill(palette::paper) + " " + stroke(palette::ink2, 1.4) + " stroke-linejoin=\"round\"");
-  svg.line(left - overhang, right + overhang, stroke(palette::ink2, 1.6));
-  for (int i = 0; i < 5; ++i) {
-    const Point top = left + Point{-overhang + (2 * half + 2 * overhang) * (i + 0.5) / 5 + hatch / 2, 0};
-    svg.line(top, top + Point{-hatch, hatch}, stroke(palette::ink2, 1.1));
-  }
-}
-
-void draw_pin(SvgCanvas& svg, Point pivot, std::string_view color) {
-  svg.circle(pivot, pin_radius, fill(palette::paper) + " " + stroke(color, 2.4));
-}
-
-void draw_link(SvgCanvas& svg, Point from, Point to, std::string_view color) {
-  svg.line(from, to, stroke(color, link_width) + " stroke-linecap=\"round\"");
-}
-
 void draw_arrow_head(SvgCanvas& svg, Point to, Point along, double head, std::string_view color) {
   const Point across = Point{0, 1} * along;
   const std::array<Point, 3> tip = {to, to - head * along + 0.45 * head * across,
@@ -66,6 +45,26 @@ void draw_turn(SvgCanvas& svg, Point center, double sense) {
 
 }  // namespace
 
+void draw_ground_symbol(SvgCanvas& svg, Point pivot) {
+  constexpr double half = 10, depth = 17, overhang = 5, hatch = 6;
+  const Point left = pivot + Point{-half, depth}, right = pivot + Point{half, depth};
+  const std::array<Point, 3> triangle = {pivot, left, right};
+  svg.polygon(triangle, fill(palette::paper) + " " + stroke(palette::ink2, 1.4) + " stroke-linejoin=\"round\"");
+  svg.line(left - overhang, right + overhang, stroke(palette::ink2, 1.6));
+  for (int i = 0; i < 5; ++i) {
+    const Point top = left + Point{-overhang + (2 * half + 2 * overhang) * (i + 0.5) / 5 + hatch / 2, 0};
+    svg.line(top, top + Point{-hatch, hatch}, stroke(palette::ink2, 1.1));
+  }
+}
+
+void draw_pin(SvgCanvas& svg, Point pivot, std::string_view color) {
+  svg.circle(pivot, pin_radius, fill(palette::paper) + " " + stroke(color, 2.4));
+}
+
+void draw_link(SvgCanvas& svg, Point from, Point to, std::string_view color) {
+  svg.line(from, to, stroke(color, link_width) + " stroke-linecap=\"round\"");
+}
+
 void draw_grid(SvgCanvas& svg, const PlaneWindow& window) {
   constexpr double least_step = 36;  // px
   const PixelBox& box = window.box();
@@ -85,7 +84,7 @@ void draw_grid(SvgCanvas& svg, const PlaneWindow& window) {
   svg.end_group();
 }
 
-void draw_box(SvgCanvas& svg, const PlaneWindow& window, const Box& box, std::string_view name) {
+void draw_box(SvgCanvas& svg, const PlaneWindow& window, const Box& box, std::string_view name, BoxName place) {
   const Point corner = window.to_px({box.x_low, box.y_high}), opposite = window.to_px({box.x_high, box.y_low});
   const Point size = opposite - corner;
   svg.rectangle(corner, size.real(), size.imag(),
@@ -93,7 +92,8 @@ void draw_box(SvgCanvas& svg, const PlaneWindow& window, const Box& box, std::st
   const Point visible{std::min(opposite.real(), window.box().right()),
                       std::min(opposite.imag(), window.box().bottom())};
   if (visible.real() - corner.real() < text_width(name, 11) + 16 || visible.imag() - corner.imag() < 20) return;
-  svg.text(visible + Point{-6, -7}, name,
+  const Point above{visible.real(), std::max(corner.imag(), window.box().top) + 22};
+  svg.text((place == BoxName::above ? above : visible) + Point{-6, -7}, name,
            {.size = 11, .color = palette::ink3, .anchor = "end", .halo = palette::paper});
 }
 

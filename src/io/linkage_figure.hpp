@@ -14,10 +14,18 @@ namespace linkwright {
 
 // The parts of a drawing of a linkage, from back to front. All sizes in px, the same at every scale.
 
+/// Triangle, base line and hatch strokes below a fixed pivot (px).
+void draw_ground_symbol(SvgCanvas& svg, Point pivot);
+/// A link with two hinges (px), and the pin of a hinge.
+void draw_link(SvgCanvas& svg, Point from, Point to, std::string_view color);
+void draw_pin(SvgCanvas& svg, Point pivot, std::string_view color);
+
 void draw_grid(SvgCanvas& svg, const PlaneWindow& window);
 
-/// A dotted rectangle with its name in the lower right corner.
-void draw_box(SvgCanvas& svg, const PlaneWindow& window, const Box& box, std::string_view name);
+/// A dotted rectangle with its name in the lower right corner, or in the upper right one.
+enum class BoxName { below, above };
+void draw_box(SvgCanvas& svg, const PlaneWindow& window, const Box& box, std::string_view name,
+              BoxName place = BoxName::below);
 
 /// A path in px, dotted, in the accent colour: the task's stretch, or thinner what lies beyond it.
 void draw_traced_path(SvgCanvas& svg, const PlaneWindow& window, std::span<const Point> path, bool is_task);

@@ -12,9 +12,11 @@
 #include "linkwright/io/linkage_file.hpp"
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/io/result_file.hpp"
+#include "linkwright/io/six_bar_file.hpp"
 #include "mistakes.hpp"
 #include "nearest_name.hpp"
 #include "pose_reader.hpp"
+#include "six_bar_reader.hpp"
 
 namespace linkwright {
 namespace {
@@ -113,8 +115,8 @@ std::optional<FourBar> read_four_bar(const JsonValue& value, Mistakes& mistakes)
     const auto name = mechanism->as_text();
     if (name && *name != "four_bar") {
       mechanism->mistake("not_available",
-                         fmt::format("only a \"four_bar\" can be analysed and exported; this is a \"{}\", whose pivots "
-                                     "stand in the result file",
+                         fmt::format("only a \"four_bar\" and a \"six_bar\" can be analysed and exported; this is a "
+                                     "\"{}\", whose pivots stand in the result file",
                                      presentable(*name)));
       return std::nullopt;
     }
@@ -165,32 +167,64 @@ StoredLinkage read_problem_echo(const JsonObject& file, Mistakes& mistakes) {
   return surroundings;
 }
 
+/// What `element` holds, with its surroundings.
+std::optional<AnyStoredLinkage> read_element(const JsonValue& element, const StoredLinkage& surroundings,
+                                             Mistakes& mistakes) {
+  if (says_six_bar(element)) {
+    auto six_bar = read_six_bar(element, mistakes);
+    if (!six_bar) return std::nullopt;
+    six_bar->title = surroundings.title;
+    six_bar->length_unit = surroundings.length_unit;
+    six_bar->poses = surroundings.poses;
+    six_bar->record = element.json().dump();
+    return *std::move(six_bar);
+  }
+  const auto four_bar = read_four_bar(element, mistakes);
+  if (!four_bar) return std::nullopt;
+  StoredLinkage linkage = surroundings;
+  linkage.four_bar = *four_bar;
+  if (!element.json().contains("pivots")) linkage.record = element.json().dump();
+  return linkage;
+}
+
+/// The four-bar among all linkages; nothing where it is another one.
+Result<StoredLinkage> as_four_bar(AnyStoredLinkage linkage) {
+  if (auto* four_bar = std::get_if<StoredLinkage>(&linkage)) return std::move(*four_bar);
+  return Error{"not_a_four_bar", "mechanism", "this is a six-bar; only a \"four_bar\" belongs here"};
+}
+
 }  // namespace
 
-Result<StoredLinkage> read_linkage(std::string_view text) {
+Result<AnyStoredLinkage> read_any_linkage(std::string_view text) {
   const auto tree = parse_json(text, {.most_bytes = most_result_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
   if (!tree) return tree.errors();
   Mistakes mistakes;
   const JsonValue root(*tree, "", mistakes);
   if (const auto refusal = refuse_version(root)) return *refusal;
   const JsonObject file(root, mistakes, {});
-  StoredLinkage linkage;
+  AnyStoredLinkage linkage;
   if (const auto list = file.find("linkages")) {
     list->mistake("result_file",
                   "this is a result file with many linkages; take one out with: linkwright export RESULT.json "
                   "--linkage 1 --format json -o LINKAGE.json");
   } else if (root.is_object()) {
-    read_surroundings(file, mistakes, linkage);
-    const JsonValue element = file.find("linkage").value_or(root);
-    if (const auto four_bar = read_four_bar(element, mistakes)) linkage.four_bar = *four_bar;
-    if (file.find("linkage")) read_own_poses(element, mistakes, linkage);
-    if (file.find("linkage") && !element.json().contains("pivots")) linkage.record = element.json().dump();
+    StoredLinkage surroundings;
+    read_surroundings(file, mistakes, surroundings);
+    const auto held = file.find("linkage");
+    if (held) read_own_poses(*held, mistakes, surroundings);
+    if (auto found = read_element(held.value_or(root), surroundings, mistakes)) linkage = *std::move(found);
+    if (!held) std::visit([](auto& of_kind) { of_kind.record.clear(); }, linkage);
   }
   if (!mistakes.empty()) return mistakes.take();
   return linkage;
 }
 
-Result<std::vector<StoredLinkage>> read_result_linkages(std::string_view text) {
+Result<StoredLinkage> read_linkage(std::string_view text) {
+  auto linkage = read_any_linkage(text);
+  return linkage ? as_four_bar(std::move(*linkage)) : Result<StoredLinkage>(linkage.errors());
+}
+
+Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view text) {
   const auto tree = parse_json(text, {.most_bytes = most_result_bytes,
                                       .deepest_nesting = deepest_nesting,
                                       .kept = {"linkwright", "problem", "linkages", "task", "lengths", "pivots"}});
@@ -203,21 +237,33 @@ Result<std::vector<StoredLinkage>> read_result_linkages(std::string_view text) {
     return Error{"problem_file", "task",
                  "this is a problem file, not a result; solve it first: linkwright solve PROBLEM.json -o RESULT.json"};
   }
-  std::vector<StoredLinkage> linkages;
+  std::vector<AnyStoredLinkage> linkages;
   const auto list = file.require("linkages", "the list of linkages of a result file");
   if (list) {
-    const StoredLinkage surroundings = read_problem_echo(file, mistakes);
+    const StoredLinkage of_the_problem = read_problem_echo(file, mistakes);
     list->for_each("a list of linkages", [&](const JsonValue& item) {
-      const auto four_bar = read_four_bar(item, mistakes);
-      if (!four_bar) return;
-      linkages.push_back(surroundings);
-      linkages.back().four_bar = *four_bar;
-      read_own_poses(item, mistakes, linkages.back());
-      linkages.back().record = item.json().dump();
+      StoredLinkage surroundings = of_the_problem;
+      read_own_poses(item, mistakes, surroundings);
+      auto linkage = read_element(item, surroundings, mistakes);
+      if (!linkage) return;
+      std::visit([&](auto& of_kind) { of_kind.record = item.json().dump(); }, *linkage);
+      linkages.push_back(*std::move(linkage));
     });
   }
   if (!mistakes.empty()) return mistakes.take();
   return linkages;
+}
+
+Result<std::vector<StoredLinkage>> read_result_linkages(std::string_view text) {
+  auto linkages = read_any_result_linkages(text);
+  if (!linkages) return linkages.errors();
+  std::vector<StoredLinkage> four_bars;
+  for (AnyStoredLinkage& linkage : *linkages) {
+    auto four_bar = as_four_bar(std::move(linkage));
+    if (!four_bar) return four_bar.errors();
+    four_bars.push_back(*std::move(four_bar));
+  }
+  return four_bars;
 }
 
 }  // namespace linkwright

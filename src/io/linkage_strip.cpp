@@ -7,35 +7,13 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/io/label.hpp"
 #include "linkwright/io/number_text.hpp"
+#include "number_rows.hpp"
 #include "palette.hpp"
 
 namespace linkwright {
 namespace {
 
-constexpr double row_height = 21, first_row = 38;
-
 double gamma_deg(double worst_cosine) { return degrees(std::acos(std::min(1.0, std::abs(worst_cosine)))); }
-
-/// Rows of a name on the left and a value on the right.
-class NumberRows {
- public:
-  NumberRows(SvgCanvas& svg, Point corner, double width) : svg_(svg), corner_(corner), width_(width) {}
-
-  void row(std::string_view name, std::string_view value, std::string_view role_color = {}) {
-    const Point left = corner_ + Point{0, first_row + row_height * rows_++};
-    const double indent = role_color.empty() ? 0 : 22;
-    if (!role_color.empty())
-      svg_.line(left + Point{0, -4}, left + Point{14, -4}, stroke(role_color, 4) + " stroke-linecap=\"round\"");
-    svg_.text(left + indent, name, {.size = 13, .color = palette::ink2});
-    svg_.text(left + width_, value, {.size = 13, .anchor = "end"});
-  }
-
- private:
-  SvgCanvas& svg_;
-  Point corner_;
-  double width_;
-  int rows_ = 0;
-};
 
 void draw_type(SvgCanvas& svg, Point corner, const FourBarSolution& found) {
   const std::uint32_t color = palette::types[static_cast<std::size_t>(found.report.type)];

@@ -1,10 +1,18 @@
+#include <functional>
+
 #include "json_writer.hpp"
 #include "linkwright/io/linkage_file.hpp"
 #include "linkwright/io/problem_file.hpp"
+#include "linkwright/io/six_bar_file.hpp"
 #include "problem_writer.hpp"
+#include "six_bar_writer.hpp"
 
 namespace linkwright {
-std::string write_linkage(const StoredLinkage& linkage) {
+namespace {
+
+/// `without_record` writes the linkage where it came from no result.
+template <class Stored>
+std::string written(const Stored& linkage, const std::function<void(JsonWriter&)>& without_record) {
   std::string text;
   {
     JsonWriter json([&text](std::string_view piece) { text += piece; });
@@ -17,17 +25,30 @@ std::string write_linkage(const StoredLinkage& linkage) {
     for (const PrescribedPose& pose : linkage.poses) write_pose(json, pose);
     json.end_list();
     json.key("linkage");
-    if (linkage.record.empty()) {
-      json.begin_object();
-      json.key("pivots");
-      write_pivots(json, linkage.four_bar);
-      json.end_object();
-    } else {
-      json.json(linkage.record);
-    }
+    linkage.record.empty() ? without_record(json) : json.json(linkage.record);
     json.end_object();
   }
   return text;
+}
+
+}  // namespace
+
+std::string write_linkage(const StoredLinkage& linkage) {
+  return written(linkage, [&linkage](JsonWriter& json) {
+    json.begin_object();
+    json.key("pivots");
+    write_pivots(json, linkage.four_bar);
+    json.end_object();
+  });
+}
+
+std::string write_linkage(const StoredSixBar& linkage) {
+  return written(linkage, [&linkage](JsonWriter& json) {
+    json.begin_object();
+    json.member("mechanism", "six_bar");
+    write_make_up(json, linkage.six_bar, linkage.elbow, {});
+    json.end_object();
+  });
 }
 
 }  // namespace linkwright

@@ -13,6 +13,7 @@ inline constexpr std::string_view ink = "#101418", ink2 = "#48525E", ink3 = "#5A
 inline constexpr std::string_view line = "#D5DBE1", grid = "#EDF0F3";
 inline constexpr std::string_view accent = "#1F5FBF", good = "#16703F", bad = "#B42318";
 inline constexpr std::string_view input = "#0B57D0", output = "#B3470B", body = "#37424E";
+inline constexpr std::string_view link_2 = "#0F766E", link_5 = "#9D174D";  // of six-bars; link 4 as the output
 inline constexpr std::string_view curve = "#7A8694";
 
 inline constexpr std::uint32_t defect = 0xDDE2E7, hatch = 0xC6CED6, white = 0xFFFFFF;

@@ -15,6 +15,8 @@
 #include "palette.hpp"
 #include "region_picture.hpp"
 #include "region_scale.hpp"
+#include "six_bar_axes.hpp"
+#include "six_bar_figure.hpp"
 
 namespace linkwright {
 namespace {
@@ -45,7 +47,6 @@ AxisPlace left_of(const PixelBox& map) { return {{map.left, map.bottom()}, {0, -
 /// One axis of the map.
 struct MapAxis {
   const RegionScale& scale;
-  LinkageFamily::Side side;
   std::string title;
   std::string_view color;
   std::vector<AxisTick> ticks;
@@ -92,8 +93,7 @@ void draw_infinities(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place
   }
 }
 
-void draw_axis(SvgCanvas& svg, const LinkageFamily& family, const MapAxis& axis, const AxisPlace& place) {
-  const bool is_discrete = family.axis(axis.side).is_discrete();
+void draw_axis(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place, bool is_discrete = false) {
   is_discrete ? draw_numbers(svg, axis, place) : draw_blocks(svg, axis, place);
   svg.text(place.at(axis.scale.length() / 2, title_distance) + place.to_baseline(), axis.title,
            axis_text(place, 12, axis.color, 650));
@@ -101,16 +101,16 @@ void draw_axis(SvgCanvas& svg, const LinkageFamily& family, const MapAxis& axis,
   if (!is_discrete) draw_infinities(svg, axis, place);
 }
 
-/// Where the linkages lie on the map; nothing outside the window.
-using PlaceOnMap = std::function<std::optional<Point>(const FourBarSolution& found)>;
+/// Where a linkage lies on the map, counted from 0; nothing outside the window.
+using PlaceOnMap = std::function<std::optional<Point>(std::size_t linkage)>;
 
 /// Rings with numbers where the best linkages lie; dots where a ring would cover another.
-void draw_best(SvgCanvas& svg, const Solution& solution, const PlaceOnMap& place_of) {
+void draw_best(SvgCanvas& svg, std::size_t count, const PlaceOnMap& place_of) {
   constexpr double ring = 9, closest = 2 * ring + 1;
   std::vector<Point> rings;
   std::vector<std::pair<Point, std::size_t>> dots;
-  for (std::size_t i = 0; i < solution.linkages.size(); ++i) {
-    const auto at = place_of(solution.linkages[i]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto at = place_of(i);
     if (!at) continue;
     bool is_free = true;
     for (const Point other : rings) is_free = is_free && std::abs(other - *at) >= closest;
@@ -200,7 +200,7 @@ MapScales scales_of(const Solution& solution, double input_length, double output
 }
 
 MapAxis axis_of(const Problem& problem, const LinkageFamily& family, const RegionScale& scale, Side side) {
-  return {scale, side, axis_label(family.axis(side), side, problem.task, problem.length_unit).title,
+  return {scale, axis_label(family.axis(side), side, problem.task, problem.length_unit).title,
           side == Side::input ? palette::input : palette::output, axis_ticks(scale, family, side)};
 }
 
@@ -220,10 +220,10 @@ void draw_ribbon(SvgCanvas& svg, const Problem& problem, const Solution& solutio
   svg.png(map.corner(), map.width, map.height,
           base64(on_its_side(region_picture(solution, along, thick, pixels_per_px)).file()));
   draw_frames(svg, thick, along, map);
-  draw_axis(svg, family, axis_of(problem, family, along, Side::input), below(map));
+  draw_axis(svg, axis_of(problem, family, along, Side::input), below(map), is_board(solution));
   if (is_board(solution)) draw_cell_texts(svg, solution.region, thick, along, map, true);
-  draw_best(svg, solution, [&, &scale = along](const FourBarSolution& found) -> std::optional<Point> {
-    const auto px = scale.position(found.input.coordinate);
+  draw_best(svg, solution.linkages.size(), [&, &scale = along](std::size_t i) -> std::optional<Point> {
+    const auto px = scale.position(solution.linkages[i].input.coordinate);
     if (!px) return std::nullopt;
     return Point{map.left + *px, map.top + map.height / 2};
   });
@@ -248,14 +248,41 @@ void draw_region(SvgCanvas& svg, const Problem& problem, const Solution& solutio
   const auto file = region_picture(solution, scales.input, scales.output, pixels_per_px).file();
   svg.png(map.corner(), map.width, map.height, base64(file));
   draw_frames(svg, scales.input, scales.output, map);
-  draw_axis(svg, family, axis_of(problem, family, scales.input, Side::input), left_of(map));
-  draw_axis(svg, family, axis_of(problem, family, scales.output, Side::output), below(map));
+  const bool across_discrete = family.axis(Side::output).is_discrete();
+  draw_axis(svg, axis_of(problem, family, scales.input, Side::input), left_of(map), is_board(solution));
+  draw_axis(svg, axis_of(problem, family, scales.output, Side::output), below(map), across_discrete);
   if (is_board(solution)) draw_cell_texts(svg, region, scales.input, scales.output, map, false);
-  draw_best(svg, solution, [&](const FourBarSolution& found) -> std::optional<Point> {
+  draw_best(svg, solution.linkages.size(), [&](std::size_t i) -> std::optional<Point> {
+    const FourBarSolution& found = solution.linkages[i];
     const auto across = scales.output.position(found.output.coordinate),
                up = scales.input.position(found.input.coordinate);
     if (!across || !up) return std::nullopt;
     return Point{map.left + *across, map.bottom() - *up};
+  });
+}
+
+void draw_six_bar_region(SvgCanvas& svg, const SixBarTask& task, const Solution& solution, const PixelBox& map) {
+  const RegionMap& region = solution.region;
+  const auto family = six_bar_family(task);
+  if (region.rows() == 0 || !family) return;
+  const SixBarAxis first = six_bar_axis(task, Side::input), second = six_bar_axis(task, Side::output);
+  const RegionScale up(first.branches, region.input_coordinates(), {}, map.height);
+  const RegionScale across(second.branches, region.output_coordinates(), {}, map.width);
+  std::vector<std::uint8_t> failures(region.rows() * region.columns());
+  filter_of_six_bars(*family, region, solution.requirements).failures_of_all(failures);
+  const auto passes = [&](std::size_t row, std::size_t column) { return failures[region.index(row, column)] == 0; };
+  svg.png(map.corner(), map.width, map.height,
+          base64(region_picture(solution, passes, up, across, pixels_per_px).file()));
+  draw_frames(svg, up, across, map);
+  draw_axis(svg, {up, first.title, body_color(4), {}}, left_of(map));
+  draw_axis(svg, {across, second.title, body_color(5), {}}, below(map));
+  draw_best(svg, solution.six_bars.size(), [&](std::size_t i) -> std::optional<Point> {
+    const std::array<double, 2>& tau = solution.six_bars[i].member.coordinates;
+    const auto link_4 = family->with_first(tau[0]);
+    const auto x = link_4 ? across.position(family->second_coordinate(*link_4, tau[1])) : std::nullopt;
+    const auto y = up.position(tau[0]);
+    if (!x || !y) return std::nullopt;
+    return Point{map.left + *x, map.bottom() - *y};
   });
 }
 

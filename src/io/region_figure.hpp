@@ -13,6 +13,9 @@ namespace linkwright {
 /// best linkages carry rings with their numbers. `map`: the rectangle of the cells; axes stand left of and below it.
 void draw_region(SvgCanvas& svg, const Problem& problem, const Solution& solution, const PixelBox& map);
 
+/// The map of a chain's six-bars in the same way: link 4 up, link 5 to the right.
+void draw_six_bar_region(SvgCanvas& svg, const SixBarTask& task, const Solution& solution, const PixelBox& map);
+
 /// One column only: a function without a free number.
 [[nodiscard]] bool is_ribbon(const Solution& solution);
 

@@ -12,6 +12,7 @@
 #include "linkwright/io/result_file.hpp"
 #include "problem_writer.hpp"
 #include "region_arrays.hpp"
+#include "six_bar_writer.hpp"
 
 namespace linkwright {
 namespace {
@@ -105,6 +106,7 @@ void write_counts(JsonWriter& json, const RegionCounts& counts) {
 }
 
 void write_axis(JsonWriter& json, const Problem& problem, const Solution& solution, LinkageFamily::Side side) {
+  if (const auto* six_bar = std::get_if<SixBarTask>(&problem.task)) return write_six_bar_axis(json, *six_bar, side);
   const LinkageFamily* family = solution.given.family.get();
   const FamilyAxis axis = family ? family->axis(side) : FamilyAxis{};
   const AxisLabel label = axis_label(axis, side, problem.task, problem.length_unit);
@@ -127,6 +129,7 @@ void write_axis(JsonWriter& json, const Problem& problem, const Solution& soluti
 }
 
 void write_region(JsonWriter& json, const Problem& problem, const Solution& solution, bool with_arrays) {
+  if (solution.search) return json.null();
   const RegionMap& region = solution.region;
   json.begin_object();
   json.member("samples", static_cast<std::int64_t>(region.rows()));
@@ -162,6 +165,14 @@ void write_relaxations(JsonWriter& json, const std::vector<Relaxation>& relaxati
 void write_four_bars(JsonWriter& json, const std::vector<FourBarSolution>& list, const TaskFamily& given) {
   json.begin_list();
   for (const FourBarSolution& found : list) write_four_bar(json, found, given.frame(), notes_on(found, given));
+  json.end_list();
+}
+
+void write_linkages(JsonWriter& json, const Problem& problem, const Solution& solution) {
+  if (!std::holds_alternative<SixBarTask>(problem.task))
+    return write_four_bars(json, solution.linkages, solution.given);
+  json.begin_list();
+  for (const SixBarSolution& found : solution.six_bars) write_six_bar(json, found);
   json.end_list();
 }
 
@@ -212,8 +223,12 @@ void write_answer(JsonWriter& json, const Problem& problem, const Solution& solu
   write_burmester_points(json, solution.given);
   json.key("region");
   write_region(json, problem, solution, with_region);
+  if (solution.search) {
+    json.key("search");
+    write_search(json, *solution.search, solution.options);
+  }
   json.key("linkages");
-  write_four_bars(json, solution.linkages, solution.given);
+  write_linkages(json, problem, solution);
   json.key("pairs");
   write_four_bars(json, solution.pairs, solution.given);
   json.key("freed");

@@ -8,6 +8,7 @@
 #include "linkwright/io/task_label.hpp"
 #include "palette.hpp"
 #include "region_figure.hpp"
+#include "six_bar_drawing.hpp"
 #include "svg_canvas.hpp"
 #include "task_scene.hpp"
 
@@ -101,6 +102,8 @@ void draw_strip(SvgCanvas& svg, const Problem& problem, const Solution& solution
 }  // namespace
 
 std::string draw_solution(const Problem& problem, const Solution& solution) {
+  if (const auto* six_bar = std::get_if<SixBarTask>(&problem.task))
+    return draw_six_bar_solution(problem, *six_bar, solution);
   SvgCanvas svg(width, height, problem.title.empty() ? "Linkwright solution" : problem.title);
   svg.rectangle({0, 0}, width, height, fill(palette::page));
   draw_header(svg, problem, solution);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/io/label.hpp"
 #include "linkwright/io/number_text.hpp"
 
 namespace linkwright {
@@ -64,18 +65,22 @@ std::string label_of(const FunctionTask& task) {
 }
 
 std::string label_of(const SixBarTask& task) {
-  return fmt::format("six-bar through {} ({})", positions(position_count(task.poses)), pattern(task.poses));
+  std::string text = fmt::format("six-bar for {} ({})", positions(position_count(task.poses)), pattern(task.poses));
+  if (const auto row = six_bar_row(task.added)) text += ", " + row_label(*row);
+  return text;
 }
 
 std::string short_label_of(const MotionTask& task) { return positions(position_count(task.poses)); }
 std::string short_label_of(const FunctionTask& task) {
   return fmt::format("function on {} precision points", position_count(task.pairs));
 }
-std::string short_label_of(const SixBarTask& task) {
-  return "six-bar through " + positions(position_count(task.poses));
-}
+std::string short_label_of(const SixBarTask& task) { return "six-bar for " + positions(position_count(task.poses)); }
 
 }  // namespace
+
+std::string row_label(const SixBarRow& row) {
+  return fmt::format("{} by {} and {}", label(row.topology), text(row.added[0]), text(row.added[1]));
+}
 
 std::string task_label(const Task& task) {
   return std::visit([](const auto& of_kind) { return label_of(of_kind); }, task);

@@ -393,17 +393,6 @@ bool read_elbows(const JsonObject& object, std::array<int, 4>& elbow) {
   return is_list && complete;
 }
 
-std::optional<ThreeLinkChain> read_chain(const JsonValue& value, Mistakes& mistakes) {
-  const JsonObject object(value, mistakes, {"a", "b", "d", "elbow"});
-  const auto a = object.require_point("a"), b = object.require_point("b"), d = object.require_point("d");
-  ThreeLinkChain chain;
-  if (!read_elbows(object, chain.elbow) || !a || !b || !d) return std::nullopt;
-  chain.a = *a;
-  chain.b = *b;
-  chain.d = *d;
-  return chain;
-}
-
 bool read_added(const JsonObject& object, std::array<BodyPair, 2>& added) {
   const auto found = object.require("added", "\"added\": [\"0-2\", \"0-3\"]");
   if (!found) return false;
@@ -461,6 +450,17 @@ Task read_task(const JsonValue& value, const std::optional<Box>& options_box, Mi
     not_available(any, "mechanism", "function generation by a six_bar is");
   }
   return MotionTask{};  // other kinds have other keys
+}
+
+std::optional<ThreeLinkChain> read_chain(const JsonValue& value, Mistakes& mistakes) {
+  const JsonObject object(value, mistakes, {"a", "b", "d", "elbow"});
+  const auto a = object.require_point("a"), b = object.require_point("b"), d = object.require_point("d");
+  ThreeLinkChain chain;
+  if (!read_elbows(object, chain.elbow) || !a || !b || !d) return std::nullopt;
+  chain.a = *a;
+  chain.b = *b;
+  chain.d = *d;
+  return chain;
 }
 
 std::optional<Box> read_box(const JsonValue& value, Mistakes& mistakes) {

@@ -110,16 +110,15 @@ struct Foot {
 /// What no cell that passes has.
 constexpr double no_score = -std::numeric_limits<double>::infinity();
 
-double score_at(const RegionMap& map, const Requirements& wanted, Objective objective, std::size_t cell) {
-  if (map.type(cell) == LinkageType::degenerate || (wanted.no_defects && !map.defects(cell).none())) return no_score;
-  return score_of(objective, map.transmission_versines()[cell], map.link_ratios()[cell], map.longest_links()[cell]);
-}
-
-/// Passing cells that no neighbour betters, best first; requirements on single pivots are left to the judge.
-std::vector<Foot> feet(const RegionMap& map, const Requirements& wanted, Objective objective) {
+/// Passing cells that no passing neighbour betters, best first.
+std::vector<Foot> feet(const RegionMap& map, const RequirementFilter& filter, Objective objective) {
+  std::vector<std::uint8_t> failures(map.rows() * map.columns());
+  filter.failures_of_all(failures);
   std::vector<double> score;
-  for (std::size_t cell = 0; cell < map.rows() * map.columns(); ++cell)
-    score.push_back(score_at(map, wanted, objective, cell));
+  for (std::size_t cell = 0; cell < failures.size(); ++cell)
+    score.push_back(failures[cell] != 0 ? no_score
+                                        : score_of(objective, map.transmission_versines()[cell],
+                                                   map.link_ratios()[cell], map.longest_links()[cell]));
   const auto is_top = [&](std::size_t row, std::size_t column) {
     const double here = score[map.index(row, column)];
     bool top = here > no_score;
@@ -169,7 +168,8 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLin
                                       family.second_axis_length() / static_cast<double>(map.columns())};
   const auto wanted = static_cast<std::size_t>(choice.best);
   std::vector<SixBarProspect> tops;
-  for (const Foot& foot : feet(map, requirements, choice.objective)) {
+  const RequirementFilter filter = filter_of_six_bars(family, map, requirements);
+  for (const Foot& foot : feet(map, filter, choice.objective)) {
     if (tops.size() >= 3 * wanted || progress.is_cancelled()) break;
     const std::array<double, 2> place = {map.input_coordinates()[foot.row], map.output_coordinates()[foot.column]};
     if (const auto found = judge.prospect(place)) tops.push_back(judge.climbed(*found, place, step));

@@ -168,8 +168,8 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
          fmt::format("a seed is a whole number from 0 to {}; any of them will do", SynthesisOptions::most_seed)});
   if (options.effort < 1 || options.effort > SynthesisOptions::most_effort)
     found.push_back({"out_of_range", "options.effort",
-                     fmt::format("the number of chains to try lies between 1 and {}; 2000 is usual",
-                                 SynthesisOptions::most_effort)});
+                     fmt::format("the number of chains to try lies between 1 and {}; {} is usual",
+                                 SynthesisOptions::most_effort, SynthesisOptions{}.effort)});
   return found;
 }
 

@@ -1,5 +1,6 @@
 #include "linkwright/analysis/six_bar_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -25,8 +26,8 @@ TEST(SixBarCheck, GoesRoundAndComesHome) {
     EXPECT_TRUE(check.visited.empty());
     EXPECT_LT(check.worst_length, 1e-12);
     ASSERT_GT(check.states.size(), 300u);
-    EXPECT_GE(std::abs(check.states.back().turn), two_pi);
-    EXPECT_LT(std::abs(check.states.back().joints[SixBar::z5] - six_bar.at(SixBar::z5)), 0.1);
+    EXPECT_NEAR(std::abs(check.states.back().turn), two_pi, 1e-6);
+    EXPECT_LT(std::abs(check.states.back().joints[SixBar::z5] - six_bar.at(SixBar::z5)), 1e-5);
   }
 }
 
@@ -49,6 +50,24 @@ TEST(SixBarCheck, MeetsThePosesThatTheLoopsGive) {
   const SixBarState& last = there.states[there.states.size() - 1];
   EXPECT_GE(last.turn, 3.0);
   EXPECT_LT(last.turn, 3.1);
+}
+
+TEST(SixBarCheck, MarksPosesAndDrivesOnIfAsked) {
+  const SixBar six_bar = with_crank();
+  const Pose first{{3, 2}, 0.4};
+  const auto there = closed(six_bar, {1, direction(0.5), 1, 1, 1, 1});
+  ASSERT_TRUE(there);
+  const std::vector<PrescribedPose> poses = {{first, {}}, {guided_pose(six_bar, *there, first), {}}};
+  for (const bool to_the_end : {false, true}) {
+    SixBarCheckOptions options;
+    options.to_the_end = to_the_end;
+    const SixBarCheck check = check_by_driving(six_bar, poses, +1, options);
+    EXPECT_EQ(check.states.front().pose, 0);
+    const auto met = std::find_if(check.states.begin(), check.states.end(), [](const auto& s) { return s.pose == 1; });
+    ASSERT_NE(met, check.states.end());
+    EXPECT_NEAR(met->turn, 0.5, 1e-9);
+    EXPECT_NEAR(check.states.back().turn, to_the_end ? two_pi : 0.51, to_the_end ? 1e-6 : 0.02);
+  }
 }
 
 TEST(SixBarCheck, StopsAtADeadPoint) {

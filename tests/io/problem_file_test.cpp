@@ -211,6 +211,79 @@ TEST(ProblemFile, OfEveryKindReadsBackAsItself) {
   }
 }
 
+// Tasks as they are written: members in order, defaults filled in.
+std::vector<std::string> tasks_of_every_kind() {
+  const std::string motion = R"({"kind":"motion","mechanism":"four_bar","poses":[{"x":0,"y":0,"theta_deg":0},)"
+                             R"({"x":4,"y":10,"theta_deg":-10},{"x":34,"y":14,"theta_deg":-75}],"given":)";
+  const std::string function = R"({"kind":"function","mechanism":"four_bar",)";
+  const std::string pivots = R"("ground_pivots":{"input":[0,0],"output":[60.5,1]})";
+  const std::string dials = R"("input_range_deg":[0,60],"output_range_deg":[0,-45.3],"points":)";
+  const std::string pairs = R"("pairs":[{"input_deg":0,"output_deg":0,"derivatives":[{"input":1,"output":0.8}]},)"
+                            R"({"input_deg":33.3,"output_deg":21.7},{"input_deg":60,"output_deg":30}],)";
+  const std::string six_bar = R"({"kind":"motion","mechanism":"six_bar","poses":[{"x":0,"y":0,"theta_deg":0},)"
+                              R"({"x":80,"y":30,"theta_deg":14},{"x":150,"y":90,"theta_deg":34},)"
+                              R"({"x":200,"y":170,"theta_deg":57}],)";
+  return {
+      motion + R"({"side_length":18}})",
+      motion + R"({"side_lengths":[18,24.1]}})",
+      motion + R"({"side_angle_deg":33.3,"directed":false,"input_length":18}})",
+      motion + R"({"instant_center":[20.1,-3]}})",
+      motion + R"({"instant_center":[0,1],"at_infinity":true}})",
+      function + pairs + pivots + "}",
+      function + pairs + pivots + R"(,"free":{"number":"output_scale","range":[0.7,1.1]}})",
+      function + pairs + pivots + R"(,"free":{"number":"pair_output","pair":2,"range":[20.1,30]}})",
+      function + R"("function":{"expression":"x^-1.5","x":[1,2],)" + dials + R"(4,"spacing":[1,1.2,1.5,1.9]},)" +
+          pivots + "}",
+      function + R"("function":{"table":[[0,0],[1,2.5],[2,3],[4,3.5]],"interpolation":"linear","x":[0.5,3],)" +
+          R"("y":[0,4],)" + dials + R"(5,"spacing":"even"},)" + pivots + "}",
+      six_bar + R"("chain":{"a":[-250,-150],"b":[-200,220],"d":[100,90],"elbow":[1,-1,0,1]},"added":["0-2","3-4"]})",
+      six_bar + R"("added":["1-3","0-4"]})"};
+}
+
+TEST(ProblemFile, TasksOfEveryKindAreWrittenAsTheyWereRead) {
+  for (const std::string& task : tasks_of_every_kind()) {
+    SCOPED_TRACE(task);
+    const std::string text =
+        R"({"linkwright":1,"options":{"box":{"x":[-300,300],"y":[-200,250.5]},"seed":7,"effort":100},)"
+        R"("task":)" +
+        task + "}";
+    const std::string once = write_problem(read(text));
+    const auto again = nlohmann::json::parse(once);
+    EXPECT_EQ(again["task"], nlohmann::json::parse(task));
+    for (const auto& [key, value] : nlohmann::json::parse(text)["options"].items())
+      EXPECT_EQ(again["options"][key], value);
+    EXPECT_EQ(write_problem(read(once)), once);
+  }
+}
+
+TEST(ProblemFile, ANamedFunctionBringsItsPairs) {
+  const Problem problem = read(R"({"linkwright": 1, "task": {"kind": "function", "mechanism": "four_bar",
+    "function": {"expression": "x^2", "x": [0, 1], "input_range_deg": [10, 70], "output_range_deg": [0, 90],
+      "points": 5, "spacing": "even"}}})");
+  const auto& task = std::get<FunctionTask>(problem.task);
+  ASSERT_EQ(task.pairs.size(), 5u);
+  EXPECT_NEAR(degrees(task.pairs[1].input), 25, 1e-12);
+  EXPECT_NEAR(degrees(task.pairs[1].output), 90.0 / 16, 1e-12);
+}
+
+TEST(ProblemFile, ASearchTakesItsBoxFromTheOptions) {
+  const Problem problem =
+      read(R"({"linkwright": 1, "options": {"box": {"x": [-300, 300], "y": [-200, 250]}}, "task":)" +
+           tasks_of_every_kind().back() + "}");
+  const auto& task = std::get<SixBarTask>(problem.task);
+  ASSERT_TRUE(task.box);
+  EXPECT_EQ(task.box->y_high, 250);
+  EXPECT_FALSE(task.chain);
+}
+
+TEST(ProblemFile, AWrongBoxIsToldOnce) {
+  const auto problem =
+      read_problem(R"({"linkwright": 1, "options": {"box": {"x": [300, -300], "y": [-200, 250]}}, "task":)" +
+                   tasks_of_every_kind().back() + "}");
+  ASSERT_EQ(problem.errors().size(), 1u);
+  EXPECT_EQ(problem.errors()[0].place, "options.box");
+}
+
 TEST(ProblemFile, ThousandsOfDerivativesAreOneMistake) {
   std::string derivatives = R"({"x": 1, "y": 0, "theta": 0})";
   for (int i = 0; i < 16; ++i) derivatives += "," + derivatives;

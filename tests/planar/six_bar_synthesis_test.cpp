@@ -107,6 +107,22 @@ TEST(SixBarSynthesis, RefinesTheBest) {
   }
 }
 
+TEST(SixBarSynthesis, FindsWhatPassesBesideATopThatDoesNot) {
+  int tried = 0;
+  for (const std::size_t row : {std::size_t{1}, std::size_t{5}}) {
+    const Mapped mapped(row, 12, false);
+    for (const double ratio : {12.0, 8.0, 6.0, 5.0, 4.0}) {
+      Requirements wanted = with_defaults(Requirements{}, mapped.chain);
+      wanted.max_link_ratio = ratio;
+      const RequirementFilter filter = filter_of_six_bars(mapped.family, mapped.map, wanted);
+      const auto found = best_six_bars(mapped.task, mapped.chain, mapped.family, mapped.map, wanted, {.best = 1});
+      EXPECT_EQ(found.empty(), filter.census().meeting == 0) << row << " " << ratio;
+      tried += found.empty() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(tried, 2);
+}
+
 /// A body that rises and turns; pivots within a few of its steps.
 SixBarTask open_task() {
   SixBarTask task = task_with_chain(1);

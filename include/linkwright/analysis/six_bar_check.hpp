@@ -12,12 +12,14 @@ namespace linkwright {
 struct SixBarState {
   double turn = 0;  ///< of the driver from position 1, radians, counter-clockwise
   std::array<Point, SixBar::joint_count> joints{};
-  Pose body;  ///< the moving frame, its angle without jumps from state to state
+  Pose body;      ///< the moving frame, its angle without jumps from state to state
+  int pose = -1;  ///< the pose that is met there; −1: none
 };
 
 struct SixBarCheckOptions {
   double step = 0.02;  ///< of the driver, radians, at most; steps are shorter where a hinge moves fast
   double miss = 1e-6;  ///< most by which the guided body may miss a pose and meet it, as a share of the longest link
+  bool to_the_end = false;  ///< drives on when all poses are met, to a dead point or a whole turn
 };
 
 /// What happened on the way.
@@ -31,9 +33,9 @@ struct SixBarCheck {
 };
 
 /// Drives a six-bar by body 1, counter-clockwise (`sense` +1) or clockwise (−1), from position 1 for a whole turn,
-/// until it comes to a dead point or until it has met all poses (the first being that of position 1): another way than
-/// drive_six_bar. It knows the hinges' coordinates and the shapes of the bodies and nothing of loops, turns or dyads: a
-/// step of the driver's angle, and Newton's method on the distances.
+/// until it comes to a dead point or (SixBarCheckOptions::to_the_end) until it has met all poses (the first being that
+/// of position 1): another way than drive_six_bar. It knows the hinges' coordinates and the shapes of the bodies and
+/// nothing of loops, turns or dyads: a step of the driver's angle, and Newton's method on the distances.
 [[nodiscard]] SixBarCheck check_by_driving(const SixBar& six_bar, std::span<const PrescribedPose> poses, int sense,
                                            const SixBarCheckOptions& options = {});
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "linkwright/io/linkage_file.hpp"
+#include "linkwright/io/six_bar_file.hpp"
 
 namespace linkwright {
 
@@ -11,5 +12,10 @@ namespace linkwright {
 /// position 1; POSITIONS with the moving frame in all poses and the links in the others; COUPLER_CURVE with the path of
 /// traced_point() over the motion cycle.
 [[nodiscard]] std::string draw_dxf(const StoredLinkage& linkage);
+
+/// The same of a six-bar. Layers: GROUND, BODY_1 (the driver) … BODY_5, a bar with round ends where a body has two
+/// hinges, a closed polyline where it has three; POSITIONS with the moving frame in all poses and the bodies in the
+/// others; BODY_PATH with the path of the moving frame's origin.
+[[nodiscard]] std::string draw_dxf(const StoredSixBar& linkage);
 
 }  // namespace linkwright

@@ -5,6 +5,7 @@
 #include "linkwright/algebra/circular_cubic.hpp"
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/mechanism/six_bar.hpp"
 
 namespace linkwright {
 
@@ -24,6 +25,9 @@ namespace linkwright {
 
 /// Of a CurveBranch's name: "branch through infinity", "closed branch", …
 [[nodiscard]] std::string_view branch_label(std::string_view name);
+
+/// "Watt I", "Stephenson II", …
+[[nodiscard]] std::string_view label(SixBarTopology topology);
 
 /// "parallelogram or kite", … as Barker divides change points; empty for none.
 [[nodiscard]] std::string_view label(ChangePointKind kind);

@@ -4,6 +4,7 @@
 
 #include "linkwright/io/linkage_file.hpp"
 #include "linkwright/io/problem_file.hpp"
+#include "linkwright/io/six_bar_file.hpp"
 #include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright {
@@ -14,5 +15,8 @@ namespace linkwright {
 
 /// One linkage as a picture (SVG, 1000 × 800): its positions, its dimensions, its coupler curve.
 [[nodiscard]] std::string draw_linkage(const StoredLinkage& linkage);
+
+/// One six-bar as a picture of the same size: its positions, the path of the moving frame, its hinges and lengths.
+[[nodiscard]] std::string draw_linkage(const StoredSixBar& linkage);
 
 }  // namespace linkwright

@@ -75,6 +75,9 @@ class SixBarFamily {
   /// Link 5 hangs on link 4, so that its curve is another for each link 4.
   [[nodiscard]] bool second_depends_on_first() const { return added_[1].a == 4 || added_[1].b == 4; }
 
+  /// The links 5 whatever link 4 is; null where they depend on it.
+  [[nodiscard]] const AddedLinks* independent_second() const { return independent_second_.get(); }
+
   /// A link 4 in place: its hinges, its positions, and the links 5 that go with it.
   struct WithFirst {
     double coordinate = 0;

@@ -28,7 +28,7 @@ struct DirectionArc {
 ///
 ///     Re q |C|² + (b̄ − a + q ρ)·C + k + Re(b ρ) = 0,
 ///
-/// and two circles meet in at most two points (docs/theory/planar.md; the circles are those of G. N. Sandor,
+/// and two circles meet in at most two points (docs/theory/three_poses.md; the circles are those of G. N. Sandor,
 /// A. G. Erdman, Advanced Mechanism Design, 1984). Working frame throughout.
 class ThreePoseDyads {
  public:

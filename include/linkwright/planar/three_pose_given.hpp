@@ -32,7 +32,7 @@ struct InstantCenter {
   friend bool operator==(const InstantCenter&, const InstantCenter&) = default;
 };
 
-/// What a three-position task gives beside its poses (theory: docs/theory/planar.md).
+/// What a three-position task gives beside its poses (theory: docs/theory/three_poses.md).
 using ThreePoseGiven = std::variant<SideLengths, SideAngle, InstantCenter>;
 
 /// The caller's mistakes: lengths that are not positive or too large, numbers that are not finite. Places are

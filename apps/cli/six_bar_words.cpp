@@ -1,0 +1,227 @@
+#include "six_bar_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <vector>
+
+#include "four_bar_columns.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/io/label.hpp"
+#include "linkwright/io/number_text.hpp"
+#include "linkwright/io/task_label.hpp"
+#include "requirement_words.hpp"
+#include "text_table.hpp"
+
+namespace linkwright::cli {
+namespace {
+
+using Solutions = std::vector<SixBarSolution>;
+
+std::string angle(double radians, int decimals = 1) { return rounded_text(degrees(radians), decimals) + "°"; }
+std::string angle_of(double sine) { return angle(std::asin(std::min(sine, 1.0)), 2); }
+
+bool is_driven(const SixBarRating& rating) { return rating.drive.completed && rating.drive.defects.none(); }
+
+std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", grouped_text(count), count == 1 ? one : many);
+}
+
+std::string box_words(const Box& box) {
+  constexpr int digits = 6;
+  return fmt::format("x {}…{}, y {}…{}", significant_text(box.x_low, digits), significant_text(box.x_high, digits),
+                     significant_text(box.y_low, digits), significant_text(box.y_high, digits));
+}
+
+std::string search_words(const Problem& problem, const Solution& solution, const SixBarSearchResult& search) {
+  std::string text = fmt::format("Tried {} that reach all poses (of {} drawn, seed {}",
+                                 counted(search.chains_tried, "chain", "chains"), grouped_text(search.chains_drawn),
+                                 solution.options.seed);
+  if (solution.options.box) text += ", pivots in " + box_words(*solution.options.box);
+  text += fmt::format("): {} with all pivots in the box, {} driven, {} of these free of defects. Wanted: {}.",
+                      counted(search.six_bars, "six-bar", "six-bars"), grouped_text(search.driven),
+                      grouped_text(search.defect_free), requirement_words(solution.requirements, problem.length_unit));
+  text = wrapped(text);
+  if (search.interrupted)
+    text += wrapped(fmt::format("Stopped early, after {} of {} chains: {}", grouped_text(search.chains_tried),
+                                grouped_text(solution.options.effort),
+                                solution.six_bars.empty()
+                                    ? "nothing is found so far."
+                                    : "this is the best so far, checked and driven, but not refined."));
+  return text;
+}
+
+std::string map_words(const Problem& problem, const Solution& solution) {
+  const RegionCounts& counts = solution.counts;
+  const std::int64_t degenerate = counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+  std::string text = fmt::format("The map of {} × {} pairs of added links holds {}", solution.region.rows(),
+                                 solution.region.columns(), counted(counts.pairs - degenerate, "six-bar", "six-bars"));
+  if (degenerate > 0) text += fmt::format(" and {} pairs that make none", grouped_text(degenerate));
+  text += fmt::format(". {} free of defects; {}: {}.", counted(counts.defect_free, "is", "are"),
+                      counted(solution.meeting_requirements, "meets the requirements", "meet the requirements"),
+                      requirement_words(solution.requirements, problem.length_unit));
+  return wrapped(text);
+}
+
+std::string best_heading(Objective objective) {
+  constexpr std::array<std::string_view, 4> orders = {"largest least transmission angle over the task (γ) first",
+                                                      "smallest link ratio first", "smallest longest link first",
+                                                      "largest least transmission angle over the task (γ) first"};
+  return fmt::format("Best six-bars, {}:\n", orders[static_cast<std::size_t>(objective)]);
+}
+
+std::string drive_cell(const SixBarDriveReport& drive) {
+  if (drive.defects.circuit()) return "no: circuit";
+  if (drive.defects.branch()) return "no: branch";
+  return drive.defects.order() ? "no: order" : std::string(name(drive.sense));
+}
+
+std::string dimension_table(const Solutions& found, int decimals) {
+  TextTable table({"#", "<topology", "<four-bar loop", "<drive", "turns", "γ", "ratio", "longest"});
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const SixBarRating& rating = found[i].rating;
+    const bool driven = is_driven(rating);
+    table.add_row({fmt::format("{}", i + 1), std::string(label(found[i].row.topology)),
+                   std::string(short_label(rating.shape.type)), drive_cell(rating.drive),
+                   driven ? angle(rating.drive.sweep) : "–", driven ? angle(rating.min_transmission_angle()) : "–",
+                   rounded_text(rating.shape.link_ratio, 2), rounded_text(rating.shape.longest, decimals)});
+  }
+  return table.text();
+}
+
+/// "c4 (0-4)".
+std::string hinge_name(const SixBar& six_bar, SixBar::JointIndex joint) {
+  const auto& bodies = six_bar.joints[joint].bodies;
+  return fmt::format("{} ({}-{})", joint_name(joint), bodies[0], bodies[1]);
+}
+
+/// The hinges of each six-bar: `joints` as columns.
+std::string hinge_table(const Solutions& found, std::initializer_list<SixBar::JointIndex> joints, int decimals) {
+  std::vector<std::string> heading = {"#"};
+  for (const auto joint : joints) heading.push_back(hinge_name(found.front().member.six_bar, joint));
+  TextTable table(heading);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    std::vector<std::string> row = {fmt::format("{}", i + 1)};
+    for (const auto joint : joints) row.push_back(pivot_text(found[i].member.six_bar.at(joint), decimals));
+    table.add_row(std::move(row));
+  }
+  return table.text();
+}
+
+constexpr std::string_view body_words =
+    "Bodies: 0 the ground, 1 the driver, 2 the link between, 3 the guided body; 4 and 5 the added links.";
+
+std::string chain_words(const Solution& solution, int decimals) {
+  const Solutions& found = solution.six_bars;
+  const auto chain = {SixBar::a, SixBar::b, SixBar::d};
+  if (solution.search) return "The chain:\n" + hinge_table(found, chain, decimals);
+  const SixBar& six_bar = found.front().member.six_bar;  // the same in all
+  std::string text = "The chain, as given:";
+  for (const auto joint : chain)
+    text += fmt::format("{} {} at {}", joint == SixBar::a ? "" : ";", hinge_name(six_bar, joint),
+                        pivot_text(six_bar.at(joint), decimals));
+  return wrapped(text + ".");
+}
+
+std::string hinge_words(const Solution& solution, int decimals) {
+  return "Hinges (x, y) and the bodies they join, in position 1.\n" + chain_words(solution, decimals) +
+         "The added links:\n" +
+         hinge_table(solution.six_bars, {SixBar::c4, SixBar::z4, SixBar::c5, SixBar::z5}, decimals) +
+         wrapped(body_words);
+}
+
+std::string check_words(const Solutions& all) {
+  double length = 0, pose = 0;
+  bool confirmed = true;
+  for (const SixBarSolution& found : all) {
+    length = std::max(length, found.residual);
+    pose = std::max(pose, found.pose_residual);
+    confirmed = confirmed && found.verified_by_driving;
+  }
+  return wrapped(fmt::format(
+      "All distances between the hinges of a link stay the same over the positions to {} of themselves, and the body "
+      "misses no pose by more than {} of the longest link; {}.",
+      significant_text(length, 2), significant_text(pose, 2),
+      confirmed ? "driving every six-bar listed through the task, another way, confirmed the table"
+                : "driving did not confirm every six-bar listed, which is our mistake: please report it"));
+}
+
+std::string nothing_words(const Problem& problem, const Solution& solution) {
+  if (solution.options.best == 0 || (solution.search && solution.search->interrupted)) return "";
+  std::string text = "\n" + wrapped(solution.reason.message);
+  for (const Relaxation& relaxation : solution.relax)
+    text += wrapped("  " + relaxation_words(relaxation, problem.length_unit), 4);
+  return text;
+}
+
+std::string length_table(const SixBarAnalysis& analysis, int decimals) {
+  TextTable table({"<link", "<hinges", "distance"});
+  for (const SixBarLength& length : analysis.lengths)
+    table.add_row({fmt::format("{}", length.body),
+                   fmt::format("{}-{}", joint_name(length.joints[0]), joint_name(length.joints[1])),
+                   rounded_text(length.length, decimals)});
+  return table.text();
+}
+
+std::string range_words(const SixBarMotion& motion) {
+  if (motion.full_turn) return "The driver turns fully; it has no dead points.\n";
+  if (motion.states.empty()) return "";
+  return wrapped(
+      fmt::format("The driver swings from {} to {} ({} in all) about position 1, counter-clockwise "
+                  "positive, between two dead points.",
+                  angle(motion.states.front().place.turn, 2), angle(motion.states.back().place.turn, 2),
+                  angle(motion.states.back().place.turn - motion.states.front().place.turn, 2)));
+}
+
+std::string travel_words(const SixBarAnalysis& analysis) {
+  if (analysis.linkage.poses.size() < 2) return "";
+  if (analysis.travel.states.empty())
+    return wrapped("Driven by body 1 it does not pass all poses of the file in their order.");
+  const double turn = analysis.travel.states.back().place.turn;
+  return wrapped(
+      fmt::format("Through all {} poses of the file the driver turns {} {}; the least transmission angle on "
+                  "the way is {}.",
+                  analysis.linkage.poses.size(), angle(std::abs(turn), 2), turn < 0 ? "clockwise" : "counter-clockwise",
+                  angle_of(analysis.travel.least_sine())));
+}
+
+std::string transmission_words(const SixBarAnalysis& analysis) {
+  const std::string_view what =
+      analysis.motion.dyadic
+          ? "Transmission angle (the smaller of its two dyads)"
+          : "Transmission measure (its bodies move all together: asin √(|det| / Π|columns|) of the loops)";
+  std::string text = fmt::format("{} as it lies: {}", what, angle(analysis.transmission_angle, 2));
+  text += analysis.motion.full_turn
+              ? fmt::format("; least over the full turn: {}.", angle_of(analysis.motion.least_sine()))
+              : "; it is 0 at the dead points.";
+  return wrapped(text);
+}
+
+}  // namespace
+
+std::string six_bar_answer(const Problem& problem, const Solution& solution) {
+  const Solutions& found = solution.six_bars;
+  std::string text = solution.search ? search_words(problem, solution, *solution.search) : map_words(problem, solution);
+  if (found.empty()) return text + nothing_words(problem, solution);
+  double longest = 0;
+  for (const SixBarSolution& one : found) longest = std::max(longest, one.rating.shape.longest);
+  const int decimals = std::min(length_decimals(longest), 9);
+  return text + "\n" + best_heading(solution.options.objective) + dimension_table(found, decimals) + "\n" +
+         hinge_words(solution, decimals) + "\n" + check_words(found);
+}
+
+std::string six_bar_words(const SixBarAnalysis& analysis) {
+  const StoredSixBar& linkage = analysis.linkage;
+  const std::string title = linkage.title.empty() ? "Six-bar linkage" : printable(linkage.title);
+  const std::string unit = printable(linkage.length_unit);
+  const int decimals = std::min(length_decimals(analysis.shape.longest) + 1, 12);
+  return wrapped(fmt::format("{}: {}, driven by body 1 at hinge a", title, row_label(linkage.row))) +
+         (unit.empty() ? std::string("Lengths:\n") : fmt::format("Lengths in {}:\n", unit)) +
+         length_table(analysis, decimals) +
+         wrapped(fmt::format("Longest over shortest: {}. The four-bar loop by itself: {}.",
+                             rounded_text(analysis.shape.link_ratio, 3), label(analysis.shape.type))) +
+         range_words(analysis.motion) + travel_words(analysis) + transmission_words(analysis) + wrapped(body_words);
+}
+
+}  // namespace linkwright::cli
