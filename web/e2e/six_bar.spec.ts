@@ -5,7 +5,7 @@ import type {Page} from "@playwright/test";
 async function open_loader(page: Page): Promise<void> {
   await open_workbench(page);
   await file_menu(page, "file.examples");
-  await page.getByTestId("example.loader_bucket").click();
+  await page.getByTestId("example.wheel_loader").click();
   await until_settled(page);
 }
 /** The map's hash of what it shows. */

@@ -18,14 +18,14 @@ import type {TextKey} from "../texts/texts.svelte";
 import almost_symmetric from "./almost_symmetric.json?raw";
 import five_hatch from "./five_hatch.json?raw";
 import hatchback_lid from "./hatchback_lid.json?raw";
-import loader_bucket from "./loader_bucket.json?raw";
+import wheel_loader from "./wheel_loader.json?raw";
 import mirror_symmetric from "./mirror_symmetric.json?raw";
 import parallel_moves from "./parallel_moves.json?raw";
 import three_parallel from "./three_parallel.json?raw";
 
 const files = {
   tailgate, drawer_hinge, dump_bucket, landing_gear, folding_table, lift_platform, hood_hinge, latch,
-  airtight_hatch, corner_drawer, nose_gear, transfer_arm, sine_generator, log_generator, five_hatch, loader_bucket, hatchback_lid,
+  airtight_hatch, corner_drawer, nose_gear, transfer_arm, sine_generator, log_generator, five_hatch, wheel_loader, hatchback_lid,
   almost_symmetric, mirror_symmetric, three_parallel, parallel_moves,
 };
 export type ExampleName = keyof typeof files;

@@ -9,7 +9,7 @@ import {engine_text} from "../../state/problem";
 import {six_bar_kind} from "./kind";
 
 const wasm = readFileSync(new URL("../../engine/generated/linkwright.wasm", import.meta.url));
-const problem = engine_text(examples.find(({name}) => name === "loader_bucket")!.problem);
+const problem = engine_text(examples.find(({name}) => name === "wheel_loader")!.problem);
 let server: Server;
 beforeAll(async () => {
   server = new Server(await create_linkwright({wasmBinary: wasm}));
