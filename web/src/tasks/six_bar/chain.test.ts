@@ -58,8 +58,9 @@ describe("what carries an added link's end", () => {
   const at: Point[] = [[0, 0], [5, 5], [10, 0], [3, -4], [8, 8], [1, 1], [12, 3]];
   const six_bar = {joints: at.map((point, i) => ({name: String(i), ground: i === 0 || i === 3, at: point})), bodies: [[0, 3], [0, 1, 5], [1, 2, 4], [2, 6], [3, 4], [5, 6]]} as unknown as SixBar;
   const moved = (point: Point) => placed(body_point(point, {x: 0, y: 0, theta_deg: 0}), {x: 7, y: -2, theta_deg: 33});
-  const carrier = (side: "input" | "output", end: "center" | "circle") =>
-    carrier_of({six_bar} as Linkage, side, end, {pose: {x: 0, y: 0, theta_deg: 0}, joints: at.map(moved)}, {x: 0, y: 0, theta_deg: 0});
+  const nowhere = {center: null, circle: null};
+  const now = {pose: {x: 0, y: 0, theta_deg: 0}, joints: at.map(moved), ends: {input: nowhere, output: nowhere}};
+  const carrier = (side: "input" | "output", end: "center" | "circle") => carrier_of({six_bar} as Linkage, side, end, now, now.pose);
   it("is nothing on the ground", () => expect(carrier("input", "center")).toBeNull());
   it("is the other body of the hinge", () => {
     for (const [side, end, joint] of [["input", "circle", 4], ["output", "center", 5], ["output", "circle", 6]] as const) {
