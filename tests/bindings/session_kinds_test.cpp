@@ -105,6 +105,29 @@ TEST(SessionOfFivePoses, FreesOneOfThem) {
   ASSERT_FALSE(linkage["miss"].is_null());
   const double distance = linkage["miss"]["distance"], angle = linkage["miss"]["angle_deg"];
   EXPECT_GT(std::hypot(distance, angle), 0);
+  std::vector<int> positions;
+  for (const json& tick : linkage["drive"]["ticks"]) positions.push_back(tick["position"]);
+  EXPECT_EQ(positions, (std::vector<int>{1, 2, 4, 5}));
+}
+
+TEST(SessionOfFivePoses, CountsThePosesOfADefectAsTheTaskDoes) {
+  json problem = json::parse(five_poses);
+  problem["task"]["freed_pose"] = 2;
+  Explored explored(problem.dump(), 60);
+  const auto& map = explored.reply.map->map();
+  int seen = 0;
+  for (std::size_t row = 0; row < map.rows(); ++row)
+    for (std::size_t column = 0; column < map.columns() && seen < 20; ++column) {
+      if (map.defects()[map.index(row, column)] == 0) continue;
+      const json reason = json::parse(
+          explored.session.linkage(explored.reply.input_tau[row], explored.reply.output_tau[column]).linkage)["reason"];
+      if (reason.is_null() || reason["code"] != "order_defect") continue;
+      std::string order = reason["values"]["order"];
+      std::sort(order.begin(), order.end());
+      EXPECT_EQ(order, "---1345");
+      ++seen;
+    }
+  EXPECT_GT(seen, 0);
 }
 
 TEST(SessionOfAFunction, HasARibbon) {

@@ -97,6 +97,7 @@ export class Workbench extends Editing {
   /** One more engine, for what takes its time. */
   start_engine: ((on_ready: () => void, on_crash: () => void) => EngineClient) | null = null;
   private toast_id = 0;
+  private map_shown = "";
 
   get tau_in_hand(): TauPair | null {
     return this.hovered ?? this.picked?.tau ?? null;
@@ -165,6 +166,7 @@ export class Workbench extends Editing {
   /** Brings map, curves and the linkage in hand up to the document. */
   refresh(): void {
     this.incomplete = incompleteness(this.problem);
+    this.show_whole_map();
     if (this.incomplete) {
       this.task = this.map = this.census = this.hand = this.picked_linkage = this.live = null;
       this.maps.stop();
@@ -174,6 +176,12 @@ export class Workbench extends Editing {
       this.maps.refresh();
       this.linkages.follow();
     }
+  }
+  /** A part of one map is no part of another. */
+  private show_whole_map(): void {
+    const map = map_of(this.problem.task);
+    if (map !== this.map_shown) this.window = whole;
+    this.map_shown = map;
   }
   zoom(window: Window): void {
     this.window = this.task ? held_window(this.task.axes, window) : window;

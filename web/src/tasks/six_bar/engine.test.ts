@@ -6,6 +6,7 @@ import {Server} from "../../engine/serve";
 import {whole, type Kind, type Replies, type Requests} from "../../engine/protocol";
 import {examples} from "../../gallery/gallery";
 import {engine_text} from "../../state/problem";
+import {six_bar_kind} from "./kind";
 
 const wasm = readFileSync(new URL("../../engine/generated/linkwright.wasm", import.meta.url));
 const problem = engine_text(examples.find(({name}) => name === "loader_bucket")!.problem);
@@ -18,6 +19,12 @@ function ask<K extends Kind>(kind: K, content: Requests[K]): Replies[K] {
   return (message as unknown as {reply: Replies[K]}).reply;
 }
 
+it("finds linkages in a task that is begun anew", () => {
+  const problem = engine_text(six_bar_kind.beginnings[0].make());
+  const {task, map} = ask("explore", {problem, samples: 100, window: whole, property: "min_transmission_angle_deg", order: "fresh"});
+  expect(task.status).toBe("solved");
+  expect(map!.census.meeting).toBeGreaterThan(0);
+});
 it("counts what the program counts, and drives what meets everything through all positions", () => {
   const {map} = ask("explore", {problem, samples: 100, window: whole, property: "min_transmission_angle_deg", order: "fresh"});
   expect(map!.census).toMatchObject({pairs: 400, order: 0, branch: 343, circuit: 0, defect_free: 57});
