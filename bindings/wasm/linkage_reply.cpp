@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "function_reply.hpp"
 #include "io/problem_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "reply_json.hpp"
@@ -58,11 +59,30 @@ Notice degenerate_notice(const PickedLinkage& picked, const WorkingFrame& frame)
   return {"zero_link", "A link has no length: this is no four-bar.", {}};
 }
 
+/// Positions as the task counts them, from 1: the freed pose is none of those that are served.
+int position_of(std::size_t pose, const PickedLinkage& picked) {
+  const bool behind = picked.freed_place && pose >= *picked.freed_place;
+  return static_cast<int>(pose) + (behind ? 2 : 1);
+}
+
+/// The values of a defect's notice, which counts the poses served.
+void renumber(Notice& notice, const PickedLinkage& picked) {
+  const auto position = [&](int served) { return position_of(static_cast<std::size_t>(served - 1), picked); };
+  for (Notice::Value& value : notice.values)
+    if (auto* number = std::get_if<double>(&value.value))
+      *number = position(static_cast<int>(*number));
+    else
+      for (char& digit : std::get<std::string>(value.value))
+        if (digit != '-') digit = static_cast<char>('0' + position(digit - '0'));
+}
+
 void write_reason(JsonWriter& json, const PickedLinkage& picked, const WorkingFrame& frame) {
   json.key("reason");
   if (!picked.bars) return write_notice(json, degenerate_notice(picked, frame));
-  const auto reason = defect_notice(picked.bars->report.defects, picked.visits);
-  reason ? write_notice(json, *reason) : json.null();
+  auto reason = defect_notice(picked.bars->report.defects, picked.visits);
+  if (!reason) return json.null();
+  renumber(*reason, picked);
+  write_notice(json, *reason);
 }
 
 void write_lengths(JsonWriter& json, const PickedLinkage& picked) {
@@ -111,10 +131,10 @@ void write_miss(JsonWriter& json, const PickedLinkage& picked) {
   json.end_object();
 }
 
-/// Positions as the task counts them, from 1: the freed pose is none of those that are served.
-int position_of(std::size_t pose, const PickedLinkage& picked) {
-  const bool behind = picked.freed_place && pose >= *picked.freed_place;
-  return static_cast<int>(pose) + (behind ? 2 : 1);
+void write_function(JsonWriter& json, const PickedLinkage& picked) {
+  json.key("function");
+  if (!picked.task) return json.null();
+  write_generated_function(json, *picked.task, *picked.bars->function);
 }
 
 void write_ticks(JsonWriter& json, const PickedLinkage& picked) {
@@ -172,6 +192,10 @@ PickedLinkage picked_linkage(const TaskFamily& given, RegionPlace place, bool re
   const std::vector<PrescribedPose> poses = given.family->user_poses(place, picked.bars->four_bar);
   picked.visits = pose_visits(picked.bars->four_bar, poses);
   picked.drive = drive_table(picked.visits, poses, states_of_a_drive);
+  if (const FunctionFamily* family = function_family(given)) {
+    picked.task = family->task_at(place);
+    picked.bars->function = function_error(picked.bars->four_bar, *picked.task);
+  }
   return picked;
 }
 
@@ -194,6 +218,7 @@ std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame)
                                         : 0.0);
     write_swapped(json, picked);
     write_miss(json, picked);
+    write_function(json, picked);
     json.member("fails", int{picked.fails});
     write_drive(json, picked);
     json.end_object();

@@ -81,7 +81,7 @@ struct TaskWords {
 constexpr TaskWords function_words = {
     "Four-bars that generate all pairs: {}; free of defects: {}; meeting all requirements: {}.",
     "None of the four-bars that generate all pairs ({}) is free of defects: {}.", "lock between two pairs (branch)",
-    "Try other pairs or other ranges of the dials, leave a number free, or allow a defect (no_defects: false)."};
+    "Try other ranges of the dials, fewer or other pairs, or allow a defect (no_defects: false)."};
 
 Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
   const RegionCounts& counts = solution.counts;

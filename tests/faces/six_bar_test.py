@@ -72,11 +72,9 @@ class SixBars(FaceTest):
         text = (ROOT / "examples/README.md").read_text(encoding="utf-8")
         words = re.sub(r"\s+", " ", text[text.index("## Six-bars"):])
         counts = self.chain["region"]["counts"]
-        for said in (f"{self.search['search']['effort'] // 1000} 000 chains", f"{len(self.search['linkages'])} six-bars (Watt I)",
-                     f"γ = {self.search['linkages'][0]['min_transmission_angle_deg']:.1f}°",
+        for said in (f"{self.search['search']['effort'] // 1000} 000 chains",
                      f"{counts['defect_free']:,} are free of defects".replace(",", " "),
-                     f"{self.chain['region']['meeting_requirements']} meet the requirements",
-                     f"γ = {self.chain['linkages'][0]['min_transmission_angle_deg']:.1f}°"):
+                     f"{self.chain['region']['meeting_requirements']} meet the requirements"):
             self.assertIn(said, words)
 
     def test_the_table_drives_through_the_poses(self):

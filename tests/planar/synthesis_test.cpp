@@ -355,5 +355,40 @@ TEST(SolveMotion, NamesTheDegeneracyOfMixedPositions) {
   EXPECT_GT(solution.counts.pairs, 0);
 }
 
+FunctionTask named_function(std::string expression, std::array<double, 2> x, double output_range_deg) {
+  FunctionTask task;
+  task.function = NamedFunction{.expression = std::move(expression),
+                                .x = x,
+                                .input_range = {0, radians(60)},
+                                .output_range = {0, radians(output_range_deg)},
+                                .points = 5};
+  task.pairs = precision_pairs(*task.function);
+  return task;
+}
+
+TEST(SolveFunction, FivePrecisionPointsListEveryLinkageWhateverItsDefects) {
+  int with_defects = 0, free_of_them = 0;
+  for (const FunctionTask& task : {named_function("log", {1, 10}, 60), named_function("log", {1, 4}, -45),
+                                   named_function("sin_deg", {0, 90}, -120), named_function("x^2", {1, 10}, -120)}) {
+    const auto solution = solve(task, {}, {});
+    ASSERT_TRUE(solution.ok());
+    EXPECT_LE(solution->linkages.size(), solution->pairs.size());
+    EXPECT_NE(solution->reason.message.find("generate all pairs"), std::string::npos) << solution->reason.message;
+    for (const FourBarSolution& found : solution->pairs) {
+      ASSERT_TRUE(found.function);
+      EXPECT_TRUE(found.verified_by_driving);
+      const bool is_free = found.report.defects.none();
+      EXPECT_EQ(defect_notice(found, solution->given).has_value(), !is_free);
+      if (is_free) {
+        EXPECT_TRUE(found.function->reaches_pairs);
+        EXPECT_LT(found.function->precision_error, 1e-9);
+      }
+      (is_free ? free_of_them : with_defects) += 1;
+    }
+  }
+  EXPECT_GT(with_defects, 0);
+  EXPECT_GT(free_of_them, 0);
+}
+
 }  // namespace
 }  // namespace linkwright

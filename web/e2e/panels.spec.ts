@@ -122,9 +122,12 @@ test.describe("table of positions", () => {
 
     await page.getByTestId("task.add").click();
     expect((await poses(page))[4]).toEqual({x: -220, y: 680, theta_deg: -112});
-    await expect(page.getByTestId("task.missing")).toContainText("5 positions");
-    await page.getByTestId("task.menu.5").click();
-    await page.getByTestId("task.remove").click();
+    await page.getByTestId("task.add").click();
+    await expect(page.getByTestId("task.missing")).toContainText("6 positions");
+    for (const row of [6, 5]) {
+      await page.getByTestId(`task.menu.${row}`).click();
+      await page.getByTestId("task.remove").click();
+    }
     expect(await poses(page)).toEqual(before);
 
     await page.getByTestId("task.menu.3").click();

@@ -73,3 +73,38 @@ describe("clip", () => {
     expect(clip([1, 1], [2, 2], [0, 0], [10, 10])).toEqual([[1, 1], [2, 2]]);
   });
 });
+
+describe("samples of other dyads", () => {
+  const circle = (count: number, tau: (i: number) => number, branch: (i: number) => number) => ({
+    tau: Float64Array.from({length: count}, (_, i) => tau(i)), branch: Uint8Array.from({length: count}, (_, i) => branch(i)),
+    center: Float64Array.from({length: 3 * count}, (_, i) => [1, 50 * Math.cos(i / 3 / 10), 50 * Math.sin(i / 3 / 10)][i % 3]),
+    circle: Float64Array.from({length: 3 * count}, (_, i) => [1, 0, Math.floor(i / 3)][i % 3]),
+  });
+  const axis = (quantity: string, count: number) => ({quantity, order: 0, blocks: [], ticks: null, branches: Array.from({length: count}, (_, i) => ({name: "sheet", from: i, to: i + 1}))});
+  const answer = (quantity: string, count: number, curves: object, output: object | null) =>
+    ({characteristic_length: 100, curves: {kind: quantity, ...curves}, output_curves: output, axes: {input: axis(quantity, count), output: axis(quantity, count)}}) as unknown as TaskAnswer;
+
+  it("are broken where there are none, and closed where they go all round", () => {
+    const gapped = circle(200, (i) => (i < 60 ? i / 200 : 0.2 + i / 300), () => 0), full = circle(200, (i) => i / 200, () => 0);
+    const {input, output} = samples_of_sides(answer("side_direction", 1, gapped, full), [0, 0]);
+    expect(input!.runs.map(({from, to, closed}) => [from, to, closed])).toEqual([[0, 60, false], [60, 200, false]]);
+    expect(output!.runs.map(({closed}) => closed)).toEqual([true]);
+    expect([input!.sides, output!.sides]).toEqual([["input"], ["output"]]);
+    expect(curve_path(input!, "center", view).match(/M/g)).toHaveLength(2);
+    expect(spot_of_tau(input!, "center", 0.1)!.index).toBe(20);
+    expect(spot_of_tau(input!, "center", 0.45)!.index).toBe(75);
+    expect(spot_of_tau(input!, "center", 0.35)!.index).toBe(59); // in the gap: the end before it
+  });
+  it("may be single ones, each a place to go to", () => {
+    const {input} = samples_of_sides(answer("burmester_point", 3, circle(3, (i) => i + 0.5, (i) => i), null), [0, 0]);
+    expect(input!.discrete).toBe(true);
+    expect(input!.runs).toHaveLength(3);
+    const spot = nearest(input!, "circle", view, [205, 198])!;
+    expect([spot.tau, spot.sides]).toEqual([2.5, ["input", "output"]]);
+    expect(point_at(input!, "circle", spot)).toEqual([0, 2]);
+  });
+  it("are none where they depend on the other side", () => {
+    const none = {tau: new Float64Array(), branch: new Uint8Array(), center: new Float64Array(), circle: new Float64Array()};
+    expect(samples_of_sides(answer("side_direction", 1, circle(9, (i) => i / 9, () => 0), none), [0, 0]).output).toBeNull();
+  });
+});

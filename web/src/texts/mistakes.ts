@@ -5,8 +5,10 @@ import {known_text, t, type TextKey, type Values} from "./texts.svelte";
 
 /** First match wins; named groups are the values of the text. */
 const readings: readonly (readonly [RegExp, TextKey])[] = [
+  [/^either .+ belongs here, not both$/, "mistake.one_of_two"],
   [/^(?<wanted>.+) belongs? here, not (?<found>.+)$/, "mistake.wrong_type"],
   [/^two numbers \[low, high\] belong here$/, "mistake.interval"],
+  [/^two numbers \[.*\] belong here$/, "mistake.two_numbers"],
   [/^this is missing/, "mistake.missing_key"],
   [/^this key is not known here; the nearest known one is "(?<name>.+)"$/, "mistake.unknown_key"],
   [/^this key is given twice/, "mistake.duplicate_key"],
@@ -18,6 +20,23 @@ const readings: readonly (readonly [RegExp, TextKey])[] = [
   [/^(?<count>\d+) (?:poses|positions) (?:were|was|are) given/, "mistake.too_many_poses"],
   [/^(?<count>\d+) pairs? (?:were|was) given.* are needed/, "mistake.too_few_pairs"],
   [/^(?<count>\d+) pairs (?:were|are) given/, "mistake.too_many_pairs"],
+  [/^an instant centre goes with/, "mistake.unneeded_center"],
+  [/^a centre at infinity needs/, "mistake.center_direction"],
+  [/a centre at infinity is given by/, "mistake.center_range"],
+  [/^the angle between the side links is/, "mistake.side_angle_range"],
+  [/^its borders must be/, "mistake.box_range"],
+  [/^the number of chains to try lies between (?<low>\d+) and (?<high>\d+)/, "mistake.effort_range"],
+  [/^a structural error belongs/, "mistake.objective_of_function"],
+  [/^a seed is/, "mistake.seed_range"],
+  [/^an elbow is/, "mistake.elbow_range"],
+  [/^pairs count from|^there are only \d+ pairs/, "mistake.pair_number"],
+  [/^the output's travel is multiplied/, "mistake.scale_range"],
+  [/^the range is \[low, high\]|^the range is written/, "mistake.range_order"],
+  [/^the input's dial has/, "mistake.dial_turn"],
+  [/^a range is two/, "mistake.range_numbers"],
+  [/^four or five precision points/, "mistake.precision_points"],
+  [/^the point lies outside/, "mistake.point_outside"],
+  [/^x and y must be/, "mistake.table_numbers"],
   [/^the length of a side link is/, "mistake.side_length_range"],
   [/^(?<count>\d+) derivatives are given/, "mistake.too_many_derivatives"],
   [/^poses\[(?<i>\d+)\] and poses\[(?<j>\d+)\] are the same/, "mistake.same_poses"],
@@ -59,6 +78,7 @@ const readings: readonly (readonly [RegExp, TextKey])[] = [
 const words: Record<string, TextKey> = {
   "a number": "word.number", "a whole number": "word.whole_number", "a text": "word.text", "a text in double quotes": "word.text",
   "a list": "word.list", "an object": "word.object", "an object { … }": "word.object", "true or false": "word.flag", "a list of poses": "word.poses", "a list of linkage types": "word.types",
+  "two pairs of bodies": "word.bodies",
   "a pair of intervals [[low, high], [low, high]]": "word.intervals",
 };
 function in_words(values: Record<string, string>): Values {

@@ -1,0 +1,62 @@
+import {describe, expect, it} from "vitest";
+import type {Linkage} from "../../engine/protocol";
+import {with_poses, type Problem} from "../../state/problem";
+import {poses_of, with_task_poses, type Given, type MotionTask} from "../../state/task";
+import {freeable, freed_of, with_freed} from "./freed";
+import {form_of, free_numbers, fresh_given, given_forms, given_of, has_form, lengths_of, takes_given, with_given, with_length} from "./given";
+import {motion_kind, new_problem} from "./kind";
+
+const four = new_problem(), three = with_poses(four, poses_of(four.task).slice(1));
+const [{problem: five}] = motion_kind.beginnings.filter(({id}) => id === "five_positions").map((beginning) => ({problem: beginning.make()}));
+const travel = [{x: 1, y: 0, theta: 0}];
+
+describe("what is given beside three positions", () => {
+  it("belongs to three positions, an instant centre to such without a direction of travel", () => {
+    expect([three, four, five].map(takes_given)).toEqual([true, false, false]);
+    const mixed = with_poses(three, [{...poses_of(three.task)[0], derivatives: travel}, poses_of(three.task)[1]]);
+    expect(takes_given(mixed)).toBe(true);
+    expect(given_forms.filter((form) => has_form(mixed, form))).toEqual(["side_lengths", "side_length", "side_angle"]);
+  });
+  it("begins in each form with numbers of the task's size, or those of the linkage in hand", () => {
+    for (const form of given_forms) {
+      const given = fresh_given(form, three, null);
+      expect(form_of(given)).toBe(form);
+      expect(given_of(with_given(three, given))).toEqual(given);
+      for (const length of Object.values(lengths_of(given))) expect(length === null || length > 10).toBe(true);
+    }
+    const hand = {input: {length: 12.3456}, output: {length: 78.9}} as Linkage;
+    expect(fresh_given("side_lengths", three, hand)).toEqual({side_lengths: [12.3, 78.9]});
+  });
+  it("leaves so many numbers free, and a length that is open can be set", () => {
+    const all: [Given, number, Given][] = [
+      [{side_lengths: [1, 2]}, 2, {side_lengths: [1, 9]}], [{side_length: 1}, 3, {side_lengths: [1, 9]}],
+      [{side_angle_deg: 30}, 3, {side_angle_deg: 30}], [{side_angle_deg: 30, input_length: 4}, 2, {side_angle_deg: 30, input_length: 4}],
+      [{instant_center: [0, 1]}, 2, {instant_center: [0, 1]}],
+    ];
+    for (const [given, free, longer] of all) {
+      expect(free_numbers(given)).toBe(free);
+      if ("output" in lengths_of(given)) expect(with_length(given, "output", 9)).toEqual(longer);
+    }
+    expect(lengths_of({side_length: 5})).toEqual({input: 5, output: null});
+    expect(with_length({side_angle_deg: 30}, "input", 7)).toEqual({side_angle_deg: 30, input_length: 7});
+  });
+});
+
+describe("a freed position", () => {
+  it("is one of five, without derivatives, and back again", () => {
+    expect(freeable(four)).toEqual([]);
+    expect(freeable(five)).toEqual([1, 2, 3, 4, 5]);
+    const freed = with_freed(five, 3);
+    expect([freed_of(freed), freed_of(with_freed(freed, null)), freed_of(five)]).toEqual([3, null, null]);
+    expect(motion_kind.properties!(freed.task as MotionTask)).toEqual(["pose_miss"]);
+    expect(motion_kind.stops(freed.task as MotionTask)).toBe(4);
+  });
+  it("goes with the fifth position", () => {
+    const poses = poses_of(five.task), freed = with_freed(five, 5) as Problem;
+    expect(with_task_poses(freed.task, poses.slice(1))).not.toHaveProperty("freed_pose");
+    expect(with_task_poses(freed.task, poses.map((p) => ({...p, x: p.x + 1})))).toHaveProperty("freed_pose", 5);
+    const mixed = poses.slice(1).map((p, i) => (i === 3 ? {...p, derivatives: travel} : p));
+    expect(freeable(with_poses(five, mixed))).toEqual([1, 2, 3]);
+    expect(with_task_poses({...freed.task, freed_pose: 4} as MotionTask, mixed)).not.toHaveProperty("freed_pose");
+  });
+});
