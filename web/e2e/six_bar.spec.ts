@@ -29,6 +29,7 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   expect(await read_state(page, ({task}) => task!.symmetric)).toBe(false);
 
   // A passing cell.
+  await page.waitForFunction(() => globalThis.__linkwright!.workbench.picked !== null);
   const {x, y}: Pixel = await map_pixel(page, await passing_place(page));
   await page.mouse.click(x, y);
   await page.mouse.move(5, 400);
