@@ -14,6 +14,7 @@
 #include "linkwright/io/linkage_file.hpp"
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/io/result_file.hpp"
+#include "linkwright/io/six_bar_file.hpp"
 
 namespace {
 
@@ -69,18 +70,34 @@ void check_problem(std::string_view text) {
   check_same_task(again->task, problem->task);
 }
 
-void check_linkage(std::string_view text) {
-  const auto linkage = read_linkage(text);
-  if (!linkage) return check_errors(linkage.errors());
-  const std::string written = write_linkage(*linkage);
-  const auto again = read_linkage(written);
+bool same_bars(const StoredLinkage& again, const StoredLinkage& linkage) {
+  return again.four_bar.input_circle == linkage.four_bar.input_circle;
+}
+
+bool same_bars(const StoredSixBar& again, const StoredSixBar& linkage) {
+  for (std::size_t joint = 0; joint < SixBar::joint_count; ++joint)
+    if (again.six_bar.joints[joint].point != linkage.six_bar.joints[joint].point) return false;
+  return again.row.added == linkage.row.added;
+}
+
+template <class Stored>
+void check_stored(const Stored& linkage) {
+  const std::string written = write_linkage(linkage);
+  const auto again = read_any_linkage(written);
   require(again.ok());
-  require(again->four_bar.input_circle == linkage->four_bar.input_circle);
-  require(write_linkage(*again) == written);
+  const auto* same_kind = std::get_if<Stored>(&*again);
+  require(same_kind != nullptr && same_bars(*same_kind, linkage));
+  require(write_linkage(*same_kind) == written);
+}
+
+void check_linkage(std::string_view text) {
+  const auto linkage = read_any_linkage(text);
+  if (!linkage) return check_errors(linkage.errors());
+  std::visit([](const auto& of_kind) { check_stored(of_kind); }, *linkage);
 }
 
 void check_result(std::string_view text) {
-  const auto linkages = read_result_linkages(text);
+  const auto linkages = read_any_result_linkages(text);
   if (!linkages) return check_errors(linkages.errors());
 }
 

@@ -43,9 +43,11 @@ std::string free_text(const Solution& solution, const FourBarSolution& found) {
 }  // namespace
 
 std::string function_error_words(const Solution& solution) {
-  if (solution.linkages.empty() || !solution.linkages.front().function) return "";
+  if (solution.linkages.empty()) return "";
+  const auto& first = solution.linkages.front().function;
+  if (!first) return "";
   const bool with_free = has_free_number(solution);
-  if (solution.linkages.front().function->samples.empty() && !with_free) return "";  // only pairs, which are exact
+  if (first->samples.empty() && !with_free) return "";  // only pairs, which are exact
   std::vector<std::string> headings = {"#", "at the pairs", "structural error", "at input", "<reach"};
   if (with_free) headings.insert(headings.begin() + 1, "output");
   TextTable table(headings);

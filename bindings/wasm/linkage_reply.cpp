@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "function_reply.hpp"
 #include "io/problem_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "reply_json.hpp"
@@ -130,6 +131,12 @@ void write_miss(JsonWriter& json, const PickedLinkage& picked) {
   json.end_object();
 }
 
+void write_function(JsonWriter& json, const PickedLinkage& picked) {
+  json.key("function");
+  if (!picked.task) return json.null();
+  write_generated_function(json, *picked.task, *picked.bars->function);
+}
+
 void write_ticks(JsonWriter& json, const PickedLinkage& picked) {
   const DriveTable& drive = picked.drive;
   json.key("ticks");
@@ -185,6 +192,10 @@ PickedLinkage picked_linkage(const TaskFamily& given, RegionPlace place, bool re
   const std::vector<PrescribedPose> poses = given.family->user_poses(place, picked.bars->four_bar);
   picked.visits = pose_visits(picked.bars->four_bar, poses);
   picked.drive = drive_table(picked.visits, poses, states_of_a_drive);
+  if (const FunctionFamily* family = function_family(given)) {
+    picked.task = family->task_at(place);
+    picked.bars->function = function_error(picked.bars->four_bar, *picked.task);
+  }
   return picked;
 }
 
@@ -207,6 +218,7 @@ std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame)
                                         : 0.0);
     write_swapped(json, picked);
     write_miss(json, picked);
+    write_function(json, picked);
     json.member("fails", int{picked.fails});
     write_drive(json, picked);
     json.end_object();

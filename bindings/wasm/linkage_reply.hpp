@@ -6,6 +6,7 @@
 
 #include "linkwright/analysis/drive_table.hpp"
 #include "linkwright/analysis/pose_visits.hpp"
+#include "linkwright/planar/function_task.hpp"
 #include "linkwright/planar/synthesis.hpp"
 #include "linkwright/planar/task_family.hpp"
 
@@ -18,6 +19,7 @@ struct PickedLinkage {
   PoseVisits visits;
   DriveTable drive;
   std::uint8_t fails = 0;
+  std::optional<FunctionTask> task;        ///< of generators, the free number fixed
   std::optional<std::size_t> freed_place;  ///< how many of the poses served come before the freed one, if one is
 };
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "linkwright/core/angle.hpp"
 #include "linkwright/io/number_text.hpp"
 #include "linkwright/planar/freed_position.hpp"
+#include "linkwright/planar/function_error.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -60,6 +62,24 @@ void JudgedMap::measure_miss(const LinkageFamily& family, const FreedPose& freed
   values_.resize(map_.rows() * map_.columns());
   pose_misses(family, map_, fails_, freed, values_);
   for (float& value : values_) value = std::max(value, 0.0F);
+  ridges_ = linkwright::ridges(values_, fails_, map_.columns(), false);
+}
+
+void JudgedMap::measure_error(const FunctionFamily& family) {
+  constexpr int samples = 61;  // as while searching
+  values_.assign(map_.rows() * map_.columns(), 0);
+  for (std::size_t row = 0; row < map_.rows(); ++row)
+    for (std::size_t column = 0; column < map_.columns(); ++column) {
+      const std::size_t cell = map_.index(row, column);
+      if (map_.defects()[cell] != 0) continue;
+      const RegionPlace place{map_.input_coordinates()[row], map_.output_coordinates()[column]};
+      const auto links = family.side_links(place);
+      const auto bars = links ? four_bar_of(*links) : std::nullopt;
+      if (!bars) continue;
+      const FunctionError error = function_error(*bars, family.task_at(place), samples);
+      if (error.max_structural_error && error.unreached.empty())
+        values_[cell] = static_cast<float>(degrees(*error.max_structural_error));
+    }
   ridges_ = linkwright::ridges(values_, fails_, map_.columns(), false);
 }
 

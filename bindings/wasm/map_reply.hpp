@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "linkwright/analysis/pose_miss.hpp"
+#include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/linkage_family.hpp"
 #include "linkwright/region/cell_property.hpp"
 #include "linkwright/region/region_map.hpp"
@@ -23,6 +24,8 @@ class JudgedMap {
   void measure(CellProperty property);
   /// By how much each cell that passes misses a freed pose; 0 of the others.
   void measure_miss(const LinkageFamily& family, const FreedPose& freed);
+  /// Largest structural error of each cell without defects that reaches the whole range, degrees; 0 of the others.
+  void measure_error(const FunctionFamily& family);
 
   [[nodiscard]] const RegionMap& map() const { return map_; }
   [[nodiscard]] const RegionCounts& counts() const { return counts_; }

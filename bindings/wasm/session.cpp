@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "function_reply.hpp"
 #include "io/task_writer.hpp"
 #include "linkage_reply.hpp"
 #include "linkwright/core/angle.hpp"
@@ -11,6 +12,7 @@
 #include "linkwright/io/result_file.hpp"
 #include "linkwright/io/svg_drawing.hpp"
 #include "linkwright/planar/function_family.hpp"
+#include "linkwright/planar/function_search.hpp"
 #include "linkwright/planar/improved_linkage.hpp"
 #include "linkwright/planar/pose_halo.hpp"
 #include "reply_json.hpp"
@@ -185,6 +187,9 @@ void Session::compute_map(const ExploreRequest& request) {
   map_.judge(filter(map_.map()));
   if (request.pose_miss && given().freed)
     map_.measure_miss(*given().family, *given().freed);
+  else if (const auto* function = std::get_if<FunctionTask>(&problem_.task);
+           request.structural_error && function && function->function && !function->free)
+    map_.measure_error(*function_family(given()));
   else
     map_.measure(request.property);
 }
@@ -212,7 +217,8 @@ ExploreReply Session::explore(const ExploreRequest& request) {
       reason = &no_pair;
     }
   }
-  reply.task = task_json(given(), drawn().input.marks, axes(), requirements_, status, reason);
+  reply.task = task_json(given(), drawn().input.marks, axes(), requirements_, status, reason,
+                         std::get_if<FunctionTask>(&problem_.task));
   return reply;
 }
 
@@ -245,7 +251,11 @@ LiveReply Session::live(double input_tau, double output_tau) {
   if (!has_map()) return reply;
   const Drawn& curves = drawn();
   reply.input = failures(strip_, curves.input.tau, std::array{output_tau});
-  reply.output = failures(strip_, std::array{input_tau}, (curves.same ? curves.input : curves.output).tau);
+  // Where nothing is left to choose of the output, it moves with the input.
+  if (given().family && given().family->axis(Side::output).quantity == AxisQuantity::nothing)
+    reply.output = reply.input;
+  else
+    reply.output = failures(strip_, std::array{input_tau}, (curves.same ? curves.input : curves.output).tau);
   return reply;
 }
 
@@ -310,7 +320,10 @@ std::string Session::best(int most) const {
 
 std::string Session::improve(double input_tau, double output_tau) {
   std::optional<RegionPlace> better;
-  if (given().family)
+  const FunctionFamily* family = function_family(given());
+  if (family && problem_.options.objective == Objective::structural_error)
+    better = improved_generator(*family, requirements_, {input_tau, output_tau});
+  else if (given().family)
     better = improved_linkage(*given().family, requirements_, problem_.options.objective, {input_tau, output_tau});
   return json_of([&](JsonWriter& json) {
     json.begin_object();
@@ -361,6 +374,8 @@ std::string Session::exported(double input_tau, double output_tau, std::string_v
   constexpr bool verify = true;
   auto found = make_four_bar(given(), {input_tau, output_tau}, requirements_.respect_direction, verify);
   if (!found) return "";
+  if (const FunctionFamily* family = function_family(given()))
+    found->function = function_error(found->four_bar, family->task_at({input_tau, output_tau}));
   Solution solution;
   solution.reason = {"picked", "One linkage, picked on the map.", {}};
   solution.given = given();

@@ -24,8 +24,9 @@ struct ExploreRequest {
   int samples = 400;
   std::array<double, 2> input = {0, 1}, output = {0, 1};  ///< places
   CellProperty property = CellProperty::min_transmission_angle;
-  bool pose_miss = false;  ///< instead of the property, where a pose is freed
-  int order = 0;           ///< code of a display order, or nearest_order: to the last one
+  bool pose_miss = false;         ///< instead of the property, where a pose is freed
+  bool structural_error = false;  ///< instead of the property, where a named function leaves no number free
+  int order = 0;                  ///< code of a display order, or nearest_order: to the last one
 };
 
 /// Views are valid until the session is asked again.

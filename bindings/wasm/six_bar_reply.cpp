@@ -135,7 +135,7 @@ void write_added_link(JsonWriter& json, const char* side, double coordinate, con
 
 /// What a four-bar has and a six-bar has not.
 void write_absent(JsonWriter& json) {
-  for (const char* key : {"lengths", "min_transmission_angle_full_turn_deg", "swapped"}) {
+  for (const char* key : {"lengths", "min_transmission_angle_full_turn_deg", "swapped", "function"}) {
     json.key(key);
     json.null();
   }

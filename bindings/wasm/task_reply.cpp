@@ -1,5 +1,6 @@
 #include "task_reply.hpp"
 
+#include "function_reply.hpp"
 #include "io/result_writer.hpp"
 #include "reply_json.hpp"
 
@@ -128,7 +129,9 @@ DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFam
   const std::vector<Dyad> polygon = given.family  ? given.family->polygon(side)
                                     : given.curve ? CurveFamily(given.frame(), poses, given.curve).polygon(side)
                                                   : std::vector<Dyad>{};
-  const auto branches = given.family  ? given.family->axis(side).branches
+  // Where nothing is left to choose of the output, it moves with the input.
+  const bool along_input = given.family && given.family->axis(side).quantity == AxisQuantity::nothing;
+  const auto branches = given.family  ? given.family->axis(along_input ? Side::input : side).branches
                         : given.curve ? given.curve->branches()
                                       : std::vector<CurveBranch>{};
   DrawnCurves drawn = drawn_dyads(polygon, branches, given.frame());
@@ -149,7 +152,8 @@ std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, Side 
 }
 
 std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapAxes& axes,
-                      const Requirements& requirements, std::string_view status, const Notice* reason) {
+                      const Requirements& requirements, std::string_view status, const Notice* reason,
+                      const FunctionTask* function) {
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.member("status", status);
@@ -176,6 +180,8 @@ std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks,
     json.begin_list();
     for (const CurveMark& mark : marks) write_mark(json, mark);
     json.end_list();
+    json.key("function");
+    function ? write_wanted_function(json, *function) : json.null();
     json.key("requirements");
     write_requirements(json, requirements);
     json.end_object();

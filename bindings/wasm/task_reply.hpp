@@ -8,6 +8,7 @@
 
 #include "linkwright/planar/curve_marks.hpp"
 #include "linkwright/planar/display_order.hpp"
+#include "linkwright/planar/function_task.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -41,8 +42,9 @@ struct MapAxes {
 /// Twelve to a branch where the axis has numbers of its own.
 [[nodiscard]] std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, LinkageFamily::Side side);
 
-/// TaskAnswer without its arrays. `reason`: null when solved.
+/// TaskAnswer without its arrays. `reason`: null when solved; `function`: null for tasks of another kind.
 [[nodiscard]] std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapAxes& axes,
-                                    const Requirements& requirements, std::string_view status, const Notice* reason);
+                                    const Requirements& requirements, std::string_view status, const Notice* reason,
+                                    const FunctionTask* function);
 
 }  // namespace linkwright::wasm

@@ -175,11 +175,16 @@ class Drive {
 
   SixBarCheck run() && {
     constexpr double shortest_step = 1e-7;
+    constexpr std::size_t most_states = 100'000;  // thousands are many; each step is noted
     note(joints_, 0, 0);
     double step = options_.step;
     while (two_pi - std::abs(turn_) > shortest_step &&
            (options_.to_the_end || check_.visited.size() + 1 < targets_.size())) {
       step = std::min(step, two_pi - std::abs(turn_));
+      if (check_.states.size() >= most_states) {
+        check_.stopped = true;
+        break;
+      }
       if (advance(step)) {
         step = std::min(options_.step, 1.5 * step);
       } else if (step /= 2; step < shortest_step) {

@@ -29,6 +29,13 @@ struct Bead {
   std::size_t number = 0;
 };
 
+/// Far pivots of long side links lie outside of the picture.
+bool is_seen(Point px, const PixelBox& box) {
+  constexpr double room = 3 * radius;  // for the bead and its number
+  return px.real() > box.left + room && px.real() < box.right() - room && px.imag() > box.top + room &&
+         px.imag() < box.bottom() - room;
+}
+
 /// The place round a bead that is farthest from what is there already; the first of those that are far enough.
 Point free_place(Point bead, const std::vector<Point>& taken) {
   constexpr double far_enough = 13;
@@ -69,9 +76,13 @@ void draw_bead_links(SvgCanvas& svg, const PlaneWindow& window, const WorkingFra
 void draw_beads(SvgCanvas& svg, const PlaneWindow& window, const WorkingFrame& frame, std::span<const Dyad> dyads,
                 std::vector<Point> taken) {
   std::vector<Bead> beads;
+  const auto add = [&](std::optional<Point> pivot, bool is_center, std::size_t number) {
+    if (pivot && is_seen(window.to_px(*pivot), window.box()))
+      beads.push_back({window.to_px(*pivot), is_center, number});
+  };
   for (std::size_t i = 0; i < dyads.size(); ++i) {
-    if (const auto center = pivot_of(dyads[i].center, frame)) beads.push_back({window.to_px(*center), true, i + 1});
-    if (const auto circle = pivot_of(dyads[i].circle, frame)) beads.push_back({window.to_px(*circle), false, i + 1});
+    add(pivot_of(dyads[i].center, frame), true, i + 1);
+    add(pivot_of(dyads[i].circle, frame), false, i + 1);
   }
   for (const Bead& bead : beads) {
     bead.is_center ? draw_open(svg, bead.at) : draw_full(svg, bead.at);

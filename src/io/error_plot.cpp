@@ -117,7 +117,7 @@ void draw_largest(SvgCanvas& svg, const PixelBox& box, const PlotScale& scale, c
     if (sample.generated && (nearest == nullptr ||
                              std::abs(sample.input - error.worst_input) < std::abs(nearest->input - error.worst_input)))
       nearest = &sample;
-  if (nearest == nullptr) return;
+  if (nearest == nullptr || !nearest->generated) return;
   const double sign = *nearest->generated < nearest->wanted ? -1 : 1;
   const Point at{scale.x(degrees(error.worst_input)), scale.y(sign * degrees(*error.max_structural_error))};
   svg.circle(at, 3.6, fill(palette::bad));

@@ -145,9 +145,8 @@ void add_motion_checks(NumberRows& checks, const Solution& solution) {
                                                             found.verified_by_driving ? ", checked by driving" : ""));
 }
 
-void add_function_checks(NumberRows& checks, const Solution& solution) {
+void add_function_checks(NumberRows& checks, const Solution& solution, const FunctionError& error) {
   const FourBarSolution& found = solution.linkages.front();
-  const FunctionError& error = *found.function;
   const bool has_function = !error.samples.empty();
   if (error.max_structural_error)
     checks.row("largest structural error", fmt::format("{} at input {}°", small_angle(*error.max_structural_error),
@@ -175,8 +174,8 @@ void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const Solution& sol
   for (std::size_t i = 0; i < solution.freed.size(); ++i) {
     const FreedPosition& way = solution.freed[i];
     const std::string words = way.linkage
-                                  ? fmt::format("missed by {} {} and {}", significant_text(way.miss.distance, 3), unit,
-                                                small_angle(way.miss.angle))
+                                  ? fmt::format("missed by {}{}{} and {}", significant_text(way.miss.distance, 3),
+                                                unit.empty() ? "" : " ", unit, small_angle(way.miss.angle))
                               : way.reason ? way.reason->message
                                            : "nothing was found";
     const Point at{left, card.top + first + leading * static_cast<double>(i)};
@@ -194,7 +193,7 @@ void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const Solution& so
   draw_pivot_rows(svg, corner + Point{546, 0}, 344, found.four_bar);
 
   NumberRows checks(svg, corner + Point{940, 0}, 416);
-  found.function ? add_function_checks(checks, solution) : add_motion_checks(checks, solution);
+  found.function ? add_function_checks(checks, solution, *found.function) : add_motion_checks(checks, solution);
 }
 
 }  // namespace linkwright

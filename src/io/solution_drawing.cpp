@@ -32,6 +32,7 @@ std::string_view region_heading(const Solution& solution) {
 bool has_plot(const TaskScene& scene) { return scene.linkage != nullptr && scene.linkage->function && scene.function; }
 
 void draw_plot(SvgCanvas& svg, const TaskScene& scene, const PixelBox& box) {
+  if (scene.linkage == nullptr || !scene.linkage->function || !scene.function) return;
   const FunctionError& error = *scene.linkage->function;
   error.samples.empty() ? draw_output_plot(svg, box, scene.linkage->four_bar, *scene.function)
                         : draw_error_plot(svg, box, error, *scene.function);
@@ -46,17 +47,18 @@ void draw_map_and_plot(SvgCanvas& svg, const Problem& problem, const Solution& s
   draw_region(svg, problem, solution, {left, top, side, cells});
   constexpr double plot_heading = 26, plot_axis = 46;
   const double plot_top = top + cells + axis + plot_heading, plot_bottom = top + side + axis - plot_axis - 6;
-  if (has_plot(scene)) draw_plot(svg, scene, {left, plot_top, side, plot_bottom - plot_top});
+  draw_plot(svg, scene, {left, plot_top, side, plot_bottom - plot_top});
   draw_region_legend(svg, solution, {region_card.left + 18, top + side + axis}, region_card.width - 24);
 }
 
 void draw_region_card(SvgCanvas& svg, const Problem& problem, const Solution& solution, const TaskScene& scene) {
   draw_card(svg, region_card, region_heading(solution));
   if (solution.region.rows() > 0) return draw_map_and_plot(svg, problem, solution, scene);
-  const bool asks_for_points = solution.given.has_no_dyads;
+  const auto* motion = std::get_if<MotionTask>(&problem.task);
+  const bool asks_for_curve = motion != nullptr && position_count(motion->poses) == 4;
   svg.text({region_card.left + region_card.width / 2, region_card.top + region_card.height / 2},
-           asks_for_points ? "There is no region: there are no two side links."
-                           : "There is no region: the dyads of this task do not form a curve.",
+           asks_for_curve ? "There is no region: the dyads of this task do not form a curve."
+                          : "There is no region: no two side links do this task.",
            {.size = 14, .color = palette::ink2, .anchor = "middle"});
 }
 
@@ -76,7 +78,7 @@ std::string kind_words(const Problem& problem, const Solution& solution) {
 }
 
 std::string subtitle(const Problem& problem, const Solution& solution) {
-  const std::string text = kind_words(problem, solution);
+  std::string text = kind_words(problem, solution);
   if (solution.counts.pairs == 0) return text;
   return text + fmt::format("{0}{1} {4} sampled{0}{2} free of defects{0}{3} {5} the requirements", separator,
                             grouped_text(four_bars_in(solution.counts)), grouped_text(solution.counts.defect_free),

@@ -97,7 +97,7 @@ void add_motion(TaskScene& scene, const MotionTask& task, const Solution& soluti
   }
   if (scene.linkage != nullptr) {
     scene.served = task.freed ? freed_task(task, *task.freed).task.poses : task.poses;
-  } else if (const FreedPosition* way_out = way_to_show(solution)) {
+  } else if (const FreedPosition* way_out = way_to_show(solution); way_out != nullptr && way_out->linkage) {
     scene.linkage = &*way_out->linkage;
     scene.served = freed_task(task, way_out->pose).task.poses;
     scene.heading = fmt::format("A way out: without position {}", way_out->pose + 1);

@@ -167,4 +167,14 @@ std::vector<RankedGenerator> best_generators(const FunctionFamily& family, const
   return ranked;
 }
 
+std::optional<RegionPlace> improved_generator(const FunctionFamily& family, const Requirements& requirements,
+                                              RegionPlace start) {
+  const GeneratorSearch search(family, requirements, {});
+  const auto foot = search.at(start, GeneratorSearchOptions{}.error_samples);
+  if (!foot) return std::nullopt;
+  const Generator top = search.climbed(*foot);
+  const bool better = top.ranked.max_structural_error < foot->ranked.max_structural_error;
+  return better ? std::optional(top.ranked.place) : std::nullopt;
+}
+
 }  // namespace linkwright

@@ -140,6 +140,68 @@ TEST(SessionOfAFunction, HasARibbon) {
   const auto [input, output] = explored.passing();
   const LiveReply live = explored.session.live(input, output);
   EXPECT_EQ(live.input.size(), explored.reply.input_curves->tau.size());
+  EXPECT_EQ(live.output.size(), explored.reply.output_curves->tau.size());
+  EXPECT_EQ(explored.reply.output_curves->tau, explored.reply.input_curves->tau);
+}
+
+TEST(SessionOfAFunction, TellsWhatIsWantedAndWhatIsGenerated) {
+  json problem = json::parse(square);
+  problem["options"]["objective"] = "structural_error";
+  Explored explored(problem.dump());
+  const json wanted = explored.task["function"];
+  ASSERT_EQ(wanted["pairs"].size(), 4u);
+  EXPECT_GT(wanted["curve"].size(), 50u);
+  explored.request.structural_error = true;
+  explored.reply = explored.session.explore(explored.request);
+  const auto& values = explored.reply.map->values();
+  const json best = json::parse(explored.session.best(1))[0];
+  const json generated = json::parse(explored.session.linkage(best["tau"][0], best["tau"][1]).linkage)["function"];
+  const double error = generated["max_structural_error_deg"];
+  for (const float value : values) {
+    if (value > 0) {
+      EXPECT_LE(error, value * (1 + 1e-3));
+    }
+  }
+  EXPECT_TRUE(generated["reaches_pairs"].get<bool>());
+  EXPECT_TRUE(generated["unreached_deg"].empty());
+  for (std::size_t j = 0; j < 4; ++j) {
+    EXPECT_NEAR(generated["pairs"][j][0], wanted["pairs"][j][0], 1e-12);
+    EXPECT_LT(std::abs(generated["pairs"][j][2].get<double>()), 1e-6);
+  }
+  double worst = 0;
+  for (const json& sample : generated["curve"])
+    worst = std::max(worst, std::abs(sample[2].get<double>() - sample[1].get<double>()));
+  EXPECT_NEAR(worst, error, 0.01 * error);
+}
+
+TEST(SessionOfAFunction, ImprovesItsObjective) {
+  json problem = json::parse(square);
+  problem["options"]["objective"] = "structural_error";
+  Explored explored(problem.dump());
+  const auto [input, output] = explored.passing();
+  const auto error_at = [&](double tau) {
+    const json function = json::parse(explored.session.linkage(tau, output).linkage)["function"];
+    return function["max_structural_error_deg"].get<double>();
+  };
+  const json improved = json::parse(explored.session.improve(input, output));
+  if (improved["improved"].get<bool>()) {
+    EXPECT_LT(error_at(improved["tau"][0]), error_at(input));
+  }
+}
+
+TEST(SessionOfAFunction, WithoutANameKnowsItsPairsOnly) {
+  const json problem = json::parse(R"({"linkwright": 1, "task": {"kind": "function", "mechanism": "four_bar", "pairs": [
+      {"input_deg": 0, "output_deg": 0}, {"input_deg": 20, "output_deg": 12}, {"input_deg": 40, "output_deg": 31},
+      {"input_deg": 60, "output_deg": 60}], "free": {"number": "output_scale", "range": [0.5, 2]}}})");
+  Explored explored(problem.dump(), 60);
+  EXPECT_TRUE(explored.task["function"]["curve"].empty());
+  EXPECT_EQ(explored.task["axes"]["output"]["quantity"], "output_scale");
+  const auto [input, output] = explored.passing();
+  const json generated = json::parse(explored.session.linkage(input, output).linkage)["function"];
+  EXPECT_TRUE(generated["max_structural_error_deg"].is_null());
+  EXPECT_TRUE(generated["curve"].empty());
+  EXPECT_NE(generated["pairs"][3][1].get<double>(), 60.0);  // as scaled
+  EXPECT_FALSE(explored.session.exported(input, output, "csv").empty());
 }
 
 TEST(SessionOfASixBar, HasAMapOverBothAddedLinks) {

@@ -166,8 +166,8 @@ class Kinds(FaceTest):
         self.check_exports(result, 5)
 
     def test_linkages_of_other_kinds_are_refused_by_name(self):
-        path = self.write("linkage.json", {"mechanism": "six_bar", "topology": "watt_1"})
-        self.assert_mistake(run("analyze", path), "mechanism", "six_bar", "four_bar")
+        path = self.write("linkage.json", {"mechanism": "spherical_four_bar"})
+        self.assert_mistake(run("analyze", path), "mechanism", "six_bar", "four_bar", "spherical_four_bar")
 
 
 class Pictures(FaceTest):

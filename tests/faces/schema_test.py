@@ -155,6 +155,11 @@ class Schemas(FaceTest):
         self.check_changes_of({"linkwright": 1, "task": {"kind": "function", "mechanism": "four_bar", "pairs": pairs}},
                               below=("task", "pairs"))
 
+    def test_of_six_bars_too(self):
+        problem = load(ROOT / "examples/loader_bucket_chain.json")
+        for member in ("chain", "added"):
+            self.check_changes_of({key: problem[key] for key in ("linkwright", "task")}, below=("task", member))
+
     def test_all_that_the_reader_knows_is_in_the_schema(self):
         def task(**members):
             return {"kind": "function", "mechanism": "four_bar"} | members

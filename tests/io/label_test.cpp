@@ -24,6 +24,8 @@ TEST(Label, FollowsTheEnumerators) {
   EXPECT_EQ(label(CubicKind::line_and_circle), "a line and a circle");
   EXPECT_EQ(label(ChangePointKind::rhombus), "rhombus");
   EXPECT_EQ(label(ChangePointKind::none), "");
+  EXPECT_EQ(label(SixBarTopology::watt_1), "Watt I");
+  EXPECT_EQ(label(SixBarTopology::stephenson_3), "Stephenson III");
 }
 
 TEST(Label, OfAnUnknownBranchIsItsName) {

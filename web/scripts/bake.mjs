@@ -81,7 +81,7 @@ function thumbnail_of(session, problem) {
     const {input_tau: {length: rows}, output_tau: {length: columns}} = map;
     Object.assign(thumbnail, {rows, columns, type: packed(map.type.slice()), fails: packed(map.fails.slice())});
   }
-  const tau = best_tau(session);
+  const tau = map && best_tau(session); // a chain is not searched for here
   if (tau) {
     const {type, input, output, six_bar} = JSON.parse(session.linkage(...tau).linkage);
     const pivots = [input.center, input.circle, output.center, output.circle];

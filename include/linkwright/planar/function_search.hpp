@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "linkwright/core/progress.hpp"
@@ -31,5 +32,10 @@ struct GeneratorSearchOptions {
                                                            const Requirements& requirements,
                                                            const GeneratorSearchOptions& options = {},
                                                            const Progress& progress = {});
+
+/// The place that is reached from `start` by climbing to a lesser structural error, the type kept; nothing where
+/// `start` is none that best_generators() would list, or nothing near it is better.
+[[nodiscard]] std::optional<RegionPlace> improved_generator(const FunctionFamily& family,
+                                                            const Requirements& requirements, RegionPlace start);
 
 }  // namespace linkwright

@@ -1,5 +1,6 @@
 // What a click or a key does to the thing under it.
 import type {Point} from "../engine/protocol";
+import {coordinate_of, with_side} from "../state/axis";
 import {body_point, outline_of, placed, round_step, with_pose, with_poses, with_view} from "../state/problem";
 import {poses_of, type Pose} from "../state/task";
 import {bend_of, travel_of, with_bend, with_travel} from "../task/travel";
@@ -7,7 +8,6 @@ import {point_at, spot_of_tau, type Spot} from "./curve_samples";
 import {ordered, with_box} from "./drags/box_drags";
 import type {Bench} from "./drags/drag";
 import {add_corner, corner_at, remove_corner, with_outline, without_corner} from "./drags/outline_drags";
-import {with_side} from "./drags/pivot_drag";
 import {inside, target_id, type Target} from "./handles";
 import {multiple, wrapped_deg} from "./snapping";
 import {stepped} from "./sliding";
@@ -30,11 +30,11 @@ export function click_target(bench: Bench, target: Target, shift: boolean): void
 export function put_side_link({workbench, scene}: Bench, spot: Spot, other: boolean): void {
   const picked = workbench.picked, linkage = workbench.picked_linkage, samples = scene.samples[spot.sides[0]];
   const place = samples && point_at(samples, spot.curve, spot);
-  if (!picked || !place) return;
+  if (!picked || !place || !workbench.task) return;
   const away = (point: Point | null | undefined) => (point ? Math.hypot(point[0] - place[0], point[1] - place[1]) : Infinity);
   const input_nearer = away(linkage?.input[spot.curve]) <= away(linkage?.output[spot.curve]);
   const side = spot.sides.length > 1 ? (input_nearer !== other ? "input" : "output") : spot.sides[0];
-  workbench.pick(with_side(picked.tau, side, spot.tau));
+  workbench.pick(with_side(workbench.task, picked.tau, side, spot.tau));
 }
 
 /** Whether a click on the canvas adds a position: the task lacks some. */
@@ -124,10 +124,10 @@ function nudge_box({workbench, scene}: Bench, {box, edges}: Extract<Target, {kin
   if (moved.x[1] > moved.x[0] && moved.y[1] > moved.y[0]) workbench.edit((problem) => with_box(problem, box, moved), merge);
 }
 function nudge_pivot({workbench, scene}: Bench, {side, end}: Extract<Target, {kind: "pivot"}>, steps: number, merge: string): void {
-  const {picked} = workbench, samples = scene.samples[side];
-  const spot = picked && samples && spot_of_tau(samples, end, picked.tau[side === "input" ? 0 : 1]);
-  if (!picked || !samples || !spot) return;
-  workbench.pick(with_side(picked.tau, side, stepped(samples, end, scene.view, spot, steps * scene.step * scene.view.scale).tau), merge);
+  const {picked, task} = workbench, samples = scene.samples[side];
+  const spot = picked && task && samples && spot_of_tau(samples, end, coordinate_of(task, picked.tau, side));
+  if (!picked || !task || !samples || !spot) return;
+  workbench.pick(with_side(task, picked.tau, side, stepped(samples, end, scene.view, spot, steps * scene.step * scene.view.scale).tau), merge);
 }
 
 /** Del on a handle. */

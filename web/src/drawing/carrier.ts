@@ -1,5 +1,5 @@
 // What carries the end of a side link along: its curve lies on that body, drawn as in position 1.
-import type {End, Side} from "./handles";
+import type {End, Ends, Side} from "./handles";
 import type {Linkage, Point, SixBar} from "../engine/protocol";
 import type {Pose} from "../state/task";
 
@@ -16,10 +16,13 @@ export function joint_of(side: Side, end: End): number {
   return first_joint[side] + (end === "center" ? 0 : 1);
 }
 
-/** Nothing on the ground. */
-export function carrier_of(linkage: Linkage, side: Side, end: End, now: {pose: Place; joints: readonly Point[]}, first: Place | undefined): Carrier | null {
+/** Nothing on the ground. Without poses the links are to turn by given angles: each carries its own end. */
+export function carrier_of(linkage: Linkage, side: Side, end: End, now: {pose: Place; joints: readonly Point[]; ends: Ends}, first: Place | undefined): Carrier | null {
   if (linkage.six_bar) return carrier_in_six_bar(linkage.six_bar, side, joint_of(side, end), now.joints);
-  return end === "circle" && first ? {first, now: now.pose} : null;
+  if (end === "center") return null;
+  if (first) return {first, now: now.pose};
+  const {center, circle} = linkage[side], moved = now.ends[side].circle;
+  return center && circle && moved && {first: frame(center, circle), now: frame(center, moved)};
 }
 function carrier_in_six_bar({bodies, joints}: SixBar, side: Side, joint: number, now: readonly Point[]): Carrier | null {
   const body = bodies.findIndex((list, k) => k !== first_added[side] && list.includes(joint));

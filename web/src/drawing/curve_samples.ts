@@ -1,7 +1,7 @@
 // The curves of an axis' dyads as polylines through projective samples: where they run through infinity, or where there
 // are no dyads, they are broken, and a place between two samples has a curve coordinate.
 import type {Branch, DyadPolygon, Point, Side, TaskAnswer} from "../engine/protocol";
-import {has_burmester_curve, is_discrete} from "../state/axis";
+import {has_burmester_curve, is_discrete, moving_side} from "../state/axis";
 import type {Viewport} from "./viewport";
 
 export type CurveName = "center" | "circle";
@@ -38,7 +38,7 @@ export interface Spot {
 /** Of each side; the same object where they come from the same curve. Nothing where a side's dyads depend on the other's. */
 export function samples_of_sides(task: TaskAnswer, origin: Point): Record<Side, CurveSamples | null> {
   const of = (curves: DyadPolygon, side: Side, sides: readonly Side[]) =>
-    curves.tau.length > 0 && task.axes[side].branches.length > 0 ? curve_samples(task, curves, side, sides, origin) : null;
+    curves.tau.length > 0 && task.axes[moving_side(task.axes, side)].branches.length > 0 ? curve_samples(task, curves, side, sides, origin) : null;
   if (!task.output_curves) {
     const both = of(task.curves, "input", ["input", "output"]);
     return {input: both, output: both};
@@ -46,7 +46,7 @@ export function samples_of_sides(task: TaskAnswer, origin: Point): Record<Side, 
   return {input: of(task.curves, "input", ["input"]), output: of(task.output_curves, "output", ["output"])};
 }
 function curve_samples(task: TaskAnswer, curves: DyadPolygon, side: Side, sides: readonly Side[], origin: Point): CurveSamples {
-  const axis = task.axes[side], discrete = is_discrete(axis);
+  const axis = task.axes[moving_side(task.axes, side)], discrete = is_discrete(axis);
   const unit = task.characteristic_length > 0 ? task.characteristic_length : 1;
   const moved = (samples: Float64Array) => {
     const out = new Float64Array(samples.length);
@@ -62,6 +62,11 @@ function curve_samples(task: TaskAnswer, curves: DyadPolygon, side: Side, sides:
   const gap = has_burmester_curve(task) ? Infinity : least_gap;
   const runs = runs_of(curves, axis.branches, gap).filter((run) => discrete || run.to - run.from > 1);
   return {sides, tau: curves.tau, center: moved(curves.center), circle: moved(curves.circle), origin, unit, runs, discrete};
+}
+/** What is drawn and slid along: where the ground pivots are given, the centres are no curve. */
+export function curves_of({center}: CurveSamples): readonly CurveName[] {
+  for (let i = 3; i < center.length; ++i) if (Math.abs(center[i] - center[i % 3]) > 1e-9) return ["center", "circle"];
+  return ["circle"];
 }
 /** Other curves have gaps where there are no dyads: steps of τ, the branches of which are 1 long, wider than this. */
 const least_gap = 0.012;

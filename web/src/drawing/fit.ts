@@ -1,5 +1,6 @@
 // What the drawing shows when a task is opened, and when one asks for everything.
-import type {Linkage, Point} from "../engine/protocol";
+import type {Drive, Linkage, Point} from "../engine/protocol";
+import {row_state} from "../state/drive";
 import {placed, type Problem} from "../state/problem";
 import type {Pose} from "../state/task";
 import {bounds, fitted, type Margins, type Viewport} from "./viewport";
@@ -8,15 +9,21 @@ import {bounds, fitted, type Margins, type Viewport} from "./viewport";
 export function task_points(anchors: readonly Point[], poses: readonly Pose[], outline: readonly Point[], has_body: boolean): Point[] {
   return [...anchors, ...(has_body ? poses.flatMap((pose) => outline.map((p) => placed(p, pose))) : [])];
 }
-/** Pivots that lie near enough to the rest to be shown with it. */
-export function useful_pivots(linkage: Linkage | null, around: readonly Point[]): Point[] {
+/** Pivots that lie near enough to the rest to be shown with it; without poses, the moving ones wherever the task has them. */
+export function useful_pivots(linkage: Linkage | null, around: readonly Point[], poses: readonly Pose[]): Point[] {
   const box = bounds(around);
   if (!linkage || !box) return [];
   const reach = 1.5 * Math.max(box.x[1] - box.x[0], box.y[1] - box.y[0]);
-  const joints = linkage.six_bar?.joints.map(({at}) => at) ?? [];
-  return [linkage.input.center, linkage.output.center, linkage.input.circle, linkage.output.circle, ...joints].filter(
+  const visits = poses.length === 0 && linkage.drive ? visited(linkage.drive) : [], joints = linkage.six_bar?.joints.map(({at}) => at) ?? [];
+  return [linkage.input.center, linkage.output.center, linkage.input.circle, linkage.output.circle, ...visits, ...joints].filter(
     (p): p is Point => p !== null && p[0] > box.x[0] - reach && p[0] < box.x[1] + reach && p[1] > box.y[0] - reach && p[1] < box.y[1] + reach,
   );
+}
+function visited(drive: Drive): Point[] {
+  return drive.ticks.filter(({reached}) => reached).flatMap(({state}): Point[] => {
+    const {ax, ay, bx, by} = row_state(drive, state);
+    return [[ax, ay], [bx, by]];
+  });
 }
 export function box_points({requirements}: Problem): Point[] {
   return [requirements?.ground_pivots_within, requirements?.moving_pivots_within].flatMap((box) => (box ? [[box.x[0], box.y[0]] as Point, [box.x[1], box.y[1]] as Point] : []));

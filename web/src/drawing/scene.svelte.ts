@@ -8,12 +8,12 @@ import {screen_size} from "../state/screen.svelte";
 import {poses_of, served_poses, type Pose} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {carrier_of, joint_of, type Carrier} from "./carrier";
-import {nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
+import {curves_of, nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
 import {
   border_hit, box_handles, box_names, corner_handles, edge_cursor, inside, pivot_handles, pose_handles, ranks, target_id, within_reach,
   type BoxName, type End, type Ends, type Handle, type Target,
 } from "./handles";
-import {anchors_of} from "../tasks/kinds";
+import {anchors_of, kind_of} from "../tasks/kinds";
 import {task_view} from "../tasks/views";
 import {task_points} from "./fit";
 import {grid_step, to_screen, type Viewport} from "./viewport";
@@ -110,6 +110,8 @@ export class Scene {
   get nearest_pose(): Pose {
     return this.served[Math.min(Math.max(Math.round(this.workbench.stage), 0), this.served.length - 1)];
   }
+  /** There are curves of ground pivots, not of moving ones only. */
+  readonly has_center_curves = $derived.by(() => this.distinct_samples.some((samples) => curves_of(samples).includes("center")));
   /** The pose on which the outline is edited. */
   readonly outline_pose = $derived.by(() => this.poses[this.workbench.selected_pose ?? 0] ?? this.poses[0] ?? null);
 
@@ -123,8 +125,10 @@ export class Scene {
     const editing = this.workbench.mode === "outline" && this.draft === null && this.outline_pose;
     return editing ? corner_handles(this.outline, this.outline_pose, this.view) : [];
   });
+  /** Without those that a handle of the task stands for. */
+  private readonly own_pivot_handles = $derived.by(() => this.pivot_handles.filter(({id}) => !this.task_handles.some((handle) => handle.id === id)));
   /** In reading order. */
-  readonly handles = $derived.by((): Handle[] => [...this.corner_handles, ...this.pose_handles, ...this.task_handles, ...this.pivot_handles, ...this.box_handles]);
+  readonly handles = $derived.by((): Handle[] => [...this.corner_handles, ...this.pose_handles, ...this.task_handles, ...this.own_pivot_handles, ...this.box_handles]);
 
   readonly step = $derived(grid_step(this.view));
   /** What the status line says of snapping: step in the user's unit, or nothing while it is off. */
@@ -133,7 +137,8 @@ export class Scene {
   }
 
   task_points(): Point[] {
-    return task_points(anchors_of(this.workbench.problem.task), this.poses, this.outline, this.has_body);
+    const {task} = this.workbench.problem;
+    return task_points([...anchors_of(task), ...(kind_of(task).around?.(task) ?? [])], this.poses, this.outline, this.has_body);
   }
 
   // ---- what is under the pointer ------------------------------------------------------------------------------
@@ -162,7 +167,7 @@ export class Scene {
   }
   private curves_at(at: Point, touch: boolean): {target: Target; cursor: string}[] {
     return this.distinct_samples
-      .flatMap((samples) => (["center", "circle"] as const).flatMap((curve) => nearest(samples, curve, this.view, at) ?? []))
+      .flatMap((samples) => curves_of(samples).flatMap((curve) => nearest(samples, curve, this.view, at) ?? []))
       .filter((spot) => spot.distance <= curve_reach[touch ? 1 : 0])
       .sort((a, b) => a.distance - b.distance)
       .map((spot) => ({target: {kind: "curve", spot} as Target, cursor: "pointer"}));

@@ -25,6 +25,7 @@ export type RequirementKey = (typeof requirement_keys)[number];
 /** What a colour of the map can stand for, beside the type. Values as f32; 0 where not defined, never NaN. */
 export const properties = [
   "min_transmission_angle_deg", "min_transmission_angle_full_turn_deg", "link_ratio", "longest_link", "driver_sweep_deg",
+  "max_structural_error_deg", // of a named function, where no number is free; lesser is better
   "pose_miss", // by how much the freed pose is missed, user's unit; of tasks that have one, in cells that meet everything
 ] as const;
 export type Property = (typeof properties)[number];
@@ -112,6 +113,23 @@ export interface Curves extends DyadPolygon {
   /** Asymptotes of the two curves as (point, direction), where they have one. */
   asymptotes: {center: [Point, Point] | null; circle: [Point, Point] | null};
 }
+/** Input and output angle, degrees on the task's dials. */
+export type DialPair = readonly [input: number, output: number];
+export interface WantedFunction {
+  pairs: DialPair[];
+  /** The named function over its range of inputs; empty where only pairs are given. */
+  curve: DialPair[];
+}
+/** What a four-bar makes of it, its free number as it is there. Null: the drive does not get there. */
+export interface GeneratedFunction {
+  pairs: (readonly [input: number, wanted: number, error: number | null])[];
+  precision_error_deg: number; // largest magnitude at the pairs reached
+  reaches_pairs: boolean;
+  max_structural_error_deg: number | null;
+  worst_input_deg: number | null;
+  unreached_deg: (readonly [from: number, to: number])[];
+  curve: (readonly [input: number, wanted: number, generated: number | null])[];
+}
 export interface TaskAnswer {
   status: "solved" | "no_solution" | "degenerate";
   reason: Notice | null; // set unless solved
@@ -126,6 +144,7 @@ export interface TaskAnswer {
   /** Both axes carry the same dyads: (u, v) and (v, u) are the same bars, driven from the other side. */
   symmetric: boolean;
   specials: Special[];
+  function: WantedFunction | null; // function generation
   /** Requirements as used, the defaults filled in (null: switched off). */
   requirements: Requirements;
 }
@@ -249,6 +268,7 @@ export interface Linkage {
   miss?: {distance: number; angle_deg: number; input_deg: number} | null;
   swapped: {type: LinkageType; defects: Defects; min_transmission_angle_deg: number | null} | null;
   fails: number; // requirement bits
+  function: GeneratedFunction | null; // function generation
   drive: Drive | null; // null: a slider or zero link
   /** Of six-bars only. */
   six_bar?: SixBar;

@@ -8,7 +8,9 @@ import hood_hinge from "../../../examples/hood_hinge.json?raw";
 import landing_gear from "../../../examples/landing_gear.json?raw";
 import latch from "../../../examples/latch.json?raw";
 import lift_platform from "../../../examples/lift_platform.json?raw";
+import log_generator from "../../../examples/log_generator.json?raw";
 import nose_gear from "../../../examples/nose_gear.json?raw";
+import sine_generator from "../../../examples/sine_generator.json?raw";
 import tailgate from "../../../examples/tailgate.json?raw";
 import transfer_arm from "../../../examples/transfer_arm.json?raw";
 import type {Problem} from "../state/problem";
@@ -16,14 +18,14 @@ import type {TextKey} from "../texts/texts.svelte";
 import almost_symmetric from "./almost_symmetric.json?raw";
 import five_hatch from "./five_hatch.json?raw";
 import hatchback_lid from "./hatchback_lid.json?raw";
-import loader_bucket from "./loader_bucket.json?raw";
+import wheel_loader from "./wheel_loader.json?raw";
 import mirror_symmetric from "./mirror_symmetric.json?raw";
 import parallel_moves from "./parallel_moves.json?raw";
 import three_parallel from "./three_parallel.json?raw";
 
 const files = {
   tailgate, drawer_hinge, dump_bucket, landing_gear, folding_table, lift_platform, hood_hinge, latch,
-  airtight_hatch, corner_drawer, nose_gear, transfer_arm, five_hatch, loader_bucket, hatchback_lid,
+  airtight_hatch, corner_drawer, nose_gear, transfer_arm, sine_generator, log_generator, five_hatch, wheel_loader, hatchback_lid,
   almost_symmetric, mirror_symmetric, three_parallel, parallel_moves,
 };
 export type ExampleName = keyof typeof files;

@@ -9,6 +9,12 @@ export interface Range {
   to: number;
 }
 
+/** With rows and columns exchanged, where there is one of either. */
+export function on_its_side(map: MapAnswer): MapAnswer {
+  const {rows, columns, window, input_tau, output_tau} = map;
+  return {...map, rows: columns, columns: rows, window: {input: window.output, output: window.input}, input_tau: output_tau, output_tau: input_tau};
+}
+
 /** Fills columns × rows pixels, row 0 of the map at the bottom. */
 export function paint_types(map: MapAnswer, look: Look, out: Uint32Array): void {
   const table = type_table(look), {rows, columns, type, defects, fails} = map;

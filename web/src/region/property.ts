@@ -13,7 +13,7 @@ interface Description {
   short: TextKey;
   larger_is_better: boolean;
   requirement: "min_transmission_angle_deg" | "max_link_ratio" | "max_length" | null;
-  quantity: "angle" | "ratio" | "length";
+  quantity: "angle" | "fine_angle" | "ratio" | "length";
 }
 export const descriptions: Record<Property, Description> = {
   min_transmission_angle_deg: {text: "region.by_transmission", short: "region.short_transmission", larger_is_better: true, requirement: "min_transmission_angle_deg", quantity: "angle"},
@@ -22,6 +22,7 @@ export const descriptions: Record<Property, Description> = {
   min_transmission_angle_full_turn_deg: {text: "num.min_turn", short: "num.min_turn", larger_is_better: true, requirement: null, quantity: "angle"},
   pose_miss: {text: "region.by_miss", short: "region.by_miss", larger_is_better: false, requirement: null, quantity: "length"},
   driver_sweep_deg: {text: "num.sweep", short: "num.sweep", larger_is_better: true, requirement: null, quantity: "angle"},
+  max_structural_error_deg: {text: "function.max_error", short: "function.error", larger_is_better: false, requirement: null, quantity: "fine_angle"},
 };
 /** In the order in which C walks through them. */
 export function colorings_of(task: Task): Coloring[] {
@@ -35,6 +36,7 @@ export function coloring_text(coloring: Coloring): TextKey {
 /** What the scale bar spans. `typical`: a length of the task's size. */
 export function domain(property: Property, requirements: Requirements, typical: number): [number, number] {
   if (property === "driver_sweep_deg") return [0, 360];
+  if (property === "max_structural_error_deg") return [0, 2];
   if (property === "link_ratio") return [1, Math.max(1.25 * (requirements.max_link_ratio ?? 20), 4)];
   if (property === "pose_miss") return [0, 0.2 * typical];
   if (property === "longest_link") return [0, 1.25 * (requirements.max_length ?? 10 * typical)];
@@ -58,6 +60,7 @@ export function held_threshold(property: Property, value: number): number {
 export function value_text(property: Property, value: number, unit: string): string {
   const {quantity} = descriptions[property];
   if (quantity === "angle") return degrees_text(value, 0);
+  if (quantity === "fine_angle") return `${significant(value, 2)}°`;
   return quantity === "ratio" ? significant(value, 3) : `${significant(value, 3)} ${unit}`.trim();
 }
 
@@ -75,6 +78,7 @@ export function contour_levels(property: Property, requirements: Requirements, t
 }
 function plain_levels(property: Property, [from, to]: [number, number]): number[] {
   if (property === "link_ratio") return [2, 3, 5, 8, 12].filter((level) => level < to);
+  if (property === "max_structural_error_deg") return [0.1, 0.2, 0.5, 1];
   if (property === "driver_sweep_deg") return [45, 90, 135, 180, 270];
   if (property !== "longest_link" && property !== "pose_miss") return [30, 45, 60, 75];
   const step = round_step((to - from) / 8);

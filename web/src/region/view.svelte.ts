@@ -1,7 +1,7 @@
 // How the map lies on the screen and where it is being pointed at. Nothing here outlives the pointer: what is shown of
 // the region, picked and hovered is the workbench's.
 import type {Axis, Point, Side, TauPair} from "../engine/protocol";
-import {held_place, place_of, places_of, stepped_place, tau_of_places} from "../state/axis";
+import {held_place, is_ribbon, place_of, places_of, stepped_place, tau_of_places} from "../state/axis";
 import type {Pin} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
 import {point_of, type Frame} from "./painter";
@@ -9,6 +9,7 @@ import {make_scale, place_at} from "./scale";
 import {panned, showing, zoomed} from "./zoom";
 
 export const pin_reach = 6; // pixels
+export const ribbon_px = 36;
 const cells_along = 400; // what a step of the arrow keys is a part of
 
 export class RegionView {
@@ -24,10 +25,15 @@ export class RegionView {
   alt = $state(false);
   whole_picture = $state.raw<{canvas: HTMLCanvasElement} | null>(null);
 
+  /** A map of one column lies on its side, and low: a ribbon. */
+  readonly ribbon = $derived.by(() => this.workbench.task !== null && is_ribbon(this.workbench.task.axes));
+  /** Of the cells, in pixels; the map is as wide as its size. */
+  readonly height = $derived(this.ribbon ? ribbon_px : this.size);
+  readonly sides: {up: Side; across: Side} = $derived(this.ribbon ? {up: "output", across: "input"} : {up: "input", across: "output"});
   readonly frame: Frame = $derived.by(() => {
     const {task, window} = this.workbench;
-    const scale = (side: Side) => make_scale(task?.axes[side].blocks ?? [], window[side], this.size);
-    return {up: scale("input"), across: scale("output")};
+    const scale = (side: Side, size: number) => make_scale(task?.axes[side].blocks ?? [], window[side], size);
+    return {up: scale(this.sides.up, this.height), across: scale(this.sides.across, this.size)};
   });
   /** Where the picked linkage stands. */
   readonly picked_place = $derived.by(() => {
@@ -46,14 +52,18 @@ export class RegionView {
   }
 
   place(point: Point): TauPair {
-    const {task} = this.workbench, place = [place_at(this.frame.up, this.size - point[1]), place_at(this.frame.across, point[0])] as const;
+    const {task} = this.workbench, place = this.turned([place_at(this.frame.up, this.height - point[1]), place_at(this.frame.across, point[0])]);
     return task ? [held_place(task.axes.input, place[0]), held_place(task.axes.output, place[1])] : place;
   }
   point(place: TauPair): Point {
-    return point_of(this.frame, place);
+    return point_of(this.frame, this.turned(place));
+  }
+  /** What runs up and across as input and output, and back. */
+  private turned<T>(pair: readonly [T, T]): readonly [T, T] {
+    return this.ribbon ? [pair[1], pair[0]] : pair;
   }
   contains([x, y]: Point): boolean {
-    return x >= 0 && y >= 0 && x <= this.size && y <= this.size;
+    return x >= 0 && y >= 0 && x <= this.size && y <= this.height;
   }
   place_of_tau(tau: TauPair): TauPair | null {
     const {task} = this.workbench;
@@ -87,7 +97,8 @@ export class RegionView {
     this.workbench.hover(target.tau);
   }
   /** The keyboard's crosshair, by cells of the map as it is shown. */
-  step(rows: number, columns: number): void {
+  step(up: number, across: number): void {
+    const [rows, columns] = this.turned([up, across]);
     const from = this.hand_place ?? this.middle(), {task} = this.workbench;
     if (!task) return;
     const moved = (side: Side, place: number, by: number) =>
@@ -134,7 +145,7 @@ export class RegionView {
   }
   /** By pixels, as the pointer drags it. */
   pan(x: number, y: number): void {
-    this.workbench.zoom(panned(this.workbench.window, y / this.size, -x / this.size));
+    this.workbench.zoom(panned(this.workbench.window, ...this.turned([y / this.height, -x / this.size])));
   }
   /** Index of the map's cell at a place; nothing where the map on screen does not reach. */
   cell(place: TauPair): number | null {

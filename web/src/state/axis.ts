@@ -38,6 +38,22 @@ export function has_burmester_curve({curves}: TaskAnswer): boolean {
 export function is_discrete({quantity}: Axis): boolean {
   return quantity === "burmester_point" || quantity === "nothing";
 }
+/** The side along whose axis a side link moves: where its own leaves nothing to choose, the other's. */
+export function moving_side(axes: Axes, side: Side): Side {
+  const other = side === "input" ? "output" : "input";
+  return axes[side].quantity === "nothing" && axes[other].quantity !== "nothing" ? other : side;
+}
+/** A pair with the coordinate along which a side link moves exchanged. */
+export function with_side({axes}: Pick<TaskAnswer, "axes">, tau: TauPair, side: Side, value: number): TauPair {
+  return moving_side(axes, side) === "input" ? [value, tau[1]] : [tau[0], value];
+}
+export function coordinate_of({axes}: Pick<TaskAnswer, "axes">, tau: TauPair, side: Side): number {
+  return tau[moving_side(axes, side) === "input" ? 0 : 1];
+}
+/** Many places along the input's axis, one along the output's. */
+export function is_ribbon({input, output}: Axes): boolean {
+  return output.quantity === "nothing" && !is_discrete(input);
+}
 function middle_tau({from, to}: Branch): number {
   return (from + to) / 2;
 }

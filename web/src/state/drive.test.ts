@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import {state_columns, state_width, type Drive} from "../engine/protocol";
-import {angle_at_stage, row_count, row_state, stage_at_angle, state_at, travel} from "./drive";
+import {angle_at_stage, joints_at, row_count, row_joints, row_state, stage_at_angle, state_at, travel} from "./drive";
 
 /** Angles −10…50; every other column is a line of the angle. Positions at 0, 20, 30; the fourth is not reached. */
 function drive(reached = [true, true, true, false]): Drive {
@@ -32,6 +32,19 @@ describe("a drive table", () => {
     expect(state_at(drive(), -100)).toEqual(row_state(drive(), 0));
     expect(state_at(drive(), 100)).toEqual(row_state(drive(), 6));
   });
+});
+
+it("the hinges of a six-bar follow the columns of every state", () => {
+  const width = state_width + 4, states = new Float64Array(2 * width).fill(9);
+  states[0] = 0;
+  states[width] = 10;
+  states.set([1, 2, 3, 4], state_width);
+  states.set([2, 2, 5, 0], width + state_width);
+  const wide: Drive = {...drive(), states, width};
+  expect(row_count(wide)).toBe(2);
+  expect(row_joints(wide, 1)).toEqual([[2, 2], [5, 0]]);
+  expect(joints_at(wide, 5)).toEqual([[1.5, 2], [4, 2]]);
+  expect(joints_at(wide, 10)).toEqual([[2, 2], [5, 0]]);
 });
 
 describe("the stage", () => {

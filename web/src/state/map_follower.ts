@@ -43,7 +43,7 @@ export class MapFollower {
     const {document, window, engine, engine_state, gesture} = this.workbench;
     if (!engine || engine_state === "missing") return;
     const problem = engine_text(document.problem);
-    const {coloring} = this.workbench, property = coloring === "type" ? "min_transmission_angle_deg" : coloring;
+    const {property} = this.workbench;
     const question = (order: number | null) => JSON.stringify([problem, window, property, order]);
     const asked = question(document.order);
     if (asked === this.asked && samples <= this.asked_samples) return this.refine();

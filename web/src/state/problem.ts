@@ -2,10 +2,11 @@
 import type {Box, LinkageType, Point, Requirements, TauPair} from "../engine/protocol";
 import {diagonal_of, poses_of, with_task_poses, type Pose, type Task} from "./task";
 
+export type Objective = "min_transmission_angle" | "link_ratio" | "size" | "structural_error";
 export interface Options {
   region_samples?: number;
   spacing?: "coordinate" | "arc_length";
-  objective?: "min_transmission_angle" | "link_ratio" | "size";
+  objective?: Objective;
   best?: number;
   window?: unknown;
   /** Of a search for a six-bar's chain. */

@@ -15,7 +15,7 @@ import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
 import {find_pin, free_name, new_pin} from "./pins";
 import {preferences} from "./preferences.svelte";
-import {with_task, type Pin, type Problem} from "./problem";
+import {with_task, type Objective, type Pin, type Problem} from "./problem";
 import {same_task} from "./task";
 
 export interface Toast {
@@ -27,6 +27,10 @@ export interface Toast {
 export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
+
+const measures: Record<Objective, Property> = {
+  min_transmission_angle: "min_transmission_angle_deg", link_ratio: "link_ratio", size: "longest_link", structural_error: "max_structural_error_deg",
+};
 
 /** A task is shown between the last two positions. */
 const before_last = 1.55;
@@ -102,6 +106,12 @@ export class Workbench extends Editing {
   get coloring(): "type" | Property {
     const {colour_by} = preferences;
     return colour_by !== "type" && properties_of(this.problem.task).includes(colour_by) ? colour_by : "type";
+  }
+  /** What is asked of the engine with a map: behind the types, what the objective goes by. */
+  get property(): Property {
+    const {coloring, problem} = this, wanted = measures[problem.options?.objective ?? "min_transmission_angle"];
+    if (coloring !== "type") return coloring;
+    return properties_of(problem.task).includes(wanted) ? wanted : "min_transmission_angle_deg";
   }
   get unit(): string {
     return this.problem.length_unit ?? "";

@@ -1,6 +1,6 @@
 // What a kind of task brings, without its views (view.ts): the frame asks it through kinds.ts and knows none by name.
 import type {Point, Property} from "../engine/protocol";
-import type {Problem} from "../state/problem";
+import type {Objective, Problem} from "../state/problem";
 import type {Object} from "../state/shape";
 import type {Task} from "../state/task";
 import type {TextKey} from "../texts/texts.svelte";
@@ -32,6 +32,8 @@ export interface TaskKind<T extends Task = Task> {
   is_mixed(task: T): boolean;
   /** Points of the fixed frame between which the task lies. */
   anchors(task: T): Point[];
+  /** Points that are shown with them: of what is drawn about them. */
+  around?(task: T): Point[];
   /** New tasks get a size limit (the best transmission angle alone is found next to links of many metres). */
   default_max_length(problem: Problem): number;
   /** What the map is of: a linkage keeps its place on the map from task to task only where this stays. */
@@ -40,6 +42,8 @@ export interface TaskKind<T extends Task = Task> {
   properties?(task: T): readonly Property[];
   /** The fixed frame seen from elsewhere: points by `point`; poses are the frame's matter. */
   moved(task: T, point: (p: Point) => Point): T;
+  /** What a linkage can be the best by beside the usual. */
+  objectives?(task: T): readonly Objective[];
   /** For the printed sheet. */
   table(task: T, unit: string): {head: string[]; rows: string[][]};
   beginnings: readonly Beginning[];

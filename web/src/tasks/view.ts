@@ -1,6 +1,8 @@
 // What a kind of task shows and lets take hold of: the frame has a place for each.
 import type {Component} from "svelte";
 import type {Handle} from "../drawing/handles";
+import type {Linkage} from "../engine/protocol";
+import type {Task} from "../state/task";
 import type {Scene} from "../drawing/scene.svelte";
 import type {Format} from "../exports/take_away";
 import type {PlotKind} from "../transport/plot";
@@ -20,8 +22,10 @@ export interface TaskView {
   Layer?: Component;
   /** What can be taken hold of on the drawing, beside poses and pivots: handles whose target is a part of the task. */
   handles?(scene: Scene): Handle[];
+  /** Beside the numbers of the linkage in hand. */
+  Numbers?: Component<{hand: Linkage}>;
   /** Formats in which its linkages can be taken away, if not all. */
   exports?: readonly Format[];
   /** The first one is shown first. */
-  plots: readonly PlotKind[];
+  plots(task: Task): readonly PlotKind[];
 }

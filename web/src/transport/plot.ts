@@ -4,16 +4,19 @@ import {row_count, state_at} from "../state/drive";
 import {played_span, stops_of} from "./play";
 
 export const plot_kinds = ["transmission", "coupler", "path", "velocity", "advantage"] as const;
-export type PlotKind = (typeof plot_kinds)[number];
+/** Columns of the drive table. */
+export type DriveKind = (typeof plot_kinds)[number] | "output";
+export type PlotKind = DriveKind | "error";
 type Column = (typeof state_columns)[number];
-const columns: Record<PlotKind, Column[]> = {
+const columns: Record<DriveKind, Column[]> = {
   transmission: ["transmission_angle_deg"],
   coupler: ["coupler_deg"],
   path: ["x", "y"],
+  output: ["output_deg"],
   velocity: ["velocity_ratio"],
   advantage: ["mechanical_advantage"],
 };
-const zero_is_nothing: readonly PlotKind[] = ["velocity", "advantage"]; // at dead points
+const zero_is_nothing: readonly DriveKind[] = ["velocity", "advantage"]; // at dead points
 
 export interface Plot {
   kind: PlotKind;
@@ -25,7 +28,7 @@ export interface Plot {
   y: [number, number];
 }
 
-export function plot_of(drive: Drive, kind: PlotKind, whole: boolean): Plot {
+export function plot_of(drive: Drive, kind: DriveKind, whole: boolean): Plot {
   const [low, high] = played_span(drive, whole);
   const rows = Array.from({length: row_count(drive)}, (_, row) => row).filter((row) => {
     const angle = drive.states[row * drive.width];
@@ -39,24 +42,24 @@ export function plot_of(drive: Drive, kind: PlotKind, whole: boolean): Plot {
   plot.y = value_range(kind, values[values.length - 1]);
   return plot;
 }
-export function values_at(drive: Drive, kind: PlotKind, angle: number): (number | null)[] {
+export function values_at(drive: Drive, kind: DriveKind, angle: number): (number | null)[] {
   const state = state_at(drive, angle);
   return columns[kind].map((name) => shown(kind, state[name]));
 }
-function shown(kind: PlotKind, value: number): number | null {
+function shown(kind: DriveKind, value: number): number | null {
   return value === 0 && zero_is_nothing.includes(kind) ? null : value;
 }
 
-function value_range(kind: PlotKind, values: (number | null)[]): [number, number] {
+function value_range(kind: DriveKind, values: (number | null)[]): [number, number] {
   if (kind === "transmission") return [0, 90];
-  if (kind === "coupler" || kind === "path") return extent(values, 0.08);
+  if (kind === "coupler" || kind === "output" || kind === "path") return extent(values, 0.08);
   // Both grow without bound toward a dead point: the middle nine tenths are what can be read.
   const sorted = values.filter((v) => v !== null).sort((a, b) => a - b);
   if (sorted.length === 0) return [0, 1];
   const trimmed = [sorted[Math.floor(0.05 * (sorted.length - 1))], sorted[Math.ceil(0.95 * (sorted.length - 1))]];
   return extent([0, ...trimmed], 0.15);
 }
-function extent(values: (number | null)[], margin: number): [number, number] {
+export function extent(values: (number | null)[], margin: number): [number, number] {
   let low = Infinity, high = -Infinity;
   for (const value of values) {
     if (value === null) continue;
@@ -82,5 +85,5 @@ export function nearest_on_path(plot: Plot, x: number, y: number): number {
 /** What is shown, as comma-separated values; where nothing is defined the field is empty. */
 export function plot_csv(plot: Plot): string {
   const lines = plot.angles.map((angle, row) => [angle, ...plot.values.map((column) => column[row] ?? "")].join(","));
-  return [["input_deg", ...columns[plot.kind]].join(","), ...lines, ""].join("\n");
+  return [["input_deg", ...(plot.kind === "error" ? ["error_deg"] : columns[plot.kind])].join(","), ...lines, ""].join("\n");
 }

@@ -1,24 +1,21 @@
 // A pivot of the picked linkage slides along its curve; the engine's answer puts it exactly there.
-import type {Point, TauPair} from "../../engine/protocol";
+import type {Point} from "../../engine/protocol";
+import {coordinate_of, with_side} from "../../state/axis";
 import {body_point, placed} from "../../state/problem";
 import type {Spot} from "../curve_samples";
 import {spot_of_tau} from "../curve_samples";
-import type {Side, Target} from "../handles";
+import type {Target} from "../handles";
 import {reason_of} from "../words";
 import {beyond_edge, beyond_spot, overshoot, slid, type Beyond} from "../sliding";
 import {to_screen, to_user, type Viewport} from "../viewport";
 import {finish, type Bench, type Drag} from "./drag";
 
-export function with_side(tau: TauPair, side: Side, value: number): TauPair {
-  return side === "input" ? [value, tau[1]] : [tau[0], value];
-}
-
 /** `view` is what the pointer's pixels are of: the drawing's, or the 3-D view's. */
 export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}>, view: () => Viewport = () => bench.scene.view): Drag | null {
-  const {workbench, scene} = bench, picked = workbench.picked;
+  const {workbench, scene} = bench, {picked, task} = workbench;
   const samples = scene.samples[target.side];
-  if (!picked || !samples) return null;
-  let spot: Spot | null = spot_of_tau(samples, target.end, picked.tau[target.side === "input" ? 0 : 1]);
+  if (!picked || !samples || !task) return null;
+  let spot: Spot | null = spot_of_tau(samples, target.end, coordinate_of(task, picked.tau, target.side));
   if (!spot) return null;
   let beyond: Beyond | null = null;
   // A pivot that moves is taken where it is now; its curve lies in position 1.
@@ -36,7 +33,7 @@ export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}
       else beyond ??= beyond_edge(samples, target.end, view(), on_curve(at), spot);
       spot = beyond ? beyond_spot(samples, target.end, beyond, over) : slid(samples, target.end, view(), on_curve(at), spot);
       workbench.curve_hover = {sides: spot.sides, tau: spot.tau};
-      workbench.slide(with_side(workbench.picked?.tau ?? picked.tau, target.side, spot.tau));
+      workbench.slide(with_side(workbench.task ?? task, workbench.picked?.tau ?? picked.tau, target.side, spot.tau));
       scene.note = {at, text: `τ ${spot.tau.toFixed(4)}`, reason: reason_of(workbench)};
     },
     end() {

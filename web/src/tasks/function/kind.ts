@@ -2,7 +2,7 @@
 import type {Point} from "../../engine/protocol";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
-import {pattern_of, position_count, type AnglePair, type FreeNumber, type FunctionTask, type NamedFunction, type Range} from "../../state/task";
+import {diagonal_of, pattern_of, position_count, type AnglePair, type FreeNumber, type FunctionTask, type NamedFunction, type Range} from "../../state/task";
 import {significant} from "../../texts/numbers";
 import type {TaskKind} from "../kind";
 
@@ -50,8 +50,17 @@ function read(value: Object): FunctionTask | null {
 export function ground_pivots_of({ground_pivots}: FunctionTask): {input: Point; output: Point} {
   return ground_pivots ?? {input: [0, 0], output: [1, 0]};
 }
-function count_of(task: FunctionTask): number {
+export function position_count_of(task: FunctionTask): number {
   return task.function ? (task.function.points ?? 4) : position_count(task.pairs ?? []);
+}
+/** A table's own where none is given. */
+export function x_range_of({x, table}: NamedFunction): Range | undefined {
+  return x ?? (table && [table[0][0], table[table.length - 1][0]]);
+}
+/** A square over the angles of the pairs. */
+export function fresh_function(pairs: readonly AnglePair[]): NamedFunction {
+  const range = (key: "input_deg" | "output_deg"): Range => [pairs[0]?.[key] ?? 0, pairs.length > 1 ? pairs[pairs.length - 1][key] : 60];
+  return {expression: "x^2", x: [0, 1], input_range_deg: range("input_deg"), output_range_deg: range("output_deg"), points: Math.min(Math.max(pairs.length, 4), 5), spacing: "chebyshev"};
 }
 function default_max_length({task}: Problem): number {
   const {input, output} = ground_pivots_of(task as FunctionTask);
@@ -72,17 +81,27 @@ export const function_kind: TaskKind<FunctionTask> = {
   is: (task): task is FunctionTask => task.kind === "function",
   read,
   incompleteness(task) {
-    const n = count_of(task);
+    const n = position_count_of(task);
     if (n < 4) return {state: "too_few", text: "state.too_few_pairs", n};
     return n > 5 ? {state: "too_many", text: "state.too_many_pairs", n} : null;
   },
-  stops: (task) => task.pairs?.length ?? count_of(task),
-  pattern: ({pairs}) => pattern_of(pairs ?? []),
+  stops: (task) => task.pairs?.length ?? position_count_of(task),
+  pattern: (task) => pattern_of(task.pairs ?? Array.from({length: position_count_of(task)}, () => ({}))),
   is_mixed: ({pairs}) => (pairs ?? []).some((pair) => pair.derivatives?.length),
   anchors: (task) => Object.values(ground_pivots_of(task)),
+  around(task) {
+    const pivots = Object.values(ground_pivots_of(task)), room = 0.5 * diagonal_of(pivots);
+    return pivots.flatMap(([x, y]): Point[] => [[x - room, y], [x + room, y], [x, y - room], [x, y + room]]);
+  },
   default_max_length,
-  map_of: (task) => `function ${count_of(task)} ${task.free?.number ?? ""}`,
+  map_of: (task) => `function ${position_count_of(task)} ${task.free?.number ?? ""}`,
   moved: (task, point) => ({...task, ground_pivots: {input: point(ground_pivots_of(task).input), output: point(ground_pivots_of(task).output)}}),
-  table: ({pairs}) => ({head: ["φ °", "ψ °"], rows: (pairs ?? []).map((pair) => [significant(pair.input_deg, 7), significant(pair.output_deg, 7)])}),
+  properties: ({function: named, free}) => (named && !free ? ["max_structural_error_deg"] : []),
+  objectives: ({function: named}) => (named ? ["structural_error"] : []),
+  table({pairs, function: named}) {
+    if (!named) return {head: ["φ °", "ψ °"], rows: (pairs ?? []).map((pair) => [significant(pair.input_deg, 7), significant(pair.output_deg, 7)])};
+    const range = (ends: Range | undefined) => ends?.map((end) => significant(end, 7)).join(" … ") ?? "";
+    return {head: ["y", "x", "φ °", "ψ °"], rows: [[named.expression ?? "y(x)", range(x_range_of(named)), range(named.input_range_deg), range(named.output_range_deg)]]};
+  },
   beginnings: [{id: "function", name: "new.function", about: "new.function_about", make: new_problem}],
 };

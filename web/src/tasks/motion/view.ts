@@ -5,4 +5,4 @@ import {given_handles} from "./given_handles";
 import Layer from "./Layer.svelte";
 import Offer from "./Offer.svelte";
 
-export const motion_view: TaskView = {Editor, Offer, Layer, handles: given_handles, plots: plot_kinds};
+export const motion_view: TaskView = {Editor, Offer, Layer, handles: given_handles, plots: () => plot_kinds};

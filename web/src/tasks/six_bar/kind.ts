@@ -22,7 +22,7 @@ function points_of(chain: Chain | undefined): Point[] {
 }
 function new_problem(): Problem {
   const motion = new_motion(), poses = "poses" in motion.task ? motion.task.poses : [];
-  return {...motion, task: {kind: "motion", mechanism: "six_bar", poses, chain: {a: [150, -50], b: [150, 150], d: [30, 20]}, added: ["0-2", "0-3"]}};
+  return {...motion, task: {kind: "motion", mechanism: "six_bar", poses, chain: {a: [-145, 268], b: [16, 205], d: [75, -71]}, added: ["0-2", "0-3"]}};
 }
 
 export const six_bar_kind: TaskKind<SixBarTask> = {

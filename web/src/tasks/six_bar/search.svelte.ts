@@ -39,6 +39,11 @@ export function merged(known: readonly Found[], more: readonly Found[]): Found[]
   return [...known, ...more].sort((a, b) => b.min_transmission_angle_deg - a.min_transmission_angle_deg).slice(0, most_found);
 }
 
+/** Elbows that are all as in position 1 need not be said. */
+function plain({elbow, ...chain}: Chain): Chain {
+  return elbow?.some((sign) => sign !== 0) ? {...chain, elbow} : chain;
+}
+
 export class ChainSearch {
   found = $state.raw<readonly Found[]>([]);
   running = $state(false);
@@ -83,7 +88,7 @@ export class ChainSearch {
     const asked = round_of(problem, this.round), {linkages} = await client.request("best", {problem: engine_text(asked), most: most_a_round});
     const entries = linkages.filter((entry): entry is Entry & {chain: Chain} => entry.chain !== undefined);
     const known = this.found;
-    this.found = merged(known, entries.map((entry) => ({...entry, added, seed: asked.options!.seed!, linkage: null})));
+    this.found = merged(known, entries.map((entry) => ({...entry, chain: plain(entry.chain), added, seed: asked.options!.seed!, linkage: null})));
     for (const one of this.found.filter((found) => !known.includes(found))) {
       const {linkage} = await client.request("linkage", {problem: engine_text(with_six_bar(problem, {chain: one.chain})), tau: one.tau});
       this.found = this.found.map((other) => (other === one ? {...one, linkage} : other));

@@ -5,4 +5,6 @@ import Editor from "./Editor.svelte";
 import SixBarLayer from "./SixBarLayer.svelte";
 import type {TaskView} from "../view";
 
-export const six_bar_view: TaskView = {Editor, Linkage: SixBarLayer, Layer: ChainLayer, handles: chain_handles, exports: ["png", "gif", "webm"], plots: plot_kinds.slice(0, 3)};
+export const six_bar_view: TaskView = {
+  Editor, Linkage: SixBarLayer, Layer: ChainLayer, handles: chain_handles, exports: ["png", "gif", "webm"], plots: () => plot_kinds.slice(0, 3),
+};

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "io/json_writer.hpp"
+#include "linkwright/planar/function_error.hpp"
+#include "linkwright/planar/function_family.hpp"
+#include "linkwright/planar/function_task.hpp"
+#include "linkwright/planar/task_family.hpp"
+
+// What the page is told of function generation, degrees on the task's dials (web/src/engine/protocol.ts).
+namespace linkwright::wasm {
+
+/// The family, where it is one of a function task.
+[[nodiscard]] const FunctionFamily* function_family(const TaskFamily& given);
+
+/// WantedFunction: the pairs, and the named function between them.
+void write_wanted_function(JsonWriter& json, const FunctionTask& task);
+
+/// GeneratedFunction: what a four-bar makes of `task`, whose free number is fixed.
+void write_generated_function(JsonWriter& json, const FunctionTask& task, const FunctionError& error);
+
+}  // namespace linkwright::wasm

@@ -1,0 +1,109 @@
+import type {SixBarTask} from "../src/state/task";
+import {drag, expect, expect_accessible, file_menu, keep_screenshot, map_pixel, middle_of, open_workbench, read_state, test, until_settled, type Pixel} from "./support";
+import type {Page} from "@playwright/test";
+
+async function open_loader(page: Page): Promise<void> {
+  await open_workbench(page);
+  await file_menu(page, "file.examples");
+  await page.getByTestId("example.wheel_loader").click();
+  await until_settled(page);
+}
+/** The map's hash of what it shows. */
+function counts(page: Page): Promise<string> {
+  return read_state(page, ({map}) => `${map!.census.meeting} ${map!.census.defect_free} ${map!.fails.join("").length} ${map!.value.reduce((sum, value) => sum + value, 0)}`);
+}
+/** A cell that meets everything and is not the one in hand. */
+function passing_place(page: Page): Promise<readonly [number, number]> {
+  return read_state(page, ({map, picked}) => {
+    const cells = [...map!.fails.keys()].filter((i) => map!.fails[i] === 0);
+    const place = (i: number) => [(Math.floor(i / map!.columns) + 0.5) / map!.rows, ((i % map!.columns) + 0.5) / map!.columns] as const;
+    return place(cells.findLast((i) => Math.hypot(place(i)[0] - picked!.place![0], place(i)[1] - picked!.place![1]) > 0.05) ?? cells[0]);
+  });
+}
+
+test("a six-bar is found on its map, driven, and its chain moved", async ({page}) => {
+  test.slow();
+  await open_loader(page);
+  await expect(page.getByTestId("chip.title")).toContainText("six-bars");
+  expect(await read_state(page, ({census}) => census!.meeting)).toBeGreaterThan(20);
+  expect(await read_state(page, ({task}) => task!.symmetric)).toBe(false);
+
+  // A passing cell.
+  const {x, y}: Pixel = await map_pixel(page, await passing_place(page));
+  await page.mouse.click(x, y);
+  await page.mouse.move(5, 400);
+  await until_settled(page);
+  expect(await read_state(page, ({hand}) => [hand!.fails, hand!.six_bar!.topology, hand!.six_bar!.lengths.length])).toEqual([0, "watt_1", 10]);
+  await expect(page.getByTestId("num.type")).toHaveText("Watt I");
+  await expect(page.getByTestId("num.verified")).toBeVisible();
+  await expect(page.getByTestId("drawing.linkage")).toHaveAttribute("data-fails", "false");
+
+  // Played, it passes all four positions in order.
+  await page.locator("[data-speed='4']").click();
+  await page.getByTestId("drive.repeat").click(); // over and over
+  await page.getByTestId("drive.repeat").click(); // once
+  const lit = read_state(page, (workbench) => new Promise<number[]>((resolve) => {
+    const passed: number[] = [], {get, set} = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(workbench), "lit_pose")!;
+    Object.defineProperty(workbench, "lit_pose", {
+      get: () => get!.call(workbench),
+      set(pose: number | null) {
+        if (pose !== null) passed.push(pose);
+        set!.call(workbench, pose);
+      },
+    });
+    workbench.stage = 0;
+    const look = () => (workbench.playing || passed.length === 0 ? requestAnimationFrame(look) : resolve(passed));
+    look();
+  }));
+  await page.getByTestId("drive.play").click();
+  expect(await lit).toEqual([1, 2, 3]); // from the first on
+  await keep_screenshot(page, "six_bar");
+
+  // Hinge b dragged: the map follows, one undo takes it back.
+  const before = await counts(page), handle = page.getByTestId("drawing.chain_b"), from = await middle_of(handle);
+  await drag(page, from, {x: from.x + 24, y: from.y - 12}, 6, async () => {
+    await expect(page.getByTestId("six_bar.reach")).toHaveCount(5);
+  });
+  await until_settled(page);
+  expect(await read_state(page, ({problem}) => (problem.task as SixBarTask).chain!.b)).not.toEqual([288.6, 1029.9]);
+  await expect.poll(() => counts(page)).not.toBe(before);
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => counts(page)).toBe(before);
+  expect(await read_state(page, ({problem}) => (problem.task as SixBarTask).chain!.b)).toEqual([288.6, 1029.9]);
+
+  // An end of link 4 slides along its curve, and the map's crosshair with it.
+  const tau = await read_state(page, ({picked}) => picked!.tau), end = await middle_of(page.getByTestId("drawing.pivot_input_center"));
+  await drag(page, end, {x: end.x + 12, y: end.y + 8}, 6);
+  const slid = await read_state(page, ({picked}) => picked!.tau);
+  expect(slid[0]).not.toBe(tau[0]);
+  expect(slid[1]).toBe(tau[1]);
+  await page.keyboard.press("Control+z");
+
+  // Other bodies joined: another map.
+  await page.getByTestId("six_bar.topology").click();
+  await expect(page.getByTestId(/^six_bar\.row\./)).toHaveCount(11);
+  await expect_accessible(page, "[data-testid='task.title']");
+  await page.getByTestId("six_bar.row.0-3_0-2").click();
+  await until_settled(page);
+  await expect(page.getByTestId("six_bar.topology")).toContainText("Stephenson III");
+  await page.keyboard.press("Control+z");
+  await until_settled(page);
+
+  // A chain is searched for; stopped, what was found stays; choosing one is one step.
+  await page.getByTestId("six_bar.search_chain").click();
+  await expect(page.getByTestId("drawing.search_box")).toBeVisible();
+  await page.getByTestId("six_bar.seed").fill("4");
+  await page.getByTestId("six_bar.effort").fill("100000");
+  await page.getByTestId("six_bar.effort").press("Enter");
+  await page.getByTestId("six_bar.start").click();
+  await expect(page.getByTestId("six_bar.found.1")).toBeVisible({timeout: 40_000});
+  await page.getByTestId("six_bar.stop").click();
+  await expect(page.getByTestId("six_bar.ended")).toContainText("Stopped after");
+  await page.getByTestId("six_bar.found.1").click();
+  await until_settled(page);
+  expect(await read_state(page, ({hand}) => [hand!.fails, hand!.drive!.ticks.every((tick) => tick.reached)])).toEqual([0, true]);
+  await keep_screenshot(page, "six_bar_search");
+  await page.keyboard.press("Control+z");
+  await until_settled(page);
+  expect(await read_state(page, ({problem}) => (problem.task as SixBarTask).chain!.b)).toEqual([288.6, 1029.9]);
+});

@@ -1,0 +1,55 @@
+// The dials about the ground pivots: a mark to each pair, in the direction that the link has there.
+import type {DialPair, Point, Side} from "../../engine/protocol";
+import type {Scene} from "../../drawing/scene.svelte";
+import {to_screen} from "../../drawing/viewport";
+import {ground_pivots_of} from "./kind";
+import {function_of, pairs_in_hand} from "./pairs";
+
+export interface Mark {
+  pair: number;
+  side: Side;
+  angle_deg: number; // on the dial
+  at: Point; // screen
+}
+export interface Dial {
+  side: Side;
+  center: Point; // screen
+  radius: number; // pixels
+  zero_deg: number; // direction of the dial's zero
+  marks: Mark[];
+}
+const most_radius = 58, least_radius = 26, share = 0.42; // of the way between the pivots
+const sides = ["input", "output"] as const;
+
+/** While a mark is dragged its dial keeps still. */
+const held_zeros = new WeakMap<Scene, Record<Side, number>>();
+export function hold_dials(scene: Scene): void {
+  held_zeros.set(scene, {input: zero_of(scene, "input"), output: zero_of(scene, "output")});
+}
+export function release_dials(scene: Scene): void {
+  held_zeros.delete(scene);
+}
+
+function zero_of({workbench}: Scene, side: Side): number {
+  const {hand} = workbench, link = hand?.[side], first = hand?.function?.pairs[0]?.[side === "input" ? 0 : 1];
+  if (!link?.center || !link.circle || first === undefined) return 0;
+  return (Math.atan2(link.circle[1] - link.center[1], link.circle[0] - link.center[0]) * 180) / Math.PI - first;
+}
+export function on_dial(center: Point, radius: number, direction_deg: number): Point {
+  const angle = (direction_deg * Math.PI) / 180;
+  return [center[0] + radius * Math.cos(angle), center[1] - radius * Math.sin(angle)];
+}
+export function dials_of(scene: Scene): Dial[] {
+  const {workbench, view} = scene, pivots = ground_pivots_of(function_of(workbench.problem)), pairs = pairs_in_hand(workbench);
+  const at = {input: to_screen(view, pivots.input), output: to_screen(view, pivots.output)};
+  const apart = Math.hypot(at.input[0] - at.output[0], at.input[1] - at.output[1]);
+  const radius = Math.min(Math.max(share * apart, least_radius), most_radius);
+  return sides.map((side) => {
+    const zero_deg = held_zeros.get(scene)?.[side] ?? zero_of(scene, side), center = at[side];
+    const mark = (pair: DialPair, index: number): Mark => {
+      const angle_deg = pair[side === "input" ? 0 : 1];
+      return {pair: index, side, angle_deg, at: on_dial(center, radius, zero_deg + angle_deg)};
+    };
+    return {side, center, radius, zero_deg, marks: pairs.map(mark)};
+  });
+}

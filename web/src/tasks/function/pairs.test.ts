@@ -1,0 +1,59 @@
+import {describe, expect, it} from "vitest";
+import type {Problem} from "../../state/problem";
+import type {AnglePair, FunctionTask} from "../../state/task";
+import {snapped_mark} from "./dial_handles";
+import {function_kind} from "./kind";
+import {rates_of, rows_of, unstretched, with_free, with_ground_pivot, with_named, with_pair, with_pairs, with_rates} from "./pairs";
+
+const pairs: AnglePair[] = [{input_deg: 0, output_deg: 10}, {input_deg: 20, output_deg: 30}, {input_deg: 40, output_deg: 45}, {input_deg: 60, output_deg: 50}];
+const named = {expression: "x^2", x: [0, 1], input_range_deg: [0, 60], output_range_deg: [0, 90], points: 4} as const;
+const task: FunctionTask = {kind: "function", mechanism: "four_bar", function: named};
+const problem: Problem = {linkwright: 1, task, options: {objective: "structural_error"}};
+
+describe("pairs", () => {
+  it("take the place of a named function, whose error is no objective then", () => {
+    const changed = with_pair(problem, pairs, 1, {output_deg: 31});
+    expect(changed.task).toEqual({kind: "function", mechanism: "four_bar", pairs: pairs.map((pair, i) => (i === 1 ? {...pair, output_deg: 31} : pair))});
+    expect(JSON.parse(JSON.stringify(changed)).options).toEqual({});
+    const back = with_named(changed, named);
+    expect(back.task).toEqual(task);
+    expect(function_kind.objectives?.(changed.task as FunctionTask)).toEqual([]);
+    expect(function_kind.objectives?.(task)).toEqual(["structural_error"]);
+  });
+  it("leave a number free only while they are four", () => {
+    const free = with_free(problem, {number: "output_scale", range: [0.5, 2]});
+    expect(function_kind.properties?.(free.task as FunctionTask)).toEqual([]);
+    expect(function_kind.map_of(free.task as FunctionTask)).not.toBe(function_kind.map_of(task));
+    expect(with_named(free, {...named, points: 5}).task).not.toHaveProperty("free");
+    expect(with_free(free, null).task).toEqual(task);
+  });
+  it("keep the other ground pivot", () => {
+    const moved = with_ground_pivot(problem, {input: [0, 0], output: [100, 0]}, "output", [90, 20]);
+    expect((moved.task as FunctionTask).ground_pivots).toEqual({input: [0, 0], output: [90, 20]});
+  });
+  it("have rates by the input angle, whatever they were given by", () => {
+    const [pair] = pairs;
+    expect(rates_of(with_rates(pair, [0.5, -2]))).toEqual([0.5, -2]);
+    expect(with_rates(with_rates(pair, [1]), [])).toEqual(pair);
+    // φ = t², ψ = t⁴ = φ² at t = 1, derivatives by t
+    expect(rates_of({...pair, derivatives: [{input: 2, output: 4}, {input: 2, output: 12}]})).toEqual([2, 2]);
+    expect(function_kind.pattern(with_pairs(problem, [with_rates(pair, [1]), pairs[1]]).task as FunctionTask)).toBe("PP-P");
+    expect(function_kind.pattern(task)).toBe("P-P-P-P");
+  });
+  it("are read off a stretched dial", () => {
+    const shown = pairs.map(({input_deg, output_deg}) => [input_deg, 10 + 2 * (output_deg - 10)] as const);
+    expect(unstretched(pairs, shown, 2, 90)).toBe(50);
+  });
+  it("come in rows of two numbers", () => {
+    expect(rows_of("φ\tψ\n0\t1,5\n20\t3")).toEqual([[0, 1.5], [20, 3]]);
+    expect(rows_of("1 2 3\n4 5 6")).toBeNull();
+    expect(rows_of("hello")).toBeNull();
+  });
+  it("snap to whole degrees, or as the keys say", () => {
+    const keys = {shift: false, alt: false, fine: false};
+    expect(snapped_mark(200.4, true, keys)).toBe(200);
+    expect(snapped_mark(200.44, true, {...keys, fine: true})).toBe(200.4);
+    expect(snapped_mark(200.4, true, {...keys, shift: true})).toBe(195);
+    expect(snapped_mark(200.4444, false, keys)).toBe(200.444);
+  });
+});

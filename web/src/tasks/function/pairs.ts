@@ -1,0 +1,83 @@
+// The pairs of angles of a function task, whether they are given or taken from a named function.
+import type {DialPair, Point, Side} from "../../engine/protocol";
+import {with_options, with_task, type Problem} from "../../state/problem";
+import type {AnglePair, FreeNumber, FunctionTask, NamedFunction} from "../../state/task";
+import type {Workbench} from "../../state/workbench.svelte";
+import {cells_of} from "../../task/paste";
+import {evaluated} from "../../task/arithmetic";
+
+export const angle_keys = {input: "input_deg", output: "output_deg"} as const;
+
+export function function_of(problem: Problem): FunctionTask {
+  return problem.task as FunctionTask;
+}
+/** Given ones as they are; those of a named function as the engine has found them. */
+export function pairs_of({problem, task}: Workbench): readonly AnglePair[] {
+  return function_of(problem).pairs ?? (task?.function?.pairs ?? []).map(([input_deg, output_deg]) => ({input_deg, output_deg}));
+}
+/** With the free number as it is in the linkage in hand. */
+export function pairs_in_hand(workbench: Workbench): DialPair[] {
+  const own = pairs_of(workbench), made = workbench.hand?.function?.pairs, free = function_of(workbench.problem).free;
+  return own.map(({input_deg, output_deg}, j) => [input_deg, free && made?.length === own.length ? made[j][1] : output_deg]);
+}
+
+function with_function_task(problem: Problem, task: FunctionTask): Problem {
+  const changed = with_task(problem, task);
+  return !task.function && problem.options?.objective === "structural_error" ? with_options(changed, {objective: undefined}) : changed;
+}
+/** Given pairs take the place of a named function. */
+export function with_pairs(problem: Problem, pairs: readonly AnglePair[]): Problem {
+  const {function: _, ...task} = function_of(problem);
+  return with_function_task(problem, {...task, pairs});
+}
+export function with_named(problem: Problem, named: NamedFunction): Problem {
+  const {pairs: _, ...task} = function_of(problem);
+  return with_function_task(problem, without_foreign_free({...task, function: named}));
+}
+export function with_free(problem: Problem, free: FreeNumber | null): Problem {
+  const {free: _, ...task} = function_of(problem);
+  return with_function_task(problem, free ? {...task, free} : task);
+}
+/** Five positions leave nothing free. */
+function without_foreign_free(task: FunctionTask): FunctionTask {
+  if (!task.free || (task.function?.points ?? 4) === 4) return task;
+  const {free: _, ...rest} = task;
+  return rest;
+}
+export function with_pair(problem: Problem, pairs: readonly AnglePair[], index: number, change: Partial<AnglePair>): Problem {
+  return with_pairs(problem, pairs.map((pair, i) => (i === index ? {...pair, ...change} : pair)));
+}
+export function with_ground_pivot(problem: Problem, pivots: {input: Point; output: Point}, side: Side, place: Point): Problem {
+  return with_task(problem, {...function_of(problem), ground_pivots: {...pivots, [side]: place}});
+}
+
+/** Where the output's dial is stretched, what is read off it is the pair's angle stretched. */
+export function unstretched(own: readonly AnglePair[], shown: readonly DialPair[], index: number, value: number): number {
+  const first = own[0].output_deg, travel = shown[index][1] - first;
+  return Math.abs(travel) < 1e-9 ? value : first + ((value - first) * (own[index].output_deg - first)) / travel;
+}
+
+// ---- rates --------------------------------------------------------------------------------------------------------
+
+/** dψ/dφ and d²ψ/dφ² as derivatives by the input angle, as many as are given. */
+export function with_rates(pair: AnglePair, rates: readonly number[]): AnglePair {
+  const {derivatives: _, ...plain} = pair;
+  return rates.length === 0 ? plain : {...plain, derivatives: rates.map((output, order) => ({input: order === 0 ? 1 : 0, output}))};
+}
+export function rates_of({derivatives}: AnglePair): number[] {
+  const [first, second] = derivatives ?? [];
+  if (!first) return [];
+  const rate = first.output / first.input;
+  if (!second) return [rate];
+  return [rate, (second.output - rate * second.input) / first.input ** 2];
+}
+
+// ---- rows of two numbers -----------------------------------------------------------------------------------------
+
+/** Rows of two numbers from a spreadsheet, a heading left out; nothing where it is something else. */
+export function rows_of(text: string): Point[] | null {
+  const rows = cells_of(text).map((cells) => cells.map((cell) => evaluated(cell, "number")));
+  const numbers = rows.map((row) => row.flatMap((cell) => ("value" in cell ? [cell.value] : [])));
+  if (numbers[0]?.length === 0) numbers.shift();
+  return numbers.length > 0 && numbers.every((row) => row.length === 2) ? numbers.map(([x, y]): Point => [x, y]) : null;
+}
