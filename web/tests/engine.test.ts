@@ -18,7 +18,8 @@ const program = join(root, "build/release/bin/linkwright");
 const scratch = mkdtempSync(join(tmpdir(), "linkwright-"));
 const wasm = new URL("../src/engine/generated/linkwright.wasm", import.meta.url);
 const tailgate = readFileSync(join(root, "examples/tailgate.json"), "utf8");
-const samples = 100;
+const coarse = 100;
+const locked_deg = 1e-3; // so near a dead point a last bit decides whether it is passed
 
 let server: Server;
 beforeAll(async () => {
@@ -36,7 +37,7 @@ function ask<K extends Kind>(kind: K, content: Requests[K]): Replies[K] {
   if ("refused" in answer) throw new Error(JSON.stringify(answer.refused));
   return answer;
 }
-function explored(problem: string, property: MapAnswer["property"] = "link_ratio", n = samples) {
+function explored(problem: string, property: MapAnswer["property"] = "link_ratio", n = coarse) {
   return ask("explore", {problem, samples: n, window: whole, property, order: "fresh"});
 }
 
@@ -66,8 +67,13 @@ function examples(): Case[] {
 function run(...args: string[]): string {
   return execFileSync(program, args, {encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "pipe"]});
 }
+/** Where an axis is no Burmester curve it is laid out for a map of 400. */
+function samples_of(problem: string): number {
+  const {kind, given = {}} = JSON.parse(problem.replace(/^\s*\/\/.*$/gm, "")).task;
+  return kind === "function" || "side_lengths" in given || "side_length" in given || "side_angle_deg" in given ? 400 : coarse;
+}
 /** What the program answers; null where it refuses. */
-function solved(problem: string) {
+function solved(problem: string, samples: number) {
   const file = join(scratch, "problem.json");
   writeFileSync(file, problem);
   try {
@@ -94,15 +100,33 @@ function expect_same_point(a: readonly number[], b: readonly number[], size: num
   expect_near(distance, 0, room, what);
 }
 
-/** For each of our rows the program's. */
-function rows_of(ours: Float64Array, theirs: number[]): number[] {
-  expect([...ours].sort((a, b) => a - b)).toEqual(theirs); // bit by bit
-  const at = new Map(theirs.map((tau, row) => [tau, row]));
-  return [...ours].map((tau) => at.get(tau)!);
+/** For each of our rows the program's. Only the places on a Burmester curve are the same bit by bit. */
+function rows_of(ours: Float64Array, theirs: number[], exactly: boolean): number[] {
+  const rising = [...ours.keys()].sort((a, b) => ours[a] - ours[b]), rows = new Array<number>(ours.length);
+  expect(ours.length).toBe(theirs.length);
+  for (const [row, own] of rising.entries()) {
+    expect_near(ours[own], theirs[row], exactly ? 0 : 1e-12, `row ${row}`);
+    rows[own] = row;
+  }
+  return rows;
+}
+interface Pair {
+  ours: number;
+  theirs: number;
+}
+/** Our cells and the program's. */
+function* cells_of(map: MapAnswer, region: {input_coordinate: number[]; output_coordinate: number[]}, exactly: boolean): Generator<Pair> {
+  const rows = rows_of(map.input_tau, region.input_coordinate, exactly), columns = rows_of(map.output_tau, region.output_coordinate, exactly);
+  for (const [i, row] of rows.entries()) for (const [k, column] of columns.entries()) yield {ours: i * map.columns + k, theirs: row * map.columns + column};
 }
 
 describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
-  const result = existsSync(program) ? solved(problem) : null;
+  const samples = samples_of(problem), result = existsSync(program) ? solved(problem, samples) : null;
+  const six_bar = result?.problem.task.mechanism === "six_bar"; // tests/bindings compares its map and linkages
+  const has_map = result?.region?.type && !six_bar, exactly = samples === coarse;
+  const shared_properties = has_map ? properties.filter((property) => property in result.region.properties) : [];
+  const their_defects = has_map ? decoded(result.region.defects) : new Uint8Array();
+  const same_defects = (map: MapAnswer, {ours, theirs}: Pair) => map.defects[ours] === their_defects[theirs];
   // Sines of two C libraries differ in the last bit; the conditions of the task magnify that.
   const well_conditioned = result?.condition < 1e4, precision = 1e-12 * Math.max(10, result?.condition);
 
@@ -110,17 +134,23 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     const answer = reply("explore", {problem, samples, window: whole, property: "link_ratio", order: "fresh"});
     expect("refused" in answer).toBe(result === null);
   });
-  test.runIf(result)("has the same curve", () => {
+  test.runIf(result && !six_bar)("has the same curve, or axes", () => {
     const {task} = explored(problem);
     expect(task.status).toBe(result.status);
     expect(task.pattern).toBe(result.pattern);
+    for (const [i, side] of (["input", "output"] as const).entries()) {
+      if (result.status !== "solved") continue;
+      expect(task.axes[side].quantity).toBe(result.region.axes[i].quantity);
+      expect(task.axes[side].branches).toEqual(result.region.axes[i].branches);
+    }
+    if (!result.curve) return;
     expect(task.curves.kind).toBe(result.curve.kind);
     expect(task.curves.center_kind).toBe(result.curve.center_kind);
     expect_near(task.characteristic_length, result.characteristic_length, 1e-12 * result.characteristic_length, "length");
     expect(task.axes.input.branches).toEqual(result.curve.branches);
     if (task.reason) expect(task.reason.message).toBe(result.reason);
     expect(task.warnings.map(({code, message}) => ({code, message}))).toEqual(result.warnings);
-    if (!well_conditioned || result.status !== "solved") return;
+    if (!well_conditioned || result.status !== "solved" || !task.symmetric) return;
     const {coordinate, center_homogeneous, circle_homogeneous} = result.curve.samples;
     for (const [i, tau] of (coordinate as number[]).entries()) {
       const {linkage} = ask("linkage", {problem, tau: [tau, tau]});
@@ -128,17 +158,17 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
       expect_same_point(linkage.input.circle_homogeneous, circle_homogeneous[i], result.characteristic_length, precision, `τ ${tau}`);
     }
   });
-  test.runIf(result?.region?.type)("has the same map", () => {
-    const {map} = explored(problem);
-    const rows = rows_of(map!.input_tau, result.region.input_coordinate);
-    const type = decoded(result.region.type), defects = decoded(result.region.defects);
-    let differing = 0;
-    for (const [i, row] of rows.entries())
-      for (const [k, column] of rows.entries()) {
-        const ours = i * samples + k, theirs = row * samples + column;
-        differing += Number(map!.type[ours] !== type[theirs] || map!.defects[ours] !== defects[theirs]);
-      }
+  test.runIf(has_map)("has the same map", () => {
+    const {map} = explored(problem, "min_transmission_angle_deg", samples);
+    const type = decoded(result.region.type), angles = floats(result.region.properties.min_transmission_angle_deg);
+    let differing = 0, by_a_bit = 0;
+    for (const pair of cells_of(map!, result.region, exactly)) {
+      if (map!.type[pair.ours] === type[pair.theirs] && same_defects(map!, pair)) continue;
+      if (Math.max(map!.value[pair.ours], angles[pair.theirs]) < locked_deg) ++by_a_bit;
+      else ++differing;
+    }
     expect(differing).toBe(0);
+    if (by_a_bit > 0) return;
     const {counts} = result.region, {census} = map!;
     expect(census.types).toEqual(linkage_types.map((name) => counts[name]));
     expect([census.order, census.branch, census.circuit, census.defect_free, census.pairs]).toEqual(
@@ -146,21 +176,20 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     expect(census.meeting).toBe(result.region.meeting_requirements);
     expect(map!.fails.filter((bits) => bits === 0).length).toBe(census.meeting);
   });
-  test.runIf(result?.region?.type).each(properties)("has the same %s", (property) => {
-    const {map} = explored(problem, property);
-    const rows = rows_of(map!.input_tau, result.region.input_coordinate);
+  test.each(shared_properties)("has the same %s", (property) => {
+    const {map} = explored(problem, property, samples);
     const wanted = floats(result.region.properties[property]);
     // Single precision: its last bit turns over here and there, more where a link is very long or an angle nearly 0.
     let beyond = 0;
-    for (const [i, row] of rows.entries())
-      for (const [k, column] of rows.entries()) {
-        const value = map!.value[i * samples + k], right = wanted[row * samples + column];
-        beyond += Number(Math.abs(value - right) > 1.2e-7 * Math.abs(right));
-        expect_near(value, right, (well_conditioned ? 1e-4 : 1e-2) * Math.abs(right), `${property} ${i} ${k}`);
-      }
-    if (well_conditioned) expect(beyond).toBeLessThanOrEqual(samples ** 2 / 100);
+    for (const pair of cells_of(map!, result.region, exactly)) {
+      if (!same_defects(map!, pair)) continue;
+      const value = map!.value[pair.ours], right = wanted[pair.theirs];
+      beyond += Number(Math.abs(value - right) > 1.2e-7 * Math.abs(right));
+      expect_near(value, right, (well_conditioned ? 1e-4 : 1e-2) * Math.abs(right) + (property === "min_transmission_angle_deg" ? locked_deg : 0), `${property} ${pair.ours}`);
+    }
+    if (well_conditioned) expect(beyond).toBeLessThanOrEqual(map!.value.length / 100);
   });
-  test.runIf(result?.linkages?.length)("has the same linkages", () => {
+  test.runIf(result?.linkages?.length && !six_bar)("has the same linkages", () => {
     for (const wanted of result.linkages) {
       const tau = [wanted.input.coordinate, wanted.output.coordinate] as const;
       const {linkage} = ask("linkage", {problem, tau});
@@ -171,7 +200,8 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
       expect(linkage.swapped!.type).toBe(wanted.swapped.type);
       const size = Math.max(...(Object.values(wanted.lengths) as number[]));
       for (const link of ["ground", "input", "coupler", "output"] as const) {
-        expect_near(linkage.lengths![link], wanted.lengths[link], precision * size, link);
+        // Where the directions of a side link end, the fixed pivot runs with all speed.
+        expect_near(linkage.lengths![link], wanted.lengths[link], (exactly ? precision : 1e-6) * size, link);
       }
     }
   });
@@ -192,7 +222,7 @@ describe("a file that is no problem", () => {
       said = (error as {stderr: string}).stderr;
     }
     for (const answer of [
-      reply("explore", {problem: text, samples, window: whole, property: "link_ratio", order: "fresh"}),
+      reply("explore", {problem: text, samples: coarse, window: whole, property: "link_ratio", order: "fresh"}),
       reply("read", {text}),
     ]) {
       expect("refused" in answer).toBe(said !== "");
