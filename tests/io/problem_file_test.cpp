@@ -250,7 +250,8 @@ TEST(ProblemFile, TasksOfEveryKindAreWrittenAsTheyWereRead) {
     const std::string once = write_problem(read(text));
     const auto again = nlohmann::json::parse(once);
     EXPECT_EQ(again["task"], nlohmann::json::parse(task));
-    for (const auto& [key, value] : nlohmann::json::parse(text)["options"].items())
+    const auto given = nlohmann::json::parse(text);
+    for (const auto& [key, value] : given["options"].items())
       EXPECT_EQ(again["options"][key], value);
     EXPECT_EQ(write_problem(read(once)), once);
   }
