@@ -22,15 +22,6 @@ void write_or_null(JsonWriter& json, std::string_view key, bool defined, double 
   defined ? json.value(value) : json.null();
 }
 
-void write_defects(JsonWriter& json, Defects defects) {
-  json.key("defects");
-  json.begin_object(Layout::one_line);
-  json.member("order", defects.order());
-  json.member("branch", defects.branch());
-  json.member("circuit", defects.circuit());
-  json.end_object();
-}
-
 void write_side_link(JsonWriter& json, const Dyad& dyad, const WorkingFrame& frame) {
   const auto center = frame.finite_user_point(dyad.center), circle = frame.finite_user_point(dyad.circle);
   json.begin_object();
@@ -114,6 +105,7 @@ void write_swapped(JsonWriter& json, const PickedLinkage& picked) {
   const DefectReport& report = picked.bars->swapped;
   json.begin_object(Layout::one_line);
   json.member("type", name(report.type));
+  json.key("defects");
   write_defects(json, report.defects);
   write_or_null(json, "min_transmission_angle_deg", report.defects.none(),
                 transmission_angle_deg(report.worst_transmission_cosine));
@@ -205,6 +197,7 @@ std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame)
     json.key("tau");
     write_numbers(json, std::array{picked.input.coordinate, picked.output.coordinate});
     json.member("type", name(picked.bars ? picked.bars->report.type : LinkageType::degenerate));
+    json.key("defects");
     write_defects(json, picked.bars ? picked.bars->report.defects : Defects{});
     write_reason(json, picked, frame);
     json.key("input");

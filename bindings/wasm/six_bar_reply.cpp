@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/task_writer.hpp"
+#include "io/problem_writer.hpp"
 #include "linkwright/analysis/six_bar_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "reply_json.hpp"
@@ -167,11 +167,7 @@ void write_verdict(JsonWriter& json, const SixBarSolution& found) {
   const bool clean = drive.completed && drive.defects.none();
   json.member("type", name(found.rating.shape.type));
   json.key("defects");
-  json.begin_object(Layout::one_line);
-  json.member("order", drive.defects.order());
-  json.member("branch", drive.defects.branch());
-  json.member("circuit", drive.defects.circuit());
-  json.end_object();
+  write_defects(json, drive.defects);
   json.key("reason");
   clean ? json.null() : write_notice(json, defect_reason(drive.defects));
   json.member("link_ratio", found.rating.shape.link_ratio);

@@ -24,14 +24,6 @@ void write_dyad(JsonWriter& json, const Dyad& dyad, double residual, const Worki
   json.end_object();
 }
 
-void write_defects(JsonWriter& json, Defects defects) {
-  json.begin_object(Layout::one_line);
-  json.member("order", defects.order());
-  json.member("branch", defects.branch());
-  json.member("circuit", defects.circuit());
-  json.end_object();
-}
-
 double transmission_angle_deg(double worst_cosine) { return degrees(std::acos(std::min(std::abs(worst_cosine), 1.0))); }
 
 /// Over the task; null where a defect leaves it undefined.

@@ -65,6 +65,14 @@ void write_lengths(JsonWriter& json, const LinkLengths& lengths) {
   json.end_object();
 }
 
+void write_defects(JsonWriter& json, Defects defects) {
+  json.begin_object(Layout::one_line);
+  json.member("order", defects.order());
+  json.member("branch", defects.branch());
+  json.member("circuit", defects.circuit());
+  json.end_object();
+}
+
 void write_pivots(JsonWriter& json, const FourBar& four_bar) {
   json.begin_object();
   json.key("input_center");

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "json_writer.hpp"
+#include "linkwright/analysis/defects.hpp"
 #include "linkwright/io/problem_file.hpp"
 #include "task_writer.hpp"
 
@@ -13,6 +14,9 @@ void write_problem(JsonWriter& json, const Problem& problem);
 
 /// `{"ground": …, "input": …, "coupler": …, "output": …}`.
 void write_lengths(JsonWriter& json, const LinkLengths& lengths);
+
+/// `{"order": …, "branch": …, "circuit": …}`.
+void write_defects(JsonWriter& json, Defects defects);
 
 /// `{"input_center": [x, y], "input_circle": …, "output_center": …, "output_circle": …}`.
 void write_pivots(JsonWriter& json, const FourBar& four_bar);

@@ -43,11 +43,7 @@ void write_dyad_angles(JsonWriter& json, const SixBar& six_bar, const SixBarDriv
 void write_drive(JsonWriter& json, const SixBar& six_bar, const SixBarRating& rating) {
   const SixBarDriveReport& drive = rating.drive;
   json.key("defects");
-  json.begin_object(Layout::one_line);
-  json.member("order", drive.defects.order());
-  json.member("branch", drive.defects.branch());
-  json.member("circuit", drive.defects.circuit());
-  json.end_object();
+  write_defects(json, drive.defects);
   const bool driven = drive.completed && drive.defects.none();
   json.key("drive");
   drive.sense == DriveSense::none ? json.null() : json.value(name(drive.sense));

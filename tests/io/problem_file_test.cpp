@@ -251,8 +251,7 @@ TEST(ProblemFile, TasksOfEveryKindAreWrittenAsTheyWereRead) {
     const auto again = nlohmann::json::parse(once);
     EXPECT_EQ(again["task"], nlohmann::json::parse(task));
     const auto given = nlohmann::json::parse(text);
-    for (const auto& [key, value] : given["options"].items())
-      EXPECT_EQ(again["options"][key], value);
+    for (const auto& [key, value] : given["options"].items()) EXPECT_EQ(again["options"][key], value);
     EXPECT_EQ(write_problem(read(once)), once);
   }
 }

@@ -8,35 +8,19 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/burmester_points.hpp"
+#include "support/dyad_measures.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright {
 namespace {
 
+using testing::apart;
+using testing::nearest;
+using testing::relative_length_change;
 using testing::uniform;
 
 const std::vector<std::vector<int>> patterns = {{1, 1, 1, 1, 1}, {2, 1, 1, 1}, {2, 2, 1}, {3, 1, 1},
                                                 {3, 2},          {4, 1},       {5}};
-
-double apart(const Dyad& a, const Dyad& b) {
-  return norm(cross(normalized(a.circle), normalized(b.circle))) +
-         norm(cross(normalized(a.center), normalized(b.center)));
-}
-
-double nearest(const BurmesterPoints& found, const Dyad& wanted) {
-  double best = 2;
-  for (const BurmesterPoint& point : found.points) best = std::min(best, apart(point.dyad, wanted));
-  return best;
-}
-
-// Over the finite poses, relative to the length.
-double length_change(const std::vector<PrescribedPose>& poses, Point center, Point circle) {
-  const double length = std::abs(circle - center);
-  double worst = 0;
-  for (const PrescribedPose& pose : poses)
-    worst = std::max(worst, std::abs(std::abs(displaced(circle, poses[0].pose, pose.pose) - center) / length - 1));
-  return worst;
-}
 
 TEST(FivePositionsLaw, TwoThousandTasksOfEachPatternHaveFourDyadsThatMeetEveryCondition) {
   std::mt19937_64 random(61);
@@ -62,7 +46,7 @@ TEST(FivePositionsLaw, TwoThousandTasksOfEachPatternHaveFourDyadsThatMeetEveryCo
           worst = std::max(worst, std::abs(dot(circle, row * center)));
         const auto c = finite_point(center), z = finite_point(circle);
         if (c && z && std::abs(*z - *c) > 1e-2 && std::abs(*z) < 1e2 && std::abs(*c) < 1e2)
-          worst_change = std::max(worst_change, length_change(poses, *c, *z));
+          worst_change = std::max(worst_change, relative_length_change(poses, *c, *z));
       }
       EXPECT_EQ(counted, 4);
       ++tasks_with[static_cast<std::size_t>(4 - found.complex_roots)];

@@ -9,21 +9,15 @@
 
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
+#include "support/dyad_measures.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright {
 namespace {
 
 using testing::mixed_patterns;
+using testing::relative_length_change;
 using testing::uniform;
-
-double relative_length_change(const std::vector<PrescribedPose>& poses, Point center, Point circle) {
-  const double length = std::abs(circle - center);
-  double worst = 0;
-  for (const PrescribedPose& pose : poses)
-    worst = std::max(worst, std::abs(std::abs(displaced(circle, poses[0].pose, pose.pose) - center) / length - 1));
-  return worst;
-}
 
 TEST(MixedPositionsLaw, TwoThousandTasksOfEachPatternAreMetByEveryDyad) {
   std::mt19937_64 random(31);

@@ -12,11 +12,15 @@
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "support/dyad_measures.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright {
 namespace {
+
+using testing::apart;
+using testing::nearest;
 
 using testing::uniform;
 
@@ -24,17 +28,6 @@ std::vector<PrescribedPose> prescribed(const std::vector<Pose>& poses) {
   std::vector<PrescribedPose> result;
   for (const Pose& pose : poses) result.push_back({pose, {}});
   return result;
-}
-
-double apart(const Dyad& a, const Dyad& b) {
-  return norm(cross(normalized(a.circle), normalized(b.circle))) +
-         norm(cross(normalized(a.center), normalized(b.center)));
-}
-
-double nearest(const BurmesterPoints& found, const Dyad& wanted) {
-  double best = 2;
-  for (const BurmesterPoint& point : found.points) best = std::min(best, apart(point.dyad, wanted));
-  return best;
 }
 
 int counted(const BurmesterPoints& found) {

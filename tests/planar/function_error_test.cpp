@@ -19,21 +19,11 @@
 namespace linkwright {
 namespace {
 
+using testing::named_task;
 using testing::uniform;
 
 nlohmann::json published(const std::string& name) {
   return nlohmann::json::parse(std::ifstream(LINKWRIGHT_DATA_DIR "/function/" + name + ".json"));
-}
-
-FunctionTask named_task(const std::string& expression, std::array<double, 2> x, double input_deg, double output_deg) {
-  FunctionTask task;
-  task.function.emplace();
-  task.function->expression = expression;
-  task.function->x = x;
-  task.function->input_range = {0, radians(input_deg)};
-  task.function->output_range = {0, radians(output_deg)};
-  task.pairs = precision_pairs(*task.function);
-  return task;
 }
 
 // Linkages of a four-pair task at even steps along its curve.

@@ -8,22 +8,13 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/function_error.hpp"
 #include "linkwright/planar/function_linkage.hpp"
+#include "support/random_function.hpp"
 
 namespace linkwright {
 namespace {
 
 using Side = LinkageFamily::Side;
-
-FunctionTask task_of(const std::string& expression, std::array<double, 2> x, double input_deg, double output_deg) {
-  FunctionTask task;
-  task.function.emplace();
-  task.function->expression = expression;
-  task.function->x = x;
-  task.function->input_range = {0, radians(input_deg)};
-  task.function->output_range = {0, radians(output_deg)};
-  task.pairs = precision_pairs(*task.function);
-  return task;
-}
+using testing::named_task;
 
 Requirements usual() {
   Requirements wanted;
@@ -38,8 +29,8 @@ std::vector<RankedGenerator> best_of(const FunctionTask& task, const Requirement
 }
 
 TEST(FunctionSearch, NoSampleOfTheRibbonBettersTheBest) {
-  for (const FunctionTask& task :
-       {task_of("x^2", {0, 1}, 60, 90), task_of("log", {1, 2}, 60, -90), task_of("sin_deg", {0, 90}, 90, 90)}) {
+  for (const FunctionTask& task : {named_task("x^2", {0, 1}, 60, 90), named_task("log", {1, 2}, 60, -90),
+                                   named_task("sin_deg", {0, 90}, 90, 90)}) {
     const auto best = best_of(task, usual());
     ASSERT_FALSE(best.empty());
     const TaskFamily given = task_family(task);
@@ -63,7 +54,7 @@ TEST(FunctionSearch, NoSampleOfTheRibbonBettersTheBest) {
 }
 
 TEST(FunctionSearch, AFreeNumberLowersTheError) {
-  FunctionTask task = task_of("x^2", {0, 1}, 60, 90);
+  FunctionTask task = named_task("x^2", {0, 1}, 60, 90);
   const auto fixed = best_of(task, usual());
   task.free = FreeNumber{};
   const auto free = best_of(task, usual(), {60, 10, 31, 1});
@@ -76,7 +67,7 @@ TEST(FunctionSearch, AFreeNumberLowersTheError) {
 }
 
 TEST(FunctionSearch, RequirementsAreKept) {
-  const FunctionTask task = task_of("log", {1, 2}, 60, 90);
+  const FunctionTask task = named_task("log", {1, 2}, 60, 90);
   Requirements wanted = usual();
   wanted.min_transmission_angle = radians(25);
   wanted.max_link_ratio = 6;
@@ -95,13 +86,13 @@ TEST(FunctionSearch, RequirementsAreKept) {
 }
 
 TEST(FunctionSearch, WithoutANamedFunctionThereIsNoError) {
-  FunctionTask task = task_of("x^2", {0, 1}, 60, 90);
+  FunctionTask task = named_task("x^2", {0, 1}, 60, 90);
   task.function.reset();
   EXPECT_TRUE(best_of(task, usual()).empty());
 }
 
 TEST(FunctionSearch, FivePairsAreOnlyRanked) {
-  FunctionTask task = task_of("sin_deg", {0, 90}, 90, 90);
+  FunctionTask task = named_task("sin_deg", {0, 90}, 90, 90);
   task.function->points = 5;
   task.pairs = precision_pairs(*task.function);
   const auto best = best_of(task, usual());

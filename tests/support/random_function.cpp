@@ -1,5 +1,6 @@
 #include "support/random_function.hpp"
 
+#include "linkwright/core/angle.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright::testing {
@@ -29,6 +30,17 @@ const std::vector<std::vector<int>>& four_position_patterns() {
     return all;
   }();
   return patterns;
+}
+
+FunctionTask named_task(const std::string& expression, std::array<double, 2> x, double input_deg, double output_deg) {
+  FunctionTask task;
+  task.function.emplace();
+  task.function->expression = expression;
+  task.function->x = x;
+  task.function->input_range = {0, radians(input_deg)};
+  task.function->output_range = {0, radians(output_deg)};
+  task.pairs = precision_pairs(*task.function);
+  return task;
 }
 
 }  // namespace linkwright::testing

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "linkwright/planar/function_task.hpp"
@@ -12,6 +14,10 @@ namespace linkwright::testing {
 
 /// Pairs as people give them: the input goes on by up to 40° from pair to pair, the output by up to 30° either way.
 [[nodiscard]] std::vector<AnglePair> gentle_pairs(std::mt19937_64& random, int count);
+
+/// A named function of x over a range, both dials from 0, its Chebyshev points taken as the pairs.
+[[nodiscard]] FunctionTask named_task(const std::string& expression, std::array<double, 2> x, double input_deg,
+                                      double output_deg);
 
 /// All patterns of four positions, finite ones first.
 [[nodiscard]] const std::vector<std::vector<int>>& four_position_patterns();
