@@ -7,3 +7,6 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
     src/region/kernel_avx512.cpp
     PROPERTIES COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512bw;-mavx512vl;-mavx2;-mprefer-vector-width=512")
 endif()
+# Nor can they share a precompiled header with the others.
+file(GLOB kernel_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/region/kernel_*.cpp)
+set_source_files_properties(${kernel_sources} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)

@@ -1,28 +1,12 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "linkwright/io/csv_table.hpp"
-#include "linkwright/io/dxf_drawing.hpp"
+#include "linkwright/io/linkage_export.hpp"
 #include "linkwright/io/result_file.hpp"
-#include "linkwright/io/six_bar_file.hpp"
-#include "linkwright/io/svg_drawing.hpp"
 #include "linkwright/io/text_file.hpp"
 
 namespace linkwright::cli {
 namespace {
-
-std::string table(const StoredLinkage& linkage) {
-  return motion_table(tabulated_motion(linkage.four_bar, traced_point(linkage)));
-}
-std::string table(const StoredSixBar& linkage) { return motion_table(tabulated_motion(linkage)); }
-
-template <class Stored>
-std::string converted(const Stored& linkage, std::string_view format) {
-  if (format == "svg") return draw_linkage(linkage);
-  if (format == "dxf") return draw_dxf(linkage);
-  if (format == "csv") return table(linkage);
-  return write_linkage(linkage);
-}
 
 Result<std::vector<AnyStoredLinkage>> read_linkages(const std::string& path) {
   const auto text = read_text_file(path, most_result_bytes);
@@ -46,11 +30,11 @@ int export_linkage(const ExportArguments& arguments) {
     print_mistakes(arguments.result, {{"no_such_linkage", "--linkage", message}});
     return mistake;
   }
-  const auto written_as = [&](auto linkage) {
-    linkage.title += fmt::format("{}linkage {}", linkage.title.empty() ? "" : ", ", arguments.linkage);
-    return write_output(arguments.output, [&](const TextSink& sink) { sink(converted(linkage, arguments.format)); });
-  };
-  const bool written = std::visit(written_as, (*linkages)[static_cast<std::size_t>(arguments.linkage - 1)]);
+  AnyStoredLinkage linkage = (*linkages)[static_cast<std::size_t>(arguments.linkage - 1)];
+  std::string& title = std::visit([](auto& stored) -> std::string& { return stored.title; }, linkage);
+  title += fmt::format("{}linkage {}", title.empty() ? "" : ", ", arguments.linkage);
+  const bool written =
+      write_output(arguments.output, [&](const TextSink& sink) { sink(exported(linkage, arguments.format)); });
   return written ? 0 : static_cast<int>(Status::failure);
 }
 

@@ -7,10 +7,8 @@
 #include "io/task_writer.hpp"
 #include "linkage_reply.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/io/csv_table.hpp"
-#include "linkwright/io/dxf_drawing.hpp"
+#include "linkwright/io/linkage_export.hpp"
 #include "linkwright/io/result_file.hpp"
-#include "linkwright/io/svg_drawing.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
 #include "linkwright/planar/improved_linkage.hpp"
@@ -49,6 +47,9 @@ constexpr int samples_of_an_order = 400;
 
 // Each cell of such a map is driven through.
 int six_bar_samples(int samples) { return std::clamp(samples / 5, 20, 60); }
+
+// Of a map with a curve of its own to each column.
+constexpr int most_samples_over_a_free_number = 500;
 
 constexpr std::array<double, 2> whole = {0, 1};
 
@@ -164,20 +165,23 @@ std::vector<double> Session::coordinates(const ExploreRequest& request, Side sid
   const auto& [from, to] = side == Side::input ? request.input : request.output;
   const MapAxis& axis = axes().of(side);
   const DisplayOrder& order = axis.order;
-  if (six_bars_) return order.samples(six_bar_samples(request.samples), from, to);
-  if (axis.axis.is_discrete()) return given().family->samples(side, request.samples, Spacing::coordinate);
+  const int samples = map_samples(request);
+  if (six_bars_) return order.samples(samples, from, to);
+  if (axis.axis.is_discrete()) return given().family->samples(side, samples, Spacing::coordinate);
   if (lies_along_its_curve(given(), side) && from == whole[0] && to == whole[1])
-    return order.samples(*given().curve, request.samples);
-  return order.samples(request.samples, from, to);
+    return order.samples(*given().curve, samples);
+  return order.samples(samples, from, to);
+}
+
+int Session::map_samples(const ExploreRequest& request) const {
+  if (six_bars_) return six_bar_samples(request.samples);
+  const auto* function = std::get_if<FunctionTask>(&problem_.task);
+  return function && function->free ? std::min(request.samples, most_samples_over_a_free_number) : request.samples;
 }
 
 void Session::compute_map(const ExploreRequest& request) {
-  const MapKey wanted{six_bars_ ? six_bar_samples(request.samples) : request.samples,
-                      axes().input.order.code(),
-                      request.input,
-                      request.output,
-                      problem_.options.spacing,
-                      requirements_.respect_direction};
+  const MapKey wanted{map_samples(request), axes().input.order.code(), request.input,
+                      request.output,       problem_.options.spacing,  requirements_.respect_direction};
   if (mapped_ != wanted) {
     input_tau_ = coordinates(request, Side::input);
     output_tau_ = coordinates(request, Side::output);
@@ -370,27 +374,34 @@ std::vector<double> Session::trace(double input_tau, double output_tau, Point tr
   return path;
 }
 
-std::string Session::exported(double input_tau, double output_tau, std::string_view format) {
-  constexpr bool verify = true;
-  auto found = make_four_bar(given(), {input_tau, output_tau}, requirements_.respect_direction, verify);
-  if (!found) return "";
-  if (const FunctionFamily* family = function_family(given()))
-    found->function = function_error(found->four_bar, family->task_at({input_tau, output_tau}));
+std::optional<Solution> Session::solution_at(double input_tau, double output_tau) const {
   Solution solution;
+  if (six_bars_) {
+    const auto found = six_bars_->at(input_tau, output_tau);
+    if (!found) return std::nullopt;
+    solution.six_bars = {*found};
+  } else {
+    constexpr bool verify = true;
+    auto found = make_four_bar(given(), {input_tau, output_tau}, requirements_.respect_direction, verify);
+    if (!found) return std::nullopt;
+    if (const FunctionFamily* family = function_family(given()))
+      found->function = function_error(found->four_bar, family->task_at({input_tau, output_tau}));
+    solution.linkages = {*found};
+  }
   solution.reason = {"picked", "One linkage, picked on the map.", {}};
   solution.given = given();
   solution.requirements = requirements_;
   solution.options = problem_.options;
-  solution.linkages = {*found};
-  std::string result = write_result(problem_, solution, false);
+  return solution;
+}
+
+std::string Session::exported(double input_tau, double output_tau, std::string_view format) const {
+  const auto solution = solution_at(input_tau, output_tau);
+  if (!solution) return "";
+  std::string result = write_result(problem_, *solution, false);
   if (format == "result") return result;
-  const auto linkages = read_result_linkages(result);
-  if (!linkages || linkages->empty()) return "";
-  const StoredLinkage& linkage = linkages->front();
-  if (format == "svg") return draw_linkage(linkage);
-  if (format == "dxf") return draw_dxf(linkage);
-  if (format == "csv") return motion_table(tabulated_motion(linkage.four_bar, traced_point(linkage)));
-  return write_linkage(linkage);
+  const auto linkages = read_any_result_linkages(result);
+  return linkages && !linkages->empty() ? linkwright::exported(linkages->front(), format) : "";
 }
 
 }  // namespace linkwright::wasm

@@ -10,6 +10,7 @@
 
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/planar/display_order.hpp"
+#include "linkwright/planar/synthesis.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "map_reply.hpp"
 #include "six_bar_map.hpp"
@@ -73,8 +74,8 @@ class Session {
   [[nodiscard]] std::string improve(double input_tau, double output_tau);
   [[nodiscard]] std::string verify(double input_tau, double output_tau);
   [[nodiscard]] std::vector<double> trace(double input_tau, double output_tau, Point traced);
-  /// A file: svg, dxf, csv, json or result. Empty where there is no four-bar to write.
-  [[nodiscard]] std::string exported(double input_tau, double output_tau, std::string_view format);
+  /// A file: svg, dxf, csv, json or result. Empty where there is no linkage to write.
+  [[nodiscard]] std::string exported(double input_tau, double output_tau, std::string_view format) const;
 
  private:
   using Side = LinkageFamily::Side;
@@ -89,12 +90,16 @@ class Session {
   void order_axes(const ExploreRequest& request);
   [[nodiscard]] MapAxis ordered(const ExploreRequest& request, Side side) const;
   [[nodiscard]] std::vector<double> coordinates(const ExploreRequest& request, Side side) const;
+  /// As many as are asked for, where so many are soon computed.
+  [[nodiscard]] int map_samples(const ExploreRequest& request) const;
   void compute_map(const ExploreRequest& request);
   [[nodiscard]] const TaskFamily& given() const;
   /// Of a motion task; otherwise none.
   [[nodiscard]] const std::vector<PrescribedPose>& poses() const;
   [[nodiscard]] const MapAxes& axes() const;
   [[nodiscard]] const Drawn& drawn();
+  /// One that holds the linkage there, as a result does; nothing where there is none.
+  [[nodiscard]] std::optional<Solution> solution_at(double input_tau, double output_tau) const;
   /// Requirements failed by each cell of a map.
   [[nodiscard]] std::vector<std::uint8_t> failures(RegionMap& map, std::span<const double> input,
                                                    std::span<const double> output) const;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "linkwright/io/six_bar_file.hpp"
 #include "linkwright/planar/synthesis.hpp"
 #include "session.hpp"
 
@@ -219,6 +220,22 @@ TEST(SessionOfASixBar, HasAMapOverBothAddedLinks) {
   const LiveReply live = explored.session.live(input, output);
   EXPECT_EQ(live.input.size(), explored.reply.input_curves->tau.size());
   EXPECT_GT(explored.session.trace(input, output, {0, 0}).size(), 20u);
+}
+
+TEST(SessionOfASixBar, WritesEveryFormat) {
+  Explored explored(loader, 100);
+  const auto [input, output] = explored.passing();
+  const auto written = [&](std::string_view format) { return explored.session.exported(input, output, format); };
+  EXPECT_NE(written("svg").find("<svg"), std::string::npos);
+  EXPECT_NE(written("dxf").find("BODY_PATH"), std::string::npos);
+  const std::string table = written("csv");
+  EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 20);
+  const auto six_bar = read_any_linkage(written("json"));
+  ASSERT_TRUE(six_bar.ok());
+  const json result = json::parse(written("result"));
+  EXPECT_EQ(result["linkages"][0]["added"][0]["coordinate"], input);
+  EXPECT_TRUE(result["linkages"][0]["verified_by_driving"]);
+  EXPECT_EQ(result["linkages"][0]["joints"], json::parse(written("json"))["joints"]);
 }
 
 TEST(SessionOfASixBar, WithoutAChainAsksForOne) {

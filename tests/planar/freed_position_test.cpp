@@ -5,32 +5,29 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
+#include "support/random_task.hpp"
 
 namespace linkwright {
 namespace {
 
-MotionTask task_of(const std::vector<Pose>& poses) {
-  MotionTask task;
-  for (const Pose& pose : poses) task.poses.push_back({pose, {}});
-  return task;
-}
+using testing::motion_task;
 
 // A classical exercise, without a usable four-bar through all five.
 MotionTask sandor_erdman() {
-  return task_of({{{0, 0}, 0},
-                  {{1.5, 0.8}, radians(10)},
-                  {{1.6, 1.5}, radians(20)},
-                  {{2, 3}, radians(60)},
-                  {{2.3, 3.5}, radians(90)}});
+  return motion_task({{{0, 0}, 0},
+                      {{1.5, 0.8}, radians(10)},
+                      {{1.6, 1.5}, radians(20)},
+                      {{2, 3}, radians(60)},
+                      {{2.3, 3.5}, radians(90)}});
 }
 
 // A trunk lid, which a four-bar leads through all five with 24° at least.
 MotionTask hatch() {
-  return task_of({{{0, 0}, 0},
-                  {{-20, 95}, radians(-12)},
-                  {{-80, 215}, radians(-32)},
-                  {{-200, 335}, radians(-60)},
-                  {{-330, 410}, radians(-95)}});
+  return motion_task({{{0, 0}, 0},
+                      {{-20, 95}, radians(-12)},
+                      {{-80, 215}, radians(-32)},
+                      {{-200, 335}, radians(-60)},
+                      {{-330, 410}, radians(-95)}});
 }
 
 FreedPositionOptions coarse() {
@@ -120,7 +117,7 @@ TEST(FreedPosition, SaysWhyThereIsNothing) {
   std::vector<Pose> poses;
   for (const double angle : {0.0, 0.3, 0.8, 1.1}) poses.push_back({direction(angle) * Point{3, 4}, angle});
   poses.push_back({{1, 1}, 0.5});
-  const std::vector<FreedPosition> found = nearest_relaxations(task_of(poses), {}, coarse());
+  const std::vector<FreedPosition> found = nearest_relaxations(motion_task(poses), {}, coarse());
   ASSERT_EQ(found.size(), 5u);
   const FreedPosition& last = found.back();
   EXPECT_EQ(last.pose, 4u);

@@ -113,14 +113,7 @@ TEST(FunctionConditions, DerivativesAreThoseOfTheMotion) {
     auto pairs = testing::random_pairs(random, {1, 4});
     const AnglePair& pair = pairs[1];
     const auto at = [&](double t) {
-      AnglePair moved{pair.input, pair.output, {}};
-      double power = 1;
-      for (std::size_t m = 0; m < 3; ++m) {
-        power *= t / static_cast<double>(m + 1);
-        moved.input += power * pair.derivatives[m].input;
-        moved.output += power * pair.derivatives[m].output;
-      }
-      return function_conditions({pairs[0], moved}).poses[1].pose;
+      return function_conditions({pairs[0], testing::pair_after(pair, t)}).poses[1].pose;
     };
     const PrescribedPose pose = function_conditions(pairs).poses[1];
     ASSERT_EQ(pose.derivatives.size(), 3u);

@@ -119,16 +119,7 @@ TEST(FunctionCouplers, FivePairsOfALinkageFindIt) {
 
 TEST(FunctionCouplers, ThePositionsOfOnePairTendToItsDerivatives) {
   const AnglePair from{0.2, -0.4, {{1, 0.7}, {0.3, -1.1}, {-0.5, 0.9}}}, last{1.6, 0.3, {}};
-  const auto after = [&](double t) {
-    AnglePair pair{from.input, from.output, {}};
-    double power = 1;
-    for (std::size_t m = 0; m < 3; ++m) {
-      power *= t / static_cast<double>(m + 1);
-      pair.input += power * from.derivatives[m].input;
-      pair.output += power * from.derivatives[m].output;
-    }
-    return pair;
-  };
+  const auto after = [&](double t) { return testing::pair_after(from, t); };
   const FunctionCouplers limit = function_couplers(task_of({from, last}));
   ASSERT_FALSE(limit.points.empty());
   const double h = 1e-2;

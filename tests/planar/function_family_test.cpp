@@ -18,12 +18,7 @@ namespace {
 using Side = LinkageFamily::Side;
 
 FunctionTask squares(int points = 4) {
-  FunctionTask task;
-  task.function.emplace();
-  task.function->expression = "x^2";
-  task.function->x = {0, 1};
-  task.function->input_range = {0, radians(60)};
-  task.function->output_range = {0, radians(90)};
+  FunctionTask task = testing::named_task("x^2", {0, 1}, 60, 90);
   task.function->points = points;
   task.pairs = precision_pairs(*task.function);
   task.input_pivot = {20, 10};

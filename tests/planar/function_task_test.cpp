@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "linkwright/core/angle.hpp"
+#include "support/random_function.hpp"
 
 namespace linkwright {
 namespace {
@@ -15,16 +16,7 @@ FunctionTask four_pairs() {
   return task;
 }
 
-FunctionTask squares() {
-  FunctionTask task;
-  task.function.emplace();
-  task.function->expression = "x^2";
-  task.function->x = {0, 1};
-  task.function->input_range = {0, radians(60)};
-  task.function->output_range = {0, radians(90)};
-  task.pairs = precision_pairs(*task.function);
-  return task;
-}
+FunctionTask squares() { return testing::named_task("x^2", {0, 1}, 60, 90); }
 
 std::string codes(const FunctionTask& task) {
   std::string text;

@@ -3,16 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
+#include "support/random_task.hpp"
 #include "support/tailgate.hpp"
 
 namespace linkwright {
 namespace {
 
-MotionTask task_of(const std::vector<Pose>& poses) {
-  MotionTask task;
-  for (const Pose& pose : poses) task.poses.push_back({pose, {}});
-  return task;
-}
+using testing::motion_task;
 
 double number(const Notice& notice, const std::string& name) {
   for (const Notice::Value& value : notice.values)
@@ -33,7 +30,7 @@ TEST(TaskCurve, NamesTheCommonPole) {
   std::vector<Pose> poses;
   for (const double angle : {0.0, 0.3, 0.8, 1.1})
     poses.push_back({Point{5, -7} + direction(angle) * Point{3, 4}, angle});
-  const TaskCurve given = task_curve(task_of(poses));
+  const TaskCurve given = task_curve(motion_task(poses));
   ASSERT_TRUE(given.degeneracy);
   EXPECT_EQ(given.degeneracy->code, "common_pole");
   EXPECT_NEAR(number(*given.degeneracy, "x"), 5, 1e-6);
@@ -41,17 +38,17 @@ TEST(TaskCurve, NamesTheCommonPole) {
 }
 
 TEST(TaskCurve, TellsShiftsOnACircleFromOtherShifts) {
-  const TaskCurve circle = task_curve(task_of({{{2, 0}, 0}, {{0, 2}, 0}, {{-2, 0}, 0}, {{0, -2}, 0}}));
+  const TaskCurve circle = task_curve(motion_task({{{2, 0}, 0}, {{0, 2}, 0}, {{-2, 0}, 0}, {{0, -2}, 0}}));
   ASSERT_TRUE(circle.degeneracy);
   EXPECT_EQ(circle.degeneracy->code, "translations_on_circle");
   EXPECT_NEAR(number(*circle.degeneracy, "x"), -2, 1e-9);
-  const TaskCurve others = task_curve(task_of({{{2, 0}, 0}, {{0, 2}, 0}, {{-2, 0}, 0}, {{0, -3}, 0}}));
+  const TaskCurve others = task_curve(motion_task({{{2, 0}, 0}, {{0, 2}, 0}, {{-2, 0}, 0}, {{0, -3}, 0}}));
   ASSERT_TRUE(others.degeneracy);
   EXPECT_EQ(others.degeneracy->code, "only_translations");
 }
 
 TEST(TaskCurve, WarnsWithTheNumbersOfItsSentences) {
-  const TaskCurve parallel = task_curve(task_of({{{0, 0}, 0}, {{10, 0}, 0.5}, {{10, 10}, 0}, {{0, 12}, 0.7}}));
+  const TaskCurve parallel = task_curve(motion_task({{{0, 0}, 0}, {{10, 0}, 0.5}, {{10, 10}, 0}, {{0, 12}, 0.7}}));
   ASSERT_EQ(parallel.warnings.size(), 1u);
   EXPECT_EQ(parallel.warnings[0].code, "parallel_poses");
   EXPECT_EQ(std::get<std::string>(parallel.warnings[0].values[0].value), "1 and 3");

@@ -32,6 +32,17 @@ const std::vector<std::vector<int>>& four_position_patterns() {
   return patterns;
 }
 
+AnglePair pair_after(const AnglePair& pair, double t) {
+  AnglePair moved{pair.input, pair.output, {}};
+  double power = 1;
+  for (std::size_t m = 0; m < pair.derivatives.size(); ++m) {
+    power *= t / static_cast<double>(m + 1);
+    moved.input += power * pair.derivatives[m].input;
+    moved.output += power * pair.derivatives[m].output;
+  }
+  return moved;
+}
+
 FunctionTask named_task(const std::string& expression, std::array<double, 2> x, double input_deg, double output_deg) {
   FunctionTask task;
   task.function.emplace();

@@ -24,6 +24,12 @@ std::vector<PrescribedPose> random_poses(std::mt19937_64& random, const std::vec
   return poses;
 }
 
+MotionTask motion_task(const std::vector<Pose>& poses) {
+  MotionTask task;
+  for (const Pose& pose : poses) task.poses.push_back({pose, {}});
+  return task;
+}
+
 const std::vector<std::vector<int>>& mixed_patterns() {
   static const std::vector<std::vector<int>> patterns = {{2, 1, 1}, {1, 2, 1}, {1, 1, 2}, {2, 2}, {3, 1}, {1, 3}, {4}};
   return patterns;

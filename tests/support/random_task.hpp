@@ -5,6 +5,7 @@
 
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
+#include "linkwright/planar/motion_task.hpp"
 
 namespace linkwright::testing {
 
@@ -13,6 +14,9 @@ namespace linkwright::testing {
 
 /// As many poses as there are multiplicities, with derivatives to match: numbers up to 2.
 [[nodiscard]] std::vector<PrescribedPose> random_poses(std::mt19937_64& random, const std::vector<int>& multiplicities);
+
+/// A task of finite poses.
+[[nodiscard]] MotionTask motion_task(const std::vector<Pose>& poses);
 
 /// The multiplicities of the seven mixed patterns of four positions: PP-P-P, P-PP-P, P-P-PP, PP-PP, PPP-P, P-PPP, PPPP.
 [[nodiscard]] const std::vector<std::vector<int>>& mixed_patterns();

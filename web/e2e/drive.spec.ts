@@ -4,7 +4,7 @@ import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import type {Download, Page} from "@playwright/test";
-import {analyze, drag, expect, expect_accessible, keep_screenshot, open_workbench, read_state, solve, test} from "./support";
+import {analyze, drag, expect, expect_accessible, keep_screenshot, open_workbench, played_poses, read_state, solve, test} from "./support";
 import type {MotionTask} from "../src/state/task";
 
 /** Opens the example and waits for the picked linkage and its drive. */
@@ -55,20 +55,7 @@ test.describe("drive", () => {
     await page.getByTestId("drive.repeat").click(); // once
     await page.getByTestId("drive.angle").focus();
     await page.keyboard.press("Home");
-    const lit = read_state(page, (workbench) => new Promise<number[]>((resolve) => {
-      const passed: number[] = [], {get, set} = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(workbench), "lit_pose")!;
-      Object.defineProperty(workbench, "lit_pose", {
-        get: () => get!.call(workbench),
-        set(pose: number | null) {
-          if (pose !== null) passed.push(pose);
-          set!.call(workbench, pose);
-        },
-      });
-      const look = () => (workbench.playing || workbench.angle < 0 ? requestAnimationFrame(look) : resolve(passed));
-      look();
-    }));
-    await page.getByTestId("drive.play").click();
-    expect(await lit).toEqual([0, 1, 2, 3]);
+    expect(await played_poses(page)).toEqual([0, 1, 2, 3]);
     const end = await read_state(page, ({hand, angle, playing}) => ({angle, playing, high: hand!.drive!.states.at(-13)!, limit: hand!.drive!.limits.high, dead: hand!.dead_points_deg}));
     expect(end.playing).toBe(false);
     expect(end.limit).toBe("dead_point");

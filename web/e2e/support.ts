@@ -107,6 +107,29 @@ export async function read_state<T, A = undefined>(page: Page, read: (workbench:
   }
 }
 
+/** Plays to the end of the travel: the poses that lit up on the way. */
+export async function played_poses(page: Page): Promise<number[]> {
+  const lit = read_state(page, (workbench) => new Promise<number[]>((resolve) => {
+    const passed: number[] = [], {get, set} = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(workbench), "lit_pose")!;
+    Object.defineProperty(workbench, "lit_pose", {
+      get: () => get!.call(workbench),
+      set(pose: number | null) {
+        if (pose !== null) passed.push(pose);
+        set!.call(workbench, pose);
+      },
+    });
+    let started = false;
+    const look = () => {
+      started ||= workbench.playing;
+      if (started && !workbench.playing) resolve(passed);
+      else requestAnimationFrame(look);
+    };
+    look();
+  }));
+  await page.getByTestId("drive.play").click();
+  return lit;
+}
+
 export interface Shown {
   map: string;
   picked: string;

@@ -5,7 +5,6 @@ import {css_values} from "../state/css_values";
 import {engine_text, outline_of, with_task, type Problem} from "../state/problem";
 import {poses_of} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
-import {task_view} from "../tasks/views";
 import {animated_gif, film, type Progress} from "./animation";
 import {animation_frames} from "./frames";
 import {file_stem} from "./names";
@@ -60,16 +59,14 @@ export async function take_away(workbench: Workbench, format: Format): Promise<v
 export function from_engine(workbench: Workbench, {problem, tau}: Target, format: ExportFormat): Promise<{text: string; extension: string}> {
   return workbench.driver_client!.request("export", {problem: engine_text(problem), tau, format});
 }
-/** The engine's drawing; of what it does not draw, the one on the screen. */
 export async function svg_of(workbench: Workbench, target: Target): Promise<string> {
-  const on_screen = target.pin === null && task_view(target.problem.task).exports?.includes("svg") === false ? drawing_svg() : null;
-  return on_screen ?? (await from_engine(workbench, target, "svg")).text;
+  return (await from_engine(workbench, target, "svg")).text;
 }
 async function png(workbench: Workbench, target: Target): Promise<Blob> {
   const solid = target.pin === null ? document.querySelector<HTMLCanvasElement>(".solid canvas") : null;
   if (solid) return copied(solid, css_values(document.documentElement, ["paper"]).paper);
   const on_screen = target.pin === null ? drawing_svg() : null;
-  return rasterised(on_screen ?? (await from_engine(workbench, target, "svg")).text, 2);
+  return rasterised(on_screen ?? (await svg_of(workbench, target)), 2);
 }
 async function linkage_of(workbench: Workbench, {pin, problem, tau}: Target): Promise<Linkage> {
   if (pin === null && workbench.picked_linkage) return workbench.picked_linkage;

@@ -1,14 +1,18 @@
 // Where a side link stands on its axis of the map, as people read it.
-import type {Axis, Side} from "../engine/protocol";
+import type {Axes, Axis, Side, TauPair} from "../engine/protocol";
 import {degrees_text, fixed, significant} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 
 const lower: Record<Side, string> = {input: "₁", output: "₂"};
 
+/** "τ₁ 1.1311 · τ₂ 0.4207", of each axis with a choice. */
+export function places_text(axes: Axes, tau: TauPair, digits = 4): string {
+  return (["input", "output"] as const).map((side, k) => place_text(axes[side], side, tau[k], digits)).filter((text) => text !== "").join(" · ");
+}
 /** "τ₁ 1.1311", "β₂ 47.2°", "point 2"; nothing where the axis leaves nothing to choose or another number says it. */
-export function place_text(axis: Axis, side: Side, tau: number): string {
+export function place_text(axis: Axis, side: Side, tau: number, digits = 4): string {
   switch (axis.quantity) {
-    case "curve_coordinate": return `τ${lower[side]} ${fixed(tau, 4)}`;
+    case "curve_coordinate": return `τ${lower[side]} ${fixed(tau, digits)}`;
     case "burmester_point": return t("axis.point", {n: Math.floor(tau) + 1});
     case "side_direction": return `β${lower[side]} ${degrees_text(value_at(axis, tau, (a, b, share) => a + share * (b - a)))}`;
     case "pair_output": return `ψ ${degrees_text(value_at(axis, tau, (a, b, share) => a + share * (b - a)))}`;

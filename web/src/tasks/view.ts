@@ -4,7 +4,6 @@ import type {Handle} from "../drawing/handles";
 import type {Linkage} from "../engine/protocol";
 import type {Task} from "../state/task";
 import type {Scene} from "../drawing/scene.svelte";
-import type {Format} from "../exports/take_away";
 import type {PlotKind} from "../transport/plot";
 
 export interface EditorProperties {
@@ -24,8 +23,6 @@ export interface TaskView {
   handles?(scene: Scene): Handle[];
   /** Beside the numbers of the linkage in hand. */
   Numbers?: Component<{hand: Linkage}>;
-  /** Formats in which its linkages can be taken away, if not all. */
-  exports?: readonly Format[];
   /** The first one is shown first. */
   plots(task: Task): readonly PlotKind[];
 }

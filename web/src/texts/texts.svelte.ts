@@ -34,6 +34,8 @@ function told(values: Values): Values {
   return Object.fromEntries(Object.entries(values).map(([name, value]) => [name, one(value)]));
 }
 
+/** "{n} {n:four-bar|four-bars}": the first of two wordings where n is 1. */
 function filled(text: string, values: Values): string {
-  return text.replace(/\{(\w+)\}/g, (whole, name: string) => (name in values ? String(values[name]) : whole));
+  return text.replace(/\{(\w+)(?::([^|}]*)\|([^}]*))?\}/g, (whole, name: string, one?: string, several?: string) =>
+    !(name in values) ? whole : one === undefined ? String(values[name]) : String(values[name]) === "1" ? one : several!);
 }

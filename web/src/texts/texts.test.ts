@@ -1,8 +1,16 @@
 import {afterEach, describe, expect, it} from "vitest";
 import {preferences} from "../state/preferences.svelte";
-import {notice_text} from "./texts.svelte";
+import {notice_text, t} from "./texts.svelte";
 
 afterEach(() => void (preferences.language = "en"));
+
+describe("a text with a number", () => {
+  it("knows one from several", () => {
+    expect(t("chip.four_bars", {n: "1"})).toBe("1 four-bar");
+    expect(t("chip.four_bars", {n: "1 204"})).toBe("1 204 four-bars");
+    expect(t("state.too_few", {n: 1})).toMatch(/^1 position leaves /);
+  });
+});
 
 describe("a notice", () => {
   const length = {code: "no_side_link_of_length", message: "as the program says it", values: {side: "output", length: 12.3456, nearest: 40}};

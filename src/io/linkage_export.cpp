@@ -1,0 +1,28 @@
+#include "linkwright/io/linkage_export.hpp"
+
+#include "linkwright/io/csv_table.hpp"
+#include "linkwright/io/dxf_drawing.hpp"
+#include "linkwright/io/svg_drawing.hpp"
+
+namespace linkwright {
+namespace {
+
+std::string table(const StoredLinkage& linkage) {
+  return motion_table(tabulated_motion(linkage.four_bar, traced_point(linkage)));
+}
+std::string table(const StoredSixBar& linkage) { return motion_table(tabulated_motion(linkage)); }
+
+}  // namespace
+
+std::string exported(const AnyStoredLinkage& linkage, std::string_view format) {
+  return std::visit(
+      [format](const auto& stored) {
+        if (format == "svg") return draw_linkage(stored);
+        if (format == "dxf") return draw_dxf(stored);
+        if (format == "csv") return table(stored);
+        return write_linkage(stored);
+      },
+      linkage);
+}
+
+}  // namespace linkwright
