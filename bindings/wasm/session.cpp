@@ -322,13 +322,8 @@ std::string Session::best(int most) const {
   });
 }
 
-std::string Session::improve(double input_tau, double output_tau) {
-  std::optional<RegionPlace> better;
-  const FunctionFamily* family = function_family(given());
-  if (family && problem_.options.objective == Objective::structural_error)
-    better = improved_generator(*family, requirements_, {input_tau, output_tau});
-  else if (given().family)
-    better = improved_linkage(*given().family, requirements_, problem_.options.objective, {input_tau, output_tau});
+std::string Session::improve(double input_tau, double output_tau) const {
+  const auto better = improved({input_tau, output_tau});
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("tau");
@@ -336,6 +331,18 @@ std::string Session::improve(double input_tau, double output_tau) {
     json.member("improved", better.has_value());
     json.end_object();
   });
+}
+
+std::optional<RegionPlace> Session::improved(RegionPlace place) const {
+  const Objective objective = problem_.options.objective;
+  if (six_bars_) {
+    const auto better = six_bars_->improved({place.input, place.output}, requirements_, objective);
+    return better ? std::optional(RegionPlace{(*better)[0], (*better)[1]}) : std::nullopt;
+  }
+  const FunctionFamily* family = function_family(given());
+  if (family && objective == Objective::structural_error) return improved_generator(*family, requirements_, place);
+  if (!given().family) return std::nullopt;
+  return improved_linkage(*given().family, requirements_, objective, place);
 }
 
 std::string Session::verify(double input_tau, double output_tau) {

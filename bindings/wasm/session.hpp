@@ -71,7 +71,7 @@ class Session {
   [[nodiscard]] std::vector<std::uint32_t> halo(const HaloRequest& request) const;
   /// JSON text: the list of `best`, the objects of `improve` and `verify`.
   [[nodiscard]] std::string best(int most) const;
-  [[nodiscard]] std::string improve(double input_tau, double output_tau);
+  [[nodiscard]] std::string improve(double input_tau, double output_tau) const;
   [[nodiscard]] std::string verify(double input_tau, double output_tau);
   [[nodiscard]] std::vector<double> trace(double input_tau, double output_tau, Point traced);
   /// A file: svg, dxf, csv, json or result. Empty where there is no linkage to write.
@@ -98,6 +98,7 @@ class Session {
   [[nodiscard]] const std::vector<PrescribedPose>& poses() const;
   [[nodiscard]] const MapAxes& axes() const;
   [[nodiscard]] const Drawn& drawn();
+  [[nodiscard]] std::optional<RegionPlace> improved(RegionPlace place) const;
   /// One that holds the linkage there, as a result does; nothing where there is none.
   [[nodiscard]] std::optional<Solution> solution_at(double input_tau, double output_tau) const;
   /// Requirements failed by each cell of a map.

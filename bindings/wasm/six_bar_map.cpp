@@ -64,6 +64,11 @@ RequirementFilter SixBarMap::filter(const RegionMap& map, const Requirements& wa
   return filter_of_six_bars(*family_, map, wanted);
 }
 
+std::optional<std::array<double, 2>> SixBarMap::improved(std::array<double, 2> place, const Requirements& wanted,
+                                                         Objective objective) const {
+  return family_ ? improved_six_bar(*task_.chain, *family_, wanted, objective, place) : std::nullopt;
+}
+
 std::optional<SixBarSolution> SixBarMap::at(double first, double second) const {
   const auto with = family_ ? family_->with_first(first) : std::nullopt;
   const auto member = with ? family_->member(*with, family_->second_tau(*with, second)) : std::nullopt;

@@ -28,6 +28,10 @@ class SixBarMap {
   void classify(RegionMap& map, std::span<const double> first, std::span<const double> second) const;
   [[nodiscard]] RequirementFilter filter(const RegionMap& map, const Requirements& wanted) const;
 
+  /// improved_six_bar() of the chain.
+  [[nodiscard]] std::optional<std::array<double, 2>> improved(std::array<double, 2> place, const Requirements& wanted,
+                                                              Objective objective) const;
+
   /// Nothing where there is no six-bar.
   [[nodiscard]] std::optional<SixBarSolution> at(double first, double second) const;
   /// Its coordinates on the map.

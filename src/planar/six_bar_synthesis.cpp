@@ -47,14 +47,23 @@ std::vector<double> evenly(double length, int count) {
   return coordinates;
 }
 
+/// Axes are closed; one that a degenerate curve leaves without length has no places.
+double on_axis(double coordinate, double length) { return length > 0 ? wrap_period(coordinate, length) : coordinate; }
+
 /// Judges any place of a chain's map.
 class ChainJudge {
  public:
   ChainJudge(const ThreeLinkChain& chain, const SixBarFamily& family, const Requirements& wanted, Objective objective)
       : chain_(chain), family_(family), wanted_(wanted), objective_(objective) {}
 
+  struct Placed {
+    SixBarProspect prospect;
+    std::array<double, 2> place;  ///< on the map
+  };
   /// Nothing where there is no six-bar, or one that does not meet the requirements.
-  [[nodiscard]] std::optional<SixBarProspect> prospect(std::array<double, 2> place) const {
+  [[nodiscard]] std::optional<Placed> at(std::array<double, 2> unwrapped) const {
+    const std::array<double, 2> place = {on_axis(unwrapped[0], family_.first().curve->coordinate_length()),
+                                         on_axis(unwrapped[1], family_.second_axis_length())};
     const auto first = family_.with_first(place[0]);
     if (!first) return std::nullopt;
     const double tau = family_.second_tau(*first, place[1]);
@@ -62,36 +71,29 @@ class ChainJudge {
     if (!member) return std::nullopt;
     const SixBarRating rating = rating_of(*member, false);
     if (!meets(wanted_, member->six_bar, rating)) return std::nullopt;
-    return SixBarProspect{chain_, {place[0], tau}, score_of(objective_, rating), *member, false};
+    return Placed{{chain_, {place[0], tau}, score_of(objective_, rating), *member, false}, place};
   }
 
   /// Steps along both coordinates as long as it gets better, then shorter steps.
-  [[nodiscard]] SixBarProspect climbed(SixBarProspect here, std::array<double, 2> place,
-                                       std::array<double, 2> step) const {
+  [[nodiscard]] Placed climbed(Placed here, std::array<double, 2> step) const {
     constexpr double shortest = 1e-3;  // of the first step
     for (double share = 0.5; share > shortest;) {
-      const auto better = better_neighbour(here, place, {share * step[0], share * step[1]});
-      if (better) {
-        here = better->first;
-        place = better->second;
-      } else {
+      if (const auto better = better_neighbour(here, {share * step[0], share * step[1]}))
+        here = *better;
+      else
         share /= 2;
-      }
     }
-    here.local_optimum = true;
+    here.prospect.local_optimum = true;
     return here;
   }
 
  private:
-  using Placed = std::pair<SixBarProspect, std::array<double, 2>>;
-  [[nodiscard]] std::optional<Placed> better_neighbour(const SixBarProspect& here, std::array<double, 2> place,
-                                                       std::array<double, 2> step) const {
+  [[nodiscard]] std::optional<Placed> better_neighbour(const Placed& here, std::array<double, 2> step) const {
     constexpr std::array<std::array<double, 2>, 8> ways = {
         {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
     for (const auto& way : ways) {
-      const std::array<double, 2> there = {place[0] + way[0] * step[0], place[1] + way[1] * step[1]};
-      const auto found = prospect(there);
-      if (found && found->score > here.score) return Placed{*found, there};
+      const auto found = at({here.place[0] + way[0] * step[0], here.place[1] + way[1] * step[1]});
+      if (found && found->prospect.score > here.prospect.score) return found;
     }
     return std::nullopt;
   }
@@ -172,7 +174,7 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLin
   for (const Foot& foot : feet(map, filter, choice.objective)) {
     if (tops.size() >= 3 * wanted || progress.is_cancelled()) break;
     const std::array<double, 2> place = {map.input_coordinates()[foot.row], map.output_coordinates()[foot.column]};
-    if (const auto found = judge.prospect(place)) tops.push_back(judge.climbed(*found, place, step));
+    if (const auto found = judge.at(place)) tops.push_back(judge.climbed(*found, step).prospect);
   }
   std::sort(tops.begin(), tops.end(), is_better);
   std::vector<SixBarSolution> solutions;
@@ -181,6 +183,18 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLin
     solutions.back().local_optimum = top.local_optimum;
   }
   return solutions;
+}
+
+std::optional<std::array<double, 2>> improved_six_bar(const ThreeLinkChain& chain, const SixBarFamily& family,
+                                                      const Requirements& requirements, Objective objective,
+                                                      std::array<double, 2> start) {
+  constexpr double first_step = 1.0 / 60;  // of an axis: a cell of the usual map
+  const ChainJudge judge(chain, family, requirements, objective);
+  const auto foot = judge.at(start);
+  if (!foot) return std::nullopt;
+  const auto top = judge.climbed(
+      *foot, {first_step * family.first().curve->coordinate_length(), first_step * family.second_axis_length()});
+  return top.prospect.score > foot->prospect.score ? std::optional(top.place) : std::nullopt;
 }
 
 RequirementFilter filter_of_six_bars(const SixBarFamily& family, const RegionMap& map,

@@ -107,6 +107,38 @@ TEST(SixBarSynthesis, RefinesTheBest) {
   }
 }
 
+TEST(SixBarSynthesis, ImprovesASixBarUpToTheTopOfItsHill) {
+  for (const std::size_t row : {std::size_t{1}, std::size_t{5}}) {
+    const Mapped mapped(row, 12, false);
+    const Requirements wanted = with_defaults(Requirements{}, mapped.chain);
+    const RequirementFilter filter = filter_of_six_bars(mapped.family, mapped.map, wanted);
+    const auto versine = [&](std::array<double, 2> place) {
+      const auto first = mapped.family.with_first(place[0]);
+      return rating_of(*mapped.family.member(*first, mapped.family.second_tau(*first, place[1])), false).versine();
+    };
+    const auto better_than = [&](std::array<double, 2> place) {
+      return improved_six_bar(mapped.chain, mapped.family, wanted, Objective::min_transmission_angle, place);
+    };
+    int improved = 0;
+    for (std::size_t cell = 0; cell < 144; cell += 5) {
+      const std::array<double, 2> place = {mapped.axes.first[cell / 12], mapped.axes.second[cell % 12]};
+      const auto better = better_than(place);
+      if (!filter.passes(cell / 12, cell % 12)) {
+        EXPECT_FALSE(better);
+      } else if (better) {
+        ++improved;
+        EXPECT_GT(versine(*better), versine(place));
+        EXPECT_LT((*better)[0], mapped.family.first().curve->coordinate_length());
+        EXPECT_LT((*better)[1], mapped.family.second_axis_length());
+        EXPECT_GE(std::min((*better)[0], (*better)[1]), 0);
+        const auto again = better_than(*better);
+        EXPECT_LT(again ? versine(*again) - versine(*better) : 0, 0.02);
+      }
+    }
+    EXPECT_GT(improved, 3);
+  }
+}
+
 TEST(SixBarSynthesis, FindsWhatPassesBesideATopThatDoesNot) {
   int tried = 0;
   for (const std::size_t row : {std::size_t{1}, std::size_t{5}}) {

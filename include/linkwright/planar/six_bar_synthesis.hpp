@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -45,6 +46,13 @@ struct SixBarChoice {
                                                         const SixBarFamily& family, const RegionMap& map,
                                                         const Requirements& requirements, const SixBarChoice& choice,
                                                         const Progress& progress = {});
+
+/// The top of the hill of that map on which a six-bar stands, as improved_linkage(): coordinates of the map. Nothing
+/// where the six-bar does not meet the requirements or is at the top already.
+[[nodiscard]] std::optional<std::array<double, 2>> improved_six_bar(const ThreeLinkChain& chain,
+                                                                    const SixBarFamily& family,
+                                                                    const Requirements& requirements,
+                                                                    Objective objective, std::array<double, 2> start);
 
 /// A search for six-bars whose chain is not given.
 struct SixBarSearchOptions {
