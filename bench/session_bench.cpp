@@ -15,10 +15,11 @@ using wasm::ExploreRequest, wasm::HaloRequest, wasm::Session;
 
 constexpr double some_input = 1.3125, some_output = 1.1125;
 
-std::string tailgate() {
-  std::ifstream file(LINKWRIGHT_EXAMPLES_DIR "/tailgate.json");
+std::string example(const std::string& name) {
+  std::ifstream file(LINKWRIGHT_EXAMPLES_DIR "/" + name + ".json");
   return {std::istreambuf_iterator<char>(file), {}};
 }
+std::string tailgate() { return example("tailgate"); }
 std::string moved(std::string text, int step) {
   const std::string x = "\"x\": -220, \"y\": 220";
   return text.replace(text.find(x), x.size(), fmt::format("\"x\": {}, \"y\": 220", -220 - 0.01 * (step % 100)));
@@ -45,6 +46,24 @@ BENCHMARK(session_drag)
     ->Arg(1000)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+// A file is opened: everything up to the first map.
+void session_open(benchmark::State& state, const char* name) {
+  const std::string text = example(name);
+  for (auto _ : state) {
+    Session session;
+    session.set_problem(text);
+    benchmark::DoNotOptimize(session.explore(whole_map(400)));
+  }
+}
+const bool opened = [] {
+  for (const char* name : {"tailgate", "latch", "airtight_hatch", "transfer_arm", "nose_gear", "sine_generator",
+                           "flow_meter", "log_generator", "loader_bucket_chain"})
+    benchmark::RegisterBenchmark(fmt::format("session/open/{}", name).c_str(), session_open, name)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+  return true;
+}();
 
 template <class Question>
 void asked(benchmark::State& state, Question&& question) {

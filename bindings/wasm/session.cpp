@@ -116,15 +116,11 @@ const MapAxes& Session::axes() const {
 }
 
 const Session::Drawn& Session::drawn() {
+  if (!drawn_ && six_bars_) drawn_ = {six_bars_->drawn(Side::input), six_bars_->drawn(Side::output)};
   if (!drawn_) {
-    drawn_.emplace();
-    if (six_bars_) {
-      *drawn_ = {six_bars_->drawn(Side::input), six_bars_->drawn(Side::output), false};
-      return *drawn_;
-    }
-    drawn_->input = drawn_curves(poses(), given(), Side::input);
-    drawn_->same = !given().family || given().family->is_symmetric();
-    if (!drawn_->same) drawn_->output = drawn_curves(poses(), given(), Side::output);
+    drawn_ = {drawn_curves(poses(), given(), Side::input), {}};
+    if (given().family && !given().family->is_symmetric())
+      drawn_->output = drawn_curves(poses(), given(), Side::output);
   }
   return *drawn_;
 }
@@ -202,7 +198,7 @@ ExploreReply Session::explore(const ExploreRequest& request) {
   order_axes(request);
   ExploreReply reply;
   reply.input_curves = &drawn().input;
-  reply.output_curves = drawn().same ? nullptr : &drawn().output;
+  reply.output_curves = drawn().output ? &*drawn().output : nullptr;
   std::string_view status = "solved";
   const Notice* reason = nullptr;
   if (!has_map()) {
@@ -259,7 +255,7 @@ LiveReply Session::live(double input_tau, double output_tau) {
   if (given().family && given().family->axis(Side::output).quantity == AxisQuantity::nothing)
     reply.output = reply.input;
   else
-    reply.output = failures(strip_, std::array{input_tau}, (curves.same ? curves.input : curves.output).tau);
+    reply.output = failures(strip_, std::array{input_tau}, (curves.output ? *curves.output : curves.input).tau);
   return reply;
 }
 

@@ -80,8 +80,8 @@ class Session {
  private:
   using Side = LinkageFamily::Side;
   struct Drawn {
-    DrawnCurves input, output;
-    bool same = true;
+    DrawnCurves input;
+    std::optional<DrawnCurves> output;  ///< nothing: the same
   };
 
   [[nodiscard]] bool has_map() const;

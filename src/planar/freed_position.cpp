@@ -116,10 +116,12 @@ Notice nothing_meets(const RegionMap& map, const Requirements& requirements) {
   if (whole == 0)
     return {"no_pair", "No pair of side links through the other poses makes a four-bar with four pivots.", {}};
   if (counts.defect_free == 0 && requirements.no_defects)
-    return {"none_defect_free", fmt::format("None of {} four-bars through the other poses is free of defects.", whole),
+    return {"none_defect_free",
+            fmt::format("None of the four-bars through the other poses ({}) is free of defects.", whole),
             counted(whole)};
   return {"none_left",
-          fmt::format("{} four-bars through the other poses are free of defects, and none meets all requirements.",
+          fmt::format("None of the four-bars through the other poses that are free of defects ({}) meets all "
+                      "requirements.",
                       counts.defect_free),
           counted(counts.defect_free)};
 }

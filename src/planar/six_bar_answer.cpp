@@ -24,12 +24,12 @@ Notice nothing_found(const Solution& solution) {
             {}};
   if (solution.counts.defect_free == 0)
     return {"none_defect_free",
-            fmt::format("{} six-bars guide the body through all poses and none is free of defects. Move a hinge of the "
-                        "chain, join other bodies, or leave the chain out and let it be searched for.",
+            fmt::format("None of the six-bars that guide the body through all poses ({}) is free of defects. Move a "
+                        "hinge of the chain, join other bodies, or leave the chain out and let it be searched for.",
                         whole),
             {{"count", static_cast<double>(whole)}}};
   return {"none_left",
-          fmt::format("{} six-bars are free of defects, and none meets all requirements.", solution.counts.defect_free),
+          fmt::format("None of the six-bars free of defects ({}) meets all requirements.", solution.counts.defect_free),
           {{"count", static_cast<double>(solution.counts.defect_free)}}};
 }
 
@@ -43,7 +43,8 @@ void judge(Solution& solution) {
   }
   solution.reason = {
       "solved",
-      fmt::format("{} six-bars guide the body through all poses; {} are free of defects; {} meet all requirements.",
+      fmt::format("All six-bars that guide the body through all poses: {}; free of defects: {}; meeting all "
+                  "requirements: {}.",
                   whole, solution.counts.defect_free, solution.meeting_requirements),
       {{"count", static_cast<double>(whole)},
        {"defect_free", static_cast<double>(solution.counts.defect_free)},

@@ -70,17 +70,15 @@ std::string percent(std::int64_t part, std::int64_t whole) {
   return share < 1 ? "under 1 %" : fmt::format("{:.0f} %", share);
 }
 
-/// How a kind of task is spoken of: sentences with places for numbers.
+/// How a kind of task is spoken of.
 struct TaskWords {
-  std::string_view solved = "{} four-bars pass through all poses; {} are free of defects; {} meet all requirements.";
-  std::string_view none_defect_free = "{} four-bars pass through all poses and none is free of defects: {}.";
+  std::string_view four_bars = "four-bars that pass through all poses";
   std::string_view lock = "lock between two poses (branch)";
   std::string_view ways_out = "Try another order of the poses, {}allow a defect (no_defects: false), or move a pose.";
 };
 
 constexpr TaskWords function_words = {
-    "Four-bars that generate all pairs: {}; free of defects: {}; meeting all requirements: {}.",
-    "None of the four-bars that generate all pairs ({}) is free of defects: {}.", "lock between two pairs (branch)",
+    "four-bars that generate all pairs", "lock between two pairs (branch)",
     "Try other ranges of the dials, fewer or other pairs, or allow a defect (no_defects: false)."};
 
 Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
@@ -96,7 +94,7 @@ Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
   blame(counts.branch - counts.circuit, words.lock);
   blame(counts.order, directed ? "visit them in another order, or against a direction" : "visit them in another order");
   return {"none_defect_free",
-          fmt::format(fmt::runtime(words.none_defect_free), whole, fmt::join(causes, ", ")) + " " +
+          fmt::format("None of the {} ({}) is free of defects: {}. ", words.four_bars, whole, fmt::join(causes, ", ")) +
               fmt::format(fmt::runtime(words.ways_out),
                           directed ? "turn a direction round or let none count (respect_direction: false), " : ""),
           {{"count", static_cast<double>(whole)}}};
@@ -105,7 +103,7 @@ Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
 Notice nothing_left(const Solution& solution) {
   const std::int64_t free = solution.counts.defect_free;
   Notice notice{"none_left",
-                fmt::format("{} four-bars are free of defects, and none meets all requirements.", free),
+                fmt::format("None of the four-bars free of defects ({}) meets all requirements.", free),
                 {{"count", static_cast<double>(free)}}};
   if (solution.relax.empty()) {
     notice.message += " No single requirement is to blame: relax two or more.";
@@ -131,12 +129,12 @@ void judge(Solution& solution, const TaskWords& words) {
   } else if (solution.meeting_requirements == 0) {
     solution.reason = nothing_left(solution);
   } else {
-    solution.reason = {
-        "solved",
-        fmt::format(fmt::runtime(words.solved), whole, counts.defect_free, solution.meeting_requirements),
-        {{"count", static_cast<double>(whole)},
-         {"defect_free", static_cast<double>(counts.defect_free)},
-         {"meeting", static_cast<double>(solution.meeting_requirements)}}};
+    solution.reason = {"solved",
+                       fmt::format("All {}: {}; free of defects: {}; meeting all requirements: {}.", words.four_bars,
+                                   whole, counts.defect_free, solution.meeting_requirements),
+                       {{"count", static_cast<double>(whole)},
+                        {"defect_free", static_cast<double>(counts.defect_free)},
+                        {"meeting", static_cast<double>(solution.meeting_requirements)}}};
   }
 }
 

@@ -179,14 +179,14 @@ TEST(SessionOfAFunction, ImprovesItsObjective) {
   json problem = json::parse(square);
   problem["options"]["objective"] = "structural_error";
   Explored explored(problem.dump());
-  const auto [input, output] = explored.passing();
+  const std::array<double, 2> place = explored.passing();
   const auto error_at = [&](double tau) {
-    const json function = json::parse(explored.session.linkage(tau, output).linkage)["function"];
+    const json function = json::parse(explored.session.linkage(tau, place[1]).linkage)["function"];
     return function["max_structural_error_deg"].get<double>();
   };
-  const json improved = json::parse(explored.session.improve(input, output));
+  const json improved = json::parse(explored.session.improve(place[0], place[1]));
   if (improved["improved"].get<bool>()) {
-    EXPECT_LT(error_at(improved["tau"][0]), error_at(input));
+    EXPECT_LT(error_at(improved["tau"][0]), error_at(place[0]));
   }
 }
 
@@ -235,8 +235,8 @@ TEST(SessionOfASixBar, ImprovesTheOneInHand) {
 
 TEST(SessionOfASixBar, WritesEveryFormat) {
   Explored explored(loader, 100);
-  const auto [input, output] = explored.passing();
-  const auto written = [&](std::string_view format) { return explored.session.exported(input, output, format); };
+  const std::array<double, 2> place = explored.passing();
+  const auto written = [&](std::string_view format) { return explored.session.exported(place[0], place[1], format); };
   EXPECT_NE(written("svg").find("<svg"), std::string::npos);
   EXPECT_NE(written("dxf").find("BODY_PATH"), std::string::npos);
   const std::string table = written("csv");
@@ -244,7 +244,7 @@ TEST(SessionOfASixBar, WritesEveryFormat) {
   const auto six_bar = read_any_linkage(written("json"));
   ASSERT_TRUE(six_bar.ok());
   const json result = json::parse(written("result"));
-  EXPECT_EQ(result["linkages"][0]["added"][0]["coordinate"], input);
+  EXPECT_EQ(result["linkages"][0]["added"][0]["coordinate"], place[0]);
   EXPECT_TRUE(result["linkages"][0]["verified_by_driving"]);
   const Point z5 = std::get<StoredSixBar>(*six_bar).six_bar.at(SixBar::z5);
   EXPECT_EQ(result["linkages"][0]["joints"]["z5"], json({z5.real(), z5.imag()}));

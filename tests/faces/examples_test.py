@@ -155,7 +155,7 @@ class Surroundings:
 
 PATTERNS = {"tailgate": "P-P-P-P", "drawer_hinge": "P-P-P-P", "dump_bucket": "P-P-P-P", "landing_gear": "P-P-P-P",
             "folding_table": "P-P-P-P", "lift_platform": "P-P-P-P", "hood_hinge": "PP-P-P", "corner_drawer": "PPP-P",
-            "latch": "P-P-P", "airtight_hatch": "P-P-P", "nose_gear": "P-P-P-P-P", "transfer_arm": "PP-P-PP",
+            "latch": "P-P-P", "airtight_hatch": "P-P-P", "footrest": "P-P-P", "nose_gear": "P-P-P-P-P", "transfer_arm": "PP-P-PP",
             "sine_generator": "P-P-P-P", "log_generator": "P-P-P-P-P", "flow_meter": "P-P-P-P",
             "loader_bucket": "P-P-P-P", "loader_bucket_chain": "P-P-P-P"}
 
@@ -345,6 +345,12 @@ class Examples(FaceTest):
             with self.subTest(linkage=number):
                 self.assertAlmostEqual(off(0.01) / off(0.005), 8, delta=0.5)
                 self.assertLess(off(0.1), 1)
+
+    def test_the_arms_of_the_footrest_stand_at_the_angle_given(self):
+        for linkage in self.results["footrest"]["linkages"]:
+            bars = FourBar(linkage)
+            between = (bars.output_circle - bars.output_center) / (bars.input_circle - bars.input_center)
+            self.assertAlmostEqual(math.degrees(cmath.phase(between)), 60, places=9)
 
     def test_the_hatch_lifts_its_seal_all_round(self):
         for linkage in self.results["airtight_hatch"]["linkages"]:

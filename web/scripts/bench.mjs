@@ -5,7 +5,8 @@ import {readFileSync} from "node:fs";
 const generated = new URL("../src/engine/generated/", import.meta.url);
 const {default: create_linkwright} = await import(new URL("linkwright.mjs", generated));
 const engine = await create_linkwright({wasmBinary: readFileSync(new URL("linkwright.wasm", generated))});
-const tailgate = readFileSync(new URL("../../examples/tailgate.json", import.meta.url), "utf8");
+const example = (name) => readFileSync(new URL(`../../examples/${name}.json`, import.meta.url), "utf8");
+const tailgate = example("tailgate");
 const tau = [1.3125, 1.1125];
 
 const moved = (step) => tailgate.replace('"x": -220, "y": 220', `"x": ${-220 - 0.01 * (step % 100)}, "y": 220`);
@@ -39,4 +40,13 @@ found.halo = timed(() => session.halo(2, false, 120, 13, 60));
 found.best = timed(() => session.best(1));
 found.improve = timed(() => session.improve(...tau));
 session.delete();
+for (const name of ["tailgate", "latch", "airtight_hatch", "transfer_arm", "nose_gear", "sine_generator", "flow_meter", "log_generator", "loader_bucket_chain"]) {
+  const text = example(name);
+  found[`open/${name}`] = timed(() => {
+    const opened = new engine.Session();
+    opened.set_problem(text);
+    whole_map(opened, 400);
+    opened.delete();
+  });
+}
 process.stdout.write(`${JSON.stringify(found)}\n`);

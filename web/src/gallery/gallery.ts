@@ -4,6 +4,7 @@ import corner_drawer from "../../../examples/corner_drawer.json?raw";
 import dump_bucket from "../../../examples/dump_bucket.json?raw";
 import drawer_hinge from "../../../examples/drawer_hinge.json?raw";
 import folding_table from "../../../examples/folding_table.json?raw";
+import footrest from "../../../examples/footrest.json?raw";
 import hood_hinge from "../../../examples/hood_hinge.json?raw";
 import landing_gear from "../../../examples/landing_gear.json?raw";
 import latch from "../../../examples/latch.json?raw";
@@ -25,7 +26,7 @@ import three_parallel from "./three_parallel.json?raw";
 
 const files = {
   tailgate, drawer_hinge, dump_bucket, landing_gear, folding_table, lift_platform, hood_hinge, latch,
-  airtight_hatch, corner_drawer, nose_gear, transfer_arm, sine_generator, log_generator, five_hatch, wheel_loader, hatchback_lid,
+  airtight_hatch, footrest, corner_drawer, nose_gear, transfer_arm, sine_generator, log_generator, five_hatch, wheel_loader, hatchback_lid,
   almost_symmetric, mirror_symmetric, three_parallel, parallel_moves,
 };
 export type ExampleName = keyof typeof files;
