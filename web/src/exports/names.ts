@@ -1,6 +1,7 @@
-// What exported files are called: the task's title and the pin's name, or the linkage's type.
+// What exported files are called: the task's title and the pin's name, or what the linkage is.
 import type {LinkageType, TauPair} from "../engine/protocol";
-import type {Pin} from "../state/problem";
+import type {Pin, Problem} from "../state/problem";
+import {name_of} from "../tasks/kinds";
 
 const longest_stem = 60;
 
@@ -12,7 +13,7 @@ export function slug(title: string): string {
 export function pin_of(tau: TauPair, pins: readonly Pin[]): Pin | null {
   return pins.find((pin) => Math.hypot(pin.tau[0] - tau[0], pin.tau[1] - tau[1]) < 1e-9) ?? null;
 }
-export function file_stem(title: string | undefined, linkage: {tau: TauPair; type: LinkageType} | null, pins: readonly Pin[] = []): string {
-  const name = linkage && (pin_of(linkage.tau, pins)?.name ?? linkage.type);
+export function file_stem({title, task}: Pick<Problem, "title" | "task">, linkage: {tau: TauPair; type: LinkageType} | null, pins: readonly Pin[] = []): string {
+  const name = linkage && (pin_of(linkage.tau, pins)?.name ?? name_of(task, linkage.type).replace(/^.*\./, ""));
   return slug(title ?? "") + (name ? `-${name}` : "");
 }

@@ -40,7 +40,7 @@ export interface File {
   blob: Blob;
 }
 export async function made_file(workbench: Workbench, target: Target, format: Format, progress: Progress): Promise<File> {
-  const stem = file_stem(target.problem.title, target, workbench.pins);
+  const stem = file_stem(target.problem, target, workbench.pins);
   if (format === "png") return {name: `${stem}.png`, blob: await png(workbench, target)};
   if (format === "gif" || format === "webm") return {name: `${stem}.${format}`, blob: await animation(workbench, target, format, progress)};
   const {text, extension} = await from_engine(workbench, target, format);

@@ -44,6 +44,8 @@ export interface TaskKind<T extends Task = Task> {
   moved(task: T, point: (p: Point) => Point): T;
   /** What a linkage can be the best by beside the usual. */
   objectives?(task: T): readonly Objective[];
+  /** What all its linkages are, a text's key, where it is the task that says so; otherwise a linkage is called by its type. */
+  make_up?(task: T): TextKey | null;
   /** For the printed sheet. */
   table(task: T, unit: string): {head: string[]; rows: string[][]};
   beginnings: readonly Beginning[];

@@ -1,5 +1,5 @@
 // The kinds of tasks there are.
-import type {Point, Property} from "../engine/protocol";
+import type {LinkageType, Point, Property} from "../engine/protocol";
 import type {Problem} from "../state/problem";
 import {is_object} from "../state/shape";
 import {diagonal_of, type Task} from "../state/task";
@@ -47,6 +47,10 @@ export function properties_of(task: Task): Property[] {
 /** A text of the frame, as this kind of task says it. */
 export function text_for(task: Task, key: TextKey): TextKey {
   return kind_of(task).texts?.[key] ?? key;
+}
+/** What a linkage of this task is called: a text's key. */
+export function name_of(task: Task, type: LinkageType): TextKey {
+  return kind_of(task).make_up?.(task) ?? `type.${type}`;
 }
 export function map_of(task: Task): string {
   return kind_of(task).map_of(task);

@@ -4,6 +4,7 @@ import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, read_list, type Object} from "../../state/shape";
 import {pattern_of, position_count, type SixBarTask} from "../../state/task";
 import type {TaskKind} from "../kind";
+import {row_of} from "./chain";
 import {default_max_length, new_problem as new_motion, pose_table, read_poses} from "../motion/kind";
 
 function read_chain(value: unknown): Chain | null {
@@ -43,6 +44,10 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
   moved: (task, point) => (task.chain ? {...task, chain: {...task.chain, a: point(task.chain.a), b: point(task.chain.b), d: point(task.chain.d)}} : task),
   table: ({poses}, unit) => pose_table(poses, unit),
   beginnings: [{id: "six_bar", name: "new.six_bar", about: "new.six_bar_about", make: new_problem}],
+  make_up({added}) {
+    const row = row_of(added);
+    return row && `six_bar.${row.topology}`;
+  },
   texts: {
     "chip.four_bars": "chip.six_bars", "state.none_defect_free": "six_bar.none_defect_free",
     "region.driver_axis": "six_bar.axis_4", "region.other_axis": "six_bar.axis_5",
