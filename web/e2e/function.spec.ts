@@ -110,6 +110,7 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   await page.getByTestId("function.points").selectOption("5");
   await until_settled(page);
   await expect(page.getByTestId("region.board")).toBeVisible();
+  await expect(page.getByTestId("num.type")).toBeVisible(); // the one there is
   await keep_screenshot(page, "function-cards");
   await page.keyboard.press("Control+z");
 
