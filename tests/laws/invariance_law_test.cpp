@@ -7,6 +7,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/synthesis.hpp"
 #include "support/case_region.hpp"
+#include "support/draws.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright {
@@ -63,7 +64,7 @@ TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapAndMoveTheLinkages) {
 TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapOfMixedPositions) {
   std::mt19937_64 random(95);
   for (const auto& multiplicities : testing::mixed_patterns())
-    for (int trial = 0; trial < 6; ++trial) {
+    for (int trial = 0; trial < testing::draws(6); ++trial) {
       const auto poses = testing::random_poses(random, multiplicities);
       const Solution before = solved(poses);
       for (const double scale : {1e-6, 1.0, 1e6}) {

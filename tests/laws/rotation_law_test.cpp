@@ -15,6 +15,7 @@
 #include "linkwright/attitude/rotation_vector.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
+#include "support/draws.hpp"
 
 namespace linkwright {
 namespace {
@@ -108,11 +109,7 @@ std::vector<Representation> all_representations() {
   return all;
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int many = 100'000;
-#else
-constexpr int many = 1'000'000;
-#endif
+constexpr int many = testing::draws(1'000'000);
 
 class RotationLaw : public ::testing::TestWithParam<Representation> {
  protected:

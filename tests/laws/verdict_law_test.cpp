@@ -9,11 +9,13 @@
 #include "linkwright/analysis/drive_through.hpp"
 #include "linkwright/analysis/pose_visits.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
+#include "support/draws.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright {
 namespace {
 
+using testing::draws;
 using testing::uniform;
 
 std::optional<FourBar> random_pair(const BurmesterCurve& curve, std::mt19937_64& random) {
@@ -44,7 +46,7 @@ TEST(VerdictLaw, TwentyThousandPairsDriveAsTheSignsSay) {
   std::mt19937_64 random(2024);
   int verdicts = 0, borderline = 0;
   std::map<int, int> of_kind;
-  while (verdicts < 20'000) {
+  while (verdicts < draws(20'000)) {
     const auto task = testing::random_poses(random);
     const PoseConditions conditions = pose_conditions(task);
     const BurmesterCurve curve(conditions);
@@ -69,7 +71,7 @@ TEST(VerdictLaw, TwentyThousandPairsDriveAsTheSignsSay) {
   }
   EXPECT_LT(borderline, 20);
   // Every verdict occurs often enough to have been tested.
-  for (const int bits : {0, 1, 2, 6}) EXPECT_GT(of_kind[bits], 300) << bits;
+  for (const int bits : {0, 1, 2, 6}) EXPECT_GT(of_kind[bits], draws(300)) << bits;
 }
 
 // Whether the input hardly moves as the body passes a pose in its direction: a dead point, where rounding decides.
