@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
@@ -199,9 +200,13 @@ std::optional<std::array<double, 2>> improved_six_bar(const ThreeLinkChain& chai
 
 RequirementFilter filter_of_six_bars(const SixBarFamily& family, const RegionMap& map,
                                      const Requirements& requirements) {
-  const auto pivots_at = [&family, &map](std::size_t row,
-                                         std::size_t column) -> std::optional<RequirementFilter::Pivots> {
-    const auto first = family.with_first(map.input_coordinates()[row]);
+  using Links = std::vector<std::optional<SixBarFamily::WithFirst>>;
+  const bool asks_where = requirements.ground_pivots_within || requirements.moving_pivots_within;
+  const auto links =
+      std::make_shared<const Links>(asks_where ? first_links(family, map.input_coordinates(), 0) : Links{});
+  const auto pivots_at = [&family, &map, links](std::size_t row,
+                                                std::size_t column) -> std::optional<RequirementFilter::Pivots> {
+    const auto& first = (*links)[row];
     const auto member =
         first ? family.member(*first, family.second_tau(*first, map.output_coordinates()[column])) : std::nullopt;
     if (!member) return std::nullopt;
