@@ -98,7 +98,11 @@ export class LinkageFollower {
     this.want_best = true;
     const reply = await this.driver.request("best", {problem: engine_text(problem), most: 1}).catch(() => null);
     this.want_best = false;
-    if (!reply || workbench.problem !== problem) return;
+    if (workbench.problem !== problem) {
+      if (quietly && workbench.is_current && !workbench.picked) this.start_with_best(); // its map came meanwhile
+      return;
+    }
+    if (!reply) return;
     const tau = reply.linkages[0]?.tau ?? (quietly && workbench.map ? least_bad(workbench.map) : null);
     if (!tau) {
       if (!quietly) workbench.say("state.nothing_to_go_to");

@@ -4,7 +4,7 @@ import {beforeAll, describe, expect, it} from "vitest";
 import {create_linkwright} from "../engine/module";
 import type {ReplyMessage, RequestMessage} from "../engine/protocol";
 import {Server} from "../engine/serve";
-import {first_example} from "../gallery/gallery";
+import {examples, first_example} from "../gallery/gallery";
 import {with_pose, with_poses, with_requirements, type Problem} from "./problem";
 import {new_problem} from "../tasks/motion/kind";
 import {preferences} from "./preferences.svelte";
@@ -18,6 +18,8 @@ let servers: (() => Server)[];
 /** What the engine says a map took; null: the truth. */
 interface Machine {
   map_ms: number | null;
+  /** How much later the best linkages come. */
+  best_ms: number;
 }
 /** Answers a little later, as a worker does. */
 class Thread {
@@ -28,7 +30,7 @@ class Thread {
   }
   postMessage(message: RequestMessage): void {
     this.asked.push(message);
-    setTimeout(() => !this.dead && this.say(this.slowed(this.server.serve(message).message)));
+    setTimeout(() => !this.dead && this.say(this.slowed(this.server.serve(message).message)), message.kind === "best" ? this.machine.best_ms : 0);
   }
   private slowed(reply: ReplyMessage): ReplyMessage {
     const answer = (reply as {reply?: {engine_ms?: number}}).reply;
@@ -56,7 +58,7 @@ interface Bench {
   machine: Machine;
 }
 function bench(problem: Problem, cores = 2): Bench {
-  const now = {time: 0}, asked: RequestMessage[] = [], machine: Machine = {map_ms: null};
+  const now = {time: 0}, asked: RequestMessage[] = [], machine: Machine = {map_ms: null, best_ms: 0};
   const workbench = new Workbench(problem, () => now.time);
   let started = 0;
   workbench.connect(() => new Thread(servers[started++ % 2](), asked, machine) as unknown as Worker, cores);
@@ -85,6 +87,16 @@ describe("the workbench", () => {
     expect(b.workbench.census!.meeting).toBe(25608);
     expect(b.workbench.hand!.min_transmission_angle_deg).toBeCloseTo(83.7, 1);
     await until(() => b.workbench.verified?.verified);
+  });
+
+  it("starts with the best linkage of a task that came while the first one's was sought", async () => {
+    const b = bench(tailgate), other = examples.find(({name}) => name === "log_generator")!.problem;
+    b.machine.best_ms = 1500; // later than any map
+    await until(() => b.asked.some(({kind}) => kind === "best"));
+    b.workbench.open(other);
+    await settled(b);
+    expect(b.workbench.problem.title).toBe(other.title);
+    expect(b.workbench.hand!.function).toBeDefined();
   });
 
   it("makes one step of a drag, and undo brings back everything to the last bit", async () => {
