@@ -5,7 +5,7 @@ import {places_of} from "../src/state/axis";
 import type {Given, MotionTask} from "../src/state/task";
 import {
   drag, example, expect, expect_accessible, keep_screenshot, map_hash, map_pixel, middle_of, open_workbench, read_state, solve, test,
-  until_settled,
+  until_in_hand, until_settled,
 } from "./support";
 
 const handle = (page: Page, id: string) => page.getByTestId(`drawing.${id}`);
@@ -17,11 +17,6 @@ async function open_example(page: Page, name: string): Promise<void> {
     workbench.tour = null; // its hint lies over the drawing
     workbench.open(problem);
   }, example(name));
-  await until_settled(page);
-}
-/** Another map begins with its best linkage, which takes another answer. */
-async function until_in_hand(page: Page): Promise<void> {
-  await page.waitForFunction(() => globalThis.__linkwright!.workbench.hand !== null);
   await until_settled(page);
 }
 function expect_lengths(linkage: Linkage, wanted: Record<string, number>): void {

@@ -97,6 +97,15 @@ export async function until_settled(page: Page): Promise<void> {
   });
 }
 
+/** Another map begins with its best linkage, which takes another answer. */
+export async function until_in_hand(page: Page): Promise<void> {
+  await until_mapped(page);
+  await page.waitForFunction(() => {
+    const {is_current, hand, tau_in_hand} = globalThis.__linkwright!.workbench;
+    return is_current && hand !== null && hand.tau.join() === tau_in_hand?.join();
+  });
+}
+
 /** What `read` finds in the page's state. It runs in the page: of all that is outside of it, it sees its argument only. */
 export async function read_state<T, A = undefined>(page: Page, read: (workbench: Workbench, argument: A) => T, argument?: A): Promise<T> {
   const workbench = await page.evaluateHandle(() => globalThis.__linkwright!.workbench);
