@@ -1,7 +1,7 @@
 // Function generation: the sine generator from the gallery, its ribbon, its error, its dials.
 import {readFileSync} from "node:fs";
 import type {FunctionTask} from "../src/state/task";
-import {drag, example, expect, expect_accessible, keep_screenshot, map_hash, map_pixel, middle_of, open_workbench, read_state, solve, test, until_in_hand, until_settled} from "./support";
+import {drag, example, expect, expect_accessible, keep_screenshot, map_hash, map_pixel, middle_of, open_workbench, read_state, solve, test, until_settled} from "./support";
 
 test.beforeEach(async ({page}) => {
   await page.addInitScript(() => localStorage.setItem("linkwright.preferences", JSON.stringify({language: "en", theme: "light", toured: true})));
@@ -12,7 +12,7 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   await page.getByTestId("file.menu").click();
   await page.getByTestId("file.examples").click();
   await page.getByTestId("example.sine_generator").click();
-  await until_in_hand(page);
+  await until_settled(page);
 
   // The best is the program's, by the objective of the file.
   const best = solve(example("sine_generator")).linkages[0];
@@ -108,7 +108,7 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   await expect(page.getByTestId("region.output_axis")).toContainText("×0.5");
   await page.getByTestId("function.free").selectOption("none");
   await page.getByTestId("function.points").selectOption("5");
-  await until_in_hand(page);
+  await until_settled(page);
   await expect(page.getByTestId("region.board")).toBeVisible();
   await keep_screenshot(page, "function-cards");
   await page.keyboard.press("Control+z");

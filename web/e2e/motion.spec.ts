@@ -3,10 +3,7 @@ import type {Page} from "@playwright/test";
 import type {Linkage, Point, TauPair} from "../src/engine/protocol";
 import {places_of} from "../src/state/axis";
 import type {Given, MotionTask} from "../src/state/task";
-import {
-  drag, example, expect, expect_accessible, keep_screenshot, map_hash, map_pixel, middle_of, open_workbench, read_state, solve, test,
-  until_in_hand, until_settled,
-} from "./support";
+import {drag, example, expect, expect_accessible, keep_screenshot, map_hash, map_pixel, middle_of, open_workbench, read_state, solve, test, until_settled} from "./support";
 
 const handle = (page: Page, id: string) => page.getByTestId(`drawing.${id}`);
 const given = (page: Page): Promise<Given | undefined> => read_state(page, (workbench) => (workbench.problem.task as MotionTask).given);
@@ -65,7 +62,7 @@ test("three positions: lengths as rings, an angle as a wedge, the instant centre
   // One length: the engine chooses the other, says which, and it can be taken in hand.
   await page.getByTestId("given.side_length").click();
   await expect(page.getByTestId("task.warning")).toContainText(/length of the output side link was left open/);
-  await until_in_hand(page);
+  await until_settled(page);
   const chosen = (await hand(page)).output.length!;
   await expect(page.getByTestId("given.length_output")).toHaveAttribute("placeholder", /\d/);
   await handle(page, "ring_output").focus();
@@ -80,14 +77,14 @@ test("three positions: lengths as rings, an angle as a wedge, the instant centre
   await page.getByTestId("given.length_input").fill("18");
   await page.getByTestId("given.length_input").press("Enter");
   await page.waitForFunction(() => globalThis.__linkwright!.workbench.task!.axes.output.quantity === "side_length");
-  await until_in_hand(page);
+  await until_settled(page);
   const direction = ({center, circle}: {center: Point | null; circle: Point | null}) => Math.atan2(circle![1] - center![1], circle![0] - center![0]);
   await handle(page, "side_angle").focus();
   await page.keyboard.press("ArrowUp");
   await until_settled(page);
   expect(((await given(page)) as {side_angle_deg: number}).side_angle_deg).toBe(61);
   await read_state(page, (workbench) => workbench.pick_best()); // the one that was in hand may be no more
-  await until_in_hand(page);
+  await until_settled(page);
   const {input, output} = await hand(page), turn = ((direction(output) - direction(input)) * 180) / Math.PI - 61;
   expect(Math.abs(turn - 360 * Math.round(turn / 360))).toBeLessThan(1e-6);
 

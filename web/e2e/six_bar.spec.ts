@@ -1,13 +1,13 @@
 import type {SixBarTask} from "../src/state/task";
 import {readFileSync} from "node:fs";
-import {analyze, drag, expect, expect_accessible, file_menu, keep_screenshot, map_pixel, middle_of, open_workbench, played_poses, read_state, test, until_in_hand, until_settled, type Pixel} from "./support";
+import {analyze, drag, expect, expect_accessible, file_menu, keep_screenshot, map_pixel, middle_of, open_workbench, played_poses, read_state, test, until_settled, type Pixel} from "./support";
 import type {Page} from "@playwright/test";
 
 async function open_loader(page: Page): Promise<void> {
   await open_workbench(page);
   await file_menu(page, "file.examples");
   await page.getByTestId("example.wheel_loader").click();
-  await until_in_hand(page);
+  await until_settled(page);
 }
 /** The map's hash of what it shows. */
 function counts(page: Page): Promise<string> {

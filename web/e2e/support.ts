@@ -88,21 +88,12 @@ export async function until_mapped(page: Page): Promise<void> {
     return workbench.is_current && workbench.census !== null && painted_map() === workbench.map;
   });
 }
-/** And so are its counts and the linkage in hand. */
+/** And so are its counts and the linkage in hand; another map begins with its best one, which takes another answer. */
 export async function until_settled(page: Page): Promise<void> {
   await until_mapped(page);
   await page.waitForFunction(() => {
-    const {is_current, hand, tau_in_hand} = globalThis.__linkwright!.workbench;
-    return is_current && hand?.tau.join() === tau_in_hand?.join();
-  });
-}
-
-/** Another map begins with its best linkage, which takes another answer. */
-export async function until_in_hand(page: Page): Promise<void> {
-  await until_mapped(page);
-  await page.waitForFunction(() => {
-    const {is_current, hand, tau_in_hand} = globalThis.__linkwright!.workbench;
-    return is_current && hand !== null && hand.tau.join() === tau_in_hand?.join();
+    const {is_current, hand, tau_in_hand, linkages} = globalThis.__linkwright!.workbench;
+    return is_current && !linkages.seeking_best && hand?.tau.join() === tau_in_hand?.join();
   });
 }
 

@@ -11,8 +11,10 @@ const slow_ms = 100;
 export class LinkageFollower {
   private picked_problem: Problem | null = null; // whose answer the picked linkage is
   private verified_for = "";
-  private want_best = false;
   private live_ms = 0; // what the last live part took
+
+  /** The best linkage was asked for; the answer may put it in hand. */
+  seeking_best = false;
 
   constructor(private readonly workbench: Workbench) {}
 
@@ -90,14 +92,14 @@ export class LinkageFollower {
 
   /** Of a task in which nothing was picked yet: no step. */
   start_with_best(): void {
-    if (!this.want_best) void this.pick_best(true);
+    if (!this.seeking_best) void this.pick_best(true);
   }
   async pick_best(quietly = false): Promise<void> {
     if (!this.driver) return;
     const {workbench} = this, {problem} = workbench;
-    this.want_best = true;
+    this.seeking_best = true;
     const reply = await this.driver.request("best", {problem: engine_text(problem), most: 1}).catch(() => null);
-    this.want_best = false;
+    this.seeking_best = false;
     if (workbench.problem !== problem) {
       if (quietly && workbench.is_current && !workbench.picked) this.start_with_best(); // its map came meanwhile
       return;

@@ -99,6 +99,16 @@ describe("the workbench", () => {
     expect(b.workbench.hand!.function).toBeDefined();
   });
 
+  it("says that the best is sought from the moment a map is there until it is picked", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    b.machine.best_ms = 200;
+    await until(() => workbench.is_current);
+    expect([workbench.linkages.seeking_best, workbench.picked]).toEqual([true, null]);
+    await until(() => !workbench.linkages.seeking_best);
+    expect(workbench.picked).not.toBeNull();
+    await settled(b);
+  });
+
   it("makes one step of a drag, and undo brings back everything to the last bit", async () => {
     const b = bench(tailgate), {workbench} = b;
     await settled(b);
