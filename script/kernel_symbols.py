@@ -3,7 +3,7 @@
 
 An inline function or template that a file compiled with -mavx2 or -mavx512 does not inline becomes a weak symbol, and
 the linker may take that copy for the whole program, which then dies on a machine without these instructions. So every
-weak symbol in kernel_avx2.o must carry the name of its own namespace, isa_avx2, and so on (src/core/pack.hpp).
+weak symbol in a …kernel_avx2.o must carry the name of its own namespace, isa_avx2, and so on (src/core/pack.hpp).
 
 usage: kernel_symbols.py LIBRARY.a
 """
@@ -12,7 +12,7 @@ import re
 import subprocess
 import sys
 
-KERNEL = re.compile(r"^kernel_(avx\w*)\.cpp\.o:$")
+KERNEL = re.compile(r"^(?:\w+_)?kernel_(avx\w*)\.cpp\.o:$")
 WEAK = re.compile(r"^[0-9a-f]+ [WVu] (?!DW\.ref\.)(.+)$")
 
 

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/kernels.hpp"
+
 namespace linkwright {
 
 inline constexpr int most_poses = 5;
@@ -31,11 +33,6 @@ struct KernelTask {
   KernelCells cells;
 };
 
-void region_kernel_scalar(const KernelTask& task);
-void region_kernel_baseline(const KernelTask& task);
-#if defined(__x86_64__)
-void region_kernel_avx2(const KernelTask& task);
-void region_kernel_avx512(const KernelTask& task);
-#endif
+LINKWRIGHT_DECLARE_KERNELS(region_kernel, const KernelTask&);
 
 }  // namespace linkwright

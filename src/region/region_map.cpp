@@ -21,31 +21,6 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, 5> simd_names = {"automatic", "scalar", "baseline", "avx2", "avx512"};
-
-using Kernel = void (*)(const KernelTask&);
-
-Kernel kernel_for(Simd simd) {
-  switch (simd) {
-    case Simd::automatic:
-      return kernel_for(best_simd());
-    case Simd::scalar:
-      return region_kernel_scalar;
-    case Simd::baseline:
-      return region_kernel_baseline;
-#if defined(__x86_64__)
-    case Simd::avx2:
-      return region_kernel_avx2;
-    case Simd::avx512:
-      return region_kernel_avx512;
-#else
-    default:
-      break;
-#endif
-  }
-  return region_kernel_baseline;
-}
-
 KernelAxis plain_arrays(const RegionAxis& axis) {
   KernelAxis plain{axis.center_x.data(),
                    axis.center_y.data(),
@@ -79,26 +54,6 @@ constexpr std::size_t rows_at_once = 16;
 constexpr std::size_t cells_worth_a_thread = 30'000;
 
 }  // namespace
-
-std::string_view name(Simd simd) { return simd_names[static_cast<std::size_t>(simd)]; }
-
-bool is_supported(Simd simd) {
-#if defined(__x86_64__)
-  if (simd == Simd::avx2) return __builtin_cpu_supports("avx2");
-  if (simd == Simd::avx512)
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
-  return true;
-#else
-  return simd != Simd::avx2 && simd != Simd::avx512;
-#endif
-}
-
-Simd best_simd() {
-  for (const Simd simd : {Simd::avx512, Simd::avx2})
-    if (is_supported(simd)) return simd;
-  return Simd::baseline;
-}
 
 void* allocate_cells(std::size_t bytes) {
   constexpr std::size_t line = 64, large_page = std::size_t{1} << 21;
@@ -183,7 +138,7 @@ void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, dou
       unit,
       tolerance::change_point,
       {type_.data(), defects_.data(), versine_.data(), full_versine_.data(), ratio_.data(), longest_.data()}};
-  const Kernel kernel = kernel_for(options.simd);
+  const auto kernel = region_kernel.for_simd(options.simd);
   const int threads = rows_ * columns_ < cells_worth_a_thread ? 1 : options.threads;
   parallel_for((rows_ + rows_at_once - 1) / rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t chunk = begin; chunk < end; ++chunk) {
@@ -210,16 +165,16 @@ void RegionMap::lay_without_dyads(std::span<const double> input, std::span<const
 void RegionMap::classify_row(std::size_t row, const RegionRow& sides, double unit, Simd simd) {
   assert(sides.input.size() == 1 && sides.output.size() == columns_);
   const std::size_t cell = index(row, 0);
-  kernel_for(simd)({plain_arrays(sides.input),
-                    plain_arrays(sides.output),
-                    0,
-                    1,
-                    columns_,
-                    static_cast<int>(sides.input.pose_count()),
-                    unit,
-                    tolerance::change_point,
-                    {type_.data() + cell, defects_.data() + cell, versine_.data() + cell, full_versine_.data() + cell,
-                     ratio_.data() + cell, longest_.data() + cell}});
+  region_kernel.for_simd(simd)({plain_arrays(sides.input),
+                                plain_arrays(sides.output),
+                                0,
+                                1,
+                                columns_,
+                                static_cast<int>(sides.input.pose_count()),
+                                unit,
+                                tolerance::change_point,
+                                {type_.data() + cell, defects_.data() + cell, versine_.data() + cell,
+                                 full_versine_.data() + cell, ratio_.data() + cell, longest_.data() + cell}});
   for (std::size_t column = 0; column < sides.enlarge.size(); ++column)
     longest_.data()[cell + column] *= sides.enlarge[column];
   senses_[row] = sides.input.senses.front();

@@ -189,11 +189,5 @@ TEST(AngleOfVersine, IsPreciseAtBothEnds) {
   EXPECT_EQ(angle_of_versine(0), 0);
 }
 
-TEST(Simd, AutomaticIsTheBestThereIs) {
-  EXPECT_TRUE(is_supported(best_simd()));
-  EXPECT_TRUE(is_supported(Simd::scalar));
-  EXPECT_EQ(name(Simd::avx512), "avx512");
-}
-
 }  // namespace
 }  // namespace linkwright

@@ -5,11 +5,11 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/core/simd.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/mechanism/pose.hpp"
 
@@ -37,13 +37,6 @@ struct RegionAxis {
   std::vector<std::uint8_t> wide;    ///< the same bits: that turn, from first to last pose, is half a turn or more
   std::vector<float> sweep_ccw;      ///< angle from first to last pose turning ccw, radians in [0, 2π)
 };
-
-/// Instruction set of the kernel. All give the same bits.
-enum class Simd : std::uint8_t { automatic, scalar, baseline, avx2, avx512 };
-[[nodiscard]] std::string_view name(Simd simd);
-/// What `automatic` stands for on this machine.
-[[nodiscard]] Simd best_simd();
-[[nodiscard]] bool is_supported(Simd simd);
 
 struct RegionOptions {
   int threads = 0;  ///< 0: as many as the machine has
