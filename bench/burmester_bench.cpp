@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <ctime>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -35,26 +36,37 @@ void time_tasks(benchmark::State& state, int count, const Body& body) {
   state.counters["ns_per_task"] = taken / (static_cast<double>(count) * static_cast<double>(state.iterations()));
 }
 
-constexpr int some_tasks = 2000;
-
-void of_all(benchmark::State& state) {
-  const std::vector<FivePoses> tasks = random_tasks(some_tasks);
+void of_all(benchmark::State& state, int count, Simd simd) {
+  const std::vector<FivePoses> tasks = random_tasks(count);
   std::vector<BurmesterDyads> dyads(tasks.size());
-  time_tasks(state, some_tasks, [&] { burmester_points_of_all(tasks, dyads); });
+  time_tasks(state, count, [&] { burmester_points_of_all(tasks, dyads, simd); });
 }
-BENCHMARK(of_all)->Name("burmester_points/many");
 
-void one_by_one(benchmark::State& state) {
+void one_by_one(benchmark::State& state, int count) {
   std::vector<std::vector<PrescribedPose>> tasks;
-  for (const FivePoses& poses : random_tasks(some_tasks)) {
+  for (const FivePoses& poses : random_tasks(count)) {
     tasks.emplace_back();
     for (const Pose& pose : poses) tasks.back().push_back({pose, {}});
   }
-  time_tasks(state, some_tasks, [&] {
+  time_tasks(state, count, [&] {
     for (const auto& poses : tasks) benchmark::DoNotOptimize(burmester_points(pose_conditions(poses)));
   });
 }
-BENCHMARK(one_by_one)->Name("burmester_points/one_by_one");
+
+bool register_all() {
+  constexpr int some_tasks = 2000, many_tasks = 200'000;
+  const auto add = [](const std::string& title, auto function, auto... arguments) {
+    benchmark::RegisterBenchmark(title.c_str(), function, arguments...);
+  };
+  for (const Simd simd : {Simd::scalar, Simd::baseline, Simd::avx2, Simd::avx512})
+    if (is_supported(simd))
+      add(fmt::format("burmester_points/{}/{}", name(simd), some_tasks), of_all, some_tasks, simd);
+  add(fmt::format("burmester_points/{}/{}", name(best_simd()), many_tasks), of_all, many_tasks, Simd::automatic);
+  add("burmester_points/one_by_one", one_by_one, some_tasks);
+  return true;
+}
+
+[[maybe_unused]] const bool registered = register_all();
 
 }  // namespace
 

@@ -61,13 +61,8 @@ std::array<double, 4> choose_leading(HomogeneousMatrix& e, HomogeneousMatrix& f)
   return determinant_of_pencil(e, f);
 }
 
-struct LoneRoot {
-  double value = 0;
-  double apart = 0;  ///< slope of the monic cubic there: product of the distances from the others
-};
-
 // The real root of t³ + bt² + ct + d that stands apart from the other two.
-LoneRoot lone_root(double b, double c, double d) {
+double lone_root(double b, double c, double d) {
   const double p = (b * b - 3 * c) / 9, r = (b * (2 * b * b - 9 * c) + 27 * d) / 54;
   const double size = std::abs(r);
   double distance = 0;  // from the mean of the three, against the sign of r
@@ -78,11 +73,9 @@ LoneRoot lone_root(double b, double c, double d) {
     const double radicand = std::cbrt(size + std::sqrt(std::max(size * size - p * p * p, 0.0)));
     distance = radicand > 0 ? radicand + p / radicand : 0;
   }
-  double t = (r > 0 ? -distance : distance) - b / 3;
-  const auto slope = [&] { return (3 * t + 2 * b) * t + c; };
-  const double first = slope();
-  if (first != 0) t -= (((t + b) * t + c) * t + d) / first;
-  return {t, slope()};
+  const double t = (r > 0 ? -distance : distance) - b / 3;
+  const double slope = (3 * t + 2 * b) * t + c;
+  return slope != 0 ? t - (((t + b) * t + c) * t + d) / slope : t;
 }
 
 // The lines of a degenerate conic D = (l mᵀ + m lᵀ)/2 as unit vectors; `vertex` = l × m / 2.
@@ -119,22 +112,17 @@ class Meeting {
  private:
   void cut(Homogeneous line, const HomogeneousMatrix& conic);
   void add(Homogeneous point, int multiplicity);
-  void decide(double how_clearly) { found.margin = std::min(found.margin, how_clearly); }
-  [[nodiscard]] double correct(Homogeneous& point) const;
+  void correct(Homogeneous& point) const;
 
   HomogeneousMatrix e_, f_;
 };
 
 void Meeting::find() {
   const std::array<double, 4> cubic = choose_leading(e_, f_);
-  decide(std::abs(cubic[0]));
-  double t = 0;
   // All members of a pencil with a common line, or a common vertex, are degenerate: any of them will do.
-  if (std::abs(cubic[0]) > tolerance::vanishing_coefficient) {
-    const LoneRoot root = lone_root(cubic[1] / cubic[0], cubic[2] / cubic[0], cubic[3] / cubic[0]);
-    t = root.value;
-    decide(std::abs(root.apart));
-  }
+  const double t = std::abs(cubic[0]) > tolerance::vanishing_coefficient
+                       ? lone_root(cubic[1] / cubic[0], cubic[2] / cubic[0], cubic[3] / cubic[0])
+                       : 0;
   const double size = std::sqrt(1 + t * t);
   const HomogeneousMatrix pair_of_lines = combined(t / size, e_, 1 / size, f_);
   const HomogeneousMatrix other = combined(1 / size, e_, -t / size, f_);
@@ -143,12 +131,10 @@ void Meeting::find() {
   const auto largest = static_cast<std::size_t>(
       std::max_element(diagonal.begin(), diagonal.end(), [](double u, double v) { return std::abs(u) < std::abs(v); }) -
       diagonal.begin());
-  decide(std::abs(diagonal[largest]));
   // Lines with complex coefficients have one real point, which is on another member only where it is the vertex of all.
   if (diagonal[largest] > 0) {
     const Homogeneous vertex = normalized(minors.row[largest]);
     const double height = std::abs(dot(vertex, other * vertex));
-    decide(height);
     if (height < tolerance::vanishing_coefficient)
       add(vertex, 4);
     else
@@ -172,7 +158,6 @@ void Meeting::cut(Homogeneous line, const HomogeneousMatrix& conic) {
   }
   // sin² of the angle between the two points: 0 where they meet, negative where they are complex.
   const double discriminant = b * b - a * c;
-  decide(std::abs(discriminant) / (spread + std::abs(discriminant)));
   constexpr double twin = tolerance::double_point * tolerance::double_point;
   const auto on_line = [&, u = first, v = second](double x, double y) { return normalized(x * u + y * v); };
   if (std::abs(discriminant) <= twin * spread) {
@@ -189,36 +174,28 @@ void Meeting::cut(Homogeneous line, const HomogeneousMatrix& conic) {
 }
 
 // Newton on both conics, square to the point: one step, and another where that was longer than the root of rounding.
-// Gives |det(∂A, ∂B, point)|.
-double Meeting::correct(Homogeneous& point) const {
+void Meeting::correct(Homogeneous& point) const {
   constexpr double short_enough = 1e-9;
-  double crossing = 0;
   for (int taken = 0; taken < 2; ++taken) {
     const Homogeneous by_e = e_ * point, by_f = f_ * point;
-    crossing = linkwright::determinant(by_e, by_f, point);
-    if (!(std::abs(crossing) > tolerance::double_point)) break;
+    const double crossing = linkwright::determinant(by_e, by_f, point);
+    if (!(std::abs(crossing) > tolerance::double_point)) return;
     const double e = dot(point, by_e) / 2, f = dot(point, by_f) / 2;
     const Homogeneous step = (1 / crossing) * (e * cross(by_f, point) + f * cross(point, by_e));
     point = normalized(point - step);
-    if (dot(step, step) < short_enough * short_enough) break;
+    if (dot(step, step) < short_enough * short_enough) return;
   }
-  return std::abs(crossing);
 }
 
 void Meeting::add(Homogeneous point, int multiplicity) {
-  double crossing = 0;
-  if (multiplicity == 1) crossing = correct(point);
-  decide(crossing);
+  if (multiplicity == 1) correct(point);
   for (int i = 0; i < found.count; ++i) {
     ConicMeeting::Place& other = found.places[static_cast<std::size_t>(i)];
-    const double apart = norm(cross(other.point, point));
-    decide(apart);
-    if (apart > tolerance::double_point) continue;
+    if (norm(cross(other.point, point)) > tolerance::double_point) continue;
     other.multiplicity += multiplicity;
-    other.crossing = 0;
     return;
   }
-  found.places[static_cast<std::size_t>(found.count++)] = {point, multiplicity, crossing};
+  found.places[static_cast<std::size_t>(found.count++)] = {point, multiplicity};
 }
 
 }  // namespace
@@ -228,7 +205,6 @@ ConicMeeting meeting_of(const HomogeneousMatrix& a, const HomogeneousMatrix& b) 
   if (!make_orthonormal(e, f)) {
     ConicMeeting same;
     same.common_component = true;
-    same.margin = 0;
     return same;
   }
   Meeting meeting(e, f);

@@ -11,14 +11,12 @@ struct ConicMeeting {
   struct Place {
     Homogeneous point;     ///< unit vector
     int multiplicity = 1;  ///< points closer than tolerance::double_point are one
-    double crossing = 1;   ///< |det(∂A, ∂B, point)| of the unit conics: 0 where they touch
   };
 
   std::array<Place, 4> places{};
   int count = 0;
   int complex_points = 0;         ///< with multiplicity
   bool common_component = false;  ///< a line, or a whole conic; `places` has what there is beside
-  double margin = 1;              ///< how far all decisions were from being taken the other way, at most 1
 };
 
 /// `a`, `b`: symmetric matrices, Zᵀ A Z = 0. In closed form: the pencil of the two has a degenerate member, a pair of

@@ -92,7 +92,7 @@ Homogeneous with_sign(Homogeneous v) {
 }
 
 BurmesterPoint point_of(const PoseConditions& conditions, const DyadSpace& space, const ConicMeeting::Place& place) {
-  Dyad dyad = factors_of(space, place.point).dyad;
+  Dyad dyad = factors_of(space, place.point);
   if (place.multiplicity == 1) dyad = polished(conditions, dyad);
   dyad.circle = with_sign(dyad.circle);
   dyad.center = with_sign(dyad.center);

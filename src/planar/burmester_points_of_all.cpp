@@ -1,17 +1,13 @@
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <vector>
 
-#include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "planar/five_conditions.hpp"
+#include "planar/five_pose_kernel.hpp"
 
 namespace linkwright {
 namespace {
-
-// Digits that a task's decisions, and each of its points, may lack before the careful way is taken.
-constexpr double least_margin = 1e-3;
 
 BurmesterDyads careful(const FivePoses& poses) {
   std::vector<PrescribedPose> prescribed;
@@ -29,78 +25,50 @@ BurmesterDyads careful(const FivePoses& poses) {
   return result;
 }
 
-struct FiniteDisplacements {
-  std::array<Point, 4> a, r, q;  ///< user's unit
-  double length = 0;             ///< characteristic length; 0 where the poses only translate, or do not move at all
-};
+using Block = FivePoseBlock;
 
-FiniteDisplacements displacements(const FivePoses& poses) {
-  FiniteDisplacements d;
-  double sum_a = 0, sum_q = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const double half = (poses[j + 1].angle - poses[0].angle) / 2;
-    const double s = std::sin(half), c = std::cos(half);
-    d.a[j] = poses[j + 1].origin - poses[0].origin;
-    d.r[j] = {c * c - s * s, 2 * s * c};
-    d.q[j] = {2 * s * s, -2 * s * c};  // 1 − r without cancellation
-    sum_a += std::norm(d.a[j]);
-    sum_q += 4 * s * s;
+/// The last task fills the lanes that are left.
+void fill(Block& block, std::span<const FivePoses> tasks) {
+  for (std::size_t i = 0; i < Block::size; ++i) {
+    const FivePoses& poses = tasks[std::min(i, tasks.size() - 1)];
+    for (std::size_t j = 0; j < poses.size(); ++j) {
+      block.x[j][i] = poses[j].origin.real();
+      block.y[j][i] = poses[j].origin.imag();
+      block.angle[j][i] = poses[j].angle;
+    }
   }
-  constexpr double least = 4 * tolerance::pure_translation * tolerance::pure_translation;
-  d.length = sum_q > least ? std::sqrt(sum_a / sum_q) : 0;
-  return d;
 }
 
-ConditionRow unit_row(Point a, Point r, Point q) {
-  constexpr double root_two = 1.4142135623730951;
-  const double re = r.real() * a.real() + r.imag() * a.imag(), im = r.imag() * a.real() - r.real() * a.imag();
-  const double square = a.real() * a.real() + a.imag() * a.imag(), k = square / 2;
-  const double size = 1 / std::sqrt(2 * (q.real() * q.real() + q.imag() * q.imag()) + 2 * square + k * k);
-  return {size * root_two * q.real(),
-          -size * root_two * q.imag(),
-          size * re,
-          -size * im,
-          -size * a.real(),
-          -size * a.imag(),
-          size * k};
-}
-
-// True where nothing called for care.
-bool quickly(const FivePoses& poses, BurmesterDyads& result) {
-  const FiniteDisplacements d = displacements(poses);
-  if (!(d.length > 0)) return false;
-  ConditionRows rows;
-  for (std::size_t j = 0; j < 4; ++j) rows[j] = unit_row((1 / d.length) * d.a[j], d.r[j], d.q[j]);
-  const DyadSpace space = dyad_space(rows);
-  if (space.independence < least_margin) return false;
-  const ConicMeeting meeting = dyads_in(space);
-  if (meeting.common_component || meeting.margin < least_margin) return false;
-  result.frame = {poses[0].origin, d.length};
-  result.count = meeting.count;
-  result.complex_roots = meeting.complex_points;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(meeting.count); ++i) {
-    const Factors found = factors_of(space, meeting.places[i].point);
-    if (found.margin < least_margin) return false;
-    result.dyads[i] = found.dyad;
-    result.multiplicity[i] = 1;
+BurmesterDyads result_of(const Block& block, std::size_t i) {
+  BurmesterDyads result{.frame = {{block.x[0][i], block.y[0][i]}, block.length[i]}};
+  for (std::size_t place = 0; place < 4; ++place) {
+    if (!block.real[place][i]) continue;
+    const auto point = [&](const double(&numbers)[3][Block::size]) {
+      return Homogeneous{numbers[0][i], numbers[1][i], numbers[2][i]};
+    };
+    const Dyad dyad{point(block.center[place]), point(block.circle[place]), 0};
+    auto to = result.dyads.begin() + result.count;
+    for (; to != result.dyads.begin() && comes_before(dyad, to[-1]); --to) *to = to[-1];
+    *to = dyad;
+    result.multiplicity[static_cast<std::size_t>(result.count++)] = 1;
   }
-  return true;
+  result.complex_roots = 4 - result.count;
+  for (int k = 0; k < result.count; ++k) result.dyads[static_cast<std::size_t>(k)].coordinate = k + 0.5;
+  return result;
 }
 
 }  // namespace
 
-void burmester_points_of_all(std::span<const FivePoses> tasks, std::span<BurmesterDyads> dyads) {
+void burmester_points_of_all(std::span<const FivePoses> tasks, std::span<BurmesterDyads> dyads, Simd simd) {
   assert(dyads.size() >= tasks.size());
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    BurmesterDyads& result = dyads[i];
-    result = {};
-    if (!quickly(tasks[i], result)) {
-      result = careful(tasks[i]);
-      continue;
-    }
-    const auto end = result.dyads.begin() + result.count;
-    std::sort(result.dyads.begin(), end, comes_before);
-    for (int k = 0; k < result.count; ++k) result.dyads[static_cast<std::size_t>(k)].coordinate = k + 0.5;
+  const auto kernel = five_pose_kernel.for_simd(simd);
+  Block block;
+  for (std::size_t begin = 0; begin < tasks.size(); begin += Block::size) {
+    const auto some = tasks.subspan(begin, std::min<std::size_t>(Block::size, tasks.size() - begin));
+    fill(block, some);
+    kernel(block);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      dyads[begin + i] = block.sure[i] ? result_of(block, i) : careful(some[i]);
   }
 }
 

@@ -23,14 +23,13 @@ template <std::size_t First>
 struct Reflection {
   ConditionRow axis{};
   double factor = 0;  ///< 2 / |axis|²
-  double length = 0;  ///< what is left of the row in its first entry
 
   /// That which takes all but the first entry of v away.
   explicit Reflection(const ConditionRow& v) {
     double squared = 0;
     for (std::size_t i = First; i < 7; ++i) squared += v[i] * v[i];
     if (!(squared > 0)) return;
-    length = std::sqrt(squared);
+    const double length = std::sqrt(squared);
     for (std::size_t i = First; i < 7; ++i) axis[i] = v[i];
     axis[First] += std::copysign(length, v[First]);
     factor = 1 / (length * (length + std::abs(v[First])));
@@ -71,14 +70,12 @@ DyadSpace dyad_space(const ConditionRows& rows) {
     one.apply(basis[n]);
   }
   DyadSpace space;
-  for (std::size_t i = 0; i < 7; ++i) space.number[i] = {basis[0][i], basis[1][i], basis[2][i]};
-  const auto [smallest, largest] = std::minmax({one.length, two.length, three.length, four.length});
-  space.independence = largest > 0 ? smallest / largest : 0;
+  for (std::size_t i = 0; i < 7; ++i) space[i] = {basis[0][i], basis[1][i], basis[2][i]};
   return space;
 }
 
 ConicMeeting dyads_in(const DyadSpace& space) {
-  const auto& [p, q, x, y, u, v, w] = space.number;
+  const auto& [p, q, x, y, u, v, w] = space;
   HomogeneousMatrix real{}, imaginary{};
   add_product(real, p, w, root_two);
   add_product(real, x, u, -1);
@@ -89,9 +86,9 @@ ConicMeeting dyads_in(const DyadSpace& space) {
   return meeting_of(real, imaginary);
 }
 
-Factors factors_of(const DyadSpace& space, Homogeneous parameters) {
+Dyad factors_of(const DyadSpace& space, Homogeneous parameters) {
   std::array<double, 7> n{};
-  for (std::size_t i = 0; i < 7; ++i) n[i] = dot(space.number[i], parameters);
+  for (std::size_t i = 0; i < 7; ++i) n[i] = dot(space[i], parameters);
   // [[W, ῡ], [ξ, p]] is the product of the columns (w, z) and (w′, C̄): every row and column of it names a point, the
   // longer the better, but the turn of a point is told by its w alone.
   const Point p{root_two * n[0], root_two * n[1]}, xi{n[2], n[3]}, upsilon{n[4], n[5]};
@@ -99,15 +96,14 @@ Factors factors_of(const DyadSpace& space, Homogeneous parameters) {
   const double finite_center = w * w + std::norm(xi), far_center = std::norm(upsilon);
   const double finite_circle = w * w + std::norm(upsilon), far_circle = std::norm(xi);
   if (!(std::max(finite_center, finite_circle) > 0))
-    return {{normalized(Homogeneous::at_infinity(std::conj(p))), {0, 1, 0}, 0}, 0};
+    return {normalized(Homogeneous::at_infinity(std::conj(p))), {0, 1, 0}, 0};
   const bool by_center = finite_center >= far_center;
   const bool by_circle = finite_circle >= far_circle;
   const Homogeneous circle = by_center ? (w < 0 ? Homogeneous{-w, -n[2], -n[3]} : Homogeneous{w, n[2], n[3]})
                                        : real_point(std::conj(upsilon), p);
   const Homogeneous center = by_circle ? (w < 0 ? Homogeneous{-w, -n[4], -n[5]} : Homogeneous{w, n[4], n[5]})
                                        : real_point(std::conj(xi), std::conj(p));
-  const double margin = std::sqrt(std::min(std::max(finite_center, far_center), std::max(finite_circle, far_circle)));
-  return {{normalized(center), normalized(circle), 0}, margin};
+  return {normalized(center), normalized(circle), 0};
 }
 
 bool comes_before(const Dyad& a, const Dyad& b) {

@@ -14,10 +14,7 @@ using ConditionRow = std::array<double, 7>;
 using ConditionRows = std::array<ConditionRow, 4>;
 
 /// The numbers of all dyads that meet four rows, linear in three parameters: one vector of parameters a number.
-struct DyadSpace {
-  std::array<Homogeneous, 7> number{};
-  double independence = 0;  ///< smallest over largest diagonal of the triangular factor of the rows, at most 1
-};
+using DyadSpace = std::array<Homogeneous, 7>;
 
 /// Orthonormal, by Householder reflections.
 [[nodiscard]] DyadSpace dyad_space(const ConditionRows& rows);
@@ -27,11 +24,7 @@ struct DyadSpace {
 
 /// The pair of points with these numbers, unit vectors; w and w′ are not negative. Where both are at infinity only the
 /// angle between them is determined: then z has the direction of x.
-struct Factors {
-  Dyad dyad;
-  double margin = 1;  ///< the size of what the points were taken from: digits that they lack
-};
-[[nodiscard]] Factors factors_of(const DyadSpace& space, Homogeneous parameters);
+[[nodiscard]] Dyad factors_of(const DyadSpace& space, Homogeneous parameters);
 
 /// The order of Burmester points: by the distance of the circle point from the origin, then of the centre.
 [[nodiscard]] bool comes_before(const Dyad& a, const Dyad& b);

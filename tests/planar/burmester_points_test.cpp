@@ -327,34 +327,106 @@ TEST(BurmesterPoints, OfFivePositionsOfCardansCirclesAreAWholeCircle) {
   EXPECT_EQ(found.degeneracy->code, "common_component");
 }
 
-TEST(BurmesterPoints, OfManyTasksAtOnceAreTheSame) {
-  std::mt19937_64 random(56);
-  std::vector<FivePoses> tasks(2000);
+std::vector<FivePoses> random_tasks(std::mt19937_64& random, int count) {
+  std::vector<FivePoses> tasks(static_cast<std::size_t>(count));
   for (FivePoses& poses : tasks)
     for (Pose& pose : poses) pose = {{uniform(random, -2, 2), uniform(random, -2, 2)}, uniform(random, -3, 3)};
+  return tasks;
+}
+
+BurmesterPoints carefully(const FivePoses& poses) {
+  return burmester_points(pose_conditions(prescribed({poses.begin(), poses.end()})));
+}
+
+// Those of one task by the quick way are those by the careful one; gives how far they are from it.
+double compare(const BurmesterDyads& quick, const FivePoses& poses) {
+  const BurmesterPoints found = carefully(poses);
+  const int count = static_cast<int>(found.points.size());
+  EXPECT_EQ(quick.count, count);
+  if (quick.count != count) return std::numeric_limits<double>::infinity();
+  EXPECT_EQ(quick.complex_roots, found.complex_roots);
+  EXPECT_EQ(quick.degenerate, found.degeneracy.has_value());
+  double worst = 0;
+  for (std::size_t k = 0; k < found.points.size(); ++k) {
+    EXPECT_EQ(quick.dyads[k].coordinate, found.points[k].dyad.coordinate);
+    EXPECT_EQ(quick.multiplicity[k], found.points[k].multiplicity);
+    const double distance = apart(quick.dyads[k], found.points[k].dyad);
+    EXPECT_LT(distance, 1e-15 * found.points[k].condition + 1e-15);
+    worst = std::max(worst, distance);
+  }
+  return worst;
+}
+
+TEST(BurmesterPoints, OfManyTasksAtOnceAreTheSame) {
+  std::mt19937_64 random(56);
+  std::vector<FivePoses> tasks = random_tasks(random, 2001);  // no multiple of a pack or a block
   for (std::size_t i = 0; i < 5; ++i)
     tasks[1][i] = {direction(0.3 * static_cast<double>(i)), 0.3 * static_cast<double>(i)};
   for (std::size_t i = 0; i < 5; ++i) tasks[2][i].angle = 0;
   tasks[3][4] = tasks[3][0];
-  std::vector<BurmesterDyads> fast(tasks.size());
-  burmester_points_of_all(tasks, fast);
-  int loose = 0, points = 0;
+  for (Pose& pose : tasks[4]) pose.origin = 0;
+  for (Pose& pose : tasks[5]) pose = {1e9 * pose.origin, pose.angle};
+  for (Pose& pose : tasks[6]) pose = {1e-9 * pose.origin, pose.angle};
+  for (Pose& pose : tasks[7]) pose.angle += 2000 * pi;
+  std::vector<BurmesterDyads> quick(tasks.size());
+  burmester_points_of_all(tasks, quick);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const PoseConditions conditions = pose_conditions(prescribed({tasks[i].begin(), tasks[i].end()}));
-    const BurmesterPoints found = burmester_points(conditions);
-    ASSERT_EQ(fast[i].count, static_cast<int>(found.points.size())) << i;
-    EXPECT_EQ(fast[i].complex_roots, found.complex_roots);
-    EXPECT_EQ(fast[i].degenerate, found.degeneracy.has_value());
-    EXPECT_NEAR(fast[i].frame.scale / conditions.frame.scale, 1, 1e-14);
-    for (std::size_t k = 0; k < found.points.size(); ++k, ++points) {
-      EXPECT_EQ(fast[i].dyads[k].coordinate, found.points[k].dyad.coordinate);
-      const double distance = apart(fast[i].dyads[k], found.points[k].dyad);
-      EXPECT_LT(distance, 1e-15 * found.points[k].condition + 1e-15);
-      loose += distance > 1e-12;
+    EXPECT_LT(compare(quick[i], tasks[i]), 1e-12) << i;
+    const WorkingFrame frame = pose_conditions(prescribed({tasks[i].begin(), tasks[i].end()})).frame;
+    EXPECT_NEAR(quick[i].frame.scale / frame.scale, 1, 1e-14) << i;
+    EXPECT_EQ(quick[i].frame.origin, frame.origin) << i;
+  }
+}
+
+TEST(BurmesterPoints, OfManyTasksAtOnceHaveTheSameBitsOnEveryMachine) {
+  std::mt19937_64 random(57);
+  const std::vector<FivePoses> tasks = random_tasks(random, 500);
+  std::vector<BurmesterDyads> scalar(tasks.size()), other(tasks.size());
+  burmester_points_of_all(tasks, scalar, Simd::scalar);
+  for (const Simd simd : {Simd::baseline, Simd::avx2, Simd::avx512}) {
+    if (!is_supported(simd)) continue;
+    burmester_points_of_all(tasks, other, simd);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      EXPECT_EQ(other[i].frame.scale, scalar[i].frame.scale) << name(simd) << i;
+      ASSERT_EQ(other[i].count, scalar[i].count) << name(simd) << i;
+      for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(apart(other[i].dyads[k], scalar[i].dyads[k]), 0) << name(simd) << i;
     }
   }
-  EXPECT_EQ(loose, 0) << points;
 }
+
+FivePoses between(const FivePoses& a, const FivePoses& b, double share) {
+  FivePoses poses;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    poses[i] = {a[i].origin + share * (b[i].origin - a[i].origin), a[i].angle + share * (b[i].angle - a[i].angle)};
+  return poses;
+}
+
+// The quick way has no branches: it must step back where points run together.
+TEST(BurmesterPoints, OfManyTasksAtOnceGoTheCarefulWayInTime) {
+  std::mt19937_64 random(58);
+  std::vector<FivePoses> tasks;
+  for (int pair = 0; pair < 20; ++pair) {
+    const std::vector<FivePoses> ends = random_tasks(random, 2);
+    const std::size_t before = carefully(ends[0]).points.size();
+    double low = 0, high = 1;
+    while (high - low > 1e-15) {
+      const double middle = (low + high) / 2;
+      (carefully(between(ends[0], ends[1], middle)).points.size() == before ? low : high) = middle;
+    }
+    for (double away = 1e-15; away < 0.1; away *= 4)
+      for (const double share : {low - away, low + away}) tasks.push_back(between(ends[0], ends[1], share));
+  }
+  std::vector<BurmesterDyads> quick(tasks.size());
+  burmester_points_of_all(tasks, quick);
+  int multiple = 0;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    compare(quick[i], tasks[i]);
+    for (const int times : quick[i].multiplicity) multiple += times > 1;
+  }
+  EXPECT_GT(multiple, 20);
+}
+
+TEST(BurmesterPoints, OfNoTasksAreNone) { burmester_points_of_all({}, {}); }
 
 }  // namespace
 }  // namespace linkwright

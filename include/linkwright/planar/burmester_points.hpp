@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "linkwright/core/notice.hpp"
+#include "linkwright/core/simd.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
@@ -59,8 +60,10 @@ struct BurmesterDyads {
 
 using FivePoses = std::array<Pose, 5>;
 
-/// Burmester points of many tasks of five finite poses, fast (less than 1 µs each); those that call for care go the
-/// careful way of burmester_points(). Agrees with it to 1e-12 on well-conditioned tasks. `dyads` has a place for each.
-void burmester_points_of_all(std::span<const FivePoses> tasks, std::span<BurmesterDyads> dyads);
+/// Burmester points of many tasks of five finite poses, as many at once as the machine's vectors hold; those that call
+/// for care go the careful way of burmester_points(). Agrees with it to 1e-12 on well-conditioned tasks. `dyads` has a
+/// place for each; the bits do not depend on `simd`, which is_supported() here.
+void burmester_points_of_all(std::span<const FivePoses> tasks, std::span<BurmesterDyads> dyads,
+                             Simd simd = Simd::automatic);
 
 }  // namespace linkwright
