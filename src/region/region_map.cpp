@@ -172,17 +172,20 @@ void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, dou
   output_dyads_ = output.dyads;
   senses_ = input.senses;
   sweep_ccw_ = input.sweep_ccw;
+  bool pairs_decide = false;
+  for (std::size_t row = 0; row < rows_; ++row) pairs_decide = pairs_decide || pair_decides_sense(row);
+  cell_senses_.resize(pairs_decide ? rows_ * columns_ : 0);
 
-  KernelTask task{
-      plain_arrays(input),
-      plain_arrays(output),
-      0,
-      rows_,
-      columns_,
-      static_cast<int>(input.pose_count()),
-      unit,
-      tolerance::change_point,
-      {type_.data(), defects_.data(), versine_.data(), full_versine_.data(), ratio_.data(), longest_.data()}};
+  KernelTask task{plain_arrays(input),
+                  plain_arrays(output),
+                  0,
+                  rows_,
+                  columns_,
+                  static_cast<int>(input.pose_count()),
+                  unit,
+                  tolerance::change_point,
+                  {type_.data(), defects_.data(), versine_.data(), full_versine_.data(), ratio_.data(), longest_.data(),
+                   pairs_decide ? cell_senses_.data() : nullptr}};
   const Kernel kernel = kernel_for(options.simd);
   const int threads = rows_ * columns_ < cells_worth_a_thread ? 1 : options.threads;
   parallel_for((rows_ + rows_at_once - 1) / rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
@@ -219,7 +222,7 @@ void RegionMap::classify_row(std::size_t row, const RegionRow& sides, double uni
                     unit,
                     tolerance::change_point,
                     {type_.data() + cell, defects_.data() + cell, versine_.data() + cell, full_versine_.data() + cell,
-                     ratio_.data() + cell, longest_.data() + cell}});
+                     ratio_.data() + cell, longest_.data() + cell, cell_senses_.data() + cell}});
   for (std::size_t column = 0; column < sides.enlarge.size(); ++column)
     longest_.data()[cell + column] *= sides.enlarge[column];
   senses_[row] = sides.input.senses.front();
@@ -232,6 +235,7 @@ void RegionMap::recompute_rows(std::span<const double> input, std::span<const do
   lay_without_dyads(input, output);
   senses_.assign(rows_, 0);
   sweep_ccw_.assign(rows_, 0);
+  cell_senses_.resize(rows_ * columns_);
   parallel_for(rows_, options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       if (progress.is_cancelled())
@@ -249,6 +253,7 @@ void RegionMap::recompute_cells(std::span<const double> input, std::span<const d
   lay_without_dyads(input, output);
   senses_.assign(rows_, static_cast<std::uint8_t>(sense));
   sweep_ccw_.assign(rows_, static_cast<float>(sweep_ccw));
+  cell_senses_.resize(0);
   parallel_for(rows_, options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       leave_empty(row, row + 1);
@@ -284,10 +289,14 @@ double RegionMap::min_transmission_angle_full_turn(std::size_t cell) const {
   return angle_of_versine(full_versine_[cell]);
 }
 
+bool RegionMap::pair_decides_sense(std::size_t row) const { return senses_[row] == 3 && sweep_ccw_[row] > 0; }
+
 DriveSense RegionMap::drive_sense(std::size_t row, std::size_t column) const {
   const std::size_t cell = index(row, column);
   if (type(cell) == LinkageType::degenerate || !defects(cell).none()) return DriveSense::none;
-  return linkwright::drive_sense(senses_[row] & 1, senses_[row] & 2);
+  const bool by_pair = pair_decides_sense(row) && !cell_senses_.view().empty();
+  const unsigned senses = by_pair ? cell_senses_[cell] : senses_[row];
+  return linkwright::drive_sense(senses & 1, senses & 2);
 }
 
 double RegionMap::driver_sweep(std::size_t row, std::size_t column) const {
