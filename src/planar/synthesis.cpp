@@ -28,23 +28,13 @@ void append_new(std::vector<Error>& all, const std::vector<Error>& more) {
       all.push_back(error);
 }
 
-// Coordinates of one axis of the region.
-std::vector<double> axis_coordinates(const LinkageFamily& family, LinkageFamily::Side side,
-                                     const SynthesisOptions& options) {
-  if (!options.window || family.axis(side).is_discrete())
-    return family.samples(side, options.region_samples, options.spacing);
-  const auto [low, high] = side == LinkageFamily::Side::input ? options.window->input : options.window->output;
-  std::vector<double> coordinates;
-  for (int i = 0; i < options.region_samples; ++i)
-    coordinates.push_back(low + (high - low) * (i + 0.5) / options.region_samples);
-  return coordinates;
-}
-
 void map_region(Solution& solution, const Progress& progress) {
   const LinkageFamily& family = *solution.given.family;
   const SynthesisOptions& options = solution.options;
-  family.classify(solution.region, axis_coordinates(family, LinkageFamily::Side::input, options),
-                  axis_coordinates(family, LinkageFamily::Side::output, options),
+  const auto samples = [&](LinkageFamily::Side side) {
+    return samples_within(family, side, options.window, options.region_samples, options.spacing);
+  };
+  family.classify(solution.region, samples(LinkageFamily::Side::input), samples(LinkageFamily::Side::output),
                   solution.requirements.respect_direction, options.region, progress);
   solution.counts = solution.region.counts();
 }
@@ -248,6 +238,7 @@ std::vector<FourBarSolution> generators(const FunctionFamily& family, const Solu
   constexpr bool verify = true;
   GeneratorSearchOptions search;
   search.most = solution.options.best;
+  search.window = solution.options.window;
   std::vector<FourBarSolution> found;
   for (const RankedGenerator& ranked : best_generators(family, solution.requirements, search, progress))
     if (auto made = make_four_bar(solution.given, ranked.place, solution.requirements.respect_direction, verify)) {

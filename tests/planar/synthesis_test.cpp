@@ -366,6 +366,42 @@ FunctionTask named_function(std::string expression, std::array<double, 2> x, dou
   return task;
 }
 
+Solution solved_function(const FunctionTask& task, const SynthesisOptions& options) {
+  auto result = solve(task, {}, options);
+  EXPECT_TRUE(result.ok());
+  return std::move(result).value();
+}
+
+FunctionTask squares() {
+  FunctionTask task = named_function("x^2", {0, 1}, 60);
+  task.function->points = 4;
+  task.pairs = precision_pairs(*task.function);
+  return task;
+}
+
+TEST(SolveFunction, AnAxisOfOnePlaceIsWithinAnyWindow) {
+  SynthesisOptions options;
+  options.window = RegionWindow{{0, 2}, {0.6, 0.9}};
+  const Solution solution = solved_function(squares(), options);
+  EXPECT_GT(solution.meeting_requirements, 0);
+  EXPECT_FALSE(solution.linkages.empty());
+}
+
+TEST(SolveFunction, TheLeastStructuralErrorIsSoughtWithinTheWindow) {
+  SynthesisOptions options;
+  options.objective = Objective::structural_error;
+  const Solution whole = solved_function(squares(), options);
+  ASSERT_GT(whole.linkages.size(), 1u);
+  const double best = whole.linkages[0].input.coordinate, other = whole.linkages[1].input.coordinate;
+  options.window = RegionWindow{{other - 1e-3, other + 1e-3}, {0, 1}};
+  ASSERT_GT(std::abs(best - other), 1e-3);
+  const Solution part = solved_function(squares(), options);
+  ASSERT_FALSE(part.linkages.empty());
+  for (const FourBarSolution& found : part.linkages) EXPECT_NEAR(found.input.coordinate, other, 1e-3);
+  EXPECT_NEAR(*part.linkages[0].function->max_structural_error, *whole.linkages[1].function->max_structural_error,
+              1e-6);
+}
+
 TEST(SolveFunction, FivePrecisionPointsListEveryLinkageWhateverItsDefects) {
   int with_defects = 0, free_of_them = 0;
   for (const FunctionTask& task : {named_function("log", {1, 10}, 60), named_function("log", {1, 4}, -45),
