@@ -1,6 +1,7 @@
 #include "linkwright/region/requirement_filter.hpp"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
@@ -131,6 +132,23 @@ TEST_F(LandingGearFilter, RelaxedLengthAndRatioLeaveWhatTheyPromise) {
     EXPECT_EQ(after.census().meeting, relaxation.leaves);
     EXPECT_GT(relaxation.leaves, 0);
   }
+}
+
+TEST_F(LandingGearFilter, RelaxedValuesHaveTwoDigits) {
+  int told = 0;
+  wanted.ground_pivots_within.reset();
+  for (const double length : {300, 500, 700, 900, 1200, 1600, 2000, 3000}) {
+    wanted.min_transmission_angle = 0;
+    wanted.max_link_ratio = 1.05;
+    wanted.max_length = length;
+    for (const Relaxation& relaxation : filter().relaxations(filter().census()))
+      if (relaxation.value) {
+        EXPECT_EQ(*relaxation.value, std::stod(fmt::format("{:.2g}", *relaxation.value)));
+        EXPECT_GT(relaxation.leaves, meeting());
+        ++told;
+      }
+  }
+  EXPECT_GT(told, 5);
 }
 
 TEST_F(LandingGearFilter, DegenerateCellsFailEverything) {
