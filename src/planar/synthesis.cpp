@@ -192,6 +192,8 @@ Result<Solution> solve_of_kind(const SixBarTask& task, const Requirements& requi
   return solve_six_bars(task, requirements, options, progress);
 }
 
+Error cancelled() { return {"cancelled", "", "stopped before the answer was complete"}; }
+
 Result<Solution> solve_family(TaskFamily family, const Requirements& requirements, const SynthesisOptions& options,
                               const Progress& progress, const TaskWords& words = {}) {
   Solution solution;
@@ -216,20 +218,30 @@ Result<Solution> solve_family(TaskFamily family, const Requirements& requirement
   progress(0.7);
   solution.linkages = best_linkages(solution, filter, progress);
   if (!given.points.empty() && !given.curve) solution.pairs = all_pairs(solution);
-  if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
+  if (progress.is_cancelled()) return cancelled();
   judge(solution, words);
   progress(1);
   return solution;
 }
 
+// The way from one share of `progress`, which must outlive it, to another.
+Progress part_of(const Progress& progress, double from, double to) {
+  return {[&progress, from, to](double done) { progress(from + (to - from) * done); }, progress.cancelled};
+}
+
 // Five positions that no usable four-bar passes: which of them to free, and what its error becomes.
 Result<Solution> solve_of_kind(const MotionTask& task, const Requirements& requirements,
                                const SynthesisOptions& options, const Progress& progress) {
-  Result<Solution> solved =
-      solve_family(task_family(task, requirements, options.objective), requirements, options, progress);
-  const bool wanting = solved && position_count(task.poses) == 5 && !solved->given.curve && solved->linkages.empty();
-  if (wanting && options.best > 0)
-    solved->freed = nearest_relaxations(task, requirements, {.region = options.region}, progress);
+  const bool five = position_count(task.poses) == 5;
+  const double here = five ? 0.5 : 1;
+  Result<Solution> solved = solve_family(task_family(task, requirements, options.objective), requirements, options,
+                                         part_of(progress, 0, here));
+  const bool wanting = solved && five && !solved->given.curve && solved->linkages.empty();
+  if (wanting && options.best > 0) {
+    solved->freed = nearest_relaxations(task, requirements, {.region = options.region}, part_of(progress, here, 1));
+    if (progress.is_cancelled()) return cancelled();
+  }
+  if (solved && five) progress(1);
   return solved;
 }
 
@@ -279,6 +291,7 @@ Result<Solution> solve_of_kind(const FunctionTask& task, const Requirements& req
   Result<Solution> solved = solve_family(given, requirements, options, progress, function_words);
   if (!solved || !family) return solved;
   if (options.objective == Objective::structural_error) solved->linkages = generators(*family, *solved, progress);
+  if (progress.is_cancelled()) return cancelled();
   solved->pairs = all_generators(*solved);
   for (std::vector<FourBarSolution>* list : {&solved->linkages, &solved->pairs})
     for (FourBarSolution& found : *list) measure_function(found, *family);

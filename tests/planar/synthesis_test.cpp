@@ -1,5 +1,6 @@
 #include "linkwright/planar/synthesis.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -235,6 +236,25 @@ TEST(SolveMotion, TellsHowFarItIs) {
   };
   ASSERT_TRUE(solve(tailgate_task(), {}, {}, progress).ok());
   EXPECT_EQ(last, 1);
+}
+
+// Which of five positions to free is a second half of the way.
+TEST(SolveMotion, FivePositionsAreSolvedWithoutSteppingBack) {
+  std::mt19937_64 random(3);
+  MotionTask task{testing::random_poses(random, 5)};
+  while (solved(task).freed.empty()) task.poses = testing::random_poses(random, 5);
+  std::vector<double> reports;
+  std::atomic<bool> stop = false;
+  Progress progress;
+  progress.report = [&](double done) { reports.push_back(done); };
+  ASSERT_TRUE(solve(task, {}, {}, progress).ok());
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  EXPECT_EQ(reports.back(), 1);
+  progress.cancelled = &stop;
+  progress.report = [&](double done) { stop = done > 0.55; };
+  const auto stopped = solve(task, {}, {}, progress);
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.errors()[0].code, "cancelled");
 }
 
 TEST(SolveMotion, SameInputSameOutput) {
