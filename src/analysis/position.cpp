@@ -17,7 +17,7 @@ Point unit(Point v) {
 
 Point axis_of(const FourBar& four_bar) { return unit(four_bar.output_center - four_bar.input_center); }
 
-double angle_from(Point axis, Point v) { return std::arg(unit(v) * std::conj(axis)); }
+double angle_from(Point axis, Point v) { return wrap_signed(std::arg(unit(v) * std::conj(axis))); }
 
 /// The input's travel in the upper half plane, mirrored in the lower one: |φ| in [nearest, farthest].
 struct Travel {

@@ -24,7 +24,7 @@ std::optional<Candidate> Judge::candidate(RegionPlace place) const {
 
 std::optional<Candidate> Judge::judged(RegionPlace place, const FourBar& bars) const {
   const Requirements& wanted = requirements_;
-  if (!in_window(place)) return std::nullopt;
+  if (!is_within(family_, window_, place)) return std::nullopt;
   const DefectReport report = find_defects(bars, family_.working_poses(place, bars), wanted.respect_direction);
   if (report.type == LinkageType::degenerate) return std::nullopt;
   const auto& types = wanted.types;
@@ -40,12 +40,6 @@ std::optional<Candidate> Judge::judged(RegionPlace place, const FourBar& bars) c
   if (!inside(wanted.moving_pivots_within, bars.input_circle, bars.output_circle)) return std::nullopt;
   const double score = score_of(objective_, 1 - report.worst_transmission_cosine, ratio, longest);
   return Candidate{place, bars, report, score, false};
-}
-
-bool Judge::in_window(RegionPlace place) const {
-  if (!window_) return true;
-  const auto& [input, output] = *window_;
-  return place.input >= input[0] && place.input <= input[1] && place.output >= output[0] && place.output <= output[1];
 }
 
 bool Judge::inside(const std::optional<Box>& box, Point p, Point q) const {

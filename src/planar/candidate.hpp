@@ -38,7 +38,6 @@ class Judge {
 
  private:
   [[nodiscard]] std::optional<Candidate> judged(RegionPlace place, const FourBar& bars) const;
-  [[nodiscard]] bool in_window(RegionPlace place) const;
   [[nodiscard]] bool inside(const std::optional<Box>& box, Point p, Point q) const;
 
   const LinkageFamily& family_;

@@ -260,7 +260,8 @@ double DisplayOrder::coordinate(double place) const {
 std::optional<double> DisplayOrder::place(double tau) const {
   for (const OrderBlock& block : blocks_) {
     const CurveBranch& branch = branches_[block.branch];
-    if (!(tau >= branch.from && tau <= branch.to)) continue;
+    // Where one branch ends the next begins.
+    if (!(tau >= branch.from && (tau < branch.to || tau == branches_.back().to))) continue;
     Knots place_of_tau = exchanged(block.knots);
     if (place_of_tau.front()[0] > place_of_tau.back()[0]) std::reverse(place_of_tau.begin(), place_of_tau.end());
     const double low = place_of_tau.front()[0], width = branch.to - branch.from;

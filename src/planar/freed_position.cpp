@@ -170,8 +170,7 @@ class Relaxing {
   /// False where nothing meets these requirements.
   [[nodiscard]] bool find(const Requirements& requirements, FreedPosition& found) {
     filter_of(*given_.family, map_, requirements).failures_of_all(failures_);
-    found.meeting = std::count(failures_.begin(), failures_.end(), 0);
-    if (found.meeting == 0) return false;
+    if (std::count(failures_.begin(), failures_.end(), 0) == 0) return false;
     pose_misses(*given_.family, map_, failures_, freed_.freed, misses_, options_.region.threads);
     const auto nearest = least(requirements);
     if (!nearest) return false;
@@ -183,6 +182,9 @@ class Relaxing {
     return true;
   }
 
+  [[nodiscard]] std::int64_t meeting(const Requirements& requirements) const {
+    return filter_of(*given_.family, map_, requirements).census().meeting;
+  }
   [[nodiscard]] const RegionMap& map() const { return map_; }
 
  private:
@@ -220,6 +222,7 @@ class Relaxing {
 void find_nearest(FreedPosition& found, const MotionTask& whole, const FreedTask& freed, const TaskFamily& given,
                   const Requirements& requirements, const FreedPositionOptions& options) {
   Relaxing relaxing(given, freed, exact_places(whole, given, freed), options, requirements.respect_direction);
+  found.meeting = relaxing.meeting(requirements);
   Requirements usable = requirements;
   usable.min_transmission_angle = std::max(usable.min_transmission_angle, options.usable_transmission_angle);
   if (!relaxing.find(usable, found) && !relaxing.find(requirements, found))

@@ -65,7 +65,7 @@ FunctionCouplers function_couplers(const FunctionTask& task) {
   couplers.degeneracy = function_degeneracy(couplers.given);
   if (couplers.degeneracy) return couplers;
   const double condition = couplers.given.conditions.condition();
-  if (condition > tolerance::ill_conditioned)
+  if (couplers.given.conditions.are_independent() && condition > tolerance::ill_conditioned)
     couplers.warnings.push_back(
         {"ill_conditioned",
          fmt::format("The pairs are so close that rounding shows (condition {:.1e}); replace pairs that lie close "

@@ -32,10 +32,10 @@ class GeneratorSearch {
  public:
   GeneratorSearch(const FunctionFamily& family, const Requirements& requirements, const GeneratorSearchOptions& options)
       : family_(family),
-        judge_(family, requirements, Objective::min_transmission_angle),
+        judge_(family, requirements, Objective::min_transmission_angle, options.window),
         options_(options),
-        inputs_(family.samples(Side::input, options.input_samples, Spacing::coordinate)),
-        values_(family.samples(Side::output, options.free_samples, Spacing::coordinate)) {}
+        inputs_(samples_within(family, Side::input, options.window, options.input_samples, Spacing::coordinate)),
+        values_(samples_within(family, Side::output, options.window, options.free_samples, Spacing::coordinate)) {}
 
   [[nodiscard]] std::optional<Generator> at(RegionPlace place, int error_samples) const {
     const auto candidate = judge_.candidate(place);

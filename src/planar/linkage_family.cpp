@@ -29,6 +29,24 @@ Dyad no_dyad(double tau) { return {{}, {}, tau}; }
 
 std::string_view name(AxisQuantity quantity) { return quantity_names[static_cast<std::size_t>(quantity)]; }
 
+std::vector<double> samples_within(const LinkageFamily& family, LinkageFamily::Side side,
+                                   const std::optional<RegionWindow>& window, int count, Spacing spacing) {
+  if (!window || family.axis(side).is_discrete()) return family.samples(side, count, spacing);
+  const auto [low, high] = side == LinkageFamily::Side::input ? window->input : window->output;
+  std::vector<double> coordinates;
+  for (int i = 0; i < count; ++i) coordinates.push_back(low + (high - low) * (i + 0.5) / count);
+  return coordinates;
+}
+
+bool is_within(const LinkageFamily& family, const std::optional<RegionWindow>& window, RegionPlace place) {
+  using Side = LinkageFamily::Side;
+  const auto holds = [&](Side side, const std::array<double, 2>& interval, double tau) {
+    return family.axis(side).is_discrete() || (tau >= interval[0] && tau <= interval[1]);
+  };
+  return !window ||
+         (holds(Side::input, window->input, place.input) && holds(Side::output, window->output, place.output));
+}
+
 std::optional<FourBar> four_bar_of(const SideLinks& links) {
   const auto a = finite_point(links.input.center), b = finite_point(links.input.circle);
   const auto c = finite_point(links.output.center), d = finite_point(links.output.circle);

@@ -37,7 +37,8 @@ void judge(Solution& solution) {
   const std::int64_t whole =
       solution.counts.pairs - solution.counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   if (whole == 0) solution.status = SolutionStatus::no_solution;
-  if (solution.six_bars.empty() && solution.options.best > 0) {
+  const bool none = solution.options.best > 0 ? solution.six_bars.empty() : solution.meeting_requirements == 0;
+  if (none) {
     solution.reason = nothing_found(solution);
     return;
   }
@@ -78,7 +79,7 @@ Solution search_chain(const SixBarTask& task, Solution solution, const Progress&
                       {static_cast<std::uint64_t>(options.seed), options.effort, options.region.threads}, progress);
   solution.six_bars = std::move(found.linkages);
   solution.reason = found.reason;
-  if (solution.six_bars.empty()) solution.status = SolutionStatus::no_solution;
+  if (found.reason.code != "searched") solution.status = SolutionStatus::no_solution;
   found.linkages.clear();
   solution.search = std::move(found);
   return solution;

@@ -190,7 +190,8 @@ std::vector<ThreeLinkChain> next_chains(const SixBarTask& task, const ChainBoxes
   return chains;
 }
 
-Notice words(const SixBarSearchResult& result) {
+/// `any`: some six-bar meets the requirements, whether one was asked for or not.
+Notice words(const SixBarSearchResult& result, bool any) {
   const auto count = [](std::string name, std::int64_t value) {
     return Notice::Value{std::move(name), static_cast<double>(value)};
   };
@@ -208,11 +209,13 @@ Notice words(const SixBarSearchResult& result) {
     notice.code = "no_chain";
     notice.message = fmt::format("None of {} chains with pivots in the box reaches all poses; enlarge the box.",
                                  result.chains_drawn);
-  } else if (result.linkages.empty()) {
+  } else if (!any) {
     notice.code = "nothing_found";
     notice.message +=
         "none is free of defects and meets all requirements. Enlarge the box, relax a requirement, add the "
         "links between other bodies, or raise the effort.";
+  } else if (result.linkages.empty()) {
+    notice.message += "some meet all requirements, and none was asked for.";
   } else {
     notice.message += fmt::format("the best {} were refined.", result.linkages.size());
   }
@@ -269,12 +272,13 @@ SixBarSearchResult search_six_bars(const SixBarTask& task, const Requirements& r
     for (std::size_t i = begin; i < end; ++i) held[i] = search.refined(held[i], options.seed + i + 1, progress);
   });
   result.interrupted = progress.is_cancelled();
+  const bool any = !held.empty();
   keep_best(held, static_cast<std::size_t>(std::max(choice.best, 0)), least);
   for (const SixBarProspect& prospect : held) {
     result.linkages.push_back(solution_of(task.poses, prospect.chain, *row, prospect.member));
     result.linkages.back().local_optimum = prospect.local_optimum && !result.interrupted;
   }
-  result.reason = words(result);
+  result.reason = words(result, any);
   if (!result.interrupted) progress(1);
   return result;
 }

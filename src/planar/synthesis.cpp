@@ -28,23 +28,13 @@ void append_new(std::vector<Error>& all, const std::vector<Error>& more) {
       all.push_back(error);
 }
 
-// Coordinates of one axis of the region.
-std::vector<double> axis_coordinates(const LinkageFamily& family, LinkageFamily::Side side,
-                                     const SynthesisOptions& options) {
-  if (!options.window || family.axis(side).is_discrete())
-    return family.samples(side, options.region_samples, options.spacing);
-  const auto [low, high] = side == LinkageFamily::Side::input ? options.window->input : options.window->output;
-  std::vector<double> coordinates;
-  for (int i = 0; i < options.region_samples; ++i)
-    coordinates.push_back(low + (high - low) * (i + 0.5) / options.region_samples);
-  return coordinates;
-}
-
 void map_region(Solution& solution, const Progress& progress) {
   const LinkageFamily& family = *solution.given.family;
   const SynthesisOptions& options = solution.options;
-  family.classify(solution.region, axis_coordinates(family, LinkageFamily::Side::input, options),
-                  axis_coordinates(family, LinkageFamily::Side::output, options),
+  const auto samples = [&](LinkageFamily::Side side) {
+    return samples_within(family, side, options.window, options.region_samples, options.spacing);
+  };
+  family.classify(solution.region, samples(LinkageFamily::Side::input), samples(LinkageFamily::Side::output),
                   solution.requirements.respect_direction, options.region, progress);
   solution.counts = solution.region.counts();
 }
@@ -202,6 +192,8 @@ Result<Solution> solve_of_kind(const SixBarTask& task, const Requirements& requi
   return solve_six_bars(task, requirements, options, progress);
 }
 
+Error cancelled() { return {"cancelled", "", "stopped before the answer was complete"}; }
+
 Result<Solution> solve_family(TaskFamily family, const Requirements& requirements, const SynthesisOptions& options,
                               const Progress& progress, const TaskWords& words = {}) {
   Solution solution;
@@ -226,20 +218,30 @@ Result<Solution> solve_family(TaskFamily family, const Requirements& requirement
   progress(0.7);
   solution.linkages = best_linkages(solution, filter, progress);
   if (!given.points.empty() && !given.curve) solution.pairs = all_pairs(solution);
-  if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
+  if (progress.is_cancelled()) return cancelled();
   judge(solution, words);
   progress(1);
   return solution;
 }
 
+// The way from one share of `progress`, which must outlive it, to another.
+Progress part_of(const Progress& progress, double from, double to) {
+  return {[&progress, from, to](double done) { progress(from + (to - from) * done); }, progress.cancelled};
+}
+
 // Five positions that no usable four-bar passes: which of them to free, and what its error becomes.
 Result<Solution> solve_of_kind(const MotionTask& task, const Requirements& requirements,
                                const SynthesisOptions& options, const Progress& progress) {
-  Result<Solution> solved =
-      solve_family(task_family(task, requirements, options.objective), requirements, options, progress);
-  const bool wanting = solved && position_count(task.poses) == 5 && !solved->given.curve && solved->linkages.empty();
-  if (wanting && options.best > 0)
-    solved->freed = nearest_relaxations(task, requirements, {.region = options.region}, progress);
+  const bool five = position_count(task.poses) == 5;
+  const double here = five ? 0.5 : 1;
+  Result<Solution> solved = solve_family(task_family(task, requirements, options.objective), requirements, options,
+                                         part_of(progress, 0, here));
+  const bool wanting = solved && five && !solved->given.curve && solved->linkages.empty();
+  if (wanting && options.best > 0) {
+    solved->freed = nearest_relaxations(task, requirements, {.region = options.region}, part_of(progress, here, 1));
+    if (progress.is_cancelled()) return cancelled();
+  }
+  if (solved && five) progress(1);
   return solved;
 }
 
@@ -248,6 +250,7 @@ std::vector<FourBarSolution> generators(const FunctionFamily& family, const Solu
   constexpr bool verify = true;
   GeneratorSearchOptions search;
   search.most = solution.options.best;
+  search.window = solution.options.window;
   std::vector<FourBarSolution> found;
   for (const RankedGenerator& ranked : best_generators(family, solution.requirements, search, progress))
     if (auto made = make_four_bar(solution.given, ranked.place, solution.requirements.respect_direction, verify)) {
@@ -288,6 +291,7 @@ Result<Solution> solve_of_kind(const FunctionTask& task, const Requirements& req
   Result<Solution> solved = solve_family(given, requirements, options, progress, function_words);
   if (!solved || !family) return solved;
   if (options.objective == Objective::structural_error) solved->linkages = generators(*family, *solved, progress);
+  if (progress.is_cancelled()) return cancelled();
   solved->pairs = all_generators(*solved);
   for (std::vector<FourBarSolution>* list : {&solved->linkages, &solved->pairs})
     for (FourBarSolution& found : *list) measure_function(found, *family);

@@ -46,7 +46,7 @@ std::vector<std::string> parallel_groups(const std::vector<PrescribedPose>& pose
 
 std::vector<Notice> pose_warnings(const std::vector<PrescribedPose>& poses, const PoseConditions& conditions) {
   std::vector<Notice> warnings;
-  if (conditions.condition() > tolerance::ill_conditioned)
+  if (conditions.are_independent() && conditions.condition() > tolerance::ill_conditioned)
     warnings.push_back(
         {"ill_conditioned",
          fmt::format(

@@ -43,15 +43,17 @@ TaskFamily family_of_points(const MotionTask& task) {
   given.derivative_rows = derivative_conditions(task.poses, given.frame());
   BurmesterPoints found = burmester_points(given.conditions);
   given.points = std::move(found.points);
+  if (found.degeneracy && !found.curve) {
+    given.degeneracy = std::move(found.degeneracy);
+    return given;
+  }
   given.warnings = pose_warnings(task.poses, given.conditions);
-  if (found.degeneracy && found.curve) {
+  if (found.curve) {
     given.warnings.push_back(*found.degeneracy);
     given.curve = std::move(found.curve);
     given.family = std::make_shared<CurveFamily>(given.frame(), task.poses, given.curve);
     return given;
   }
-  given.degeneracy = std::move(found.degeneracy);
-  if (given.degeneracy) return given;
   given.warnings.insert(given.warnings.end(), found.warnings.begin(), found.warnings.end());
   if (given.points.size() < 2) {
     given.degeneracy = too_few_points(given.points.size());

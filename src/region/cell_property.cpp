@@ -24,12 +24,8 @@ void finite_values(std::span<const float> from, std::span<float> values) {
 }
 
 void sweeps_in_degrees(const RegionMap& map, std::size_t row, std::span<float> values) {
-  float sweep = 0;  // the same wherever it is defined: it is the driver's alone
-  for (std::size_t column = 0; column < values.size(); ++column) {
-    const bool defined = map.drive_sense(row, column) != DriveSense::none;
-    if (defined && sweep == 0) sweep = static_cast<float>(degrees(map.driver_sweep(row, column)));
-    values[column] = defined ? sweep : 0.0F;
-  }
+  for (std::size_t column = 0; column < values.size(); ++column)
+    values[column] = static_cast<float>(degrees(map.driver_sweep(row, column)));
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ struct KernelAxis {
 struct KernelCells {
   std::uint8_t *type, *defects;
   float *versine, *full_versine, *ratio, *longest;
+  std::uint8_t* senses;  ///< of two poses: in which the task is done, ccw (bit 1), cw (bit 2), where clean; may be null
 };
 
 /// Rows [row_begin, row_end) of a region.

@@ -79,13 +79,21 @@ LINKWRIGHT_INLINE void put_some(const PairVerdict<Width>& v, float unit, const K
                                 std::size_t count) {
   std::uint8_t type[Width], defects[Width];
   float versine[Width], full_versine[Width], ratio[Width], longest[Width];
-  put<Width>(v, unit, {type, defects, versine, full_versine, ratio, longest}, 0);
+  put<Width>(v, unit, {type, defects, versine, full_versine, ratio, longest, nullptr}, 0);
   __builtin_memcpy(cells.type + cell, type, count);
   __builtin_memcpy(cells.defects + cell, defects, count);
   __builtin_memcpy(cells.versine + cell, versine, count * sizeof(float));
   __builtin_memcpy(cells.full_versine + cell, full_versine, count * sizeof(float));
   __builtin_memcpy(cells.ratio + cell, ratio, count * sizeof(float));
   __builtin_memcpy(cells.longest + cell, longest, count * sizeof(float));
+}
+
+/// Senses in which the first `count` pairs do the task.
+template <int Width>
+LINKWRIGHT_INLINE void put_senses(const PairVerdict<Width>& v, std::uint8_t* to, std::size_t count) {
+  std::uint8_t senses[Width];
+  store<Width>(bytes<Width>(v.travels_ccw) * ccw_bit | bytes<Width>(v.travels_cw) * cw_bit, senses);
+  __builtin_memcpy(to, senses, count);
 }
 
 /// Asks for the memory of cells that will be written soon. The machine does not see six columns, in runs of a block,
@@ -116,6 +124,11 @@ void region_rows(const KernelTask& task) {
         next = distances<Width>(driver, driven, at + Width);
         expect(task.cells, cell);
         const auto verdict = pair_verdict<Width>(driver, driven, at, here, task.zero_share);
+        // Three poses or more come in order one way only; two may do so both ways, and the pair has a say in it.
+        if constexpr (Poses == 2)
+          if (task.cells.senses)
+            put_senses<Width>(verdict, task.cells.senses + cell,
+                              static_cast<std::size_t>(count - at < Width ? count - at : Width));
         if (at + Width <= count)
           put<Width>(verdict, unit, task.cells, cell);
         else

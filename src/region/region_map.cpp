@@ -127,17 +127,20 @@ void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, dou
   output_dyads_ = output.dyads;
   senses_ = input.senses;
   sweep_ccw_ = input.sweep_ccw;
+  bool pairs_decide = false;
+  for (std::size_t row = 0; row < rows_ && input.pose_count() == 2; ++row) pairs_decide |= pair_decides_sense(row);
+  cell_senses_.resize(pairs_decide ? rows_ * columns_ : 0);
 
-  KernelTask task{
-      plain_arrays(input),
-      plain_arrays(output),
-      0,
-      rows_,
-      columns_,
-      static_cast<int>(input.pose_count()),
-      unit,
-      tolerance::change_point,
-      {type_.data(), defects_.data(), versine_.data(), full_versine_.data(), ratio_.data(), longest_.data()}};
+  KernelTask task{plain_arrays(input),
+                  plain_arrays(output),
+                  0,
+                  rows_,
+                  columns_,
+                  static_cast<int>(input.pose_count()),
+                  unit,
+                  tolerance::change_point,
+                  {type_.data(), defects_.data(), versine_.data(), full_versine_.data(), ratio_.data(), longest_.data(),
+                   pairs_decide ? cell_senses_.data() : nullptr}};
   const auto kernel = region_kernel.for_simd(options.simd);
   const int threads = rows_ * columns_ < cells_worth_a_thread ? 1 : options.threads;
   parallel_for((rows_ + rows_at_once - 1) / rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
@@ -165,19 +168,21 @@ void RegionMap::lay_without_dyads(std::span<const double> input, std::span<const
 void RegionMap::classify_row(std::size_t row, const RegionRow& sides, double unit, Simd simd) {
   assert(sides.input.size() == 1 && sides.output.size() == columns_);
   const std::size_t cell = index(row, 0);
-  region_kernel.for_simd(simd)({plain_arrays(sides.input),
-                                plain_arrays(sides.output),
-                                0,
-                                1,
-                                columns_,
-                                static_cast<int>(sides.input.pose_count()),
-                                unit,
-                                tolerance::change_point,
-                                {type_.data() + cell, defects_.data() + cell, versine_.data() + cell,
-                                 full_versine_.data() + cell, ratio_.data() + cell, longest_.data() + cell}});
+  region_kernel.for_simd(simd)(
+      {plain_arrays(sides.input),
+       plain_arrays(sides.output),
+       0,
+       1,
+       columns_,
+       static_cast<int>(sides.input.pose_count()),
+       unit,
+       tolerance::change_point,
+       {type_.data() + cell, defects_.data() + cell, versine_.data() + cell, full_versine_.data() + cell,
+        ratio_.data() + cell, longest_.data() + cell, cell_senses_.data() + cell}});
   for (std::size_t column = 0; column < sides.enlarge.size(); ++column)
     longest_.data()[cell + column] *= sides.enlarge[column];
   senses_[row] = sides.input.senses.front();
+  if (sides.input.pose_count() != 2) std::fill_n(cell_senses_.data() + cell, columns_, senses_[row]);
   sweep_ccw_[row] = sides.input.sweep_ccw.front();
 }
 
@@ -187,6 +192,7 @@ void RegionMap::recompute_rows(std::span<const double> input, std::span<const do
   lay_without_dyads(input, output);
   senses_.assign(rows_, 0);
   sweep_ccw_.assign(rows_, 0);
+  cell_senses_.resize(rows_ * columns_);
   parallel_for(rows_, options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       if (progress.is_cancelled())
@@ -204,6 +210,7 @@ void RegionMap::recompute_cells(std::span<const double> input, std::span<const d
   lay_without_dyads(input, output);
   senses_.assign(rows_, static_cast<std::uint8_t>(sense));
   sweep_ccw_.assign(rows_, static_cast<float>(sweep_ccw));
+  cell_senses_.resize(0);
   parallel_for(rows_, options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       leave_empty(row, row + 1);
@@ -239,10 +246,14 @@ double RegionMap::min_transmission_angle_full_turn(std::size_t cell) const {
   return angle_of_versine(full_versine_[cell]);
 }
 
+bool RegionMap::pair_decides_sense(std::size_t row) const { return senses_[row] == 3 && sweep_ccw_[row] > 0; }
+
 DriveSense RegionMap::drive_sense(std::size_t row, std::size_t column) const {
   const std::size_t cell = index(row, column);
   if (type(cell) == LinkageType::degenerate || !defects(cell).none()) return DriveSense::none;
-  return linkwright::drive_sense(senses_[row] & 1, senses_[row] & 2);
+  const bool by_pair = pair_decides_sense(row) && !cell_senses_.view().empty();
+  const unsigned senses = by_pair ? cell_senses_[cell] : senses_[row];
+  return linkwright::drive_sense(senses & 1, senses & 2);
 }
 
 double RegionMap::driver_sweep(std::size_t row, std::size_t column) const {

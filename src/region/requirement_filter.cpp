@@ -46,11 +46,13 @@ std::array<std::uint8_t, 80> verdict_failures(const Requirements& wanted) {
   return failures;
 }
 
-// A value with two digits at most, on the given side of `exact`.
+// A value with two digits at most, on the given side of `exact`: a quotient, since no fraction of ten is exact.
 double rounded(double exact, bool upwards) {
   if (!(exact > 0)) return 0;
-  const double step = std::pow(10, std::floor(std::log10(exact)) - 1);
-  return (upwards ? std::ceil(exact / step) : std::floor(exact / step)) * step;
+  const double exponent = std::floor(std::log10(exact)) - 1;
+  const double larger = std::pow(10, std::max(exponent, 0.0)), smaller = std::pow(10, std::max(-exponent, 0.0));
+  const double steps = exact / larger * smaller;
+  return (upwards ? std::ceil(steps) : std::floor(steps)) * larger / smaller;
 }
 
 }  // namespace

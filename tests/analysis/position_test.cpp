@@ -136,6 +136,16 @@ TEST(Configuration, IsThatInWhichTheFourBarLies) {
   }
 }
 
+// Where a product of coordinates leaves −0, arg gives −π.
+TEST(Configuration, PointsBackAtPi) {
+  for (const Point axis : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}, Point{3, 4}}) {
+    const Configuration c = configuration_of({0, -axis, 3.0 * axis, 2.0 * axis});
+    EXPECT_EQ(c.input_angle, pi) << axis;
+    EXPECT_EQ(c.coupler_angle, 0) << axis;
+    EXPECT_EQ(c.output_angle, pi) << axis;
+  }
+}
+
 TEST(Configuration, OfADegenerateFourBarIsFinite) {
   const Configuration c = configuration_of({{1, 1}, {1, 1}, {1, 1}, {1, 1}});
   EXPECT_TRUE(std::isfinite(c.input_angle) && std::isfinite(c.coupler_angle) && std::isfinite(c.output_angle));

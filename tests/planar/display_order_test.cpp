@@ -56,6 +56,22 @@ TEST(DisplayOrder, PlacesAndCoordinatesAreInverse) {
   }
 }
 
+TEST(DisplayOrder, ABranchBeginsWithItsOwnDyads) {
+  int begun = 0;
+  for (const auto& c : planar_cases()) {
+    const TaskCurve given = curve_of(c.poses);
+    const DisplayOrder order = order_of(given);
+    for (const CurveBranch& branch : given.curve->branches()) {
+      if (branch.from == branch.to) continue;
+      const auto place = order.place(branch.from);
+      ASSERT_TRUE(place) << c.name << branch.name;
+      EXPECT_EQ(order.coordinate(*place), branch.from) << c.name << branch.name;
+      begun += branch.from > 0;
+    }
+  }
+  EXPECT_GT(begun, 3);
+}
+
 TEST(DisplayOrder, BlocksFillTheAxisWithoutGaps) {
   for (const auto& c : planar_cases()) {
     const TaskCurve given = curve_of(c.poses);

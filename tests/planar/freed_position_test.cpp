@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/planar/synthesis.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright {
@@ -110,6 +111,22 @@ TEST(FreedPosition, KeepsToTheRequirements) {
     }
     EXPECT_GE(std::acos(freed.linkage->report.worst_transmission_cosine), radians(35) - 1e-12);
     EXPECT_LE(freed.linkage->lengths.longest() / freed.linkage->lengths.shortest(), 4 + 1e-12);
+  }
+}
+
+// However much more a usable linkage is asked for.
+TEST(FreedPosition, CountsWhatMeetsTheRequirements) {
+  const MotionTask task = sandor_erdman();
+  Requirements same_length;
+  same_length.max_length = default_max_length * pose_conditions(task.poses).frame.scale;
+  SynthesisOptions options;
+  options.region_samples = coarse().region_samples;
+  options.best = 0;
+  for (const FreedPosition& freed : nearest_relaxations(task, {}, coarse())) {
+    const auto four = solve(freed_task(task, freed.pose).task, same_length, options);
+    ASSERT_TRUE(four.ok());
+    EXPECT_EQ(freed.meeting, four->meeting_requirements) << freed.pose;
+    EXPECT_GT(freed.meeting, 0);
   }
 }
 

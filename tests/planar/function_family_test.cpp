@@ -62,8 +62,6 @@ void expect_map_of_verdicts(const LinkageFamily& family, int count, bool respect
                   1e-5 * lengths.longest() / lengths.shortest());
       if (report.defects.none()) {
         EXPECT_NEAR(map.transmission_versines()[cell], 1 - report.worst_transmission_cosine, 1e-5);
-        // Between two poses the map names both senses of a driver, whatever the rest of the linkage lets it do.
-        if (family.working_poses(place, *bars).size() == 2) continue;
         EXPECT_EQ(map.drive_sense(row, column), report.sense);
         EXPECT_NEAR(map.driver_sweep(row, column), report.sweep, 1e-5);
       }

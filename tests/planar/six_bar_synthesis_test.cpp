@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/planar/synthesis.hpp"
 #include "support/random_six_bar.hpp"
 
 namespace linkwright {
@@ -221,6 +222,17 @@ TEST(SixBarSynthesis, StopsWithTheBestSoFar) {
     EXPECT_TRUE(six_bar.verified_by_driving);
     EXPECT_FALSE(six_bar.local_optimum);
   }
+}
+
+TEST(SixBarSynthesis, SaysTheSameWhereNoneIsAskedFor) {
+  EXPECT_EQ(search_six_bars(open_task(), {}, {.best = 0}, with_effort(300)).reason.code, "searched");
+  SynthesisOptions options;
+  options.best = 0;
+  options.region_samples = 80;
+  Requirements wanted;
+  EXPECT_EQ(solve(task_with_chain(1), wanted, options)->reason.code, "solved");
+  wanted.max_length = 1e-3;
+  EXPECT_EQ(solve(task_with_chain(1), wanted, options)->reason.code, "none_left");
 }
 
 TEST(SixBarSynthesis, SaysWhyNothingIsFound) {

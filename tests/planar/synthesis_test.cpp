@@ -1,5 +1,6 @@
 #include "linkwright/planar/synthesis.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -237,6 +238,25 @@ TEST(SolveMotion, TellsHowFarItIs) {
   EXPECT_EQ(last, 1);
 }
 
+// Which of five positions to free is a second half of the way.
+TEST(SolveMotion, FivePositionsAreSolvedWithoutSteppingBack) {
+  std::mt19937_64 random(3);
+  MotionTask task{testing::random_poses(random, 5)};
+  while (solved(task).freed.empty()) task.poses = testing::random_poses(random, 5);
+  std::vector<double> reports;
+  std::atomic<bool> stop = false;
+  Progress progress;
+  progress.report = [&](double done) { reports.push_back(done); };
+  ASSERT_TRUE(solve(task, {}, {}, progress).ok());
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  EXPECT_EQ(reports.back(), 1);
+  progress.cancelled = &stop;
+  progress.report = [&](double done) { stop = done > 0.55; };
+  const auto stopped = solve(task, {}, {}, progress);
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.errors()[0].code, "cancelled");
+}
+
 TEST(SolveMotion, SameInputSameOutput) {
   SynthesisOptions one_thread;
   one_thread.region.threads = 1;
@@ -364,6 +384,42 @@ FunctionTask named_function(std::string expression, std::array<double, 2> x, dou
                                 .points = 5};
   task.pairs = precision_pairs(*task.function);
   return task;
+}
+
+Solution solved_function(const FunctionTask& task, const SynthesisOptions& options) {
+  auto result = solve(task, {}, options);
+  EXPECT_TRUE(result.ok());
+  return std::move(result).value();
+}
+
+FunctionTask squares() {
+  FunctionTask task = named_function("x^2", {0, 1}, 60);
+  task.function->points = 4;
+  task.pairs = precision_pairs(*task.function);
+  return task;
+}
+
+TEST(SolveFunction, AnAxisOfOnePlaceIsWithinAnyWindow) {
+  SynthesisOptions options;
+  options.window = RegionWindow{{0, 2}, {0.6, 0.9}};
+  const Solution solution = solved_function(squares(), options);
+  EXPECT_GT(solution.meeting_requirements, 0);
+  EXPECT_FALSE(solution.linkages.empty());
+}
+
+TEST(SolveFunction, TheLeastStructuralErrorIsSoughtWithinTheWindow) {
+  SynthesisOptions options;
+  options.objective = Objective::structural_error;
+  const Solution whole = solved_function(squares(), options);
+  ASSERT_GT(whole.linkages.size(), 1u);
+  const double best = whole.linkages[0].input.coordinate, other = whole.linkages[1].input.coordinate;
+  options.window = RegionWindow{{other - 1e-3, other + 1e-3}, {0, 1}};
+  ASSERT_GT(std::abs(best - other), 1e-3);
+  const Solution part = solved_function(squares(), options);
+  ASSERT_FALSE(part.linkages.empty());
+  for (const FourBarSolution& found : part.linkages) EXPECT_NEAR(found.input.coordinate, other, 1e-3);
+  EXPECT_NEAR(*part.linkages[0].function->max_structural_error, *whole.linkages[1].function->max_structural_error,
+              1e-6);
 }
 
 TEST(SolveFunction, FivePrecisionPointsListEveryLinkageWhateverItsDefects) {

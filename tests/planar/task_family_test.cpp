@@ -1,8 +1,10 @@
 #include "linkwright/planar/task_family.hpp"
 
 #include <gtest/gtest.h>
+#include <random>
 
 #include "support/planar_case.hpp"
+#include "support/random_task.hpp"
 #include "support/tailgate.hpp"
 
 namespace linkwright {
@@ -25,6 +27,30 @@ TEST(TaskFamily, DegenerateTasksSayWhy) {
   EXPECT_FALSE(given.family);
   ASSERT_TRUE(given.degeneracy);
   EXPECT_EQ(given.degeneracy->code, "only_translations");
+}
+
+// Far apart, yet dependent.
+TEST(TaskFamily, DependentConditionsAreNotTakenForPosesThatAreClose) {
+  MotionTask task;
+  for (const double angle : {0.0, 0.3, 0.7, 1.2, 1.9})
+    task.poses.push_back({{Point{3, 4} + direction(angle) * Point{-1, 2}, angle}, {}});
+  const TaskFamily pole = given_by(task);
+  ASSERT_TRUE(pole.degeneracy);
+  EXPECT_EQ(pole.degeneracy->code, "common_pole");
+  EXPECT_TRUE(pole.warnings.empty());
+  for (PrescribedPose& pose : task.poses) pose = {{direction(2 * pose.pose.angle), 0}, {}};
+  const TaskFamily shifts = given_by(task);
+  ASSERT_TRUE(shifts.degeneracy);
+  EXPECT_EQ(shifts.degeneracy->code, "translations_on_circle");
+  EXPECT_TRUE(shifts.warnings.empty());
+  std::mt19937_64 random(55);
+  task.poses = testing::random_poses(random, 4);
+  task.poses.push_back(task.poses[2]);
+  const TaskFamily curve = given_by(task);
+  EXPECT_TRUE(curve.curve);
+  ASSERT_FALSE(curve.warnings.empty());
+  EXPECT_EQ(curve.warnings.front().code, "parallel_poses");
+  EXPECT_EQ(curve.warnings.back().code, "dependent_rows");
 }
 
 TEST(TaskFamily, DefaultsOfRequirementsFollowTheFrame) {

@@ -5,12 +5,15 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
+#include <random>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
+#include "linkwright/planar/linkage_family.hpp"
 #include "support/case_coordinates.hpp"
 #include "support/case_region.hpp"
 #include "support/planar_case.hpp"
+#include "support/random_task.hpp"
 
 namespace linkwright {
 namespace {
@@ -124,6 +127,42 @@ TEST(RegionMap, CellsAgreeWithTheSingleLinkage) {
       EXPECT_NEAR(static_cast<double>(map.longest_links()[cell]) / (lengths.longest() * conditions.frame.scale), 1,
                   1e-6);
     }
+}
+
+// Beside find_defects without respect for directions; counts the senses that were met.
+void expect_senses_of_pairs(const RegionMap& map, const RegionAxis& axis, const std::vector<PrescribedPose>& working,
+                            std::array<int, 4>& met) {
+  for (std::size_t row = 0; row < map.rows(); ++row)
+    for (std::size_t column = 0; column < map.columns(); ++column) {
+      const auto bars = four_bar_of({axis.dyads[row], axis.dyads[column]});
+      if (row == column || !bars) continue;
+      const DefectReport report = find_defects(*bars, working, false);
+      ASSERT_EQ(map.drive_sense(row, column), report.sense) << row << " " << column;
+      ASSERT_NEAR(map.driver_sweep(row, column), report.sweep, 1e-6);
+      ++met[static_cast<std::size_t>(report.sense)];
+    }
+}
+
+// Two poses come in order whichever way the driver turns; which ways it can go is for the pair to say.
+TEST(RegionMap, TwoPosesArePassedInTheSenseThatThePairAllows) {
+  std::array<int, 4> met{};
+  std::mt19937_64 random(17);
+  for (int trial = 0; trial < 6; ++trial)
+    for (const Simd simd : {Simd::scalar, Simd::automatic}) {
+      const auto poses = testing::random_poses(random, trial % 2 == 0 ? std::vector{2, 2} : std::vector{3, 1});
+      const auto working = pose_conditions(poses).frame.to_working(poses);
+      const RegionAxis axis(testing::axis_of(poses, 61).dyads, working, false);
+      expect_senses_of_pairs(RegionMap(axis, axis, 1, {1, simd}), axis, working, met);
+      RegionMap by_rows;
+      const std::vector<double> places(axis.size(), 0.5);
+      by_rows.recompute_rows(places, places,
+                             [&](std::size_t row) {
+                               return RegionRow{RegionAxis({axis.dyads[row]}, working, false), axis, {}};
+                             },
+                             1, {1, simd});
+      expect_senses_of_pairs(by_rows, axis, working, met);
+    }
+  for (const int count : met) EXPECT_GT(count, 0);
 }
 
 TEST(RegionMap, DiagonalAndSlidersAreDegenerate) {

@@ -1,6 +1,8 @@
 #include "linkwright/region/requirement_filter.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
@@ -122,15 +124,38 @@ TEST_F(LandingGearFilter, RelaxedValueLeavesWhatItPromises) {
 }
 
 TEST_F(LandingGearFilter, RelaxedLengthAndRatioLeaveWhatTheyPromise) {
+  const Requirements all = wanted;
+  const auto expect_promise = [&](RequirementKind kind, const auto& relax) {
+    const auto found = filter().relaxations(filter().census());
+    const auto relaxation = std::find_if(found.begin(), found.end(), [&](auto r) { return r.requirement == kind; });
+    ASSERT_NE(relaxation, found.end());
+    ASSERT_TRUE(relaxation->value);
+    EXPECT_GT(relaxation->leaves, 0);
+    relax(*relaxation->value);
+    EXPECT_EQ(meeting(), relaxation->leaves);
+  };
   wanted.max_length = 1;
-  for (const Relaxation& relaxation : filter().relaxations(filter().census())) {
-    if (relaxation.requirement != RequirementKind::max_length) continue;
-    Requirements looser = wanted;
-    looser.max_length = relaxation.value;
-    const RequirementFilter after(map, looser, frame.origin, frame.scale);
-    EXPECT_EQ(after.census().meeting, relaxation.leaves);
-    EXPECT_GT(relaxation.leaves, 0);
+  expect_promise(RequirementKind::max_length, [&](double value) { wanted.max_length = value; });
+  wanted = all;
+  wanted.max_link_ratio = 1.05;
+  expect_promise(RequirementKind::max_link_ratio, [&](double value) { wanted.max_link_ratio = value; });
+}
+
+TEST_F(LandingGearFilter, RelaxedValuesHaveTwoDigits) {
+  int told = 0;
+  wanted.ground_pivots_within.reset();
+  for (const double length : {300, 500, 700, 900, 1200, 1600, 2000, 3000}) {
+    wanted.min_transmission_angle = 0;
+    wanted.max_link_ratio = 1.05;
+    wanted.max_length = length;
+    for (const Relaxation& relaxation : filter().relaxations(filter().census()))
+      if (relaxation.value) {
+        EXPECT_EQ(*relaxation.value, std::stod(fmt::format("{:.2g}", *relaxation.value)));
+        EXPECT_GT(relaxation.leaves, meeting());
+        ++told;
+      }
   }
+  EXPECT_GT(told, 5);
 }
 
 TEST_F(LandingGearFilter, DegenerateCellsFailEverything) {

@@ -33,8 +33,8 @@ struct SixBarCheck {
 };
 
 /// Drives a six-bar by body 1, counter-clockwise (`sense` +1) or clockwise (−1), from position 1 for a whole turn,
-/// until it comes to a dead point or (SixBarCheckOptions::to_the_end) until it has met all poses (the first being that
-/// of position 1): another way than drive_six_bar. It knows the hinges' coordinates and the shapes of the bodies and
+/// until it comes to a dead point or, unless told to go to the end, has met all poses (the first being that of
+/// position 1): another way than drive_six_bar. It knows the hinges' coordinates and the shapes of the bodies and
 /// nothing of loops, turns or dyads: a step of the driver's angle, and Newton's method on the distances.
 [[nodiscard]] SixBarCheck check_by_driving(const SixBar& six_bar, std::span<const PrescribedPose> poses, int sense,
                                            const SixBarCheckOptions& options = {});

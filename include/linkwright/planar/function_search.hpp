@@ -18,10 +18,11 @@ struct RankedGenerator {
 };
 
 struct GeneratorSearchOptions {
-  int input_samples = 400;  ///< along the curve of couplers
-  int free_samples = 40;    ///< along the free number, where there is one
-  int error_samples = 61;   ///< of each error curve while searching; the last word has 181
-  int most = 10;            ///< how many, best first
+  int input_samples = 400;             ///< along the curve of couplers
+  int free_samples = 40;               ///< along the free number, where there is one
+  int error_samples = 61;              ///< of each error curve while searching; the last word has 181
+  int most = 10;                       ///< how many, best first
+  std::optional<RegionWindow> window;  ///< nothing: the whole map
 };
 
 /// The linkages of a family with a named function whose largest structural error is least: hills of a grid over the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +23,12 @@ namespace linkwright {
 /// A place on the map, as a pair of coordinates τ.
 struct RegionPlace {
   double input = 0, output = 0;  ///< of the driving and of the other side link, where each has an axis of its own
+};
+
+/// Part of a map: intervals of τ of the input and of the output side link. A discrete axis has no parts: its interval
+/// is not looked at.
+struct RegionWindow {
+  std::array<double, 2> input{}, output{};
 };
 
 /// What the coordinate along an axis of a map stands for.
@@ -105,6 +112,13 @@ class LinkageFamily {
   WorkingFrame frame_;
   FamilyAxis input_axis_, output_axis_;
 };
+
+/// Coordinates along an axis: family.samples(), within a window evenly in τ.
+[[nodiscard]] std::vector<double> samples_within(const LinkageFamily& family, LinkageFamily::Side side,
+                                                 const std::optional<RegionWindow>& window, int count, Spacing spacing);
+
+/// True where no window leaves the place out.
+[[nodiscard]] bool is_within(const LinkageFamily& family, const std::optional<RegionWindow>& window, RegionPlace place);
 
 /// The four-bar of a pair of side links; nothing where a pivot is at infinity.
 [[nodiscard]] std::optional<FourBar> four_bar_of(const SideLinks& links);

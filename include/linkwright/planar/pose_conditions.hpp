@@ -38,7 +38,9 @@ struct PoseConditions {
   int rank = 0;                    ///< rows that are independent to tolerance::dependent_rows
   bool only_translations = false;  ///< all poses are parallel
 
-  /// Largest over smallest singular value; above tolerance::ill_conditioned the poses are too close for the arithmetic.
+  [[nodiscard]] bool are_independent() const { return rank == static_cast<int>(rows.size()); }
+  /// Largest over smallest singular value, infinite or nearly so where they are dependent; above
+  /// tolerance::ill_conditioned the poses are too close for the arithmetic.
   [[nodiscard]] double condition() const;
 };
 

@@ -69,7 +69,7 @@ struct SixBarSearchResult {
   std::int64_t driven = 0;               ///< driven through: those that could be better than the chain's best so far
   std::int64_t defect_free = 0;          ///< of the ones driven
   bool interrupted = false;              ///< cancelled: the best so far
-  Notice reason;                         ///< in words
+  Notice reason;                         ///< in words: searched, nothing_found, no_chain
 };
 
 /// Draws chains in the task's box, samples the six-bars of each, keeps the best that meet the requirements (all pivots

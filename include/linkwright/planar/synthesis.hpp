@@ -24,11 +24,6 @@
 
 namespace linkwright {
 
-/// Part of the region: intervals of τ of the input and of the output side link.
-struct RegionWindow {
-  std::array<double, 2> input{}, output{};
-};
-
 struct SynthesisOptions {
   static constexpr int least_samples = 8, most_samples = 20'000, most_best = 1000;
   static constexpr int most_seed = 999'999'999, most_effort = 10'000'000;
@@ -37,7 +32,7 @@ struct SynthesisOptions {
   Spacing spacing = Spacing::coordinate;  ///< of the samples along the curve
   Objective objective = Objective::min_transmission_angle;
   int best = 10;                       ///< how many linkages, ≥ 0
-  std::optional<RegionWindow> window;  ///< nothing: the whole region
+  std::optional<RegionWindow> window;  ///< of four-bars; nothing: the whole region
 
   // Six-bars without a given chain, which is searched for.
   std::optional<Box> box;  ///< for all pivots in position 1, user's unit

@@ -22,7 +22,7 @@ struct TaskCurve {
                                      ///< translations_on_circle {x, y}, every_point, only_translations
 };
 
-/// ill_conditioned {condition}, parallel_poses {poses}.
+/// ill_conditioned {condition} (of conditions that are independent), parallel_poses {poses}.
 [[nodiscard]] std::vector<Notice> pose_warnings(const std::vector<PrescribedPose>& poses,
                                                 const PoseConditions& conditions);
 

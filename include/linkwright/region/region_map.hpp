@@ -92,7 +92,8 @@ struct RegionCell {
 };
 
 /// All pairs of side links of a task, classified: row i is the driving (input) side link's dyad, column k the output's.
-/// 18 bytes a cell. Cells on the diagonal (the same dyad twice) and with a slider are degenerate.
+/// 18 bytes a cell, one more where a driver may meet two poses either way. Cells on the diagonal (the same dyad twice)
+/// and with a slider are degenerate.
 class RegionMap {
  public:
   RegionMap() = default;
@@ -136,7 +137,8 @@ class RegionMap {
   [[nodiscard]] Defects defects(std::size_t cell) const { return Defects{defects_[cell]}; }
   [[nodiscard]] double min_transmission_angle(std::size_t cell) const;            ///< radians; 0 where not defined
   [[nodiscard]] double min_transmission_angle_full_turn(std::size_t cell) const;  ///< radians; 0 where not defined
-  /// Angle that the driver turns from first to last pose, radians; 0 with a defect.
+  /// Angle that the driver turns from first to last pose, radians, counter-clockwise where it can go either way; 0 with
+  /// a defect.
   [[nodiscard]] double driver_sweep(std::size_t row, std::size_t column) const;
   [[nodiscard]] DriveSense drive_sense(std::size_t row, std::size_t column) const;
 
@@ -164,6 +166,8 @@ class RegionMap {
   void leave_empty(std::size_t row_begin, std::size_t row_end);
   void put(std::size_t cell, const RegionCell& verdict);
   void classify_row(std::size_t row, const RegionRow& sides, double unit, Simd simd);
+  /// The driver meets its two poses in order whichever way it turns: which ways are open depends on its partner.
+  [[nodiscard]] bool pair_decides_sense(std::size_t row) const;
 
   std::size_t rows_ = 0, columns_ = 0;
   std::vector<double> input_, output_;
@@ -172,6 +176,7 @@ class RegionMap {
   std::vector<float> sweep_ccw_;
   Column<std::uint8_t> type_, defects_;
   Column<float> versine_, full_versine_, ratio_, longest_;
+  Column<std::uint8_t> cell_senses_;  ///< as KernelCells::senses, of rows where pair_decides_sense; empty without any
 };
 
 /// γ from 1 − cos γ, radians.
