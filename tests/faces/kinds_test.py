@@ -85,6 +85,13 @@ class Kinds(FaceTest):
                 self.assertTrue(result["linkages"])
                 self.assertTrue(all(linkage["verified_by_driving"] for linkage in result["linkages"]))
 
+    def test_places_without_side_links_are_no_sliders(self):
+        result, words, _ = self.solve(motion(THREE, given={"side_angle_deg": 60, "input_length": 70}), "--samples", 60)
+        empty = result["region"]["counts"]["degenerate"]
+        self.assertGreater(empty, 0)
+        self.assertIn(f"four-bars, and none at {f'{empty:,}'.replace(',', ' ')} places.", words)
+        self.assertNotIn("slider", words)
+
     def test_five_positions(self):
         result, words, picture = self.solve(ROOT / "examples/nose_gear.json", "--region")
         self.assertEqual([dyad["multiplicity"] for dyad in result["dyads"]], [1, 1, 1, 1])
