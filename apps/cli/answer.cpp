@@ -83,7 +83,7 @@ std::string counts_words(const Problem& problem, const Solution& solution) {
   text += fmt::format(". {} {} free of defects", four_bars(counts.defect_free), counts.defect_free == 1 ? "is" : "are");
   text += fmt::format("; {} {}: {}.", grouped_text(solution.meeting_requirements),
                       solution.meeting_requirements == 1 ? "meets the requirements" : "meet the requirements",
-                      requirement_words(solution.requirements, problem.length_unit));
+                      requirement_words(solution.requirements, problem.length_unit, solution.given.told_position()));
   return wrapped(text);
 }
 
@@ -113,10 +113,10 @@ std::string dimension_table(const std::vector<FourBarSolution>& linkages, int de
   return table.text();
 }
 
-/// The pose in which linkages are told: that of the first position, or of the second where the first is free.
-std::string_view first_pose(const Solution& solution) {
+/// Where linkages are told.
+std::string first_pose(const Solution& solution) {
   if (solution.linkages.front().function) return "at the first pair";
-  return solution.given.freed && solution.given.freed->place == 0 ? "in position 2" : "in position 1";
+  return fmt::format("in position {}", solution.given.told_position());
 }
 
 std::string pivot_table(const Solution& solution, int decimals) {
