@@ -3,7 +3,7 @@
 import {Crashed, Refusal, type EngineClient} from "../../engine/client";
 import type {Box, Chain, Linkage, Replies, TauPair} from "../../engine/protocol";
 import {engine_text, with_options, type Problem} from "../../state/problem";
-import {poses_of, same_value, type Pose, type SixBarTask} from "../../state/task";
+import {same_value, type Pose, type SixBarTask} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {default_box, six_bar_task, with_six_bar} from "./chain";
 
@@ -69,8 +69,10 @@ export class ChainSearch {
     this.timer = setInterval(() => (this.seconds = Math.round((performance.now() - begin) / 1000)), 250);
     const client = (this.client = start_engine(() => {}, () => {}));
     try {
-      for (; this.round < this.rounds && this.client === client; ++this.round) await this.try_round(client, problem, task);
-      if (this.client === client) this.stop("done");
+      for (; this.round < this.rounds && this.client === client && this.is_for(this.workbench.problem); ++this.round) {
+        await this.try_round(client, problem, task);
+      }
+      if (this.client === client) this.stop(this.round < this.rounds ? "stopped" : "done");
     } catch (error) {
       if (this.client !== client) return; // stopped
       this.stop("failed");
@@ -80,8 +82,8 @@ export class ChainSearch {
     }
   }
   /** Whether it goes, or went, through the positions of this problem. */
-  is_for({task}: Problem): boolean {
-    return same_value(poses_of(task), this.poses);
+  is_for(problem: Problem): boolean {
+    return same_value(six_bar_task(problem)?.poses, this.poses);
   }
   /** A chain that was found for other positions does not reach these. */
   found_for(problem: Problem): readonly Found[] {

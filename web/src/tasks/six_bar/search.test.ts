@@ -2,6 +2,7 @@ import {describe, expect, it} from "vitest";
 import {Crashed, type EngineClient} from "../../engine/client";
 import {engine_text, with_options, with_pose, type Problem} from "../../state/problem";
 import {Workbench} from "../../state/workbench.svelte";
+import {new_problem as new_motion} from "../motion/kind";
 import {six_bar_kind} from "./kind";
 import {ChainSearch, most_seed, round_of, rounds_of} from "./search.svelte";
 
@@ -35,6 +36,17 @@ describe("a search for a chain", () => {
     });
     await expect(search.start()).resolves.toBeUndefined();
     expect([search.end, search.running, search.found_for(workbench.problem).length]).toEqual(["failed", false, 1]);
+  });
+  it("stops once another task is in hand: nobody could stop it there", async () => {
+    const {workbench, search, asked} = search_with((kind) => {
+      if (kind === "best") workbench.open(new_motion()); // through the same positions
+      return found_one(kind);
+    });
+    await search.start();
+    expect([search.end, search.running, asked.length]).toEqual(["stopped", false, 2]);
+    expect(search.is_for(workbench.problem)).toBe(false);
+    workbench.undo();
+    expect(search.found_for(workbench.problem)).toHaveLength(1);
   });
   it("tries every round with a seed that the engine takes", () => {
     const last = with_options(problem, {seed: most_seed});
