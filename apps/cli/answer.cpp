@@ -64,6 +64,13 @@ std::string map_words(const Problem& problem, const Solution& solution) {
   return fmt::format("The region of {} × {} pairs of side links", rows, columns);
 }
 
+/// Pairs of one curve always make something; elsewhere a place may have no side links at all.
+std::string degenerate_words(const LinkageFamily& family, std::int64_t count) {
+  if (count == 0) return "";
+  if (family.is_symmetric()) return fmt::format(" and {} sliders or zero links", grouped_text(count));
+  return fmt::format(", and none at {} {}", grouped_text(count), count == 1 ? "place" : "places");
+}
+
 std::string counts_words(const Problem& problem, const Solution& solution) {
   const RegionCounts& counts = solution.counts;
   if (counts.pairs == 0) return "";
@@ -72,11 +79,11 @@ std::string counts_words(const Problem& problem, const Solution& solution) {
     return grouped_text(count) + (count == 1 ? " four-bar" : " four-bars");
   };
   std::string text = fmt::format("{} holds {}", map_words(problem, solution), four_bars(counts.pairs - degenerate));
-  if (degenerate > 0) text += fmt::format(" and {} sliders or zero links", grouped_text(degenerate));
+  text += degenerate_words(*solution.given.family, degenerate);
   text += fmt::format(". {} {} free of defects", four_bars(counts.defect_free), counts.defect_free == 1 ? "is" : "are");
   text += fmt::format("; {} {}: {}.", grouped_text(solution.meeting_requirements),
                       solution.meeting_requirements == 1 ? "meets the requirements" : "meet the requirements",
-                      requirement_words(solution.requirements, problem.length_unit));
+                      requirement_words(solution.requirements, problem.length_unit, solution.given.told_position()));
   return wrapped(text);
 }
 
@@ -106,10 +113,10 @@ std::string dimension_table(const std::vector<FourBarSolution>& linkages, int de
   return table.text();
 }
 
-/// The pose in which linkages are told: that of the first position, or of the second where the first is free.
-std::string_view first_pose(const Solution& solution) {
+/// Where linkages are told.
+std::string first_pose(const Solution& solution) {
   if (solution.linkages.front().function) return "at the first pair";
-  return solution.given.freed && solution.given.freed->place == 0 ? "in position 2" : "in position 1";
+  return fmt::format("in position {}", solution.given.told_position());
 }
 
 std::string pivot_table(const Solution& solution, int decimals) {

@@ -49,7 +49,7 @@ void add_border(std::vector<std::string>& touched, const std::optional<Box>& box
 
 }  // namespace
 
-std::string requirement_words(const Requirements& requirements, std::string_view unit) {
+std::string requirement_words(const Requirements& requirements, std::string_view unit, int position) {
   std::string text = requirements.no_defects ? "no defects" : "defects allowed";
   const auto add = [&text](std::string_view words) { text += fmt::format(", {}", words); };
   if (!requirements.types.empty()) add("type " + type_list(requirements.types));
@@ -64,7 +64,7 @@ std::string requirement_words(const Requirements& requirements, std::string_view
   }
   if (requirements.ground_pivots_within) add("fixed pivots in " + box_words(*requirements.ground_pivots_within));
   if (requirements.moving_pivots_within) {
-    add("moving pivots (position 1) in " + box_words(*requirements.moving_pivots_within));
+    add(fmt::format("moving pivots (position {}) in {}", position, box_words(*requirements.moving_pivots_within)));
   }
   return text;
 }

@@ -8,8 +8,9 @@
 
 namespace linkwright::cli {
 
-/// The requirements in plain words, "no defects, transmission angle at least 30°, …".
-[[nodiscard]] std::string requirement_words(const Requirements& requirements, std::string_view unit);
+/// The requirements in plain words, "no defects, transmission angle at least 30°, …". `position`: in which the moving
+/// pivots are told, from 1.
+[[nodiscard]] std::string requirement_words(const Requirements& requirements, std::string_view unit, int position = 1);
 
 /// The limits at which a linkage lies (to half a percent), in words.
 [[nodiscard]] std::vector<std::string> limits_touched(const Requirements& requirements, const FourBarSolution& found,

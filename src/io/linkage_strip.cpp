@@ -73,13 +73,14 @@ void draw_length_rows(SvgCanvas& svg, Point corner, double width, const LinkLeng
   rows.row("output", length(lengths.output), palette::output);
 }
 
-void draw_pivot_rows(SvgCanvas& svg, Point corner, double width, const FourBar& four_bar) {
+void draw_pivot_rows(SvgCanvas& svg, Point corner, double width, const FourBar& four_bar, int position) {
   const int decimals = length_decimals(four_bar.lengths().longest());
+  const std::string moving = fmt::format("its moving pivot, position {}", position);
   NumberRows rows(svg, corner, width);
   rows.row("fixed pivot of the input", pivot_text(four_bar.input_center, decimals), palette::input);
-  rows.row("its moving pivot, position 1", pivot_text(four_bar.input_circle, decimals), palette::input);
+  rows.row(moving, pivot_text(four_bar.input_circle, decimals), palette::input);
   rows.row("fixed pivot of the output", pivot_text(four_bar.output_center, decimals), palette::output);
-  rows.row("its moving pivot, position 1", pivot_text(four_bar.output_circle, decimals), palette::output);
+  rows.row(moving, pivot_text(four_bar.output_circle, decimals), palette::output);
 }
 
 namespace {
@@ -190,7 +191,7 @@ void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const Solution& so
   const Point corner = card.corner() + Point{18, -7};
   draw_type(svg, corner + Point{0, 11}, found);
   draw_length_rows(svg, corner + Point{320, 0}, 176, found.lengths, unit);
-  draw_pivot_rows(svg, corner + Point{546, 0}, 344, found.four_bar);
+  draw_pivot_rows(svg, corner + Point{546, 0}, 344, found.four_bar, solution.given.told_position());
 
   NumberRows checks(svg, corner + Point{940, 0}, 416);
   found.function ? add_function_checks(checks, solution, *found.function) : add_motion_checks(checks, solution);

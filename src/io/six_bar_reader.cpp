@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "nearest_name.hpp"
 #include "task_reader.hpp"
 
 namespace linkwright {
@@ -24,7 +25,7 @@ std::optional<BodyPair> read_between(const JsonObject& link) {
   if (!text) return std::nullopt;
   const auto pair = body_pair_from(*text);
   if (!pair)
-    found->mistake("unknown_bodies", fmt::format("\"{}\" names no two bodies; write them as in \"0-2\"", *text));
+    found->mistake("unknown_bodies", fmt::format("{} names no two bodies; write them as in \"0-2\"", in_quotes(*text)));
   return pair;
 }
 

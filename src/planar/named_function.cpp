@@ -90,9 +90,12 @@ void check_dials(const NamedFunction& function, std::vector<Error>& found) {
                      "the input's dial has more than a whole turn; a linkage repeats itself after one"});
 }
 
-void check_points(const NamedFunction& function, const std::array<double, 2>& x, std::vector<Error>& found) {
+void check_count(const NamedFunction& function, std::vector<Error>& found) {
   if (function.points != 4 && function.points != 5)
     found.push_back({"out_of_range", place("points"), "four or five precision points can be met"});
+}
+
+void check_points(const NamedFunction& function, const std::array<double, 2>& x, std::vector<Error>& found) {
   if (function.spacing != PointSpacing::given) return;
   const std::vector<double>& given = function.given_points;
   if (static_cast<int>(given.size()) != function.points)
@@ -327,6 +330,7 @@ std::vector<Error> mistakes_in(const NamedFunction& function) {
         {"unknown_expression", place("expression"),
          fmt::format("\"{}\" is not known; there are {}, and tables", function.expression, known_expressions)});
   check_dials(function, found);
+  check_count(function, found);
   if (!found.empty()) return found;
 
   const DialFunction dial(function);

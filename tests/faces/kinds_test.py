@@ -85,6 +85,13 @@ class Kinds(FaceTest):
                 self.assertTrue(result["linkages"])
                 self.assertTrue(all(linkage["verified_by_driving"] for linkage in result["linkages"]))
 
+    def test_places_without_side_links_are_no_sliders(self):
+        result, words, _ = self.solve(motion(THREE, given={"side_angle_deg": 60, "input_length": 70}), "--samples", 60)
+        empty = result["region"]["counts"]["degenerate"]
+        self.assertGreater(empty, 0)
+        self.assertIn(f"four-bars, and none at {f'{empty:,}'.replace(',', ' ')} places.", words)
+        self.assertNotIn("slider", words)
+
     def test_five_positions(self):
         result, words, picture = self.solve(ROOT / "examples/nose_gear.json", "--region")
         self.assertEqual([dyad["multiplicity"] for dyad in result["dyads"]], [1, 1, 1, 1])
@@ -117,6 +124,17 @@ class Kinds(FaceTest):
         least = ways[0]["miss"]["combined"]
         self.assertTrue(all(linkage["miss"]["combined"] > 0.999 * least for linkage in freed["linkages"]))
         self.check_exports(freed, 4)
+
+    def test_linkages_without_position_1_are_told_in_position_2(self):
+        box = {"x": [-300, 300], "y": [-300, 300]}
+        freed = motion(FIVE, freed_pose=1) | {"requirements": {"no_defects": False, "moving_pivots_within": box}}
+        result, words, picture = self.solve(freed, "--samples", 60)
+        self.assertTrue(result["linkages"])
+        self.assertIn("moving pivots (position 2) in x -300…300", words)
+        self.assertIn("moving pivots as they lie in position 2", words)
+        self.assertNotIn("position 1)", words)
+        self.assertIn("its moving pivot, position 2", picture)
+        self.assertNotIn("pivot, position 1", picture)
 
     def test_five_positions_without_side_links_are_an_answer(self):
         listed = poses((0, 0, 0), (6, -33, 50), (-38, -46, -100), (13, -23, -20), (36, 5, 10))

@@ -195,6 +195,8 @@ TEST(SixBarFile, MistakesSayWhereAndWhat) {
       {chain, "3, 4", "added[0]", "object"},
       {chain, first + R"(, {"between": "7-9", "points": [[6, -4], [8, 3]]})", "added[1].between",
        "names no two bodies"},
+      {chain, first + R"(, {"between": "0\n3\u001b[31m", "points": [[6, -4], [8, 3]]})", "added[1].between",
+       "names no two bodies"},
       {chain, first + R"(, {"between": "0-3", "points": [[6, -4]]})", "added[1].points", "1 hinges"},
       {chain, first + R"(, {"between": "0-3", "points": [[6, -4], [6, -4]]})", "", "coincide"},
       {chain, first + R"(, {"between": "0-3", "points": [[6, -4], [6e13, 3]]})", "", "lie between"},
@@ -206,6 +208,7 @@ TEST(SixBarFile, MistakesSayWhereAndWhat) {
     ASSERT_FALSE(read.ok()) << bad.words;
     EXPECT_EQ(read.errors()[0].place, bad.place) << read.errors()[0].message;
     EXPECT_NE(read.errors()[0].message.find(bad.words), std::string::npos) << read.errors()[0].message;
+    EXPECT_EQ(read.errors()[0].message.find_first_of("\n\x1b"), std::string::npos) << "one line, text only";
   }
 }
 

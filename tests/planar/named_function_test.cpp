@@ -98,6 +98,8 @@ TEST(NamedFunction, RangesPointsAndTablesAreChecked) {
   f = function("x^2", 0, 1);
   f.points = 3;
   EXPECT_EQ(codes(f), "out_of_range@points");
+  f.points = 1'000'000'000;  // that many are not laid out first
+  EXPECT_EQ(codes(f), "out_of_range@points");
   f.points = 4;
   f.spacing = PointSpacing::given;
   f.given_points = {0.1, 0.5, 0.4, 1.1};

@@ -120,3 +120,28 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
   await keep_screenshot(page, "function-phone");
 });
+
+test("what is undone while it is dragged lets go of the pointer", async ({page}) => {
+  await page.getByTestId("file.menu").click();
+  await page.getByTestId("file.examples").click();
+  await page.getByTestId("example.sine_generator").click();
+  await until_in_hand(page);
+  const document = () => read_state(page, ({problem, picked}) => JSON.stringify([problem, picked!.tau]));
+  const before = await document(), there = await map_pixel(page, [0.8, 0.5]);
+  await page.mouse.click(there.x, there.y); // a step to undo
+  await until_settled(page);
+  for (const handle of ["function.point.2", "region.input_axis"]) {
+    const from = await middle_of(page.getByTestId(handle));
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x + 6, from.y + 6, {steps: 3});
+    expect(await read_state(page, (workbench) => workbench.gesture)).toBe(true);
+    await page.keyboard.press("Control+z");
+    await page.mouse.move(from.x + 12, from.y + 12, {steps: 3});
+    await page.mouse.up();
+    await until_settled(page);
+    expect(await document()).toBe(before);
+    await page.keyboard.press("Control+y");
+    await until_settled(page);
+  }
+});

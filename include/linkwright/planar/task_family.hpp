@@ -36,6 +36,8 @@ struct TaskFamily {
   double size = 1;
 
   [[nodiscard]] const WorkingFrame& frame() const { return conditions.frame; }
+  /// The position, from 1, as in which linkages are told, their moving pivots too: the first that is passed exactly.
+  [[nodiscard]] int told_position() const { return freed && freed->place == 0 ? 2 : 1; }
 };
 
 /// `task` without mistakes (mistakes_in). Requirements and objective choose what the task leaves to be chosen before

@@ -28,7 +28,7 @@ struct Requirements {
   double max_link_ratio = 20;         ///< longest over shortest of the four links; unlimited: any
   std::optional<double> max_length;   ///< longest of the four links, user's unit; nothing: 10 × L; unlimited: any
   std::optional<Box> ground_pivots_within;  ///< both centre points
-  std::optional<Box> moving_pivots_within;  ///< both circle points, position 1
+  std::optional<Box> moving_pivots_within;  ///< both circle points, position 1 (2 where 1 is freed)
   bool respect_direction = true;            ///< poses with derivatives are passed in their direction
 };
 

@@ -2,9 +2,10 @@
 import type {ExportFormat, Linkage, LinkageType, TauPair} from "../engine/protocol";
 import {drawing_svg} from "../drawing/snapshot";
 import {css_values} from "../state/css_values";
-import {engine_text, outline_of, with_task, type Problem} from "../state/problem";
+import {engine_text, outline_of, type Problem} from "../state/problem";
 import {poses_of} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
+import {with_other_task} from "../tasks/kinds";
 import {animated_gif, film, type Progress} from "./animation";
 import {animation_frames} from "./frames";
 import {file_stem} from "./names";
@@ -32,7 +33,7 @@ const film_size = {width: 640, height: 480};
 export function targets(workbench: Workbench): Target[] {
   const {problem, pins, picked_linkage, picked} = workbench;
   const own: Target[] = picked && picked_linkage ? [{pin: null, tau: picked.tau, type: picked_linkage.type, problem}] : [];
-  return [...own, ...pins.map((pin) => ({pin: pin.name, tau: pin.tau, type: pin.type, problem: with_task(problem, pin.task)}))];
+  return [...own, ...pins.map((pin) => ({pin: pin.name, tau: pin.tau, type: pin.type, problem: with_other_task(problem, pin.task)}))];
 }
 
 export interface File {

@@ -89,12 +89,12 @@ export abstract class Editing {
   begin_gesture(): void {
     this.gesture = true;
   }
-  /** A change inside a gesture: shown at once, not a step. */
+  /** A change inside a gesture: shown at once, not a step. Nothing once the gesture has ended under the pointer: undone. */
   drag(change: (problem: Problem) => Problem): void {
-    this.show(with_problem(this.document, change(this.problem)));
+    this.drag_document((document) => with_problem(document, change(document.problem)));
   }
   drag_document(change: (document: Document) => Document): void {
-    this.show(change(this.document));
+    if (this.gesture) this.show(change(this.document));
   }
   end_gesture(): void {
     if (!this.gesture) return;

@@ -45,6 +45,9 @@ describe("editing", () => {
       b.drag(x_to(1));
       b[back]();
       expect([b.problem, b.gesture, b.can_undo]).toEqual([problem, false, false]);
+      b.drag(x_to(2)); // the pointer is still down
+      b.end_gesture();
+      expect([b.problem, b.can_undo]).toEqual([problem, false]);
     }
   });
 

@@ -5,7 +5,7 @@ import {
   whole, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
-import {incompleteness, kind_of, map_of, properties_of} from "../tasks/kinds";
+import {incompleteness, kind_of, map_of, properties_of, with_other_task} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {held_tau, held_window, places_of} from "./axis";
 import {from_problem, to_problem, type Picked} from "./document";
@@ -15,7 +15,7 @@ import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
 import {find_pin, free_name, new_pin} from "./pins";
 import {preferences} from "./preferences.svelte";
-import {with_task, type Objective, type Pin, type Problem} from "./problem";
+import type {Objective, Pin, Problem} from "./problem";
 import {same_task} from "./task";
 
 export interface Toast {
@@ -286,7 +286,7 @@ export class Workbench extends Editing {
     const stale = this.is_stale(pin);
     this.edit_document((document) => ({
       ...document,
-      problem: stale ? with_task(document.problem, pin.task) : document.problem,
+      problem: stale ? with_other_task(document.problem, pin.task) : document.problem,
       picked: {tau: pin.tau, place: stale ? null : (pin.place ?? null)},
     }));
   }

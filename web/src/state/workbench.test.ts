@@ -4,8 +4,12 @@ import {beforeAll, describe, expect, it} from "vitest";
 import {create_linkwright} from "../engine/module";
 import type {ReplyMessage, RequestMessage} from "../engine/protocol";
 import {Server} from "../engine/serve";
+import {targets} from "../exports/take_away";
 import {examples, first_example} from "../gallery/gallery";
-import {with_pose, with_poses, with_requirements, type Problem} from "./problem";
+import {fetch_pin} from "../pins/fetch";
+import {with_options, with_pose, with_poses, with_requirements, type Problem} from "./problem";
+import {fresh_function, function_kind} from "../tasks/function/kind";
+import {pairs_of, with_named} from "../tasks/function/pairs";
 import {new_problem} from "../tasks/motion/kind";
 import {preferences} from "./preferences.svelte";
 import {Workbench} from "./workbench.svelte";
@@ -107,6 +111,26 @@ describe("the workbench", () => {
     await until(() => !workbench.linkages.seeking_best);
     expect(workbench.picked).not.toBeNull();
     await settled(b);
+  });
+
+  it("brings back a pin of pairs from a named function, whose objective pairs have not", async () => {
+    const pairs = function_kind.beginnings[0].make(), b = bench(pairs), {workbench} = b;
+    await settled(b);
+    workbench.pin();
+    const [pin] = workbench.pins;
+    workbench.edit((problem) => with_options(with_named(problem, fresh_function(pairs_of(workbench))), {objective: "structural_error"}));
+    await until(() => workbench.is_current);
+    expect((await fetch_pin(workbench.driver_client!, workbench.problem, pin))?.lengths).toEqual(pin.lengths);
+    const {problem} = targets(workbench).find((target) => target.pin === pin.name)!;
+    expect(problem).toMatchObject({task: pairs.task, options: {}});
+    workbench.pick_pin(pin);
+    await until(() => workbench.is_current || workbench.refusal);
+    expect(workbench.refusal).toBeNull();
+    expect(workbench.problem.task).toEqual(pairs.task);
+    expect(workbench.problem.options).toEqual({});
+    await settled(b);
+    workbench.undo();
+    expect(workbench.problem.options?.objective).toBe("structural_error");
   });
 
   it("makes one step of a drag, and undo brings back everything to the last bit", async () => {

@@ -39,6 +39,10 @@ describe("kinds of tasks", () => {
     const named = {expression: "x^2", x: [0, 1], input_range_deg: [0, 60], output_range_deg: [0, 90], spacing: [0, 0.3, 0.7, 1]};
     expect(read_task({kind: "function", mechanism: "four_bar", function: {...named, points: "4", table: 3}})).toEqual({kind: "function", mechanism: "four_bar", function: named});
   });
+  it("keep every row of a long table", () => {
+    const table = Array.from({length: 5000}, (_, i) => [i, i * i]), named = {table, input_range_deg: [0, 60], output_range_deg: [0, 90]};
+    expect(read_task({kind: "function", mechanism: "four_bar", function: named})).toEqual({kind: "function", mechanism: "four_bar", function: named});
+  });
   it("know what is missing, derivatives counted", () => {
     const moving = {...poses[0], derivatives: [{x: 1, y: 0, theta: 0}]};
     const states = [[], poses.slice(2), poses.slice(1), poses, [moving, ...poses.slice(1)], [moving, moving, ...poses.slice(1)]].map((list) => incompleteness(with_poses(problem, list))?.state ?? null);

@@ -1,6 +1,6 @@
 // The kinds of tasks there are.
 import type {LinkageType, Point, Property} from "../engine/protocol";
-import type {Problem} from "../state/problem";
+import {with_options, with_task, type Problem} from "../state/problem";
 import {is_object} from "../state/shape";
 import {diagonal_of, type Task} from "../state/task";
 import {function_kind} from "./function/kind";
@@ -43,6 +43,12 @@ export function extent_of(task: Task): number {
 /** What a colour of the map can stand for, beside the type. */
 export function properties_of(task: Task): Property[] {
   return [...common_properties, ...(kind_of(task).properties?.(task) ?? [])];
+}
+/** The problem with another task; what linkages can be the best by only in the old one is no objective any more. */
+export function with_other_task(problem: Problem, task: Task): Problem {
+  const changed = with_task(problem, task), objectives = (of: Task) => kind_of(of).objectives?.(of) ?? [];
+  const lost = objectives(problem.task).filter((objective) => !objectives(task).includes(objective));
+  return lost.some((objective) => objective === problem.options?.objective) ? with_options(changed, {objective: undefined}) : changed;
 }
 /** A text of the frame, as this kind of task says it. */
 export function text_for(task: Task, key: TextKey): TextKey {

@@ -6,7 +6,7 @@ import {diagonal_of, pattern_of, position_count, type AnglePair, type FreeNumber
 import {significant} from "../../texts/numbers";
 import type {TaskKind} from "../kind";
 
-const most_rows = 1000;
+const most_pairs = 1000;
 
 function read_pair(value: unknown): AnglePair | null {
   if (!is_object(value) || !is_number(value.input_deg) || !is_number(value.output_deg)) return null;
@@ -27,7 +27,7 @@ function read_function(value: unknown): NamedFunction | null {
     input_range_deg, output_range_deg,
     ...present({
       expression: typeof value.expression === "string" ? value.expression.slice(0, 100) : null,
-      table: read_list(value.table, read_range, most_rows), x: read_range(value.x), y: read_range(value.y),
+      table: read_list(value.table, read_range, Infinity), x: read_range(value.x), y: read_range(value.y),
       interpolation: interpolation === "linear" || interpolation === "monotone_cubic" ? interpolation : null,
       points: is_number(value.points) ? value.points : null,
       spacing: spacing === "chebyshev" || spacing === "even" ? spacing : read_list(spacing, (x) => (is_number(x) ? x : null), 5),
@@ -40,7 +40,7 @@ function read_free(value: unknown): FreeNumber | null {
 }
 function read(value: Object): FunctionTask | null {
   if (value.kind !== "function" || value.mechanism !== "four_bar") return null;
-  const pairs = read_list(value.pairs, read_pair, most_rows), of = read_function(value.function);
+  const pairs = read_list(value.pairs, read_pair, most_pairs), of = read_function(value.function);
   if (!pairs && !of) return null;
   const pivots = value.ground_pivots;
   const ground_pivots = is_object(pivots) && is_pair(pivots.input) && is_pair(pivots.output) ? {input: pivots.input, output: pivots.output} : null;

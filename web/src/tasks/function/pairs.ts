@@ -1,10 +1,11 @@
 // The pairs of angles of a function task, whether they are given or taken from a named function.
 import type {DialPair, Point, Side} from "../../engine/protocol";
-import {with_options, with_task, type Problem} from "../../state/problem";
+import {with_task, type Problem} from "../../state/problem";
 import type {AnglePair, FreeNumber, FunctionTask, NamedFunction} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {cells_of} from "../../task/paste";
 import {evaluated} from "../../task/arithmetic";
+import {with_other_task} from "../kinds";
 
 export const angle_keys = {input: "input_deg", output: "output_deg"} as const;
 
@@ -21,22 +22,18 @@ export function pairs_in_hand(workbench: Workbench): DialPair[] {
   return own.map(({input_deg, output_deg}, j) => [input_deg, free && made?.length === own.length ? made[j][1] : output_deg]);
 }
 
-function with_function_task(problem: Problem, task: FunctionTask): Problem {
-  const changed = with_task(problem, task);
-  return !task.function && problem.options?.objective === "structural_error" ? with_options(changed, {objective: undefined}) : changed;
-}
 /** Given pairs take the place of a named function. */
 export function with_pairs(problem: Problem, pairs: readonly AnglePair[]): Problem {
   const {function: _, ...task} = function_of(problem);
-  return with_function_task(problem, {...task, pairs});
+  return with_other_task(problem, {...task, pairs});
 }
 export function with_named(problem: Problem, named: NamedFunction): Problem {
   const {pairs: _, ...task} = function_of(problem);
-  return with_function_task(problem, without_foreign_free({...task, function: named}));
+  return with_other_task(problem, without_foreign_free({...task, function: named}));
 }
 export function with_free(problem: Problem, free: FreeNumber | null): Problem {
   const {free: _, ...task} = function_of(problem);
-  return with_function_task(problem, free ? {...task, free} : task);
+  return with_other_task(problem, free ? {...task, free} : task);
 }
 /** Five positions leave nothing free. */
 function without_foreign_free(task: FunctionTask): FunctionTask {

@@ -1,13 +1,13 @@
 // Looks for a chain, in an engine of its own: the page goes on. Rounds of few chains, each with the next seed, so that
 // what was found is there when the search is stopped.
-import {Refusal, type EngineClient} from "../../engine/client";
+import {Crashed, Refusal, type EngineClient} from "../../engine/client";
 import type {Box, Chain, Linkage, Replies, TauPair} from "../../engine/protocol";
 import {engine_text, with_options, type Problem} from "../../state/problem";
-import type {SixBarTask} from "../../state/task";
+import {same_value, type Pose, type SixBarTask} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {default_box, six_bar_task, with_six_bar} from "./chain";
 
-export const default_effort = 10_000, most_effort = 1_000_000, most_seed = 1e9;
+export const default_effort = 10_000, most_effort = 1_000_000, most_seed = 999_999_999;
 const chains_a_round = 1000, most_found = 12, most_a_round = 4;
 
 export interface Found {
@@ -29,7 +29,7 @@ export function box_of_search(problem: Problem): Box {
 export function round_of(problem: Problem, round: number): Problem {
   const {seed = 1, effort = default_effort} = problem.options ?? {};
   const chains = Math.min(chains_a_round, effort - round * chains_a_round);
-  return with_options(with_six_bar(problem, {chain: undefined}), {box: box_of_search(problem), seed: seed + round, effort: chains, best: most_a_round});
+  return with_options(with_six_bar(problem, {chain: undefined}), {box: box_of_search(problem), seed: (seed + round) % (most_seed + 1), effort: chains, best: most_a_round});
 }
 export function rounds_of({options}: Problem): number {
   return Math.ceil((options?.effort ?? default_effort) / chains_a_round);
@@ -45,7 +45,9 @@ function plain({elbow, ...chain}: Chain): Chain {
 }
 
 export class ChainSearch {
-  found = $state.raw<readonly Found[]>([]);
+  private found = $state.raw<readonly Found[]>([]);
+  /** The positions through which they go. */
+  private poses = $state.raw<readonly Pose[]>([]);
   running = $state(false);
   round = $state(0);
   rounds = $state(0);
@@ -62,18 +64,30 @@ export class ChainSearch {
     if (this.running || !start_engine || !task) return;
     const begin = performance.now();
     this.found = [];
+    this.poses = task.poses;
     [this.running, this.seconds, this.round, this.rounds, this.end] = [true, 0, 0, rounds_of(problem), null];
     this.timer = setInterval(() => (this.seconds = Math.round((performance.now() - begin) / 1000)), 250);
     const client = (this.client = start_engine(() => {}, () => {}));
     try {
-      for (; this.round < this.rounds && this.client === client; ++this.round) await this.try_round(client, problem, task);
-      if (this.client === client) this.stop("done");
+      for (; this.round < this.rounds && this.client === client && this.is_for(this.workbench.problem); ++this.round) {
+        await this.try_round(client, problem, task);
+      }
+      if (this.client === client) this.stop(this.round < this.rounds ? "stopped" : "done");
     } catch (error) {
       if (this.client !== client) return; // stopped
       this.stop("failed");
+      if (error instanceof Crashed) return;
       if (!(error instanceof Refusal)) throw error;
       this.workbench.say("six_bar.refused", {reason: error.message});
     }
+  }
+  /** Whether it goes, or went, through the positions of this problem. */
+  is_for(problem: Problem): boolean {
+    return same_value(six_bar_task(problem)?.poses, this.poses);
+  }
+  /** A chain that was found for other positions does not reach these. */
+  found_for(problem: Problem): readonly Found[] {
+    return this.is_for(problem) ? this.found : [];
   }
   /** What was found so far is kept. */
   stop(end: "done" | "stopped" | "failed" = "stopped"): void {
