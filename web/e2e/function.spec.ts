@@ -125,7 +125,7 @@ test("what is undone while it is dragged lets go of the pointer", async ({page})
   await page.getByTestId("file.menu").click();
   await page.getByTestId("file.examples").click();
   await page.getByTestId("example.sine_generator").click();
-  await until_in_hand(page);
+  await until_settled(page);
   const document = () => read_state(page, ({problem, picked}) => JSON.stringify([problem, picked!.tau]));
   const before = await document(), there = await map_pixel(page, [0.8, 0.5]);
   await page.mouse.click(there.x, there.y); // a step to undo
