@@ -157,7 +157,14 @@ test.describe("table of positions", () => {
     await expect(page.getByTestId("task.pattern")).toHaveText("P-PPP-P-P");
     await page.getByTestId("task.pattern").hover();
     await expect(page.getByRole("tooltip")).toBeVisible();
+    await page.getByTestId("task.menu.2").click();
+    await page.getByTestId("task.next_derivative").click();
+    await type_into(page, "task.curvature.2.3", "0.002");
+    await type_into(page, "task.direction_deg.2", "60"); // keeps what stands below it
+    await expect(page.getByTestId("task.curvature.2.3")).toHaveValue("0.002");
+    await expect(page.getByTestId("task.pattern")).toHaveText("P-PPPP-P-P");
     await page.getByTestId("task.remove_derivative.2.2").click();
+    await expect(page.getByTestId("task.pattern")).toHaveText("P-PP-P-P");
     await page.getByTestId("task.remove_derivative.2.1").click();
     expect(await poses(page)).toEqual(example("tailgate").task.poses);
   });

@@ -1,9 +1,11 @@
 // Direction and curvature of travel: the derivatives of a pose as a person thinks of them. They are by path length of
 // the moving frame's origin, wherever it moves; other parameters are brought to it and keep their geometry.
 import type {Pose} from "../state/task";
+import {by_parameter, product, quotient, square_root} from "./derivatives";
 
 type Derivative = {x: number; y: number; theta: number};
 const degree = Math.PI / 180;
+const still: Derivative = {x: 0, y: 0, theta: 0};
 
 export interface Travel {
   /** Way the origin goes, degrees. */
@@ -11,58 +13,80 @@ export interface Travel {
   /** Turn of the body per unit of path. */
   turn_deg: number;
 }
+/** Of the second derivative; of a higher one what both are the growth of, per unit of path once or twice more. */
 export interface Bend {
   /** Signed curvature of the origin's path, left positive. */
   curvature: number;
   /** Growth of the turn, per unit of path squared. */
   turn_growth_deg: number;
 }
-
-const speed_of = (first: Derivative) => Math.hypot(first.x, first.y);
+/** All derivatives: curvature of the origin's path and turn of the body (radians) with their growths. */
+interface Course {
+  direction: number;
+  curvatures: readonly number[]; // one fewer
+  turns: readonly number[];
+}
 
 /** Null where the origin stands still: then the body only turns about it, and there is no direction to show. */
-export function travel_of(pose: Pose): Travel | null {
-  const first = pose.derivatives?.[0];
-  if (!first || !(speed_of(first) > 0)) return null;
-  return {direction_deg: Math.atan2(first.y, first.x) / degree, turn_deg: first.theta / speed_of(first) / degree};
+function course_of({derivatives = []}: Pose): Course | null {
+  const x = derivatives.map((d) => d.x), y = derivatives.map((d) => d.y);
+  if (derivatives.length === 0 || !(Math.hypot(x[0], y[0]) > 0)) return null;
+  const square = added(product(x, x), product(y, y)), speed = square_root(square);
+  const turning = quotient(added(product(x, y.slice(1)), product(y.map((value) => -value), x.slice(1))), square);
+  return {direction: Math.atan2(y[0], x[0]), curvatures: by_parameter(turning, speed), turns: by_parameter(derivatives.map((d) => d.theta), speed)};
 }
-export function bend_of(pose: Pose): Bend | null {
-  const [first, second] = pose.derivatives ?? [];
-  const speed = first ? speed_of(first) : 0;
-  if (!second || !(speed > 0)) return null;
-  const along = (first.x * second.x + first.y * second.y) / speed ** 2; // growth of speed over speed
-  return {
-    curvature: (first.x * second.y - first.y * second.x) / speed ** 3,
-    turn_growth_deg: (second.theta - along * first.theta) / speed ** 2 / degree,
-  };
+function with_course(pose: Pose, {direction, curvatures, turns}: Course): Pose {
+  const x = [Math.cos(direction)], y = [Math.sin(direction)];
+  for (const n of curvatures.keys()) {
+    const back = product(curvatures, y)[n], aside = product(curvatures, x)[n];
+    x.push(-back);
+    y.push(aside);
+  }
+  return {...pose, derivatives: turns.map((theta, n) => ({x: x[n], y: y[n], theta}))};
+}
+function added(f: readonly number[], g: readonly number[]): number[] {
+  return f.map((value, n) => value + g[n]);
 }
 
+export function travel_of(pose: Pose): Travel | null {
+  const course = course_of(pose);
+  return course && {direction_deg: course.direction / degree, turn_deg: course.turns[0] / degree};
+}
+/** Of the derivative of an order, from the second on. */
+export function bend_of(pose: Pose, order = 2): Bend | null {
+  const course = course_of(pose);
+  if (!course || course.turns.length < order) return null;
+  return {curvature: course.curvatures[order - 2], turn_growth_deg: course.turns[order - 1] / degree};
+}
+
+const standing: Course = {direction: 0, curvatures: [], turns: [0]};
 export function with_travel(pose: Pose, change: Partial<Travel>): Pose {
-  const bend = bend_of(pose);
-  const {direction_deg, turn_deg} = {...(travel_of(pose) ?? {direction_deg: 0, turn_deg: 0}), ...change};
-  const first = {x: Math.cos(direction_deg * degree), y: Math.sin(direction_deg * degree), theta: turn_deg * degree};
-  const turned = {...pose, derivatives: [first]};
-  return bend ? with_bend(turned, bend) : turned;
+  const {direction, curvatures, turns} = course_of(pose) ?? standing;
+  const {direction_deg = direction / degree, turn_deg = turns[0] / degree} = change;
+  return with_course(pose, {direction: direction_deg * degree, curvatures, turns: turns.with(0, turn_deg * degree)});
 }
-export function with_bend(pose: Pose, change: Partial<Bend>): Pose {
-  const travel = travel_of(pose) ?? {direction_deg: 0, turn_deg: 0};
-  const {curvature, turn_growth_deg} = {...(bend_of(pose) ?? {curvature: 0, turn_growth_deg: 0}), ...change};
-  const c = Math.cos(travel.direction_deg * degree), s = Math.sin(travel.direction_deg * degree);
-  const first = {x: c, y: s, theta: travel.turn_deg * degree};
-  return {...pose, derivatives: [first, {x: -curvature * s, y: curvature * c, theta: turn_growth_deg * degree}]};
+export function with_bend(pose: Pose, change: Partial<Bend>, order = 2): Pose {
+  const course = course_of(pose) ?? standing, count = Math.max(order, course.turns.length);
+  const filled = (list: readonly number[], length: number) => Array.from({length}, (_, n) => list[n] ?? 0);
+  const curvatures = filled(course.curvatures, count - 1), turns = filled(course.turns, count);
+  if (change.curvature !== undefined) curvatures[order - 2] = change.curvature;
+  if (change.turn_growth_deg !== undefined) turns[order - 1] = change.turn_growth_deg * degree;
+  return with_course(pose, {...course, curvatures, turns});
 }
-export function without_last_derivative(pose: Pose): Pose {
+/** Without the derivative of an order, and so without those above it. */
+export function without_derivative(pose: Pose, order: number): Pose {
   const {derivatives = [], ...rest} = pose;
-  return derivatives.length > 1 ? {...rest, derivatives: derivatives.slice(0, -1)} : rest;
+  return order > 1 ? {...rest, derivatives: derivatives.slice(0, order - 1)} : rest;
 }
 
 /** A pose with one derivative more, as a smooth motion through its neighbours has it there. */
 export function with_next_derivative(poses: readonly Pose[], index: number): Pose {
-  const pose = poses[index], smooth = smooth_derivatives(poses, index);
-  const count = (pose.derivatives?.length ?? 0) + 1;
-  if (count === 1) return with_travel(pose, rounded_travel(travel_of({...pose, derivatives: [smooth[0]]})));
-  const bend = bend_of({...pose, derivatives: smooth});
-  return with_bend(pose, bend ? {curvature: rounded(bend.curvature), turn_growth_deg: rounded(bend.turn_growth_deg)} : {});
+  const pose = poses[index], order = (pose.derivatives?.length ?? 0) + 1;
+  const smooth = {...pose, derivatives: [...smooth_derivatives(poses, index), still, still]};
+  if (order === 1) return with_travel(pose, rounded_travel(travel_of(smooth)));
+  if (!travel_of(pose)) return {...pose, derivatives: [...pose.derivatives!, still]};
+  const bend = bend_of(smooth, order);
+  return with_bend(pose, bend ? {curvature: rounded(bend.curvature), turn_growth_deg: rounded(bend.turn_growth_deg)} : {}, order);
 }
 function rounded(value: number): number {
   return Number(value.toPrecision(3));
@@ -73,7 +97,6 @@ function rounded_travel(travel: Travel | null): Travel {
 
 /** Of the parabola through the nearest three poses (chord lengths as parameter), of the chord of two. */
 function smooth_derivatives(poses: readonly Pose[], index: number): [Derivative, Derivative] {
-  const still = {x: 0, y: 0, theta: 0};
   const first = Math.min(Math.max(index - 1, 0), Math.max(poses.length - 3, 0));
   const near = unwound(poses.slice(first, first + 3)), at = index - first;
   if (near.length < 2) return [{x: 1, y: 0, theta: 0}, still];

@@ -37,6 +37,10 @@ describe("pairs", () => {
     expect(with_rates(with_rates(pair, [1]), [])).toEqual(pair);
     // φ = t², ψ = t⁴ = φ² at t = 1, derivatives by t
     expect(rates_of({...pair, derivatives: [{input: 2, output: 4}, {input: 2, output: 12}]})).toEqual([2, 2]);
+    // φ = t², ψ = t⁸ = φ⁴ there, derivatives by t
+    const four = {...pair, derivatives: [{input: 2, output: 8}, {input: 2, output: 56}, {input: 0, output: 336}, {input: 0, output: 1680}]};
+    expect(rates_of(four)).toEqual([4, 12, 24, 24]);
+    expect(rates_of(with_rates(pair, [0.5, -2, 3, 4]))).toEqual([0.5, -2, 3, 4]);
     expect(function_kind.pattern(with_pairs(problem, [with_rates(pair, [1]), pairs[1]]).task as FunctionTask)).toBe("PP-P");
     expect(function_kind.pattern(task)).toBe("P-P-P-P");
   });

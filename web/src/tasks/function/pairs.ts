@@ -4,6 +4,7 @@ import {with_task, type Problem} from "../../state/problem";
 import type {AnglePair, FreeNumber, FunctionTask, NamedFunction} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {cells_of} from "../../task/paste";
+import {by_parameter} from "../../task/derivatives";
 import {evaluated} from "../../task/arithmetic";
 import {with_other_task} from "../kinds";
 
@@ -56,17 +57,13 @@ export function unstretched(own: readonly AnglePair[], shown: readonly DialPair[
 
 // ---- rates --------------------------------------------------------------------------------------------------------
 
-/** dψ/dφ and d²ψ/dφ² as derivatives by the input angle, as many as are given. */
+/** dψ/dφ, d²ψ/dφ², … as derivatives by the input angle, as many as are given. */
 export function with_rates(pair: AnglePair, rates: readonly number[]): AnglePair {
   const {derivatives: _, ...plain} = pair;
   return rates.length === 0 ? plain : {...plain, derivatives: rates.map((output, order) => ({input: order === 0 ? 1 : 0, output}))};
 }
-export function rates_of({derivatives}: AnglePair): number[] {
-  const [first, second] = derivatives ?? [];
-  if (!first) return [];
-  const rate = first.output / first.input;
-  if (!second) return [rate];
-  return [rate, (second.output - rate * second.input) / first.input ** 2];
+export function rates_of({derivatives = []}: AnglePair): number[] {
+  return by_parameter(derivatives.map((d) => d.output), derivatives.map((d) => d.input));
 }
 
 // ---- rows of two numbers -----------------------------------------------------------------------------------------
