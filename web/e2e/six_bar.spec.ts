@@ -91,8 +91,14 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   await until_settled(page);
 
   // A chain is searched for; stopped, what was found stays; choosing one is one step.
+  const box = await read_state(page, ({problem}) => problem.options!.box!);
+  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, options: {...problem.options, box: undefined}})));
+  await until_settled(page);
   await page.getByTestId("six_bar.search_chain").click();
   await expect(page.getByTestId("drawing.search_box")).toBeVisible();
+  expect(await read_state(page, (workbench) => [workbench.is_current, workbench.problem.options?.box])).toEqual([true, undefined]); // the panel shows one of its own
+  await read_state(page, (workbench) => workbench.undo());
+  expect(await read_state(page, ({search_box}) => search_box)).toEqual(box);
   await page.getByTestId("six_bar.seed").fill("4");
   await page.getByTestId("six_bar.effort").fill("100000");
   await page.getByTestId("six_bar.effort").press("Enter");

@@ -70,8 +70,8 @@ export class Scene {
   /** Without an outline of its own, the body is sized from the poses, so it takes two. */
   readonly has_body = $derived.by(() => this.poses.length > 1 || (this.poses.length === 1 && (this.workbench.problem.view?.outline?.length ?? 0) >= 3));
   readonly boxes = $derived.by((): Record<BoxName, Box | null> => {
-    const {problem, box_of_search} = this.workbench, {requirements, options} = problem;
-    return {ground: requirements?.ground_pivots_within ?? null, moving: requirements?.moving_pivots_within ?? null, search: (box_of_search && options?.box) || null};
+    const {problem, search_box} = this.workbench, {requirements} = problem;
+    return {ground: requirements?.ground_pivots_within ?? null, moving: requirements?.moving_pivots_within ?? null, search: search_box};
   });
 
   readonly samples = $derived.by(() => {

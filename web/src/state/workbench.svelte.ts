@@ -2,7 +2,7 @@
 // (editing.svelte.ts); the rest is how it is being looked at and what the engine answers, for which two followers ask.
 import {EngineClient} from "../engine/client";
 import {
-  whole, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
+  whole, type Box, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
 import {incompleteness, kind_of, map_of, properties_of, with_other_task} from "../tasks/kinds";
@@ -65,8 +65,8 @@ export class Workbench extends Editing {
   /** A pose being dragged: its table row glows. */
   held_pose = $state<number | null>(null);
   mode = $state<Mode>("point");
-  /** Whether the box in which a search puts its pivots is on the drawing. */
-  box_of_search = $state(false);
+  /** The box in which a search puts its pivots, while it is on the drawing. */
+  search_box = $state.raw<Box | null>(null);
   /** Counts the tasks that were opened: each is shown whole. */
   opened = $state(0);
   /** Curve coordinate under the pointer on the drawing: bead on the axes of these sides. */
