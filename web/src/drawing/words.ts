@@ -2,8 +2,9 @@
 import {unmet_text} from "../requirements/requirements";
 import type {Pose} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
+import {told} from "../tasks/kinds";
 import {fixed} from "../texts/numbers";
-import {notice_text, t} from "../texts/texts.svelte";
+import {t} from "../texts/texts.svelte";
 import {bend_of, travel_of} from "../task/travel";
 import type {Handle, Target} from "./handles";
 import type {Scene} from "./scene.svelte";
@@ -25,7 +26,7 @@ export function point_note(point: readonly [number, number], step: number, unit:
 export function reason_of(workbench: Workbench): string | null {
   const {hand} = workbench;
   if (!hand) return null;
-  return hand.reason ? notice_text(hand.reason) : unmet_text(hand, workbench);
+  return hand.reason ? told(workbench.problem.task, hand.reason) : unmet_text(hand, workbench);
 }
 
 export function target_label(target: Target, scene: Scene): string {

@@ -1,8 +1,10 @@
 // A linkage in words, for the card and for those who listen.
 import type {Linkage} from "../engine/protocol";
 import {defect_key, has_defect} from "../numbers/words";
+import type {Task} from "../state/task";
+import {told} from "../tasks/kinds";
 import {degrees_text, fixed, significant} from "../texts/numbers";
-import {notice_text, t} from "../texts/texts.svelte";
+import {t} from "../texts/texts.svelte";
 import {type_text} from "./property";
 
 function within(text: string): string {
@@ -10,9 +12,9 @@ function within(text: string): string {
 }
 
 /** "Double crank, transmission angle 82.6 degrees, no defects" */
-export function spoken(linkage: Linkage): string {
+export function spoken(linkage: Linkage, task: Task): string {
   const type = t(type_text(linkage.type));
-  if (linkage.type === "degenerate") return linkage.reason ? notice_text(linkage.reason) : type;
+  if (linkage.type === "degenerate") return linkage.reason ? told(task, linkage.reason) : type;
   const defects = within(t(defect_key(linkage.defects))), angle = linkage.min_transmission_angle_deg;
   if (has_defect(linkage) || angle === null) return t("region.spoken_bare", {type, defects});
   return t("region.spoken", {type, angle: fixed(angle, 1), defects});

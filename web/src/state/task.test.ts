@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {diagonal_of, pattern_of, position_count, same_task, with_task_poses, type FunctionTask, type MotionTask, type Pose} from "./task";
+import {diagonal_of, pattern_of, position_count, same_task, told_position, with_task_poses, type FunctionTask, type MotionTask, type Pose} from "./task";
 
 const pose = {x: 1, y: 2, theta_deg: 3};
 const motion: MotionTask = {kind: "motion", mechanism: "four_bar", poses: [pose, {...pose, x: 5}, {...pose, x: 9}], given: {side_lengths: [3, 4]}};
@@ -16,6 +16,9 @@ describe("tasks", () => {
     const bent = {...pose, derivatives: [{x: 1, y: 0, theta: 0.5}]};
     expect(same_task({...motion, poses: [bent]}, {...motion, poses: [{...bent, derivatives: [{theta: 0.5, y: 0, x: 1}]}]})).toBe(true);
     expect(same_task({...motion, poses: [bent]}, {...motion, poses: [pose]})).toBe(false);
+  });
+  it("are told in the first position that is passed exactly", () => {
+    expect([motion, {...motion, freed_pose: 1}, {...motion, freed_pose: 3}, pairs].map(told_position)).toEqual([1, 2, 1, 1]);
   });
   it("count positions with their derivatives", () => {
     const poses: Pose[] = [{...pose, derivatives: [{x: 1, y: 0, theta: 0}]}, pose];

@@ -73,6 +73,10 @@ export function served_poses(task: Task): readonly Pose[] {
   const poses = poses_of(task), freed = "freed_pose" in task ? task.freed_pose : undefined;
   return freed === undefined ? poses : poses.filter((_, i) => i + 1 !== freed);
 }
+/** From 1: the position in which moving pivots are told, the first that is passed exactly. */
+export function told_position(task: Task): number {
+  return "freed_pose" in task && task.freed_pose === 1 ? 2 : 1;
+}
 /** Positions of poses, those infinitely close together counted each. */
 export function position_count(poses: readonly {derivatives?: readonly unknown[]}[]): number {
   return poses.reduce((sum, pose) => sum + 1 + (pose.derivatives?.length ?? 0), 0);

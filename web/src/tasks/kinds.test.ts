@@ -1,8 +1,9 @@
 import {describe, expect, it} from "vitest";
+import {preferences} from "../state/preferences.svelte";
 import {with_poses, type Problem} from "../state/problem";
 import {read_problem} from "../state/problem_shape";
 import {poses_of, with_task_poses, type FunctionTask, type MotionTask} from "../state/task";
-import {anchors_of, default_max_length, extent_of, incompleteness, kind_of, map_of, read_task, task_kinds} from "./kinds";
+import {anchors_of, default_max_length, extent_of, incompleteness, kind_of, map_of, read_task, task_kinds, told} from "./kinds";
 import {new_problem} from "./motion/kind";
 
 const beginnings = task_kinds.flatMap((kind) => kind.beginnings.map((beginning) => ({kind, id: beginning.id, problem: beginning.make()})));
@@ -10,6 +11,16 @@ const problem = new_problem(), poses = poses_of(problem.task);
 const of = (task: unknown) => read_task({kind: "motion", mechanism: "four_bar", poses, ...(task as object)});
 
 describe("kinds of tasks", () => {
+  it("call what was given by its name in the engine's sentences", () => {
+    const lock = {code: "branch_defect", message: "", values: {from: 1, to: 2}}, order = {code: "order_defect", message: "", values: {order: "1-3-2"}};
+    const pairs = {kind: "function", mechanism: "four_bar", pairs: []} as FunctionTask;
+    expect(told(problem.task, lock)).toBe("Branch defect: it locks (dead point) between positions 1 and 2.");
+    expect(told(pairs, lock)).toBe("Branch defect: it locks (dead point) between pairs 1 and 2.");
+    expect(told(pairs, order)).toBe("Order defect: this linkage reaches the pairs as 1-3-2.");
+    preferences.language = "zh";
+    expect(told(pairs, lock)).toContain("第 1 对与第 2 对");
+    preferences.language = "en";
+  });
   it.each(beginnings)("begin with what is read again: $id", ({kind, problem}) => {
     expect(kind_of(problem.task)).toBe(kind);
     expect(read_problem(JSON.parse(JSON.stringify(problem)))).toEqual(problem);

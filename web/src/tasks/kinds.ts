@@ -1,10 +1,10 @@
 // The kinds of tasks there are.
-import type {LinkageType, Point, Property} from "../engine/protocol";
+import type {LinkageType, Notice, Point, Property} from "../engine/protocol";
 import {with_options, with_task, type Problem} from "../state/problem";
 import {is_object} from "../state/shape";
 import {diagonal_of, type Task} from "../state/task";
 import {function_kind} from "./function/kind";
-import type {TextKey} from "../texts/texts.svelte";
+import {notice_text, type TextKey} from "../texts/texts.svelte";
 import type {Incomplete, TaskKind} from "./kind";
 import {motion_kind} from "./motion/kind";
 import {six_bar_kind} from "./six_bar/kind";
@@ -53,6 +53,10 @@ export function with_other_task(problem: Problem, task: Task): Problem {
 /** A text of the frame, as this kind of task says it. */
 export function text_for(task: Task, key: TextKey): TextKey {
   return kind_of(task).texts?.[key] ?? key;
+}
+/** A sentence of the engine, as this kind of task says it. */
+export function told(task: Task, notice: Notice): string {
+  return notice_text(notice, text_for(task, `notice.${notice.code}` as TextKey));
 }
 /** What a linkage of this task is called: a text's key. */
 export function name_of(task: Task, type: LinkageType): TextKey {

@@ -12,9 +12,9 @@ export function t(key: TextKey, values: Values = {}): string {
   return filled(texts[preferences.language][key] ?? en[key] ?? key, values);
 }
 
-/** A sentence of the engine: `notice.<code>` of the texts, or its English message. */
-export function notice_text(notice: Notice): string {
-  const known = texts[preferences.language][`notice.${notice.code}`];
+/** A sentence of the engine: that of the key in the texts, or its English message. */
+export function notice_text(notice: Notice, key = `notice.${notice.code}`): string {
+  const known = texts[preferences.language][key];
   return known === undefined ? notice.message : as_far_as_known(filled(known, told(notice.values)));
 }
 /** The text of a key that may be there. */

@@ -103,5 +103,11 @@ export const function_kind: TaskKind<FunctionTask> = {
     const range = (ends: Range | undefined) => ends?.map((end) => significant(end, 7)).join(" … ") ?? "";
     return {head: ["y", "x", "φ °", "ψ °"], rows: [[named.expression ?? "y(x)", range(x_range_of(named)), range(named.input_range_deg), range(named.output_range_deg)]]};
   },
+  texts: {
+    "notice.branch_defect": "function.branch_defect", "notice.change_point_defect": "function.change_point_defect",
+    "notice.circuit_defect": "function.circuit_defect", "notice.direction_defect": "function.direction_defect",
+    "notice.order_defect": "function.order_defect", "state.none_defect_free": "function.none_defect_free",
+    "notice.every_point": "function.every_point", "notice.dependent_rows": "function.dependent_rows", "notice.ill_conditioned": "function.ill_conditioned",
+  },
   beginnings: [{id: "function", name: "new.function", about: "new.function_about", make: new_problem}],
 };

@@ -1,9 +1,10 @@
 import {describe, expect, it} from "vitest";
 import type {Problem} from "../../state/problem";
 import type {AnglePair, FunctionTask} from "../../state/task";
+import type {Workbench} from "../../state/workbench.svelte";
 import {snapped_mark} from "./dial_handles";
 import {function_kind} from "./kind";
-import {rates_of, rows_of, unstretched, with_free, with_ground_pivot, with_named, with_pair, with_pairs, with_rates} from "./pairs";
+import {edit_angles, rates_of, rows_of, unstretched, with_free, with_ground_pivot, with_named, with_pair, with_pairs, with_rates} from "./pairs";
 
 const pairs: AnglePair[] = [{input_deg: 0, output_deg: 10}, {input_deg: 20, output_deg: 30}, {input_deg: 40, output_deg: 45}, {input_deg: 60, output_deg: 50}];
 const named = {expression: "x^2", x: [0, 1], input_range_deg: [0, 60], output_range_deg: [0, 90], points: 4} as const;
@@ -25,7 +26,19 @@ describe("pairs", () => {
     expect(function_kind.properties?.(free.task as FunctionTask)).toEqual([]);
     expect(function_kind.map_of(free.task as FunctionTask)).not.toBe(function_kind.map_of(task));
     expect(with_named(free, {...named, points: 5}).task).not.toHaveProperty("free");
+    expect(with_pairs(free, pairs).task).toHaveProperty("free");
+    expect(with_pairs(free, [...pairs, {input_deg: 80, output_deg: 60}]).task).not.toHaveProperty("free");
+    expect(with_pairs(free, [with_rates(pairs[0], [1]), ...pairs.slice(1)]).task).not.toHaveProperty("free");
     expect(with_free(free, null).task).toEqual(task);
+  });
+  it("say so where they take the free number away", () => {
+    const said: string[] = [];
+    const bench = {problem: with_free(with_pairs(problem, pairs), {number: "output_scale"}), say: (key: string) => said.push(key), edit(change: (of: Problem) => Problem) { this.problem = change(this.problem); }};
+    const edit = (list: AnglePair[]) => edit_angles(bench as unknown as Workbench, (of) => with_pairs(of, list));
+    edit(pairs.map((pair) => ({...pair, output_deg: pair.output_deg + 1})));
+    expect(said).toEqual([]);
+    edit([...pairs, {input_deg: 80, output_deg: 60}]);
+    expect(said).toEqual(["function.free_dropped"]);
   });
   it("keep the other ground pivot", () => {
     const moved = with_ground_pivot(problem, {input: [0, 0], output: [100, 0]}, "output", [90, 20]);

@@ -7,6 +7,7 @@ import {cells_of} from "../../task/paste";
 import {by_parameter} from "../../task/derivatives";
 import {evaluated} from "../../task/arithmetic";
 import {with_other_task} from "../kinds";
+import {position_count_of} from "./kind";
 
 export const angle_keys = {input: "input_deg", output: "output_deg"} as const;
 
@@ -26,7 +27,7 @@ export function pairs_in_hand(workbench: Workbench): DialPair[] {
 /** Given pairs take the place of a named function. */
 export function with_pairs(problem: Problem, pairs: readonly AnglePair[]): Problem {
   const {function: _, ...task} = function_of(problem);
-  return with_other_task(problem, {...task, pairs});
+  return with_other_task(problem, without_foreign_free({...task, pairs}));
 }
 export function with_named(problem: Problem, named: NamedFunction): Problem {
   const {pairs: _, ...task} = function_of(problem);
@@ -38,9 +39,15 @@ export function with_free(problem: Problem, free: FreeNumber | null): Problem {
 }
 /** Five positions leave nothing free. */
 function without_foreign_free(task: FunctionTask): FunctionTask {
-  if (!task.free || (task.function?.points ?? 4) === 4) return task;
+  if (!task.free || position_count_of(task) <= 4) return task;
   const {free: _, ...rest} = task;
   return rest;
+}
+/** A step that says so where it leaves no room for the number that was free. */
+export function edit_angles(workbench: Workbench, change: (problem: Problem) => Problem, merge: string | null = null): void {
+  const had_free = function_of(workbench.problem).free !== undefined;
+  workbench.edit(change, merge);
+  if (had_free && !function_of(workbench.problem).free) workbench.say("function.free_dropped", {}, {key: "edit.undo", run: () => workbench.undo()});
 }
 export function with_pair(problem: Problem, pairs: readonly AnglePair[], index: number, change: Partial<AnglePair>): Problem {
   return with_pairs(problem, pairs.map((pair, i) => (i === index ? {...pair, ...change} : pair)));
