@@ -105,10 +105,10 @@ std::vector<AxisTick> axis_ticks(const RegionScale& scale, const LinkageFamily& 
   const AxisQuantity quantity = family.axis(side).quantity;
   if (!has_values(quantity)) return ticks;
   const std::vector<double> infinities = scale.crossings_of_infinity();
+  double last = -2 * closest;  // where one block ends the next begins
   for (const RegionScale::Block& block : scale.blocks()) {
     const Readings readings = readings_of(scale, block, family, side);
     if (readings.values.size() < 3 || !(readings.values.back() > readings.values.front())) continue;
-    double last = -2 * closest;
     for (const double value : candidates(readings, quantity, block.to_px - block.from_px)) {
       const auto px = px_of(readings, value, is_even(quantity));
       if (!px || *px - last < closest - 0.5) continue;

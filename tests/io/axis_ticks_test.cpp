@@ -36,6 +36,17 @@ TEST(AxisTicks, StandWhereTheirValuesAreRead) {
   for (std::size_t i = 0; i + 1 < ticks.size(); ++i) EXPECT_GT(ticks[i + 1].px - ticks[i].px, 20);
 }
 
+TEST(AxisTicks, KeepApartAcrossSheets) {
+  const Solution solution = testing::solution_of(testing::example("footrest.json", 60));
+  const LinkageFamily& family = *solution.given.family;
+  for (const Side side : {Side::input, Side::output}) {
+    const RegionScale scale = scale_of(family, side, 400);
+    const std::vector<AxisTick> ticks = axis_ticks(scale, family, side);
+    for (std::size_t i = 0; i + 1 < ticks.size(); ++i)
+      EXPECT_GT(ticks[i + 1].px - ticks[i].px, 26) << ticks[i].text << ' ' << ticks[i + 1].text;
+  }
+}
+
 TEST(AxisTicks, OfCurvesAndOfFewSideLinksAreNone) {
   const LinkageFamily& curve = *testing::solved_tailgate().given.family;
   EXPECT_TRUE(axis_ticks(scale_of(curve, Side::input, 100), curve, Side::input).empty());
