@@ -155,10 +155,7 @@ std::string why_the_best(const Problem& problem, const Solution& solution, int d
   if (linkages.size() > 1)
     text += fmt::format("; linkage 2 follows with {}", score_words(objective, linkages[1], decimals));
   const auto limits = limits_touched(solution.requirements, linkages[0], problem.length_unit);
-  if (limits.empty()) return wrapped(text + ". It touches no limit: none of them holds it back.");
-  text += ". It lies at a limit that holds it back: ";
-  for (std::size_t i = 0; i < limits.size(); ++i) text += (i == 0 ? "" : "; ") + limits[i];
-  return wrapped(text + ".");
+  return wrapped(fmt::format("{}. It {}", text, held_back_words(limits)));
 }
 
 std::string check_words(const Solution& solution) {

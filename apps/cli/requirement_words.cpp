@@ -33,18 +33,35 @@ std::string type_list(const std::vector<LinkageType>& types) {
   return text;
 }
 
-/// "its input's fixed pivot at the border x = 70", or nothing.
-void add_border(std::vector<std::string>& touched, const std::optional<Box>& box, Point pivot, std::string_view which) {
+/// "the input's fixed pivot at the border x = 70 of its box", or nothing.
+void add_border(std::vector<std::string>& touched, const std::optional<Box>& box, Point pivot, std::string_view which,
+                std::string_view of = "its box") {
   if (!box) return;
   const auto check = [&](double value, double low, double high, char axis) {
     const double room = touching * (high - low);
     if (value - low > room && high - value > room) return;
     const double border = value - low <= room ? low : high;
-    touched.push_back(
-        fmt::format("{} at the border {} = {} of its box", which, axis, significant_text(border, digits)));
+    touched.push_back(fmt::format("{} at the border {} = {} of {}", which, axis, significant_text(border, digits), of));
   };
   check(pivot.real(), box->x_low, box->x_high, 'x');
   check(pivot.imag(), box->y_low, box->y_high, 'y');
+}
+
+/// Of those that ask for no place.
+std::vector<std::string> limits_of_size(const Requirements& requirements, double gamma, double ratio, double longest,
+                                        std::string_view unit) {
+  std::vector<std::string> touched;
+  const double least_gamma = requirements.min_transmission_angle;
+  if (least_gamma > 0 && gamma <= (1 + touching) * least_gamma) {
+    touched.push_back("transmission angle at least " + angle_words(least_gamma));
+  }
+  if (ratio >= (1 - touching) * requirements.max_link_ratio) {
+    touched.push_back("link ratio at most " + significant_text(requirements.max_link_ratio, digits));
+  }
+  if (requirements.max_length && longest >= (1 - touching) * *requirements.max_length) {
+    touched.push_back("longest link at most " + length_words(*requirements.max_length, unit));
+  }
+  return touched;
 }
 
 }  // namespace
@@ -71,24 +88,35 @@ std::string requirement_words(const Requirements& requirements, std::string_view
 
 std::vector<std::string> limits_touched(const Requirements& requirements, const FourBarSolution& found,
                                         std::string_view unit) {
-  std::vector<std::string> touched;
   const double gamma = std::acos(std::min(1.0, std::abs(found.report.worst_transmission_cosine)));
-  const double ratio = found.lengths.longest() / found.lengths.shortest(), longest = found.lengths.longest();
-  const double least_gamma = requirements.min_transmission_angle;
-  if (least_gamma > 0 && gamma <= (1 + touching) * least_gamma) {
-    touched.push_back("transmission angle at least " + angle_words(least_gamma));
-  }
-  if (ratio >= (1 - touching) * requirements.max_link_ratio) {
-    touched.push_back("link ratio at most " + significant_text(requirements.max_link_ratio, digits));
-  }
-  if (requirements.max_length && longest >= (1 - touching) * *requirements.max_length) {
-    touched.push_back("longest link at most " + length_words(*requirements.max_length, unit));
-  }
+  const double longest = found.lengths.longest();
+  std::vector<std::string> touched =
+      limits_of_size(requirements, gamma, longest / found.lengths.shortest(), longest, unit);
   add_border(touched, requirements.ground_pivots_within, found.four_bar.input_center, "the input's fixed pivot");
   add_border(touched, requirements.ground_pivots_within, found.four_bar.output_center, "the output's fixed pivot");
   add_border(touched, requirements.moving_pivots_within, found.four_bar.input_circle, "the input's moving pivot");
   add_border(touched, requirements.moving_pivots_within, found.four_bar.output_circle, "the output's moving pivot");
   return touched;
+}
+
+std::vector<std::string> limits_touched(const Requirements& requirements, const SixBarSolution& found,
+                                        const std::optional<Box>& search, std::string_view unit) {
+  const SixBarShape& shape = found.rating.shape;
+  std::vector<std::string> touched =
+      limits_of_size(requirements, found.rating.min_transmission_angle(), shape.link_ratio, shape.longest, unit);
+  const auto& joints = found.member.six_bar.joints;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::string which = fmt::format("hinge {}", joint_name(i));
+    add_border(touched, is_on_ground(joints[i]) ? requirements.ground_pivots_within : requirements.moving_pivots_within,
+               joints[i].point, which);
+    add_border(touched, search, joints[i].point, which, "the search's box");
+  }
+  return touched;
+}
+
+std::string held_back_words(const std::vector<std::string>& limits) {
+  if (limits.empty()) return "touches no limit: none of them holds it back.";
+  return fmt::format("lies at a limit that holds it back: {}.", fmt::join(limits, "; "));
 }
 
 std::string relaxation_words(const Relaxation& relaxation, std::string_view unit) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,13 @@ namespace linkwright::cli {
 /// The limits at which a linkage lies (to half a percent), in words.
 [[nodiscard]] std::vector<std::string> limits_touched(const Requirements& requirements, const FourBarSolution& found,
                                                       std::string_view unit);
+
+/// Of a six-bar; `search`: the box in which its hinges were looked for.
+[[nodiscard]] std::vector<std::string> limits_touched(const Requirements& requirements, const SixBarSolution& found,
+                                                      const std::optional<Box>& search, std::string_view unit);
+
+/// "touches no limit: …", or at which it lies.
+[[nodiscard]] std::string held_back_words(const std::vector<std::string>& limits);
 
 /// "a transmission angle of at least 24° would leave 112", or what dropping the requirement would.
 [[nodiscard]] std::string relaxation_words(const Relaxation& relaxation, std::string_view unit);

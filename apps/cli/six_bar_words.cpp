@@ -131,6 +131,12 @@ std::string hinge_words(const Solution& solution, int decimals) {
          wrapped(body_words);
 }
 
+std::string limits_words(const Problem& problem, const Solution& solution) {
+  const std::optional<Box> box = solution.search ? solution.options.box : std::nullopt;
+  return wrapped("Six-bar 1 " + held_back_words(limits_touched(solution.requirements, solution.six_bars.front(), box,
+                                                               problem.length_unit)));
+}
+
 std::string check_words(const Solutions& all) {
   double length = 0, pose = 0;
   bool confirmed = true;
@@ -208,7 +214,7 @@ std::string six_bar_answer(const Problem& problem, const Solution& solution) {
   for (const SixBarSolution& one : found) longest = std::max(longest, one.rating.shape.longest);
   const int decimals = std::min(length_decimals(longest), 9);
   return text + "\n" + best_heading(solution.options.objective) + dimension_table(found, decimals) + "\n" +
-         hinge_words(solution, decimals) + "\n" + check_words(found);
+         hinge_words(solution, decimals) + "\n" + limits_words(problem, solution) + check_words(found);
 }
 
 std::string six_bar_words(const SixBarAnalysis& analysis) {

@@ -55,6 +55,21 @@ class SixBars(FaceTest):
                     for value, (low, high) in zip(linkage["joints"][hinge], wanted["ground_pivots_within"].values()):
                         self.assertTrue(low <= value <= high)
 
+    def test_says_which_limits_the_best_touches(self):
+        status, output, error = run("solve", CHAIN)
+        self.assertEqual((status, error), (0, ""))
+        self.assertIn("Six-bar 1 touches no limit: none of them holds it back.", output)
+        problem, best = load(CHAIN), self.chain["linkages"][0]
+        problem["requirements"]["max_length"] = 1.001 * max(best["lengths"].values())
+        lowest = min(best["joints"][hinge][1] for hinge in ("a", "c4"))
+        problem["requirements"]["ground_pivots_within"]["y"] = [lowest - 0.5, lowest + 2000]
+        status, output, error = run("solve", self.write("limits.json", problem))
+        self.assertEqual((status, error), (0, ""))
+        words = " ".join(output.split())
+        self.assertIn("Six-bar 1 lies at a limit that holds it back: ", words)
+        self.assertIn("longest link at most", words.partition("holds it back")[2])
+        self.assertRegex(words, "hinge (a|c4) at the border y = ")
+
     def test_no_four_bar_does_it(self):
         problem = load(CHAIN)
         del problem["task"]["chain"], problem["task"]["added"]
