@@ -193,8 +193,9 @@ std::string linkages_words(const Problem& problem, const Solution& solution) {
 std::string nothing_words(const Problem& problem, const Solution& solution) {
   if (!solution.linkages.empty() || solution.options.best == 0) return "";
   std::string text = "\n" + wrapped(solution.reason.message);
-  for (const Relaxation& relaxation : solution.relax) {
-    text += wrapped("  " + relaxation_words(relaxation, problem.length_unit), 4);
+  for (std::size_t i = 0; i < solution.relax.size(); ++i) {
+    if (i == 0 && !solution.relax[i].value) continue;  // the reason says what dropping it would leave
+    text += wrapped("  " + relaxation_words(solution.relax[i], problem.length_unit), 4);
   }
   return text;
 }

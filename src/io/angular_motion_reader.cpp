@@ -3,6 +3,7 @@
 
 #include "attitude_header.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/io/angular_motion_file.hpp"
 #include "space_reader.hpp"
 
@@ -53,7 +54,7 @@ std::optional<Matrix3x3> read_derivative(const JsonValue& value) {
   const auto matrix = read_matrix3x3(value);
   if (!matrix || is_bounded(*matrix)) return matrix;
   value.mistake("out_of_range",
-                fmt::format("the elements lie between ±{:g}; take a smaller unit of time", largest_quantity));
+                fmt::format("the elements lie between ±{}; take a smaller unit of time", limit_text(largest_quantity)));
   return std::nullopt;
 }
 
@@ -84,8 +85,8 @@ std::optional<QuaternionRate> read_quaternion_rate(const JsonValue& value) {
   if (!numbers) return std::nullopt;
   const QuaternionRate rate{(*numbers)[0], {(*numbers)[1], (*numbers)[2], (*numbers)[3]}};
   if (std::abs(rate.w) <= largest_quantity && norm(rate.v) <= largest_quantity) return rate;
-  value.mistake("out_of_range",
-                fmt::format("the components lie between ±{:g}; take a smaller unit of time", largest_quantity));
+  value.mistake("out_of_range", fmt::format("the components lie between ±{}; take a smaller unit of time",
+                                            limit_text(largest_quantity)));
   return std::nullopt;
 }
 

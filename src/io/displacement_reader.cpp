@@ -6,6 +6,7 @@
 
 #include "attitude_header.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
 #include "space_reader.hpp"
 
 namespace linkwright {
@@ -21,7 +22,7 @@ bool read_matrix(const JsonValue& value, DisplacementTask& task) {
   if (!displacement) return false;
   if (!is_bounded(displacement->translation)) {
     value.mistake("out_of_range",
-                  fmt::format("a translation lies between ±{:g}; take a larger unit", largest_quantity));
+                  fmt::format("a translation lies between ±{}; take a larger unit", limit_text(largest_quantity)));
     return false;
   }
   task.displacement = *displacement;

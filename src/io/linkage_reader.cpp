@@ -9,6 +9,7 @@
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/io/linkage_file.hpp"
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/io/result_file.hpp"
@@ -33,7 +34,8 @@ std::optional<FourBar> checked(const FourBar& four_bar, const JsonValue& value) 
   for (const Point pivot :
        {four_bar.input_center, four_bar.input_circle, four_bar.output_center, four_bar.output_circle}) {
     if (in_range(pivot)) continue;
-    value.mistake("out_of_range", fmt::format("the coordinates of a pivot lie between ±{:g}", largest_number));
+    value.mistake("out_of_range",
+                  fmt::format("the coordinates of a pivot lie between ±{}", limit_text(largest_number)));
     return std::nullopt;
   }
   if (linkage_type(four_bar.lengths()) != LinkageType::degenerate) return four_bar;
@@ -67,7 +69,8 @@ std::optional<FourBar> read_lengths(const JsonValue& value, Mistakes& mistakes) 
     const auto found = object.require(key, "a length");
     const auto number = found ? found->as_number() : std::nullopt;
     if (!number || (*number > 0 && *number <= largest_number)) return number;
-    found->mistake("out_of_range", fmt::format("a length is greater than 0 and at most {:g}", largest_number));
+    found->mistake("out_of_range",
+                   fmt::format("a length is greater than 0 and at most {}", limit_text(largest_number)));
     return std::nullopt;
   };
   const auto ground = length("ground"), input = length("input"), coupler = length("coupler"), output = length("output");

@@ -32,15 +32,6 @@ std::string significant_text(double value, int digits) {
   return text;
 }
 
-std::string grouped_text(std::int64_t count) {
-  std::string text = fmt::format("{}", count);
-  const std::ptrdiff_t first_digit = count < 0 ? 1 : 0;
-  for (auto place = static_cast<std::ptrdiff_t>(text.size()) - 3; place > first_digit; place -= 3) {
-    text.insert(static_cast<std::size_t>(place), 1, ' ');
-  }
-  return text;
-}
-
 int length_decimals(double typical_length) {
   if (!(typical_length > 0) || !std::isfinite(typical_length)) return 2;
   return std::clamp(4 - static_cast<int>(std::floor(std::log10(typical_length))), 0, 15);

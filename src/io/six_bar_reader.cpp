@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "linkwright/core/count_text.hpp"
 #include "nearest_name.hpp"
 #include "task_reader.hpp"
 
@@ -104,7 +105,8 @@ std::optional<StoredSixBar> read_six_bar(const JsonValue& value, Mistakes& mista
   stored.six_bar = SixBar::of({chain->a, chain->b, chain->d}, row->added, ordered((*links)[0], row->added[0]),
                               ordered((*links)[1], row->added[1]));
   if (!in_range(stored.six_bar)) {
-    value.mistake("out_of_range", fmt::format("the coordinates of a hinge lie between ±{:g}", largest_number));
+    value.mistake("out_of_range",
+                  fmt::format("the coordinates of a hinge lie between ±{}", limit_text(largest_number)));
   } else if (shape_of(stored.six_bar).type == LinkageType::degenerate) {
     value.mistake("degenerate_linkage", "two hinges of one body coincide; every link of a six-bar has a length");
   } else {

@@ -5,15 +5,15 @@
 #include <nlohmann/json.hpp>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
 
 namespace linkwright {
 
 std::optional<double> read_quantity(const JsonValue& value) {
   const auto number = value.as_number();
   if (!number || std::abs(*number) <= largest_quantity) return number;
-  value.mistake("out_of_range",
-                fmt::format("{:g} is too large; give a number between ±{:g}, in a larger unit if need be", *number,
-                            largest_quantity));
+  value.mistake("out_of_range", fmt::format("{:g} is too large; give a number between ±{}, in a larger unit if need be",
+                                            *number, limit_text(largest_quantity)));
   return std::nullopt;
 }
 
@@ -48,8 +48,8 @@ std::optional<Vector3> read_bounded_vector(const JsonValue& value) {
   for (const double coordinate : {vector->x, vector->y, vector->z}) {
     if (std::abs(coordinate) <= largest_quantity) continue;
     value.mistake("out_of_range",
-                  fmt::format("{:g} is too large; give numbers between ±{:g}, in a larger unit if need be", coordinate,
-                              largest_quantity));
+                  fmt::format("{:g} is too large; give numbers between ±{}, in a larger unit if need be", coordinate,
+                              limit_text(largest_quantity)));
     return std::nullopt;
   }
   return vector;

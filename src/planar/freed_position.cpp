@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
@@ -117,12 +118,12 @@ Notice nothing_meets(const RegionMap& map, const Requirements& requirements) {
     return {"no_pair", "No pair of side links through the other poses makes a four-bar with four pivots.", {}};
   if (counts.defect_free == 0 && requirements.no_defects)
     return {"none_defect_free",
-            fmt::format("None of the four-bars through the other poses ({}) is free of defects.", whole),
+            fmt::format("None of the four-bars through the other poses ({}) is free of defects.", grouped_text(whole)),
             counted(whole)};
   return {"none_left",
           fmt::format("None of the four-bars through the other poses that are free of defects ({}) meets all "
                       "requirements.",
-                      counts.defect_free),
+                      grouped_text(counts.defect_free)),
           counted(counts.defect_free)};
 }
 

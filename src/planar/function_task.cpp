@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/planar/motion_task.hpp"
 
 namespace linkwright {
@@ -17,9 +18,8 @@ std::string place_of(std::size_t pair) { return fmt::format("task.pairs[{}]", pa
 
 void check_number(double value, std::string_view what, const std::string& place, std::vector<Error>& found) {
   if (std::abs(value) <= largest_coordinate) return;
-  found.push_back(
-      {"out_of_range", place,
-       fmt::format("{} must be a number between −{:g} and {:g}", what, largest_coordinate, largest_coordinate)});
+  found.push_back({"out_of_range", place,
+                   fmt::format("{0} must be a number between −{1} and {1}", what, limit_text(largest_coordinate))});
 }
 
 // A first derivative must move the input: the output is a function of it.
@@ -122,8 +122,8 @@ void check_free(const FunctionTask& task, std::vector<Error>& found) {
                      "a number can be left free with four positions; five already leave nothing to choose"});
   if (!(std::abs(low) <= most && std::abs(high) <= most && low < high))
     found.push_back({"out_of_range", "task.free.range",
-                     fmt::format("the range is [low, high] with low below high, both numbers between −{0:g} and {0:g}",
-                                 largest_coordinate)});
+                     fmt::format("the range is [low, high] with low below high, both numbers between −{0} and {0}",
+                                 limit_text(largest_coordinate))});
   else if (scales && low < 1 / largest_coordinate)
     found.push_back({"out_of_range", "task.free.range",
                      "the output's travel is multiplied by a positive number; turn the signs of the outputs round to "

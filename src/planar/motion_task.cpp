@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
@@ -15,7 +16,7 @@ std::string place_of(std::size_t pose) { return fmt::format("task.poses[{}]", po
 void check_number(double value, double limit, const char* what, const std::string& place, std::vector<Error>& found) {
   if (std::abs(value) <= limit) return;
   found.push_back(
-      {"out_of_range", place, fmt::format("{} must be a number between −{:g} and {:g}", what, limit, limit)});
+      {"out_of_range", place, fmt::format("{0} must be a number between −{1} and {1}", what, limit_text(limit))});
 }
 
 bool is_zero(const PoseDerivative& d) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/planar/motion_task.hpp"
 
 namespace linkwright {
@@ -47,7 +48,8 @@ bool are_inside(const std::array<double, 2>& range, double most) {
 void check_range(const std::array<double, 2>& range, double unit, double most, std::string_view key,
                  std::vector<Error>& found) {
   if (!are_inside({range[0] / unit, range[1] / unit}, most))
-    found.push_back({"out_of_range", place(key), fmt::format("a range is two numbers between −{0:g} and {0:g}", most)});
+    found.push_back(
+        {"out_of_range", place(key), fmt::format("a range is two numbers between −{0} and {0}", limit_text(most))});
   else if (range[0] == range[1])
     found.push_back({"empty_range", place(key), "the range is empty; give two different numbers"});
 }
@@ -68,7 +70,7 @@ void check_table(const NamedFunction& function, std::vector<Error>& found) {
   for (std::size_t i = 0; i < table.size(); ++i)
     if (!are_inside(table[i], largest_value))
       found.push_back({"out_of_range", fmt::format("task.function.table[{}]", i),
-                       fmt::format("x and y must be numbers between −{0:g} and {0:g}", largest_value)});
+                       fmt::format("x and y must be numbers between −{0} and {0}", limit_text(largest_value))});
     else if (i > 0 && table[i][0] <= table[i - 1][0])
       found.push_back({"table_out_of_order", fmt::format("task.function.table[{}]", i),
                        "the rows of a table go by rising x, no x twice; sort them"});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 
 namespace linkwright {
@@ -26,10 +27,11 @@ Notice nothing_found(const Solution& solution) {
     return {"none_defect_free",
             fmt::format("None of the six-bars that guide the body through all poses ({}) is free of defects. Move a "
                         "hinge of the chain, join other bodies, or leave the chain out and let it be searched for.",
-                        whole),
+                        grouped_text(whole)),
             {{"count", static_cast<double>(whole)}}};
   return {"none_left",
-          fmt::format("None of the six-bars free of defects ({}) meets all requirements.", solution.counts.defect_free),
+          fmt::format("None of the six-bars free of defects ({}) meets all requirements.",
+                      grouped_text(solution.counts.defect_free)),
           {{"count", static_cast<double>(solution.counts.defect_free)}}};
 }
 
@@ -46,7 +48,8 @@ void judge(Solution& solution) {
       "solved",
       fmt::format("All six-bars that guide the body through all poses: {}; free of defects: {}; meeting all "
                   "requirements: {}.",
-                  whole, solution.counts.defect_free, solution.meeting_requirements),
+                  grouped_text(whole), grouped_text(solution.counts.defect_free),
+                  grouped_text(solution.meeting_requirements)),
       {{"count", static_cast<double>(whole)},
        {"defect_free", static_cast<double>(solution.counts.defect_free)},
        {"meeting", static_cast<double>(solution.meeting_requirements)}}};

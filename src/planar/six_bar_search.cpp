@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 #include "planar/six_bar_prospect.hpp"
@@ -201,14 +202,14 @@ Notice words(const SixBarSearchResult& result, bool any) {
       {count("chains", result.chains_tried), count("six_bars", result.six_bars),
        count("defect_free", result.defect_free), count("found", static_cast<std::int64_t>(result.linkages.size()))}};
   notice.message = fmt::format("{} chains that reach all poses were tried, {} six-bars with all pivots in the box; ",
-                               result.chains_tried, result.six_bars);
+                               grouped_text(result.chains_tried), grouped_text(result.six_bars));
   if (result.chains_drawn == 0 && !result.interrupted) {
     notice.code = "no_chain";
     notice.message = "The box for the pivots and the boxes of the requirements have nothing in common.";
   } else if (result.chains_tried == 0 && !result.interrupted) {
     notice.code = "no_chain";
     notice.message = fmt::format("None of {} chains with pivots in the box reaches all poses; enlarge the box.",
-                                 result.chains_drawn);
+                                 grouped_text(result.chains_drawn));
   } else if (!any) {
     notice.code = "nothing_found";
     notice.message +=

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <string>
 
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/motion_task.hpp"
 
@@ -29,8 +30,9 @@ bool is_inside(Point p) { return std::abs(p.real()) <= largest_coordinate && std
 
 void check_pivot(Point p, const char* key, std::vector<Error>& found) {
   if (!is_inside(p))
-    found.push_back({"out_of_range", fmt::format("task.chain.{}", key),
-                     fmt::format("both coordinates must be numbers between −{0:g} and {0:g}", largest_coordinate)});
+    found.push_back(
+        {"out_of_range", fmt::format("task.chain.{}", key),
+         fmt::format("both coordinates must be numbers between −{0} and {0}", limit_text(largest_coordinate))});
 }
 
 void check_elbow(const ThreeLinkChain& chain, std::vector<Error>& found) {
@@ -159,7 +161,7 @@ std::optional<SixBarRow> six_bar_row(std::array<BodyPair, 2> added) {
 std::vector<Error> mistakes_in_search_box(const Box& box) {
   if (!is_inside({box.x_low, box.y_low}) || !is_inside({box.x_high, box.y_high}))
     return {{"out_of_range", "options.box",
-             fmt::format("its borders must be numbers between −{0:g} and {0:g}", largest_coordinate)}};
+             fmt::format("its borders must be numbers between −{0} and {0}", limit_text(largest_coordinate))}};
   if (!(box.x_low < box.x_high && box.y_low < box.y_high))
     return {{"empty_box", "options.box", "the box is empty; each of x and y is [low, high] with low below high"}};
   return {};

@@ -67,6 +67,15 @@ class Solve(FaceTest):
         self.assertEqual(load(self.folder / "result.json")["linkages"], [])
         self.assertIn("would leave", output)
 
+    def test_what_dropping_a_requirement_leaves_is_said_once(self):
+        problem = load(TAILGATE)
+        problem["requirements"]["ground_pivots_within"] = {"x": [5000, 5010], "y": [5000, 5010]}
+        status, output, error = run("solve", self.write("problem.json", problem))
+        self.assertEqual((status, error), (0, ""))
+        words = " ".join(output.split())
+        self.assertIn("ground_pivots_within costs most: without it ", words)
+        self.assertNotIn("Without ground_pivots_within", words)
+
     def test_translations_are_an_answer(self):
         problem = load(TAILGATE)
         for pose in problem["task"]["poses"]:

@@ -70,6 +70,13 @@ class SixBars(FaceTest):
         self.assertIn("longest link at most", words.partition("holds it back")[2])
         self.assertRegex(words, "hinge (a|c4) at the border y = ")
 
+    def test_counts_are_grouped_in_sentences(self):
+        problem = load(CHAIN)
+        problem["requirements"]["max_length"] = 10
+        status, output, error = run("solve", self.write("short.json", problem))
+        self.assertEqual((status, error), (0, ""))
+        self.assertRegex(" ".join(output.split()), r"None of the six-bars free of defects \(1 \d{3}\) meets all")
+
     def test_no_four_bar_does_it(self):
         problem = load(CHAIN)
         del problem["task"]["chain"], problem["task"]["added"]

@@ -57,14 +57,6 @@ TEST(NumberText, SignificantTextDropsTrailingZeros) {
   EXPECT_EQ(significant_text(0, 3), "0");
 }
 
-TEST(NumberText, CountsAreGroupedInThrees) {
-  EXPECT_EQ(grouped_text(0), "0");
-  EXPECT_EQ(grouped_text(999), "999");
-  EXPECT_EQ(grouped_text(1000), "1 000");
-  EXPECT_EQ(grouped_text(159600), "159 600");
-  EXPECT_EQ(grouped_text(-1234567), "-1 234 567");
-}
-
 TEST(NumberText, LengthsHaveFourOrFiveDigits) {
   EXPECT_EQ(length_decimals(250), 2);
   EXPECT_EQ(length_decimals(0.25), 5);

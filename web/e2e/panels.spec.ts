@@ -61,7 +61,7 @@ test.describe("table of positions", () => {
     const before = await poses(page);
     await type_into(page, "task.y.2", "twelve", "Tab");
     await expect(page.getByTestId("task.y.2")).toHaveAttribute("aria-invalid", "true");
-    await expect(page.getByTestId("task.fault")).toContainText("must be a number between −1e9 and 1e9. The last good value stays.");
+    await expect(page.getByTestId("task.fault")).toContainText("must be a number between −1 000 000 000 and 1 000 000 000. The last good value stays.");
     expect(await poses(page)).toEqual(before);
     await page.getByTestId("task.y.2").focus();
     await page.keyboard.press("Escape");

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "linkwright/core/count_text.hpp"
+
 namespace linkwright {
 
 /// A finite double as the shortest decimal text that reads back as the same bits ("0.1", "1e+22", "-0.0").
@@ -14,9 +16,6 @@ namespace linkwright {
 /// A number for people with so many significant digits, without trailing zeros: "0.00213", "133.2"; whole numbers
 /// in full up to 1e15.
 [[nodiscard]] std::string significant_text(double value, int digits);
-
-/// A count in groups of three: 159600 → "159 600".
-[[nodiscard]] std::string grouped_text(std::int64_t count);
 
 /// Decimals with which lengths of about this size are told to people: four or five significant digits.
 [[nodiscard]] int length_decimals(double typical_length);
