@@ -20,10 +20,14 @@ std::array<HomogeneousMatrix, 3> transposed(const std::array<HomogeneousMatrix, 
 }
 
 // Rank below three leaves more than a curve: every point.
-PlaneCubic cubic_of(const PoseConditions& conditions, bool of_centers) {
+PlaneCubic cubic_of(const PoseConditions& conditions, const std::vector<HomogeneousMatrix>& rows, bool of_centers) {
   if (conditions.rank < 3) return {};
-  const auto rows = first_three(conditions.rows);
-  return determinant_cubic(of_centers ? transposed(rows) : rows);
+  const auto three = first_three(rows);
+  return determinant_cubic(of_centers ? transposed(three) : three);
+}
+
+const std::vector<HomogeneousMatrix>& seen_rows(const PoseConditions& conditions) {
+  return conditions.near_pole ? conditions.near_pole->rows : conditions.rows;
 }
 
 std::array<Homogeneous, 3> dyad_system(const std::array<HomogeneousMatrix, 3>& conditions, Homogeneous circle) {
@@ -77,18 +81,24 @@ double run_between(const Dyad& a, const Dyad& b) {
 
 }  // namespace
 
+BurmesterCurve::Seen::Seen(const PoseConditions& asked, const std::vector<HomogeneousMatrix>& rows)
+    : conditions(first_three(rows)),
+      circle_curve(cubic_of(asked, rows, false)),
+      center_curve(cubic_of(asked, rows, true)) {}
+
 BurmesterCurve::BurmesterCurve(const PoseConditions& conditions)
-    : conditions_(first_three(conditions.rows)),
-      circle_curve_(cubic_of(conditions, false)),
-      center_curve_(cubic_of(conditions, true)),
-      branches_(circle_curve_.branches()) {
+    : view_(conditions.near_pole ? std::optional(conditions.near_pole->frame) : std::nullopt),
+      seen_(conditions, seen_rows(conditions)),
+      circle_curve_(cubic_of(conditions, conditions.rows, false)),
+      center_curve_(cubic_of(conditions, conditions.rows, true)),
+      branches_(seen_.circle_curve.branches()) {
   if (kind() != CubicKind::every_point) find_partner_lines();
 }
 
 void BurmesterCurve::find_partner_lines() {
   const double first = coordinate_length();
-  for (const Homogeneous circle : circle_curve_.double_points()) {
-    const auto rows = dyad_system(conditions_, circle);
+  for (const Homogeneous circle : seen_.circle_curve.double_points()) {
+    const auto rows = dyad_system(seen_.conditions, circle);
     const Homogeneous longest =
         *std::max_element(rows.begin(), rows.end(), [](Homogeneous a, Homogeneous b) { return dot(a, a) < dot(b, b); });
     double independent = 0;
@@ -105,12 +115,24 @@ void BurmesterCurve::find_partner_lines() {
   }
 }
 
+Homogeneous BurmesterCurve::to_seen(Homogeneous working) const {
+  return view_ ? normalized(view_->to_working(working)) : working;
+}
+
+Homogeneous BurmesterCurve::to_working(Homogeneous seen) const {
+  return view_ ? normalized(view_->to_user(seen)) : seen;
+}
+
 Homogeneous BurmesterCurve::center_of(Homogeneous circle) const {
-  return null_vector(dyad_system(conditions_, circle));
+  return to_working(null_vector(dyad_system(seen_.conditions, to_seen(circle))));
 }
 
 Homogeneous BurmesterCurve::circle_of(Homogeneous center) const {
-  return null_vector(dyad_system(transposed(conditions_), center));
+  return to_working(null_vector(dyad_system(transposed(seen_.conditions), to_seen(center))));
+}
+
+std::optional<double> BurmesterCurve::coordinate_of(Homogeneous circle) const {
+  return seen_.circle_curve.coordinate_of(to_seen(circle));
 }
 
 Dyad BurmesterCurve::dyad(double tau) const {
@@ -123,19 +145,19 @@ Dyad BurmesterCurve::dyad(double tau) const {
     const auto which = std::min(static_cast<std::size_t>(on_curve - own_length), partner_lines_.size() - 1);
     const PartnerLine& line = partner_lines_[which];
     const double t = pi * (on_curve - own_length - static_cast<double>(which));
-    return {std::cos(t) * line.from + std::sin(t) * line.to, line.circle, on_curve};
+    return {to_working(std::cos(t) * line.from + std::sin(t) * line.to), to_working(line.circle), on_curve};
   }
-  Homogeneous circle = circle_curve_.point(on_curve);
-  Homogeneous center = center_of(circle);
+  Homogeneous circle = seen_.circle_curve.point(on_curve);
+  Homogeneous center = null_vector(dyad_system(seen_.conditions, circle));
   for (int step = 0; step < 2; ++step)
-    if (!newton_step(conditions_, circle, center)) break;
-  return {center, circle, on_curve};
+    if (!newton_step(seen_.conditions, circle, center)) break;
+  return {to_working(center), to_working(circle), on_curve};
 }
 
 double BurmesterCurve::residual(const Dyad& dyad) const {
-  const Homogeneous circle = normalized(dyad.circle), center = normalized(dyad.center);
+  const Homogeneous circle = normalized(to_seen(dyad.circle)), center = normalized(to_seen(dyad.center));
   double worst = 0;
-  for (const HomogeneousMatrix& m : conditions_) worst = std::max(worst, std::abs(dot(circle, m * center)));
+  for (const HomogeneousMatrix& m : seen_.conditions) worst = std::max(worst, std::abs(dot(circle, m * center)));
   return worst;
 }
 
@@ -148,11 +170,31 @@ std::vector<double> BurmesterCurve::samples(int count, Spacing spacing) const {
   return coordinates;
 }
 
+/// Where one of the two points passes infinity: excursions of the curve lead there, however short in τ.
+std::vector<Dyad> BurmesterCurve::dyads_at_infinity() const {
+  const CircularCubic &circles = seen_.circle_curve, &centers = seen_.center_curve;
+  std::vector<Dyad> found;
+  if (const auto asymptote = circles.asymptote())
+    found.push_back(dyad(*circles.coordinate_of(Homogeneous::at_infinity((*asymptote)[1]))));
+  if (const auto asymptote = centers.asymptote(); asymptote && circles.kappa()) {
+    const auto rows = dyad_system(transposed(seen_.conditions), Homogeneous::at_infinity((*asymptote)[1]));
+    found.push_back(dyad(*circles.coordinate_of(null_vector(rows))));
+  }
+  return found;
+}
+
 /// Calls `visit(dyad, length run since the one before)` along all branches, sides being halved until they are short
-/// enough.
+/// enough and pass over none of the dyads at infinity.
 template <class Visit>
 void BurmesterCurve::walk(int first_sides, double longest_side, const Visit& visit) const {
-  constexpr int deepest = 24;
+  constexpr int deepest = 40;
+  const std::vector<Dyad> knots = dyads_at_infinity();
+  const auto passed_over = [&](const Dyad& from, const Dyad& to) {
+    return std::find_if(knots.begin(), knots.end(), [&](const Dyad& knot) {
+      return knot.coordinate > from.coordinate && knot.coordinate < to.coordinate &&
+             run_between(from, knot) > longest_side;
+    });
+  };
   for (const CurveBranch& branch : branches_) {
     if (branch.from == branch.to) continue;
     // The end of a branch is its beginning: stop just short of it, or the next branch's beginning is met.
@@ -165,6 +207,10 @@ void BurmesterCurve::walk(int first_sides, double longest_side, const Visit& vis
         const double length = run_between(at, ahead.back()), width = ahead.back().coordinate - at.coordinate;
         if (length > longest_side && width > step * std::ldexp(1.0, -deepest)) {
           ahead.push_back(dyad(at.coordinate + width / 2));
+          continue;
+        }
+        if (const auto knot = passed_over(at, ahead.back()); knot != knots.end()) {
+          ahead.push_back(*knot);
           continue;
         }
         at = ahead.back();

@@ -71,7 +71,7 @@ class Marker {
   }
 
   void add_coordinate(CurveMark& mark, Homogeneous circle) const {
-    if (const auto tau = curve_.circle_curve().coordinate_of(circle)) mark.tau.push_back(*tau);
+    if (const auto tau = curve_.coordinate_of(circle)) mark.tau.push_back(*tau);
   }
 
   /// Between two neighbours of the polygon w changes its sign, the vectors being taken the same way round.

@@ -5,20 +5,10 @@
 
 #include "linkwright/analysis/drive_through.hpp"
 #include "linkwright/analysis/pose_visits.hpp"
+#include "planar/side_link.hpp"
 
 namespace linkwright {
 namespace {
-
-// Worst change of the side link's length over the poses, relative to its length.
-double length_residual(const std::vector<PrescribedPose>& poses, Point center, Point circle) {
-  const double length = std::abs(circle - center);
-  double worst = 0;
-  for (const PrescribedPose& pose : poses) {
-    const Point moved = displaced(circle, poses.front().pose, pose.pose);
-    worst = std::max(worst, std::abs(std::abs(moved - center) - length) / length);
-  }
-  return worst;
-}
 
 // By how much the side links, at unit scale, fail to keep still to the orders that the derivatives prescribe.
 std::optional<double> derivative_residual(const std::vector<HomogeneousMatrix>& rows, const SideLinks& links) {

@@ -139,8 +139,7 @@ std::vector<RegionPlace> exact_places(const MotionTask& whole, const TaskFamily&
     const Homogeneous circle = conditions.frame.to_user(point.dyad).circle;
     const Point there = turn * (circle.vector() - circle.w * from.origin) + circle.w * to.origin;
     const Homogeneous moved{circle.w, there.real(), there.imag()};
-    if (const auto tau = given.curve->circle_curve().coordinate_of(given.frame().to_working(moved)))
-      coordinates.push_back(*tau);
+    if (const auto tau = given.curve->coordinate_of(given.frame().to_working(moved))) coordinates.push_back(*tau);
   }
   std::vector<RegionPlace> places;
   for (const double input : coordinates)

@@ -56,7 +56,7 @@ std::optional<Dyad> FunctionCouplers::coupler(double tau) const {
 }
 
 std::optional<double> FunctionCouplers::ground_coordinate() const {
-  return curve ? curve->circle_curve().coordinate_of(given.ground.circle) : std::nullopt;
+  return curve ? curve->coordinate_of(given.ground.circle) : std::nullopt;
 }
 
 FunctionCouplers function_couplers(const FunctionTask& task) {

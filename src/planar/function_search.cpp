@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/planar/function_error.hpp"
 #include "planar/candidate.hpp"
 
@@ -110,13 +111,19 @@ class GeneratorSearch {
     if (!found || family_.axis(Side::input).is_discrete()) return found ? best : start;
     for (double step = first_step; step > 1e-9;) {
       const double before = best.ranked.max_structural_error, from = best.ranked.place.input;
-      for (const double input : {from + step, from - step})
+      for (const double input : {on_branch(start, from + step), on_branch(start, from - step)})
         if (const auto there = allowed({input, value}, start.type);
             there && there->ranked.max_structural_error < best.ranked.max_structural_error)
           best = *there;
       step *= best.ranked.max_structural_error < before ? 1.5 : 0.4;
     }
     return best;
+  }
+
+  /// Leaving a closed branch at its end is entering it at its beginning.
+  [[nodiscard]] static double on_branch(const Generator& start, double tau) {
+    const double branch = std::floor(start.ranked.place.input);
+    return branch + wrap_period(tau - branch, 1);
   }
 
   [[nodiscard]] std::optional<Generator> allowed(RegionPlace place, LinkageType type) const {

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "linkwright/core/tolerance.hpp"
+#include "planar/side_link.hpp"
+
 namespace linkwright {
 namespace {
 
@@ -121,7 +124,14 @@ CurveFamily::CurveFamily(const WorkingFrame& frame, std::vector<PrescribedPose> 
                          std::shared_ptr<const BurmesterCurve> curve)
     : ProductFamily(frame, std::move(poses), curve_axis(*curve), curve_axis(*curve)), curve_(std::move(curve)) {}
 
-std::optional<Dyad> CurveFamily::dyad(Side /*side*/, double tau) const { return curve_->dyad(tau); }
+// Sliders have no length to keep.
+std::optional<Dyad> CurveFamily::dyad(Side /*side*/, double tau) const {
+  const Dyad found = curve_->dyad(tau);
+  const auto center = finite_point(found.center), circle = finite_point(found.circle);
+  if (!center || !circle || length_residual(working_poses(), *center, *circle) <= tolerance::side_link_length)
+    return found;
+  return std::nullopt;
+}
 
 std::vector<double> CurveFamily::samples(Side /*side*/, int count, Spacing spacing) const {
   return curve_->samples(count, spacing);

@@ -1,6 +1,7 @@
 #include "linkwright/planar/pose_conditions.hpp"
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -65,26 +66,30 @@ struct Lengths {
   double a = 0, q = 0;
 };
 
-Lengths typical_lengths(const std::vector<PrescribedPose>& poses) {
+std::vector<PlanarDisplacement> displacements(const std::vector<PrescribedPose>& poses) {
+  std::vector<PlanarDisplacement> found;
+  for (const PrescribedPose& pose : poses) found.push_back(displacement(poses.front().pose, pose));
+  return found;
+}
+
+Lengths typical_lengths(const std::vector<PlanarDisplacement>& moves) {
   std::vector<Point> a, q;
-  for (std::size_t j = 0; j < poses.size(); ++j) {
-    const PlanarDisplacement d = displacement(poses.front().pose, poses[j]);
-    for (std::size_t m = first_order(j); m < d.a.size(); ++m) {
-      a.push_back(d.a[m]);
-      q.push_back(d.q[m]);
+  for (std::size_t j = 0; j < moves.size(); ++j)
+    for (std::size_t m = first_order(j); m < moves[j].a.size(); ++m) {
+      a.push_back(moves[j].a[m]);
+      q.push_back(moves[j].q[m]);
     }
-  }
   return {root_mean_square(a), root_mean_square(q)};
 }
 
 // Unit rows, so that the singular values tell how the conditions lie to each other and not how long the moves are.
 // `lowest_order`: of the derivatives taken, by pose.
 template <class LowestOrder>
-Eigen::MatrixXd stacked_rows(const std::vector<PrescribedPose>& poses, int count, const LowestOrder& lowest_order) {
+Eigen::MatrixXd stacked_rows(const std::vector<PlanarDisplacement>& moves, int count, const LowestOrder& lowest_order) {
   Eigen::MatrixXd rows(count, 9);
   int row = 0;
-  for (std::size_t j = 0; j < poses.size(); ++j) {
-    const PlanarDisplacement d = displacement(poses.front().pose, poses[j]);
+  for (std::size_t j = 0; j < moves.size(); ++j) {
+    const PlanarDisplacement& d = moves[j];
     for (std::size_t m = lowest_order(j); m < d.a.size(); ++m, ++row) {
       const HomogeneousMatrix matrix = condition_matrix(d, m);
       for (int i = 0; i < 3; ++i) {
@@ -99,6 +104,43 @@ Eigen::MatrixXd stacked_rows(const std::vector<PrescribedPose>& poses, int count
 
 HomogeneousMatrix as_matrix(const Eigen::VectorXd& v) {
   return {{{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}}}};
+}
+
+// The point c for which Σ|a − q c|² is least: the pole of all, where they share one.
+Point common_pole(const std::vector<PlanarDisplacement>& moves) {
+  Point sum = 0;
+  double weight = 0;
+  for (std::size_t j = 0; j < moves.size(); ++j)
+    for (std::size_t m = first_order(j); m < moves[j].a.size(); ++m) {
+      sum += std::conj(moves[j].q[m]) * moves[j].a[m];
+      weight += std::norm(moves[j].q[m]);
+    }
+  return sum / weight;
+}
+
+// `moves` of the working frame, `condition` of their rows there.
+std::optional<PoleView> view_from_pole(std::vector<PlanarDisplacement> moves, int count, double condition) {
+  PoleView view;
+  view.frame.origin = common_pole(moves);
+  for (std::size_t j = 0; j < moves.size(); ++j) {
+    for (std::size_t m = 0; m < moves[j].a.size(); ++m) moves[j].a[m] -= moves[j].q[m] * view.frame.origin;
+    view.miss = std::max(view.miss, std::abs(moves[j].a.front()));
+  }
+  const Lengths left = typical_lengths(moves);
+  view.frame.scale = left.a / left.q;
+  if (!(view.frame.scale > 0 && view.frame.scale < tolerance::near_common_pole)) return std::nullopt;
+  for (PlanarDisplacement& move : moves)
+    for (Point& a : move.a) a /= view.frame.scale;
+
+  const Eigen::MatrixXd rows = stacked_rows(moves, count, first_order);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
+  // Poses that merely lie close together have their poles close together, too: their condition is the inverse square of
+  // that distance, and seen from there still its inverse.
+  constexpr double worth_while = 1e-2, ordinary = 300;
+  const double seen = svd.singularValues()[0] / svd.singularValues()[count - 1];
+  if (!(seen < std::min(worth_while * condition, ordinary))) return std::nullopt;
+  for (int k = 0; k < count; ++k) view.rows.push_back(as_matrix(svd.matrixV().col(k)));
+  return view;
 }
 
 }  // namespace
@@ -138,12 +180,14 @@ double PoseConditions::condition() const {
 PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses) {
   assert(position_count(poses) >= 2);
   PoseConditions conditions;
-  const Lengths typical = typical_lengths(poses);
+  const Lengths typical = typical_lengths(displacements(poses));
   conditions.only_translations = typical.q < tolerance::pure_translation;
   const double scale = conditions.only_translations ? typical.a : typical.a / typical.q;
   conditions.frame = {poses.front().pose.origin, scale > 0 ? scale : 1};
 
-  const Eigen::MatrixXd rows = stacked_rows(conditions.frame.to_working(poses), position_count(poses) - 1, first_order);
+  const std::vector<PlanarDisplacement> moves = displacements(conditions.frame.to_working(poses));
+  const int count = position_count(poses) - 1;
+  const Eigen::MatrixXd rows = stacked_rows(moves, count, first_order);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
   for (int k = 0; k < rows.rows(); ++k) {
     conditions.rows.push_back(as_matrix(svd.matrixV().col(k)));
@@ -151,6 +195,8 @@ PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses) {
     conditions.singular_values.push_back(value);
     if (value >= tolerance::dependent_rows * svd.singularValues()[0]) ++conditions.rank;
   }
+  if (count == 3 && conditions.are_independent() && !conditions.only_translations)
+    conditions.near_pole = view_from_pole(moves, count, conditions.condition());
   return conditions;
 }
 
@@ -159,7 +205,7 @@ std::vector<HomogeneousMatrix> derivative_conditions(const std::vector<Prescribe
   const int count = position_count(poses) - static_cast<int>(poses.size());
   if (count == 0) return {};
   const Eigen::MatrixXd rows =
-      stacked_rows(frame.to_working(poses), count, [](std::size_t) -> std::size_t { return 1; });
+      stacked_rows(displacements(frame.to_working(poses)), count, [](std::size_t) -> std::size_t { return 1; });
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
   std::vector<HomogeneousMatrix> conditions;
   for (int k = 0; k < count; ++k)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <span>
 
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
@@ -45,6 +46,68 @@ std::vector<Dyad> curve_samples(const TaskFamily& given, const SynthesisOptions&
   for (const double tau : given.curve->samples(options.region_samples, options.spacing))
     dyads.push_back(given.frame().to_user(given.curve->dyad(tau)));
   return dyads;
+}
+
+// Side links of the map that rounding keeps from being any.
+std::vector<Notice> left_out_warning(const Solution& solution) {
+  const LinkageFamily& family = *solution.given.family;
+  const std::span<const double> looked_at = solution.region.input_coordinates();
+  if (!solution.given.curve || !family.is_symmetric()) return {};
+  const auto count = std::count_if(looked_at.begin(), looked_at.end(), [&](double tau) {
+    return !family.side_links({tau, tau}).has_value();
+  });
+  if (count == 0) return {};
+  return {
+      {"side_links_left_out",
+       fmt::format("{} of the {} side links looked at are left out: they are so short, or so far away, that rounding "
+                   "changes their lengths over the positions by more than a millionth. Set the positions further "
+                   "off a turn about one pole, or off a mere shift.",
+                   count, looked_at.size()),
+       {{"count", static_cast<double>(count)}, {"of", static_cast<double>(looked_at.size())}}}};
+}
+
+// Pivots all but in the pole of the task decide by their rounding what a linkage does.
+void leave_out_unconfirmed(Solution& solution) {
+  if (!solution.given.conditions.near_pole) return;
+  const auto count =
+      std::erase_if(solution.linkages, [](const FourBarSolution& linkage) { return !linkage.verified_by_driving; });
+  if (count == 0) return;
+  solution.given.warnings.push_back(
+      {"linkages_left_out",
+       fmt::format(
+           "{} of the best linkages are left out: with pivots so close to the common pole, driving them through "
+           "the task did not confirm them. Set the positions further off a turn about one pole.",
+           count),
+       {{"count", static_cast<double>(count)}}});
+}
+
+// The longest way along the curve from one of the rising coordinates to the next.
+double longest_step(const BurmesterCurve::Run& run, std::span<const double> coordinates) {
+  double longest = 0, before = 0;
+  for (std::size_t i = 0, corner = 0; i < coordinates.size(); ++i) {
+    while (corner + 1 < run.tau.size() && run.tau[corner] < coordinates[i]) ++corner;
+    if (i > 0) longest = std::max(longest, run.length[corner] - before);
+    before = run.length[corner];
+  }
+  return longest;
+}
+
+// What the map skips where a long stretch of the curve lies between two of its samples.
+std::vector<Notice> skipped_stretch_warning(const Solution& solution) {
+  // Radians run by both points together: a whole way to infinity and back is π. Evenly drawn tasks stay below 2.4.
+  constexpr double long_stretch = 3, long_beside_others = 20;
+  const BurmesterCurve* curve = solution.given.curve.get();
+  const std::span<const double> looked_at = solution.region.input_coordinates();
+  if (curve == nullptr || solution.options.window || solution.options.spacing == Spacing::arc_length) return {};
+  const BurmesterCurve::Run run = curve->run();
+  if (run.tau.empty()) return {};
+  const double usual = run.length.back() / static_cast<double>(looked_at.size());
+  const double longest = longest_step(run, looked_at);
+  if (!(longest > long_stretch && longest > long_beside_others * usual)) return {};
+  return {{"stretch_between_samples",
+           "A long stretch of the curve of side links lies between two of its samples: the map does not show it, and "
+           "good linkages may lie there. Choose \"spacing\": \"arc_length\" to see it.",
+           {}}};
 }
 
 // No defects, then the larger least transmission angle, then the smaller coordinate.
@@ -110,9 +173,14 @@ void judge(Solution& solution, const TaskWords& words) {
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   if (whole == 0) {
     solution.status = SolutionStatus::no_solution;
+    const auto& warnings = solution.given.warnings;
+    const bool some_left_out = std::any_of(warnings.begin(), warnings.end(),
+                                           [](const Notice& warning) { return warning.code == "side_links_left_out"; });
     solution.reason = {
         "no_pair",
-        "No pair of side links makes a four-bar: in every pair a pivot is at infinity or a link has no length.",
+        fmt::format("No pair of side links makes a four-bar: in every pair a pivot is at infinity{} or a link has no "
+                    "length.",
+                    some_left_out ? ", a side link was left out" : ""),
         {}};
   } else if (counts.defect_free == 0 && solution.requirements.no_defects) {
     solution.reason = nothing_defect_free(solution, words);
@@ -210,6 +278,8 @@ Result<Solution> solve_family(TaskFamily family, const Requirements& requirement
 
   progress(0.1);
   map_region(solution, progress);
+  for (const auto& found : {left_out_warning(solution), skipped_stretch_warning(solution)})
+    solution.given.warnings.insert(solution.given.warnings.end(), found.begin(), found.end());
   progress(0.6);
   const RequirementFilter filter = filter_of(*given.family, solution.region, solution.requirements);
   const RequirementCensus census = filter.census();
@@ -217,6 +287,7 @@ Result<Solution> solve_family(TaskFamily family, const Requirements& requirement
   if (census.meeting == 0) solution.relax = filter.relaxations(census);
   progress(0.7);
   solution.linkages = best_linkages(solution, filter, progress);
+  leave_out_unconfirmed(solution);
   if (!given.points.empty() && !given.curve) solution.pairs = all_pairs(solution);
   if (progress.is_cancelled()) return cancelled();
   judge(solution, words);

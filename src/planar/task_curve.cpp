@@ -23,6 +23,19 @@ std::optional<Notice> degeneracy_of(const PoseConditions& conditions, const Burm
   return std::nullopt;
 }
 
+// What is hardly more than a turn about one pole is done by a hinge, but for a miss that is soon within tolerance.
+Notice near_common_pole(const WorkingFrame& frame, const PoleView& view) {
+  const Point pole = frame.to_user(view.frame.origin);
+  const double miss = frame.scale * view.miss;
+  return {"near_common_pole",
+          fmt::format("The positions nearly share a pole, ({:.6g}, {:.6g}): a hinge there does the task and misses no "
+                      "position by more than {:.2g}. The four-bars that do it exactly are as small as that, or have "
+                      "two pivots about as close to the pole. If you mean a four-bar, set the positions further off "
+                      "such a turn.",
+                      pole.real(), pole.imag(), miss),
+          {{"x", pole.real()}, {"y", pole.imag()}, {"miss", miss}}};
+}
+
 // Groups of parallel poses, in words: "1 and 3", "1, 2 and 4".
 std::vector<std::string> parallel_groups(const std::vector<PrescribedPose>& poses) {
   std::vector<std::string> groups;
@@ -54,6 +67,7 @@ std::vector<Notice> pose_warnings(const std::vector<PrescribedPose>& poses, cons
              "one pose with derivatives (direction of travel, curvature).",
              conditions.condition()),
          {{"condition", conditions.condition()}}});
+  if (conditions.near_pole) warnings.push_back(near_common_pole(conditions.frame, *conditions.near_pole));
   for (const auto& group : parallel_groups(poses))
     warnings.push_back({"parallel_poses",
                         fmt::format("Poses {} are parallel: their poles lie at infinity. This is fine.", group),

@@ -116,6 +116,57 @@ TEST(BurmesterCurve, EverySampleKeepsItsLengthInUserCoordinates) {
   }
 }
 
+TEST(BurmesterCurve, NearACommonPoleShortSideLinksKeepTheirLengths) {
+  std::mt19937_64 random(12);
+  for (const double deviation : {1e-4, 1e-6, 1e-8}) {
+    const auto poses = testing::nearly_common_pole(random, deviation);
+    const PoseConditions conditions = pose_conditions(poses);
+    const BurmesterCurve curve(conditions);
+    for (const double tau : curve.samples(101, Spacing::coordinate)) {
+      const Dyad working = curve.dyad(tau);
+      EXPECT_LT(curve.residual(working), 1e-15 / deviation);
+      const Dyad dyad = conditions.frame.to_user(working);
+      const auto z = conditions.frame.finite_user_point(dyad.circle),
+                 c = conditions.frame.finite_user_point(dyad.center);
+      if (!z || !c) continue;
+      // Rounding of the pivots is all that is left.
+      for (const PrescribedPose& pose : poses)
+        EXPECT_NEAR(std::abs(displaced(*z, poses[0].pose, pose.pose) - *c), std::abs(*z - *c),
+                    5e-15 * (1 + std::abs(*z) + std::abs(*c)))
+            << deviation << " at " << tau;
+    }
+  }
+}
+
+// Both points leave the pole once, within a stretch of τ as short as the deviation.
+TEST(BurmesterCurve, NearACommonPoleItsRunGoesToInfinityAndBack) {
+  std::mt19937_64 random(13);
+  for (const double deviation : {1e-3, 1e-5, 1e-7, 1e-9}) {
+    const BurmesterCurve curve(pose_conditions(testing::nearly_common_pole(random, deviation)));
+    EXPECT_NEAR(curve.run().length.back(), two_pi, 100 * deviation) << deviation;
+    int far = 0;
+    for (const double tau : curve.samples(100, Spacing::arc_length)) {
+      const Dyad dyad = curve.dyad(tau);
+      far += great_circle(dyad.circle, dyad.center) > 0.1 ? 1 : 0;
+    }
+    EXPECT_GT(far, 80) << deviation;
+  }
+}
+
+TEST(BurmesterCurve, NearMirrorSymmetryItRunsAlongTheCurveOfTheMirroredPoses) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    std::mt19937_64 same(seed);
+    const double mirrored = BurmesterCurve(pose_conditions(testing::nearly_mirrored(same, 0))).run().length.back();
+    for (const double deviation : {1e-10, 1e-8, 1e-6, 1e-5}) {
+      std::mt19937_64 random(seed);
+      const BurmesterCurve curve(pose_conditions(testing::nearly_mirrored(random, deviation)));
+      EXPECT_NEAR(curve.run().length.back() / mirrored, 1, 0.02) << deviation;
+      for (const double tau : curve.samples(400, Spacing::arc_length))
+        EXPECT_LT(curve.residual(curve.dyad(tau)), 1e-15) << deviation << " at " << tau;
+    }
+  }
+}
+
 TEST(BurmesterCurve, PassesThroughPolesAndImagePoles) {
   std::mt19937_64 random(5);
   for (int trial = 0; trial < 100; ++trial) {

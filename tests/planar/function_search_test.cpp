@@ -85,6 +85,17 @@ TEST(FunctionSearch, RequirementsAreKept) {
   EXPECT_TRUE(best_of(task, wanted).empty());
 }
 
+// A hill of this task lies across the place where the closed branch begins and ends.
+TEST(FunctionSearch, ClimbsOnOverTheEndOfAClosedBranch) {
+  Requirements wanted = usual();
+  wanted.min_transmission_angle = radians(40);
+  wanted.max_link_ratio = 4;
+  for (const RankedGenerator& generator : best_of(named_task("sin_deg", {0, 90}, 90, 45), wanted)) {
+    const double tau = generator.place.input;
+    EXPECT_GT(std::abs(tau - std::round(tau)), 1e-6) << "stopped where nothing but the count of τ ends";
+  }
+}
+
 TEST(FunctionSearch, WithoutANamedFunctionThereIsNoError) {
   FunctionTask task = named_task("x^2", {0, 1}, 60, 90);
   task.function.reset();

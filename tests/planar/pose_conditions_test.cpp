@@ -24,6 +24,33 @@ TEST(PoseConditions, CasesAgreeInScaleConditionAndRank) {
   }
 }
 
+TEST(PoseConditions, AreSeenFromAPoleThatIsNearlyShared) {
+  std::mt19937_64 random(1);
+  for (const double deviation : {1e-5, 1e-7, 1e-9}) {
+    const auto poses = testing::nearly_common_pole(random, deviation);
+    const PoseConditions conditions = pose_conditions(poses);
+    EXPECT_GT(conditions.condition(), 0.1 / deviation);
+    ASSERT_TRUE(conditions.near_pole) << deviation;
+    const PoleView& view = *conditions.near_pole;
+    EXPECT_EQ(view.rows.size(), 3u);
+    const Point pole = conditions.frame.to_user(view.frame.origin);
+    double miss = 0;
+    for (const PrescribedPose& pose : poses) {
+      const Point turned = pole + direction(pose.pose.angle - poses[0].pose.angle) * (poses[0].pose.origin - pole);
+      miss = std::max(miss, std::abs(pose.pose.origin - turned));
+    }
+    EXPECT_NEAR(conditions.frame.scale * view.miss / miss, 1, 1e-5);
+    EXPECT_LT(miss, 5 * deviation);
+  }
+}
+
+TEST(PoseConditions, OfOtherTasksAreNotSeenFromAPole) {
+  for (const auto& c : planar_cases()) EXPECT_FALSE(pose_conditions(c.poses).near_pole) << c.name;
+  std::mt19937_64 random(2);
+  EXPECT_FALSE(pose_conditions(testing::nearly_common_pole(random, 1e-2)).near_pole);
+  EXPECT_FALSE(pose_conditions(testing::nearly_common_pole(random, 0)).near_pole);
+}
+
 // The bilinear form must be what it stands for: half the change of the squared distance.
 TEST(PoseConditions, VanishExactlyWhereTheDistanceIsKept) {
   std::mt19937_64 random(1);

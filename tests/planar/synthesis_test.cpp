@@ -15,6 +15,7 @@
 namespace linkwright {
 namespace {
 
+using testing::nearly_common_pole, testing::nearly_mirrored;
 using testing::tailgate_requirements, testing::tailgate_task;
 
 Solution solved(const MotionTask& task, const Requirements& wanted = {}, const SynthesisOptions& options = {}) {
@@ -189,6 +190,49 @@ TEST(SolveMotion, WarnsOfParallelAndOfClosePoses) {
   ASSERT_FALSE(close.given.warnings.empty());
   EXPECT_EQ(close.given.warnings[0].code, "ill_conditioned");
   EXPECT_NE(close.given.warnings[0].message.find("derivatives"), std::string::npos);
+}
+
+bool warns(const Solution& solution, const std::string& code) {
+  const auto& warnings = solution.given.warnings;
+  return std::any_of(warnings.begin(), warnings.end(), [&](const Notice& warning) { return warning.code == code; });
+}
+
+TEST(SolveMotion, NearACommonPoleEveryLinkageIsOneAndAHingeIsNamed) {
+  SynthesisOptions options;
+  options.region_samples = 60;
+  std::mt19937_64 random(4);
+  bool found = false;
+  for (const double deviation : {1e-6, 1e-7, 1e-8, 1e-9}) {
+    const Solution solution = solved({nearly_common_pole(random, deviation)}, {}, options);
+    EXPECT_TRUE(warns(solution, "near_common_pole")) << deviation;
+    EXPECT_FALSE(warns(solution, "side_links_left_out")) << deviation;
+    for (const FourBarSolution& linkage : solution.linkages) {
+      EXPECT_LT(linkage.residual, 1e-6) << deviation;
+      EXPECT_TRUE(linkage.verified_by_driving) << deviation;
+      found = true;
+    }
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(SolveMotion, LeavesOutSideLinksThatDoNotKeepTheirLengths) {
+  SynthesisOptions options;
+  options.region_samples = 60;
+  std::mt19937_64 random(4);
+  const Solution solution = solved({nearly_common_pole(random, 1e-12)}, {}, options);
+  EXPECT_TRUE(warns(solution, "side_links_left_out"));
+  EXPECT_TRUE(solution.linkages.empty());
+}
+
+TEST(SolveMotion, NamesTheSpacingThatShowsAHiddenStretch) {
+  SynthesisOptions options;
+  options.region_samples = 100;
+  std::mt19937_64 random(1);
+  const MotionTask task{nearly_mirrored(random, 1e-6)};
+  EXPECT_TRUE(warns(solved(task, {}, options), "stretch_between_samples"));
+  options.spacing = Spacing::arc_length;
+  EXPECT_FALSE(warns(solved(task, {}, options), "stretch_between_samples"));
+  EXPECT_TRUE(solved(tailgate_task()).given.warnings.empty());
 }
 
 TEST(SolveMotion, ReportsMistakesOfAllThreeParts) {

@@ -24,6 +24,34 @@ std::vector<PrescribedPose> random_poses(std::mt19937_64& random, const std::vec
   return poses;
 }
 
+namespace {
+
+PrescribedPose disturbed(std::mt19937_64& random, const Pose& pose, double deviation) {
+  const Point aside{uniform(random, -1, 1), uniform(random, -1, 1)};
+  return {{pose.origin + deviation * aside, pose.angle + deviation * uniform(random, -1, 1)}, {}};
+}
+
+}  // namespace
+
+std::vector<PrescribedPose> nearly_common_pole(std::mt19937_64& random, double deviation) {
+  const Point pole{0.4 + uniform(random, -0.1, 0.1), -0.7 + uniform(random, -0.1, 0.1)}, arm{0.9, 0.8};
+  std::vector<PrescribedPose> poses;
+  for (const double angle : {0.0, 0.5, 1.1, 1.6})
+    poses.push_back(disturbed(random, {pole + direction(angle) * arm, angle}, deviation));
+  return poses;
+}
+
+std::vector<PrescribedPose> nearly_mirrored(std::mt19937_64& random, double deviation) {
+  const Point inner{uniform(random, 0.2, 0.6), uniform(random, -0.4, 0.4)};
+  const Point outer{uniform(random, 0.8, 1.5), uniform(random, -0.8, 0.8)};
+  const double inner_angle = uniform(random, 0.2, 0.5), outer_angle = uniform(random, 0.7, 1.2);
+  std::vector<PrescribedPose> poses;
+  for (const Pose& pose : {Pose{-std::conj(outer), -outer_angle}, Pose{-std::conj(inner), -inner_angle},
+                           Pose{inner, inner_angle}, Pose{outer, outer_angle}})
+    poses.push_back(disturbed(random, pose, deviation));
+  return poses;
+}
+
 MotionTask motion_task(const std::vector<Pose>& poses) {
   MotionTask task;
   for (const Pose& pose : poses) task.poses.push_back({pose, {}});

@@ -15,6 +15,12 @@ namespace linkwright::testing {
 /// As many poses as there are multiplicities, with derivatives to match: numbers up to 2.
 [[nodiscard]] std::vector<PrescribedPose> random_poses(std::mt19937_64& random, const std::vector<int>& multiplicities);
 
+/// Four turns about one pole near (0.4, -0.7), the poses being off them by about `deviation` (length and radians).
+[[nodiscard]] std::vector<PrescribedPose> nearly_common_pole(std::mt19937_64& random, double deviation);
+
+/// Four poses that mirror each other in the y-axis but for about `deviation` (length and radians).
+[[nodiscard]] std::vector<PrescribedPose> nearly_mirrored(std::mt19937_64& random, double deviation);
+
 /// A task of finite poses.
 [[nodiscard]] MotionTask motion_task(const std::vector<Pose>& poses);
 

@@ -26,10 +26,11 @@ class BurmesterCurve {
   /// `conditions` has three rows. Rank below three gives kind every_point and no branches.
   explicit BurmesterCurve(const PoseConditions& conditions);
 
-  [[nodiscard]] CubicKind kind() const { return circle_curve_.kind(); }
-  [[nodiscard]] CubicKind center_kind() const { return center_curve_.kind(); }
-  [[nodiscard]] std::optional<double> kappa() const { return circle_curve_.kappa(); }
+  [[nodiscard]] CubicKind kind() const { return seen_.circle_curve.kind(); }
+  [[nodiscard]] CubicKind center_kind() const { return seen_.center_curve.kind(); }
+  [[nodiscard]] std::optional<double> kappa() const { return seen_.circle_curve.kappa(); }
   [[nodiscard]] const std::vector<CurveBranch>& branches() const { return branches_; }
+  /// As the working frame shows them; where the poses nearly share a pole, the dyads are more exact.
   [[nodiscard]] const CircularCubic& circle_curve() const { return circle_curve_; }
   [[nodiscard]] const CircularCubic& center_curve() const { return center_curve_; }
 
@@ -39,11 +40,15 @@ class BurmesterCurve {
   /// The dyad at τ (taken modulo coordinate_length()), polished to |Zᵀ M C| ≈ 1e-16, unit vectors.
   [[nodiscard]] Dyad dyad(double tau) const;
 
+  /// τ of a circle point; nothing where every point is one.
+  [[nodiscard]] std::optional<double> coordinate_of(Homogeneous circle) const;
+
   /// `count` coordinates: τᵢ = length·(i + ½)/count, or the same in arc length.
   [[nodiscard]] std::vector<double> samples(int count, Spacing spacing) const;
 
   /// Coordinates, by rising τ, and the length run up to each over all branches: a polygon so fine that it can be
-  /// interpolated linearly. A branch without length has no entry.
+  /// interpolated linearly. A branch without length has no entry. Excursions of the curve to infinity are in it however
+  /// short they are in τ; any other that is shorter than 1/256 of a branch may be passed over.
   struct Run {
     std::vector<double> tau, length;
   };
@@ -58,20 +63,30 @@ class BurmesterCurve {
   [[nodiscard]] Homogeneous center_of(Homogeneous circle) const;
   [[nodiscard]] Homogeneous circle_of(Homogeneous center) const;
 
-  /// Largest |Zᵀ M C| over the conditions for unit Z and C.
+  /// Largest |Zᵀ M C| over the conditions for unit Z and C; where the poses nearly share a pole, as seen from there.
   [[nodiscard]] double residual(const Dyad& dyad) const;
 
  private:
   struct PartnerLine {
     Homogeneous circle, from, to;  ///< centres from·cos πt + to·sin πt
   };
+  /// The curves in the frame in which dyads are computed.
+  struct Seen {
+    Seen(const PoseConditions& asked, const std::vector<HomogeneousMatrix>& rows);
+    std::array<HomogeneousMatrix, 3> conditions;
+    CircularCubic circle_curve, center_curve;
+  };
+  [[nodiscard]] Homogeneous to_seen(Homogeneous working) const;
+  [[nodiscard]] Homogeneous to_working(Homogeneous seen) const;
+  [[nodiscard]] std::vector<Dyad> dyads_at_infinity() const;
   void find_partner_lines();
   [[nodiscard]] std::vector<double> evenly_by_length(int count) const;
   template <class Visit>
   void walk(int first_sides, double longest_side, const Visit& visit) const;
 
-  std::array<HomogeneousMatrix, 3> conditions_{};
-  CircularCubic circle_curve_, center_curve_;
+  std::optional<WorkingFrame> view_;  ///< PoseConditions::near_pole; nothing: the working frame itself
+  Seen seen_;
+  CircularCubic circle_curve_, center_curve_;  ///< working frame
   std::vector<CurveBranch> branches_;
   std::vector<PartnerLine> partner_lines_;
 };

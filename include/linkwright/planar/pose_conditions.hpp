@@ -27,6 +27,16 @@ struct WorkingFrame {
   [[nodiscard]] std::vector<PrescribedPose> to_working(const std::vector<PrescribedPose>& poses) const;
 };
 
+/// Poses that nearly turn about one pole, seen from there: the working frame has little but rounding left of what sets
+/// them apart, this frame shows it whole.
+struct PoleView {
+  /// Within the working frame: origin at the point that the poses move least, lengths divided by the distance at which
+  /// their poles lie from it (rms|a| / rms|1 − r|, a measured from there).
+  WorkingFrame frame;
+  std::vector<HomogeneousMatrix> rows;  ///< as PoseConditions::rows, in this frame
+  double miss = 0;  ///< working frame: largest distance of a pose's origin from where a turn about the pole takes it
+};
+
 /// What the task asks of a dyad (circle point Z, centre point C, working frame): Zᵀ M C = 0 for every M.
 /// With Z(t) = a + r z the moved circle point, the condition |Z(t) − C|² = const and its derivatives are
 /// bilinear in the homogeneous Z and C; n positions, each counted with its multiplicity, give n − 1 of them.
@@ -37,6 +47,8 @@ struct PoseConditions {
   std::vector<double> singular_values;
   int rank = 0;                    ///< rows that are independent to tolerance::dependent_rows
   bool only_translations = false;  ///< all poses are parallel
+  /// Four positions with poles closer together than tolerance::near_common_pole, where the view from there helps.
+  std::optional<PoleView> near_pole;
 
   [[nodiscard]] bool are_independent() const { return rank == static_cast<int>(rows.size()); }
   /// Largest over smallest singular value, infinite or nearly so where they are dependent; above

@@ -17,12 +17,13 @@ struct TaskCurve {
   std::string pattern;  ///< as pattern()
   PoseConditions conditions;
   std::shared_ptr<const BurmesterCurve> curve;
-  std::vector<Notice> warnings;      ///< ill_conditioned {condition}, parallel_poses {poses}; none where degenerate
+  std::vector<Notice> warnings;      ///< of pose_warnings(); none where degenerate
   std::optional<Notice> degeneracy;  ///< why the dyads are no curve of four-bars: common_pole {x, y},
                                      ///< translations_on_circle {x, y}, every_point, only_translations
 };
 
-/// ill_conditioned {condition} (of conditions that are independent), parallel_poses {poses}.
+/// ill_conditioned {condition} (of conditions that are independent), near_common_pole {x, y, miss}, parallel_poses
+/// {poses}.
 [[nodiscard]] std::vector<Notice> pose_warnings(const std::vector<PrescribedPose>& poses,
                                                 const PoseConditions& conditions);
 
