@@ -221,10 +221,8 @@ void BurmesterCurve::walk(int first_sides, double longest_side, const Visit& vis
   }
 }
 
-BurmesterCurve::Run BurmesterCurve::run() const {
-  // Fine enough that linear interpolation along a side is exact to the eye and far below a sample's step.
+BurmesterCurve::Run BurmesterCurve::run(double longest_side) const {
   constexpr int first_sides = 256;
-  constexpr double longest_side = 2e-3;
   Run run;
   double total = 0;
   walk(first_sides, longest_side, [&](const Dyad& dyad, double length) {

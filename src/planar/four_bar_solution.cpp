@@ -45,8 +45,9 @@ std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlac
   solution.report = find_defects(*bars, poses, respect_direction);
   if (solution.report.type == LinkageType::degenerate) return std::nullopt;
   solution.swapped = find_defects(bars->swapped(), poses, respect_direction);
-  solution.input_residual = length_residual(poses, bars->input_center, bars->input_circle);
-  solution.output_residual = length_residual(poses, bars->output_center, bars->output_circle);
+  const LengthCheck lengths(poses);
+  solution.input_residual = lengths.residual(bars->input_center, bars->input_circle);
+  solution.output_residual = lengths.residual(bars->output_center, bars->output_circle);
   solution.residual = std::max(solution.input_residual, solution.output_residual);
   if (given.freed) solution.miss = pose_miss(*bars, poses, *given.freed);
   solution.residual_derivatives = derivative_residual(given.derivative_rows, *links);

@@ -122,14 +122,15 @@ void ProductFamily::fill(RegionMap& map, std::span<const double> input, std::spa
 
 CurveFamily::CurveFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
                          std::shared_ptr<const BurmesterCurve> curve)
-    : ProductFamily(frame, std::move(poses), curve_axis(*curve), curve_axis(*curve)), curve_(std::move(curve)) {}
+    : ProductFamily(frame, std::move(poses), curve_axis(*curve), curve_axis(*curve)),
+      curve_(std::move(curve)),
+      lengths_(std::make_shared<const LengthCheck>(working_poses())) {}
 
 // Sliders have no length to keep.
 std::optional<Dyad> CurveFamily::dyad(Side /*side*/, double tau) const {
   const Dyad found = curve_->dyad(tau);
   const auto center = finite_point(found.center), circle = finite_point(found.circle);
-  if (!center || !circle || length_residual(working_poses(), *center, *circle) <= tolerance::side_link_length)
-    return found;
+  if (!center || !circle || lengths_->residual(*center, *circle) <= tolerance::side_link_length) return found;
   return std::nullopt;
 }
 

@@ -5,14 +5,19 @@
 
 namespace linkwright {
 
-double length_residual(std::span<const PrescribedPose> poses, Point center, Point circle) {
-  const double length = std::abs(circle - center);
+LengthCheck::LengthCheck(std::span<const PrescribedPose> poses) : first_origin_(poses.front().pose.origin) {
+  for (const auto& [pose, derivatives] : poses.subspan(1))
+    moves_.push_back({direction(pose.angle - poses.front().pose.angle), pose.origin});
+}
+
+double LengthCheck::residual(Point center, Point circle) const {
+  const auto distance = [](Point d) { return std::sqrt(std::norm(d)); };  // hypot takes four times as long
+  const double length = distance(circle - center);
+  const Point in_body = circle - first_origin_;
   double worst = 0;
-  for (const PrescribedPose& pose : poses) {
-    const Point moved = displaced(circle, poses.front().pose, pose.pose);
-    worst = std::max(worst, std::abs(std::abs(moved - center) - length) / length);
-  }
-  return worst;
+  for (const Move& move : moves_)
+    worst = std::max(worst, std::abs(distance(move.origin + move.turn * in_body - center) - length));
+  return worst / length;
 }
 
 }  // namespace linkwright

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <span>
 
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
 #include "planar/linkage_search.hpp"
@@ -62,7 +63,7 @@ std::vector<Notice> left_out_warning(const Solution& solution) {
        fmt::format("{} of the {} side links looked at are left out: they are so short, or so far away, that rounding "
                    "changes their lengths over the positions by more than a millionth. Set the positions further "
                    "off a turn about one pole, or off a mere shift.",
-                   count, looked_at.size()),
+                   grouped_text(count), grouped_text(static_cast<std::int64_t>(looked_at.size()))),
        {{"count", static_cast<double>(count)}, {"of", static_cast<double>(looked_at.size())}}}};
 }
 
@@ -95,11 +96,11 @@ double longest_step(const BurmesterCurve::Run& run, std::span<const double> coor
 // What the map skips where a long stretch of the curve lies between two of its samples.
 std::vector<Notice> skipped_stretch_warning(const Solution& solution) {
   // Radians run by both points together: a whole way to infinity and back is π. Evenly drawn tasks stay below 2.4.
-  constexpr double long_stretch = 3, long_beside_others = 20;
+  constexpr double long_stretch = 3, long_beside_others = 20, short_side = 0.1;
   const BurmesterCurve* curve = solution.given.curve.get();
   const std::span<const double> looked_at = solution.region.input_coordinates();
   if (curve == nullptr || solution.options.window || solution.options.spacing == Spacing::arc_length) return {};
-  const BurmesterCurve::Run run = curve->run();
+  const BurmesterCurve::Run run = curve->run(short_side);
   if (run.tau.empty()) return {};
   const double usual = run.length.back() / static_cast<double>(looked_at.size());
   const double longest = longest_step(run, looked_at);
@@ -147,7 +148,8 @@ Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
   blame(counts.branch - counts.circuit, words.lock);
   blame(counts.order, directed ? "visit them in another order, or against a direction" : "visit them in another order");
   return {"none_defect_free",
-          fmt::format("None of the {} ({}) is free of defects: {}. ", words.four_bars, whole, fmt::join(causes, ", ")) +
+          fmt::format("None of the {} ({}) is free of defects: {}. ", words.four_bars, grouped_text(whole),
+                      fmt::join(causes, ", ")) +
               fmt::format(fmt::runtime(words.ways_out),
                           directed ? "turn a direction round or let none count (respect_direction: false), " : ""),
           {{"count", static_cast<double>(whole)}}};
@@ -156,15 +158,15 @@ Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
 Notice nothing_left(const Solution& solution) {
   const std::int64_t free = solution.counts.defect_free;
   Notice notice{"none_left",
-                fmt::format("None of the four-bars free of defects ({}) meets all requirements.", free),
+                fmt::format("None of the four-bars free of defects ({}) meets all requirements.", grouped_text(free)),
                 {{"count", static_cast<double>(free)}}};
   if (solution.relax.empty()) {
     notice.message += " No single requirement is to blame: relax two or more.";
     return notice;
   }
   const Relaxation& dearest = solution.relax.front();
-  notice.message +=
-      fmt::format(" {} costs most: without it {} would be left.", key(dearest.requirement), dearest.only_this);
+  notice.message += fmt::format(" {} costs most: without it {} would be left.", key(dearest.requirement),
+                                grouped_text(dearest.only_this));
   return notice;
 }
 
@@ -187,12 +189,13 @@ void judge(Solution& solution, const TaskWords& words) {
   } else if (solution.meeting_requirements == 0) {
     solution.reason = nothing_left(solution);
   } else {
-    solution.reason = {"solved",
-                       fmt::format("All {}: {}; free of defects: {}; meeting all requirements: {}.", words.four_bars,
-                                   whole, counts.defect_free, solution.meeting_requirements),
-                       {{"count", static_cast<double>(whole)},
-                        {"defect_free", static_cast<double>(counts.defect_free)},
-                        {"meeting", static_cast<double>(solution.meeting_requirements)}}};
+    solution.reason = {
+        "solved",
+        fmt::format("All {}: {}; free of defects: {}; meeting all requirements: {}.", words.four_bars,
+                    grouped_text(whole), grouped_text(counts.defect_free), grouped_text(solution.meeting_requirements)),
+        {{"count", static_cast<double>(whole)},
+         {"defect_free", static_cast<double>(counts.defect_free)},
+         {"meeting", static_cast<double>(solution.meeting_requirements)}}};
   }
 }
 

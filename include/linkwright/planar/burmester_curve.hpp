@@ -46,13 +46,14 @@ class BurmesterCurve {
   /// `count` coordinates: τᵢ = length·(i + ½)/count, or the same in arc length.
   [[nodiscard]] std::vector<double> samples(int count, Spacing spacing) const;
 
-  /// Coordinates, by rising τ, and the length run up to each over all branches: a polygon so fine that it can be
-  /// interpolated linearly. A branch without length has no entry. Excursions of the curve to infinity are in it however
-  /// short they are in τ; any other that is shorter than 1/256 of a branch may be passed over.
+  /// Coordinates, by rising τ, and the length run up to each over all branches: a polygon with sides of at most
+  /// `longest_side` (radians); between its corners the length can be interpolated linearly, exactly to the eye where
+  /// they are as short as by default. A branch without length has no entry. Excursions of the curve to infinity are in
+  /// it however short they are in τ; any other that is shorter than 1/256 of a branch may be passed over.
   struct Run {
     std::vector<double> tau, length;
   };
-  [[nodiscard]] Run run() const;
+  [[nodiscard]] Run run(double longest_side = 2e-3) const;
 
   /// Dyads along all branches, by rising τ, each branch closed by its first dyad again (its coordinate just short of
   /// the branch's end), so dense that the two unit vectors together run at most `longest_side` (radians) from one to

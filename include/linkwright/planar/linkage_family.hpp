@@ -20,6 +20,8 @@
 
 namespace linkwright {
 
+class LengthCheck;
+
 /// A place on the map, as a pair of coordinates τ.
 struct RegionPlace {
   double input = 0, output = 0;  ///< of the driving and of the other side link, where each has an axis of its own
@@ -179,6 +181,7 @@ class CurveFamily : public ProductFamily {
 
  private:
   std::shared_ptr<const BurmesterCurve> curve_;
+  std::shared_ptr<const LengthCheck> lengths_;
 };
 
 /// A few dyads, any two of which make a four-bar: the i-th fills the branch [i, i + 1).
