@@ -120,6 +120,9 @@ function* cells_of(map: MapAnswer, region: {input_coordinate: number[]; output_c
   for (const [i, row] of rows.entries()) for (const [k, column] of columns.entries()) yield {ours: i * map.columns + k, theirs: row * map.columns + column};
 }
 
+/** What the program says of the samples of its own map; the page draws others at every look. */
+const of_its_samples = new Set(["side_links_left_out", "linkages_left_out", "stretch_between_samples"]);
+
 describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
   const samples = samples_of(problem), result = existsSync(program) ? solved(problem, samples) : null;
   const six_bar = result?.problem.task.mechanism === "six_bar"; // tests/bindings compares its map and linkages
@@ -149,7 +152,8 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     expect_near(task.characteristic_length, result.characteristic_length, 1e-12 * result.characteristic_length, "length");
     expect(task.axes.input.branches).toEqual(result.curve.branches);
     if (task.reason) expect(task.reason.message).toBe(result.reason);
-    expect(task.warnings.map(({code, message}) => ({code, message}))).toEqual(result.warnings);
+    const of_task = result.warnings.filter(({code}: {code: string}) => !of_its_samples.has(code));
+    expect(task.warnings.map(({code, message}) => ({code, message}))).toEqual(of_task);
     if (!well_conditioned || result.status !== "solved" || !task.symmetric) return;
     const {coordinate, center_homogeneous, circle_homogeneous} = result.curve.samples;
     for (const [i, tau] of (coordinate as number[]).entries()) {
