@@ -58,13 +58,13 @@ std::vector<Notice> left_out_warning(const Solution& solution) {
     return !family.side_links({tau, tau}).has_value();
   });
   if (count == 0) return {};
-  return {
-      {"side_links_left_out",
-       fmt::format("{} of the {} side links looked at are left out: they are so short, or so far away, that rounding "
-                   "changes their lengths over the positions by more than a millionth. Set the positions further "
-                   "off a turn about one pole, or off a mere shift.",
-                   grouped_text(count), grouped_text(static_cast<std::int64_t>(looked_at.size()))),
-       {{"count", static_cast<double>(count)}, {"of", static_cast<double>(looked_at.size())}}}};
+  return {{"side_links_left_out",
+           fmt::format(
+               "Left out are {} of the {} side links looked at, so short or so far away that rounding changes their "
+               "lengths over the positions by more than a millionth. Set the positions further "
+               "off a turn about one pole, or off a mere shift.",
+               grouped_text(count), grouped_text(static_cast<std::int64_t>(looked_at.size()))),
+           {{"count", static_cast<double>(count)}, {"of", static_cast<double>(looked_at.size())}}}};
 }
 
 // Pivots all but in the pole of the task decide by their rounding what a linkage does.
@@ -75,10 +75,9 @@ void leave_out_unconfirmed(Solution& solution) {
   if (count == 0) return;
   solution.given.warnings.push_back(
       {"linkages_left_out",
-       fmt::format(
-           "{} of the best linkages are left out: with pivots so close to the common pole, driving them through "
-           "the task did not confirm them. Set the positions further off a turn about one pole.",
-           count),
+       fmt::format("Left out are {} of the best linkages: with pivots so close to the common pole, driving through the "
+                   "task confirmed no more. Set the positions further off a turn about one pole.",
+                   count),
        {{"count", static_cast<double>(count)}}});
 }
 
