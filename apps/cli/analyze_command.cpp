@@ -23,10 +23,13 @@ Result<AnyStoredLinkage> read_linkage_file(const std::string& path) {
   return text ? read_any_linkage(*text) : Result<AnyStoredLinkage>(text.errors());
 }
 
+std::string table_of(const LinkageAnalysis& analysis) { return motion_table(tabulated_cycle(analysis.linkage)); }
+std::string table_of(const SixBarAnalysis& analysis) { return motion_table(analysis.motion); }
+
 template <class Analysis>
 bool write_report(const std::string& path, const Analysis& analysis) {
   return write_output(path, [&](const TextSink& sink) {
-    sink(ends_with(path, ".csv") ? motion_table(analysis.motion) : write_analysis(analysis));
+    sink(ends_with(path, ".csv") ? table_of(analysis) : write_analysis(analysis));
   });
 }
 
@@ -43,6 +46,7 @@ int report_on(const Stored& linkage, const AnalyzeArguments& arguments) {
 }  // namespace
 
 int analyze(const AnalyzeArguments& arguments) {
+  const Interruption interruption(Interruption::Answer::at_once);
   const std::string& report = arguments.report;
   if (!report.empty() && report != "-" && !ends_with(report, ".json") && !ends_with(report, ".csv")) {
     print_mistakes(report,

@@ -142,7 +142,7 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
     case Objective::min_transmission_angle:
       break;
   }
-  return rounded_text(gamma_deg(found.report.worst_transmission_cosine), 2) + "°";
+  return rounded_text(degrees(found.report.min_transmission_angle), 2) + "°";
 }
 
 std::string why_the_best(const Problem& problem, const Solution& solution, int decimals) {
@@ -194,7 +194,8 @@ std::string nothing_words(const Problem& problem, const Solution& solution) {
   if (!solution.linkages.empty() || solution.options.best == 0) return "";
   std::string text = "\n" + wrapped(solution.reason.message);
   for (std::size_t i = 0; i < solution.relax.size(); ++i) {
-    if (i == 0 && !solution.relax[i].value) continue;  // the reason says what dropping it would leave
+    if (i == 0 && !solution.relax[i].value && !solution.relax[i].box)
+      continue;  // the reason says what dropping it would leave
     text += wrapped("  " + relaxation_words(solution.relax[i], problem.length_unit), 4);
   }
   return text;

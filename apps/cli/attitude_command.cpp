@@ -70,6 +70,7 @@ std::optional<Error> input_mistake(const AttitudeArguments& arguments) {
 }  // namespace
 
 int attitude(const AttitudeArguments& arguments) {
+  const Interruption interruption(Interruption::Answer::at_once);
   if (const auto error = input_mistake(arguments)) {
     print_mistakes("linkwright attitude " + arguments.command, {*error});
     return mistake;

@@ -1,10 +1,13 @@
 #include "console.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fmt/format.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include "linkwright/io/atomic_file.hpp"
@@ -12,15 +15,56 @@
 namespace linkwright::cli {
 namespace {
 
-std::atomic<bool> interrupted{false};
+// What the handlers of signals read and write.
+std::atomic<bool> interrupted{false}, stops_when_asked{false}, has_written{false}, has_temporary{false};
 std::atomic<int> interrupting_signal{0};
+std::array<char, 4096> temporary_file{};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
+/// How long work may take to stop when it is asked to, microseconds.
+constexpr int patience = 400'000;
+
+std::string_view stopped_words() {
+  return has_written ? "stopped before all was written" : "stopped; nothing was written";
+}
+
+/// Nothing but system calls.
+[[noreturn]] void leave_at_once(int signal_number) {
+  if (has_temporary) ::unlink(temporary_file.data());
+  for (const std::string_view words : {std::string_view("linkwright: "), stopped_words(), std::string_view("\n")})
+    if (::write(STDERR_FILENO, words.data(), words.size()) < 0) break;
+  ::_exit(128 + signal_number);
+}
+
+/// Rings once after so many microseconds; 0: not at all.
+void set_alarm(int microseconds) {
+  itimerval alarm{};
+  alarm.it_value.tv_usec = microseconds;
+  ::setitimer(ITIMER_REAL, &alarm, nullptr);
+}
+
 extern "C" void on_interruption(int signal_number) {
+  if (!stops_when_asked || interrupting_signal != 0) leave_at_once(signal_number);
   interrupting_signal = signal_number;
   interrupted = true;
-  std::signal(signal_number, SIG_DFL);
+  set_alarm(patience);
 }
+
+extern "C" void on_alarm(int /*signal_number*/) { leave_at_once(interrupting_signal); }
+
+/// Remembers a temporary file as long as it lives, for leave_at_once().
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    if (name.empty() || name.size() >= temporary_file.size()) return;
+    std::copy(name.c_str(), name.c_str() + name.size() + 1, temporary_file.begin());
+    has_temporary = true;
+  }
+  ~TemporaryFile() { has_temporary = false; }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+};
 
 /// Text to standard output; what failed stays failed.
 class StandardOutput {
@@ -64,23 +108,31 @@ bool write_output(const std::filesystem::path& path, const std::function<void(co
     return output.finish();
   }
   AtomicFile file(path);
+  const TemporaryFile temporary(file.temporary());
   writer([&file](std::string_view text) {
     if (!Interruption::happened()) file.write(text);
   });
   if (Interruption::happened()) return false;
   const auto failure = file.commit();
   if (failure) print_mistakes(path.string(), {*failure});
+  if (!failure) has_written = true;
   return !failure;
 }
 
-Interruption::Interruption() {
+Interruption::Interruption(Answer answer) {
+  stops_when_asked = answer == Answer::when_asked;
+  std::signal(SIGALRM, on_alarm);
   std::signal(SIGINT, on_interruption);
   std::signal(SIGTERM, on_interruption);
 }
 
 bool Interruption::happened() { return interrupted; }
 const std::atomic<bool>* Interruption::flag() { return &interrupted; }
-void Interruption::settle() { interrupted = false; }
+void Interruption::settle() {
+  set_alarm(0);
+  interrupted = false;
+}
+std::string_view Interruption::words() { return stopped_words(); }
 int Interruption::exit_status() { return interrupting_signal == 0 ? 0 : 128 + interrupting_signal; }
 
 ProgressLine::ProgressLine() : is_terminal_(::isatty(STDERR_FILENO) != 0) {}

@@ -29,14 +29,18 @@ void print_failure(std::string_view message);
 /// standard error) or Ctrl-C stopped it.
 [[nodiscard]] bool write_output(const std::filesystem::path& path, const std::function<void(const TextSink&)>& writer);
 
-/// Ctrl-C and SIGTERM ask the work to stop; a second one ends the program at once.
+/// Ctrl-C and SIGTERM end the program within half a second, with nothing half written: at once, or as soon as the work
+/// has stopped when it was asked to; what then takes longer, or a second signal, ends it at once.
 class Interruption {
  public:
-  Interruption();
+  enum class Answer { at_once, when_asked };
+  explicit Interruption(Answer answer);
   [[nodiscard]] static bool happened();
   [[nodiscard]] static const std::atomic<bool>* flag();
   /// The work has stopped as asked and has something to show: what follows counts as not interrupted.
   static void settle();
+  /// What became of the output, in words.
+  [[nodiscard]] static std::string_view words();
   /// 128 + the number of the signal that came, settled or not; 0 without one.
   [[nodiscard]] static int exit_status();
 };

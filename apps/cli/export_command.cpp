@@ -16,6 +16,7 @@ Result<std::vector<AnyStoredLinkage>> read_linkages(const std::string& path) {
 }  // namespace
 
 int export_linkage(const ExportArguments& arguments) {
+  const Interruption interruption(Interruption::Answer::at_once);
   constexpr int mistake = static_cast<int>(Status::mistake);
   const auto linkages = read_linkages(arguments.result);
   if (!linkages) {

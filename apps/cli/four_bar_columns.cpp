@@ -9,15 +9,12 @@
 
 namespace linkwright::cli {
 
-double gamma_deg(double worst_cosine) { return degrees(std::acos(std::min(1.0, std::abs(worst_cosine)))); }
-
 std::string task_gamma(const DefectReport& report) {
-  return report.defects.none() ? rounded_text(gamma_deg(report.worst_transmission_cosine), 1) + "°" : "–";
+  return report.defects.none() ? rounded_text(degrees(report.min_transmission_angle), 1) + "°" : "–";
 }
 
 std::string full_turn_gamma(const DefectReport& report) {
-  return input_is_crank(report.type) ? rounded_text(gamma_deg(report.worst_transmission_cosine_full_turn), 1) + "°"
-                                     : "–";
+  return input_is_crank(report.type) ? rounded_text(degrees(report.min_transmission_angle_full_turn), 1) + "°" : "–";
 }
 
 std::string drive_text(const DefectReport& report) {

@@ -9,8 +9,6 @@ namespace linkwright::cli {
 
 // Cells of tables of four-bars.
 
-[[nodiscard]] double gamma_deg(double worst_cosine);
-
 /// Least transmission angle over the task, "–" with a defect.
 [[nodiscard]] std::string task_gamma(const DefectReport& report);
 

@@ -9,11 +9,21 @@
 
 #include "attitude_flags.hpp"
 #include "commands.hpp"
+#include "linkwright/io/nearest_name.hpp"
 
 namespace linkwright::cli {
 namespace {
 
 constexpr int mistake = static_cast<int>(Status::mistake), failure = static_cast<int>(Status::failure);
+
+/// Of a command and those below it: an empty text is neither a number nor the name of a file.
+void refuse_empty_texts(CLI::App& command) {
+  const CLI::Validator not_empty(
+      [](const std::string& text) { return text.empty() ? "something belongs here, not an empty text" : ""; }, "");
+  for (CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->get_items_expected_max() > 0; }))
+    option->check(not_empty);
+  for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_texts(*below);
+}
 
 void add_solve(CLI::App& app, SolveArguments& arguments) {
   CLI::App* command = app.add_subcommand("solve", "Find every linkage that does a task, and the best of them");
@@ -88,13 +98,27 @@ void add_studio(CLI::App& app, StudioArguments& arguments) {
   command->add_option("--folder", arguments.folder, "Serve this built workbench instead of the one that came along");
 }
 
+/// Where a word stands in the place of a command: which one may be meant.
+std::optional<std::string> unknown_command(const CLI::App& app) {
+  const CLI::App* group = &app;
+  while (!group->get_subcommands().empty()) group = group->get_subcommands().front();
+  std::vector<std::string> names;
+  for (const CLI::App* command : group->get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  const auto rest = app.remaining(true);
+  if (names.empty() || rest.empty() || rest.front().starts_with('-')) return std::nullopt;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return fmt::format("there is no command {}; did you mean {}?", in_quotes(rest.front()),
+                     nearest_name(rest.front(), known));
+}
+
 /// One line that says what is wrong with the command line.
 std::string usage_mistake(const CLI::App& app, const CLI::ParseError& error) {
   std::string command = "linkwright";
   for (auto chosen = app.get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands()) {
     command += " " + chosen.front()->get_name();
   }
-  std::string message = error.what();
+  std::string message = unknown_command(app).value_or(error.what());
   while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.pop_back();
   for (char& c : message) c = c == '\n' ? ' ' : c;
   return fmt::format("{}; see {} --help", message, command);
@@ -115,6 +139,7 @@ int run(int argc, char** argv) {
   add_export(app, export_arguments);
   add_attitude(app, attitude_arguments);
   add_studio(app, studio_arguments);
+  refuse_empty_texts(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version

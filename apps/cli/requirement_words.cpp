@@ -55,11 +55,16 @@ std::vector<std::string> limits_of_size(const Requirements& requirements, double
   if (least_gamma > 0 && gamma <= (1 + touching) * least_gamma) {
     touched.push_back("transmission angle at least " + angle_words(least_gamma));
   }
+  if (least_gamma == 0 && gamma < radians(1))
+    touched.push_back("the edge of locking, its transmission angle all but 0");
   if (ratio >= (1 - touching) * requirements.max_link_ratio) {
     touched.push_back("link ratio at most " + significant_text(requirements.max_link_ratio, digits));
   }
   if (requirements.max_length && longest >= (1 - touching) * *requirements.max_length) {
     touched.push_back("longest link at most " + length_words(*requirements.max_length, unit));
+  }
+  if (requirements.min_length && longest <= (1 + touching) * *requirements.min_length * ratio) {
+    touched.push_back("shortest link at least " + length_words(*requirements.min_length, unit));
   }
   return touched;
 }
@@ -79,6 +84,9 @@ std::string requirement_words(const Requirements& requirements, std::string_view
   if (requirements.max_length && std::isfinite(*requirements.max_length)) {
     add("longest link at most " + length_words(*requirements.max_length, unit));
   }
+  if (requirements.min_length && *requirements.min_length > 0) {
+    add("shortest link at least " + length_words(*requirements.min_length, unit));
+  }
   if (requirements.ground_pivots_within) add("fixed pivots in " + box_words(*requirements.ground_pivots_within));
   if (requirements.moving_pivots_within) {
     add(fmt::format("moving pivots (position {}) in {}", position, box_words(*requirements.moving_pivots_within)));
@@ -88,7 +96,7 @@ std::string requirement_words(const Requirements& requirements, std::string_view
 
 std::vector<std::string> limits_touched(const Requirements& requirements, const FourBarSolution& found,
                                         std::string_view unit) {
-  const double gamma = std::acos(std::min(1.0, std::abs(found.report.worst_transmission_cosine)));
+  const double gamma = found.report.min_transmission_angle;
   const double longest = found.lengths.longest();
   std::vector<std::string> touched =
       limits_of_size(requirements, gamma, longest / found.lengths.shortest(), longest, unit);
@@ -121,6 +129,8 @@ std::string held_back_words(const std::vector<std::string>& limits) {
 
 std::string relaxation_words(const Relaxation& relaxation, std::string_view unit) {
   const std::string leaves = grouped_text(relaxation.leaves);
+  if (relaxation.box)
+    return fmt::format("{} of {} would leave {}.", key(relaxation.requirement), box_words(*relaxation.box), leaves);
   if (!relaxation.value) return fmt::format("Without {} there would be {}.", key(relaxation.requirement), leaves);
   switch (relaxation.requirement) {
     case RequirementKind::min_transmission_angle:
@@ -130,6 +140,9 @@ std::string relaxation_words(const Relaxation& relaxation, std::string_view unit
                          leaves);
     case RequirementKind::max_length:
       return fmt::format("A longest link of at most {} would leave {}.", length_words(*relaxation.value, unit), leaves);
+    case RequirementKind::min_length:
+      return fmt::format("A shortest link of at least {} would leave {}.", length_words(*relaxation.value, unit),
+                         leaves);
     default:
       break;
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr int mistake = static_cast<int>(Status::mistake), failure = static_cast<int>(Status::failure);
 
 int stopped() {
-  print_failure("stopped; nothing was written");
+  print_failure(Interruption::words());
   return Interruption::exit_status();
 }
 
@@ -37,7 +37,7 @@ bool write_files(const SolveArguments& arguments, const Problem& problem, const 
 }  // namespace
 
 int solve(const SolveArguments& arguments) {
-  const Interruption interruption;
+  const Interruption interruption(Interruption::Answer::when_asked);
   const std::string file = arguments.problem == "-" ? "standard input" : arguments.problem;
   auto problem = read_problem_file(arguments.problem);
   if (!problem) {

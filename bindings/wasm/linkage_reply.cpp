@@ -15,8 +15,6 @@ using Layout = JsonWriter::Layout;
 
 constexpr int states_of_a_drive = 361;
 
-double transmission_angle_deg(double worst_cosine) { return degrees(std::acos(std::min(std::abs(worst_cosine), 1.0))); }
-
 void write_or_null(JsonWriter& json, std::string_view key, bool defined, double value) {
   json.key(key);
   defined ? json.value(value) : json.null();
@@ -91,9 +89,9 @@ void write_lengths(JsonWriter& json, const PickedLinkage& picked) {
 void write_verdict(JsonWriter& json, const PickedLinkage& picked) {
   const DefectReport report = picked.bars ? picked.bars->report : DefectReport{};
   const bool clean = picked.bars && report.defects.none();
-  write_or_null(json, "min_transmission_angle_deg", clean, transmission_angle_deg(report.worst_transmission_cosine));
+  write_or_null(json, "min_transmission_angle_deg", clean, degrees(report.min_transmission_angle));
   write_or_null(json, "min_transmission_angle_full_turn_deg", picked.bars && input_is_crank(report.type),
-                transmission_angle_deg(report.worst_transmission_cosine_full_turn));
+                degrees(report.min_transmission_angle_full_turn));
   write_or_null(json, "driver_sweep_deg", clean, degrees(report.sweep));
   json.key("drive_sense");
   report.sense == DriveSense::none ? json.null() : json.value(name(report.sense));
@@ -107,8 +105,7 @@ void write_swapped(JsonWriter& json, const PickedLinkage& picked) {
   json.member("type", name(report.type));
   json.key("defects");
   write_defects(json, report.defects);
-  write_or_null(json, "min_transmission_angle_deg", report.defects.none(),
-                transmission_angle_deg(report.worst_transmission_cosine));
+  write_or_null(json, "min_transmission_angle_deg", report.defects.none(), degrees(report.min_transmission_angle));
   json.end_object();
 }
 
@@ -186,7 +183,7 @@ PickedLinkage picked_linkage(const TaskFamily& given, RegionPlace place, bool re
   picked.drive = drive_table(picked.visits, poses, states_of_a_drive);
   if (const FunctionFamily* family = function_family(given)) {
     picked.task = family->task_at(place);
-    picked.bars->function = function_error(picked.bars->four_bar, *picked.task);
+    picked.bars->function = family->error_of(picked.bars->four_bar, place);
   }
   return picked;
 }

@@ -1,7 +1,9 @@
 #include "map_reply.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "io/problem_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/io/number_text.hpp"
 #include "linkwright/planar/freed_position.hpp"
@@ -31,8 +33,35 @@ void write_relaxation(JsonWriter& json, const Relaxation& relaxation) {
   json.begin_object(JsonWriter::Layout::one_line);
   json.member("requirement", key(relaxation.requirement));
   json.key("value");
-  relaxation.value ? json.value(is_angle ? degrees_for_files(*relaxation.value) : *relaxation.value) : json.null();
+  if (relaxation.box)
+    write_box(json, *relaxation.box);
+  else if (relaxation.value)
+    json.value(is_angle ? degrees_for_files(*relaxation.value) : *relaxation.value);
+  else
+    json.null();
   json.member("leaves", relaxation.leaves);
+  json.end_object();
+}
+
+void write_joint_relaxation(JsonWriter& json, const std::optional<JointRelaxation>& joint) {
+  json.key("relax_together");
+  if (!joint) return json.null();
+  json.begin_object(JsonWriter::Layout::one_line);
+  json.key("requirements");
+  json.begin_list(JsonWriter::Layout::one_line);
+  for (const RequirementKind requirement : joint->requirements) json.value(key(requirement));
+  json.end_list();
+  json.member("leaves", joint->leaves);
+  json.end_object();
+}
+
+void write_missed_box(JsonWriter& json, const MissedBox& missed) {
+  json.begin_object(JsonWriter::Layout::one_line);
+  json.member("requirement", key(missed.box));
+  json.key("nearest");
+  write_numbers(json, std::array{missed.nearest.real(), missed.nearest.imag()});
+  json.key("beyond");
+  write_numbers(json, std::array{missed.beyond.real(), missed.beyond.imag()});
   json.end_object();
 }
 
@@ -49,6 +78,8 @@ void JudgedMap::judge(const RequirementFilter& filter) {
   filter.failures_of_all(fails_);
   census_ = filter.census(fails_);
   relax_ = census_.meeting == 0 ? filter.relaxations(census_) : std::vector<Relaxation>{};
+  relax_together_ = relax_.empty() ? census_.joint_relaxation() : std::nullopt;
+  missed_boxes_.clear();
 }
 
 void JudgedMap::measure(CellProperty property) {
@@ -66,7 +97,6 @@ void JudgedMap::measure_miss(const LinkageFamily& family, const FreedPose& freed
 }
 
 void JudgedMap::measure_error(const FunctionFamily& family) {
-  constexpr int samples = 61;  // as while searching
   values_.assign(map_.rows() * map_.columns(), 0);
   for (std::size_t row = 0; row < map_.rows(); ++row)
     for (std::size_t column = 0; column < map_.columns(); ++column) {
@@ -76,7 +106,7 @@ void JudgedMap::measure_error(const FunctionFamily& family) {
       const auto links = family.side_links(place);
       const auto bars = links ? four_bar_of(*links) : std::nullopt;
       if (!bars) continue;
-      const FunctionError error = function_error(*bars, family.task_at(place), samples);
+      const FunctionError error = family.error_of(*bars, place, ErrorSampling::coarse());
       if (error.max_structural_error && error.unreached.empty())
         values_[cell] = static_cast<float>(degrees(*error.max_structural_error));
     }
@@ -99,6 +129,11 @@ std::string JudgedMap::census_json() const {
     json.key("relax");
     json.begin_list();
     for (const Relaxation& relaxation : relax_) write_relaxation(json, relaxation);
+    json.end_list();
+    write_joint_relaxation(json, relax_together_);
+    json.key("missed_boxes");
+    json.begin_list();
+    for (const MissedBox& missed : missed_boxes_) write_missed_box(json, missed);
     json.end_list();
     json.end_object();
   });

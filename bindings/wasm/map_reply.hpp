@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "linkwright/analysis/pose_miss.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/missed_box.hpp"
 #include "linkwright/region/cell_property.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
@@ -21,6 +23,8 @@ class JudgedMap {
   void classify(const std::function<void(RegionMap&)>& fill);
   /// `filter` of map().
   void judge(const RequirementFilter& filter);
+  /// Told where nothing is left.
+  void note_missed_boxes(std::vector<MissedBox> missed) { missed_boxes_ = std::move(missed); }
   void measure(CellProperty property);
   /// By how much each cell that passes misses a freed pose; 0 of the others.
   void measure_miss(const LinkageFamily& family, const FreedPose& freed);
@@ -44,6 +48,8 @@ class JudgedMap {
   std::vector<float> values_;
   RequirementCensus census_;
   std::vector<Relaxation> relax_;
+  std::optional<JointRelaxation> relax_together_;
+  std::vector<MissedBox> missed_boxes_;
   Ridges ridges_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "io/problem_writer.hpp"
 #include "linkwright/io/number_text.hpp"
 
 namespace linkwright::wasm {
@@ -16,13 +17,7 @@ void write_limit(JsonWriter& json, std::string_view key, double limit) {
 
 void write_box(JsonWriter& json, std::string_view key, const std::optional<Box>& box) {
   json.key(key);
-  if (!box) return json.null();
-  json.begin_object(Layout::one_line);
-  json.key("x");
-  write_numbers(json, std::array{box->x_low, box->x_high});
-  json.key("y");
-  write_numbers(json, std::array{box->y_low, box->y_high});
-  json.end_object();
+  box ? linkwright::write_box(json, *box) : json.null();
 }
 
 }  // namespace
@@ -88,6 +83,7 @@ void write_requirements(JsonWriter& json, const Requirements& wanted) {
   json.member("min_transmission_angle_deg", degrees_for_files(wanted.min_transmission_angle));
   write_limit(json, "max_link_ratio", wanted.max_link_ratio);
   write_limit(json, "max_length", wanted.max_length.value_or(Requirements::unlimited));
+  json.member("min_length", wanted.min_length.value_or(0));
   write_box(json, "ground_pivots_within", wanted.ground_pivots_within);
   write_box(json, "moving_pivots_within", wanted.moving_pivots_within);
   json.member("respect_direction", wanted.respect_direction);

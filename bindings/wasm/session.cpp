@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "function_reply.hpp"
 #include "io/task_writer.hpp"
@@ -12,6 +13,7 @@
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
 #include "linkwright/planar/improved_linkage.hpp"
+#include "linkwright/planar/missed_box.hpp"
 #include "linkwright/planar/pose_halo.hpp"
 #include "reply_json.hpp"
 
@@ -57,6 +59,8 @@ const Notice no_pair = {
     "no_pair",
     "No pair of side links makes a four-bar: in every pair a pivot is at infinity or a link has no length.",
     {}};
+
+const Notice no_map = {"no_map", "There is no map of this task yet: a six-bar needs a chain first.", {}};
 
 }  // namespace
 
@@ -179,12 +183,15 @@ void Session::compute_map(const ExploreRequest& request) {
   const MapKey wanted{map_samples(request), axes().input.order.code(), request.input,
                       request.output,       problem_.options.spacing,  requirements_.respect_direction};
   if (mapped_ != wanted) {
+    mapped_.reset();  // nothing is shown of the last one should memory run out half way
     input_tau_ = coordinates(request, Side::input);
     output_tau_ = coordinates(request, Side::output);
     map_.classify([&](RegionMap& map) { classify(map, input_tau_, output_tau_); });
     mapped_ = wanted;
   }
   map_.judge(filter(map_.map()));
+  if (map_.census().meeting == 0 && given().family)
+    map_.note_missed_boxes(missed_boxes(*given().family, requirements_));
   if (request.pose_miss && given().freed)
     map_.measure_miss(*given().family, *given().freed);
   else if (const auto* function = std::get_if<FunctionTask>(&problem_.task);
@@ -203,7 +210,7 @@ ExploreReply Session::explore(const ExploreRequest& request) {
   const Notice* reason = nullptr;
   if (!has_map()) {
     status = "degenerate";
-    reason = &given().degeneracy.value();
+    reason = given().degeneracy ? &*given().degeneracy : &no_map;
   } else {
     compute_map(request);
     reply.map = &map_;
@@ -275,6 +282,13 @@ SixBarTask with_chain(SixBarTask task, const ThreeLinkChain& chain) {
   return task;
 }
 
+template <class Points, class PointOf = std::identity>
+void write_points(JsonWriter& json, const Points& points, PointOf point_of = {}) {
+  json.begin_list(JsonWriter::Layout::one_line);
+  for (const auto& item : points) write_point(json, point_of(item));
+  json.end_list();
+}
+
 // With their chains: of a search each has one of its own.
 void write_six_bars(JsonWriter& json, const SixBarTask& task, const Solution& solution) {
   for (const SixBarSolution& found : solution.six_bars) {
@@ -285,10 +299,39 @@ void write_six_bars(JsonWriter& json, const SixBarTask& task, const Solution& so
     json.member("min_transmission_angle_deg", degrees(found.rating.min_transmission_angle()));
     json.member("link_ratio", found.rating.shape.link_ratio);
     json.member("longest", found.rating.shape.longest);
+    json.key("pivots");
+    write_points(json, found.member.six_bar.joints, [](const SixBarJoint& joint) { return joint.point; });
     json.key("chain");
     write_chain(json, found.chain);
     json.end_object();
   }
+}
+
+void write_four_bars(JsonWriter& json, const std::vector<FourBarSolution>& list) {
+  for (const FourBarSolution& found : list) {
+    json.begin_object(JsonWriter::Layout::one_line);
+    json.key("tau");
+    write_numbers(json, std::array{found.input.coordinate, found.output.coordinate});
+    json.member("type", name(found.report.type));
+    json.member("min_transmission_angle_deg", degrees(found.report.min_transmission_angle));
+    json.member("link_ratio", found.lengths.longest() / found.lengths.shortest());
+    json.member("longest", found.lengths.longest());
+    json.key("max_structural_error_deg");
+    const bool known = found.function && found.function->max_structural_error;
+    known ? json.value(degrees(*found.function->max_structural_error)) : json.null();
+    json.key("pivots");
+    const FourBar& bars = found.four_bar;
+    write_points(json, std::array{bars.input_center, bars.input_circle, bars.output_center, bars.output_circle});
+    json.end_object();
+  }
+}
+
+// What the list of the best is to be read with: why it is empty, and what was not known of the task before.
+void write_notices(JsonWriter& json, const Solution& solution, const std::vector<Notice>& known) {
+  if (solution.linkages.empty() && solution.six_bars.empty()) write_notice(json, solution.reason);
+  for (const Notice& warning : solution.given.warnings)
+    if (std::none_of(known.begin(), known.end(), [&](const Notice& notice) { return notice.code == warning.code; }))
+      write_notice(json, warning);
 }
 
 }  // namespace
@@ -301,20 +344,18 @@ std::string Session::best(int most) const {
   options.best = most;
   const auto solution = solve(problem_.task, problem_.requirements, options);
   return json_of([&](JsonWriter& json) {
+    json.begin_object();
+    json.key("linkages");
     json.begin_list();
     if (const auto* six_bar = std::get_if<SixBarTask>(&problem_.task); six_bar && solution)
       write_six_bars(json, *six_bar, *solution);
-    for (const FourBarSolution& found : solution ? solution->linkages : std::vector<FourBarSolution>{}) {
-      json.begin_object(JsonWriter::Layout::one_line);
-      json.key("tau");
-      write_numbers(json, std::array{found.input.coordinate, found.output.coordinate});
-      json.member("type", name(found.report.type));
-      json.member("min_transmission_angle_deg", degrees(std::acos(found.report.worst_transmission_cosine)));
-      json.member("link_ratio", found.lengths.longest() / found.lengths.shortest());
-      json.member("longest", found.lengths.longest());
-      json.end_object();
-    }
+    if (solution) write_four_bars(json, solution->linkages);
     json.end_list();
+    json.key("notices");
+    json.begin_list();
+    if (solution) write_notices(json, *solution, given().warnings);
+    json.end_list();
+    json.end_object();
   });
 }
 
@@ -388,7 +429,7 @@ std::optional<Solution> Session::solution_at(double input_tau, double output_tau
     auto found = make_four_bar(given(), {input_tau, output_tau}, requirements_.respect_direction, verify);
     if (!found) return std::nullopt;
     if (const FunctionFamily* family = function_family(given()))
-      found->function = function_error(found->four_bar, family->task_at({input_tau, output_tau}));
+      found->function = family->error_of(found->four_bar, {input_tau, output_tau});
     solution.linkages = {*found};
   }
   solution.reason = {"picked", "One linkage, picked on the map.", {}};

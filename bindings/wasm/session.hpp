@@ -69,7 +69,7 @@ class Session {
   [[nodiscard]] LiveReply live(double input_tau, double output_tau);
   /// Cells that pass, row-major [dy][dx], or by turn.
   [[nodiscard]] std::vector<std::uint32_t> halo(const HaloRequest& request) const;
-  /// JSON text: the list of `best`, the objects of `improve` and `verify`.
+  /// JSON text: the objects of `best`, `improve` and `verify`.
   [[nodiscard]] std::string best(int most) const;
   [[nodiscard]] std::string improve(double input_tau, double output_tau) const;
   [[nodiscard]] std::string verify(double input_tau, double output_tau);

@@ -2,10 +2,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
@@ -284,7 +284,7 @@ Homogeneous CircularCubic::point(double tau) const {
     case CubicKind::nodal:
       return focal_point(tau);
     case CubicKind::every_point:
-      assert(false && "every_point has no coordinates");
+      require(false, "every_point has no coordinates");
       return {};
     default:
       break;

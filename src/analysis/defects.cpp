@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <vector>
 
+#include "analysis/triangle.hpp"
 #include "linkwright/analysis/driver_order.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 #define LINKWRIGHT_ISA isa_single
@@ -46,6 +48,26 @@ void place(Side& side, const SideLink& link) {
   }
 }
 
+double acute(double angle) { return std::min(angle, pi - angle); }
+
+// From the vectors themselves: near a dead point a cosine has lost half the digits of its angle.
+double angle_at_ends(const SideLink& input, const SideLink& output) {
+  const auto angle_at = [&](std::size_t j) {
+    const Point coupler = (output.center + output.arm[j]) - (input.center + input.arm[j]);
+    return acute(std::atan2(std::abs(cross(coupler, output.arm[j])), dot(coupler, output.arm[j])));
+  };
+  return std::min(angle_at(0), angle_at(input.arm.size() - 1));
+}
+
+// Where the input lies along the frame, opposite to it.
+double angle_on_the_way(const LinkLengths& l, bool passes_0, bool passes_pi) {
+  const auto angle_at = [&](double diagonal) {
+    return acute(angle_opposite(diagonal, l.coupler, l.output, diagonal_slack(l)));
+  };
+  return std::min(passes_0 ? angle_at(std::abs(l.ground - l.input)) : pi / 2,
+                  passes_pi ? angle_at(l.ground + l.input) : pi / 2);
+}
+
 int bits(bool ccw, bool cw) { return (ccw ? isa_single::ccw_bit : 0) | (cw ? isa_single::cw_bit : 0); }
 
 template <int Poses>
@@ -71,7 +93,7 @@ isa_single::PairVerdict<1> verdict_of(const SideLink& input, const SideLink& out
     case 4:
       return verdict<4>(input, output, order);
     default:
-      assert(input.arm.size() == 5);
+      require(input.arm.size() == 5, "at most five poses are judged");
       return verdict<5>(input, output, order);
   }
 }
@@ -86,7 +108,7 @@ DriveSense drive_sense(bool ccw, bool cw) {
 }
 
 DefectReport find_defects(const FourBar& four_bar, std::span<const PrescribedPose> poses, bool respect_direction) {
-  assert(!poses.empty() && poses.size() <= 5);
+  require(!poses.empty() && poses.size() <= 5, "one to five poses are judged");
   const SideLink input = side_link(four_bar.input_center, four_bar.input_circle, poses);
   const SideLink output = side_link(four_bar.output_center, four_bar.output_circle, poses);
   const DriverOrder order = driver_order(input.center, four_bar.input_circle, poses, respect_direction);
@@ -96,10 +118,11 @@ DefectReport find_defects(const FourBar& four_bar, std::span<const PrescribedPos
   report.defects = Defects{static_cast<std::uint8_t>(v.defects)};
   if (v.clean) {
     report.sense = drive_sense(v.travels_ccw, v.travels_cw);
-    report.worst_transmission_cosine = std::min(v.worst / v.hb, 1.0);
+    report.min_transmission_angle =
+        std::min(angle_at_ends(input, output), angle_on_the_way(four_bar.lengths(), v.passes_0, v.passes_pi));
     report.sweep = v.travels_ccw ? order.sweep_ccw : order.sweep_cw();
   }
-  if (v.turns) report.worst_transmission_cosine_full_turn = std::min(v.worst_turn / v.hb, 1.0);
+  if (v.turns) report.min_transmission_angle_full_turn = angle_on_the_way(four_bar.lengths(), true, true);
   return report;
 }
 

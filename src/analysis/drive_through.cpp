@@ -36,15 +36,16 @@ struct Target {
 /// A pose met on the circuit of pose 0.
 struct Meeting {
   int pose = 0;
-  double arc = 0;                          ///< arc length on the torus from pose 0
-  int stretch = 0;                         ///< dead points passed on the way
+  double arc = 0;                          ///< arc length on the torus from pose 0; negative: back
+  int stretch = 0;                         ///< dead points passed on the way; negative: back
   bool forwards = true, backwards = true;  ///< passed as the pose wants when walking on, when walking back
 };
 
-/// The circuit of configurations through pose 0, from there with the input turning counter-clockwise and round.
+/// The circuit of configurations through pose 0, from there with the input turning counter-clockwise and round. Where
+/// it crosses itself, as at a change point: the arc around pose 0 that ends there.
 struct Circuit {
   bool closed = false;
-  double length = 0;  ///< radians on the torus
+  double length = 0;  ///< radians on the torus, ahead of pose 0
   int dead_points = 0;
   std::vector<Meeting> meetings;
   double worst_closure = 0, worst_pose_error = 0, worst_direction_error = 0;
@@ -82,13 +83,10 @@ class Tracer {
   }
 
   [[nodiscard]] Circuit trace() {
-    Strand here = strand_at(start_);
-    meet(targets_[0], here, 0, here);
-    for (int i = 0; i < options_.most_steps && !circuit_.closed; ++i) {
-      const auto next = step(here, i > 0);
-      if (!next) break;
-      here = *next;
-    }
+    const Strand start = strand_at(start_);
+    meet(targets_[0], start, 0, start);
+    walk();
+    if (!circuit_.closed && circuit_.meetings.size() < targets_.size()) walk_back();
     return std::move(circuit_);
   }
 
@@ -97,8 +95,28 @@ class Tracer {
 
   [[nodiscard]] Strand strand_at(TorusVector point) const {
     Strand strand = curve_.strand_at(wrapped(point));
-    strand.tangent = sense_ * strand.tangent;
+    strand.tangent = way_ * sense_ * strand.tangent;
     return strand;
+  }
+
+  void walk() {
+    Strand here = strand_at(start_);
+    for (int i = 0; i < options_.most_steps && !circuit_.closed; ++i) {
+      const auto next = step(here, i > 0);
+      if (!next) break;
+      here = *next;
+    }
+  }
+
+  /// From pose 0 the other way, where no more can be seen ahead.
+  void walk_back() {
+    const double length = std::exchange(circuit_.length, 0);
+    const int dead_points = std::exchange(circuit_.dead_points, 0);
+    way_ = -1;
+    walk();
+    circuit_.closed = false;
+    circuit_.length = length;
+    circuit_.dead_points = dead_points;
   }
 
   /// Walks one step from `here` and returns its end; nothing where the curve cannot be followed.
@@ -146,8 +164,8 @@ class Tracer {
   void meet(Target& target, const Strand& at, double along, const Strand& here) {
     target.met = true;
     const bool past_dead_point = opposite_signs(here.tangent.input, at.tangent.input);
-    Meeting meeting{static_cast<int>(&target - targets_.data()), circuit_.length + along,
-                    circuit_.dead_points + (past_dead_point ? 1 : 0)};
+    Meeting meeting{static_cast<int>(&target - targets_.data()), way_ * (circuit_.length + along),
+                    way_ * (circuit_.dead_points + (past_dead_point ? 1 : 0))};
     if (target.rates) compare_directions(*target.rates, at, meeting);
     circuit_.meetings.push_back(meeting);
     const auto [a, b] = curve_.moving_pivots(at.point);
@@ -176,15 +194,16 @@ class Tracer {
                            wanted.output_circle / norm(wanted) - share * found.output_circle / norm(found)};
     const double error = lengths > 0 ? std::atan2(norm(aside), std::abs(share)) : pi / 2;
     circuit_.worst_direction_error = std::max(circuit_.worst_direction_error, error);
-    meeting.forwards = error <= options_.miss && along > 0;
-    meeting.backwards = error <= options_.miss && along < 0;
+    meeting.forwards = error <= options_.miss && way_ * along > 0;
+    meeting.backwards = error <= options_.miss && way_ * along < 0;
   }
 
   ConfigurationCurve curve_;
   DriveThroughOptions options_;
   std::vector<Target> targets_;
   TorusVector start_;
-  double sense_ = 1;  ///< of the walk against the curve's own tangent
+  double sense_ = 1;  ///< of the input's counter-clockwise turn against the curve's own tangent
+  int way_ = 1;       ///< of the walk: ahead, or −1: back
   Circuit circuit_;
 };
 
@@ -200,7 +219,7 @@ bool can_be_driven(const FourBar& four_bar, std::span<const PrescribedPose> pose
 /// Meetings by arc length in [0, circuit.length): a pose met a hair before the start lies at the end.
 void sort_meetings(Circuit& circuit) {
   for (Meeting& meeting : circuit.meetings) {
-    if (meeting.arc >= 0) continue;
+    if (meeting.arc >= 0 || !circuit.closed) continue;
     meeting.arc += circuit.length;
     meeting.stretch += circuit.dead_points;
   }
@@ -210,7 +229,7 @@ void sort_meetings(Circuit& circuit) {
 
 /// The stretch of pose 0 reaches from the circuit's last dead point to its first.
 bool on_first_stretch(const Circuit& circuit, const Meeting& meeting) {
-  return meeting.stretch == 0 || meeting.stretch == circuit.dead_points;
+  return meeting.stretch == 0 || (circuit.closed && meeting.stretch == circuit.dead_points);
 }
 
 /// How far each pose lies from pose 0 when the input turns counter-clockwise (sense +1) or clockwise (−1): round and
@@ -221,7 +240,7 @@ std::vector<double> travelled(const Circuit& circuit, int sense) {
     double& d = distance[static_cast<std::size_t>(meeting.pose)];
     const double ahead = meeting.stretch == 0 ? meeting.arc : meeting.arc - circuit.length;
     d = sense * ahead;
-    if (circuit.dead_points == 0 && d < 0) d += circuit.length;
+    if (circuit.closed && circuit.dead_points == 0 && d < 0) d += circuit.length;
   }
   return distance;
 }
@@ -247,10 +266,26 @@ Defects defects_of(const Circuit& circuit, std::size_t poses, bool respect_direc
   return {Defects::order_bit};
 }
 
+/// Of a circuit that crosses itself: from pose 0 to the crossing beyond pose 1.
+std::vector<int> poses_ahead(const Circuit& circuit) {
+  const auto arc_of = [&](int pose) {
+    return std::find_if(circuit.meetings.begin(), circuit.meetings.end(),
+                        [&](const Meeting& meeting) { return meeting.pose == pose; })
+        ->arc;
+  };
+  const bool back = circuit.meetings.size() > 1 && arc_of(1) < 0;
+  std::vector<int> poses;
+  for (const Meeting& meeting : circuit.meetings)
+    if (back ? meeting.arc <= 0 : meeting.arc >= 0) poses.push_back(meeting.pose);
+  if (back) std::reverse(poses.begin(), poses.end());
+  return poses;
+}
+
 /// Poses as the input meets them from pose 0; the other way round where that leads to pose 1 sooner.
 std::vector<int> visits(const Circuit& circuit) {
   std::vector<int> poses;
   for (const Meeting& meeting : circuit.meetings) poses.push_back(meeting.pose);
+  if (!circuit.closed) return poses_ahead(circuit);
   const auto second = std::find(poses.begin(), poses.end(), 1);
   if (second == poses.end()) return poses;
   const auto before = second - poses.begin(), after = poses.end() - second;
@@ -265,7 +300,7 @@ DriveThroughReport drive_through(const FourBar& four_bar, std::span<const Prescr
                                  const DriveThroughOptions& options) {
   if (!can_be_driven(four_bar, poses, options)) return {};
   Circuit circuit = Tracer(four_bar, poses, options).trace();
-  if (!circuit.closed) return {};
+  if (!circuit.closed && circuit.meetings.size() < poses.size()) return {};
   sort_meetings(circuit);
   return {true,
           defects_of(circuit, poses.size(), options.respect_direction),

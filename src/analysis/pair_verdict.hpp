@@ -39,6 +39,7 @@ struct PairVerdict {
   Mask clean;                        ///< not degenerate and without defects
   Mask turns;                        ///< the input is a crank
   Mask travels_ccw, travels_cw;      ///< senses in which it does the task, where clean
+  Mask passes_0, passes_pi;          ///< in the better of them the driver comes to lie along the frame, opposite to it
   /// |cos μ|·hb at its largest over the travel (where clean) and over the full turn (where `turns`), and hb.
   Real worst, worst_turn, hb;
   Real longest, shortest;
@@ -170,7 +171,7 @@ struct DriverLimits {
 
 template <int Width>
 struct Travel {
-  Mask possible{};
+  Mask possible{}, passes_0{}, passes_pi{};
   typename Pack<Width>::Real worst{};
 };
 
@@ -184,14 +185,17 @@ LINKWRIGHT_INLINE Travel<Width> travel(Real turn_in, Real turn_out, bool wide, c
   const Mask passes_pi = wide ? in_positive | out_negative : in_positive & out_negative;
   const Mask blocked = (passes_0 & ~limits.can_pass_0) | (passes_pi & ~limits.can_pass_pi);
   const Real worst_0 = where<Width>(passes_0, limits.worst_0), worst_pi = where<Width>(passes_pi, limits.worst_pi);
-  return {negated<Width>(blocked), larger(limits.worst_at_ends, larger(worst_0, worst_pi))};
+  return {negated<Width>(blocked), passes_0, passes_pi, larger(limits.worst_at_ends, larger(worst_0, worst_pi))};
 }
 
 /// The better of two senses.
 template <int Width>
-LINKWRIGHT_INLINE typename Pack<Width>::Real better(const Travel<Width>& ccw, const Travel<Width>& cw) {
+LINKWRIGHT_INLINE Travel<Width> better(const Travel<Width>& ccw, const Travel<Width>& cw) {
   const auto of_either = select<Width>(cw.possible, smaller(ccw.worst, cw.worst), ccw.worst);
-  return select<Width>(ccw.possible, of_either, cw.worst);
+  const Mask is_cw = cw.possible & (negated<Width>(ccw.possible) | less<Width>(cw.worst, ccw.worst));
+  const auto of_sense = [&](Mask in_ccw, Mask in_cw) { return (in_ccw & ~is_cw) | (in_cw & is_cw); };
+  return {ccw.possible | cw.possible, of_sense(ccw.passes_0, cw.passes_0), of_sense(ccw.passes_pi, cw.passes_pi),
+          select<Width>(ccw.possible, of_either, cw.worst)};
 }
 
 template <int Width, int Poses, int Count>
@@ -210,15 +214,14 @@ LINKWRIGHT_INLINE PairVerdict<Width> pair_verdict(const Driver<Poses>& driver, c
     return magnitude<Width>(still + (d.frame_x * driver.arm_x[j] + d.frame_y * driver.arm_y[j]));
   };
   const Real worst_0 = magnitude<Width>(still + swing), worst_pi = magnitude<Width>(still - swing);
-  Travel<Width> ccw, cw;
-  Real worst{};
+  Travel<Width> ccw, cw, best;
   if (driver.senses && lost.branch != all_lanes<Width>) {
     const Real first_turn = pairs.at_input_center(0), last_turn = pairs.at_input_center(Poses - 1);
     const DriverLimits<Width> limits = {s.input_meets_frame(), s.p3, larger(at_pose(0), at_pose(Poses - 1)), worst_0,
                                         worst_pi};
     if (driver.senses & ccw_bit) ccw = travel<Width>(first_turn, last_turn, driver.wide & ccw_bit, limits);
     if (driver.senses & cw_bit) cw = travel<Width>(last_turn, first_turn, driver.wide & cw_bit, limits);
-    worst = driver.senses == ccw_bit ? ccw.worst : driver.senses == cw_bit ? cw.worst : better(ccw, cw);
+    best = driver.senses == ccw_bit ? ccw : driver.senses == cw_bit ? cw : better(ccw, cw);
   }
   const Mask in_order = ccw.possible | cw.possible;
   // A change point between the poses stops the drive like a dead point.
@@ -234,7 +237,9 @@ LINKWRIGHT_INLINE PairVerdict<Width> pair_verdict(const Driver<Poses>& driver, c
   verdict.turns = s.whole & s.input_is_crank();
   verdict.travels_ccw = ccw.possible;
   verdict.travels_cw = cw.possible;
-  verdict.worst = worst;
+  verdict.passes_0 = best.passes_0;
+  verdict.passes_pi = best.passes_pi;
+  verdict.worst = best.worst;
   verdict.worst_turn = larger(worst_0, worst_pi);
   verdict.hb = d.h * b;
   verdict.longest = longest;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <limits>
 
 #include "linkwright/algebra/point.hpp"
 #include "linkwright/analysis/pose_visits.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 namespace {
@@ -130,7 +130,7 @@ class Nearest {
 
 std::optional<PoseMiss> pose_miss(const FourBar& four_bar, std::span<const PrescribedPose> poses,
                                   const FreedPose& freed) {
-  assert(freed.place <= poses.size() && freed.size > 0);
+  require(freed.place <= poses.size() && freed.size > 0, "the freed pose stands among the others");
   const PoseVisits visits = pose_visits(four_bar, poses);
   if (visits.turn.empty()) return std::nullopt;
   const CouplerTravel travel(four_bar, poses.front().pose, freed, visits.assembly.front(),

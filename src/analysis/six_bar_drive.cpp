@@ -7,14 +7,13 @@
 
 #include "analysis/six_bar_walk.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
 
 constexpr double accuracy = 1e-13;
 constexpr double share_of_reach = 0.75;
-/// Reach below which strands of the curve cannot be told apart any more.
-constexpr double crossing_strands = 1e-7;
 
 /// Sines of the transmission at a place of a walk.
 struct Sample {
@@ -144,7 +143,7 @@ std::optional<Walk> Walker::walk(int sense, Until until) const {
   const double along_tangent = (home_positive ? 1 : -1) * sense;
   Walk walk(wanted_.size());
   for (; walk.steps < options_.most_steps; ++walk.steps) {
-    if (!(here->reach > crossing_strands)) return std::nullopt;
+    if (!(here->reach > tolerance::crossing_strands_radius)) return std::nullopt;
     if (until == Until::dead_point) walk.samples.push_back({walk.length, sines_of(loops_, here->values)});
     const TurnVector ahead = times(along_tangent, here->tangent);
     const double length = share_of_reach * here->reach;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
+
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 
@@ -24,7 +25,7 @@ UnitQuaternion UnitQuaternion::normalized(double w, Vector3 v) {
 }
 
 UnitQuaternion UnitQuaternion::about(Vector3 unit_axis, double angle) {
-  assert(std::isfinite(angle));
+  require(std::isfinite(angle), "an angle is a number");
   return normalized(std::cos(angle / 2), std::sin(angle / 2) * unit_axis);
 }
 

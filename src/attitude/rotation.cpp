@@ -1,6 +1,5 @@
 #include "linkwright/attitude/rotation.hpp"
 
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
@@ -8,6 +7,7 @@
 #include "linkwright/attitude/axis_angle.hpp"
 #include "linkwright/attitude/nearest_rotation.hpp"
 #include "linkwright/attitude/rotation_properties.hpp"
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
@@ -64,7 +64,7 @@ Result<Rotation> Rotation::from_triads(const Triad& axes_of_i, const Triad& axes
 }
 
 Rotation Rotation::about(Axis axis, double angle) {
-  assert(std::isfinite(angle));
+  require(std::isfinite(angle), "an angle is a number");
   const double c = std::cos(angle), s = std::sin(angle);
   switch (axis) {
     case Axis::x:

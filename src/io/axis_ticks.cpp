@@ -60,7 +60,9 @@ std::vector<double> scattered_values(double low, double high, bool fine) {
   constexpr std::array<double, 10> fine_steps = {1, 1.2, 1.4, 1.6, 1.8, 2, 3, 4, 6, 8};
   std::vector<double> values;
   if (!(low > 0)) return values;
-  for (double power = std::pow(10, std::floor(std::log10(low))); power <= high; power *= 10) {
+  const auto magnitude = [](double value) { return static_cast<int>(std::floor(std::log10(value))); };
+  for (int exponent = magnitude(low); exponent <= magnitude(high); ++exponent) {
+    const double power = std::pow(10, exponent);
     const auto add = [&](double step) {
       if (step * power >= low && step * power <= high) values.push_back(step * power);
     };
@@ -87,16 +89,20 @@ std::vector<double> candidates(const Readings& readings, AxisQuantity quantity, 
 }  // namespace
 
 std::vector<double> even_ticks(double low, double high, double length, double spacing, bool are_degrees) {
+  constexpr double most = 4096, whole_numbers = 9e15;  // beyond 2^53 the next whole number is the same
   std::vector<double> ticks;
   if (!(high > low) || !(length > 0)) return ticks;
-  const double least = spacing / length * (high - low), power = std::pow(10, std::floor(std::log10(least)));
+  const double least = std::max(spacing / length, 1 / most) * (high - low);
+  const double power = std::pow(10, std::floor(std::log10(least)));
   double step = 10 * power;
   for (const double factor : {5.0, 2.0, 1.0})
     if (factor * power >= least * (1 - 1e-9)) step = factor * power;
   constexpr std::array<double, 5> angles = {15, 30, 45, 90, 180};
   const auto angle = std::find_if(angles.begin(), angles.end(), [&](double a) { return a >= least; });
   if (are_degrees && least > 10 && angle != angles.end()) step = *angle;
-  for (double i = std::ceil(low / step); i * step <= high * (1 + 1e-12); ++i) ticks.push_back(i == 0 ? 0 : i * step);
+  const double first = std::ceil(low / step), last = std::floor(high / step + 1e-9);
+  if (!(std::max(std::abs(first), std::abs(last)) < whole_numbers)) return ticks;
+  for (double i = first; i <= last; ++i) ticks.push_back(i == 0 ? 0 : i * step);
   return ticks;
 }
 

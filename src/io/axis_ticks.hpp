@@ -19,7 +19,7 @@ struct AxisTick {
                                                LinkageFamily::Side side);
 
 /// Round values between low and high, evenly spaced, at least `spacing` px apart on an axis of `length` px; of angles
-/// in degrees.
+/// in degrees. At most some thousand; none where the two ends are so far out that numbers between them run out.
 [[nodiscard]] std::vector<double> even_ticks(double low, double high, double length, double spacing, bool are_degrees);
 
 }  // namespace linkwright

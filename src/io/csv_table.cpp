@@ -1,5 +1,6 @@
 #include "linkwright/io/csv_table.hpp"
 
+#include <fmt/format.h>
 #include <initializer_list>
 #include <string_view>
 
@@ -11,9 +12,11 @@ namespace linkwright {
 namespace {
 
 constexpr std::string_view header =
-    "input_angle_deg,coupler_angle_deg,output_angle_deg,input_circle_x,input_circle_y,output_circle_x,output_circle_y,"
-    "coupler_point_x,coupler_point_y,transmission_angle_deg,coupler_rate,output_rate,coupler_acceleration,"
-    "output_acceleration\n";
+    "driver_turn_from_position_1_deg,input_angle_from_x_deg,coupler_angle_from_x_deg,output_angle_from_x_deg,"
+    "input_circle_x,input_circle_y,output_circle_x,output_circle_y,body_x,body_y,body_theta_deg,transmission_angle_deg,"
+    "coupler_rate,output_rate,coupler_acceleration,output_acceleration,position\n";
+
+constexpr double row_step = radians(1);
 
 void put_numbers(std::string& line, std::initializer_list<double> numbers) {
   for (const double number : numbers) {
@@ -22,26 +25,36 @@ void put_numbers(std::string& line, std::initializer_list<double> numbers) {
   }
 }
 
-std::string table_line(const MotionState& state) {
+std::string table_line(const CycleState& state) {
   std::string line;
-  const Configuration& angles = state.configuration;
   const FourBar& bars = state.four_bar;
-  put_numbers(line,
-              {degrees(angles.input_angle), degrees(angles.coupler_angle), degrees(angles.output_angle),
-               bars.input_circle.real(), bars.input_circle.imag(), bars.output_circle.real(), bars.output_circle.imag(),
-               state.coupler_point.real(), state.coupler_point.imag(), degrees(state.transmission_angle)});
-  if (!state.rates) return line + ",,,,\n";
-  put_numbers(line, {state.rates->coupler, state.rates->output, state.rates->coupler_acceleration,
-                     state.rates->output_acceleration});
-  return line + '\n';
+  put_numbers(line, {degrees(state.turn), degrees(state.input_angle), degrees(state.coupler_angle),
+                     degrees(state.output_angle), bars.input_circle.real(), bars.input_circle.imag(),
+                     bars.output_circle.real(), bars.output_circle.imag(), state.body.origin.real(),
+                     state.body.origin.imag(), degrees(state.body.angle), degrees(state.transmission_angle)});
+  if (state.rates)
+    put_numbers(line, {state.rates->coupler, state.rates->output, state.rates->coupler_acceleration,
+                       state.rates->output_acceleration});
+  else
+    line += ",,,,";
+  return line + (state.pose < 0 ? ",\n" : fmt::format(",{}\n", state.pose + 1));
 }
 
 }  // namespace
 
-std::string motion_table(std::span<const MotionState> motion) {
+std::string motion_table(std::span<const CycleState> cycle) {
   std::string table(header);
-  for (const MotionState& state : motion) table += table_line(state);
+  for (const CycleState& state : cycle) table += table_line(state);
   return table;
+}
+
+std::vector<CycleState> tabulated_cycle(const StoredLinkage& linkage) {
+  return task_cycle(linkage.four_bar, framed_poses(linkage), row_step);
+}
+
+std::vector<PrescribedPose> framed_poses(const StoredLinkage& linkage) {
+  if (!linkage.poses.empty()) return linkage.poses;
+  return {{{linkage.four_bar.input_circle, 0}, {}}};
 }
 
 std::vector<MotionState> tabulated_motion(const FourBar& four_bar, Point traced) {

@@ -131,20 +131,41 @@ std::vector<Path> paths_of(std::span<const Dyad> dyads, Homogeneous Dyad::*point
 }
 
 /// Two sheets meet where a direction ceases to have side links, between samples: each path goes on to the nearest end.
+/// Ends are looked through from left to right: of curves that leap from sample to sample there are thousands.
 void join_ends(std::vector<Path>& paths) {
-  std::vector<Point> ends;
-  for (const Path& path : paths) ends.insert(ends.end(), {path.front(), path.back()});
-  const std::vector<Path> before = paths;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const Point here = ends[i];
+  struct End {
+    Point at;
+    std::size_t path = 0;
+    bool is_dot = false;
+  };
+  std::vector<End> ends;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    for (const Point at : {paths[i].front(), paths[i].back()}) ends.push_back({at, i, paths[i].size() < 3});
+  std::erase_if(ends, [](const End& end) { return !is_finite(end.at); });
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
+    if (a.at.real() != b.at.real()) return a.at.real() < b.at.real();
+    return a.at.imag() != b.at.imag() ? a.at.imag() < b.at.imag() : a.path < b.path;
+  });
+  const auto nearest_to = [&](std::size_t i) {
+    const End& here = ends[i];
     std::size_t nearest = i;
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-      const bool is_dot = k / 2 == i / 2 && before[k / 2].size() < 3;
-      if (k == i || is_dot || !(std::abs(ends[k] - here) <= longest_line)) continue;
-      if (nearest == i || std::abs(ends[k] - here) < std::abs(ends[nearest] - here)) nearest = k;
-    }
-    if (nearest > i) paths.push_back({here, ends[nearest]});
-  }
+    double least = longest_line * longest_line;
+    const auto look = [&](std::size_t k) {
+      const double aside = ends[k].at.real() - here.at.real();
+      if (aside * aside > least) return false;
+      const double distance = std::norm(ends[k].at - here.at);
+      if (distance <= least && !(here.is_dot && ends[k].path == here.path)) {
+        nearest = k;
+        least = distance;
+      }
+      return true;
+    };
+    for (std::size_t k = i; k > 0 && look(k - 1);) --k;
+    for (std::size_t k = i + 1; k < ends.size() && look(k);) ++k;
+    return nearest;
+  };
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (const std::size_t k = nearest_to(i); k > i) paths.push_back({ends[i].at, ends[k].at});
 }
 
 /// Without points closer to the last one than can be seen; the ends stay.

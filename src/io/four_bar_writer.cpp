@@ -24,13 +24,11 @@ void write_dyad(JsonWriter& json, const Dyad& dyad, double residual, const Worki
   json.end_object();
 }
 
-double transmission_angle_deg(double worst_cosine) { return degrees(std::acos(std::min(std::abs(worst_cosine), 1.0))); }
-
 /// Over the task; null where a defect leaves it undefined.
 void write_task_transmission(JsonWriter& json, const DefectReport& report) {
   json.key("min_transmission_angle_deg");
   if (!report.defects.none()) return json.null();
-  json.value(transmission_angle_deg(report.worst_transmission_cosine));
+  json.value(degrees(report.min_transmission_angle));
 }
 
 void write_swapped(JsonWriter& json, const DefectReport& report) {
@@ -166,9 +164,7 @@ void write_four_bar(JsonWriter& json, const FourBarSolution& found, const Workin
   write_drive(json, found.report);
   write_task_transmission(json, found.report);
   json.key("min_transmission_angle_full_turn_deg");
-  input_is_crank(found.report.type)
-      ? json.value(transmission_angle_deg(found.report.worst_transmission_cosine_full_turn))
-      : json.null();
+  input_is_crank(found.report.type) ? json.value(degrees(found.report.min_transmission_angle_full_turn)) : json.null();
   json.member("residual", found.residual);
   if (found.residual_derivatives) json.member("residual_derivatives", *found.residual_derivatives);
   if (found.function) write_function_error(json, *found.function);

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "json_scan.hpp"
+#include "linkwright/io/nearest_name.hpp"
 #include "mistakes.hpp"
-#include "nearest_name.hpp"
 
 namespace linkwright {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "nearest_name.hpp"
+#include "linkwright/io/nearest_name.hpp"
 
 namespace linkwright {
 namespace {

@@ -7,9 +7,7 @@
 namespace linkwright {
 namespace {
 
-std::string table(const StoredLinkage& linkage) {
-  return motion_table(tabulated_motion(linkage.four_bar, traced_point(linkage)));
-}
+std::string table(const StoredLinkage& linkage) { return motion_table(tabulated_cycle(linkage)); }
 std::string table(const StoredSixBar& linkage) { return motion_table(tabulated_motion(linkage)); }
 
 }  // namespace

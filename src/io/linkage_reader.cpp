@@ -11,11 +11,11 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/io/linkage_file.hpp"
+#include "linkwright/io/nearest_name.hpp"
 #include "linkwright/io/problem_file.hpp"
 #include "linkwright/io/result_file.hpp"
 #include "linkwright/io/six_bar_file.hpp"
 #include "mistakes.hpp"
-#include "nearest_name.hpp"
 #include "pose_reader.hpp"
 #include "six_bar_reader.hpp"
 

@@ -13,8 +13,6 @@
 namespace linkwright {
 namespace {
 
-double gamma_deg(double worst_cosine) { return degrees(std::acos(std::min(1.0, std::abs(worst_cosine)))); }
-
 void draw_type(SvgCanvas& svg, Point corner, const FourBarSolution& found) {
   const std::uint32_t color = palette::types[static_cast<std::size_t>(found.report.type)];
   svg.rectangle(corner + Point{0, 19}, 14, 14,
@@ -25,7 +23,7 @@ void draw_type(SvgCanvas& svg, Point corner, const FourBarSolution& found) {
     svg.text(corner + Point{0, 70}, "has a defect", {.size = 18, .color = palette::bad, .weight = 650});
     return;
   }
-  const std::string angle = fmt::format("{}°", rounded_text(gamma_deg(found.report.worst_transmission_cosine), 1));
+  const std::string angle = fmt::format("{}°", rounded_text(degrees(found.report.min_transmission_angle), 1));
   svg.text(corner + Point{0, 70}, angle, {.size = 28, .weight = 650});
   svg.text(corner + Point{text_width(angle, 28) + 16, 58}, "least transmission", {.size = 12, .color = palette::ink2});
   svg.text(corner + Point{text_width(angle, 28) + 16, 73}, "angle over the task", {.size = 12, .color = palette::ink2});

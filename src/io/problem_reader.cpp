@@ -68,7 +68,7 @@ void read_requirements(const JsonValue& value, Mistakes& mistakes, Requirements&
   const std::size_t before = mistakes.size();
   const JsonObject object(value, mistakes,
                           {"types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length",
-                           "ground_pivots_within", "moving_pivots_within", "respect_direction"});
+                           "min_length", "ground_pivots_within", "moving_pivots_within", "respect_direction"});
   read_types(object, requirements.types);
   read_flag(object, "no_defects", requirements.no_defects);
   read_limit(object, "min_transmission_angle_deg", 0,
@@ -76,6 +76,7 @@ void read_requirements(const JsonValue& value, Mistakes& mistakes, Requirements&
   read_limit(object, "max_link_ratio", Requirements::unlimited,
              [&](double limit) { requirements.max_link_ratio = limit; });
   read_limit(object, "max_length", Requirements::unlimited, [&](double limit) { requirements.max_length = limit; });
+  read_limit(object, "min_length", 0, [&](double limit) { requirements.min_length = limit; });
   read_box(object, "ground_pivots_within", mistakes, requirements.ground_pivots_within);
   read_box(object, "moving_pivots_within", mistakes, requirements.moving_pivots_within);
   read_flag(object, "respect_direction", requirements.respect_direction);

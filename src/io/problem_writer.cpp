@@ -10,13 +10,7 @@ using Layout = JsonWriter::Layout;
 
 void write_box(JsonWriter& json, std::string_view key, const std::optional<Box>& box) {
   json.key(key);
-  if (!box) return json.null();
-  json.begin_object(Layout::one_line);
-  json.key("x");
-  write_interval(json, box->x_low, box->x_high);
-  json.key("y");
-  write_interval(json, box->y_low, box->y_high);
-  json.end_object();
+  box ? linkwright::write_box(json, *box) : json.null();
 }
 
 void write_requirements(JsonWriter& json, const Requirements& requirements) {
@@ -29,6 +23,7 @@ void write_requirements(JsonWriter& json, const Requirements& requirements) {
   json.member("min_transmission_angle_deg", degrees_for_files(requirements.min_transmission_angle));
   json.member("max_link_ratio", requirements.max_link_ratio);  // unlimited: null
   if (requirements.max_length) json.member("max_length", *requirements.max_length);
+  if (requirements.min_length) json.member("min_length", *requirements.min_length);
   write_box(json, "ground_pivots_within", requirements.ground_pivots_within);
   write_box(json, "moving_pivots_within", requirements.moving_pivots_within);
   json.member("respect_direction", requirements.respect_direction);
@@ -55,6 +50,15 @@ void write_options(JsonWriter& json, const SynthesisOptions& options) {
 }
 
 }  // namespace
+
+void write_box(JsonWriter& json, const Box& box) {
+  json.begin_object(Layout::one_line);
+  json.key("x");
+  write_interval(json, box.x_low, box.x_high);
+  json.key("y");
+  write_interval(json, box.y_low, box.y_high);
+  json.end_object();
+}
 
 void write_lengths(JsonWriter& json, const LinkLengths& lengths) {
   json.begin_object(Layout::one_line);

@@ -12,6 +12,9 @@ namespace linkwright {
 /// The problem as one JSON object, every default written out.
 void write_problem(JsonWriter& json, const Problem& problem);
 
+/// `{"x": [low, high], "y": [low, high]}`.
+void write_box(JsonWriter& json, const Box& box);
+
 /// `{"ground": …, "input": …, "coupler": …, "output": …}`.
 void write_lengths(JsonWriter& json, const LinkLengths& lengths);
 

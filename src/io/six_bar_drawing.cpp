@@ -85,7 +85,7 @@ void draw_boxes(SvgCanvas& svg, const PlaneWindow& window, const SixBarTask& tas
     if (box) draw_box(svg, window, *box, name, BoxName::above);
   };
   if (!task.chain) draw(task.box, "all pivots");
-  draw(requirements.ground_pivots_within, "ground pivots");
+  draw(requirements.ground_pivots_within, "fixed pivots");
   draw(requirements.moving_pivots_within, "moving pivots");
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "linkwright/core/count_text.hpp"
-#include "nearest_name.hpp"
+#include "linkwright/io/nearest_name.hpp"
 #include "task_reader.hpp"
 
 namespace linkwright {

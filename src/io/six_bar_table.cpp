@@ -12,7 +12,7 @@ namespace {
 constexpr double row_step = radians(1);
 
 std::string header() {
-  std::string text = "driver_turn_deg";
+  std::string text = "driver_turn_from_position_1_deg";
   for (std::size_t joint = 0; joint < SixBar::joint_count; ++joint)
     text += fmt::format(",{0}_x,{0}_y", joint_name(joint));
   return text + ",body_x,body_y,body_theta_deg,transmission_angle_deg,position\n";

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "linkwright/core/angle.hpp"
-#include "nearest_name.hpp"
+#include "linkwright/io/nearest_name.hpp"
 #include "pose_reader.hpp"
 #include "vocabulary.hpp"
 

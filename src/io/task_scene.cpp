@@ -76,11 +76,11 @@ std::vector<Dyad> links_along(const LinkageFamily& family, Side side) {
 
 /// The nearest that keeps away from dead points, or the nearest.
 const FreedPosition* way_to_show(const Solution& solution) {
-  const double worst_cosine = std::cos(radians(10));
+  constexpr double least_angle = radians(10);
   const FreedPosition* nearest = nullptr;
   for (const FreedPosition& way : solution.freed) {
     if (!way.linkage) continue;
-    if (way.linkage->report.worst_transmission_cosine < worst_cosine) return &way;
+    if (way.linkage->report.min_transmission_angle > least_angle) return &way;
     if (nearest == nullptr) nearest = &way;
   }
   return nearest;
@@ -264,7 +264,7 @@ void draw_task_scene(SvgCanvas& svg, const TaskScene& scene, const Problem& prob
   svg.begin_clip(box.corner(), box.width, box.height);
   draw_grid(svg, window);
   const Requirements& requirements = solution.requirements;
-  if (requirements.ground_pivots_within) draw_box(svg, window, *requirements.ground_pivots_within, "ground pivots");
+  if (requirements.ground_pivots_within) draw_box(svg, window, *requirements.ground_pivots_within, "fixed pivots");
   if (requirements.moving_pivots_within) draw_box(svg, window, *requirements.moving_pivots_within, "moving pivots");
   draw_curves(svg, scene, window);
   draw_bead_links(svg, window, frame, scene.beads);

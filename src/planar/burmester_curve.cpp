@@ -1,17 +1,17 @@
 #include "linkwright/planar/burmester_curve.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
 
 std::array<HomogeneousMatrix, 3> first_three(const std::vector<HomogeneousMatrix>& rows) {
-  assert(rows.size() == 3);
+  require(rows.size() == 3, "a Burmester curve is that of four positions");
   return {rows[0], rows[1], rows[2]};
 }
 
@@ -136,7 +136,7 @@ std::optional<double> BurmesterCurve::coordinate_of(Homogeneous circle) const {
 }
 
 Dyad BurmesterCurve::dyad(double tau) const {
-  assert(coordinate_length() > 0);
+  require(coordinate_length() > 0, "the curve has coordinates");
   // The end itself is a coordinate: that of an isolated point.
   const bool inside = tau >= 0 && tau <= coordinate_length();
   const double on_curve = inside ? tau : wrap_period(tau, coordinate_length());
@@ -162,7 +162,7 @@ double BurmesterCurve::residual(const Dyad& dyad) const {
 }
 
 std::vector<double> BurmesterCurve::samples(int count, Spacing spacing) const {
-  assert(count > 0);
+  require(count > 0, "there is a sample");
   if (coordinate_length() == 0) return {};
   if (spacing == Spacing::arc_length) return evenly_by_length(count);
   std::vector<double> coordinates;

@@ -3,11 +3,11 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "planar/degenerate_task.hpp"
 #include "planar/five_conditions.hpp"
@@ -139,7 +139,7 @@ Notice double_point(std::size_t index, int multiplicity) {
 }  // namespace
 
 BurmesterPoints burmester_points(const PoseConditions& conditions) {
-  assert(conditions.rows.size() == 4);
+  require(conditions.rows.size() == 4, "Burmester points are those of five positions");
   BurmesterPoints result;
   if (conditions.rank < 4) {
     explain_dependence(conditions, result);

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cassert>
 #include <vector>
 
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "planar/five_conditions.hpp"
 #include "planar/five_pose_kernel.hpp"
@@ -60,7 +60,7 @@ BurmesterDyads result_of(const Block& block, std::size_t i) {
 }  // namespace
 
 void burmester_points_of_all(std::span<const FivePoses> tasks, std::span<BurmesterDyads> dyads, Simd simd) {
-  assert(dyads.size() >= tasks.size());
+  require(dyads.size() >= tasks.size(), "there is room for the dyads of each task");
   const auto kernel = five_pose_kernel.for_simd(simd);
   Block block;
   for (std::size_t begin = 0; begin < tasks.size(); begin += Block::size) {

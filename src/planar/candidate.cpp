@@ -7,7 +7,7 @@ namespace linkwright {
 namespace {
 
 // Dead at a position to the last digit: whether that is a defect only rounding has decided.
-bool is_locked(const DefectReport& report) { return report.worst_transmission_cosine > 1 - 1e-12; }
+bool is_locked(const DefectReport& report) { return report.min_transmission_angle < 1e-6; }
 
 }  // namespace
 
@@ -18,28 +18,35 @@ double Judge::largest_coordinate() const {
 
 std::optional<Candidate> Judge::candidate(RegionPlace place) const {
   const auto links = family_.side_links(place);
-  const auto bars = links ? four_bar_of(*links) : std::nullopt;
-  return bars ? judged(place, *bars) : std::nullopt;
+  return links ? judged(place, *links) : std::nullopt;
 }
 
-std::optional<Candidate> Judge::judged(RegionPlace place, const FourBar& bars) const {
+std::optional<Candidate> Judge::candidate(RegionPlace place, const SideLinks& known) const {
+  const auto links = family_.side_links_beside(place, known);
+  return links ? judged(place, *links) : std::nullopt;
+}
+
+std::optional<Candidate> Judge::judged(RegionPlace place, const SideLinks& links) const {
   const Requirements& wanted = requirements_;
-  if (!is_within(family_, window_, place)) return std::nullopt;
+  const auto four_bar = four_bar_of(links);
+  if (!four_bar || !is_within(family_, window_, place)) return std::nullopt;
+  const FourBar& bars = *four_bar;
   const DefectReport report = find_defects(bars, family_.working_poses(place, bars), wanted.respect_direction);
   if (report.type == LinkageType::degenerate) return std::nullopt;
   const auto& types = wanted.types;
   if (!types.empty() && std::find(types.begin(), types.end(), report.type) == types.end()) return std::nullopt;
   if (wanted.no_defects && (!report.defects.none() || is_locked(report))) return std::nullopt;
-  if (std::acos(report.worst_transmission_cosine) < wanted.min_transmission_angle) return std::nullopt;
+  if (report.min_transmission_angle < wanted.min_transmission_angle) return std::nullopt;
   const LinkLengths lengths = bars.lengths();
   const double ratio = lengths.longest() / lengths.shortest();
   const double longest = family_.frame().scale * lengths.longest();
   if (ratio > wanted.max_link_ratio || longest > wanted.max_length.value_or(Requirements::unlimited))
     return std::nullopt;
+  if (family_.frame().scale * lengths.shortest() < wanted.min_length.value_or(0)) return std::nullopt;
   if (!inside(wanted.ground_pivots_within, bars.input_center, bars.output_center)) return std::nullopt;
   if (!inside(wanted.moving_pivots_within, bars.input_circle, bars.output_circle)) return std::nullopt;
-  const double score = score_of(objective_, 1 - report.worst_transmission_cosine, ratio, longest);
-  return Candidate{place, bars, report, score, false};
+  const double score = score_of(objective_, versine_of_angle(report.min_transmission_angle), ratio, longest);
+  return Candidate{place, links, bars, report, score, false};
 }
 
 bool Judge::inside(const std::optional<Box>& box, Point p, Point q) const {
@@ -48,13 +55,13 @@ bool Judge::inside(const std::optional<Box>& box, Point p, Point q) const {
 
 Candidate Judge::from_better_side(const Candidate& here) const {
   if (!family_.is_symmetric()) return here;
-  auto there = judged({here.place.output, here.place.input}, here.bars.swapped());
+  auto there = judged({here.place.output, here.place.input}, {here.links.output, here.links.input});
   if (!there) return here;
   there->local_optimum = here.local_optimum;
   if (here.report.defects.none() != there->report.defects.none()) return here.report.defects.none() ? here : *there;
   if (here.score != there->score) return here.score > there->score ? here : *there;
-  const double cosine = here.report.worst_transmission_cosine, other = there->report.worst_transmission_cosine;
-  if (cosine != other) return cosine < other ? here : *there;
+  const double angle = here.report.min_transmission_angle, other = there->report.min_transmission_angle;
+  if (angle != other) return angle > other ? here : *there;
   return here.place.input < there->place.input ? here : *there;
 }
 

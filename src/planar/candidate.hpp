@@ -1,17 +1,21 @@
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "linkwright/planar/linkage_family.hpp"
 #include "linkwright/planar/synthesis.hpp"
+#include "linkwright/region/hill_climb.hpp"
 
 namespace linkwright {
 
 /// A linkage that meets the requirements. Working frame.
 struct Candidate {
   RegionPlace place;
+  SideLinks links;
   FourBar bars;
   DefectReport report;
   double score = 0;  ///< as score_of
@@ -21,7 +25,7 @@ struct Candidate {
 /// Judges any place of the map by the same rules as its cells. Refers to the family, which must outlive it.
 class Judge {
  public:
-  /// `requirements` with max_length set. Places outside `window` are refused; nothing: none.
+  /// `requirements` with both lengths set. Places outside `window` are refused; nothing: none.
   Judge(const LinkageFamily& family, const Requirements& requirements, Objective objective,
         std::optional<RegionWindow> window = {})
       : family_(family), requirements_(requirements), objective_(objective), window_(window) {}
@@ -31,13 +35,15 @@ class Judge {
 
   /// The linkage at a place, or nothing where it does not meet the requirements or lies outside the window.
   [[nodiscard]] std::optional<Candidate> candidate(RegionPlace place) const;
+  /// The same; of side links known already those serve again whose coordinates are the place's.
+  [[nodiscard]] std::optional<Candidate> candidate(RegionPlace place, const SideLinks& known) const;
 
   /// The same bars driven from the better side that meets the requirements: no defects, score, transmission angle,
   /// smaller coordinate; as they are where the family names the input.
   [[nodiscard]] Candidate from_better_side(const Candidate& here) const;
 
  private:
-  [[nodiscard]] std::optional<Candidate> judged(RegionPlace place, const FourBar& bars) const;
+  [[nodiscard]] std::optional<Candidate> judged(RegionPlace place, const SideLinks& links) const;
   [[nodiscard]] bool inside(const std::optional<Box>& box, Point p, Point q) const;
 
   const LinkageFamily& family_;
@@ -53,7 +59,38 @@ inline constexpr double buildable_margin = 1e-3;
 /// The smallest excess, as a share of the perimeter.
 [[nodiscard]] double change_point_margin(const FourBar& bars);
 
-/// Climbs from a place to the top of its hill, keeping branch, type and requirements; steps begin at `first_step` in τ.
-[[nodiscard]] Candidate climbed(const Judge& judge, const Candidate& start, double first_step);
+/// The two axes of a family, the one whose coordinate is dearer to change first, as a climb takes them.
+class OrderedAxes {
+ public:
+  explicit OrderedAxes(const LinkageFamily& family)
+      : family_(family), swapped_(family.dearer_side() == LinkageFamily::Side::output) {}
+
+  [[nodiscard]] std::array<double, 2> both(double of_input, double of_output) const {
+    return swapped_ ? std::array{of_output, of_input} : std::array{of_input, of_output};
+  }
+  [[nodiscard]] std::array<double, 2> coordinates(RegionPlace place) const { return both(place.input, place.output); }
+  [[nodiscard]] RegionPlace place(std::array<double, 2> coordinates) const {
+    return swapped_ ? RegionPlace{coordinates[1], coordinates[0]} : RegionPlace{coordinates[0], coordinates[1]};
+  }
+  /// Around a place, its scores by the ordered coordinates.
+  [[nodiscard]] Hill hill(std::function<std::optional<double>(double, double)> score_at, RegionPlace around) const;
+
+ private:
+  const LinkageFamily& family_;
+  bool swapped_;
+};
+
+/// What a climb goes by.
+struct Ascent {
+  double first_step = 0;     ///< in τ, along both coordinates
+  double resolution = 1e-3;  ///< shares of the first step
+  /// Larger is better; nothing where a candidate is not allowed.
+  std::function<std::optional<double>(const Candidate&)> score = [](const Candidate& c) { return c.score; };
+  double across = 1e-3;  ///< HillClimbOptions::across
+};
+
+/// Climbs from a linkage to the top of its hill (climb_hill), keeping branch, type and requirements.
+[[nodiscard]] Candidate climbed(const Judge& judge, const Candidate& start, const Ascent& ascent,
+                                const Progress& progress = {});
 
 }  // namespace linkwright

@@ -1,11 +1,12 @@
 #include "linkwright/planar/chosen_length.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <tuple>
 #include <vector>
+
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 namespace {
@@ -41,7 +42,7 @@ Offer offer_of(const LinkageFamily& family, const Requirements& requirements, Ob
 
 ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& frame, const Requirements& requirements,
                            Objective objective) {
-  assert(requirements.max_length);
+  require(requirements.max_length.has_value(), "max_length is set");
   ChosenLength chosen;
   Offer best;
   RegionMap map;

@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
-#include "linkwright/core/angle.hpp"
 #include "planar/candidate.hpp"
 
 namespace linkwright {
@@ -12,81 +11,41 @@ double change_point_margin(const FourBar& bars) {
   return std::min({std::abs(t.t1), std::abs(t.t2), std::abs(t.t3)}) / bars.lengths().perimeter();
 }
 
-namespace {
+Hill OrderedAxes::hill(std::function<std::optional<double>(double, double)> score_at, RegionPlace around) const {
+  using Side = LinkageFamily::Side;
+  AxisStretch first = stretch_around(family_.axis(Side::input), around.input),
+              second = stretch_around(family_.axis(Side::output), around.output);
+  if (swapped_) std::swap(first, second);
+  return {std::move(score_at), first, second};
+}
 
-/// The least transmission angle is the smaller of several smooth functions, so hills have sharp ridges on which steps
-/// in fixed directions get stuck: for each value of one coordinate the best value of the other is sought, and each of
-/// the two searches is on a line.
-class Climb {
- public:
-  Climb(const Judge& judge, const Candidate& start, double first_step)
-      : judge_(judge),
-        start_(start),
-        best_(start),
-        first_step_(first_step),
-        least_margin_(std::min(buildable_margin, change_point_margin(start.bars))) {}
-
-  [[nodiscard]] Candidate top() {
-    constexpr double smallest_step = 1e-10;
-    for (double step = first_step_; step > smallest_step;) {
-      const double before = best_.score, from = best_.place.input;
-      for (const double input : {from + step, from - step}) try_input(input, step);
-      step = best_.score > before ? std::min(1.5 * step, first_step_) : 0.4 * step;
-    }
-    best_.local_optimum = true;
-    return best_;
-  }
-
- private:
-  /// The best output for this input, sought from where the best one was.
-  void try_input(double input, double step) {
-    auto found = first_allowed(input, step);
-    if (!found) return;
-    for (double move = step; move > 1e-3 * step;) {
-      const Candidate here = *found;
-      for (const double output : {here.place.output + move, here.place.output - move}) {
-        const auto tried = allowed({input, output});
-        if (tried && tried->score > found->score) found = tried;
-      }
-      move *= found->score > here.score ? 1.5 : 0.4;
-    }
-    if (found->score > best_.score) best_ = *found;
-  }
-
-  /// The output that was best, or one close by where that is no longer allowed.
-  [[nodiscard]] std::optional<Candidate> first_allowed(double input, double step) const {
-    constexpr std::array<double, 7> steps_aside = {0, 1, -1, 2, -2, 4, -4};
-    for (const double aside : steps_aside)
-      if (const auto found = allowed({input, best_.place.output + aside * step})) return found;
-    return std::nullopt;
-  }
-
-  [[nodiscard]] std::optional<Candidate> allowed(RegionPlace place) const {
-    const auto found = judge_.candidate(on_branches(place));
-    if (!found || found->report.type != start_.report.type) return std::nullopt;
-    return change_point_margin(found->bars) < least_margin_ ? std::nullopt : found;
-  }
-
-  /// Leaving a closed branch at its end is entering it at its beginning; others end there.
-  [[nodiscard]] RegionPlace on_branches(RegionPlace place) const {
-    return {on_branch(LinkageFamily::Side::input, start_.place.input, place.input),
-            on_branch(LinkageFamily::Side::output, start_.place.output, place.output)};
-  }
-  [[nodiscard]] double on_branch(LinkageFamily::Side side, double start, double tau) const {
-    const double branch = std::floor(start);
-    if (judge_.family().axis(side).is_closed()) return branch + wrap_period(tau - branch, 1);
-    return std::clamp(tau, branch, std::nextafter(branch + 1, branch));
-  }
-
-  const Judge& judge_;
-  Candidate start_, best_;
-  double first_step_, least_margin_;
-};
-
-}  // namespace
-
-Candidate climbed(const Judge& judge, const Candidate& start, double first_step) {
-  return Climb(judge, start, first_step).top();
+Candidate climbed(const Judge& judge, const Candidate& start, const Ascent& ascent, const Progress& progress) {
+  using Side = LinkageFamily::Side;
+  const double least_margin = std::min(buildable_margin, change_point_margin(start.bars));
+  SideLinks known = start.links;
+  const auto allowed = [&](RegionPlace place) -> std::optional<Candidate> {
+    const auto found = judge.candidate(place, known);
+    if (found) known = found->links;
+    if (!found || found->report.type != start.report.type) return std::nullopt;
+    if (change_point_margin(found->bars) < least_margin) return std::nullopt;
+    return found;
+  };
+  const LinkageFamily& family = judge.family();
+  const OrderedAxes axes(family);
+  const auto score_at = [&](double first, double second) -> std::optional<double> {
+    const auto found = allowed(axes.place({first, second}));
+    return found ? ascent.score(*found) : std::nullopt;
+  };
+  const auto score = ascent.score(start);
+  if (!score) return start;
+  const auto step = [&](Side side) { return family.axis(side).is_discrete() ? 0.0 : ascent.first_step; };
+  constexpr int turns = HillClimbOptions{}.most_turns;
+  const HillTop top =
+      climb_hill(axes.hill(score_at, start.place), axes.coordinates(start.place), *score,
+                 {axes.both(step(Side::input), step(Side::output)), ascent.resolution, turns, ascent.across}, progress);
+  Candidate best = allowed(axes.place(top.place)).value_or(start);
+  best.local_optimum = top.end == SearchEnd::settled;
+  return best;
 }
 
 }  // namespace linkwright

@@ -5,6 +5,7 @@
 
 #include "linkwright/analysis/drive_through.hpp"
 #include "linkwright/analysis/pose_visits.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "planar/side_link.hpp"
 
 namespace linkwright {
@@ -52,10 +53,19 @@ std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlac
   if (given.freed) solution.miss = pose_miss(*bars, poses, *given.freed);
   solution.residual_derivatives = derivative_residual(given.derivative_rows, *links);
   if (verify) {
-    const DriveThroughReport driven = drive_through(*bars, poses, {.respect_direction = respect_direction});
+    // A thousand times as many as an ordinary circuit takes: with a link of a millionth of the others, steps get as
+    // short.
+    constexpr int most_steps = 200'000;
+    const DriveThroughReport driven =
+        drive_through(*bars, poses, {.most_steps = most_steps, .respect_direction = respect_direction});
     solution.verified_by_driving = driven.completed && driven.defects == solution.report.defects;
   }
   return solution;
+}
+
+bool is_unconfirmed(const FourBarSolution& found) {
+  if (found.residual > tolerance::side_link_length) return true;
+  return found.report.defects.none() && !found.verified_by_driving;
 }
 
 std::optional<Notice> defect_notice(const FourBarSolution& found, const TaskFamily& given) {

@@ -1,14 +1,12 @@
 #include "linkwright/planar/freed_position.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 
-#include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "planar/candidate.hpp"
@@ -24,87 +22,61 @@ FreedPose in_working_frame(const FreedPose& freed, const WorkingFrame& frame) {
 
 /// A linkage of the map and what it misses the freed pose by, working frame.
 struct Approach {
-  RegionPlace place;
+  Candidate candidate;
   double miss = 0;
-  double margin = 0;  ///< change_point_margin
 };
 
 /// Looks for the least miss among the linkages that meet the requirements, from cells of a map on.
 class Lessening {
  public:
-  Lessening(const LinkageFamily& family, const Requirements& requirements, const FreedPose& freed)
+  Lessening(const LinkageFamily& family, const Requirements& requirements, const FreedPose& freed,
+            const Progress& progress)
       : family_(family),
         judge_(family, requirements, Objective::min_transmission_angle),
-        freed_(in_working_frame(freed, family.frame())) {}
+        freed_(in_working_frame(freed, family.frame())),
+        progress_(progress) {}
 
   /// Nothing where the linkage does not meet the requirements.
   [[nodiscard]] std::optional<Approach> at(RegionPlace place) const {
-    const auto candidate = judge_.candidate(on_branches(place));
-    if (!candidate) return std::nullopt;
-    const auto miss = pose_miss(candidate->bars, family_.working_poses(candidate->place, candidate->bars), freed_);
-    if (!miss) return std::nullopt;
-    return Approach{candidate->place, miss->combined(freed_.size), change_point_margin(candidate->bars)};
+    const auto candidate = judge_.candidate(place);
+    const auto miss = candidate ? miss_of(*candidate) : std::nullopt;
+    return miss ? std::optional(Approach{*candidate, *miss}) : std::nullopt;
   }
 
-  /// Steps to the best of eight neighbours, doubled or halved as they help: the allowed region has edges, along which
-  /// the miss goes on falling.
-  [[nodiscard]] Approach lessened(Approach best, double first_step, int most_steps) const {
-    constexpr double smallest_step = 1e-12;
-    const double least_margin = std::min(buildable_margin, best.margin);
-    double step = first_step;
-    for (int taken = 0; taken < most_steps && step > smallest_step; ++taken) {
-      const auto next = best_around(best, step, least_margin);
-      step = next ? std::min(2 * step, first_step) : step / 2;
-      if (next) best = *next;
-    }
-    return best;
+  /// From there to where nothing near misses less; steps from `first_step` (in τ) on, to that share of it.
+  [[nodiscard]] Approach lessened(const Approach& from, double first_step, double resolution) const {
+    const auto score = [&](const Candidate& candidate) -> std::optional<double> {
+      const auto miss = miss_of(candidate);
+      return miss ? std::optional(-*miss) : std::nullopt;
+    };
+    const Candidate end = climbed(judge_, from.candidate, {first_step, resolution, score}, progress_);
+    return {end, miss_of(end).value_or(from.miss)};
   }
 
  private:
-  [[nodiscard]] std::optional<Approach> best_around(const Approach& here, double step, double least_margin) const {
-    constexpr std::array<std::array<int, 2>, 8> ways = {
-        {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
-    std::optional<Approach> better;
-    for (const auto& [input, output] : ways) {
-      const auto tried = at({here.place.input + step * input, here.place.output + step * output});
-      if (tried && tried->margin >= least_margin && tried->miss < (better ? better->miss : here.miss)) better = tried;
-    }
-    return better;
-  }
-
-  /// Branches are closed: leaving the range at its end is entering it at its beginning.
-  [[nodiscard]] RegionPlace on_branches(RegionPlace place) const {
-    using Side = LinkageFamily::Side;
-    return {wrap_period(place.input, family_.axis(Side::input).coordinate_length()),
-            wrap_period(place.output, family_.axis(Side::output).coordinate_length())};
+  [[nodiscard]] std::optional<double> miss_of(const Candidate& candidate) const {
+    const auto miss = pose_miss(candidate.bars, family_.working_poses(candidate.place, candidate.bars), freed_);
+    return miss ? std::optional(miss->combined(freed_.size)) : std::nullopt;
   }
 
   const LinkageFamily& family_;
   Judge judge_;
   FreedPose freed_;
+  const Progress& progress_;
 };
 
-// Cells of least miss, none in the neighbourhood of another.
-std::vector<RegionPlace> low_cells(const RegionMap& map, const std::vector<float>& misses, int most) {
-  std::vector<std::size_t> cells;
-  for (std::size_t cell = 0; cell < misses.size(); ++cell)
-    if (misses[cell] >= 0) cells.push_back(cell);
-  std::sort(cells.begin(), cells.end(),
-            [&](std::size_t a, std::size_t b) { return misses[a] != misses[b] ? misses[a] < misses[b] : a < b; });
-  const std::size_t reach = map.rows() / 20 + 1;
-  const auto is_near = [&](std::size_t a, std::size_t b) {
-    const auto within = [&](std::size_t i, std::size_t j) { return (i > j ? i - j : j - i) <= reach; };
-    return within(a / map.columns(), b / map.columns()) && within(a % map.columns(), b % map.columns());
+/// Cells of least miss, none with a lesser one near.
+std::vector<RegionPlace> low_cells(const RegionMap& map, const std::vector<float>& misses,
+                                   const FreedPositionOptions& options) {
+  const auto score = [&](std::size_t row, std::size_t column) {
+    const float miss = misses[map.index(row, column)];
+    return miss >= 0 ? -static_cast<double>(miss) : no_score;
   };
-  std::vector<std::size_t> chosen;
-  for (const std::size_t cell : cells) {
-    if (chosen.size() == static_cast<std::size_t>(most)) break;
-    if (std::none_of(chosen.begin(), chosen.end(), [&](std::size_t other) { return is_near(cell, other); }))
-      chosen.push_back(cell);
-  }
+  const auto any = [](std::size_t, std::size_t, std::size_t, std::size_t) { return true; };
+  const HillTopOptions tops = {map.rows() / 20 + 1, static_cast<std::size_t>(options.starts), options.region.threads};
   std::vector<RegionPlace> places;
-  for (const std::size_t cell : chosen)
-    places.push_back({map.input_coordinates()[cell / map.columns()], map.output_coordinates()[cell % map.columns()]});
+  for (const RankedCell& cell : hill_tops(map.rows(), map.columns(), tops, score, any))
+    places.push_back({map.input_coordinates()[cell.row], map.output_coordinates()[cell.column]});
   return places;
 }
 
@@ -152,17 +124,18 @@ std::vector<RegionPlace> exact_places(const MotionTask& whole, const TaskFamily&
 class Relaxing {
  public:
   Relaxing(const TaskFamily& given, const FreedTask& freed, std::vector<RegionPlace> exact,
-           const FreedPositionOptions& options, bool respect_direction)
+           const FreedPositionOptions& options, bool respect_direction, const Progress& progress)
       : given_(given),
         freed_(freed),
         exact_(std::move(exact)),
         options_(options),
-        respect_direction_(respect_direction) {
+        respect_direction_(respect_direction),
+        progress_(progress) {
     const auto samples = [&](LinkageFamily::Side side) {
       return given.family->samples(side, options.region_samples, Spacing::coordinate);
     };
     given.family->classify(map_, samples(LinkageFamily::Side::input), samples(LinkageFamily::Side::output),
-                           respect_direction, options.region);
+                           respect_direction, options.region, progress);
     failures_.resize(map_.rows() * map_.columns());
     misses_.resize(failures_.size());
   }
@@ -171,12 +144,15 @@ class Relaxing {
   [[nodiscard]] bool find(const Requirements& requirements, FreedPosition& found) {
     filter_of(*given_.family, map_, requirements).failures_of_all(failures_);
     if (std::count(failures_.begin(), failures_.end(), 0) == 0) return false;
-    pose_misses(*given_.family, map_, failures_, freed_.freed, misses_, options_.region.threads);
+    pose_misses(*given_.family, map_, failures_, freed_.freed, misses_, options_.region.threads, progress_);
     const auto nearest = least(requirements);
     if (!nearest) return false;
-    found.place = nearest->place;
-    found.linkage = make_four_bar(given_, nearest->place, respect_direction_, true);
-    if (!found.linkage) return false;
+    found.place = nearest->candidate.place;
+    found.linkage = make_four_bar(given_, nearest->candidate.place, respect_direction_, true);
+    if (!found.linkage || is_unconfirmed(*found.linkage)) {
+      found.linkage.reset();
+      return false;
+    }
     found.miss = pose_miss(found.linkage->four_bar, freed_.task.poses, freed_.freed).value_or(PoseMiss{});
     found.combined = found.miss.combined(freed_.freed.size);
     return true;
@@ -189,22 +165,21 @@ class Relaxing {
 
  private:
   [[nodiscard]] std::optional<Approach> least(const Requirements& requirements) const {
-    constexpr int steps_of_each = 60, steps_of_the_best = 400;
-    const Lessening lessening(*given_.family, requirements, freed_.freed);
+    constexpr double coarse = 1e-2, fine = 1e-9;
+    const Lessening lessening(*given_.family, requirements, freed_.freed, progress_);
     const double first_step =
         given_.family->axis(LinkageFamily::Side::input).coordinate_length() / options_.region_samples;
     std::optional<Approach> best;
-    std::vector<RegionPlace> starts = low_cells(map_, misses_, options_.starts);
+    std::vector<RegionPlace> starts = low_cells(map_, misses_, options_);
     starts.insert(starts.end(), exact_.begin(), exact_.end());
     for (const RegionPlace place : starts) {
       // The map's numbers are single: a cell on the very edge of a requirement may fail here.
       const auto start = lessening.at(place);
       if (!start) continue;
-      const Approach end = lessening.lessened(*start, first_step, steps_of_each);
+      const Approach end = lessening.lessened(*start, first_step, coarse);
       if (!best || end.miss < best->miss) best = end;
     }
-    if (best) best = lessening.lessened(*best, first_step, steps_of_the_best);
-    return best;
+    return best ? std::optional(lessening.lessened(*best, first_step, fine)) : std::nullopt;
   }
 
   const TaskFamily& given_;
@@ -212,6 +187,7 @@ class Relaxing {
   std::vector<RegionPlace> exact_;
   FreedPositionOptions options_;
   bool respect_direction_;
+  const Progress& progress_;
   RegionMap map_;
   std::vector<std::uint8_t> failures_;
   std::vector<float> misses_;
@@ -220,8 +196,8 @@ class Relaxing {
 // What is nearest of all lies at an edge of what is allowed: where nothing keeps the transmission angle up, at a dead
 // point. So a usable angle is asked for as long as there is one.
 void find_nearest(FreedPosition& found, const MotionTask& whole, const FreedTask& freed, const TaskFamily& given,
-                  const Requirements& requirements, const FreedPositionOptions& options) {
-  Relaxing relaxing(given, freed, exact_places(whole, given, freed), options, requirements.respect_direction);
+                  const Requirements& requirements, const FreedPositionOptions& options, const Progress& progress) {
+  Relaxing relaxing(given, freed, exact_places(whole, given, freed), options, requirements.respect_direction, progress);
   found.meeting = relaxing.meeting(requirements);
   Requirements usable = requirements;
   usable.min_transmission_angle = std::max(usable.min_transmission_angle, options.usable_transmission_angle);
@@ -232,7 +208,7 @@ void find_nearest(FreedPosition& found, const MotionTask& whole, const FreedTask
 }  // namespace
 
 FreedTask freed_task(const MotionTask& task, std::size_t pose) {
-  assert(pose < task.poses.size() && task.poses[pose].derivatives.empty());
+  require(pose < task.poses.size() && task.poses[pose].derivatives.empty(), "a pose without derivatives is freed");
   FreedTask result{task, {task.poses[pose].pose, pose, pose_conditions(task.poses).frame.scale}};
   result.task.poses.erase(result.task.poses.begin() + static_cast<std::ptrdiff_t>(pose));
   result.task.freed.reset();
@@ -240,13 +216,14 @@ FreedTask freed_task(const MotionTask& task, std::size_t pose) {
 }
 
 void pose_misses(const LinkageFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
-                 const FreedPose& freed, std::span<float> values, int threads) {
-  assert(values.size() == failures.size() && !map.input_dyads().empty());
+                 const FreedPose& freed, std::span<float> values, int threads, const Progress& progress) {
+  require(values.size() == failures.size() && !map.input_dyads().empty(),
+          "there is a place for each cell of a map of side links");
   const FreedPose working = in_working_frame(freed, family.frame());
   parallel_for(map.rows(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = map.index(begin, 0); cell < map.index(end, 0); ++cell) {
       values[cell] = does_not_pass;
-      if (failures[cell] != 0) continue;
+      if (failures[cell] != 0 || progress.is_cancelled()) continue;
       const std::size_t row = cell / map.columns(), column = cell % map.columns();
       const auto bars = four_bar_of({map.input_dyads()[row], map.output_dyads()[column]});
       if (!bars) continue;
@@ -259,9 +236,8 @@ void pose_misses(const LinkageFamily& family, const RegionMap& map, std::span<co
 
 std::vector<FreedPosition> nearest_relaxations(const MotionTask& task, const Requirements& requirements,
                                                const FreedPositionOptions& options, const Progress& progress) {
-  // The same length limit for all, that of the whole task.
-  Requirements wanted = requirements;
-  if (!wanted.max_length) wanted.max_length = default_max_length * pose_conditions(task.poses).frame.scale;
+  // The same length limits for all, those of the whole task.
+  const Requirements wanted = with_default_lengths(requirements, pose_conditions(task.poses).frame.scale);
   std::vector<FreedPosition> found;
   for (std::size_t pose = 0; pose < task.poses.size() && !progress.is_cancelled(); ++pose) {
     progress(static_cast<double>(pose) / static_cast<double>(task.poses.size()));
@@ -270,7 +246,7 @@ std::vector<FreedPosition> nearest_relaxations(const MotionTask& task, const Req
     const TaskFamily given = task_family(freed.task, wanted, Objective::min_transmission_angle);
     found.push_back({.pose = pose});
     if (given.family)
-      find_nearest(found.back(), task, freed, given, wanted, options);
+      find_nearest(found.back(), task, freed, given, wanted, options, progress);
     else
       found.back().reason = given.degeneracy;
   }

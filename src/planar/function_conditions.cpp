@@ -61,7 +61,7 @@ std::optional<Notice> function_degeneracy(const FunctionConditions& given) {
   if (!dependent && !given.conditions.only_translations) return std::nullopt;
   if (is_parallelogram(given))
     return Notice{"parallelogram",
-                  "The output turns by the same angles as the input: every parallelogram on these ground pivots does "
+                  "The output turns by the same angles as the input: every parallelogram on these fixed pivots does "
                   "it, two equal arms and a coupler as long as the ground link. There is nothing to choose between; "
                   "mind its change points, where it may turn over.",
                   {}};

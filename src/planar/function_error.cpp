@@ -1,10 +1,10 @@
 #include "linkwright/planar/function_error.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 namespace {
@@ -31,12 +31,14 @@ class ErrorCurve {
   }
   [[nodiscard]] double magnitude(double input) const { return magnitude(sample(input)); }
 
-  /// The largest magnitude in an interval that holds one hill: golden sections.
+  /// The largest magnitude in an interval that holds one hill: golden sections, each turn of which leaves 0.618 of the
+  /// interval. So many leave 4e-14 of it, whatever rounding makes of its ends.
   [[nodiscard]] std::pair<double, double> top_between(double low, double high, double tolerance) const {
+    constexpr int most_turns = 64;
     const double ratio = (std::sqrt(5.0) - 1) / 2;
     double left = high - ratio * (high - low), right = low + ratio * (high - low);
     double at_left = magnitude(left), at_right = magnitude(right);
-    while (high - low > tolerance) {
+    for (int turn = 0; turn < most_turns && high - low > tolerance; ++turn) {
       if (at_left >= at_right) {
         high = right;
         right = left;
@@ -83,50 +85,89 @@ std::vector<AngleRange> gaps_between(const std::vector<AngleRange>& parts, doubl
   return gaps;
 }
 
-std::vector<double> plot_inputs(const DialFunction& dial, const std::vector<AngleRange>& parts, double low, double high,
-                                int samples) {
+// Rows of a table in the range, all or as many by even steps.
+void add_rows(const DialFunction& dial, std::size_t most, std::vector<double>& inputs) {
+  const auto rows = dial.rows();
+  const std::size_t count = std::min(rows.size(), most);
+  for (std::size_t i = 0; i < count; ++i) inputs.push_back(dial.input_at(rows[i * rows.size() / count][0]));
+}
+
+std::vector<double> inputs_looked_at(const DialFunction& dial, const std::vector<AngleRange>& parts, double low,
+                                     double high, const ErrorSampling& sampling) {
   std::vector<double> inputs;
-  for (int i = 0; i < samples; ++i) inputs.push_back(low + (high - low) * i / (samples - 1));
-  for (const double x : dial.corners()) inputs.push_back(dial.input_at(x));
+  for (int i = 0; i < sampling.steps; ++i) inputs.push_back(low + (high - low) * i / (sampling.steps - 1));
+  add_rows(dial, sampling.most_rows, inputs);
   for (const AngleRange& part : parts) inputs.insert(inputs.end(), {part.from, part.to});
   std::sort(inputs.begin(), inputs.end());
   inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
   return inputs;
 }
 
-// From the plot's highest hills to the true top.
-void find_worst(const ErrorCurve& curve, FunctionError& error) {
-  constexpr double worth_a_look = 0.8;  // of the highest sample: no smooth hill hides more between two of them
-  const std::vector<ErrorSample>& samples = error.samples;
-  std::size_t highest = 0;
-  for (std::size_t i = 1; i < samples.size(); ++i)
-    if (ErrorCurve::magnitude(samples[i]) > ErrorCurve::magnitude(samples[highest])) highest = i;
-  double worst = ErrorCurve::magnitude(samples[highest]);
-  if (worst < 0) return;
-  error.worst_input = samples[highest].input;
-  const double least = worth_a_look * worst, tolerance = 1e-10 * (samples.back().input - samples.front().input);
+// Samples that no neighbour exceeds, highest first: all that may become the highest when they are climbed.
+std::vector<std::size_t> highest_hills(const std::vector<ErrorSample>& samples) {
+  constexpr double worth_a_look = 0.8;    // of the highest sample: no smooth hill hides more between two of them
+  constexpr std::size_t most_hills = 64;  // beyond that they are rows of a table, too close for hills between them
+  std::vector<double> heights;
+  for (const ErrorSample& sample : samples) heights.push_back(ErrorCurve::magnitude(sample));
+  const double least = worth_a_look * *std::max_element(heights.begin(), heights.end());
+  std::vector<std::size_t> hills;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double here = ErrorCurve::magnitude(samples[i]);
     const std::size_t before = i > 0 ? i - 1 : i, after = i + 1 < samples.size() ? i + 1 : i;
-    if (here < least || here < ErrorCurve::magnitude(samples[before]) || here < ErrorCurve::magnitude(samples[after]))
-      continue;
-    const auto [input, top] = curve.top_between(samples[before].input, samples[after].input, tolerance);
-    if (top <= worst) continue;
-    worst = top;
-    error.worst_input = input;
+    if (heights[i] >= std::max({least, 0.0, heights[before], heights[after]})) hills.push_back(i);
   }
-  error.max_structural_error = worst;
+  const auto shown = hills.begin() + static_cast<std::ptrdiff_t>(std::min(hills.size(), most_hills));
+  std::partial_sort(hills.begin(), shown, hills.end(), [&](std::size_t a, std::size_t b) {
+    return heights[a] != heights[b] ? heights[a] > heights[b] : a < b;
+  });
+  hills.erase(shown, hills.end());
+  return hills;
 }
 
-void add_structural_error(const GeneratedFunction& generated, const NamedFunction& function, int samples,
+// From the highest hills of the samples to the true top.
+void find_worst(const ErrorCurve& curve, FunctionError& error) {
+  const std::vector<ErrorSample>& samples = error.samples;
+  const double tolerance = 1e-10 * (samples.back().input - samples.front().input);
+  for (const std::size_t hill : highest_hills(samples)) {
+    const std::size_t before = hill > 0 ? hill - 1 : hill, after = hill + 1 < samples.size() ? hill + 1 : hill;
+    const auto look_at = [&](double input, double height) {
+      if (error.max_structural_error && height <= *error.max_structural_error) return;
+      error.max_structural_error = height;
+      error.worst_input = input;
+    };
+    look_at(samples[hill].input, ErrorCurve::magnitude(samples[hill]));
+    const auto [input, top] = curve.top_between(samples[before].input, samples[after].input, tolerance);
+    look_at(input, top);
+  }
+}
+
+// Too many for a plot: of each short stretch the least and the greatest error.
+void thin_out(std::vector<ErrorSample>& samples) {
+  constexpr std::size_t most = 2000, stretches = 500;
+  if (samples.size() <= most) return;
+  const auto signed_error = [](const ErrorSample& s) { return s.generated ? *s.generated - s.wanted : 0; };
+  const auto less = [&](const ErrorSample& a, const ErrorSample& b) { return signed_error(a) < signed_error(b); };
+  std::vector<ErrorSample> kept = {samples.front()};
+  for (std::size_t i = 0; i < stretches; ++i) {
+    const auto from = samples.begin() + static_cast<std::ptrdiff_t>(i * samples.size() / stretches);
+    const auto to = samples.begin() + static_cast<std::ptrdiff_t>((i + 1) * samples.size() / stretches);
+    const auto [least, greatest] = std::minmax_element(from, to, less);
+    for (const auto& extreme : {std::min(least, greatest), std::max(least, greatest)})
+      if (extreme->input > kept.back().input) kept.push_back(*extreme);
+  }
+  if (samples.back().input > kept.back().input) kept.push_back(samples.back());
+  samples = std::move(kept);
+}
+
+void add_structural_error(const GeneratedFunction& generated, const DialFunction& dial, const ErrorSampling& sampling,
                           FunctionError& error) {
-  const DialFunction dial(function);
   const auto [low, high] = std::minmax({dial.input_range()[0], dial.input_range()[1]});
   const std::vector<AngleRange> parts = reached_parts(generated.reach(), low, high);
   error.unreached = gaps_between(parts, low, high);
   const ErrorCurve curve(generated, dial);
-  for (const double input : plot_inputs(dial, parts, low, high, samples)) error.samples.push_back(curve.sample(input));
+  for (const double input : inputs_looked_at(dial, parts, low, high, sampling))
+    error.samples.push_back(curve.sample(input));
   find_worst(curve, error);
+  thin_out(error.samples);
 }
 
 }  // namespace
@@ -161,19 +202,26 @@ std::optional<double> GeneratedFunction::output_at(double input, double near) co
   return near + wrap_signed(configuration->output_angle - output_offset_ - near);
 }
 
-FunctionError function_error(const FourBar& four_bar, const FunctionTask& task, int samples) {
-  assert(!task.pairs.empty() && samples >= 2);
-  const GeneratedFunction generated(four_bar, task.pairs.front());
+FunctionError function_error(const FourBar& four_bar, std::span<const AnglePair> pairs, const DialFunction* function,
+                             const ErrorSampling& sampling) {
+  require(!pairs.empty() && sampling.steps >= 2, "an error is that at pairs, over two samples or more");
+  const GeneratedFunction generated(four_bar, pairs.front());
   FunctionError error;
   error.reaches_pairs = true;
-  for (const AnglePair& pair : task.pairs) {
+  for (const AnglePair& pair : pairs) {
     const auto output = generated.output_at(pair.input, pair.output);
     error.at_pairs.push_back(output ? std::optional(*output - pair.output) : std::nullopt);
     error.reaches_pairs = error.reaches_pairs && output;
     if (output) error.precision_error = std::max(error.precision_error, std::abs(*output - pair.output));
   }
-  if (task.function) add_structural_error(generated, *task.function, samples, error);
+  if (function != nullptr) add_structural_error(generated, *function, sampling, error);
   return error;
+}
+
+FunctionError function_error(const FourBar& four_bar, const FunctionTask& task, const ErrorSampling& sampling) {
+  if (!task.function) return function_error(four_bar, task.pairs, nullptr, sampling);
+  const DialFunction dial(*task.function);
+  return function_error(four_bar, task.pairs, &dial, sampling);
 }
 
 }  // namespace linkwright

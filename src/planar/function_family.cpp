@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <mutex>
+#include <utility>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
@@ -80,23 +83,73 @@ void put(RegionAxis& axis, std::size_t at, Point center, Point circle, const std
   }
 }
 
+FunctionTask without_function(const FunctionTask& task) {
+  return {task.pairs, task.input_pivot, task.output_pivot, std::nullopt, task.free};
+}
+
 }  // namespace
 
+class FunctionFamily::RecentColumns {
+ public:
+  [[nodiscard]] std::optional<Column> find(double tau) {
+    const std::lock_guard lock(using_);
+    const auto& kept = kept_[place_of(tau)];
+    return kept && kept->first == tau ? std::optional(kept->second) : std::nullopt;
+  }
+  void keep(double tau, const Column& column) {
+    const std::lock_guard lock(using_);
+    kept_[place_of(tau)] = std::pair(tau, column);
+  }
+
+ private:
+  static constexpr std::size_t most = 256;
+  [[nodiscard]] static std::size_t place_of(double tau) { return std::hash<double>{}(tau) % most; }
+
+  std::mutex using_;
+  std::vector<std::optional<std::pair<double, Column>>> kept_ =
+      std::vector<std::optional<std::pair<double, Column>>>(most);
+};
+
+FunctionFamily::~FunctionFamily() = default;
+
 FunctionFamily::FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers)
-    : LinkageFamily(couplers->frame(), coupler_axis(task, *couplers), free_axis(task)),
+    : LinkageFamily(couplers->frame(), coupler_axis(without_function(task), *couplers), free_axis(task)),
       task_(std::move(task)),
+      bare_(without_function(task_)),
+      dial_(task_.function ? std::optional(DialFunction(*task_.function)) : std::nullopt),
       couplers_(std::move(couplers)),
+      recent_(std::make_unique<RecentColumns>()),
       ground_((task_.output_pivot - task_.input_pivot) / frame().scale) {}
 
 FunctionTask FunctionFamily::task_at(RegionPlace place) const {
   return task_.free ? linkwright::task_at(task_, task_.free->at(wrap_period(place.output, 1))) : task_;
 }
 
+std::vector<AnglePair> FunctionFamily::pairs_at(double tau) const {
+  return task_.free ? linkwright::task_at(bare_, task_.free->at(wrap_period(tau, 1))).pairs : task_.pairs;
+}
+
+FunctionError FunctionFamily::error_of(const FourBar& bars, RegionPlace place, const ErrorSampling& sampling) const {
+  const std::vector<AnglePair> pairs = pairs_at(place.output);
+  if (!dial_ || !task_.free || task_.free->kind != FreeNumber::Kind::output_scale)
+    return function_error(bars, pairs, dial_ ? &*dial_ : nullptr, sampling);
+  const DialFunction stretched = dial_->stretched(pairs.front().output, task_.free->at(wrap_period(place.output, 1)));
+  return function_error(bars, pairs, &stretched, sampling);
+}
+
 FunctionFamily::Column FunctionFamily::column_at(double tau) const {
   if (!task_.free) return {task_.pairs, couplers_};
-  FunctionTask fixed = task_at({0, tau});
+  FunctionTask fixed = linkwright::task_at(bare_, task_.free->at(wrap_period(tau, 1)));
   auto couplers = std::make_shared<const FunctionCouplers>(function_couplers(fixed));
   return {std::move(fixed.pairs), std::move(couplers)};
+}
+
+FunctionFamily::Column FunctionFamily::recent_column_at(double tau) const {
+  if (!task_.free) return column_at(tau);
+  if (auto known = recent_->find(tau)) return *std::move(known);
+  Column column = column_at(tau);
+  recent_->keep(tau, column);
+  return column;
 }
 
 // In the frame of the family: the frames of all columns have their origin in the input's ground pivot.
@@ -109,18 +162,31 @@ std::optional<Dyad> FunctionFamily::coupler(const Column& column, double tau) co
 }
 
 std::optional<SideLinks> FunctionFamily::side_links(RegionPlace place) const {
-  const auto found = coupler(column_at(place.output), place.input);
+  return side_links(recent_column_at(place.output), place);
+}
+
+LinkageFamily::LinksOfCells FunctionFamily::links_of_cells(std::span<const double> input,
+                                                           std::span<const double> output) const {
+  constexpr int any_threads = 0;
+  const auto columns = std::make_shared<const std::vector<Column>>(columns_at(output, any_threads));
+  return [this, input, output, columns](std::size_t row, std::size_t column) {
+    return side_links((*columns)[column], {input[row], output[column]});
+  };
+}
+
+std::optional<SideLinks> FunctionFamily::side_links(const Column& column, RegionPlace place) const {
+  const auto found = coupler(column, place.input);
   if (!found) return std::nullopt;
   return SideLinks{{Homogeneous::of(0), found->circle, place.input},
                    {Homogeneous::of(ground_), found->center, place.output}};
 }
 
 std::vector<PrescribedPose> FunctionFamily::user_poses(RegionPlace place, const FourBar& bars) const {
-  return coupler_poses(bars, task_at(place).pairs);
+  return coupler_poses(bars, pairs_at(place.output));
 }
 
 std::vector<PrescribedPose> FunctionFamily::working_poses(RegionPlace place, const FourBar& bars) const {
-  return coupler_poses(bars, task_at(place).pairs);
+  return coupler_poses(bars, pairs_at(place.output));
 }
 
 double FunctionFamily::axis_value(Side side, double tau) const {
@@ -162,12 +228,18 @@ RegionRow FunctionFamily::row_at(double tau, std::span<const Column> columns, st
   return row;
 }
 
-void FunctionFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
-                          bool respect_direction, const RegionOptions& options, const Progress& progress) const {
+std::vector<FunctionFamily::Column> FunctionFamily::columns_at(std::span<const double> output, int threads,
+                                                               const Progress& progress) const {
   std::vector<Column> columns(output.size());
-  parallel_for(output.size(), task_.free ? options.threads : 1, [&](std::size_t begin, std::size_t end) {
+  parallel_for(output.size(), task_.free ? threads : 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end && !progress.is_cancelled(); ++k) columns[k] = column_at(output[k]);
   });
+  return columns;
+}
+
+void FunctionFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                          bool respect_direction, const RegionOptions& options, const Progress& progress) const {
+  std::vector<Column> columns = columns_at(output, options.threads, progress);
   if (progress.is_cancelled()) columns.assign(output.size(), {task_.pairs, couplers_});
   map.recompute_rows(
       input, output, [&](std::size_t row) { return row_at(input[row], columns, output, respect_direction); },

@@ -6,8 +6,9 @@
 #include <optional>
 
 #include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/core/angle.hpp"
+#include "linkwright/core/parallel.hpp"
 #include "linkwright/planar/function_error.hpp"
+#include "linkwright/region/hill_tops.hpp"
 #include "planar/candidate.hpp"
 
 namespace linkwright {
@@ -18,9 +19,17 @@ using Side = LinkageFamily::Side;
 // Two linkages are alike when no pivot differs by more than this share of the ground link.
 constexpr double alike = 0.02;
 
+// The last word looks at every row of a table, the search at some.
+constexpr int last_word = 181;
+ErrorSampling sampling_of(int error_samples) {
+  return {error_samples, error_samples < last_word ? ErrorSampling::coarse().most_rows : ErrorSampling::every_row};
+}
+
 struct Generator {
   RankedGenerator ranked;
   LinkageType type = LinkageType::degenerate;
+
+  [[nodiscard]] double error() const { return ranked.max_structural_error; }
 };
 
 FourBar to_user(const WorkingFrame& frame, const FourBar& bars) {
@@ -42,93 +51,54 @@ class GeneratorSearch {
     const auto candidate = judge_.candidate(place);
     if (!candidate) return std::nullopt;
     const FourBar bars = to_user(family_.frame(), candidate->bars);
-    const FunctionError error = function_error(bars, family_.task_at(place), error_samples);
+    const FunctionError error = family_.error_of(bars, place, sampling_of(error_samples));
     if (!error.max_structural_error || !error.unreached.empty()) return std::nullopt;
     return Generator{{place, bars, *error.max_structural_error}, candidate->report.type};
   }
 
-  /// Cells of the grid that none of the eight around betters.
+  /// The best cells of the grid that no neighbour of the same type betters, best first.
   [[nodiscard]] std::vector<Generator> hills(const Progress& progress) const {
-    std::vector<std::optional<Generator>> cells;
-    for (const double input : inputs_)
-      for (const double value : values_) {
-        if (progress.is_cancelled()) return {};
-        cells.push_back(at({input, value}, options_.error_samples));
-      }
+    const std::size_t rows = inputs_.size(), columns = values_.size();
+    std::vector<std::optional<Generator>> cells(rows * columns);
+    parallel_for(cells.size(), options_.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t cell = begin; cell < end && !progress.is_cancelled(); ++cell)
+        cells[cell] = at({inputs_[cell / columns], values_[cell % columns]}, options_.error_samples);
+    });
+    const auto cell_at = [&](std::size_t row, std::size_t column) -> const std::optional<Generator>& {
+      return cells[row * columns + column];
+    };
+    const auto score = [&](std::size_t row, std::size_t column) {
+      const auto& cell = cell_at(row, column);
+      return cell ? -cell->error() : no_score;
+    };
+    const auto same_type = [&](std::size_t row, std::size_t column, std::size_t other_row, std::size_t other_column) {
+      return cell_at(row, column)->type == cell_at(other_row, other_column)->type;
+    };
+    const HillTopOptions tops = {1, 3 * static_cast<std::size_t>(options_.most), options_.threads};
     std::vector<Generator> found;
-    for (std::size_t row = 0; row < inputs_.size(); ++row)
-      for (std::size_t column = 0; column < values_.size(); ++column)
-        if (const auto& cell = cells[row * values_.size() + column]; cell && is_top(cells, row, column, *cell))
-          found.push_back(*cell);
+    for (const RankedCell& cell : hill_tops(rows, columns, tops, score, same_type))
+      found.push_back(*cell_at(cell.row, cell.column));
     return found;
   }
 
-  /// For each value of the free number the best place on the curve is sought: the largest error is the largest of
-  /// several smooth functions, on whose ridges steps in fixed directions get stuck.
-  [[nodiscard]] Generator climbed(const Generator& start) const {
-    Generator best = along_curve(start, start.ranked.place.output, input_step());
-    if (values_.size() == 1) return best;
-    const double first = 1.0 / static_cast<double>(values_.size());
-    for (double step = first; step > 1e-5;) {
-      const double before = best.ranked.max_structural_error, from = best.ranked.place.output;
-      for (const double value : {from + step, from - step}) {
-        if (value < 0 || value >= 1) continue;
-        const Generator tried = along_curve(best, value, input_step());
-        if (tried.ranked.max_structural_error < best.ranked.max_structural_error) best = tried;
-      }
-      if (best.ranked.max_structural_error >= before) step *= 0.4;
-    }
-    return best;
+  /// From there to the least error near, the type kept, found to that share of the grid's steps.
+  [[nodiscard]] Generator climbed(const Generator& start, double resolution, const Progress& progress) const {
+    const OrderedAxes axes(family_);
+    const auto score_at = [&](double first, double second) -> std::optional<double> {
+      const auto there = at(axes.place({first, second}), options_.error_samples);
+      return there && there->type == start.type ? std::optional(-there->error()) : std::nullopt;
+    };
+    const RegionPlace from = start.ranked.place;
+    const std::array<double, 2> steps = axes.both(step(Side::input, inputs_), step(Side::output, values_));
+    const HillTop top =
+        climb_hill(axes.hill(score_at, from), axes.coordinates(from), -start.error(), {steps, resolution}, progress);
+    return at(axes.place(top.place), options_.error_samples).value_or(start);
   }
 
  private:
-  [[nodiscard]] double input_step() const {
-    return family_.axis(Side::input).coordinate_length() / static_cast<double>(inputs_.size());
-  }
-
-  [[nodiscard]] bool is_top(const std::vector<std::optional<Generator>>& cells, std::size_t row, std::size_t column,
-                            const Generator& here) const {
-    const std::size_t row_end = std::min(row + 2, inputs_.size()), column_end = std::min(column + 2, values_.size());
-    for (std::size_t i = row > 0 ? row - 1 : 0; i < row_end; ++i)
-      for (std::size_t k = column > 0 ? column - 1 : 0; k < column_end; ++k) {
-        const auto& other = cells[i * values_.size() + k];
-        if (other && other->type == here.type && other->ranked.max_structural_error < here.ranked.max_structural_error)
-          return false;
-      }
-    return true;
-  }
-
-  /// The best place along the curve near the start's, the free number at `value`; the start where there is none.
-  [[nodiscard]] Generator along_curve(const Generator& start, double value, double first_step) const {
-    Generator best = start;
-    const bool moved = value != start.ranked.place.output;
-    bool found = !moved;
-    if (moved)
-      if (const auto there = allowed({start.ranked.place.input, value}, start.type)) {
-        best = *there;
-        found = true;
-      }
-    if (!found || family_.axis(Side::input).is_discrete()) return found ? best : start;
-    for (double step = first_step; step > 1e-9;) {
-      const double before = best.ranked.max_structural_error, from = best.ranked.place.input;
-      for (const double input : {on_branch(start, from + step), on_branch(start, from - step)})
-        if (const auto there = allowed({input, value}, start.type);
-            there && there->ranked.max_structural_error < best.ranked.max_structural_error)
-          best = *there;
-      step *= best.ranked.max_structural_error < before ? 1.5 : 0.4;
-    }
-    return best;
-  }
-
-  /// Leaving a closed branch at its end is entering it at its beginning.
-  [[nodiscard]] static double on_branch(const Generator& start, double tau) {
-    const double branch = std::floor(start.ranked.place.input);
-    return branch + wrap_period(tau - branch, 1);
-  }
-
-  [[nodiscard]] std::optional<Generator> allowed(RegionPlace place, LinkageType type) const {
-    const auto there = at(place, options_.error_samples);
-    return there && there->type == type ? there : std::nullopt;
+  [[nodiscard]] double step(Side side, const std::vector<double>& samples) const {
+    const FamilyAxis& axis = family_.axis(side);
+    return axis.is_discrete() ? 0 : axis.coordinate_length() / static_cast<double>(samples.size());
   }
 
   const FunctionFamily& family_;
@@ -138,9 +108,9 @@ class GeneratorSearch {
 };
 
 bool better(const Generator& a, const Generator& b) {
-  const RankedGenerator &x = a.ranked, &y = b.ranked;
-  if (x.max_structural_error != y.max_structural_error) return x.max_structural_error < y.max_structural_error;
-  return x.place.input != y.place.input ? x.place.input < y.place.input : x.place.output < y.place.output;
+  if (a.error() != b.error()) return a.error() < b.error();
+  const RegionPlace &x = a.ranked.place, &y = b.ranked.place;
+  return x.input != y.input ? x.input < y.input : x.output < y.output;
 }
 
 bool are_alike(const FourBar& a, const FourBar& b) {
@@ -148,29 +118,43 @@ bool are_alike(const FourBar& a, const FourBar& b) {
   return std::abs(a.input_circle - b.input_circle) < most && std::abs(a.output_circle - b.output_circle) < most;
 }
 
+/// The best of them, no two alike.
+std::vector<Generator> distinct(std::vector<Generator> generators, std::size_t most) {
+  std::sort(generators.begin(), generators.end(), better);
+  std::vector<Generator> held;
+  for (const Generator& generator : generators) {
+    const bool known = std::any_of(held.begin(), held.end(), [&](const Generator& other) {
+      return are_alike(other.ranked.four_bar, generator.ranked.four_bar);
+    });
+    if (!known && held.size() < most) held.push_back(generator);
+  }
+  return held;
+}
+
+// Resolution of a climb that tells which hill is the lower, and of the one that makes the numbers exact.
+constexpr double coarse = 1e-2, fine = 1e-7;
+
 }  // namespace
 
 std::vector<RankedGenerator> best_generators(const FunctionFamily& family, const Requirements& requirements,
                                              const GeneratorSearchOptions& options, const Progress& progress) {
   if (!family.task_at({}).function || options.most <= 0) return {};
   const GeneratorSearch search(family, requirements, options);
-  std::vector<Generator> hills = search.hills(progress);
-  std::sort(hills.begin(), hills.end(), better);
-  hills.resize(std::min(hills.size(), 3 * static_cast<std::size_t>(options.most)));
-  for (Generator& hill : hills) {
-    if (progress.is_cancelled()) return {};
-    constexpr int last_word = 181;
-    hill = search.climbed(hill);
-    if (const auto exact = search.at(hill.ranked.place, last_word)) hill = *exact;
-  }
-  std::sort(hills.begin(), hills.end(), better);
-  std::vector<RankedGenerator> ranked;
-  for (const Generator& hill : hills) {
-    const bool known = std::any_of(ranked.begin(), ranked.end(), [&](const RankedGenerator& other) {
-      return are_alike(other.four_bar, hill.ranked.four_bar);
+  const auto most = static_cast<std::size_t>(options.most);
+  const auto climbed = [&](std::vector<Generator> hills, double resolution) {
+    parallel_for(hills.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && !progress.is_cancelled(); ++i)
+        hills[i] = search.climbed(hills[i], resolution, progress);
     });
-    if (!known && static_cast<int>(ranked.size()) < options.most) ranked.push_back(hill.ranked);
-  }
+    return distinct(std::move(hills), most);
+  };
+  std::vector<Generator> best = climbed(climbed(search.hills(progress), coarse), fine);
+  if (progress.is_cancelled()) return {};
+  for (Generator& generator : best)
+    if (const auto exact = search.at(generator.ranked.place, last_word)) generator = *exact;
+  std::sort(best.begin(), best.end(), better);
+  std::vector<RankedGenerator> ranked;
+  for (const Generator& generator : best) ranked.push_back(generator.ranked);
   return ranked;
 }
 
@@ -179,9 +163,8 @@ std::optional<RegionPlace> improved_generator(const FunctionFamily& family, cons
   const GeneratorSearch search(family, requirements, {});
   const auto foot = search.at(start, GeneratorSearchOptions{}.error_samples);
   if (!foot) return std::nullopt;
-  const Generator top = search.climbed(*foot);
-  const bool better = top.ranked.max_structural_error < foot->ranked.max_structural_error;
-  return better ? std::optional(top.ranked.place) : std::nullopt;
+  const Generator top = search.climbed(*foot, fine, {});
+  return top.error() < foot->error() ? std::optional(top.ranked.place) : std::nullopt;
 }
 
 }  // namespace linkwright

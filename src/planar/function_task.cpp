@@ -61,7 +61,7 @@ void check_pivots(const FunctionTask& task, std::vector<Error>& found) {
   constexpr double rounding = 1e-12;  // of where they lie
   const double size = std::max(std::abs(task.input_pivot), std::abs(task.output_pivot));
   if (std::abs(task.output_pivot - task.input_pivot) <= rounding * size)
-    found.push_back({"same_pivots", "task.ground_pivots", "both ground pivots lie at one place; move one of them"});
+    found.push_back({"same_pivots", "task.ground_pivots", "both fixed pivots lie at one place; move one of them"});
 }
 
 std::string count_words(const FunctionTask& task, int count) {

@@ -7,10 +7,11 @@ namespace linkwright {
 std::optional<RegionPlace> improved_linkage(const LinkageFamily& family, const Requirements& requirements,
                                             Objective objective, RegionPlace start) {
   constexpr double first_step_share = 1.0 / 400;  // a cell of the usual map
+  constexpr double fine = 1e-8;
   const Judge judge(family, requirements, objective);
   const auto foot = judge.candidate(start);
   if (!foot) return std::nullopt;
-  const Candidate top = climbed(judge, *foot, first_step_share * judge.largest_coordinate());
+  const Candidate top = climbed(judge, *foot, {first_step_share * judge.largest_coordinate(), fine});
   return top.score > foot->score ? std::optional(top.place) : std::nullopt;
 }
 

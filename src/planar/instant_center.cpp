@@ -1,7 +1,8 @@
 #include "linkwright/planar/instant_center.hpp"
 
-#include <cassert>
 #include <cmath>
+
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 namespace {
@@ -16,7 +17,7 @@ double typical_way(const std::vector<PrescribedPose>& poses) {
 }  // namespace
 
 std::vector<PrescribedPose> with_instant_center(std::vector<PrescribedPose> poses, const InstantCenter& center) {
-  assert(poses.size() > 1 && poses.front().derivatives.empty());
+  require(poses.size() > 1 && poses.front().derivatives.empty(), "the first of several poses is without derivatives");
   constexpr Point quarter_turn{0, 1};
   const Point turning = quarter_turn * (poses.front().pose.origin - center.point);
   if (!center.at_infinity)

@@ -32,6 +32,11 @@ Dyad no_dyad(double tau) { return {{}, {}, tau}; }
 
 std::string_view name(AxisQuantity quantity) { return quantity_names[static_cast<std::size_t>(quantity)]; }
 
+AxisStretch stretch_around(const FamilyAxis& axis, double tau) {
+  const double branch = std::floor(tau);
+  return {branch, branch + 1, axis.is_closed()};
+}
+
 std::vector<double> samples_within(const LinkageFamily& family, LinkageFamily::Side side,
                                    const std::optional<RegionWindow>& window, int count, Spacing spacing) {
   if (!window || family.axis(side).is_discrete()) return family.samples(side, count, spacing);
@@ -59,9 +64,12 @@ std::optional<FourBar> four_bar_of(const SideLinks& links) {
 
 RequirementFilter filter_of(const LinkageFamily& family, const RegionMap& map, const Requirements& requirements) {
   const WorkingFrame& frame = family.frame();
-  const auto pivots_at = [&family, &map](std::size_t row,
-                                         std::size_t column) -> std::optional<RequirementFilter::Pivots> {
-    const auto links = family.side_links({map.input_coordinates()[row], map.output_coordinates()[column]});
+  const bool boxed = requirements.ground_pivots_within || requirements.moving_pivots_within;
+  if (!boxed || !map.input_dyads().empty()) return {map, requirements, frame.origin, frame.scale};
+  const auto links_at = family.links_of_cells(map.input_coordinates(), map.output_coordinates());
+  const auto pivots_at = [&family, links_at](std::size_t row,
+                                             std::size_t column) -> std::optional<RequirementFilter::Pivots> {
+    const auto links = links_at(row, column);
     const auto bars = links ? four_bar_of(*links) : std::nullopt;
     if (!bars) return std::nullopt;
     const auto user = [&](Point p) { return family.frame().to_user(p); };
@@ -69,6 +77,13 @@ RequirementFilter filter_of(const LinkageFamily& family, const RegionMap& map, c
                                      {user(bars->input_circle), user(bars->output_circle)}};
   };
   return {map, requirements, frame.origin, frame.scale, pivots_at};
+}
+
+LinkageFamily::LinksOfCells LinkageFamily::links_of_cells(std::span<const double> input,
+                                                          std::span<const double> output) const {
+  return [this, input, output](std::size_t row, std::size_t column) {
+    return side_links({input[row], output[column]});
+  };
 }
 
 double LinkageFamily::axis_value(Side /*side*/, double tau) const { return tau; }
@@ -94,6 +109,13 @@ std::optional<SideLinks> ProductFamily::side_links(RegionPlace place) const {
   const auto input = dyad(Side::input, place.input), output = dyad(Side::output, place.output);
   if (!input || !output) return std::nullopt;
   return SideLinks{*input, *output};
+}
+
+std::optional<SideLinks> ProductFamily::side_links_beside(RegionPlace place, const SideLinks& known) const {
+  const auto input = known.input.coordinate == place.input ? known.input : dyad(Side::input, place.input);
+  if (!input) return std::nullopt;
+  const auto output = known.output.coordinate == place.output ? known.output : dyad(Side::output, place.output);
+  return output ? std::optional(SideLinks{*input, *output}) : std::nullopt;
 }
 
 std::vector<Dyad> ProductFamily::polygon(Side side) const {

@@ -2,14 +2,23 @@
 
 #include <algorithm>
 
+#include "linkwright/core/parallel.hpp"
 #include "planar/candidate.hpp"
 
 namespace linkwright {
 namespace {
 
-// Two linkages count as different designs when a pivot differs by this share of the size of the design.
+// Two linkages count as different designs when a pivot differs by this share of what designs of the task are long.
 constexpr double different_design = 0.02;
 constexpr double clearly_different_design = 0.15;
+
+// A climb that tells which hill is the better, and one that makes the numbers exact: along a ridge that is all but
+// level the top is lost in the noise of a search across it that is not far finer. Steps in shares of a step of the map.
+struct Pace {
+  double step, resolution, across;
+};
+constexpr Pace coarse = {1, 1e-3, 1e-3}, fine = {0.1, 1e-6, 1e-7};
+constexpr std::size_t least_feet = 30;  // whatever number is asked for, the first is the same
 
 // Largest distance of a pivot between two linkages.
 double farthest_pivot(const FourBar& a, const FourBar& b) {
@@ -22,84 +31,167 @@ double distance(const FourBar& a, const FourBar& b) {
   return std::min(farthest_pivot(a, b), farthest_pivot(a, b.swapped()));
 }
 
+// The middle one of their longest links: a measure of designs that depends on neither the body's frame nor the map.
+double design_size(const std::vector<Candidate>& candidates) {
+  std::vector<double> longest;
+  for (const Candidate& candidate : candidates) longest.push_back(candidate.bars.lengths().longest());
+  const auto middle = longest.begin() + std::ssize(longest) / 2;
+  std::nth_element(longest.begin(), middle, longest.end());
+  return longest.empty() ? 0 : *middle;
+}
+
 bool better(const Candidate& a, const Candidate& b) {
   if (a.score != b.score) return a.score > b.score;
   return a.place.input != b.place.input ? a.place.input < b.place.input : a.place.output < b.place.output;
 }
 
-/// Takes candidates as they are offered, as many as wanted, none twice.
-class Choice {
- public:
-  explicit Choice(std::size_t wanted) : wanted_(wanted) {}
+bool differs(const Candidate& candidate, const std::vector<Candidate>& held, double least) {
+  return std::all_of(held.begin(), held.end(),
+                     [&](const Candidate& other) { return distance(candidate.bars, other.bars) >= least; });
+}
 
-  void offer(const Candidate& candidate, double least_difference) {
-    if (full()) return;
-    for (const Candidate& held : held_)
-      if (distance(candidate.bars, held.bars) < least_difference) return;
-    held_.push_back(candidate);
-  }
-  [[nodiscard]] bool full() const { return held_.size() >= wanted_; }
-  [[nodiscard]] std::vector<Candidate> best_first() && {
-    std::sort(held_.begin(), held_.end(), better);
-    return std::move(held_);
+/// Looks for the best linkages of a map.
+class LinkageSearch {
+ public:
+  LinkageSearch(const Solution& solution, const RequirementFilter& filter, const Progress& progress)
+      : solution_(solution),
+        map_(solution.region),
+        options_(solution.options),
+        filter_(filter),
+        progress_(progress),
+        judge_(*solution.given.family, solution.requirements, options_.objective, options_.window),
+        first_step_(judge_.largest_coordinate() / static_cast<double>(std::max(map_.rows(), map_.columns()))) {}
+
+  /// The tops of the hills, then the best that differ clearly from all before.
+  [[nodiscard]] BestLinkages best() && {
+    const auto wanted = static_cast<std::size_t>(options_.best);
+    const std::vector<Candidate> feet =
+        candidates_at(hill_tops(map_, filter_, options_.objective, std::max(3 * wanted, least_feet)));
+    const std::vector<Candidate> hills = climbed_from(feet, coarse);
+    size_ = design_size(hills);
+    const std::vector<Candidate> tops = distinct(hills);
+    // Another batch for those that driving did not confirm.
+    for (auto next = tops.begin(); next != tops.end() && held_.size() < wanted && !progress_.is_cancelled();) {
+      const auto last =
+          next + std::min<std::ptrdiff_t>(tops.end() - next, static_cast<std::ptrdiff_t>(wanted - held_.size()));
+      hold(distinct(climbed_from({next, last}, fine)));
+      next = last;
+    }
+    add_clearly_different(wanted);
+    std::sort(found_.begin(), found_.end(),
+              [](const Found& a, const Found& b) { return better(a.candidate, b.candidate); });
+    BestLinkages best{{}, left_out_};
+    for (Found& found : found_) best.linkages.push_back(std::move(found.linkage));
+    return best;
   }
 
  private:
-  std::size_t wanted_;
-  std::vector<Candidate> held_;
-};
-
-// The map's numbers are single: a cell on the very edge of a requirement may fail here.
-std::vector<Candidate> candidates_at(const RegionMap& map, const Judge& judge, const std::vector<RankedCell>& cells) {
-  std::vector<Candidate> found;
-  for (const RankedCell& cell : cells)
-    if (const auto candidate =
-            judge.candidate({map.input_coordinates()[cell.row], map.output_coordinates()[cell.column]}))
-      found.push_back(*candidate);
-  return found;
-}
-
-std::vector<Candidate> chosen(const Solution& solution, const Judge& judge, const RequirementFilter& filter,
-                              const Progress& progress) {
-  constexpr std::size_t tiles = 48;
-  const RegionMap& map = solution.region;
-  const Objective objective = solution.options.objective;
-  const auto wanted = static_cast<std::size_t>(solution.options.best);
-  const double first_step = judge.largest_coordinate() / static_cast<double>(std::max(map.rows(), map.columns()));
-
-  std::vector<Candidate> tops;
-  for (const Candidate& foot : candidates_at(map, judge, hill_tops(map, filter, objective, 3 * wanted))) {
-    if (progress.is_cancelled()) return {};
-    tops.push_back(judge.from_better_side(climbed(judge, foot, first_step)));
+  // The map's numbers are single: a cell on the very edge of a requirement may fail here.
+  [[nodiscard]] std::vector<Candidate> candidates_at(const std::vector<RankedCell>& cells) const {
+    std::vector<Candidate> found;
+    for (const RankedCell& cell : cells)
+      if (const auto candidate = judge_.candidate(place_of(cell))) found.push_back(*candidate);
+    return found;
   }
-  std::sort(tops.begin(), tops.end(), better);
-  // With small rotations the characteristic length is far larger than the machine: then the user's limit is its size.
-  const double size =
-      std::min(1.0, solution.requirements.max_length.value_or(Requirements::unlimited) / solution.given.frame().scale);
-  Choice choice(wanted);
-  for (const Candidate& top : tops) choice.offer(top, different_design * size);
-  if (!choice.full())
-    for (const Candidate& other : candidates_at(map, judge, tile_bests(map, filter, objective, tiles)))
-      choice.offer(judge.from_better_side(other), clearly_different_design * size);
-  return std::move(choice).best_first();
-}
+  [[nodiscard]] RegionPlace place_of(const RankedCell& cell) const {
+    return {map_.input_coordinates()[cell.row], map_.output_coordinates()[cell.column]};
+  }
+
+  [[nodiscard]] Ascent ascent_of(const Pace& pace) const {
+    Ascent ascent;
+    ascent.first_step = pace.step * first_step_;
+    ascent.resolution = pace.resolution;
+    ascent.across = pace.across;
+    return ascent;
+  }
+  template <class Score>
+  [[nodiscard]] Ascent ascent_of(const Pace& pace, const Score& score) const {
+    Ascent ascent = ascent_of(pace);
+    ascent.score = score;
+    return ascent;
+  }
+
+  /// The tops of their hills, driven from the better side, best first.
+  [[nodiscard]] std::vector<Candidate> climbed_from(std::vector<Candidate> feet, const Pace& pace) const {
+    parallel_for(feet.size(), options_.region.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && !progress_.is_cancelled(); ++i)
+        feet[i] = judge_.from_better_side(climbed(judge_, feet[i], ascent_of(pace), progress_));
+    });
+    std::sort(feet.begin(), feet.end(), better);
+    return feet;
+  }
+
+  /// Sorted candidates without those that are the same design as a better one.
+  [[nodiscard]] std::vector<Candidate> distinct(const std::vector<Candidate>& sorted) const {
+    std::vector<Candidate> held;
+    for (const Candidate& candidate : sorted)
+      if (differs(candidate, held, different_design * size_)) held.push_back(candidate);
+    return held;
+  }
+
+  /// Made, driven through the task, and held where driving confirms what they do.
+  void hold(const std::vector<Candidate>& candidates) {
+    std::vector<std::optional<FourBarSolution>> made(candidates.size());
+    parallel_for(made.size(), options_.region.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && !progress_.is_cancelled(); ++i)
+        made[i] = make_four_bar(solution_.given, candidates[i].place, solution_.requirements.respect_direction, true);
+    });
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      if (!made[i] || !differs(candidates[i], held_, different_design * size_)) continue;
+      const DefectReport &here = candidates[i].report, &there = made[i]->report;
+      const bool same = here.type == there.type && here.defects == there.defects;  // in the user's coordinates
+      if (!same || is_unconfirmed(*made[i])) {
+        ++left_out_;
+        continue;
+      }
+      made[i]->local_optimum = candidates[i].local_optimum;
+      held_.push_back(candidates[i]);
+      found_.push_back({candidates[i], *std::move(made[i])});
+    }
+  }
+
+  /// While there are fewer than wanted: the best of what differs clearly from all that is held, climbed as far as it
+  /// does.
+  void add_clearly_different(std::size_t wanted) {
+    if (held_.size() >= wanted) return;
+    constexpr std::size_t tiles = 48;
+    const double least = clearly_different_design * size_;
+    for (const RankedCell& cell : tile_bests(map_, filter_, options_.objective, tiles)) {
+      if (held_.size() >= wanted || progress_.is_cancelled()) return;
+      const auto foot = judge_.candidate(place_of(cell));
+      if (!foot || !differs(*foot, held_, least)) continue;
+      const auto score = [&](const Candidate& c) {
+        return differs(c, held_, least) ? std::optional(c.score) : std::nullopt;
+      };
+      Candidate end = judge_.from_better_side(climbed(judge_, *foot, ascent_of(coarse, score), progress_));
+      end.local_optimum = false;
+      hold({end});
+    }
+  }
+
+  struct Found {
+    Candidate candidate;
+    FourBarSolution linkage;
+  };
+
+  const Solution& solution_;
+  const RegionMap& map_;
+  const SynthesisOptions& options_;
+  const RequirementFilter& filter_;
+  const Progress& progress_;
+  Judge judge_;
+  double first_step_;
+  double size_ = 0;              ///< design_size of the hills
+  std::vector<Candidate> held_;  ///< as in found_
+  std::vector<Found> found_;
+  std::int64_t left_out_ = 0;
+};
 
 }  // namespace
 
-std::vector<FourBarSolution> best_linkages(const Solution& solution, const RequirementFilter& filter,
-                                           const Progress& progress) {
+BestLinkages best_linkages(const Solution& solution, const RequirementFilter& filter, const Progress& progress) {
   if (solution.options.best == 0 || solution.meeting_requirements == 0) return {};
-  const LinkageFamily& family = *solution.given.family;
-  const Judge judge(family, solution.requirements, solution.options.objective, solution.options.window);
-  std::vector<FourBarSolution> linkages;
-  for (const Candidate& candidate : chosen(solution, judge, filter, progress)) {
-    if (progress.is_cancelled()) return {};
-    auto found = make_four_bar(solution.given, candidate.place, solution.requirements.respect_direction, true);
-    if (!found) continue;
-    found->local_optimum = candidate.local_optimum;
-    linkages.push_back(*found);
-  }
-  return linkages;
+  return LinkageSearch(solution, filter, progress).best();
 }
 
 }  // namespace linkwright

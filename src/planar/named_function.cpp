@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <locale>
-#include <sstream>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
@@ -17,21 +15,13 @@ constexpr std::array<std::string_view, 2> interpolation_names = {"monotone_cubic
 constexpr std::array<std::string_view, 3> spacing_names = {"chebyshev", "even", "list"};
 
 constexpr std::string_view known_expressions =
-    "x, x^p with a number p, sqrt, log (of base 10), ln, exp, sin, cos, tan (x in radians), sin_deg, cos_deg, tan_deg";
+    "x, x^p with a number p, sqrt, log (of base 10), ln, exp, sin, cos, tan (x in radians), sin_deg, cos_deg, tan_deg, "
+    "each times a number and plus a number (2x, 0.5x^2 + 1)";
 
 template <class Name, std::size_t n>
 std::optional<Name> named(const std::array<std::string_view, n>& names, std::string_view name) {
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? std::nullopt : std::optional(static_cast<Name>(found - names.begin()));
-}
-
-// A whole text that is one number, whatever the language of the machine.
-std::optional<double> number_in(std::string_view text) {
-  std::istringstream stream{std::string(text)};
-  stream.imbue(std::locale::classic());
-  double value = 0;
-  stream >> std::noskipws >> value;
-  return stream && stream.eof() && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 bool is_whole(double value) { return value == std::floor(value); }
@@ -59,6 +49,14 @@ void check_rising(const std::array<double, 2>& range, std::string_view key, std:
     found.push_back({"out_of_range", place(key),
                      "the range is written with the lower number first; turn the dial's range in degrees round to let "
                      "the link turn the other way"});
+}
+
+void check_expression(std::string_view expression, std::vector<Error>& found) {
+  const FormulaReading reading = read_formula(expression);
+  if (reading.formula) return;
+  found.push_back({"unknown_expression", place("expression"),
+                   fmt::format("\"{}\" is not understood from character {} on; there are {}, and tables", expression,
+                               reading.wrong_at, known_expressions)});
 }
 
 void check_table(const NamedFunction& function, std::vector<Error>& found) {
@@ -178,31 +176,9 @@ std::optional<PointSpacing> point_spacing_named(std::string_view name) {
   return named<PointSpacing>(spacing_names, name);
 }
 
-std::optional<DialFunction::Formula> DialFunction::formula_named(std::string_view expression) {
-  constexpr std::string_view argument = "(x)";
-  if (expression.size() > argument.size() && expression.substr(expression.size() - argument.size()) == argument)
-    expression.remove_suffix(argument.size());
-  const double degree = pi / 180;
-  const std::array<std::pair<std::string_view, Formula>, 12> formulas = {{{"x", {Kind::power, 1, 1}},
-                                                                          {"sqrt", {Kind::power, 0.5, 1}},
-                                                                          {"log", {Kind::logarithm, 1, 1}},
-                                                                          {"log10", {Kind::logarithm, 1, 1}},
-                                                                          {"ln", {Kind::natural_logarithm, 1, 1}},
-                                                                          {"exp", {Kind::exponential, 1, 1}},
-                                                                          {"sin", {Kind::sine, 1, 1}},
-                                                                          {"cos", {Kind::cosine, 1, 1}},
-                                                                          {"tan", {Kind::tangent, 1, 1}},
-                                                                          {"sin_deg", {Kind::sine, 1, degree}},
-                                                                          {"cos_deg", {Kind::cosine, 1, degree}},
-                                                                          {"tan_deg", {Kind::tangent, 1, degree}}}};
-  for (const auto& [known, formula] : formulas)
-    if (expression == known) return formula;
-  if (expression.substr(0, 2) != "x^") return std::nullopt;
-  const auto exponent = number_in(expression.substr(2));
-  return exponent ? std::optional(Formula{Kind::power, *exponent, 1}) : std::nullopt;
-}
-
 bool DialFunction::exists_over(double low, double high) const {
+  using Kind = Formula::Kind;
+  if (is_table()) return low >= table_->rows.front()[0] && high <= table_->rows.back()[0];
   const double p = formula_.exponent, quarter = pi / 2;
   switch (formula_.kind) {
     case Kind::power:
@@ -216,8 +192,6 @@ bool DialFunction::exists_over(double low, double high) const {
       const double from = (low * formula_.unit + quarter) / pi, to = (high * formula_.unit + quarter) / pi;
       return std::floor(from - near_pole) == std::floor(to + near_pole);
     }
-    case Kind::table:
-      return low >= table_.front()[0] && high <= table_.back()[0];
     default:
       return true;
   }
@@ -228,6 +202,11 @@ std::vector<double> DialFunction::turning_points() const {
   const auto add = [&](double x) {
     if (x > x_[0] && x < x_[1]) points.push_back(x);
   };
+  if (is_table()) {
+    for (const auto& row : table_->rows) add(row[0]);
+    return points;
+  }
+  using Kind = Formula::Kind;
   const double half_turn = pi / formula_.unit;
   const double first = formula_.kind == Kind::sine ? half_turn / 2 : 0;
   switch (formula_.kind) {
@@ -238,9 +217,6 @@ std::vector<double> DialFunction::turning_points() const {
     case Kind::cosine:
       // Four in a row hold both extremes.
       for (int k = 0; k < 4; ++k) add(first + half_turn * (std::ceil((x_[0] - first) / half_turn) + k));
-      break;
-    case Kind::table:
-      for (const auto& row : table_) add(row[0]);
       break;
     default:
       break;
@@ -256,9 +232,9 @@ std::array<double, 2> DialFunction::least_and_greatest() const {
 }
 
 void DialFunction::take_table(const NamedFunction& function) {
-  formula_.kind = Kind::table;
-  table_ = function.table;
-  if (function.interpolation == TableInterpolation::monotone_cubic) slopes_ = monotone_slopes(table_);
+  const bool is_cubic = function.interpolation == TableInterpolation::monotone_cubic;
+  table_ = std::make_shared<const Table>(
+      Table{function.table, is_cubic ? monotone_slopes(function.table) : std::vector<double>{}});
 }
 
 DialFunction::DialFunction(const NamedFunction& function)
@@ -266,45 +242,40 @@ DialFunction::DialFunction(const NamedFunction& function)
   if (function.expression.empty())
     take_table(function);
   else
-    formula_ = formula_named(function.expression).value_or(Formula{});
-  x_ = function.x ? *function.x : std::array{table_.front()[0], table_.back()[0]};
+    formula_ = read_formula(function.expression).formula.value_or(Formula{});
+  x_ = function.x ? *function.x : std::array{table_->rows.front()[0], table_->rows.back()[0]};
   y_ = function.y ? *function.y : least_and_greatest();
   points_ = points_of(function, x_);
-  if (formula_.kind == Kind::table && slopes_.empty()) corners_ = turning_points();
+}
+
+std::span<const std::array<double, 2>> DialFunction::rows() const {
+  if (!table_) return {};
+  const auto& rows = table_->rows;
+  const auto first =
+      std::upper_bound(rows.begin(), rows.end(), x_[0], [](double x, const auto& row) { return x < row[0]; });
+  const auto end = std::lower_bound(first, rows.end(), x_[1], [](const auto& row, double x) { return row[0] < x; });
+  return std::span(rows).subspan(static_cast<std::size_t>(first - rows.begin()), static_cast<std::size_t>(end - first));
+}
+
+DialFunction DialFunction::stretched(double about, double factor) const {
+  DialFunction wider = *this;
+  for (double& end : wider.output_range_) end = about + factor * (end - about);
+  return wider;
 }
 
 double DialFunction::table_value(double x) const {
-  const auto above = std::upper_bound(table_.begin() + 1, table_.end() - 1, x,
+  const auto& [rows, slopes] = *table_;
+  const auto above = std::upper_bound(rows.begin() + 1, rows.end() - 1, x,
                                       [](double value, const std::array<double, 2>& row) { return value < row[0]; });
-  const auto i = static_cast<std::size_t>(above - table_.begin()) - 1;
-  const double width = table_[i + 1][0] - table_[i][0], t = (x - table_[i][0]) / width;
-  const double from = table_[i][1], rise = table_[i + 1][1] - from;
-  if (slopes_.empty()) return from + t * rise;
-  const double s0 = slopes_[i] * width, s1 = slopes_[i + 1] * width;
+  const auto i = static_cast<std::size_t>(above - rows.begin()) - 1;
+  const double width = rows[i + 1][0] - rows[i][0], t = (x - rows[i][0]) / width;
+  const double from = rows[i][1], rise = rows[i + 1][1] - from;
+  if (slopes.empty()) return from + t * rise;
+  const double s0 = slopes[i] * width, s1 = slopes[i + 1] * width;
   return from + t * (s0 + t * ((3 * rise - 2 * s0 - s1) + t * (s0 + s1 - 2 * rise)));
 }
 
-double DialFunction::y(double x) const {
-  switch (formula_.kind) {
-    case Kind::power:
-      return formula_.exponent == 0.5 ? std::sqrt(x) : std::pow(x, formula_.exponent);
-    case Kind::logarithm:
-      return std::log10(x);
-    case Kind::natural_logarithm:
-      return std::log(x);
-    case Kind::exponential:
-      return std::exp(x);
-    case Kind::sine:
-      return std::sin(formula_.unit * x);
-    case Kind::cosine:
-      return std::cos(formula_.unit * x);
-    case Kind::tangent:
-      return std::tan(formula_.unit * x);
-    case Kind::table:
-      break;
-  }
-  return table_value(x);
-}
+double DialFunction::y(double x) const { return is_table() ? table_value(x) : formula_.y(x); }
 
 double DialFunction::input_at(double x) const {
   return input_range_[0] + (input_range_[1] - input_range_[0]) * ((x - x_[0]) / (x_[1] - x_[0]));
@@ -327,10 +298,8 @@ std::vector<Error> mistakes_in(const NamedFunction& function) {
     check_table(function, found);
   else if (!function.table.empty())
     found.push_back({"two_functions", place("table"), "give an expression or a table, not both"});
-  else if (!DialFunction::formula_named(function.expression))
-    found.push_back(
-        {"unknown_expression", place("expression"),
-         fmt::format("\"{}\" is not known; there are {}, and tables", function.expression, known_expressions)});
+  else
+    check_expression(function.expression, found);
   check_dials(function, found);
   check_count(function, found);
   if (!found.empty()) return found;

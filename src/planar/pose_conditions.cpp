@@ -3,9 +3,9 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
@@ -24,7 +24,7 @@ struct PlanarDisplacement {
 
 PlanarDisplacement displacement(const Pose& from, const PrescribedPose& to) {
   const std::size_t orders = to.derivatives.size() + 1;
-  assert(orders <= binomial.size());
+  require(orders <= binomial.size(), "a pose has at most four derivatives");
   PlanarDisplacement d;
   const double phi = to.pose.angle - from.angle;
   d.a.push_back(to.pose.origin - from.origin);
@@ -178,7 +178,7 @@ double PoseConditions::condition() const {
 }
 
 PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses) {
-  assert(position_count(poses) >= 2);
+  require(position_count(poses) >= 2, "conditions are those of two positions or more");
   PoseConditions conditions;
   const Lengths typical = typical_lengths(displacements(poses));
   conditions.only_translations = typical.q < tolerance::pure_translation;

@@ -30,8 +30,9 @@ Notice nothing_found(const Solution& solution) {
                         grouped_text(whole)),
             {{"count", static_cast<double>(whole)}}};
   return {"none_left",
-          fmt::format("None of the six-bars free of defects ({}) meets all requirements.",
-                      grouped_text(solution.counts.defect_free)),
+          fmt::format("None of the six-bars free of defects ({}) meets all requirements.{}",
+                      grouped_text(solution.counts.defect_free),
+                      solution.relax_together ? " " + joint_relaxation_text(*solution.relax_together) : ""),
           {{"count", static_cast<double>(solution.counts.defect_free)}}};
 }
 
@@ -66,11 +67,13 @@ Result<Solution> solve_chain(const SixBarTask& task, const ThreeLinkChain& chain
   if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
   solution.counts = solution.region.counts();
   const RequirementFilter filter = filter_of_six_bars(family, solution.region, solution.requirements);
-  const RequirementCensus census = filter.census();
+  const RequirementCensus census = filter.census(progress);
   solution.meeting_requirements = census.meeting;
-  if (census.meeting == 0) solution.relax = filter.relaxations(census);
-  solution.six_bars = best_six_bars(task, chain, family, solution.region, solution.requirements,
-                                    {solution.options.objective, solution.options.best}, progress);
+  if (census.meeting == 0) solution.relax = filter.relaxations(census, progress);
+  if (solution.relax.empty()) solution.relax_together = census.joint_relaxation();
+  solution.six_bars =
+      best_six_bars(task, chain, family, solution.region, solution.requirements,
+                    {solution.options.objective, solution.options.best, solution.options.region.threads}, progress);
   judge(solution);
   return solution;
 }
@@ -78,8 +81,8 @@ Result<Solution> solve_chain(const SixBarTask& task, const ThreeLinkChain& chain
 Solution search_chain(const SixBarTask& task, Solution solution, const Progress& progress) {
   const SynthesisOptions& options = solution.options;
   SixBarSearchResult found =
-      search_six_bars(task, solution.requirements, {options.objective, options.best},
-                      {static_cast<std::uint64_t>(options.seed), options.effort, options.region.threads}, progress);
+      search_six_bars(task, solution.requirements, {options.objective, options.best, options.region.threads},
+                      {static_cast<std::uint64_t>(options.seed), options.effort}, progress);
   solution.six_bars = std::move(found.linkages);
   solution.reason = found.reason;
   if (found.reason.code != "searched") solution.status = SolutionStatus::no_solution;

@@ -1,8 +1,8 @@
 #include "linkwright/planar/six_bar_family.hpp"
 
-#include <cassert>
 #include <cmath>
 
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
@@ -50,7 +50,7 @@ BodyPositions positions_of_link(const std::array<Point, 2>& hinges, const BodyPo
 
 std::optional<std::array<BodyPositions, 4>> chain_positions(const std::vector<PrescribedPose>& poses,
                                                             const ThreeLinkChain& chain) {
-  assert(poses.size() == positions);
+  require(poses.size() == positions, "a six-bar's task has four poses");
   std::array<BodyPositions, 4> bodies;
   for (std::size_t j = 0; j < positions; ++j) {
     const Pose &first = poses[0].pose, &pose = poses[j].pose;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "linkwright/algebra/line_search.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
@@ -157,12 +158,13 @@ std::optional<SixBarProspect> Search::prospect(const ThreeLinkChain& chain, std:
 }
 
 SixBarProspect Search::refined(SixBarProspect here, std::uint64_t seed, const Progress& progress) const {
-  constexpr int failures_a_length = 40;
+  constexpr int failures_a_length = 40, steps_a_length = 2000;
   constexpr double first_length = 0.1, shortest = 3e-4;  // shares of the box, and of a branch of a curve
   std::mt19937_64 random(seed);
   const double width = box_.x_high - box_.x_low, height = box_.y_high - box_.y_low;
   for (double length = first_length; length > shortest && !progress.is_cancelled(); length /= 2)
-    for (int failures = 0; failures < failures_a_length && !progress.is_cancelled();) {
+    for (int steps = 0, failures = 0; steps < steps_a_length && failures < failures_a_length; ++steps) {
+      if (progress.is_cancelled()) break;
       const auto step = [&](double size) { return length * size * uniform(random, -1, 1); };
       ThreeLinkChain chain = here.chain;
       for (Point* pivot : {&chain.a, &chain.b, &chain.d}) {
@@ -171,7 +173,7 @@ SixBarProspect Search::refined(SixBarProspect here, std::uint64_t seed, const Pr
       }
       const double tau_4 = here.tau[0] + step(1);
       const auto there = prospect(chain, {tau_4, here.tau[1] + step(1)});
-      const bool better = there && there->score > here.score;
+      const bool better = there && is_real_gain(there->score, here.score);
       if (better) here = *there;
       failures = better ? 0 : failures + 1;
     }
@@ -253,7 +255,7 @@ SixBarSearchResult search_six_bars(const SixBarTask& task, const Requirements& r
     const std::vector<ThreeLinkChain> chains = next_chains(task, boxes, random, count, result.chains_drawn);
     if (chains.empty()) break;
     std::vector<Trial> trials(chains.size());
-    parallel_for(chains.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+    parallel_for(chains.size(), choice.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && !progress.is_cancelled(); ++i) {
         trials[i] = search.trial(chains[i]);
         trials[i].done = true;
@@ -269,7 +271,7 @@ SixBarSearchResult search_six_bars(const SixBarTask& task, const Requirements& r
     keep_best(held, kept, least);
     progress(share_of_trials * static_cast<double>(result.chains_tried) / static_cast<double>(effort));
   }
-  parallel_for(held.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+  parallel_for(held.size(), choice.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) held[i] = search.refined(held[i], options.seed + i + 1, progress);
   });
   result.interrupted = progress.is_cancelled();

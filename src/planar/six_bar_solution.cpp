@@ -92,10 +92,10 @@ SixBarRating rating_of(const SixBarMember& member, bool circuits) {
   return rating;
 }
 
-bool meets(const Requirements& wanted, const SixBar& six_bar, const SixBarRating& rating) {
-  const SixBarShape& shape = rating.shape;
+bool meets_by_shape(const Requirements& wanted, const SixBar& six_bar, const SixBarShape& shape) {
   if (shape.type == LinkageType::degenerate || shape.link_ratio > wanted.max_link_ratio ||
-      shape.longest > wanted.max_length.value_or(Requirements::unlimited))
+      shape.longest > wanted.max_length.value_or(Requirements::unlimited) ||
+      shape.longest < wanted.min_length.value_or(0) * shape.link_ratio)
     return false;
   if (!wanted.types.empty() && std::find(wanted.types.begin(), wanted.types.end(), shape.type) == wanted.types.end())
     return false;
@@ -103,13 +103,17 @@ bool meets(const Requirements& wanted, const SixBar& six_bar, const SixBarRating
     const std::optional<Box>& box = is_on_ground(joint) ? wanted.ground_pivots_within : wanted.moving_pivots_within;
     if (box && !box->contains(joint.point)) return false;
   }
+  return true;
+}
+
+bool meets(const Requirements& wanted, const SixBar& six_bar, const SixBarRating& rating) {
+  if (!meets_by_shape(wanted, six_bar, rating.shape)) return false;
   if (wanted.no_defects && !(rating.drive.completed && rating.drive.defects.none())) return false;
   return wanted.min_transmission_angle <= 0 || rating.min_transmission_angle() >= wanted.min_transmission_angle;
 }
 
 Requirements with_defaults(Requirements wanted, const ThreeLinkChain& chain) {
-  if (!wanted.max_length) wanted.max_length = default_max_length * chain.size();
-  return wanted;
+  return with_default_lengths(std::move(wanted), chain.size());
 }
 
 SixBarSolution solution_of(std::span<const PrescribedPose> poses, const ThreeLinkChain& chain, const SixBarRow& row,

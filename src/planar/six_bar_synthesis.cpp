@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
+#include <mutex>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "linkwright/region/hill_climb.hpp"
 #include "planar/six_bar_prospect.hpp"
 
 namespace linkwright {
@@ -48,8 +49,12 @@ std::vector<double> evenly(double length, int count) {
   return coordinates;
 }
 
-/// Axes are closed; one that a degenerate curve leaves without length has no places.
-double on_axis(double coordinate, double length) { return length > 0 ? wrap_period(coordinate, length) : coordinate; }
+/// The branch of a curve on which τ lies, in a coordinate of which `unit` is one of τ.
+AxisStretch branch_of(const BurmesterCurve& curve, double tau, double unit) {
+  const double branch = std::floor(tau);
+  const bool has_length = curve.coordinate_length() > 0;  // a degenerate curve has no other places
+  return {unit * branch, unit * (branch + (has_length ? 1 : 0)), has_length};
+}
 
 /// Judges any place of a chain's map.
 class ChainJudge {
@@ -62,41 +67,43 @@ class ChainJudge {
     std::array<double, 2> place;  ///< on the map
   };
   /// Nothing where there is no six-bar, or one that does not meet the requirements.
-  [[nodiscard]] std::optional<Placed> at(std::array<double, 2> unwrapped) const {
-    const std::array<double, 2> place = {on_axis(unwrapped[0], family_.first().curve->coordinate_length()),
-                                         on_axis(unwrapped[1], family_.second_axis_length())};
+  [[nodiscard]] std::optional<Placed> at(std::array<double, 2> place) const {
     const auto first = family_.with_first(place[0]);
-    if (!first) return std::nullopt;
-    const double tau = family_.second_tau(*first, place[1]);
-    const auto member = family_.member(*first, tau);
-    if (!member) return std::nullopt;
-    const SixBarRating rating = rating_of(*member, false);
-    if (!meets(wanted_, member->six_bar, rating)) return std::nullopt;
-    return Placed{{chain_, {place[0], tau}, score_of(objective_, rating), *member, false}, place};
+    return first ? at(*first, place) : std::nullopt;
   }
 
-  /// Steps along both coordinates as long as it gets better, then shorter steps.
-  [[nodiscard]] Placed climbed(Placed here, std::array<double, 2> step) const {
-    constexpr double shortest = 1e-3;  // of the first step
-    for (double share = 0.5; share > shortest;) {
-      if (const auto better = better_neighbour(here, {share * step[0], share * step[1]}))
-        here = *better;
-      else
-        share /= 2;
-    }
-    here.prospect.local_optimum = true;
-    return here;
+  /// From there to the top of its hill: as long as the curve of links 5 has as many branches, along the same one.
+  [[nodiscard]] Placed climbed(const Placed& start, std::array<double, 2> step, const Progress& progress) const {
+    const auto start_first = family_.with_first(start.place[0]);
+    const BurmesterCurve& second = *start_first->second->curve;
+    const double unit = family_.independent_second() != nullptr ? 1 : 1 / second.coordinate_length();
+    const auto score_at = [&](double first, double coordinate) -> std::optional<double> {
+      const auto link = family_.with_first(first);
+      if (!link || link->second->curve->branches().size() != second.branches().size()) return std::nullopt;
+      const auto found = at(*link, {first, coordinate});
+      return found ? std::optional(found->prospect.score) : std::nullopt;
+    };
+    const Hill hill{score_at, branch_of(*family_.first().curve, start.place[0], 1),
+                    branch_of(second, start.prospect.tau[1], unit)};
+    const HillTop top = climb_hill(hill, start.place, start.prospect.score, {step, resolution, most_turns}, progress);
+    Placed best = at(top.place).value_or(start);
+    best.prospect.local_optimum = top.end == SearchEnd::settled;
+    return best;
   }
 
  private:
-  [[nodiscard]] std::optional<Placed> better_neighbour(const Placed& here, std::array<double, 2> step) const {
-    constexpr std::array<std::array<double, 2>, 8> ways = {
-        {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
-    for (const auto& way : ways) {
-      const auto found = at({here.place[0] + way[0] * step[0], here.place[1] + way[1] * step[1]});
-      if (found && found->prospect.score > here.prospect.score) return found;
-    }
-    return std::nullopt;
+  // Each place is driven through, which takes a hundred times as long as to judge a four-bar.
+  static constexpr double resolution = 1e-2;  // of the step from cell to cell
+  static constexpr int most_turns = 24;
+
+  [[nodiscard]] std::optional<Placed> at(const SixBarFamily::WithFirst& first, std::array<double, 2> place) const {
+    const double tau = family_.second_tau(first, place[1]);
+    const auto member = family_.member(first, tau);
+    if (!member) return std::nullopt;
+    if (!meets_by_shape(wanted_, member->six_bar, shape_of(member->six_bar))) return std::nullopt;
+    const SixBarRating rating = rating_of(*member, false);
+    if (!meets(wanted_, member->six_bar, rating)) return std::nullopt;
+    return Placed{{chain_, {place[0], tau}, score_of(objective_, rating), *member, false}, place};
   }
 
   ThreeLinkChain chain_;
@@ -104,41 +111,6 @@ class ChainJudge {
   Requirements wanted_;
   Objective objective_;
 };
-
-struct Foot {
-  double score = 0;
-  std::size_t row = 0, column = 0;
-};
-
-/// What no cell that passes has.
-constexpr double no_score = -std::numeric_limits<double>::infinity();
-
-/// Passing cells that no passing neighbour betters, best first.
-std::vector<Foot> feet(const RegionMap& map, const RequirementFilter& filter, Objective objective) {
-  std::vector<std::uint8_t> failures(map.rows() * map.columns());
-  filter.failures_of_all(failures);
-  std::vector<double> score;
-  for (std::size_t cell = 0; cell < failures.size(); ++cell)
-    score.push_back(failures[cell] != 0 ? no_score
-                                        : score_of(objective, map.transmission_versines()[cell],
-                                                   map.link_ratios()[cell], map.longest_links()[cell]));
-  const auto is_top = [&](std::size_t row, std::size_t column) {
-    const double here = score[map.index(row, column)];
-    bool top = here > no_score;
-    for (std::size_t r = row > 0 ? row - 1 : 0; r <= std::min(row + 1, map.rows() - 1); ++r)
-      for (std::size_t c = column > 0 ? column - 1 : 0; c <= std::min(column + 1, map.columns() - 1); ++c)
-        top = top && score[map.index(r, c)] <= here;
-    return top;
-  };
-  std::vector<Foot> found;
-  for (std::size_t row = 0; row < map.rows(); ++row)
-    for (std::size_t column = 0; column < map.columns(); ++column)
-      if (is_top(row, column)) found.push_back({score[map.index(row, column)], row, column});
-  std::sort(found.begin(), found.end(), [](const Foot& x, const Foot& y) {
-    return x.score != y.score ? x.score > y.score : std::pair(x.row, x.column) < std::pair(y.row, y.column);
-  });
-  return found;
-}
 
 }  // namespace
 
@@ -170,19 +142,30 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLin
   const std::array<double, 2> step = {family.first().curve->coordinate_length() / static_cast<double>(map.rows()),
                                       family.second_axis_length() / static_cast<double>(map.columns())};
   const auto wanted = static_cast<std::size_t>(choice.best);
-  std::vector<SixBarProspect> tops;
   const RequirementFilter filter = filter_of_six_bars(family, map, requirements);
-  for (const Foot& foot : feet(map, filter, choice.objective)) {
-    if (tops.size() >= 3 * wanted || progress.is_cancelled()) break;
-    const std::array<double, 2> place = {map.input_coordinates()[foot.row], map.output_coordinates()[foot.column]};
-    if (const auto found = judge.at(place)) tops.push_back(judge.climbed(*found, step).prospect);
-  }
+  std::vector<SixBarProspect> tops;
+  std::mutex adding;
+  const std::vector<RankedCell> feet = hill_tops(map, filter, choice.objective, 3 * wanted);
+  parallel_for(feet.size(), choice.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !progress.is_cancelled(); ++i) {
+      const auto foot = judge.at({map.input_coordinates()[feet[i].row], map.output_coordinates()[feet[i].column]});
+      if (!foot) continue;
+      const SixBarProspect top = judge.climbed(*foot, step, progress).prospect;
+      const std::lock_guard lock(adding);
+      tops.push_back(top);
+    }
+  });
   std::sort(tops.begin(), tops.end(), is_better);
   std::vector<SixBarSolution> solutions;
   for (const SixBarProspect& top : distinct(tops, wanted, different_design * chain.size())) {
     solutions.push_back(solution_of(task.poses, chain, *row, top.member));
     solutions.back().local_optimum = top.local_optimum;
   }
+  // Driven in exact steps, two that are all but equal may change places.
+  std::sort(solutions.begin(), solutions.end(), [&](const SixBarSolution& a, const SixBarSolution& b) {
+    const double one = score_of(choice.objective, a.rating), other = score_of(choice.objective, b.rating);
+    return one != other ? one > other : a.member.coordinates < b.member.coordinates;
+  });
   return solutions;
 }
 
@@ -194,7 +177,7 @@ std::optional<std::array<double, 2>> improved_six_bar(const ThreeLinkChain& chai
   const auto foot = judge.at(start);
   if (!foot) return std::nullopt;
   const auto top = judge.climbed(
-      *foot, {first_step * family.first().curve->coordinate_length(), first_step * family.second_axis_length()});
+      *foot, {first_step * family.first().curve->coordinate_length(), first_step * family.second_axis_length()}, {});
   return top.prospect.score > foot->prospect.score ? std::optional(top.place) : std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <span>
 
+#include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
@@ -67,18 +68,52 @@ std::vector<Notice> left_out_warning(const Solution& solution) {
            {{"count", static_cast<double>(count)}, {"of", static_cast<double>(looked_at.size())}}}};
 }
 
-// Pivots all but in the pole of the task decide by their rounding what a linkage does.
+// Where rounding decides what a linkage does, it is no answer: counted, and said.
 void leave_out_unconfirmed(Solution& solution) {
-  if (!solution.given.conditions.near_pole) return;
-  const auto count =
-      std::erase_if(solution.linkages, [](const FourBarSolution& linkage) { return !linkage.verified_by_driving; });
+  std::int64_t& count = solution.left_out;
+  for (std::vector<FourBarSolution>* list : {&solution.linkages, &solution.pairs})
+    count += static_cast<std::int64_t>(std::erase_if(*list, is_unconfirmed));
+  count += static_cast<std::int64_t>(std::erase_if(solution.six_bars, [](const SixBarSolution& found) {
+    return found.rating.drive.defects.none() && !found.verified_by_driving;
+  }));
   if (count == 0) return;
   solution.given.warnings.push_back(
       {"linkages_left_out",
-       fmt::format("Left out are {} of the best linkages: with pivots so close to the common pole, driving through the "
-                   "task confirmed no more. Set the positions further off a turn about one pole.",
-                   count),
+       fmt::format("Left out {} of the best: so near a change point, a dead point{}, or with so short a link, that "
+                   "rounding decides "
+                   "what they do, and driving them through the task confirmed no more.{}",
+                   count == 1 ? "is one" : fmt::format("are {}", count),
+                   solution.given.conditions.near_pole ? " or the positions' common pole" : "",
+                   solution.given.conditions.near_pole ? " Set the positions further off a turn about one pole." : ""),
        {{"count", static_cast<double>(count)}}});
+}
+
+// Where the best by another measure stand at the edge of locking: what keeps them away from it, and what that leaves.
+std::vector<Notice> locking_warning(const Solution& solution) {
+  constexpr double edge = radians(1), best_of_all = radians(40), step = radians(5);
+  const Requirements& asked = solution.requirements;
+  if (solution.linkages.empty() || asked.min_transmission_angle > 0 || !asked.no_defects) return {};
+  const double angle = solution.linkages.front().report.min_transmission_angle;
+  if (solution.options.objective == Objective::min_transmission_angle || angle >= edge) return {};
+  Requirements wanted = asked;
+  std::int64_t left = 0;
+  for (wanted.min_transmission_angle = best_of_all; left == 0 && wanted.min_transmission_angle > edge;) {
+    left = filter_of(*solution.given.family, solution.region, wanted).census().meeting;
+    if (left == 0) wanted.min_transmission_angle -= step;
+  }
+  Notice notice{"held_by_locking",
+                fmt::format("The best linkage stands at the edge of locking: its transmission angle is {:.2g}°, and "
+                            "nothing else holds it back.",
+                            degrees(angle)),
+                {{"angle", degrees(angle)}}};
+  if (left > 0) {
+    const double proposed = degrees(wanted.min_transmission_angle);
+    notice.message += fmt::format(" Ask for a transmission angle of at least {:.0f}°: {} four-bars have it.", proposed,
+                                  grouped_text(left));
+    notice.values.push_back({"proposed", proposed});
+    notice.values.push_back({"leaves", static_cast<double>(left)});
+  }
+  return {notice};
 }
 
 // The longest way along the curve from one of the rising coordinates to the next.
@@ -113,8 +148,8 @@ std::vector<Notice> skipped_stretch_warning(const Solution& solution) {
 // No defects, then the larger least transmission angle, then the smaller coordinate.
 bool is_better(const FourBarSolution& a, const FourBarSolution& b) {
   if (a.report.defects.none() != b.report.defects.none()) return a.report.defects.none();
-  const double cosine = a.report.worst_transmission_cosine, other = b.report.worst_transmission_cosine;
-  return cosine != other ? cosine < other : a.input.coordinate < b.input.coordinate;
+  const double angle = a.report.min_transmission_angle, other = b.report.min_transmission_angle;
+  return angle != other ? angle > other : a.input.coordinate < b.input.coordinate;
 }
 
 std::string percent(std::int64_t part, std::int64_t whole) {
@@ -159,14 +194,41 @@ Notice nothing_left(const Solution& solution) {
   Notice notice{"none_left",
                 fmt::format("None of the four-bars free of defects ({}) meets all requirements.", grouped_text(free)),
                 {{"count", static_cast<double>(free)}}};
-  if (solution.relax.empty()) {
-    notice.message += " No single requirement is to blame: relax two or more.";
-    return notice;
+  for (const MissedBox& missed : solution.missed_boxes) notice.message += " " + missed_box_text(missed);
+  if (!solution.relax.empty()) {
+    const Relaxation& dearest = solution.relax.front();
+    notice.message += fmt::format(" {} costs most: without it {} would be left.", key(dearest.requirement),
+                                  grouped_text(dearest.only_this));
+  } else if (solution.relax_together) {
+    notice.message += " " + joint_relaxation_text(*solution.relax_together);
   }
-  const Relaxation& dearest = solution.relax.front();
-  notice.message += fmt::format(" {} costs most: without it {} would be left.", key(dearest.requirement),
-                                grouped_text(dearest.only_this));
   return notice;
+}
+
+// Cells of the map meet the requirements, and yet no linkage is listed.
+void explain_empty_list(Solution& solution) {
+  if (solution.options.best == 0 || !solution.linkages.empty() || !solution.six_bars.empty()) return;
+  if (solution.reason.code != "solved") return;
+  const auto meeting = static_cast<double>(solution.meeting_requirements);
+  if (solution.left_out > 0)
+    solution.reason = {
+        "none_confirmed",
+        "What meets all requirements stands so near a change point or a dead point that rounding decides "
+        "what it does: driving it through the task confirmed none. Ask for a transmission angle.",
+        {{"count", meeting}}};
+  else if (solution.options.objective == Objective::structural_error)
+    solution.reason = {
+        "none_reaches",
+        fmt::format("Of the four-bars that meet all requirements ({}) none takes its input through the whole "
+                    "range of the function. Shorten the range, or move the precision points.",
+                    grouped_text(solution.meeting_requirements)),
+        {{"count", meeting}}};
+  else
+    solution.reason = {
+        "none_left",
+        "What meets all requirements does so by rounding alone: it lies on the very edge of a limit. Relax "
+        "one of them a little.",
+        {{"count", meeting}}};
 }
 
 void judge(Solution& solution, const TaskWords& words) {
@@ -241,6 +303,14 @@ std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options
 
 namespace {
 
+// What would leave something where nothing is left.
+void advise(Solution& solution, const RequirementFilter& filter, const RequirementCensus& census,
+            const Progress& progress) {
+  solution.relax = filter.relaxations(census, progress);
+  if (solution.relax.empty()) solution.relax_together = census.joint_relaxation();
+  solution.missed_boxes = missed_boxes(*solution.given.family, solution.requirements);
+}
+
 // Five positions: every pair of side links as a four-bar, the better driver first named, best first.
 std::vector<FourBarSolution> all_pairs(const Solution& solution) {
   constexpr bool verify = true;
@@ -284,12 +354,13 @@ Result<Solution> solve_family(TaskFamily family, const Requirements& requirement
     solution.given.warnings.insert(solution.given.warnings.end(), found.begin(), found.end());
   progress(0.6);
   const RequirementFilter filter = filter_of(*given.family, solution.region, solution.requirements);
-  const RequirementCensus census = filter.census();
+  const RequirementCensus census = filter.census(progress);
   solution.meeting_requirements = census.meeting;
-  if (census.meeting == 0) solution.relax = filter.relaxations(census);
+  if (census.meeting == 0) advise(solution, filter, census, progress);
   progress(0.7);
-  solution.linkages = best_linkages(solution, filter, progress);
-  leave_out_unconfirmed(solution);
+  BestLinkages best = best_linkages(solution, filter, progress);
+  solution.linkages = std::move(best.linkages);
+  solution.left_out = best.left_out;
   if (!given.points.empty() && !given.curve) solution.pairs = all_pairs(solution);
   if (progress.is_cancelled()) return cancelled();
   judge(solution, words);
@@ -324,6 +395,7 @@ std::vector<FourBarSolution> generators(const FunctionFamily& family, const Solu
   GeneratorSearchOptions search;
   search.most = solution.options.best;
   search.window = solution.options.window;
+  search.threads = solution.options.region.threads;
   std::vector<FourBarSolution> found;
   for (const RankedGenerator& ranked : best_generators(family, solution.requirements, search, progress))
     if (auto made = make_four_bar(solution.given, ranked.place, solution.requirements.respect_direction, verify)) {
@@ -336,7 +408,7 @@ std::vector<FourBarSolution> generators(const FunctionFamily& family, const Solu
 // Where driving a generator free of defects confirms it, it must also have brought the output to each pair.
 void measure_function(FourBarSolution& found, const FunctionFamily& family) {
   constexpr double right = 1e-6;  // radians; close to a dead point rounding of the input shows this much
-  found.function = function_error(found.four_bar, family.task_at({found.input.coordinate, found.output.coordinate}));
+  found.function = family.error_of(found.four_bar, {found.input.coordinate, found.output.coordinate});
   if (found.report.defects.none())
     found.verified_by_driving =
         found.verified_by_driving && found.function->reaches_pairs && found.function->precision_error <= right;
@@ -380,7 +452,13 @@ Result<Solution> solve(const Task& task, const Requirements& requirements, const
   append_new(mistakes, mistakes_in(options));  // a six-bar's box may stand in both
   append(mistakes, mistakes_in(task, options));
   if (!mistakes.empty()) return mistakes;
-  return std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
+  Result<Solution> solved =
+      std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
+  if (!solved) return solved;
+  leave_out_unconfirmed(*solved);
+  explain_empty_list(*solved);
+  for (Notice& warning : locking_warning(*solved)) solved->given.warnings.push_back(std::move(warning));
+  return solved;
 }
 
 }  // namespace linkwright

@@ -118,8 +118,7 @@ TaskFamily task_family(const MotionTask& task, const Requirements& requirements,
 }
 
 Requirements with_defaults(Requirements wanted, const TaskFamily& given) {
-  if (!wanted.max_length) wanted.max_length = default_max_length * given.size;
-  return wanted;
+  return with_default_lengths(std::move(wanted), given.size);
 }
 
 }  // namespace linkwright

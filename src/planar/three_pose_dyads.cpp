@@ -2,10 +2,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
@@ -135,7 +135,7 @@ ThreePoseDyads::Circle ThreePoseDyads::circle_of_centers(const Terms& t, Point a
 }
 
 ThreePoseDyads::ThreePoseDyads(const PoseConditions& conditions) {
-  assert(conditions.rows.size() == 2);
+  require(conditions.rows.size() == 2, "the dyads are those of three positions");
   rows_ = {conditions.rows[0], conditions.rows[1]};
   choose_rows(conditions);
 }
@@ -184,7 +184,7 @@ ThreePoseDyads::Chord ThreePoseDyads::chord(Point arm) const {
 }
 
 std::optional<Dyad> ThreePoseDyads::dyad(Point arm, int sheet) const {
-  assert(sheet == 0 || sheet == 1);
+  require(sheet == 0 || sheet == 1, "there are two sheets");
   if (freedom_ != DirectionFreedom::free) return std::nullopt;
   const Chord on = chord(arm);
   const auto roots = projective_roots(on.a, on.b, on.c);

@@ -1,7 +1,6 @@
 #include "linkwright/planar/three_pose_family.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"

@@ -1,6 +1,5 @@
 #include "linkwright/planar/three_pose_opening.hpp"
 
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 #include <string_view>
@@ -21,9 +20,8 @@ struct Start {
       : frame(conditions.frame),
         dyads(std::make_shared<const ThreePoseDyads>(conditions)),
         degeneracy(shared_center(conditions)),
-        requirements(wanted) {
+        requirements(with_default_lengths(wanted, conditions.frame.scale)) {
     if (!degeneracy && dyads->freedom() == DirectionFreedom::only_shifts) degeneracy = only_translations_reason();
-    if (!requirements.max_length) requirements.max_length = default_max_length * frame.scale;
   }
 
   WorkingFrame frame;

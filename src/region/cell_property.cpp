@@ -1,10 +1,10 @@
 #include "linkwright/region/cell_property.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 namespace {
@@ -43,7 +43,7 @@ bool larger_is_better(CellProperty property) {
 }
 
 void row_values(const RegionMap& map, CellProperty property, std::size_t row, std::span<float> values) {
-  assert(values.size() == map.columns());
+  require(values.size() == map.columns(), "there is a place for each column");
   const auto of_row = [&](std::span<const float> column) { return column.subspan(map.index(row, 0), map.columns()); };
   switch (property) {
     case CellProperty::min_transmission_angle:

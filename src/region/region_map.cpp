@@ -1,7 +1,6 @@
 #include "linkwright/region/region_map.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <mutex>
@@ -15,6 +14,7 @@
 #include "linkwright/analysis/driver_order.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "region/kernel.hpp"
 
@@ -71,7 +71,7 @@ void FreeCells::operator()(void* cells) const { std::free(cells); }
 RegionAxis::RegionAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> poses, bool respect_direction,
                        Role role)
     : dyads(std::move(samples)) {
-  assert(!poses.empty() && poses.size() <= most_poses);
+  require(!poses.empty() && poses.size() <= most_poses, "one to five poses are judged");
   const std::size_t count = dyads.size();
   for (std::vector<double>* column : {&center_x, &center_y, &circle_x, &circle_y, &length}) column->assign(count, 0);
   arm_x.assign(poses.size(), std::vector<double>(count, 0));
@@ -108,8 +108,10 @@ RegionMap::RegionMap(const RegionAxis& input, const RegionAxis& output, double u
   recompute(input, output, unit, options, progress);
 }
 
+// Where the cells do not fit in memory the map is empty, not the last one.
 void RegionMap::resize(std::size_t rows, std::size_t columns) {
   const std::size_t cells = rows * columns;
+  rows_ = columns_ = 0;
   type_.resize(cells);
   defects_.resize(cells);
   for (Column<float>* column : {&versine_, &full_versine_, &ratio_, &longest_}) column->resize(cells);
@@ -119,8 +121,9 @@ void RegionMap::resize(std::size_t rows, std::size_t columns) {
 
 void RegionMap::recompute(const RegionAxis& input, const RegionAxis& output, double unit, const RegionOptions& options,
                           const Progress& progress) {
-  assert(input.pose_count() == output.pose_count());
+  require(input.pose_count() == output.pose_count(), "both axes are of one task");
   resize(input.size(), output.size());
+  threads_ = options.threads;
   input_ = coordinates_of(input.dyads);
   output_ = coordinates_of(output.dyads);
   input_dyads_ = input.dyads;
@@ -166,7 +169,7 @@ void RegionMap::lay_without_dyads(std::span<const double> input, std::span<const
 
 // The kernel's own way, for the one driver of a row.
 void RegionMap::classify_row(std::size_t row, const RegionRow& sides, double unit, Simd simd) {
-  assert(sides.input.size() == 1 && sides.output.size() == columns_);
+  require(sides.input.size() == 1 && sides.output.size() == columns_, "a row has one driver, and a partner a column");
   const std::size_t cell = index(row, 0);
   region_kernel.for_simd(simd)(
       {plain_arrays(sides.input),
@@ -190,6 +193,7 @@ void RegionMap::recompute_rows(std::span<const double> input, std::span<const do
                                const std::function<RegionRow(std::size_t row)>& row_at, double unit,
                                const RegionOptions& options, const Progress& progress) {
   lay_without_dyads(input, output);
+  threads_ = options.threads;
   senses_.assign(rows_, 0);
   sweep_ccw_.assign(rows_, 0);
   cell_senses_.resize(rows_ * columns_);
@@ -208,6 +212,7 @@ void RegionMap::recompute_cells(std::span<const double> input, std::span<const d
                                 const std::function<RegionCell(std::size_t row, std::size_t column)>& cell_at,
                                 const RegionOptions& options, const Progress& progress) {
   lay_without_dyads(input, output);
+  threads_ = options.threads;
   senses_.assign(rows_, static_cast<std::uint8_t>(sense));
   sweep_ccw_.assign(rows_, static_cast<float>(sweep_ccw));
   cell_senses_.resize(0);
@@ -240,6 +245,11 @@ void RegionMap::leave_empty(std::size_t row_begin, std::size_t row_end) {
 
 double angle_of_versine(double versine) { return 2 * std::asin(std::sqrt(std::min(versine, 2.0) / 2)); }
 
+double versine_of_angle(double angle) {
+  const double half = std::sin(angle / 2);
+  return 2 * half * half;
+}
+
 double RegionMap::min_transmission_angle(std::size_t cell) const { return angle_of_versine(versine_[cell]); }
 
 double RegionMap::min_transmission_angle_full_turn(std::size_t cell) const {
@@ -266,7 +276,7 @@ double RegionMap::driver_sweep(std::size_t row, std::size_t column) const {
 RegionCounts RegionMap::counts() const {
   RegionCounts total;
   std::mutex adding;
-  parallel_for(rows_, 0, [&](std::size_t begin, std::size_t end) {
+  parallel_for(rows_, threads_, [&](std::size_t begin, std::size_t end) {
     // By type · 8 + defects; four times over, since neighbours are mostly alike and would wait for each other.
     std::array<std::array<std::int64_t, 80>, 4> of_code_by_turns{};
     for (std::size_t cell = begin * columns_; cell < end * columns_; ++cell)

@@ -1,19 +1,22 @@
 #include "linkwright/region/requirement_filter.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <bit>
 #include <cmath>
+#include <fmt/format.h>
 #include <mutex>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 namespace {
 
 constexpr std::array<std::string_view, requirement_kinds> keys = {
-    "types",      "no_defects",           "min_transmission_angle_deg", "max_link_ratio",
-    "max_length", "ground_pivots_within", "moving_pivots_within"};
+    "types",      "no_defects", "min_transmission_angle_deg", "max_link_ratio",
+    "max_length", "min_length", "ground_pivots_within",       "moving_pivots_within"};
 
 constexpr std::uint8_t bit(RequirementKind kind) {
   return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));
@@ -46,6 +49,14 @@ std::array<std::uint8_t, 80> verdict_failures(const Requirements& wanted) {
   return failures;
 }
 
+// Requirements of a number that a linkage has at least, and at most.
+bool is_least(RequirementKind kind) {
+  return kind == RequirementKind::min_transmission_angle || kind == RequirementKind::min_length;
+}
+bool is_most(RequirementKind kind) {
+  return kind == RequirementKind::max_link_ratio || kind == RequirementKind::max_length;
+}
+
 // A value with two digits at most, on the given side of `exact`: a quotient, since no fraction of ten is exact.
 double rounded(double exact, bool upwards) {
   if (!(exact > 0)) return 0;
@@ -61,12 +72,16 @@ std::string_view key(RequirementKind kind) { return keys[static_cast<std::size_t
 
 RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit,
                                      PivotsAt pivots_at)
-    : map_(&map), requirements_(requirements), verdict_failures_(verdict_failures(requirements)) {
-  assert(requirements.max_length);
-  const double half = std::sin(requirements.min_transmission_angle / 2);
-  least_versine_ = static_cast<float>(2 * half * half);
+    : map_(&map),
+      requirements_(requirements),
+      origin_(origin),
+      unit_(unit),
+      verdict_failures_(verdict_failures(requirements)) {
+  require(requirements.max_length.has_value(), "max_length is set");
+  least_versine_ = static_cast<float>(versine_of_angle(requirements.min_transmission_angle));
   largest_ratio_ = static_cast<float>(requirements.max_link_ratio);
   largest_length_ = static_cast<float>(*requirements.max_length);
+  smallest_length_ = static_cast<float>(requirements.min_length.value_or(0));
   const auto of_dyads = [&](std::span<const Dyad> dyads) {
     std::vector<std::uint8_t> failures;
     const auto user = [&](Homogeneous point) {
@@ -104,6 +119,31 @@ std::int64_t RequirementCensus::left_after(RequirementKind kind) const {
   return left;
 }
 
+std::string joint_relaxation_text(const JointRelaxation& joint) {
+  std::string names;
+  for (std::size_t i = 0; i < joint.requirements.size(); ++i)
+    names += fmt::format("{}{}",
+                         i == 0                               ? ""
+                         : i + 1 == joint.requirements.size() ? " and "
+                                                              : ", ",
+                         key(joint.requirements[i]));
+  return fmt::format("No single requirement is to blame: without {} together {} would be left.", names,
+                     grouped_text(joint.leaves));
+}
+
+std::optional<JointRelaxation> RequirementCensus::joint_relaxation() const {
+  std::size_t best = 0;
+  const auto fewer = [](std::size_t a, std::size_t b) { return std::popcount(a) < std::popcount(b); };
+  for (std::size_t set = 1; set < failing.size(); ++set)
+    if (failing[set] > 0 && (best == 0 || fewer(set, best) || (!fewer(best, set) && failing[set] > failing[best])))
+      best = set;
+  if (best == 0 || meeting > 0) return std::nullopt;
+  JointRelaxation joint{{}, failing[best]};  // no smaller set holds a cell
+  for (std::size_t k = 0; k < requirement_kinds; ++k)
+    if ((best >> k & 1) != 0) joint.requirements.push_back(static_cast<RequirementKind>(k));
+  return joint;
+}
+
 std::uint8_t RequirementFilter::failures(std::size_t row, std::size_t column) const {
   const std::size_t cell = map_->index(row, column);
   unsigned failed = verdict_failures_[static_cast<std::size_t>(map_->types()[cell] * 8 + map_->defects()[cell])];
@@ -111,6 +151,9 @@ std::uint8_t RequirementFilter::failures(std::size_t row, std::size_t column) co
   failed |= map_->transmission_versines()[cell] < least_versine_ ? bit(RequirementKind::min_transmission_angle) : 0u;
   failed |= map_->link_ratios()[cell] > largest_ratio_ ? bit(RequirementKind::max_link_ratio) : 0u;
   failed |= map_->longest_links()[cell] > largest_length_ ? bit(RequirementKind::max_length) : 0u;
+  failed |= map_->longest_links()[cell] < smallest_length_ * map_->link_ratios()[cell]
+                ? bit(RequirementKind::min_length)
+                : 0u;
   return static_cast<std::uint8_t>(failed);
 }
 
@@ -118,10 +161,16 @@ void RequirementFilter::failures_of_row(std::size_t row, std::uint8_t* failures)
   for (std::size_t column = 0; column < map_->columns(); ++column) failures[column] = this->failures(row, column);
 }
 
-void RequirementFilter::failures_of_all(std::span<std::uint8_t> failures) const {
-  assert(failures.size() == map_->rows() * map_->columns());
-  parallel_for(map_->rows(), 0, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) failures_of_row(row, &failures[map_->index(row, 0)]);
+void RequirementFilter::failures_of_all(std::span<std::uint8_t> failures, const Progress& progress) const {
+  require(failures.size() == map_->rows() * map_->columns(), "there is a place for each cell");
+  parallel_for(map_->rows(), map_->threads(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      std::uint8_t* const of_row = &failures[map_->index(row, 0)];
+      if (progress.is_cancelled())
+        std::fill_n(of_row, map_->columns(), all_failures);
+      else
+        failures_of_row(row, of_row);
+    }
   });
 }
 
@@ -156,13 +205,13 @@ class CensusCounter {
 
 }  // namespace
 
-RequirementCensus RequirementFilter::census() const {
+RequirementCensus RequirementFilter::census(const Progress& progress) const {
   RequirementCensus total;
   std::mutex adding;
-  parallel_for(map_->rows(), 0, [&](std::size_t begin, std::size_t end) {
+  parallel_for(map_->rows(), map_->threads(), [&](std::size_t begin, std::size_t end) {
     CensusCounter part;
     std::vector<std::uint8_t> failures(map_->columns());
-    for (std::size_t row = begin; row < end; ++row) {
+    for (std::size_t row = begin; row < end && !progress.is_cancelled(); ++row) {
       failures_of_row(row, failures.data());
       part.count(failures, map_->types().subspan(map_->index(row, 0), map_->columns()));
     }
@@ -180,11 +229,15 @@ RequirementCensus RequirementFilter::census(std::span<const std::uint8_t> failur
   return total;
 }
 
-template <class Visit>
-void RequirementFilter::for_each_failing_only(RequirementKind kind, const Visit& visit) const {
-  for (std::size_t row = 0; row < map_->rows(); ++row)
-    for (std::size_t column = 0; column < map_->columns(); ++column)
-      if (failures(row, column) == bit(kind)) visit(violated_value(kind, map_->index(row, column)));
+std::array<RequirementFilter::Cells, requirement_kinds> RequirementFilter::cells_failing_one(
+    const Progress& progress) const {
+  std::array<Cells, requirement_kinds> cells;
+  std::vector<std::uint8_t> failures(map_->rows() * map_->columns());
+  failures_of_all(failures, progress);
+  for (std::size_t cell = 0; cell < failures.size(); ++cell)
+    if (std::has_single_bit(failures[cell]))
+      cells[static_cast<std::size_t>(std::countr_zero(failures[cell]))].push_back(cell);
+  return cells;
 }
 
 double RequirementFilter::violated_value(RequirementKind kind, std::size_t cell) const {
@@ -195,34 +248,112 @@ double RequirementFilter::violated_value(RequirementKind kind, std::size_t cell)
       return static_cast<double>(map_->link_ratios()[cell]);
     case RequirementKind::max_length:
       return static_cast<double>(map_->longest_links()[cell]);
+    case RequirementKind::min_length:
+      return static_cast<double>(map_->longest_links()[cell] / map_->link_ratios()[cell]);
     default:
       return 0;
   }
 }
 
-std::optional<double> RequirementFilter::round_value_that_would_do(RequirementKind kind) const {
-  const bool is_angle = kind == RequirementKind::min_transmission_angle;
-  if (!is_angle && kind != RequirementKind::max_link_ratio && kind != RequirementKind::max_length) return std::nullopt;
+std::optional<double> RequirementFilter::round_value_that_would_do(RequirementKind kind, const Cells& cells) const {
+  if (!is_least(kind) && !is_most(kind)) return std::nullopt;
   std::optional<double> nearest;
-  for_each_failing_only(kind, [&](double value) {
-    if (!nearest || (is_angle ? value > *nearest : value < *nearest)) nearest = value;
-  });
-  return nearest ? std::optional(rounded(*nearest, !is_angle)) : std::nullopt;
+  for (const std::size_t cell : cells) {
+    const double value = violated_value(kind, cell);
+    if (!nearest || (is_least(kind) ? value > *nearest : value < *nearest)) nearest = value;
+  }
+  return nearest ? std::optional(rounded(*nearest, is_most(kind))) : std::nullopt;
 }
 
-std::vector<Relaxation> RequirementFilter::relaxations(const RequirementCensus& census) const {
+void RequirementFilter::put_value(Relaxation& relaxation, const Cells& cells, std::int64_t meeting) const {
+  const RequirementKind kind = relaxation.requirement;
+  const auto value = round_value_that_would_do(kind, cells);
+  if (!value) return;
+  relaxation.value = kind == RequirementKind::min_transmission_angle ? radians(*value) : *value;
+  relaxation.leaves = meeting;
+  for (const std::size_t cell : cells) {
+    const double v = violated_value(kind, cell);
+    relaxation.leaves += is_least(kind) ? v >= *value : v <= *value;
+  }
+}
+
+std::optional<RequirementFilter::Pivots> RequirementFilter::pivots(std::size_t cell) const {
+  const std::size_t row = cell / map_->columns(), column = cell % map_->columns();
+  if (pivots_at_) return pivots_at_(row, column);
+  const Dyad &input = map_->input_dyads()[row], &output = map_->output_dyads()[column];
+  const auto user = [&](Homogeneous point) { return origin_ + unit_ * finite_point(point).value_or(Point{}); };
+  for (const Homogeneous point : {input.center, input.circle, output.center, output.circle})
+    if (!finite_point(point)) return std::nullopt;
+  return Pivots{{user(input.center), user(output.center)}, {user(input.circle), user(output.circle)}};
+}
+
+namespace {
+
+Box grown_to(Box box, const std::vector<Point>& points) {
+  for (const Point p : points)
+    box = {std::min(box.x_low, p.real()), std::max(box.x_high, p.real()), std::min(box.y_low, p.imag()),
+           std::max(box.y_high, p.imag())};
+  return box;
+}
+
+// By how much the borders of the larger box have moved.
+double growth(const Box& box, const Box& larger) {
+  return box.x_low - larger.x_low + (larger.x_high - box.x_high) + (box.y_low - larger.y_low) +
+         (larger.y_high - box.y_high);
+}
+
+// Moves each border outwards by a round length.
+Box with_round_growth(const Box& box, const Box& larger) {
+  return {box.x_low - rounded(box.x_low - larger.x_low, true), box.x_high + rounded(larger.x_high - box.x_high, true),
+          box.y_low - rounded(box.y_low - larger.y_low, true), box.y_high + rounded(larger.y_high - box.y_high, true)};
+}
+
+bool holds(const Box& box, const std::vector<Point>& points) {
+  return std::all_of(points.begin(), points.end(), [&](Point p) { return box.contains(p); });
+}
+
+}  // namespace
+
+std::optional<Box> RequirementFilter::larger_box_that_would_do(RequirementKind kind, const Cells& cells) const {
+  const bool ground = kind == RequirementKind::ground_pivots_within;
+  const std::optional<Box>& asked = ground ? requirements_.ground_pivots_within : requirements_.moving_pivots_within;
+  std::optional<Box> nearest;
+  for (const std::size_t cell : cells) {
+    const auto found = pivots(cell);
+    if (!found) continue;
+    const Box larger = grown_to(*asked, ground ? found->ground : found->moving);
+    if (!nearest || growth(*asked, larger) < growth(*asked, *nearest)) nearest = larger;
+  }
+  return nearest ? std::optional(with_round_growth(*asked, *nearest)) : std::nullopt;
+}
+
+void RequirementFilter::put_box(Relaxation& relaxation, const Cells& cells, std::int64_t meeting) const {
+  const RequirementKind kind = relaxation.requirement;
+  const auto box = larger_box_that_would_do(kind, cells);
+  if (!box) return;
+  std::int64_t leaves = meeting;
+  for (const std::size_t cell : cells) {
+    const auto found = pivots(cell);
+    leaves += found && holds(*box, kind == RequirementKind::ground_pivots_within ? found->ground : found->moving);
+  }
+  if (leaves == meeting) return;  // rounding of a border kept out the only one
+  relaxation.box = box;
+  relaxation.leaves = leaves;
+}
+
+std::vector<Relaxation> RequirementFilter::relaxations(const RequirementCensus& census,
+                                                       const Progress& progress) const {
   std::vector<Relaxation> found;
+  const std::array<Cells, requirement_kinds> cells = cells_failing_one(progress);
   for (std::size_t k = 0; k < requirement_kinds; ++k) {
     const auto kind = static_cast<RequirementKind>(k);
     const std::int64_t only_this = census.failing_only(kind);
     if (only_this == 0) continue;
-    Relaxation relaxation{kind, only_this, std::nullopt, census.meeting + only_this};
-    if (const auto value = round_value_that_would_do(kind)) {
-      const bool is_angle = kind == RequirementKind::min_transmission_angle;
-      relaxation.value = is_angle ? radians(*value) : *value;
-      relaxation.leaves = census.meeting;
-      for_each_failing_only(kind, [&](double v) { relaxation.leaves += is_angle ? v >= *value : v <= *value; });
-    }
+    Relaxation relaxation{kind, only_this, std::nullopt, std::nullopt, census.meeting + only_this};
+    if (kind == RequirementKind::ground_pivots_within || kind == RequirementKind::moving_pivots_within)
+      put_box(relaxation, cells[k], census.meeting);
+    else
+      put_value(relaxation, cells[k], census.meeting);
     found.push_back(relaxation);
   }
   std::sort(found.begin(), found.end(), [](const Relaxation& a, const Relaxation& b) {

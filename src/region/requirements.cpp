@@ -1,5 +1,6 @@
 #include "linkwright/region/requirements.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
@@ -22,6 +23,12 @@ void check_box(const std::optional<Box>& box, const char* place, std::vector<Err
 
 }  // namespace
 
+Requirements with_default_lengths(Requirements wanted, double size) {
+  if (!wanted.min_length) wanted.min_length = default_min_length * std::min(size, wanted.max_length.value_or(size));
+  if (!wanted.max_length) wanted.max_length = std::max(default_max_length * size, *wanted.min_length);
+  return wanted;
+}
+
 std::vector<Error> mistakes_in(const Requirements& wanted) {
   std::vector<Error> found;
   const auto mistake = [&](const char* code, const char* place, const char* message) {
@@ -42,6 +49,12 @@ std::vector<Error> mistakes_in(const Requirements& wanted) {
     mistake("out_of_range", "requirements.max_link_ratio", "the longest over the shortest link is at least 1");
   if (wanted.max_length && !(*wanted.max_length > 0))
     mistake("out_of_range", "requirements.max_length", "the longest link must be allowed a positive length");
+  if (wanted.min_length && !(*wanted.min_length >= 0 && std::isfinite(*wanted.min_length)))
+    mistake("out_of_range", "requirements.min_length",
+            "the shortest link must be a positive length; null lets any length pass");
+  if (wanted.min_length && wanted.max_length && *wanted.min_length > *wanted.max_length)
+    mistake("contradiction", "requirements.min_length",
+            "the shortest link is asked to be longer than max_length lets any be; lower it, or raise max_length");
   check_box(wanted.ground_pivots_within, "requirements.ground_pivots_within", found);
   check_box(wanted.moving_pivots_within, "requirements.moving_pivots_within", found);
   return found;

@@ -309,11 +309,19 @@ TEST(DriveThrough, NeverJumpsBetweenStrandsThatNearlyTouchAtAChangePoint) {
   for (const Defects verdict : {no_defect, order, branch, circuit}) EXPECT_GT(tally.seen[verdict.bits], 100);
 }
 
-TEST(DriveThrough, SaysNothingWhereTheCircuitCrossesItself) {
-  for (const LinkLengths lengths : {LinkLengths{3, 2, 3, 2}, {3, 3, 2, 2}, {2, 2, 2, 2}, {4, 1, 3, 2}}) {
-    const Task task = task_of(lengths, {{20}, {40}, {60}});
+// Where the circuit crosses itself, which way a change point goes on is open; between two crossings all is decided.
+TEST(DriveThrough, JudgesChangePointsUpToWhereTheCircuitCrossesItself) {
+  for (const LinkLengths lengths : {LinkLengths{3, 2, 3, 2}, {3, 3, 2, 2}, {4, 1, 3, 2}}) {
+    EXPECT_EQ(defects(lengths, {{20}, {40}, {60}}), no_defect);
+    EXPECT_EQ(defects(lengths, {{60}, {40}, {20}}), no_defect);
+    EXPECT_EQ(defects(lengths, {{40}, {20}, {60}}), order);
+  }
+  for (const double beyond : {-60.0, -150.0}) {
+    const Task task = task_of({3, 2, 3, 2}, {{20}, {40}, {beyond}});
     EXPECT_FALSE(drive_through(task.four_bar, task.poses).completed);
   }
+  const Task back = task_of({3, 2, 3, 2}, {{60}, {40}, {20}});
+  EXPECT_EQ(drive_through(back.four_bar, back.poses).visited, (std::vector<int>{0, 1, 2}));
 }
 
 TEST(DriveThrough, FollowsTinyCircuits) {

@@ -155,7 +155,7 @@ TEST(SessionOfAFunction, TellsWhatIsWantedAndWhatIsGenerated) {
   explored.request.structural_error = true;
   explored.reply = explored.session.explore(explored.request);
   const auto& values = explored.reply.map->values();
-  const json best = json::parse(explored.session.best(1))[0];
+  const json best = json::parse(explored.session.best(1))["linkages"][0];
   const json generated = json::parse(explored.session.linkage(best["tau"][0], best["tau"][1]).linkage)["function"];
   const double error = generated["max_structural_error_deg"];
   for (const float value : values) {
@@ -259,7 +259,7 @@ TEST(SessionOfASixBar, WithoutAChainAsksForOne) {
   const ExploreReply reply = session.explore({});
   EXPECT_EQ(reply.map, nullptr);
   EXPECT_EQ(json::parse(reply.task)["reason"]["code"], "chain_wanted");
-  for (const json& found : json::parse(session.best(3))) {
+  for (const json& found : json::parse(session.best(3))["linkages"]) {
     problem["task"]["chain"] = found["chain"];
     Session chained;
     ASSERT_TRUE(chained.set_problem(problem.dump())) << chained.mistakes();

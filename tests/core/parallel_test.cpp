@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <gtest/gtest.h>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace linkwright {
@@ -37,6 +40,42 @@ TEST(ParallelFor, NestsWithoutLoss) {
       parallel_for(30, 0, [&](std::size_t from, std::size_t to) { total += static_cast<int>(to - from); });
   });
   EXPECT_EQ(total, 600);
+}
+
+TEST(ParallelFor, PassesOnWhatABodyThrows) {
+  std::atomic<int> calls = 0;
+  const auto fails = [&](std::size_t begin, std::size_t /*end*/) {
+    ++calls;
+    if (begin == 0) throw std::runtime_error("no memory");
+  };
+  EXPECT_THROW(parallel_for(1000, 0, fails), std::runtime_error);
+  EXPECT_THROW(parallel_for(1000, 1, fails), std::runtime_error);
+  EXPECT_GT(calls, 0);
+}
+
+// On a busy machine helpers come late: nobody waits for one that has not begun.
+TEST(ParallelFor, DoesNotWaitForHelpersThatDoNotCome) {
+  using namespace std::chrono_literals;
+  const auto wait_until = [](const auto& happened) {
+    for (int i = 0; i < 10'000 && !happened(); ++i) std::this_thread::sleep_for(1ms);
+    return happened();
+  };
+  const int threads = available_threads();
+  std::atomic<int> held = 0;
+  std::atomic<bool> released = false, gave_up = false;
+  std::thread holder([&] {  // all helpers
+    parallel_for(static_cast<std::size_t>(threads), 0, [&](std::size_t, std::size_t) {
+      ++held;
+      if (!wait_until([&] { return released.load(); })) gave_up = true;
+    });
+  });
+  wait_until([&] { return held == threads; });
+  std::atomic<int> total = 0;
+  parallel_for(100, 0, [&](std::size_t begin, std::size_t end) { total += static_cast<int>(end - begin); });
+  EXPECT_EQ(total, 100);
+  EXPECT_FALSE(gave_up);
+  released = true;
+  holder.join();
 }
 
 TEST(ParallelFor, KnowsOfAtLeastOneThread) { EXPECT_GE(available_threads(), 1); }

@@ -50,7 +50,9 @@ TEST(Result, LetsItsValueBeChanged) {
 
 TEST(ResultDeathTest, AsksOfTheCallerToLookFirst) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_DEBUG_DEATH({ [[maybe_unused]] const auto& errors = half(6).errors(); }, "");
+  EXPECT_DEATH({ [[maybe_unused]] const auto& errors = half(6).errors(); }, "a result with a value has no errors");
+  EXPECT_DEATH({ [[maybe_unused]] const int value = half(7).value(); }, "the value of a result is asked for");
+  EXPECT_DEATH({ const Result<int> none = std::vector<Error>{}; }, "a result without a value says why");
 }
 
 }  // namespace

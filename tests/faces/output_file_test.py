@@ -97,6 +97,35 @@ class Interruption(FaceTest):
                 self.assertEqual(list(self.folder.iterdir()), [])
 
 
+class EveryCommandEnds(FaceTest):
+    """Ctrl-C and SIGTERM, whatever the command waits for: here for an input that does not come."""
+
+    def test_at_once(self):
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        for command in (["solve", "-"], ["solve", pipe], ["analyze", pipe], ["export", pipe, "--format", "svg"],
+                        ["attitude", "convert", "-"]):
+            for signal_number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+                process = subprocess.Popen([CLI, *map(str, command)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                           stderr=subprocess.PIPE)
+                time.sleep(0.2)
+                start = time.monotonic()
+                process.send_signal(signal_number)
+                process.wait(timeout=30)  # its input stays open: what does not come is waited for
+                error = process.communicate(timeout=30)[1].decode()
+                self.assertLess(time.monotonic() - start, 2, command)  # 0.5 s on a machine with nothing else to do
+                self.assertEqual(process.returncode, status, (command, error))
+                self.assertIn("stopped; nothing was written", error, command)
+
+    def test_a_second_signal_is_not_waited_for(self):
+        process = subprocess.Popen([CLI, "solve", "-"], stdin=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(0.2)
+        process.send_signal(signal.SIGTERM)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=30)
+        self.assertIn(process.returncode, (130, 143))
+
+
 class Progress(FaceTest):
     def test_is_shown_on_a_terminal_only(self):
         _, _, error = run("solve", TAILGATE, "--samples", 1000)

@@ -105,7 +105,7 @@ class SixBars(FaceTest):
             linkage = result["linkages"][0]
             rows = list(csv.DictReader(io.StringIO(self.export(result, "csv"))))
             self.assertGreater(len(rows), 60)
-            turns = [float(row["driver_turn_deg"]) for row in rows]
+            turns = [float(row["driver_turn_from_position_1_deg"]) for row in rows]
             self.assertEqual(turns, sorted(turns))
             self.assertAlmostEqual(turns[-1], linkage["driver_sweep_deg"], places=6)
             self.assertEqual([row["position"] for row in rows if row["position"]], ["1", "2", "3", "4"])
@@ -144,7 +144,7 @@ class SixBars(FaceTest):
         self.assert_mistake(run("analyze", exported, "--drive", "output"), "--drive", "leave --drive out")
         table = self.folder / "motion.csv"
         self.assertEqual(run("analyze", exported, "-o", table)[0], 0)
-        self.assertIn("driver_turn_deg", table.read_text(encoding="utf-8"))
+        self.assertIn("driver_turn_from_position_1_deg", table.read_text(encoding="utf-8"))
 
     def test_drawings_can_be_read(self):
         for form in ("svg", "dxf"):

@@ -18,6 +18,15 @@ TEST(AxisTicks, AreRoundAndFarEnoughApart) {
   EXPECT_TRUE(even_ticks(1, 1, 100, 20, false).empty());
 }
 
+TEST(AxisTicks, AreFewWhereverTheAxisLies) {
+  // Beyond 2^53 adding 1 changes nothing; the axis of a dial far from 0 has its ticks all the same.
+  EXPECT_TRUE(even_ticks(1e18, 1e18 + 1024, 444, 27, false).empty());
+  EXPECT_TRUE(even_ticks(-1e18, -1e18 + 1024, 444, 27, true).empty());
+  EXPECT_EQ(even_ticks(1e8, 1e8 + 60, 200, 48, true), (Ticks{1e8 + 5, 1e8 + 20, 1e8 + 35, 1e8 + 50}));
+  EXPECT_LT(even_ticks(0, 360, 1e15, 27, true).size(), 5000u) << "steps far below a pixel";
+  EXPECT_LT(even_ticks(-1e300, 1e300, 444, 27, false).size(), 20u);
+}
+
 RegionScale scale_of(const LinkageFamily& family, Side side, int count) {
   return {family.axis(side).branches, family.samples(side, count, Spacing::coordinate), {}, 444};
 }

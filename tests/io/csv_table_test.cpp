@@ -1,9 +1,13 @@
 #include "linkwright/io/csv_table.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <map>
 #include <sstream>
 
+#include "io_support.hpp"
 #include "linkwright/core/angle.hpp"
 
 namespace linkwright {
@@ -24,37 +28,78 @@ std::vector<std::vector<std::string>> cells_of(const std::string& table) {
   return rows;
 }
 
-TEST(CsvTable, HasAHeaderAnd361Rows) {
-  for (const FourBar& bars : {crank_rocker, triple_rocker}) {
-    const auto rows = cells_of(motion_table(tabulated_motion(bars, bars.input_circle)));
-    ASSERT_EQ(rows.size(), 362u);
-    EXPECT_EQ(rows[0].size(), 14u);
-    EXPECT_EQ(rows[0][0], "input_angle_deg");
-    for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
-  }
+StoredLinkage stored(const FourBar& bars) {
+  StoredLinkage linkage;
+  linkage.four_bar = bars;
+  return linkage;
 }
 
-TEST(CsvTable, NumbersReadBackBitIdentical) {
-  const auto motion = tabulated_motion(crank_rocker, {1, 1});
-  const auto rows = cells_of(motion_table(motion));
-  for (std::size_t i = 0; i < motion.size(); ++i) {
-    EXPECT_EQ(std::strtod(rows[i + 1][7].c_str(), nullptr), motion[i].coupler_point.real());
-    EXPECT_EQ(std::strtod(rows[i + 1][11].c_str(), nullptr), motion[i].rates->output);
-  }
+std::map<std::string, std::vector<std::string>> columns_of(const StoredLinkage& linkage) {
+  const auto rows = cells_of(motion_table(tabulated_cycle(linkage)));
+  std::map<std::string, std::vector<std::string>> columns;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < rows[0].size(); ++k) columns[rows[0][k]].push_back(rows[i].at(k));
+  return columns;
+}
+
+double number(const std::string& cell) { return std::strtod(cell.c_str(), nullptr); }
+
+TEST(CsvTable, SaysAgainstWhatEachAngleIsMeasured) {
+  // As it lies, the ground link points 40 degrees up.
+  const Point turn = std::polar(1.0, radians(40));
+  const FourBar turned{crank_rocker.input_center * turn, crank_rocker.input_circle * turn,
+                       crank_rocker.output_center * turn, crank_rocker.output_circle * turn};
+  auto columns = columns_of(stored(turned));
+  EXPECT_EQ(columns.size(), 17u);
+  const auto direction_of = [](Point from, Point to) { return degrees(std::arg(to - from)); };
+  EXPECT_EQ(columns["driver_turn_from_position_1_deg"].front(), "0");
+  EXPECT_NEAR(number(columns["input_angle_from_x_deg"].front()), direction_of(turned.input_center, turned.input_circle),
+              1e-12);
+  EXPECT_NEAR(number(columns["coupler_angle_from_x_deg"].front()),
+              direction_of(turned.input_circle, turned.output_circle), 1e-12);
+  EXPECT_NEAR(number(columns["output_angle_from_x_deg"].front()),
+              direction_of(turned.output_center, turned.output_circle), 1e-12);
 }
 
 TEST(CsvTable, OfACrankHasARowADegree) {
-  const auto rows = cells_of(motion_table(tabulated_motion(crank_rocker, {1, 1})));
-  const double first = std::strtod(rows[1][0].c_str(), nullptr);
-  for (int i = 0; i <= 360; ++i) {
-    EXPECT_NEAR(std::strtod(rows[static_cast<std::size_t>(i + 1)][0].c_str(), nullptr), first + i, 1e-9);
+  auto columns = columns_of(stored(crank_rocker));
+  const auto& turns = columns["driver_turn_from_position_1_deg"];
+  ASSERT_EQ(turns.size(), 361u);
+  for (std::size_t i = 0; i < turns.size(); ++i) EXPECT_NEAR(number(turns[i]), static_cast<double>(i), 1e-9);
+}
+
+TEST(CsvTable, NumbersReadBackBitIdentical) {
+  const StoredLinkage linkage = stored(crank_rocker);
+  const auto cycle = tabulated_cycle(linkage);
+  auto columns = columns_of(linkage);
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    EXPECT_EQ(number(columns["body_x"][i]), cycle[i].body.origin.real());
+    EXPECT_EQ(number(columns["output_rate"][i]), cycle[i].rates->output);
   }
 }
 
 TEST(CsvTable, RatesAreEmptyAtDeadPoints) {
-  const auto rows = cells_of(motion_table(tabulated_motion(triple_rocker, {1, 1})));
-  EXPECT_EQ(rows[1][10], "");
-  EXPECT_NE(rows[90][10], "");
+  auto columns = columns_of(stored(triple_rocker));
+  const auto& rates = columns["output_rate"];
+  EXPECT_EQ(std::count(rates.begin(), rates.end(), ""), 2);
+  EXPECT_NE(rates.front(), "");
+}
+
+TEST(CsvTable, BeginsAtPositionOneAndHasARowAtEachPosition) {
+  StoredLinkage linkage = stored(testing::solved_tailgate().linkages.front().four_bar);
+  linkage.poses = testing::motion(testing::tailgate()).poses;
+  auto columns = columns_of(linkage);
+  std::vector<std::string> met;
+  for (std::size_t i = 0; i < columns["position"].size(); ++i) {
+    if (columns["position"][i].empty()) continue;
+    met.push_back(columns["position"][i]);
+    const Pose& pose = linkage.poses[met.size() - 1].pose;
+    EXPECT_EQ(number(columns["body_x"][i]), pose.origin.real());
+    EXPECT_EQ(number(columns["body_y"][i]), pose.origin.imag());
+    EXPECT_NEAR(number(columns["body_theta_deg"][i]), degrees(pose.angle), 1e-12);
+  }
+  EXPECT_EQ(met, (std::vector<std::string>{"1", "2", "3", "4"}));
+  EXPECT_EQ(columns["position"].front(), "1");
 }
 
 TEST(CsvTable, PivotsKeepTheirDistances) {

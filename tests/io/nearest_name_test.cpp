@@ -1,4 +1,4 @@
-#include "io/nearest_name.hpp"
+#include "linkwright/io/nearest_name.hpp"
 
 #include <array>
 #include <gtest/gtest.h>

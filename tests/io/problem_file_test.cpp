@@ -1,5 +1,6 @@
 #include "linkwright/io/problem_file.hpp"
 
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -51,6 +52,29 @@ TEST(ProblemFile, WithoutOptionalMembersHasTheDefaults) {
   EXPECT_FALSE(problem.requirements.max_length);
   EXPECT_EQ(problem.options.region_samples, SynthesisOptions{}.region_samples);
   EXPECT_EQ(problem.view, "");
+}
+
+// One place says what is usual; the schema and the page (search.test.ts) say the same.
+TEST(ProblemFile, TheSchemaHasTheDefaults) {
+  const auto schema = nlohmann::json::parse(std::ifstream(LINKWRIGHT_SCHEMA_DIR "/problem.schema.json"));
+  const auto& options = schema["$defs"]["options"]["properties"];
+  const SynthesisOptions usual;
+  EXPECT_EQ(options["effort"]["default"], usual.effort);
+  EXPECT_EQ(options["effort"]["maximum"], SynthesisOptions::most_effort);
+  EXPECT_EQ(SixBarSearchOptions{}.effort, usual.effort);
+  EXPECT_EQ(options["seed"]["default"], usual.seed);
+  EXPECT_EQ(options["seed"]["maximum"], SynthesisOptions::most_seed);
+  EXPECT_EQ(options["best"]["default"], usual.best);
+  EXPECT_EQ(options["best"]["maximum"], SynthesisOptions::most_best);
+  EXPECT_EQ(options["region_samples"]["default"], usual.region_samples);
+  EXPECT_EQ(options["region_samples"]["minimum"], SynthesisOptions::least_samples);
+  EXPECT_EQ(options["region_samples"]["maximum"], SynthesisOptions::most_samples);
+  EXPECT_EQ(options["spacing"]["default"], name(usual.spacing));
+  EXPECT_EQ(options["objective"]["default"], name(usual.objective));
+  const auto& wanted = schema["$defs"]["requirements"]["properties"];
+  EXPECT_EQ(wanted["max_link_ratio"]["default"], Requirements{}.max_link_ratio);
+  EXPECT_EQ(wanted["no_defects"]["default"], Requirements{}.no_defects);
+  EXPECT_EQ(wanted["respect_direction"]["default"], Requirements{}.respect_direction);
 }
 
 TEST(ProblemFile, NullSwitchesALimitOff) {

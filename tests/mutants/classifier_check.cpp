@@ -63,7 +63,7 @@ bool sweep_agrees(const Trial& trial, const DefectReport& report) {
   if (std::abs(placed(trial.bars, *end).output_circle - wanted) > 1e-6) return false;
   if (report.sense == DriveSense::either) return true;  // the better of two ways
   const double least = least_transmission_angle(lengths, start, start + sweep);
-  return std::abs(std::acos(report.worst_transmission_cosine) - least) < 1e-5;
+  return std::abs(report.min_transmission_angle - least) < 1e-5;
 }
 
 bool agrees(const Trial& trial) {
@@ -73,7 +73,7 @@ bool agrees(const Trial& trial) {
   const DriveThroughReport drive = drive_through(trial.bars, trial.poses);
   if (!drive.completed) return true;
   if (report.defects != drive.defects) return false;
-  const double turn = std::acos(report.worst_transmission_cosine_full_turn);
+  const double turn = report.min_transmission_angle_full_turn;
   if (std::abs(turn - least_transmission_angle_full_turn(trial.bars.lengths())) > 1e-5) return false;
   return !report.defects.none() || sweep_agrees(trial, report);
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Mutation test of the classifier: every wrong sign must be caught.
 
-Builds classifier_check.cpp with src/analysis/defects.cpp and a copy of pair_verdict.hpp in which one thing is wrong. The
+Builds classifier_check.cpp with copies of src/analysis/defects.cpp and pair_verdict.hpp in which one thing is wrong. The
 right source must agree with driving everywhere, each mutant must not.
 
 usage: classifier_mutants.py SOURCE_DIR LIBRARY CXX [FLAG...]   (linker flags among them)
@@ -29,18 +29,18 @@ MUTANTS = [
     ("sector test turned", "in_negative = less<Width>(turn_in, Real{})", "in_negative = less<Width>(Real{}, turn_in)"),
     ("passing along the frame always possible", "(passes_0 & ~limits.can_pass_0) |", ""),
     ("passing opposite to the frame always possible", "| (passes_pi & ~limits.can_pass_pi)", ""),
-    ("last pose left out of the angle", "larger(at_pose(0), at_pose(Poses - 1))", "at_pose(0)"),
-    ("angle along the frame and opposite exchanged",
-     "worst_0 = magnitude<Width>(still + swing), worst_pi = magnitude<Width>(still - swing)",
-     "worst_0 = magnitude<Width>(still - swing), worst_pi = magnitude<Width>(still + swing)"),
+    ("last pose left out of the angle", "std::min(angle_at(0), angle_at(input.arm.size() - 1))", "angle_at(0)"),
+    ("angle along the frame and opposite exchanged", "passes_0 ? angle_at(std::abs(l.ground - l.input))",
+     "passes_0 ? angle_at(l.ground + l.input)"),
+    ("what the driver passes exchanged", "verdict.passes_0 = best.passes_0;", "verdict.passes_0 = best.passes_pi;"),
     ("sense of the drive exchanged", "driver.wide & ccw_bit", "driver.wide & cw_bit"),
 ]
 
 
-def build_and_run(source_dir, library, compiler, flags, header, folder):
+def build_and_run(source_dir, library, compiler, flags, header, source, folder):
     (folder / "analysis").mkdir(parents=True)
     (folder / "analysis" / "pair_verdict.hpp").write_text(header)
-    (folder / "defects.cpp").write_text((source_dir / "src/analysis/defects.cpp").read_text())
+    (folder / "defects.cpp").write_text(source)
     program = folder / "check"
     command = [compiler, "-std=c++20", "-O1", "-w", f"-I{folder}", f"-I{source_dir}/include", f"-I{source_dir}/src",
                f"-I{source_dir}/tests", str(source_dir / "tests/mutants/classifier_check.cpp"), str(folder / "defects.cpp"),
@@ -53,18 +53,20 @@ def main():
     source_dir, library, compiler, *flags = sys.argv[1:]
     source_dir = pathlib.Path(source_dir)
     header = (source_dir / "src/analysis/pair_verdict.hpp").read_text()
+    source = (source_dir / "src/analysis/defects.cpp").read_text()
     failures = []
     with tempfile.TemporaryDirectory() as scratch:
-        run = lambda name, text: build_and_run(source_dir, library, compiler, flags, text, pathlib.Path(scratch) / name)
-        right = run("right", header)
+        run = lambda name, *texts: build_and_run(source_dir, library, compiler, flags, *texts, pathlib.Path(scratch) / name)
+        right = run("right", header, source)
         print("as it is:", right.stdout.strip())
         if right.returncode != 0:
             failures.append("the classifier itself disagrees with driving")
         for number, (name, before, after) in enumerate(MUTANTS):
-            if header.count(before) != 1:
-                failures.append(f"'{before}' stands {header.count(before)} times in pair_verdict.hpp: mend this list")
+            found = header.count(before) + source.count(before)
+            if found != 1:
+                failures.append(f"'{before}' stands {found} times in pair_verdict.hpp and defects.cpp: mend this list")
                 continue
-            result = run(str(number), header.replace(before, after))
+            result = run(str(number), header.replace(before, after), source.replace(before, after))
             print(f"{name}: {result.stdout.strip()}")
             if result.returncode == 0:
                 failures.append(f"not caught: {name}")

@@ -92,7 +92,7 @@ TEST_P(FivePositionCase, HasFourBarsOfTheTypesAndDefectsStated) {
       EXPECT_EQ(report.defects.order(), stated["order"]);
     }
     if (report.defects.none()) {
-      EXPECT_NEAR(degrees(std::acos(report.worst_transmission_cosine)), stated["gamma_task"], 1e-6);
+      EXPECT_NEAR(degrees(report.min_transmission_angle), stated["gamma_task"], 1e-6);
     }
   }
 }

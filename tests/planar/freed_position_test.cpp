@@ -86,7 +86,7 @@ TEST(FreedPosition, NoCellOfTheMapComesNearer) {
     given.family->classify(map, tau, tau, true);
     std::vector<std::uint8_t> failures(map.rows() * map.columns());
     Requirements usable = requirements;
-    usable.min_transmission_angle = std::acos(freed.linkage->report.worst_transmission_cosine) + 1e-6;
+    usable.min_transmission_angle = freed.linkage->report.min_transmission_angle + 1e-6;
     filter_of(*given.family, map, usable).failures_of_all(failures);
     std::vector<float> misses(failures.size());
     pose_misses(*given.family, map, failures, left.freed, misses);
@@ -109,7 +109,7 @@ TEST(FreedPosition, KeepsToTheRequirements) {
       EXPECT_EQ(freed.reason->code, "none_left");
       continue;
     }
-    EXPECT_GE(std::acos(freed.linkage->report.worst_transmission_cosine), radians(35) - 1e-12);
+    EXPECT_GE(freed.linkage->report.min_transmission_angle, radians(35) - 1e-12);
     EXPECT_LE(freed.linkage->lengths.longest() / freed.linkage->lengths.shortest(), 4 + 1e-12);
   }
 }

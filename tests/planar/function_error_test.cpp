@@ -57,7 +57,7 @@ TEST(FunctionError, WithoutBranchDefectTheDriveGivesThePairs) {
       EXPECT_TRUE(error.samples.empty());
       // Where the arms are long or the transmission angle is small the rounding of the pivots is magnified.
       const LinkLengths l = bars.lengths();
-      if (l.longest() > 100 * l.shortest() || report.worst_transmission_cosine > 0.9999) continue;
+      if (l.longest() > 100 * l.shortest() || report.min_transmission_angle < 0.014) continue;
       worst = std::max(worst, error.precision_error);
       ++checked;
     }
@@ -274,6 +274,55 @@ TEST(FunctionError, PublishedThreePairsFromTheOtherDatum) {
       return normalized(given.conditions.frame.to_working(Homogeneous::of(p / ground)));
     };
     EXPECT_LT(curve.residual({working(bars.output_circle), working(bars.input_circle), 0}), 1e-5);
+  }
+}
+
+// Far out the range is finer than the numbers there are.
+TEST(FunctionError, OfADialFarFromZeroEnds) {
+  const FunctionTask near = named_task("x^2", {0, 1}, 60, 80);
+  FunctionTask far = near;
+  const double away = 277'777 * two_pi;  // whole turns: 1e8 degrees
+  for (double& end : far.function->input_range) end += away;
+  far.pairs = precision_pairs(*far.function);
+  for (const FourBar& bars : linkages_of(near, 10)) {
+    const FunctionError here = function_error(bars, near), there = function_error(bars, far);
+    ASSERT_EQ(here.max_structural_error.has_value(), there.max_structural_error.has_value());
+    if (here.max_structural_error) {
+      EXPECT_NEAR(*here.max_structural_error, *there.max_structural_error, 1e-4);
+    }
+  }
+}
+
+// A table whose one row off the others none of 181 even steps meets.
+TEST(FunctionError, LooksAtEveryRowOfALongTable) {
+  for (const auto interpolation : {TableInterpolation::linear, TableInterpolation::monotone_cubic}) {
+    FunctionTask task = named_task("x^2", {0, 1}, 60, 80);
+    NamedFunction& function = *task.function;
+    function.expression.clear();
+    function.interpolation = interpolation;
+    constexpr int rows = 50'000, spike = 31'013;
+    for (int i = 0; i <= rows; ++i) {
+      const double x = static_cast<double>(i) / rows;
+      function.table.push_back({x, x * x + (i == spike ? 0.01 : 0)});
+    }
+    const FourBar bars = linkages_of(task, 9).front();
+    const DialFunction dial(function);
+    const GeneratedFunction generated(bars, task.pairs.front());
+    double worst = 0;
+    for (const auto& [x, y] : function.table)
+      if (const auto output = generated.output_at(dial.input_at(x), dial.output_of(x)))
+        worst = std::max(worst, std::abs(*output - dial.output_of(x)));
+    const FunctionError error = function_error(bars, task);
+    ASSERT_TRUE(error.max_structural_error);
+    EXPECT_GE(*error.max_structural_error, worst);
+    EXPECT_NEAR(*error.max_structural_error, worst, 1e-9);
+    EXPECT_LT(error.samples.size(), 2000u) << "a plot needs no more";
+    EXPECT_EQ(error.samples.front().input, function.input_range[0]);
+    EXPECT_EQ(error.samples.back().input, function.input_range[1]);
+    EXPECT_TRUE(std::any_of(error.samples.begin(), error.samples.end(), [&](const ErrorSample& sample) {
+      return sample.generated && std::abs(std::abs(*sample.generated - sample.wanted) - worst) < 1e-9;
+    })) << "the spike is in the plot";
+    EXPECT_LE(*function_error(bars, task, ErrorSampling::coarse()).max_structural_error, worst + 1e-9);
   }
 }
 

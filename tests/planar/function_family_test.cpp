@@ -61,7 +61,7 @@ void expect_map_of_verdicts(const LinkageFamily& family, int count, bool respect
       EXPECT_NEAR(map.link_ratios()[cell], lengths.longest() / lengths.shortest(),
                   1e-5 * lengths.longest() / lengths.shortest());
       if (report.defects.none()) {
-        EXPECT_NEAR(map.transmission_versines()[cell], 1 - report.worst_transmission_cosine, 1e-5);
+        EXPECT_NEAR(map.transmission_versines()[cell], versine_of_angle(report.min_transmission_angle), 1e-5);
         EXPECT_EQ(map.drive_sense(row, column), report.sense);
         EXPECT_NEAR(map.driver_sweep(row, column), report.sweep, 1e-5);
       }
@@ -154,6 +154,47 @@ TEST(FunctionFamily, LinkagesFoundStandOnTheGroundPivotsAndGenerateThePairs) {
   }
 }
 
+TEST(FunctionFamily, HasTheLinksOfEachCellOfAMap) {
+  FunctionTask task = squares();
+  task.free = FreeNumber{};
+  const TaskFamily given = task_family(task);
+  const LinkageFamily& family = *given.family;
+  const auto input = family.samples(Side::input, 20, Spacing::coordinate),
+             output = family.samples(Side::output, 9, Spacing::coordinate);
+  const auto links_at = family.links_of_cells(input, output);
+  int compared = 0;
+  for (std::size_t row = 0; row < input.size(); ++row)
+    for (std::size_t column = 0; column < output.size(); ++column) {
+      const auto links = links_at(row, column), same = family.side_links({input[row], output[column]});
+      ASSERT_EQ(links.has_value(), same.has_value());
+      if (!links) continue;
+      EXPECT_TRUE(same_points(links->input, same->input) && same_points(links->output, same->output));
+      EXPECT_EQ(links->output.coordinate, same->output.coordinate);
+      ++compared;
+    }
+  EXPECT_GT(compared, 50);
+}
+
+TEST(FunctionFamily, MeasuresTheErrorOfTheTaskAtEachPlace) {
+  for (const auto kind : {FreeNumber::Kind::output_scale, FreeNumber::Kind::pair_output}) {
+    FunctionTask task = testing::named_task("x^2", {0, 1}, 60, 90);
+    task.free = FreeNumber{kind, {0.5, 2}, 1};
+    const TaskFamily given = task_family(task);
+    int compared = 0;
+    for (double tau = 0.05; tau < 1; tau += 0.1) {
+      const RegionPlace place{tau, 0.7};
+      const auto found = make_four_bar(given, place, true, false);
+      if (!found) continue;
+      const FunctionError error = family_of(given).error_of(found->four_bar, place);
+      const FunctionError same = function_error(found->four_bar, family_of(given).task_at(place));
+      EXPECT_EQ(error.max_structural_error, same.max_structural_error);
+      EXPECT_EQ(error.at_pairs, same.at_pairs);
+      ++compared;
+    }
+    EXPECT_GT(compared, 3);
+  }
+}
+
 TEST(FunctionFamily, CurvesOfPivotsRunThroughTheLinkages) {
   const TaskFamily given = task_family(squares());
   const auto input = given.family->polygon(Side::input), output = given.family->polygon(Side::output);
@@ -186,7 +227,7 @@ TEST(FunctionFamily, ALinkageCanBeImproved) {
       if (!top) continue;
       const auto after = make_four_bar(given, *top, true, false);
       ASSERT_TRUE(after);
-      EXPECT_LE(after->report.worst_transmission_cosine, before->report.worst_transmission_cosine);
+      EXPECT_GE(after->report.min_transmission_angle, before->report.min_transmission_angle);
       if (++improved == 3) break;
     }
     EXPECT_EQ(improved, 3);

@@ -44,7 +44,7 @@ TEST(FunctionSearch, NoSampleOfTheRibbonBettersTheBest) {
       if (!find_defects(*bars, family.working_poses({tau, 0.5}, *bars)).defects.none() ||
           lengths.longest() > 20 * lengths.shortest() || family.frame().scale * lengths.longest() > 10)
         continue;
-      const FunctionError error = function_error(*bars, task, 61);
+      const FunctionError error = function_error(*bars, task, ErrorSampling::coarse());
       if (error.unreached.empty()) least = std::min(least, error.max_structural_error.value_or(10));
     }
     EXPECT_LE(best.front().max_structural_error, least + 1e-12);
@@ -75,7 +75,7 @@ TEST(FunctionSearch, RequirementsAreKept) {
   for (const RankedGenerator& generator : best) {
     const DefectReport report = find_defects(generator.four_bar, coupler_poses(generator.four_bar, task.pairs));
     EXPECT_TRUE(report.defects.none());
-    EXPECT_GE(std::acos(report.worst_transmission_cosine), radians(25) - 1e-9);
+    EXPECT_GE(report.min_transmission_angle, radians(25) - 1e-9);
     EXPECT_LE(generator.four_bar.lengths().longest(), 6 * generator.four_bar.lengths().shortest() * (1 + 1e-9));
     const FunctionError error = function_error(generator.four_bar, task);
     EXPECT_EQ(*error.max_structural_error, generator.max_structural_error);

@@ -21,13 +21,13 @@ TEST(ImprovedLinkage, ClimbsToABetterOneOfTheSameType) {
   const auto top = improved_linkage(*given.family, wanted, Objective::min_transmission_angle, start);
   ASSERT_TRUE(top);
   const FourBarSolution before = at(given, start), after = at(given, *top);
-  EXPECT_LT(after.report.worst_transmission_cosine, before.report.worst_transmission_cosine);
+  EXPECT_GT(after.report.min_transmission_angle, before.report.min_transmission_angle);
   EXPECT_EQ(after.report.type, before.report.type);
   EXPECT_TRUE(after.report.defects.none());
   EXPECT_LE(after.lengths.longest(), 450);
   const auto again = improved_linkage(*given.family, wanted, Objective::min_transmission_angle, *top);
-  const double cosine = after.report.worst_transmission_cosine;
-  EXPECT_NEAR(again ? at(given, *again).report.worst_transmission_cosine : cosine, cosine, 1e-3) << "at the top";
+  const double angle = after.report.min_transmission_angle;
+  EXPECT_NEAR(again ? at(given, *again).report.min_transmission_angle : angle, angle, 1e-3) << "at the top";
 }
 
 TEST(ImprovedLinkage, DoesNotStartOutsideTheRequirements) {

@@ -59,9 +59,20 @@ TEST(NamedFunction, ExpressionsHaveTheirValues) {
 }
 
 TEST(NamedFunction, OtherExpressionsAreRefused) {
-  for (const char* text : {"x^", "x^2^2", "x^two", "x^1e999", "x^ 2", "y", "sin(y)", "(x)", "x^2 ", "log2", "X", "nan"})
+  for (const char* text : {"x^", "x^2^2", "x^two", "x^1e999", "y", "sin(y)", "(x)", "log2", "X", "nan"})
     EXPECT_EQ(codes(function(text, 0.5, 1.5)), "unknown_expression@expression") << text;
-  EXPECT_NE(mistakes_in(function("cosh", 0, 1))[0].message.find("sin_deg"), std::string::npos) << "names what there is";
+  const std::string message = mistakes_in(function("2 cosh", 0, 1))[0].message;
+  EXPECT_NE(message.find("sin_deg"), std::string::npos) << "names what there is";
+  EXPECT_NE(message.find("\"2 cosh\" is not understood from character 3 on"), std::string::npos) << message;
+}
+
+TEST(NamedFunction, AFactorStretchesTheReadingOfTheDial) {
+  NamedFunction f = function("2x + 1", 0, 1);
+  f.y = std::array{1.0, 5.0};  // of which 2x + 1 covers the first half
+  ASSERT_EQ(codes(f), "");
+  const DialFunction dial(f);
+  EXPECT_NEAR(dial.output_of(1), (f.output_range[0] + f.output_range[1]) / 2, 1e-15);
+  EXPECT_EQ(codes(function("0x", 0, 1)), "constant_function@x");
 }
 
 TEST(NamedFunction, ARangeWithoutValuesIsRefused) {
@@ -174,7 +185,7 @@ TEST(NamedFunction, TablesPassThroughTheirRowsAndDoNotOvershoot) {
         EXPECT_GE(y, std::min(rows[i][1], rows[i + 1][1]) - 1e-15);
         EXPECT_LE(y, std::max(rows[i][1], rows[i + 1][1]) + 1e-15);
       }
-    EXPECT_EQ(dial.corners().size(), interpolation == TableInterpolation::linear ? 3u : 0u);
+    EXPECT_EQ(dial.rows().size(), 3u) << "those inside";
   }
   EXPECT_NEAR(DialFunction(table({{0, 1}, {2, 5}}, TableInterpolation::monotone_cubic)).y(0.5), 2, 1e-15);
 }

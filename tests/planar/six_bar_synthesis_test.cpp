@@ -189,11 +189,10 @@ TEST(SixBarSynthesis, SearchesTheChainToo) {
 }
 
 TEST(SixBarSynthesis, FindsTheSameWithTheSameSeed) {
-  SixBarSearchOptions options = with_effort(70), other = options, single = options;
+  SixBarSearchOptions options = with_effort(70), other = options;
   other.seed = 2;
-  single.threads = 1;
   const auto one = search_six_bars(open_task(), {}, {.best = 1}, options),
-             again = search_six_bars(open_task(), {}, {.best = 1}, single),
+             again = search_six_bars(open_task(), {}, {.best = 1, .threads = 1}, options),
              another = search_six_bars(open_task(), {}, {.best = 1}, other);
   EXPECT_EQ(one.six_bars, again.six_bars);
   EXPECT_EQ(one.driven, again.driven);

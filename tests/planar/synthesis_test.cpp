@@ -24,9 +24,7 @@ Solution solved(const MotionTask& task, const Requirements& wanted = {}, const S
   return std::move(result).value();
 }
 
-double transmission_angle(const FourBarSolution& linkage) {
-  return std::acos(linkage.report.worst_transmission_cosine);
-}
+double transmission_angle(const FourBarSolution& linkage) { return linkage.report.min_transmission_angle; }
 
 TEST(SolveMotion, TailgateHasItsKnownMap) {
   const Solution solution = solved(tailgate_task(), tailgate_requirements());
@@ -76,8 +74,8 @@ TEST(SolveMotion, LinkagesMeetTheRequirementsAndAreChecked) {
       EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.output_center));
       EXPECT_TRUE(wanted.moving_pivots_within->contains(linkage.four_bar.input_circle));
       EXPECT_TRUE(wanted.moving_pivots_within->contains(linkage.four_bar.output_circle));
-      const double score =
-          score_of(objective, 1 - linkage.report.worst_transmission_cosine, ratio, linkage.lengths.longest());
+      const double score = score_of(objective, versine_of_angle(linkage.report.min_transmission_angle), ratio,
+                                    linkage.lengths.longest());
       EXPECT_LE(score, before);
       before = score;
     }
@@ -116,13 +114,14 @@ TEST(SolveMotion, LinkagesAreDistinctAndAppearOnceWhicheverSideDrives) {
     }
   for (const FourBarSolution& linkage : solution.linkages) {
     if (!linkage.swapped.defects.none()) continue;
-    EXPECT_LE(linkage.report.worst_transmission_cosine, linkage.swapped.worst_transmission_cosine);
+    EXPECT_GE(linkage.report.min_transmission_angle, linkage.swapped.min_transmission_angle);
   }
 }
 
 TEST(SolveMotion, SizeLimitIsTenCharacteristicLengthsUnlessSwitchedOff) {
   const Solution limited = solved(tailgate_task());
   EXPECT_EQ(limited.requirements.max_length, 10 * limited.given.conditions.frame.scale);
+  EXPECT_EQ(limited.requirements.min_length, 1e-3 * limited.given.conditions.frame.scale);
   Requirements unlimited;
   unlimited.max_length = Requirements::unlimited;
   unlimited.max_link_ratio = Requirements::unlimited;
@@ -201,9 +200,11 @@ TEST(SolveMotion, NearACommonPoleEveryLinkageIsOneAndAHingeIsNamed) {
   SynthesisOptions options;
   options.region_samples = 60;
   std::mt19937_64 random(4);
+  Requirements any_length;
+  any_length.min_length = 0;
   bool found = false;
   for (const double deviation : {1e-6, 1e-7, 1e-8, 1e-9}) {
-    const Solution solution = solved({nearly_common_pole(random, deviation)}, {}, options);
+    const Solution solution = solved({nearly_common_pole(random, deviation)}, any_length, options);
     EXPECT_TRUE(warns(solution, "near_common_pole")) << deviation;
     EXPECT_FALSE(warns(solution, "side_links_left_out")) << deviation;
     for (const FourBarSolution& linkage : solution.linkages) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
+#include <new>
 #include <random>
 
 #include "linkwright/core/angle.hpp"
@@ -12,6 +13,7 @@
 #include "linkwright/planar/linkage_family.hpp"
 #include "support/case_coordinates.hpp"
 #include "support/case_region.hpp"
+#include "support/draws.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"
 
@@ -120,7 +122,7 @@ TEST(RegionMap, CellsAgreeWithTheSingleLinkage) {
       ASSERT_EQ(map.type(cell), report.type);
       ASSERT_EQ(map.defects(cell), report.defects);
       ASSERT_EQ(map.drive_sense(row, column), report.sense);
-      EXPECT_NEAR(map.min_transmission_angle(cell), std::acos(report.worst_transmission_cosine), 1e-6);
+      EXPECT_NEAR(map.min_transmission_angle(cell), report.min_transmission_angle, 1e-6);
       EXPECT_NEAR(map.driver_sweep(row, column), report.sweep, 1e-6);
       const LinkLengths lengths = bars.lengths();
       EXPECT_NEAR(static_cast<double>(map.link_ratios()[cell]) / (lengths.longest() / lengths.shortest()), 1, 1e-6);
@@ -226,6 +228,37 @@ TEST(AngleOfVersine, IsPreciseAtBothEnds) {
   EXPECT_NEAR(angle_of_versine(1 - std::cos(1e-4)), 1e-4, 1e-10);
   EXPECT_NEAR(angle_of_versine(1), pi / 2, 1e-15);
   EXPECT_EQ(angle_of_versine(0), 0);
+}
+
+TEST(RegionMap, RemembersItsThreads) {
+  const auto task = testing::motion_task({{{0, 0}, 0}, {{1, 0.2}, 0.4}, {{1.9, 0.8}, 0.9}});
+  const RegionAxis axis({{Homogeneous::of(Point{0, -2}), Homogeneous::of(Point{0.3, 0.4}), 0.5}}, task.poses);
+  RegionMap map(axis, axis, 1, {.threads = 1});
+  EXPECT_EQ(map.threads(), 1);
+  map.recompute(axis, axis, 1);
+  EXPECT_EQ(map.threads(), 0);
+}
+
+// More cells than there is memory: the last map is gone, and none takes its place.
+TEST(RegionMap, IsEmptyWhereTheCellsDoNotFit) {
+#ifdef LINKWRIGHT_SANITIZED
+  GTEST_SKIP() << "sanitizers end the program instead";
+#endif
+  const auto task = testing::motion_task({{{0, 0}, 0}, {{1, 0.2}, 0.4}, {{1.9, 0.8}, 0.9}});
+  const RegionAxis axis({{Homogeneous::of(Point{0, -2}), Homogeneous::of(Point{0.3, 0.4}), 0.5}}, task.poses);
+  RegionMap map(axis, axis, 1);
+  ASSERT_EQ(map.rows(), 1u);
+  const std::vector<double> many(std::size_t{1} << 24, 0.5);
+  EXPECT_THROW(
+      map.recompute_cells(many, many, DriveSense::ccw, 1, [](std::size_t, std::size_t) { return RegionCell{}; }),
+      std::bad_alloc);
+  EXPECT_EQ(map.rows() * map.columns(), 0u);
+}
+
+TEST(RegionAxisDeathTest, TakesNoMoreThanFivePoses) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const std::vector<PrescribedPose> six(6);
+  EXPECT_DEATH(RegionAxis({}, six), "one to five poses are judged");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "linkwright/region/requirement_filter.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,6 +20,7 @@ class LandingGearFilter : public ::testing::Test {
     wanted.min_transmission_angle = radians(30);
     wanted.max_link_ratio = 5;
     wanted.max_length = 2000;
+    wanted.min_length = 150;
     wanted.ground_pivots_within = Box{-2000, 2000, -2000, 2000};
   }
   [[nodiscard]] RequirementFilter filter() const { return {map, wanted, frame.origin, frame.scale}; }
@@ -33,9 +35,9 @@ class LandingGearFilter : public ::testing::Test {
     const FourBar bars{frame.to_user(*p), frame.to_user(*q), frame.to_user(*r), frame.to_user(*s)};
     const LinkLengths lengths = bars.lengths();
     const DefectReport report = find_defects(bars, poses);
-    return report.defects.none() && std::acos(report.worst_transmission_cosine) >= wanted.min_transmission_angle &&
+    return report.defects.none() && report.min_transmission_angle >= wanted.min_transmission_angle &&
            lengths.longest() <= wanted.max_link_ratio * lengths.shortest() && lengths.longest() <= *wanted.max_length &&
-           wanted.ground_pivots_within->contains(bars.input_center) &&
+           lengths.shortest() >= *wanted.min_length && wanted.ground_pivots_within->contains(bars.input_center) &&
            wanted.ground_pivots_within->contains(bars.output_center);
   }
 
@@ -89,6 +91,10 @@ TEST_F(LandingGearFilter, DroppingARequirementAddsWhatTheCensusPromised) {
   wanted.max_length = Requirements::unlimited;
   EXPECT_EQ(meeting() - before, census.failing_only(RequirementKind::max_length));
   wanted = all;
+  wanted.min_length = 0;
+  EXPECT_EQ(meeting() - before, census.failing_only(RequirementKind::min_length));
+  EXPECT_GT(meeting(), before);
+  wanted = all;
   wanted.ground_pivots_within.reset();
   EXPECT_EQ(meeting() - before, census.failing_only(RequirementKind::ground_pivots_within));
 }
@@ -99,6 +105,30 @@ TEST_F(LandingGearFilter, CensusCountsEveryLinkageOnce) {
   for (const std::int64_t n : census.failing) sum += n;
   const RegionCounts counts = map.counts();
   EXPECT_EQ(sum, counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)]);
+}
+
+TEST_F(LandingGearFilter, StopsCountingWhenCancelled) {
+  const std::atomic<bool> cancelled = true;
+  Progress progress;
+  progress.cancelled = &cancelled;
+  EXPECT_EQ(filter().census(progress).meeting, 0);
+  EXPECT_EQ(filter().relaxations(filter().census(), progress).size(), filter().relaxations(filter().census()).size());
+}
+
+// Counted over parts of the rows, in any order.
+TEST_F(LandingGearFilter, TellsTheSameOnAnyNumberOfThreads) {
+  const auto relaxed = [&](int threads) {
+    map = testing::region_of(poses, 150, {.threads = threads});
+    const RequirementFilter some = filter();
+    return some.relaxations(some.census());
+  };
+  const auto one = relaxed(1), all = relaxed(0);
+  ASSERT_EQ(one.size(), all.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].value, all[i].value);
+    EXPECT_EQ(one[i].leaves, all[i].leaves);
+  }
+  EXPECT_FALSE(one.empty());
 }
 
 TEST_F(LandingGearFilter, TypesAreKeptOrDropped) {
@@ -139,6 +169,47 @@ TEST_F(LandingGearFilter, RelaxedLengthAndRatioLeaveWhatTheyPromise) {
   wanted = all;
   wanted.max_link_ratio = 1.05;
   expect_promise(RequirementKind::max_link_ratio, [&](double value) { wanted.max_link_ratio = value; });
+}
+
+TEST_F(LandingGearFilter, LargerBoxLeavesWhatItPromises) {
+  const auto expect_promise = [&](RequirementKind kind, std::optional<Box>& asked) {
+    const Box before = *asked;
+    const auto found = filter().relaxations(filter().census());
+    const auto relaxation =
+        std::find_if(found.begin(), found.end(), [&](const auto& r) { return r.requirement == kind; });
+    ASSERT_NE(relaxation, found.end());
+    ASSERT_TRUE(relaxation->box);
+    EXPECT_GT(relaxation->leaves, 0);
+    EXPECT_LT(relaxation->leaves, relaxation->only_this) << "no larger than it must be";
+    EXPECT_TRUE(relaxation->box->x_low <= before.x_low && relaxation->box->x_high >= before.x_high &&
+                relaxation->box->y_low <= before.y_low && relaxation->box->y_high >= before.y_high);
+    asked = relaxation->box;
+    EXPECT_EQ(meeting(), relaxation->leaves);
+  };
+  wanted.ground_pivots_within = Box{0, 10, 0, 10};
+  ASSERT_EQ(meeting(), 0);
+  expect_promise(RequirementKind::ground_pivots_within, wanted.ground_pivots_within);
+  wanted.ground_pivots_within.reset();
+  wanted.moving_pivots_within = Box{-10, 0, 0, 10};
+  ASSERT_EQ(meeting(), 0);
+  expect_promise(RequirementKind::moving_pivots_within, wanted.moving_pivots_within);
+}
+
+TEST_F(LandingGearFilter, NamesTheRequirementsThatLeaveNothingTogether) {
+  EXPECT_FALSE(filter().census().joint_relaxation()) << "while something is left";
+  wanted.max_length = 1;
+  wanted.ground_pivots_within = Box{0, 10, 0, 10};
+  const RequirementCensus census = filter().census();
+  ASSERT_TRUE(filter().relaxations(census).empty());
+  const auto joint = census.joint_relaxation();
+  ASSERT_TRUE(joint);
+  EXPECT_EQ(joint->requirements, (std::vector{RequirementKind::max_length, RequirementKind::ground_pivots_within}));
+  EXPECT_EQ(joint_relaxation_text({joint->requirements, 1234}),
+            "No single requirement is to blame: without max_length and ground_pivots_within together 1 234 would be "
+            "left.");
+  wanted.max_length = Requirements::unlimited;
+  wanted.ground_pivots_within.reset();
+  EXPECT_EQ(meeting(), joint->leaves);
 }
 
 TEST_F(LandingGearFilter, RelaxedValuesHaveTwoDigits) {

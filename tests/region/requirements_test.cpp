@@ -35,8 +35,28 @@ TEST(Requirements, LimitsOutOfRangeAreNamed) {
   }
 }
 
+TEST(Requirements, DefaultLengthsFollowTheTaskAndTheLongestLinkAskedFor) {
+  const Requirements usual = with_default_lengths({}, 200);
+  EXPECT_EQ(usual.max_length, 2000);
+  EXPECT_EQ(usual.min_length, 0.2);
+  Requirements wanted;
+  wanted.max_length = 5;  // small turns: L is far larger than the machine
+  EXPECT_EQ(with_default_lengths(wanted, 200).min_length, 0.005);
+  wanted.min_length = 0;
+  EXPECT_EQ(with_default_lengths(wanted, 200).min_length, 0);
+  wanted = {};
+  wanted.min_length = 1e5;
+  EXPECT_EQ(with_default_lengths(wanted, 200).max_length, 1e5);
+}
+
 TEST(Requirements, ContradictionsAreNamed) {
   Requirements wanted;
+  wanted.max_length = 10;
+  wanted.min_length = 11;
+  EXPECT_EQ(place_of_only_mistake(wanted), "requirements.min_length");
+  wanted.min_length = -1;
+  EXPECT_EQ(place_of_only_mistake(wanted), "requirements.min_length");
+  wanted = {};
   wanted.ground_pivots_within = Box{5, 1, 0, 1};
   EXPECT_EQ(place_of_only_mistake(wanted), "requirements.ground_pivots_within.x");
   wanted = {};

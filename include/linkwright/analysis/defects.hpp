@@ -33,11 +33,11 @@ struct DefectReport {
   LinkageType type = LinkageType::degenerate;
   Defects defects;
   DriveSense sense = DriveSense::none;  ///< none where a defect is present
-  /// cos of the transmission angle of largest magnitude over the travel from the first to the last position, in the
-  /// better sense; 1 where a defect is present.
-  double worst_transmission_cosine = 1;
-  /// The same over a full turn of a crank; 1 for other types.
-  double worst_transmission_cosine_full_turn = 1;
+  /// Least transmission angle over the travel from the first to the last position, in the better sense, radians; 0
+  /// where a defect is present.
+  double min_transmission_angle = 0;
+  /// The same over a full turn of a crank; 0 for other types.
+  double min_transmission_angle_full_turn = 0;
   double sweep = 0;  ///< angle the input turns from the first to the last position, radians > 0; 0 with a defect
 };
 

@@ -23,8 +23,9 @@ struct DriveThroughOptions {
 
 /// What driving showed: an answer that shares nothing with find_defects.
 struct DriveThroughReport {
-  /// The circuit closed. Otherwise the rest is meaningless: no linkage, a change point (the circuit crosses itself:
-  /// tolerance::crossing_strands), most_steps.
+  /// The circuit closed, or all poses lie on the arc around pose 0 on which it can be followed: where it crosses
+  /// itself, at a change point (tolerance::crossing_strands), that arc ends. Otherwise the rest is meaningless: no
+  /// linkage, poses beyond a crossing, most_steps.
   bool completed = false;
   Defects defects;
   /// Pose indices on the circuit, in the order in which the input meets them from pose 0, in the sense that reaches

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <cassert>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 
@@ -21,26 +22,31 @@ class [[nodiscard]] Result {
  public:
   Result(T value) : content_(std::move(value)) {}
   Result(Error error) : content_(std::vector<Error>{std::move(error)}) {}
-  Result(std::vector<Error> errors) : content_(std::move(errors)) { assert(!this->errors().empty()); }
+  Result(std::vector<Error> errors) : content_(std::move(errors)) {
+    require(!this->errors().empty(), "a result without a value says why");
+  }
 
   [[nodiscard]] bool ok() const { return std::holds_alternative<T>(content_); }
   explicit operator bool() const { return ok(); }
 
-  [[nodiscard]] const T& value() const& { return *checked(std::get_if<T>(&content_)); }
-  [[nodiscard]] T& value() & { return *checked(std::get_if<T>(&content_)); }
-  [[nodiscard]] T&& value() && { return std::move(*checked(std::get_if<T>(&content_))); }
+  /// Ends the program where there are errors instead: ask ok() first.
+  [[nodiscard]] const T& value() const& { return *checked(std::get_if<T>(&content_), no_value); }
+  [[nodiscard]] T& value() & { return *checked(std::get_if<T>(&content_), no_value); }
+  [[nodiscard]] T&& value() && { return std::move(*checked(std::get_if<T>(&content_), no_value)); }
   [[nodiscard]] const T& operator*() const& { return value(); }
   [[nodiscard]] T& operator*() & { return value(); }
   [[nodiscard]] const T* operator->() const { return &value(); }
   [[nodiscard]] T* operator->() { return &value(); }
   [[nodiscard]] const std::vector<Error>& errors() const {
-    return *checked(std::get_if<std::vector<Error>>(&content_));
+    return *checked(std::get_if<std::vector<Error>>(&content_), "a result with a value has no errors");
   }
 
  private:
+  static constexpr const char* no_value = "the value of a result is asked for that has errors";
+
   template <class P>
-  static P* checked(P* pointer) {
-    assert(pointer != nullptr);
+  static P* checked(P* pointer, const char* sentence) {
+    require(pointer != nullptr, sentence);
     return pointer;
   }
 

@@ -22,6 +22,10 @@ inline constexpr double dead_point_sine = 1e-7;
 /// curve cannot be told apart: they are some σ apart, and loop closure to 1e-15 leaves them uncertain by 1e-15 / σ.
 inline constexpr double crossing_strands = 1e-6;
 
+/// The same of six-bars, by the radius (radians) of the ball in which there is one strand only: σ over four times the
+/// largest column, and so well below σ itself.
+inline constexpr double crossing_strands_radius = 1e-7;
+
 /// Smallest singular value of the condition rows relative to the largest below which they are dependent:
 /// rows of unit size carry rounding of a few 1e-16.
 inline constexpr double dependent_rows = 1e-14;

@@ -25,6 +25,9 @@ class AtomicFile {
   /// Flushes, closes and renames. What went wrong since the constructor, in a sentence with the system's reason.
   [[nodiscard]] std::optional<Error> commit();
 
+  /// Where it is written until then; empty where there is none. Whoever ends the program removes it.
+  [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }
+
  private:
   void fail(std::string_view what, int error_number);
   void open_temporary(int mode);

@@ -26,7 +26,7 @@ using FamilyOfLength = std::function<std::unique_ptr<const LinkageFamily>(double
 
 /// Of all rungs the one whose best cell is best by the objective; among equals the one with most cells that meet the
 /// requirements, then the shortest. Where nothing meets them: most cells free of defects, then most four-bars.
-/// `requirements` with max_length set; `frame`: that of the families.
+/// `requirements` with both lengths set; `frame`: that of the families.
 [[nodiscard]] ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& frame,
                                          const Requirements& requirements, Objective objective);
 

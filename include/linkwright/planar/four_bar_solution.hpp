@@ -37,6 +37,11 @@ struct FourBarSolution {
 [[nodiscard]] std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlace place,
                                                            bool respect_direction, bool verify);
 
+/// Free of defects by the sign tests, and driving does not confirm it, or a side link that rounding keeps from being
+/// one: so near a change point, a dead point or the common pole of the task, or with so short a link, that rounding
+/// decides what the linkage does. Such a linkage is no answer.
+[[nodiscard]] bool is_unconfirmed(const FourBarSolution& found);
+
 /// Why a four-bar of the task's map does not do the task (analysis/pose_visits.hpp); nothing without defects.
 [[nodiscard]] std::optional<Notice> defect_notice(const FourBarSolution& found, const TaskFamily& given);
 

@@ -26,9 +26,10 @@ struct FreedTask {
 
 /// The combined miss of each cell that passes a map's requirements (no bit of its `failures`), user's unit; −1 of the
 /// others. `family` of the task without the freed pose, `map` over two axes of dyads; `values` has a place for each
-/// cell. About 3 µs a passing cell and thread; 0 threads: as many as the machine has.
+/// cell. About 3 µs a passing cell and thread; 0 threads: as many as the machine has. Cells left out because `progress`
+/// was cancelled are −1 too.
 void pose_misses(const LinkageFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
-                 const FreedPose& freed, std::span<float> values, int threads = 0);
+                 const FreedPose& freed, std::span<float> values, int threads = 0, const Progress& progress = {});
 
 /// What a five-position task comes to if one of its poses is given up.
 struct FreedPosition {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "linkwright/analysis/position.hpp"
@@ -48,11 +51,29 @@ struct FunctionError {
   std::optional<double> max_structural_error;
   double worst_input = 0;
   std::vector<AngleRange> unreached;  ///< parts of the range of inputs where the drive does not get, ascending
-  std::vector<ErrorSample> samples;   ///< for a plot, by rising input; none where only pairs are given
+  /// For a plot, by rising input; none where only pairs are given. Of very many, the least and the greatest error of
+  /// each short stretch are kept.
+  std::vector<ErrorSample> samples;
 };
 
-/// `four_bar` stands at the task's first pair. `samples` ≥ 2 even steps of the range, more where the table has a corner
-/// and where the reach ends; the largest error between them is sought to 1e-10 of the range.
-[[nodiscard]] FunctionError function_error(const FourBar& four_bar, const FunctionTask& task, int samples = 181);
+/// How finely the range of a named function is looked at.
+struct ErrorSampling {
+  static constexpr std::size_t every_row = std::numeric_limits<std::size_t>::max();
+
+  int steps = 181;                    ///< even steps of the range, ≥ 2
+  std::size_t most_rows = every_row;  ///< of a table; of more than these, as many by even steps
+
+  /// For the errors of many linkages, that are to be told one from another.
+  [[nodiscard]] static constexpr ErrorSampling coarse() { return {61, 200}; }
+};
+
+/// `four_bar` stands at the first of the pairs. `function`, where there is one, is looked at as `sampling` says, and
+/// where the reach ends; from the highest hills of its error the top is sought to 1e-10 of the range.
+[[nodiscard]] FunctionError function_error(const FourBar& four_bar, std::span<const AnglePair> pairs,
+                                           const DialFunction* function, const ErrorSampling& sampling = {});
+
+/// The same of a task: builds its function anew; of many linkages of a family, FunctionFamily::error_of() is quicker.
+[[nodiscard]] FunctionError function_error(const FourBar& four_bar, const FunctionTask& task,
+                                           const ErrorSampling& sampling = {});
 
 }  // namespace linkwright

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "linkwright/planar/function_couplers.hpp"
+#include "linkwright/planar/function_error.hpp"
 #include "linkwright/planar/function_task.hpp"
 #include "linkwright/planar/linkage_family.hpp"
 #include "linkwright/planar/task_family.hpp"
@@ -22,12 +23,21 @@ class FunctionFamily : public LinkageFamily {
  public:
   /// `task` without mistakes, `couplers` its own, with a curve or points.
   FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers);
+  ~FunctionFamily() override;
+
+  [[nodiscard]] Side dearer_side() const override { return Side::output; }
 
   /// The task at a place: its free number fixed.
   [[nodiscard]] FunctionTask task_at(RegionPlace place) const;
 
+  /// How well a linkage from there, user's frame, generates the task's pairs and its named function.
+  [[nodiscard]] FunctionError error_of(const FourBar& bars, RegionPlace place,
+                                       const ErrorSampling& sampling = {}) const;
+
   /// Input: ground pivot and moving pivot of the input link; output likewise; both carry their axis' coordinate.
   [[nodiscard]] std::optional<SideLinks> side_links(RegionPlace place) const override;
+  [[nodiscard]] LinksOfCells links_of_cells(std::span<const double> input,
+                                            std::span<const double> output) const override;
   [[nodiscard]] std::vector<PrescribedPose> user_poses(RegionPlace place, const FourBar& bars) const override;
   [[nodiscard]] std::vector<PrescribedPose> working_poses(RegionPlace place, const FourBar& bars) const override;
   [[nodiscard]] double axis_value(Side side, double tau) const override;
@@ -42,7 +52,15 @@ class FunctionFamily : public LinkageFamily {
     std::vector<AnglePair> pairs;
     std::shared_ptr<const FunctionCouplers> couplers;
   };
+  /// Columns found lately: a climb asks for the same one again and again, and each takes as long as a hundred linkages
+  /// of it.
+  class RecentColumns;
+  [[nodiscard]] std::vector<AnglePair> pairs_at(double tau) const;
   [[nodiscard]] Column column_at(double tau) const;
+  [[nodiscard]] Column recent_column_at(double tau) const;
+  [[nodiscard]] std::vector<Column> columns_at(std::span<const double> output, int threads,
+                                               const Progress& progress = {}) const;
+  [[nodiscard]] std::optional<SideLinks> side_links(const Column& column, RegionPlace place) const;
   [[nodiscard]] std::optional<Dyad> coupler(const Column& column, double tau) const;
   [[nodiscard]] RegionRow row_at(double tau, std::span<const Column> columns, std::span<const double> coordinates,
                                  bool respect_direction) const;
@@ -50,7 +68,10 @@ class FunctionFamily : public LinkageFamily {
             const RegionOptions& options, const Progress& progress) const override;
 
   FunctionTask task_;
+  FunctionTask bare_;                 ///< the task without its function, whose table may be long
+  std::optional<DialFunction> dial_;  ///< of the function
   std::shared_ptr<const FunctionCouplers> couplers_;
+  std::unique_ptr<RecentColumns> recent_;
   Point ground_;  ///< the output's ground pivot, working frame; the input's is at 0
 };
 

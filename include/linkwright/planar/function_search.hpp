@@ -23,10 +23,11 @@ struct GeneratorSearchOptions {
   int error_samples = 61;              ///< of each error curve while searching; the last word has 181
   int most = 10;                       ///< how many, best first
   std::optional<RegionWindow> window;  ///< nothing: the whole map
+  int threads = 0;                     ///< 0: as many as the machine has
 };
 
 /// The linkages of a family with a named function whose largest structural error is least: hills of a grid over the
-/// map, climbed continuously in both coordinates with the type kept. All meet the requirements (max_length set) and
+/// map, climbed continuously in both coordinates with the type kept. All meet the requirements (lengths set) and
 /// reach the whole range of inputs; no two are alike (2 % of the ground link in all pivots). Empty without a named
 /// function, or where nothing meets the requirements.
 [[nodiscard]] std::vector<RankedGenerator> best_generators(const FunctionFamily& family,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,6 +15,7 @@
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
+#include "linkwright/region/hill_climb.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/region/requirements.hpp"
@@ -61,6 +63,9 @@ struct FamilyAxis {
   }
 };
 
+/// The branch of an axis on which a coordinate lies.
+[[nodiscard]] AxisStretch stretch_around(const FamilyAxis& axis, double tau);
+
 struct SideLinks {
   Dyad input, output;
 };
@@ -83,8 +88,22 @@ class LinkageFamily {
   /// Both axes carry the same dyads: (u, v) and (v, u) are the same bars, driven from the other side.
   [[nodiscard]] virtual bool is_symmetric() const { return false; }
 
+  /// The side whose coordinate takes longer to change: a search over both changes it the less often.
+  [[nodiscard]] virtual Side dearer_side() const { return Side::input; }
+
   /// The side links at a place; nothing where the family has none there. They may be sliders.
   [[nodiscard]] virtual std::optional<SideLinks> side_links(RegionPlace place) const = 0;
+  /// The same; of side links known already those serve again whose coordinates are the place's.
+  [[nodiscard]] virtual std::optional<SideLinks> side_links_beside(RegionPlace place,
+                                                                   const SideLinks& /*known*/) const {
+    return side_links(place);
+  }
+
+  /// The same at each cell of a map over these coordinates, which it outlives no more than the family: what the cells
+  /// of a row or a column share is worked out once. May be called from several threads.
+  using LinksOfCells = std::function<std::optional<SideLinks>(std::size_t row, std::size_t column)>;
+  [[nodiscard]] virtual LinksOfCells links_of_cells(std::span<const double> input,
+                                                    std::span<const double> output) const;
 
   /// What the coupler of `bars`, those at a place, is to visit, position 1 being the one in which they lie; user's
   /// frame or working frame, as the bars are.
@@ -125,7 +144,7 @@ class LinkageFamily {
 /// The four-bar of a pair of side links; nothing where a pivot is at infinity.
 [[nodiscard]] std::optional<FourBar> four_bar_of(const SideLinks& links);
 
-/// A map of the family under requirements whose max_length is set. Refers to both, which must outlive it.
+/// A map of the family under requirements whose lengths are set. Refers to both, which must outlive it.
 [[nodiscard]] RequirementFilter filter_of(const LinkageFamily& family, const RegionMap& map,
                                           const Requirements& requirements);
 
@@ -159,6 +178,7 @@ class ProductFamily : public MotionFamily {
   [[nodiscard]] virtual std::optional<Dyad> dyad(Side side, double tau) const = 0;
 
   [[nodiscard]] std::optional<SideLinks> side_links(RegionPlace place) const override;
+  [[nodiscard]] std::optional<SideLinks> side_links_beside(RegionPlace place, const SideLinks& known) const override;
   /// Evenly in τ; a place without a dyad is left out.
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
 

@@ -2,12 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "linkwright/core/result.hpp"
+#include "linkwright/planar/formula.hpp"
 
 namespace linkwright {
 
@@ -38,9 +41,9 @@ enum class PointSpacing : std::uint8_t { chebyshev, even, given };
 ///       "points": 4,                       // 4 or 5
 ///       "spacing": "chebyshev" }           // or "even", or a list of as many x
 ///
-/// Expressions: `x`, `x^p` for any number p (`x^2`, `x^0.5`, `x^-1`), `sqrt`, `log` (of base 10), `ln`, `exp`, `sin`,
-/// `cos`, `tan` (x in radians), `sin_deg`, `cos_deg`, `tan_deg` (x in degrees), each also written with `(x)` behind it.
-/// Both dials are even: input = φ₀ + (φ₁ − φ₀)(x − x₀)/(x₁ − x₀), and output by y likewise.
+/// Expressions: what read_formula() reads: `x^2`, `2x`, `sqrt(x)`, `0.5 sin_deg + 1`, …; `sin`, `cos`, `tan` take
+/// radians, `log` is of base 10. Both dials are even: input = φ₀ + (φ₁ − φ₀)(x − x₀)/(x₁ − x₀), and output by y
+/// likewise.
 struct NamedFunction {
   std::string expression;                    ///< empty: the table
   std::vector<std::array<double, 2>> table;  ///< rows (x, y) by rising x; empty: the expression
@@ -59,7 +62,7 @@ struct NamedFunction {
 /// order. Places are `task.function.…`.
 [[nodiscard]] std::vector<Error> mistakes_in(const NamedFunction& function);
 
-/// A named function ready to be evaluated, as a function of dial angles.
+/// A named function ready to be evaluated, as a function of dial angles. Copies share the rows of a table.
 class DialFunction {
  public:
   /// `function` without mistakes.
@@ -78,20 +81,21 @@ class DialFunction {
   /// x of the precision points, rising.
   [[nodiscard]] const std::vector<double>& precision_points() const { return points_; }
 
-  /// x in the range where the slope may jump: the rows of a table of straight lines. Ascending.
-  [[nodiscard]] const std::vector<double>& corners() const { return corners_; }
+  /// The rows of a table inside the range of x, by rising x: the function is smooth between them. None of expressions.
+  [[nodiscard]] std::span<const std::array<double, 2>> rows() const;
+
+  /// The same function, the output's dial stretched by a factor about an angle.
+  [[nodiscard]] DialFunction stretched(double about, double factor) const;
 
  private:
   friend std::vector<Error> mistakes_in(const NamedFunction& function);
 
-  enum class Kind : std::uint8_t { power, logarithm, natural_logarithm, exponential, sine, cosine, tangent, table };
-  struct Formula {
-    Kind kind = Kind::power;
-    double exponent = 1;
-    double unit = 1;  ///< of x in radians
-  };
   DialFunction() = default;
-  [[nodiscard]] static std::optional<Formula> formula_named(std::string_view expression);
+  [[nodiscard]] bool is_table() const { return table_ != nullptr; }
+  struct Table {
+    std::vector<std::array<double, 2>> rows;
+    std::vector<double> slopes;  ///< dy/dx at the rows; empty for straight lines
+  };
   void take_table(const NamedFunction& function);
   [[nodiscard]] double table_value(double x) const;
   [[nodiscard]] bool exists_over(double low, double high) const;
@@ -99,10 +103,9 @@ class DialFunction {
   [[nodiscard]] std::array<double, 2> least_and_greatest() const;
 
   Formula formula_;
-  std::vector<std::array<double, 2>> table_;
-  std::vector<double> slopes_;  ///< dy/dx at the rows; empty for straight lines
+  std::shared_ptr<const Table> table_;  ///< none of expressions
   std::array<double, 2> x_{}, y_{}, input_range_{}, output_range_{};
-  std::vector<double> points_, corners_;
+  std::vector<double> points_;
 };
 
 }  // namespace linkwright

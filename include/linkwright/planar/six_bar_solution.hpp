@@ -39,11 +39,13 @@ struct SixBarRating {
 /// `circuits` as SixBarDriveOptions::circuits.
 [[nodiscard]] SixBarRating rating_of(const SixBarMember& member, bool circuits);
 
-/// Whether a six-bar meets requirements whose max_length is set. Hinges on the ground count as ground pivots, all
+/// Whether a six-bar meets the requirements that its drive has no say in: types, lengths, where its hinges lie.
+[[nodiscard]] bool meets_by_shape(const Requirements& wanted, const SixBar& six_bar, const SixBarShape& shape);
+/// Whether a six-bar meets requirements whose lengths are set. Hinges on the ground count as ground pivots, all
 /// others as moving ones, in position 1.
 [[nodiscard]] bool meets(const Requirements& wanted, const SixBar& six_bar, const SixBarRating& rating);
 
-/// The requirements with the default of max_length filled in: ten times the longest side of the triangle a, b, d.
+/// The requirements with the defaults of both lengths filled in, by the longest side of the triangle a, b, d.
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const ThreeLinkChain& chain);
 
 /// A six-bar found, fixed frame, user's unit, checked in user coordinates.

@@ -29,7 +29,7 @@ struct SixBarAxes {
 };
 [[nodiscard]] SixBarAxes six_bar_axes(const SixBarFamily& family, int count);
 
-/// The map under requirements whose max_length is set. Refers to both, which must outlive it.
+/// The map under requirements whose lengths are set. Refers to both, which must outlive it.
 [[nodiscard]] RequirementFilter filter_of_six_bars(const SixBarFamily& family, const RegionMap& map,
                                                    const Requirements& requirements);
 
@@ -37,9 +37,10 @@ struct SixBarAxes {
 struct SixBarChoice {
   Objective objective = Objective::min_transmission_angle;
   int best = 10;
+  int threads = 0;  ///< 0: as many as the machine has
 };
 
-/// The best six-bars of a map that meet requirements whose max_length is set, refined along both coordinates to the
+/// The best six-bars of a map that meet requirements whose lengths are set, refined along both coordinates to the
 /// tops of their hills, checked and driven, best first, no two alike. What was found by then where `progress` is
 /// cancelled.
 [[nodiscard]] std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLinkChain& chain,
@@ -54,11 +55,13 @@ struct SixBarChoice {
                                                                     const Requirements& requirements,
                                                                     Objective objective, std::array<double, 2> start);
 
+/// How many chains are tried where nobody says: enough for most tasks, in some seconds.
+inline constexpr int default_effort = 20'000;
+
 /// A search for six-bars whose chain is not given.
 struct SixBarSearchOptions {
-  std::uint64_t seed = 1;  ///< of the chains drawn: the same seed finds the same six-bars, whatever the machine
-  int effort = 2000;       ///< chains that reach all poses to be tried
-  int threads = 0;
+  std::uint64_t seed = 1;       ///< of the chains drawn: the same seed finds the same six-bars, whatever the machine
+  int effort = default_effort;  ///< chains that reach all poses to be tried
 };
 
 struct SixBarSearchResult {

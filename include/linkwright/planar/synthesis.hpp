@@ -14,6 +14,7 @@
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/planar/freed_position.hpp"
+#include "linkwright/planar/missed_box.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 #include "linkwright/planar/task.hpp"
 #include "linkwright/planar/task_family.hpp"
@@ -35,9 +36,9 @@ struct SynthesisOptions {
   std::optional<RegionWindow> window;  ///< of four-bars; nothing: the whole region
 
   // Six-bars without a given chain, which is searched for.
-  std::optional<Box> box;  ///< for all pivots in position 1, user's unit
-  int seed = 1;            ///< of the chains tried, ≥ 0
-  int effort = 20'000;     ///< how many chains are tried, ≥ 1
+  std::optional<Box> box;       ///< for all pivots in position 1, user's unit
+  int seed = 1;                 ///< of the chains tried, ≥ 0
+  int effort = default_effort;  ///< how many chains are tried, ≥ 1
 
   RegionOptions region;
 };
@@ -63,6 +64,7 @@ struct Solution {
   Requirements requirements;              ///< as used: defaults filled in
   SynthesisOptions options;               ///< as used
   std::int64_t meeting_requirements = 0;  ///< cells
+  std::int64_t left_out = 0;              ///< of the best: is_unconfirmed; a warning says so
   std::vector<FourBarSolution> linkages;  ///< best first
   /// Five positions: every pair of dyads, whatever its defects, best first; five precision points: every linkage.
   std::vector<FourBarSolution> pairs;
@@ -70,6 +72,8 @@ struct Solution {
   std::vector<SixBarSolution> six_bars;      ///< six-bar tasks, best first
   std::optional<SixBarSearchResult> search;  ///< six-bars without a given chain: how it went, its linkages moved out
   std::vector<Relaxation> relax;             ///< when no linkage meets the requirements, dearest first
+  std::optional<JointRelaxation> relax_together;  ///< when relaxing one requirement alone would leave nothing either
+  std::vector<MissedBox> missed_boxes;            ///< when no linkage meets the requirements
 };
 
 /// All linkages that do a task.

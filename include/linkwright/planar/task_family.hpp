@@ -44,7 +44,7 @@ struct TaskFamily {
 /// there is a map: the length of a side link among three positions.
 [[nodiscard]] TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective);
 
-/// The requirements with the default of max_length filled in, as many times TaskFamily::size.
+/// The requirements with the defaults of both lengths filled in, by TaskFamily::size.
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const TaskFamily& given);
 
 }  // namespace linkwright

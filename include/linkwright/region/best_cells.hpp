@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "linkwright/region/hill_tops.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 
 namespace linkwright {
@@ -12,12 +13,6 @@ namespace linkwright {
 /// transmission angle.
 enum class Objective { min_transmission_angle, link_ratio, size, structural_error };
 [[nodiscard]] std::string_view name(Objective objective);
-
-/// A cell that passes a filter, and how good it is: larger is better for every objective.
-struct RankedCell {
-  std::size_t row = 0, column = 0;
-  double score = 0;
-};
 
 /// Score of a linkage: 1 − cos γ, −ratio or −longest link.
 [[nodiscard]] double score_of(Objective objective, double versine, double link_ratio, double longest);

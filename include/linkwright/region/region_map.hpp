@@ -144,6 +144,9 @@ class RegionMap {
 
   [[nodiscard]] RegionCounts counts() const;
 
+  /// RegionOptions::threads of the last computation: what goes over the cells afterwards takes as many.
+  [[nodiscard]] int threads() const { return threads_; }
+
   /// The same side link twice.
   [[nodiscard]] bool is_diagonal(std::size_t row, std::size_t column) const {
     return !input_dyads_.empty() && input_[row] == output_[column] &&
@@ -170,6 +173,7 @@ class RegionMap {
   [[nodiscard]] bool pair_decides_sense(std::size_t row) const;
 
   std::size_t rows_ = 0, columns_ = 0;
+  int threads_ = 0;
   std::vector<double> input_, output_;
   std::vector<Dyad> input_dyads_, output_dyads_;
   std::vector<std::uint8_t> senses_;
@@ -181,5 +185,7 @@ class RegionMap {
 
 /// γ from 1 − cos γ, radians.
 [[nodiscard]] double angle_of_versine(double versine);
+/// 1 − cos γ.
+[[nodiscard]] double versine_of_angle(double angle);
 
 }  // namespace linkwright

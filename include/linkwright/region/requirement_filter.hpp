@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "linkwright/core/progress.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -21,10 +22,11 @@ enum class RequirementKind : std::uint8_t {
   min_transmission_angle,
   max_link_ratio,
   max_length,
+  min_length,
   ground_pivots_within,
   moving_pivots_within,
 };
-inline constexpr std::size_t requirement_kinds = 7;
+inline constexpr std::size_t requirement_kinds = 8;
 /// Key in the problem file: types, no_defects, min_transmission_angle_deg, …
 [[nodiscard]] std::string_view key(RequirementKind kind);
 
@@ -33,8 +35,18 @@ struct Relaxation {
   RequirementKind requirement = RequirementKind::types;
   std::int64_t only_this = 0;   ///< cells that fail this requirement and no other: what dropping it would add
   std::optional<double> value;  ///< a round value that would do (radians; a number; user's length); nothing: drop it
-  std::int64_t leaves = 0;      ///< cells that `value` (or dropping it) would leave
+  std::optional<Box> box;       ///< the box made larger until it would do; nothing: not a box, or drop it
+  std::int64_t leaves = 0;      ///< cells that `value` or `box` (or dropping it) would leave
 };
+
+/// Requirements that leave nothing only together.
+struct JointRelaxation {
+  std::vector<RequirementKind> requirements;
+  std::int64_t leaves = 0;  ///< cells that dropping all of them would leave
+};
+
+/// "No single requirement is to blame: without max_length and ground_pivots_within together 12 would be left."
+[[nodiscard]] std::string joint_relaxation_text(const JointRelaxation& joint);
 
 /// How the cells of a region fare under the requirements.
 struct RequirementCensus {
@@ -50,9 +62,12 @@ struct RequirementCensus {
   }
   /// Cells that meet this requirement and all that come before it.
   [[nodiscard]] std::int64_t left_after(RequirementKind kind) const;
+  /// The fewest requirements whose dropping would leave cells, and of those the ones that leave most. Nothing where
+  /// cells meet all of them, and where there are none at all.
+  [[nodiscard]] std::optional<JointRelaxation> joint_relaxation() const;
 };
 
-/// A region under requirements whose max_length is set. Refers to the map, which must outlive it.
+/// A region under requirements whose max_length is set; no min_length: any. Refers to the map, which must outlive it.
 class RequirementFilter {
  public:
   /// The pivots of a cell, user's frame; nothing where one is at infinity.
@@ -70,29 +85,38 @@ class RequirementFilter {
   [[nodiscard]] std::uint8_t failures(std::size_t row, std::size_t column) const;
   [[nodiscard]] bool passes(std::size_t row, std::size_t column) const { return failures(row, column) == 0; }
 
-  /// The same of each cell, row-major. `failures` has a place for each cell.
-  void failures_of_all(std::span<std::uint8_t> failures) const;
+  /// The same of each cell, row-major. `failures` has a place for each cell; cancelled, all bits for those left out.
+  void failures_of_all(std::span<std::uint8_t> failures, const Progress& progress = {}) const;
 
-  [[nodiscard]] RequirementCensus census() const;
+  /// Cancelled: of the rows looked at until then.
+  [[nodiscard]] RequirementCensus census(const Progress& progress = {}) const;
   /// The same from what failures_of_all() found.
   [[nodiscard]] RequirementCensus census(std::span<const std::uint8_t> failures) const;
   /// Dearest first, the requirements whose relaxation alone would leave (more) cells.
-  [[nodiscard]] std::vector<Relaxation> relaxations(const RequirementCensus& census) const;
+  [[nodiscard]] std::vector<Relaxation> relaxations(const RequirementCensus& census,
+                                                    const Progress& progress = {}) const;
 
  private:
-  /// The limited property of each cell that fails this requirement alone (degrees; ratio; user's length).
-  template <class Visit>
-  void for_each_failing_only(RequirementKind kind, const Visit& visit) const;
+  using Cells = std::vector<std::size_t>;
+
+  /// By requirement, the cells that fail it alone.
+  [[nodiscard]] std::array<Cells, requirement_kinds> cells_failing_one(const Progress& progress) const;
+  [[nodiscard]] std::optional<Pivots> pivots(std::size_t cell) const;
   [[nodiscard]] unsigned box_failures_at(std::size_t row, std::size_t column) const;
   [[nodiscard]] double violated_value(RequirementKind kind, std::size_t cell) const;
-  [[nodiscard]] std::optional<double> round_value_that_would_do(RequirementKind kind) const;
+  [[nodiscard]] std::optional<double> round_value_that_would_do(RequirementKind kind, const Cells& cells) const;
+  [[nodiscard]] std::optional<Box> larger_box_that_would_do(RequirementKind kind, const Cells& cells) const;
+  void put_value(Relaxation& relaxation, const Cells& cells, std::int64_t meeting) const;
+  void put_box(Relaxation& relaxation, const Cells& cells, std::int64_t meeting) const;
 
   const RegionMap* map_;
   Requirements requirements_;
+  Point origin_;
+  double unit_;
   void failures_of_row(std::size_t row, std::uint8_t* failures) const;
 
   std::array<std::uint8_t, 80> verdict_failures_{};  ///< by type · 8 + defects
-  float least_versine_ = 0, largest_ratio_ = 0, largest_length_ = 0;
+  float least_versine_ = 0, largest_ratio_ = 0, largest_length_ = 0, smallest_length_ = 0;
   std::vector<std::uint8_t> input_box_failures_, output_box_failures_;
   PivotsAt pivots_at_;
 };

@@ -27,13 +27,19 @@ struct Requirements {
   double min_transmission_angle = 0;  ///< over the task, radians; 0: any
   double max_link_ratio = 20;         ///< longest over shortest of the four links; unlimited: any
   std::optional<double> max_length;   ///< longest of the four links, user's unit; nothing: 10 × L; unlimited: any
+  std::optional<double> min_length;   ///< shortest of the four links, user's unit; nothing: L/1000; 0: any
   std::optional<Box> ground_pivots_within;  ///< both centre points
   std::optional<Box> moving_pivots_within;  ///< both circle points, position 1 (2 where 1 is freed)
   bool respect_direction = true;            ///< poses with derivatives are passed in their direction
 };
 
-/// Default of max_length in characteristic lengths.
-inline constexpr double default_max_length = 10;
+/// Defaults of max_length and min_length in characteristic lengths: beyond them lie linkages that nobody can build, and
+/// there is no smallest one among those that shrink to a point.
+inline constexpr double default_max_length = 10, default_min_length = 1e-3;
+
+/// The requirements with the defaults of both lengths filled in for a task of characteristic length `size`. Where the
+/// longest link asked for is shorter than that, it is what a short link is measured by.
+[[nodiscard]] Requirements with_default_lengths(Requirements wanted, double size);
 
 /// The caller's mistakes: out of range or contradictory. Places are `requirements.…`.
 [[nodiscard]] std::vector<Error> mistakes_in(const Requirements& wanted);

@@ -1,0 +1,143 @@
+#include "linkwright/analysis/task_cycle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/range_around.hpp"
+#include "linkwright/analysis/pose_visits.hpp"
+#include "linkwright/analysis/transmission_angle.hpp"
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+/// A place of the cycle: a pose, or any other.
+struct Stop {
+  double turn = 0;
+  int pose = -1;
+};
+
+/// A way of the input in one assembly, turns from pose 0.
+struct Leg {
+  double from = 0, to = 0;
+  Assembly assembly{};
+};
+
+Assembly other(Assembly assembly) { return assembly == Assembly::positive ? Assembly::negative : Assembly::positive; }
+
+class Cycle {
+ public:
+  Cycle(const FourBar& four_bar, std::span<const PrescribedPose> poses, double step)
+      : poses_(poses), step_(step), visits_(pose_visits(four_bar, poses)), lengths_(four_bar.lengths()) {
+    if (visits_.four_bars.empty()) return;
+    start_ = configuration_of(four_bar);
+    last_ = start_;
+    ground_ = std::arg(four_bar.output_center - four_bar.input_center);
+    range_ = range_around(input_ranges(lengths_), start_.input_angle);
+    range_ = {range_.from - start_.input_angle, range_.to - start_.input_angle};
+  }
+
+  [[nodiscard]] std::vector<CycleState> states() {
+    if (visits_.four_bars.empty()) return {};
+    record({0, 0}, visits_.assembly.front());
+    for (const Leg& leg : legs())
+      for (const Stop& stop : stops_of(leg)) record(stop, leg.assembly);
+    return std::move(states_);
+  }
+
+ private:
+  [[nodiscard]] std::vector<Leg> legs() const {
+    const Assembly here = visits_.assembly.front();
+    const double sense = visits_.counter_clockwise ? 1 : -1;
+    if (visits_.full_turn) return {{0, sense * two_pi, here}};
+    const double ahead = visits_.counter_clockwise ? range_.to : range_.from;
+    const double behind = visits_.counter_clockwise ? range_.from : range_.to;
+    return {{0, ahead, here}, {ahead, behind, other(here)}, {behind, 0, here}};
+  }
+
+  /// The turn at a pose, within the reach of a leg.
+  [[nodiscard]] double turn_at(std::size_t pose, const Leg& leg) const {
+    const double turn = configuration_of(visits_.four_bars[pose]).input_angle - start_.input_angle;
+    if (visits_.full_turn) return visits_.counter_clockwise ? wrap_positive(turn) : -wrap_positive(-turn);
+    const double middle = (range_.from + range_.to) / 2;
+    return std::clamp(middle + wrap_signed(turn - middle), std::min(leg.from, leg.to), std::max(leg.from, leg.to));
+  }
+
+  /// Where the leg begins is told by the leg before.
+  [[nodiscard]] std::vector<Stop> stops_of(const Leg& leg) const {
+    const double low = std::min(leg.from, leg.to), high = std::max(leg.from, leg.to), too_near = 0.01 * step_;
+    std::vector<Stop> stops = poses_on(leg);
+    const std::size_t met = stops.size();
+    const auto add = [&](double turn) {
+      const bool taken = std::abs(turn - leg.from) < too_near ||
+                         std::any_of(stops.begin(), stops.begin() + static_cast<std::ptrdiff_t>(met),
+                                     [&](const Stop& stop) { return std::abs(stop.turn - turn) < too_near; });
+      if (!taken) stops.push_back({turn, -1});
+    };
+    for (double k = std::ceil(low / step_); k * step_ <= high; ++k)
+      if (std::abs(k * step_ - leg.to) >= too_near) add(k * step_);
+    add(leg.to);
+    const bool rises = leg.to > leg.from;
+    std::stable_sort(stops.begin(), stops.end(),
+                     [&](const Stop& a, const Stop& b) { return rises ? a.turn < b.turn : a.turn > b.turn; });
+    return stops;
+  }
+
+  [[nodiscard]] std::vector<Stop> poses_on(const Leg& leg) const {
+    std::vector<Stop> stops;
+    for (std::size_t pose = 1; pose < poses_.size(); ++pose) {
+      if (!visits_.on_circuit[pose] || visits_.assembly[pose] != leg.assembly) continue;
+      const double turn = turn_at(pose, {range_.from, range_.to, leg.assembly});
+      if (turn >= std::min(leg.from, leg.to) && turn <= std::max(leg.from, leg.to))
+        stops.push_back({turn, static_cast<int>(pose)});
+    }
+    return stops;
+  }
+
+  void record(const Stop& stop, Assembly assembly) {
+    if (stop.pose >= 0) {
+      const FourBar& here = visits_.four_bars[static_cast<std::size_t>(stop.pose)];
+      return record(stop, configuration_of(here), here);
+    }
+    if (const auto found = assemble(lengths_, start_.input_angle + stop.turn, assembly))
+      record(stop, *found, placed(visits_.four_bars.front(), *found));
+  }
+
+  void record(const Stop& stop, Configuration c, const FourBar& bars) {
+    c.coupler_angle = last_.coupler_angle + wrap_signed(c.coupler_angle - last_.coupler_angle);
+    c.output_angle = last_.output_angle + wrap_signed(c.output_angle - last_.output_angle);
+    last_ = c;
+    const double coupler_turn = c.coupler_angle - start_.coupler_angle;
+    states_.push_back({stop.turn, bars, ground_ + start_.input_angle + stop.turn, ground_ + c.coupler_angle,
+                       ground_ + c.output_angle, body_at(stop, bars, coupler_turn), transmission_angle(lengths_, c),
+                       angle_rates(lengths_, c), stop.pose});
+  }
+
+  [[nodiscard]] Pose body_at(const Stop& stop, const FourBar& bars, double coupler_turn) const {
+    const Pose& first = poses_.front().pose;
+    const double angle = first.angle + coupler_turn;
+    if (stop.pose >= 0) {
+      const Pose& pose = poses_[static_cast<std::size_t>(stop.pose)].pose;
+      return {pose.origin, pose.angle + two_pi * std::round((angle - pose.angle) / two_pi)};
+    }
+    const Point arm = first.origin - visits_.four_bars.front().input_circle;
+    return {bars.input_circle + direction(coupler_turn) * arm, angle};
+  }
+
+  std::span<const PrescribedPose> poses_;
+  double step_;
+  PoseVisits visits_;
+  LinkLengths lengths_;
+  Configuration start_{}, last_{};
+  double ground_ = 0;   ///< direction of the ground link
+  AngleRange range_{};  ///< turns from pose 0
+  std::vector<CycleState> states_;
+};
+
+}  // namespace
+
+std::vector<CycleState> task_cycle(const FourBar& four_bar, std::span<const PrescribedPose> poses, double step) {
+  return Cycle(four_bar, poses, step).states();
+}
+
+}  // namespace linkwright

@@ -1,0 +1,141 @@
+#include "linkwright/planar/missed_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <span>
+
+namespace linkwright {
+namespace {
+
+constexpr auto input = LinkageFamily::Side::input;
+
+Point nearest_in(const Box& box, Point p) {
+  return {std::clamp(p.real(), box.x_low, box.x_high), std::clamp(p.imag(), box.y_low, box.y_high)};
+}
+
+double distance_to(const Box& box, Point p) { return std::abs(p - nearest_in(box, p)); }
+
+/// Between two corners of the polygon, where the curve may come closer to the box than at either.
+struct Stretch {
+  double from = 0, to = 0;  ///< τ
+  double distance = 0;      ///< of its chord
+};
+
+/// One of the two curves of a family against a box.
+class CurveBesideBox {
+ public:
+  /// `corners`: the family's polygon.
+  CurveBesideBox(const ProductFamily& family, std::span<const Dyad> corners, Homogeneous Dyad::*end, const Box& box)
+      : family_(family), corners_(corners), end_(end), box_(box) {}
+
+  /// The closest point; nothing where the family has none. Any one inside will do.
+  [[nodiscard]] std::optional<Point> nearest() const {
+    for (const Dyad& corner : corners_)
+      if (const auto p = point_of(corner); p && box_.contains(*p)) return p;
+    std::optional<Point> best;
+    for (const Stretch& stretch : closest_stretches())
+      if (const auto p = nearest_on(stretch); p && (!best || distance_to(box_, *p) < distance_to(box_, *best)))
+        best = p;
+    return best;
+  }
+
+ private:
+  [[nodiscard]] std::optional<Point> point_of(const Dyad& dyad) const {
+    const auto p = finite_point(dyad.*end_);
+    return p ? std::optional(family_.frame().to_user(*p)) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<Point> at(double tau) const {
+    const auto dyad = family_.dyad(input, tau);
+    return dyad ? point_of(*dyad) : std::nullopt;
+  }
+
+  /// The chord leaves the curve by far less than its length: a few of the closest hold the closest point.
+  [[nodiscard]] std::vector<Stretch> closest_stretches() const {
+    constexpr std::size_t few = 6;
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 1; i < corners_.size(); ++i) {
+      const Dyad &a = corners_[i - 1], &b = corners_[i];
+      const auto p = point_of(a), q = point_of(b);
+      if (p && q && b.coordinate <= std::floor(a.coordinate) + 1)
+        stretches.push_back({a.coordinate, b.coordinate, chord_distance(*p, *q)});
+    }
+    const auto kept = stretches.begin() + static_cast<std::ptrdiff_t>(std::min(few, stretches.size()));
+    std::partial_sort(stretches.begin(), kept, stretches.end(),
+                      [](const Stretch& a, const Stretch& b) { return a.distance < b.distance; });
+    stretches.erase(kept, stretches.end());
+    return stretches;
+  }
+
+  /// Where between them a function that falls and then rises is least, to a ten-millionth of the way: golden section.
+  template <class Function>
+  [[nodiscard]] static double least_between(double low, double high, const Function& value_at) {
+    constexpr int turns = 34;
+    constexpr double golden = 0.6180339887498949;
+    double one = high - golden * (high - low), other = low + golden * (high - low);
+    double at_one = value_at(one), at_other = value_at(other);
+    for (int i = 0; i < turns; ++i) {
+      const bool first_is_less = at_one <= at_other;
+      (first_is_less ? high : low) = first_is_less ? other : one;
+      (first_is_less ? other : one) = first_is_less ? one : other;
+      (first_is_less ? at_other : at_one) = first_is_less ? at_one : at_other;
+      const double next = first_is_less ? high - golden * (high - low) : low + golden * (high - low);
+      (first_is_less ? one : other) = next;
+      (first_is_less ? at_one : at_other) = value_at(next);
+    }
+    return (low + high) / 2;
+  }
+
+  /// The distance from a box is convex along a line.
+  [[nodiscard]] double chord_distance(Point p, Point q) const {
+    const auto distance_at = [&](double share) { return distance_to(box_, p + share * (q - p)); };
+    return distance_at(least_between(0, 1, distance_at));
+  }
+
+  [[nodiscard]] std::optional<Point> nearest_on(const Stretch& stretch) const {
+    const auto distance_at = [&](double tau) {
+      const auto p = at(tau);
+      return p ? distance_to(box_, *p) : Requirements::unlimited;
+    };
+    return at(least_between(stretch.from, stretch.to, distance_at));
+  }
+
+  const ProductFamily& family_;
+  std::span<const Dyad> corners_;
+  Homogeneous Dyad::*end_;
+  Box box_;
+};
+
+/// "12 left of and 60 below it"
+std::string way_text(Point beyond) {
+  const auto along = [](double by, std::string_view back, std::string_view ahead) {
+    return by == 0 ? std::string() : fmt::format("{:.3g} {}", std::abs(by), by < 0 ? back : ahead);
+  };
+  const std::string x = along(beyond.real(), "left of", "right of"), y = along(beyond.imag(), "below", "above");
+  return fmt::format("{}{}{} it", x, x.empty() || y.empty() ? "" : " and ", y);
+}
+
+}  // namespace
+
+std::vector<MissedBox> missed_boxes(const LinkageFamily& family, const Requirements& wanted) {
+  const auto* product = dynamic_cast<const ProductFamily*>(&family);
+  if (!product || !family.is_symmetric() || family.axis(input).quantity != AxisQuantity::curve_coordinate) return {};
+  if (!wanted.ground_pivots_within && !wanted.moving_pivots_within) return {};
+  const std::vector<Dyad> corners = product->polygon(input);
+  std::vector<MissedBox> found;
+  const auto look = [&](const std::optional<Box>& box, RequirementKind kind, Homogeneous Dyad::*end) {
+    const auto nearest = box ? CurveBesideBox(*product, corners, end, *box).nearest() : std::nullopt;
+    if (nearest && !box->contains(*nearest)) found.push_back({kind, *nearest, *nearest - nearest_in(*box, *nearest)});
+  };
+  look(wanted.ground_pivots_within, RequirementKind::ground_pivots_within, &Dyad::center);
+  look(wanted.moving_pivots_within, RequirementKind::moving_pivots_within, &Dyad::circle);
+  return found;
+}
+
+std::string missed_box_text(const MissedBox& missed) {
+  return fmt::format("The {} curve does not enter {}; nearest is ({:.4g}, {:.4g}), {}.",
+                     missed.box == RequirementKind::ground_pivots_within ? "centre-point" : "circle-point",
+                     key(missed.box), missed.nearest.real(), missed.nearest.imag(), way_text(missed.beyond));
+}
+
+}  // namespace linkwright

@@ -1,0 +1,101 @@
+#include "linkwright/region/hill_climb.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+struct Crossed {
+  double second = 0, score = 0;
+};
+using Place = LinePlace<Crossed>;
+
+class Climb {
+ public:
+  Climb(const Hill& hill, const HillClimbOptions& options, const Progress& progress)
+      : hill_(hill), options_(options), progress_(progress) {}
+
+  [[nodiscard]] HillTop top(std::array<double, 2> start, double score) {
+    // A further search from the top on takes up what a bend of the ridge or of an edge of what is allowed hid at first.
+    constexpr int most_passes = 20;
+    constexpr double worth_another = 1e-6;
+    Place best{start[0], {start[1], score}};
+    HillTop top;
+    top.end = SearchEnd::out_of_turns;
+    for (int pass = 0; pass < most_passes && !progress_.is_cancelled(); ++pass) {
+      const double before = best.found.score;
+      best = pass_from(best).top;
+      if (best.found.score > before + worth_another * std::abs(before)) continue;
+      top.end = SearchEnd::settled;
+      break;
+    }
+    top.place = {hill_.first.onto(best.at), hill_.second.onto(best.found.second)};
+    top.score = best.found.score;
+    top.evaluations = evaluations_;
+    return top;
+  }
+
+ private:
+  [[nodiscard]] LineSearchResult<Crossed> pass_from(const Place& start) {
+    const auto [step, across] = options_.first_step;
+    const Place from = along_second(start, across);
+    if (!(step > 0)) return {from};
+    return climb_line(from, {step, options_.resolution * step, options_.most_turns},
+                      [&](double first, const Place& best) { return best_at(first, best); });
+  }
+
+  /// The best second coordinate for this first one, sought from where the best so far has it.
+  [[nodiscard]] std::optional<Crossed> best_at(double first, const Place& best) {
+    if (progress_.is_cancelled()) return std::nullopt;
+    const double share = std::min(1.0, std::abs(first - best.at) / options_.first_step[0]);
+    const double step = std::max(share, options_.resolution) * options_.first_step[1];
+    const auto from = allowed_near(first, best.found.second, step);
+    return from ? std::optional(along_second({first, *from}, step).found) : std::nullopt;
+  }
+
+  /// What stands at the same second coordinate, or a few steps aside where that is not allowed.
+  [[nodiscard]] std::optional<Crossed> allowed_near(double first, double second, double step) {
+    constexpr std::array<double, 7> steps_aside = {0, 1, -1, 2, -2, 4, -4};
+    for (const double aside : steps_aside)
+      if (const auto found = at(first, second + aside * step)) return found;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Place along_second(const Place& from, double step) {
+    if (!(options_.first_step[1] > 0)) return from;
+    const double resolution =
+        options_.across * step;  // the gains of the first coordinate must not be noise of this search
+    const auto found =
+        climb_line(LinePlace<Crossed>{from.found.second, from.found}, {step, resolution, options_.most_turns},
+                   [&](double second, const LinePlace<Crossed>&) { return at(from.at, second); });
+    return {from.at, {found.top.at, found.top.found.score}};
+  }
+
+  [[nodiscard]] std::optional<Crossed> at(double first, double second) {
+    ++evaluations_;
+    const auto score = hill_.score_at(hill_.first.onto(first), hill_.second.onto(second));
+    return score ? std::optional(Crossed{second, *score}) : std::nullopt;
+  }
+
+  const Hill& hill_;
+  HillClimbOptions options_;
+  const Progress& progress_;
+  int evaluations_ = 0;
+};
+
+}  // namespace
+
+double AxisStretch::onto(double coordinate) const {
+  if (closed) return from + wrap_period(coordinate - from, to - from);
+  return std::clamp(coordinate, from, std::max(from, std::nextafter(to, from)));
+}
+
+HillTop climb_hill(const Hill& hill, std::array<double, 2> start, double score, const HillClimbOptions& options,
+                   const Progress& progress) {
+  return Climb(hill, options, progress).top(start, score);
+}
+
+}  // namespace linkwright

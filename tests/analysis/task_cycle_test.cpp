@@ -1,0 +1,89 @@
+#include "linkwright/analysis/task_cycle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr double step = radians(1);
+constexpr FourBar crank_rocker{{0, 0}, {0, 2}, {4, 0}, {3, 3.5}};
+constexpr FourBar triple_rocker{{0, 0}, {0, 5}, {4, 0}, {2, 6}};
+
+/// The poses of a body whose frame lies at the input's moving pivot, with the input turned by these angles.
+std::vector<PrescribedPose> poses_at(const FourBar& bars, std::initializer_list<double> turns) {
+  const Configuration start = configuration_of(bars);
+  std::vector<PrescribedPose> poses;
+  for (const double turn : turns) {
+    const auto there = assemble(bars.lengths(), start.input_angle + turn, assembly_of(bars));
+    const FourBar moved = placed(bars, *there);
+    poses.push_back({{moved.input_circle, there->coupler_angle - start.coupler_angle}, {}});
+  }
+  return poses;
+}
+
+void expect_linkage_holds(const FourBar& bars, const std::vector<CycleState>& cycle) {
+  const LinkLengths lengths = bars.lengths();
+  for (const CycleState& state : cycle) {
+    EXPECT_NEAR(state.four_bar.lengths().coupler, lengths.coupler, 1e-9);
+    EXPECT_NEAR(state.four_bar.lengths().output, lengths.output, 1e-9);
+    EXPECT_NEAR(std::abs(state.body.origin - state.four_bar.input_circle), 0, 1e-9);
+    EXPECT_NEAR(std::sin(state.input_angle - std::arg(state.four_bar.input_circle - state.four_bar.input_center)), 0,
+                1e-9);
+  }
+  for (std::size_t i = 1; i < cycle.size(); ++i) {
+    EXPECT_LE(std::abs(cycle[i].turn - cycle[i - 1].turn), step + 1e-12);
+    EXPECT_LT(std::abs(cycle[i].coupler_angle - cycle[i - 1].coupler_angle), 0.5);
+    EXPECT_LT(std::abs(cycle[i].body.angle - cycle[i - 1].body.angle), 0.5);
+  }
+}
+
+std::vector<int> met(const std::vector<CycleState>& cycle) {
+  std::vector<int> poses;
+  for (const CycleState& state : cycle)
+    if (state.pose >= 0) poses.push_back(state.pose);
+  return poses;
+}
+
+TEST(TaskCycle, OfACrankTurnsTheWayOfTheTask) {
+  for (const double sense : {1.0, -1.0}) {
+    const auto poses = poses_at(crank_rocker, {0, sense * 0.31, sense * 1.7});
+    const auto cycle = task_cycle(crank_rocker, poses, step);
+    expect_linkage_holds(crank_rocker, cycle);
+    EXPECT_EQ(met(cycle), (std::vector{0, 1, 2}));
+    EXPECT_EQ(cycle.size(), 361u + 2u);
+    EXPECT_EQ(cycle.front().pose, 0);
+    EXPECT_NEAR(cycle.back().turn, sense * two_pi, 1e-12);
+    EXPECT_NEAR(std::abs(cycle.back().body.origin - poses[0].pose.origin), 0, 1e-9);
+  }
+}
+
+TEST(TaskCycle, OfARockerComesBackToPositionOneByBothDeadPoints) {
+  const auto poses = poses_at(triple_rocker, {0, -0.1, -0.2});
+  const auto cycle = task_cycle(triple_rocker, poses, step);
+  expect_linkage_holds(triple_rocker, cycle);
+  EXPECT_EQ(met(cycle), (std::vector{0, 1, 2}));
+  EXPECT_LT(cycle[1].turn, 0) << "in the sense of the task";
+  EXPECT_EQ(std::count_if(cycle.begin(), cycle.end(), [](const CycleState& state) { return !state.rates; }), 2);
+  EXPECT_NEAR(cycle.back().turn, 0, 1e-12);
+  EXPECT_NEAR(std::abs(cycle.back().body.origin - poses[0].pose.origin), 0, 1e-9);
+}
+
+TEST(TaskCycle, TellsNoPoseOfAnotherCircuit) {
+  auto poses = poses_at(crank_rocker, {0, 0.31});
+  const Configuration start = configuration_of(crank_rocker);
+  const auto other = assemble(crank_rocker.lengths(), start.input_angle + 0.4, Assembly::negative);
+  ASSERT_EQ(assembly_of(crank_rocker), Assembly::positive);
+  poses.push_back({{placed(crank_rocker, *other).input_circle, other->coupler_angle - start.coupler_angle}, {}});
+  EXPECT_EQ(met(task_cycle(crank_rocker, poses, step)), (std::vector{0, 1}));
+}
+
+TEST(TaskCycle, OfALinkWithoutLengthIsEmpty) {
+  EXPECT_TRUE(task_cycle({{0, 0}, {0, 0}, {4, 0}, {3, 3}}, poses_at(crank_rocker, {0}), step).empty());
+}
+
+}  // namespace
+}  // namespace linkwright

@@ -1,0 +1,15 @@
+#include "linkwright/core/precondition.hpp"
+
+#include <gtest/gtest.h>
+
+namespace linkwright {
+namespace {
+
+TEST(Precondition, ThatHoldsIsNotNoticed) { require(true, "never said"); }
+
+TEST(PreconditionDeathTest, ThatIsBrokenIsSaidAndEndsTheProgram) {
+  EXPECT_DEATH(require(false, "four rows are needed"), "broken precondition: four rows are needed");
+}
+
+}  // namespace
+}  // namespace linkwright

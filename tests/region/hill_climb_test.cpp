@@ -1,0 +1,75 @@
+#include "linkwright/region/hill_climb.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace linkwright {
+namespace {
+
+constexpr HillClimbOptions usual = {{0.01, 0.01}, 1e-6};
+
+// The worst of several planes and bowls, as a transmission angle over some positions is.
+double ridged(double u, double v) {
+  return std::min(
+      {1 - (u - 0.4) - 3 * (v - 0.6), 1 + 2 * (u - 0.4) + 2.5 * (v - 0.6), 1 - 0.8 * (u - 0.4) + (v - 0.6)});
+}
+
+TEST(HillClimb, FollowsSharpRidgesToTheirTop) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> anywhere(0.05, 0.95);
+  const Hill hill{[](double u, double v) { return std::optional(ridged(u, v)); }, {0, 1}, {0, 1}};
+  for (int i = 0; i < 200; ++i) {
+    const std::array<double, 2> start = {anywhere(random), anywhere(random)};
+    const HillTop top = climb_hill(hill, start, ridged(start[0], start[1]), usual);
+    EXPECT_NEAR(top.score, 1, 1e-6);
+    EXPECT_NEAR(top.place[0], 0.4, 1e-6);
+    EXPECT_NEAR(top.place[1], 0.6, 1e-6);
+    EXPECT_LT(top.evaluations, 6000);
+  }
+}
+
+TEST(HillClimb, GoesOnOverTheEndOfAClosedStretchAndNeverIntoTheNext) {
+  const auto wave = [](double u, double) -> std::optional<double> {
+    if (!(u >= 1 && u < 2)) return 100;  // the next branch is better everywhere
+    return std::cos(2 * 3.14159265358979323846 * (u - 1.02));
+  };
+  const Hill closed{wave, {1, 2, true}, {0, 0}}, open{wave, {1, 2, false}, {0, 0}};
+  EXPECT_NEAR(climb_hill(closed, {1.9, 0}, *wave(1.9, 0), {{0.01, 0}, 1e-6}).place[0], 1.02, 1e-6);
+  const HillTop end = climb_hill(open, {1.9, 0}, *wave(1.9, 0), {{0.01, 0}, 1e-6});
+  EXPECT_NEAR(end.place[0], 2, 1e-6);
+  EXPECT_LT(end.place[0], 2);
+}
+
+TEST(HillClimb, KeepsToWhatIsAllowed) {
+  const auto inside = [](double u, double v) -> std::optional<double> {
+    return std::hypot(u - 0.5, v - 0.5) < 0.3 ? std::optional(u + 0.5 * v) : std::nullopt;
+  };
+  const HillTop top = climb_hill({inside, {0, 1}, {0, 1}}, {0.5, 0.5}, *inside(0.5, 0.5), usual);
+  EXPECT_NEAR(top.score, 0.75 + 0.3 * std::hypot(1, 0.5), 1e-4);
+}
+
+TEST(HillClimb, StaysWhereAStepIsNone) {
+  const auto bowl = [](double u, double v) { return std::optional(-(u - 0.3) * (u - 0.3) - (v - 0.7) * (v - 0.7)); };
+  const HillTop top = climb_hill({bowl, {0, 1}, {0, 1}}, {0.5, 0.5}, *bowl(0.5, 0.5), {{0, 0.01}, 1e-6});
+  EXPECT_EQ(top.place[0], 0.5);
+  EXPECT_NEAR(top.place[1], 0.7, 1e-6);
+}
+
+TEST(HillClimb, CancelledEndsAtOnceWithTheBestSoFar) {
+  std::atomic<bool> cancelled = false;
+  int asked = 0;
+  const auto slow = [&](double u, double v) {
+    cancelled = ++asked > 20;
+    return std::optional(ridged(u, v));
+  };
+  Progress progress;
+  progress.cancelled = &cancelled;
+  const HillTop top = climb_hill({slow, {0, 1}, {0, 1}}, {0.1, 0.1}, ridged(0.1, 0.1), usual, progress);
+  EXPECT_LT(asked, 300);
+  EXPECT_GE(top.score, ridged(0.1, 0.1));
+}
+
+}  // namespace
+}  // namespace linkwright

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "drawn_task.hpp"
+
+// One to each family of kinds; drawn_task() chooses.
+namespace linkwright::soak {
+
+[[nodiscard]] Json drawn_three_positions(Draw& draw, const Sheet& sheet, std::string_view kind);
+[[nodiscard]] Json drawn_four_positions(Draw& draw, const Sheet& sheet, std::string_view kind);
+[[nodiscard]] Json drawn_five_positions(Draw& draw, const Sheet& sheet, std::string_view kind);
+[[nodiscard]] Json drawn_six_bar(Draw& draw, const Sheet& sheet, std::string_view kind);
+[[nodiscard]] Json drawn_pairs(Draw& draw, const Sheet& sheet, std::string_view kind);
+[[nodiscard]] Json drawn_function(Draw& draw, const Sheet& sheet, std::string_view kind);
+
+}  // namespace linkwright::soak

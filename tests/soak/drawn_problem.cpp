@@ -1,0 +1,82 @@
+#include "drawn_problem.hpp"
+
+#include "drawn_task.hpp"
+#include "linkwright/analysis/linkage_type.hpp"
+
+namespace linkwright::soak {
+namespace {
+
+Json drawn_box(Draw& draw, const Sheet& sheet, double least, double most) {
+  const Point middle = sheet.shift + sheet.scale * draw.point(2);
+  const double width = sheet.scale * draw.power_of_ten(least, most),
+               height = sheet.scale * draw.power_of_ten(least, most);
+  return {{"x", {middle.real() - width, middle.real() + width}},
+          {"y", {middle.imag() - height, middle.imag() + height}}};
+}
+
+Json drawn_types(Draw& draw) {
+  Json types = Json::array();
+  for (std::size_t type = 0; type + 1 < linkage_type_names.size(); ++type)  // the last is degenerate
+    if (draw.chance(0.4)) types.push_back(linkage_type_names[type]);
+  return types;
+}
+
+Json drawn_requirements(Draw& draw, const Sheet& sheet) {
+  Json wanted = Json::object();
+  if (draw.chance(0.25)) wanted["types"] = drawn_types(draw);
+  if (draw.chance(0.4)) wanted["no_defects"] = draw.chance(0.3);
+  // With a defect there is no transmission angle.
+  if (draw.chance(0.3) && wanted.value("no_defects", true)) wanted["min_transmission_angle_deg"] = draw.between(0, 60);
+  if (draw.chance(0.5)) wanted["max_link_ratio"] = draw.chance(0.6) ? Json() : Json(draw.power_of_ten(0.1, 2.5));
+  if (draw.chance(0.5))
+    wanted["max_length"] = draw.chance(0.6) ? Json() : Json(sheet.scale * draw.power_of_ten(-0.5, 3));
+  if (draw.chance(0.3)) wanted["min_length"] = draw.chance(0.5) ? Json() : Json(sheet.scale * draw.power_of_ten(-4, 0));
+  if (draw.chance(0.1)) wanted["ground_pivots_within"] = drawn_box(draw, sheet, -0.5, 1.5);
+  if (draw.chance(0.1)) wanted["moving_pivots_within"] = drawn_box(draw, sheet, -0.5, 1.5);
+  if (draw.chance(0.3)) wanted["respect_direction"] = draw.chance(0.5);
+  return wanted;
+}
+
+/// A part of the map: coordinates run over [0, 1] to [0, 3].
+Json drawn_window(Draw& draw) {
+  const Json rows = drawn_interval(draw, 0.9, 1);
+  return Json::array({rows, drawn_interval(draw, 0.9, 1)});
+}
+
+Json drawn_options(Draw& draw, const Sheet& sheet, std::string_view kind) {
+  Json options = Json::object();
+  options["region_samples"] = draw.chance(0.1) ? draw.one_of({8, 9, 400}) : draw.whole(60, 200);
+  if (draw.chance(0.3)) options["spacing"] = draw.one_of({"coordinate", "arc_length"});
+  options["objective"] = draw.one_of({"min_transmission_angle", "link_ratio", "size"});
+  if (kind.starts_with("function") && draw.chance(0.4)) options["objective"] = "structural_error";
+  if (draw.chance(0.3)) options["best"] = draw.one_of({0, 1, 2, 30, 100});
+  if (draw.chance(0.1)) options["window"] = drawn_window(draw);
+  if (kind == "six_bar_search") {
+    options["box"] = drawn_box(draw, sheet, 0, 1);
+    options["effort"] = draw.whole(20, 300);
+    if (options.contains("best"))
+      options["best"] = draw.one_of({0, 1, 2});  // each is refined by chains drawn at random
+    options["seed"] = draw.whole(0, 1000);
+  }
+  return options;
+}
+
+/// Mixed four positions are drawn twice as often as others: most patterns, most trouble.
+std::string_view drawn_kind(Draw& draw) {
+  const auto number = static_cast<std::size_t>(draw.whole(0, static_cast<int>(kinds.size())));
+  return number < kinds.size() ? kinds[number] : std::string_view("four_mixed");
+}
+
+}  // namespace
+
+DrawnProblem drawn_problem(std::uint64_t seed, std::uint64_t index, std::optional<std::string_view> wanted_kind) {
+  Draw draw(seed, index);
+  const std::string_view any = drawn_kind(draw), kind = wanted_kind.value_or(any);
+  const Sheet sheet = drawn_sheet(draw);
+  Json problem = {{"linkwright", 1}, {"task", drawn_task(draw, sheet, kind)}};
+  problem["requirements"] = drawn_requirements(draw, sheet);
+  problem["options"] = drawn_options(draw, sheet, kind);
+  return {kind, problem.dump() + "\n"};
+}
+
+}  // namespace linkwright::soak

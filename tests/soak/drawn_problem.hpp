@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace linkwright::soak {
+
+/// The kinds of problem that a file can state.
+inline constexpr std::array<std::string_view, 18> kinds = {
+    "three_lengths", "three_length", "three_angle",    "three_center",   "three_mixed",   "four_finite",
+    "four_mixed",    "five_finite",  "five_mixed",     "five_freed",     "pairs_four",    "pairs_mixed",
+    "pairs_five",    "pairs_free",   "function_named", "function_table", "six_bar_chain", "six_bar_search"};
+
+struct DrawnProblem {
+  std::string_view kind;
+  std::string text;  ///< the file
+};
+
+/// The task of this number, of any kind or of the one asked for.
+[[nodiscard]] DrawnProblem drawn_problem(std::uint64_t seed, std::uint64_t index, std::optional<std::string_view> kind);
+
+}  // namespace linkwright::soak

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace linkwright::soak {
+
+/// What became of one task.
+struct Trial {
+  std::string outcome;  ///< "refused", or the status of the answer
+  int linkages = 0;
+  double solve_seconds = 0;           ///< of processor time
+  std::vector<std::string> findings;  ///< what is wrong with the answer
+};
+
+/// Reads, solves, writes, reads back and checks. With `cancel_after` (seconds) it is first solved with a Progress that
+/// another thread cancels then.
+[[nodiscard]] Trial tried(std::string_view problem_text, std::optional<double> cancel_after);
+
+[[nodiscard]] std::string written(const Trial& trial);
+[[nodiscard]] Trial read_trial(const std::string& text);
+
+}  // namespace linkwright::soak
