@@ -6,6 +6,7 @@ import {join} from "node:path";
 import {
   bad_problems, examples, expect, file_menu, move_a_pose, open_files, open_workbench, read_state, run_program, shown, test, toasts, until_ready,
 } from "./support";
+import type {MotionTask} from "../src/state/task";
 
 // ---- 15 ---------------------------------------------------------------------------------------------------------
 
@@ -42,10 +43,17 @@ test("15 · work outlives a reload, and what an example replaced can be had back
   await move_a_pose(page);
   await shown(page);
   await read_state(page, (workbench) => workbench.pin());
+  await read_state(page, (workbench) => workbench.change_pin("A", {name: "lid, 2nd…"}));
   const before = await shown(page);
+  await page.evaluate(() => localStorage.setItem("linkwright.preferences", '{"language": "fr", "toured": true, "colour_by": 7}')); // blanks nothing
   await page.reload();
   await until_ready(page);
   expect(await shown(page)).toEqual(before);
+  expect(await read_state(page, (workbench) => workbench.pins[0].name)).toBe("lid, 2nd…");
+  for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+z"); // name, pin, pose
+  expect(await read_state(page, ({can_undo, pins, problem}) => [can_undo, pins.length, (problem.task as MotionTask).poses[2].x])).toEqual([false, 0, -220]);
+  for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+y");
+  await expect.poll(() => shown(page)).toEqual(before);
 
   await file_menu(page, "file.examples");
   await page.getByTestId("example.landing_gear").click();
@@ -58,9 +66,27 @@ test("15 · work outlives a reload, and what an example replaced can be had back
   await expect.poll(() => shown(page)).toEqual(before);
 });
 
+test("15 · two tabs keep their work apart", async ({page, context}) => {
+  await open_workbench(page);
+  await move_a_pose(page);
+  await shown(page);
+  const other = await context.newPage();
+  await open_workbench(other);
+  await read_state(other, (workbench) => workbench.edit((problem) => ({...problem, title: "The other tab"})));
+  await expect(toasts(page)).toContainText("This work is open in another tab too.");
+  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, title: "This tab"})));
+  await page.reload();
+  await expect(page).toHaveTitle(/This tab/);
+  await other.reload();
+  await expect(other).toHaveTitle(/The other tab/);
+  await file_menu(other, "file.other_tab.0");
+  await expect(other).toHaveTitle(/This tab/);
+});
+
 test("15 · a file dropped on the page is opened", async ({page}) => {
   await open_workbench(page);
   const text = readFileSync(join(examples, "dump_bucket.json"), "utf8");
+  const result = run_program("solve", text, "-o", "-");
   await page.evaluate((content) => {
     const data = new DataTransfer();
     data.items.add(new File([content], "dump_bucket.json", {type: "application/json"}));
@@ -68,6 +94,12 @@ test("15 · a file dropped on the page is opened", async ({page}) => {
   }, text);
   await expect(page).toHaveTitle(/Dump bucket/);
   await expect(toasts(page)).toContainText("“dump_bucket.json” opened.");
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), file_menu(page, "file.open")]);
+  await chooser.setFiles({name: "result.json", mimeType: "application/json", buffer: Buffer.from(result)});
+  await expect(toasts(page)).toContainText("“result.json” is a result");
+  await expect(page).toHaveTitle(/Dump bucket/);
+  const best = JSON.parse(result).linkages[0];
+  await expect.poll(() => read_state(page, ({picked_linkage, pins}) => [picked_linkage?.type, pins.length])).toEqual([best.type, JSON.parse(result).linkages.length]);
 });
 
 // ---- 16 ---------------------------------------------------------------------------------------------------------

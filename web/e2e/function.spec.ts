@@ -24,6 +24,22 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   await expect(page.getByTestId("plot.error")).toHaveAttribute("aria-selected", "true");
   expect(await read_state(page, (workbench) => workbench.hand!.function!.pairs.every(([, , off]) => Math.abs(off!) < 1e-9))).toBe(true);
 
+  // A formula: one that is not understood stays, marked from where on; a factor is.
+  const formula = page.getByTestId("function.expression"), was = await formula.inputValue();
+  await formula.fill("2sn_deg");
+  await formula.press("Enter");
+  await expect(page.getByTestId("function.wrong").locator("mark")).toHaveText("sn_deg");
+  await expect(formula).toHaveValue("2sn_deg");
+  await expect(formula).toHaveAttribute("aria-invalid", "true");
+  await formula.fill(`2${was}`);
+  await formula.press("Enter");
+  await expect(page.getByTestId("function.wrong")).toHaveCount(0);
+  await until_settled(page);
+  expect((await task()).function!.expression).toBe(`2${was}`);
+  await page.keyboard.press("Control+z");
+  await until_settled(page);
+  await expect(formula).toHaveValue(was);
+
   // A ribbon: one column, along which pointing goes by one coordinate; a click keeps.
   expect(await read_state(page, (workbench) => [workbench.map!.columns, workbench.map!.property])).toEqual([1, "max_structural_error_deg"]);
   await expect(page.getByTestId("region.ribbon_line").first()).toBeAttached();

@@ -59,7 +59,7 @@ test.describe("table of positions", () => {
 
   test("says what is wrong and keeps the last good value", async ({page}) => {
     const before = await poses(page);
-    await type_into(page, "task.y.2", "twelve", "Tab");
+    await type_into(page, "task.y.2", "12elve", "Tab"); // a letter alone is handed on to the page
     await expect(page.getByTestId("task.y.2")).toHaveAttribute("aria-invalid", "true");
     await expect(page.getByTestId("task.fault")).toContainText("must be a number between −1 000 000 000 and 1 000 000 000. The last good value stays.");
     expect(await poses(page)).toEqual(before);
@@ -190,6 +190,16 @@ test.describe("requirements", () => {
     expect(promise.leaves).toBeGreaterThan(0);
     expect(await meeting(page)).toBe(promise.leaves);
     await expect(page.getByTestId("req.none_left")).toHaveCount(0);
+
+    // Rows stay where they are under the hand that types, whatever becomes of the counts.
+    const tops = () => page.locator("[data-testid^='req.row.']").evaluateAll((rows) => rows.map((row) => row.getBoundingClientRect().top));
+    const field = page.getByTestId("req.max_length"), before = await tops();
+    await field.focus();
+    await field.fill("5");
+    await field.press("Enter");
+    await until_settled(page);
+    expect(await meeting(page)).toBe(0);
+    expect(await tops()).toEqual(before);
   });
 
   test("each is worth exactly what it says", async ({page}) => {
@@ -308,7 +318,7 @@ test.describe("numbers", () => {
       await expect(page.getByTestId("num.sweep")).toHaveText(`${angle(found.driver_sweep_deg)} ${found.drive === "cw" ? "↻" : "↺"}`);
       await expect(page.getByTestId("num.input_center")).toHaveText(found.input.center_point.map((v: number) => v.toFixed(1).replace("-", "−")).join(", "));
       await expect(page.getByTestId("num.output_circle")).toHaveText(found.output.circle_point.map((v: number) => v.toFixed(1).replace("-", "−")).join(", "));
-      await expect(page.getByTestId("num.verdict")).toHaveText("✓ No defects");
+      await expect(page.getByTestId("num.verdict")).toHaveText("✓ No defects, checked by driving");
       await expect(page.getByTestId("num.verified")).toBeVisible();
       if (found.min_transmission_angle_full_turn_deg !== null) await expect(page.getByTestId("num.min_turn")).toHaveText(angle(found.min_transmission_angle_full_turn_deg));
       if (found.swapped.min_transmission_angle_deg !== null) await expect(page.getByTestId("num.swapped")).toContainText(`γ ${angle(found.swapped.min_transmission_angle_deg)}`);
@@ -331,6 +341,9 @@ test.describe("numbers", () => {
     expect(readFileSync(await download.path(), "utf8")).toContain("EOF");
 
     await type_into(page, "req.max_length", "250");
+    await expect(page.getByTestId("toast.title")).toContainText("no longer met the requirements; this is the best that does");
+    await expect(page.getByTestId("num.missed")).toHaveCount(0);
+    await page.getByTestId("toast.state.keep_old").click();
     await until_settled(page);
     await expect(page.getByTestId("num.missed")).toHaveText("Not met: longest link (250 mm at most)");
 
@@ -343,6 +356,9 @@ test.describe("numbers", () => {
     await expect(page.getByTestId("num.verdict")).toHaveText("✕ Order defect");
     await expect(page.getByTestId("num.reason")).toContainText(/Order defect: this linkage reaches the positions as [1-4](-[1-4]){3}\./);
     await expect(page.getByTestId("num.min_task")).toHaveText("–");
+    await expect(page.getByTestId("num.verified")).toHaveCount(0);
+    await page.getByTestId("export.title").click();
+    await expect(page.getByTestId("export.mind")).toContainText(/^Mind before you build it: Order defect: this linkage reaches the positions as /);
   });
 });
 

@@ -72,6 +72,25 @@ test("4 · hovering shows another linkage, as the program computes it", async ({
   await expect(card).toBeHidden();
   await expect.poll(async () => (await hand(page)).tau).toEqual(picked.tau);
   expect((await hand(page)).lengths).toEqual(picked.lengths);
+
+  // The ten best beside the map, in the program's order: looked at, taken in hand, pinned.
+  await page.getByTestId("best.tab").click();
+  await expect(page.getByTestId("best.10")).toBeVisible();
+  const listed = await read_state(page, ({best_list}) => best_list.found!.linkages.map(({tau, min_transmission_angle_deg: angle}) => [...tau, angle]));
+  const printed = solve(example("tailgate")).linkages.map((linkage: any) => [linkage.input.coordinate, linkage.output.coordinate, linkage.min_transmission_angle_deg]);
+  expect(listed).toHaveLength(printed.length);
+  for (const [i, numbers] of listed.entries()) numbers.forEach((value, k) => expect(value, `number ${i + 1}`).toBeCloseTo(printed[i][k], 4));
+  await page.getByTestId("best.3").hover();
+  await expect.poll(async () => (await hand(page)).tau).toEqual(listed[2].slice(0, 2));
+  await keep_screenshot(page, "best");
+  await page.getByTestId("best.pin.3").click();
+  await page.getByTestId("best.2").click();
+  await page.mouse.move(700, 20);
+  await expect.poll(async () => (await hand(page)).tau).toEqual(listed[1].slice(0, 2));
+  expect(await read_state(page, ({pins}) => pins.map(({tau}) => tau))).toEqual([listed[2].slice(0, 2)]);
+  await page.getByTestId("num.tab").click();
+  await page.getByTestId("num.best").click();
+  await expect.poll(async () => (await hand(page)).tau).toEqual(listed[0].slice(0, 2));
 });
 
 test("5 · X goes to the mirror cell: the same bars, driven from the other side", async ({page}) => {
@@ -231,7 +250,7 @@ test("13 · when the curve splits, map and pins stay", async ({page}) => {
     hook.seen.set(by, {type: workbench.map.type.slice(), defects: workbench.map.defects.slice()});
     return workbench.task.curves.kappa as number;
   }, dx);
-  const start = await moved(0);
+  const start = await moved(1e-9); // at rest the map is a finer one
   let same = 0, other = 0;
   for (let dx = 1; dx <= 40 && other === 0; ++dx) {
     for (const by of [dx, -dx]) {

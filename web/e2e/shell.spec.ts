@@ -25,10 +25,23 @@ test("1 · first start: a map, a count, the tour, nothing in anyone's way", asyn
     });
   await expect.poll(colors, {timeout: 2000}).toBeGreaterThanOrEqual(3);
   await expect(page.getByTestId("chip.title")).toContainText(/159.600 four-bars.*97.477 free of defects.*25.608 meet your requirements/);
-  await expect(page.locator(".tour_hint")).toContainText("1 of 3 · Drag a frame.");
+  await expect(page.locator(".tour_hint")).toContainText("1 of 3 · Drag position 4 into the green.");
   await until_ready(page);
   await expect(page.getByTestId("chip.title")).toContainText(/159.600 four-bars/);
+  await expect(page.getByTestId("drawing.halo")).toHaveAttribute("data-squares", /\d{2}/); // where to drag it, before it is touched
   await expect_accessible(page);
+
+  // Words explain themselves, to the pointer and to the focus; tasks begin from pictures, also from the kind of this one.
+  await page.getByTestId("type.double_rocker").hover();
+  await expect(page.getByTestId("term.tip")).toContainText("the coupler turns fully");
+  await expect(page.getByTestId("term.tip").locator("path")).not.toHaveCount(0);
+  await page.getByTestId("num.type").locator("dfn").focus();
+  await expect(page.getByTestId("term.tip")).toContainText("the input link is the longest");
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("term.tip")).toBeHidden();
+  await page.getByTestId("task.kind").click();
+  await expect(page.getByTestId("dialog.new").locator(".picture")).toHaveCount(5);
+  await keep_screenshot(page, "new-task");
 });
 
 test("1 · the linkage opens once, and the tour goes with what one does and never comes back", async ({page}) => {
@@ -104,8 +117,8 @@ test("6 · from the start to a DXF by keys alone, the focus always in sight", as
     const {picked, picked_linkage, hand} = globalThis.__linkwright!.workbench;
     return picked_linkage?.tau.join() === picked!.tau.join() && hand?.tau.join() === picked!.tau.join();
   });
-  const title = await page.getByTestId("num.title").locator("h2, strong, .card_head").first().innerText();
-  await expect(page.locator("#region_spoken")).toContainText(title.split("\n")[0].trim());
+  const title = await page.getByTestId("num.type").innerText();
+  await expect(page.locator("#region_spoken")).toContainText(title.trim());
   await page.keyboard.press("p");
   await expect.poll(() => read_state(page, (workbench) => workbench.pins.length)).toBe(1);
   await tab_to("export.title");
@@ -237,11 +250,15 @@ test.describe("22 · on a phone", () => {
     await expect_accessible(page);
     await keep_screenshot(page, "phone");
 
-    const drawing = (await page.getByTestId("drawing.canvas").boundingBox())!;
+    // What the colours mean, and how many there are.
+    await expect(page.getByTestId("chip.title")).toHaveText("25\u202f608 left");
+    await expect(page.getByTestId("type.double_crank")).toBeInViewport();
+
+    const play = (await page.getByTestId("drive.title").boundingBox())!;
     for (const tab of ["tab.task", "tab.limits", "tab.numbers", "tab.pins"]) {
       await page.getByTestId(tab).tap();
       const sheet = (await page.locator("aside.sheet").boundingBox())!;
-      expect(sheet.y, tab).toBeGreaterThanOrEqual(drawing.y + drawing.height - 1); // it covers the map, not the drawing
+      expect(sheet.y, tab).toBeGreaterThanOrEqual(play.y + play.height - 1); // it covers the map, not the drawing and not Play
       expect(await sideways(page), tab).toBe(0);
       expect(await small_controls(page), tab).toEqual([]);
     }
@@ -260,7 +277,7 @@ test.describe("22 · on a phone", () => {
     await touch("touchStart", [{x: aim.x - 30, y: aim.y + 30}]);
     await touch("touchMove", [{x: aim.x - 10, y: aim.y + 50}]);
     await touch("touchMove", [{x: aim.x, y: aim.y + 56}]);
-    const axis = await read_state(page, (workbench) => workbench.task!.axes.input), aimed_at = [tau_at(axis, 0.7), tau_at(axis, 0.3)] as const;
+    const axis = await read_state(page, (workbench) => workbench.task!.axes.input), aimed_at = [tau_at(axis, 0.7)!, tau_at(axis, 0.3)!] as const;
     const off = (of: "hovered" | "picked") => read_state(page, ({hovered, picked}, [which, [a, b]]) => {
       const tau = which === "hovered" ? hovered : picked!.tau;
       return tau ? Math.hypot(tau[0] - a, tau[1] - b) : Infinity;
@@ -331,9 +348,21 @@ test("keys reach the whole page, but never a text", async ({page}) => {
   await page.keyboard.press("Control+z");
   await expect(page.getByTestId("file.menu")).toContainText("Tailgate hinge");
 
+  const value = () => page.getByTestId("task.x.3").inputValue(), snaps = () => page.getByTestId("status.snap").getAttribute("aria-pressed");
+  await page.getByTestId("task.x.3").focus();
+  const number = await value();
+  await page.keyboard.press("s"); // no number begins with it: the page has it, and nothing lands in the field
+  expect([await value(), await snaps()]).toEqual([number, "false"]);
+
   await page.keyboard.press("?");
   await expect(page.getByTestId("dialog.keys")).toContainText("Play or pause");
+  await page.getByTestId("keys.single").uncheck();
   await page.keyboard.press("Escape");
+  await page.keyboard.press("s");
+  expect([await value(), await snaps()]).toEqual([number, "false"]); // only where the focus is in the drawing or on the map
+  await page.getByTestId("region.map").focus();
+  await page.keyboard.press("s");
+  expect(await snaps()).toBe("true");
   await expect(page.getByTestId("dialog.keys")).toBeHidden();
   const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
   expect(download.suggestedFilename()).toBe("tailgate-hinge.json");
@@ -344,6 +373,7 @@ test("a laptop has its panels over the drawing, never over the map", async ({pag
   await open_workbench(page);
   await shown(page);
   const map = (await page.getByTestId("region.map").boundingBox())!;
+  for (const name of ["num.best", "pin.add", "region.improve", "num.dxf", "bar.new"]) await expect(page.getByTestId(name), name).toBeInViewport({ratio: 1});
   for (const name of ["rail.task", "rail.limits", "rail.pins"]) {
     await page.getByTestId(name).click();
     const sheet = (await page.locator("#rail_sheet").boundingBox())!;

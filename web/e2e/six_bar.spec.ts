@@ -33,12 +33,18 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   await page.waitForFunction(() => globalThis.__linkwright!.workbench.picked !== null);
   const {x, y}: Pixel = await map_pixel(page, await passing_place(page));
   await page.mouse.click(x, y);
+  await expect(page.getByTestId("region.card")).toContainText("Watt I");
   await page.mouse.move(5, 400);
   await until_settled(page);
   expect(await read_state(page, ({hand}) => [hand!.fails, hand!.six_bar!.topology, hand!.six_bar!.lengths.length])).toEqual([0, "watt_1", 10]);
   await expect(page.getByTestId("num.type")).toHaveText("Watt I");
   await expect(page.getByTestId("num.verified")).toBeVisible();
   await expect(page.getByTestId("drawing.linkage")).toHaveAttribute("data-fails", "false");
+
+  // Its bodies and hinges have names, on the drawing too.
+  await expect(page.getByTestId("num.title")).toContainText(/middle link b–d.*c₄ · \w/s);
+  await expect(page.getByTestId("six_bar.mark_c4")).toContainText("c₄");
+  await expect(page.getByTestId("drawing.linkage")).toContainText("guided body");
 
   // Played, it passes all four positions in order.
   await page.locator("[data-speed='4']").click();

@@ -46,7 +46,7 @@ function open(session, {name, text}) {
   if (!session.set_problem(text)) throw new Error(`${name}: ${session.mistakes()}`);
 }
 const explored = (session, samples) => session.explore(samples, 0, 1, 0, 1, property, 0);
-const best_tau = (session) => JSON.parse(session.best(1))[0]?.tau ?? null;
+const best_tau = (session) => JSON.parse(session.best(1)).linkages[0]?.tau ?? null;
 
 function start_of(session, problem) {
   open(session, problem);

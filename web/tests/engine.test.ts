@@ -12,6 +12,10 @@ import {
 } from "../src/engine/protocol";
 import {Server} from "../src/engine/serve";
 import {stored_start, thumbnail} from "../src/engine/stored";
+import {halo_reach} from "../src/drawing/drags/pose_drags";
+import {first_example} from "../src/gallery/gallery";
+import {roomy_squares} from "../src/state/linkage_follower";
+import {poses_of} from "../src/state/task";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const program = join(root, "build/release/bin/linkwright");
@@ -277,7 +281,30 @@ describe("the tailgate", () => {
     expect(census.meeting).toBe(0);
     const [{requirement, value, leaves}] = census.relax;
     expect(requirement).toBe("min_transmission_angle_deg");
-    expect(explored(with_angle(value!)).map!.census.meeting).toBe(leaves);
+    expect(explored(with_angle(value as number)).map!.census.meeting).toBe(leaves);
+  });
+  test("leads to the box that would do, and names what leaves nothing only together, as the program does", () => {
+    const asking = (requirements: object) => {
+      const problem = JSON.parse(tailgate.replace(/^\s*\/\/.*$/gm, ""));
+      return JSON.stringify({...problem, requirements: {...problem.requirements, ...requirements}});
+    };
+    const solved = (text: string) => {
+      const file = join(scratch, "asking.json");
+      writeFileSync(file, text);
+      return JSON.parse(run("solve", file, "-o", "-"));
+    };
+    const box = {x: [150, 160], y: [300, 320]}, narrow = asking({ground_pivots_within: box});
+    const {relax, missed_boxes} = explored(narrow, "min_transmission_angle_deg", 400).map!.census, result = solved(narrow);
+    expect(relax).toEqual(result.relax.map(({requirement, value, leaves}: (typeof relax)[number]) => ({requirement, value, leaves})));
+    expect(explored(asking({[relax[0].requirement]: relax[0].value}), "min_transmission_angle_deg", 400).map!.census.meeting).toBe(relax[0].leaves);
+    expect(missed_boxes).toHaveLength(1);
+    const [{nearest, beyond}] = missed_boxes;
+    expect([nearest[0] - beyond[0], nearest[1] - beyond[1]].map((v) => Number(v.toFixed(9)))).toEqual([150, 320]);
+    expect(result.reason).toContain("The centre-point curve does not enter ground_pivots_within; nearest is (141.9, 320.6)");
+
+    const two = asking({ground_pivots_within: box, max_length: 50}), {relax_together} = explored(two, "min_transmission_angle_deg", 400).map!.census;
+    expect(relax_together!.requirements).toEqual(["max_length", "ground_pivots_within"]);
+    expect(relax_together).toEqual(solved(two).relax_together);
   });
   test("keeps its map still where the curve splits", () => {
     const moved = (x: number) => tailgate.replace('{"x": -220, "y": 220', `{"x": ${-220 + x}, "y": 220`);
@@ -301,6 +328,11 @@ describe("the tailgate", () => {
     const center = counts[6 * 13 + 6];
     expect(center).toBe(explored(tailgate, "link_ratio", 60).map!.census.meeting);
     expect(counts[6 * 13 + 12]).toBe(0); // at +40 in x
+    // What the tour asks for: the last position goes far without all being lost.
+    const poses = poses_of(first_example.problem.task);
+    const room = poses.map((_, pose) => roomy_squares(ask("halo", {problem: tailgate, pose, mode: "move", reach: halo_reach(poses), steps: 13, samples: 60}).counts));
+    expect(Math.max(...room)).toBe(room[3]);
+    expect(room[3]).toBeGreaterThan(13 ** 2 / 3);
     const turned = ask("halo", {problem: tailgate, pose: 2, mode: "turn", reach: 5, steps: 5, samples: 60});
     expect(turned.counts.length).toBe(5);
     expect(turned.counts[2]).toBe(center);

@@ -5,7 +5,7 @@ import {body_point, outline_of, placed, round_step, with_pose, with_poses, with_
 import {poses_of, type Pose} from "../state/task";
 import {bend_of, travel_of, with_bend, with_travel} from "../task/travel";
 import {point_at, spot_of_tau, type Spot} from "./curve_samples";
-import {ordered, with_box} from "./drags/box_drags";
+import {nudged_box, with_box} from "./drags/box_drags";
 import type {Bench} from "./drags/drag";
 import {add_corner, corner_at, remove_corner, with_outline, without_corner} from "./drags/outline_drags";
 import {inside, target_id, type Target} from "./handles";
@@ -117,11 +117,8 @@ function bend_step(scale: number): number {
 function nudge_box({workbench, scene}: Bench, {box, edges}: Extract<Target, {kind: "box"}>, dx: number, dy: number, merge: string): void {
   const before = scene.boxes[box];
   if (!before) return;
-  const whole = edges.x === 0 && edges.y === 0, add = (value: number, by: number) => Number((value + by).toPrecision(12));
-  const along = ([low, high]: readonly [number, number], edge: number, by: number) =>
-    ordered(whole || edge < 0 ? add(low, by) : low, whole || edge > 0 ? add(high, by) : high);
-  const moved = {x: along(before.x, edges.x, dx), y: along(before.y, edges.y, dy)};
-  if (moved.x[1] > moved.x[0] && moved.y[1] > moved.y[0]) workbench.edit((problem) => with_box(problem, box, moved), merge);
+  const moved = nudged_box(before, edges, dx, dy);
+  if (moved) workbench.edit((problem) => with_box(problem, box, moved), merge);
 }
 function nudge_pivot({workbench, scene}: Bench, {side, end}: Extract<Target, {kind: "pivot"}>, steps: number, merge: string): void {
   const {picked, task} = workbench, samples = scene.samples[side];

@@ -1,6 +1,7 @@
 // Which part of the fixed frame the drawing shows. User units, y up; screen pixels, y down.
 import type {Box, Point} from "../engine/protocol";
 import {round_step} from "../state/problem";
+import {least_of, most_of} from "../state/ends";
 
 export interface Viewport {
   /** The fixed-frame point in the middle. */
@@ -43,7 +44,7 @@ export function bounds(points: readonly Point[]): Box | null {
   const finite = points.filter((p) => Number.isFinite(p[0]) && Number.isFinite(p[1]));
   if (finite.length === 0) return null;
   const xs = finite.map((p) => p[0]), ys = finite.map((p) => p[1]);
-  return {x: [Math.min(...xs), Math.max(...xs)], y: [Math.min(...ys), Math.max(...ys)]};
+  return {x: [least_of(xs), most_of(xs)], y: [least_of(ys), most_of(ys)]};
 }
 
 /** The view that shows a box whole, inside margins in pixels; a single point is shown with 200 units around it. */

@@ -1,5 +1,5 @@
 import {afterEach, beforeEach, describe, expect, it, vi} from "vitest";
-import {Crashed, EngineClient, Refusal, Superseded} from "./client";
+import {Crashed, EngineClient, no_answer, patience_ms, Refusal, Superseded} from "./client";
 import type {ReplyMessage, RequestMessage} from "./protocol";
 
 /** A worker that answers when it is told to. */
@@ -46,6 +46,7 @@ function client(): EngineClient {
 }
 
 beforeEach(() => {
+  vi.useFakeTimers();
   Puppet.all = [];
   crashes.length = readies = 0;
   vi.stubGlobal("ErrorEvent", class extends Event {
@@ -56,7 +57,10 @@ beforeEach(() => {
     }
   });
 });
-afterEach(() => vi.unstubAllGlobals());
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
 
 describe("one engine worker", () => {
   it("is asked nothing before it is ready, and one thing at a time", async () => {
@@ -149,14 +153,20 @@ describe("a worker that dies", () => {
     expect(crashes).toEqual([["out of memory", false]]);
     expect(Puppet.all.length).toBe(2);
   });
-  it("time after time is let rest, until it is wanted", async () => {
+  it("time after time is started ever later, then let rest until it is wanted", async () => {
     const engine = client();
-    for (let i = 0; i < 4; ++i) {
+    for (const delay of [0, 250, 500]) {
       Puppet.last.ready();
       Puppet.last.say({kind: "crashed", message: "again"});
+      const before = Puppet.all.length;
+      vi.advanceTimersByTime(delay);
+      expect(Puppet.all.length - before, `after ${delay} ms`).toBe(delay ? 1 : 0); // the first one at once
     }
+    Puppet.last.ready();
+    Puppet.last.say({kind: "crashed", message: "again"});
     expect(crashes.map(([, resting]) => resting)).toEqual([false, false, false, true]);
     expect(engine.resting).toBe(true);
+    vi.advanceTimersByTime(1e6);
     expect(Puppet.all.length).toBe(4);
     const waits = engine.request("linkage", {problem, tau});
     engine.restart();
@@ -166,15 +176,89 @@ describe("a worker that dies", () => {
     Puppet.last.answer({linkage: 3});
     expect(await waits).toEqual({linkage: 3});
   });
-  it("now and then, with answers between, is started again every time", async () => {
+  /** Answers well, then dies. */
+  async function dies_after_an_answer(engine: EngineClient): Promise<void> {
+    Puppet.last.ready();
+    const reply = engine.request("linkage", {problem, tau});
+    Puppet.last.answer({});
+    await reply;
+    Puppet.last.say({kind: "crashed", message: "again"});
+  }
+  it("after each good answer is not started for ever", async () => {
     const engine = client();
-    for (let i = 0; i < 10; ++i) {
-      Puppet.last.ready();
-      const reply = engine.request("linkage", {problem, tau});
-      Puppet.last.answer({i});
-      expect(await reply).toEqual({i});
-      Puppet.last.say({kind: "crashed", message: "again"});
+    for (let i = 0; i < 100 && !engine.resting; ++i) {
+      await dies_after_an_answer(engine);
+      vi.advanceTimersByTime(4000);
+    }
+    expect(Puppet.all.length).toBe(6);
+    expect(crashes.map(([, resting]) => resting)).toEqual([false, false, false, false, false, true]);
+  });
+  it("now and then is started again every time", async () => {
+    const engine = client();
+    for (let i = 0; i < 20; ++i) {
+      await dies_after_an_answer(engine);
+      vi.advanceTimersByTime(120_000);
     }
     expect(engine.resting).toBe(false);
+    expect(Puppet.all.length).toBe(21);
+  });
+  it("that gives no answer is ended, and what waits goes on", async () => {
+    const engine = client(), first = Puppet.last;
+    first.ready();
+    const lost = expect(engine.request("verify", {problem, tau})).rejects.toBeInstanceOf(Crashed);
+    const waits = engine.request("linkage", {problem, tau});
+    vi.advanceTimersByTime(patience_ms - 1);
+    expect(first.dead).toBe(false);
+    vi.advanceTimersByTime(1);
+    await lost;
+    expect(first.dead).toBe(true);
+    expect(crashes).toEqual([[no_answer, false]]);
+    Puppet.last.ready();
+    Puppet.last.answer({linkage: 1});
+    expect(await waits).toEqual({linkage: 1});
+    vi.advanceTimersByTime(10 * patience_ms); // nothing is asked, so nothing is late
+    expect(crashes.length).toBe(1);
+  });
+});
+
+describe("what is run", () => {
+  const dxf = {problem, tau, format: "dxf"} as const, svg = {problem, tau, format: "svg"} as const;
+  it("is answered whatever else is asked meanwhile, of its own kind too", async () => {
+    const engine = client();
+    const first = engine.run("export", dxf), second = engine.run("export", svg);
+    const followed = engine.request("export", {problem, tau, format: "csv"});
+    Puppet.last.ready();
+    for (let i = 0; i < 3; ++i) {
+      const {format} = Puppet.last.asked.at(-1) as unknown as {format: string};
+      Puppet.last.answer({text: format});
+      await Promise.resolve();
+    }
+    expect(await Promise.all([first, second, followed])).toEqual([{text: "dxf"}, {text: "svg"}, {text: "csv"}]);
+  });
+  it("takes turns with what follows the pointer", () => {
+    const engine = client();
+    for (let i = 0; i < 3; ++i) void engine.run("export", dxf);
+    Puppet.last.ready();
+    for (let i = 0; i < 4; ++i) {
+      void engine.request("linkage", {problem, tau: [i, i]}).catch(() => {}); // superseded by the next
+      Puppet.last.answer();
+    }
+    expect(Puppet.last.asked.map(({kind}) => kind)).toEqual(["export", "linkage", "export", "linkage", "export"]);
+  });
+  it("outlives a worker's death once: it may be what it dies of", async () => {
+    const engine = client(), made = engine.run("export", dxf);
+    Puppet.last.ready();
+    engine.kill();
+    Puppet.last.ready();
+    Puppet.last.answer({text: "x"});
+    expect(await made).toEqual({text: "x"});
+    const deadly = expect(engine.run("export", svg)).rejects.toBeInstanceOf(Crashed);
+    for (let i = 0; i < 2; ++i) {
+      engine.kill();
+      vi.advanceTimersByTime(4000);
+      Puppet.last.ready();
+    }
+    await deadly;
+    expect(engine.busy).toBe(false);
   });
 });

@@ -8,45 +8,70 @@ export class Refusal extends Error {
 }
 /** A newer request of the same kind took this one's place. */
 export class Superseded extends Error {}
-/** The worker died while it had this request. */
+/** The worker died while it had this request, or was ended because it did not answer. */
 export class Crashed extends Error {}
 
 interface Job {
   message: RequestMessage;
   resolve(reply: never): void;
   reject(reason: Error): void;
+  /** Never superseded; asked once more where a worker died with it. */
+  kept: boolean;
+  asked: number;
 }
 
-const most_restarts = 3; // in a row, without an answer between them
+/** What the reason of a death is where the worker gave no answer. */
+export const no_answer = "no answer";
+/** So long a worker may take for one answer; a map of 1000² on a slow telephone takes a tenth of it. */
+export const patience_ms = 30_000;
+const most_in_a_row = 3, most_deaths = 5, remembered_ms = 300_000;
+const first_delay_ms = 250, longest_delay_ms = 4000; // doubled from death to death
 
-/** One engine worker. At most one request is with the worker; of the waiting ones the last of each kind wins, and a map
- *  waits for all others. When the worker dies it is started again and the waiting requests go on; one that dies time
- *  after time is let rest until `restart`. */
+/** One engine worker. At most one request is with the worker. Of the waiting ones that follow something the last of each
+ *  kind wins, and a map waits for all others; those that are `run` are all answered, in turn with the former. A worker that
+ *  dies, or gives no answer for `patience` ms, is started again, ever later, and what waits goes on; one that dies time after
+ *  time is let rest until `restart`. */
 export class EngineClient {
   private worker: Worker | null = null;
   private next_id = 1;
   private running: Job | null = null;
   private readonly waiting = new Map<Kind, Job>();
+  private kept: Job[] = [];
+  private kept_next = true;
   private ready = false;
-  private restarts = 0;
+  private deaths: number[] = []; // when, of late
+  private in_a_row = 0; // deaths without an answer between them
+  private watch: ReturnType<typeof setTimeout> | undefined;
+  private relaunch: ReturnType<typeof setTimeout> | undefined;
 
   /** `on_crash` hears of every death and whether the worker rests from now on; `on_ready` of every start. */
   constructor(
     private readonly start: () => Worker,
-    private readonly on_crash: (message: string, resting: boolean) => void,
+    private readonly on_crash: (reason: string, resting: boolean) => void,
     private readonly on_ready: (version: string) => void,
+    private readonly patience = patience_ms,
   ) {
     this.launch();
   }
 
+  /** What follows the task or the pointer: a newer request of the same kind takes its place. */
   request<K extends Kind>(kind: K, content: Requests[K]): Promise<Replies[K]> {
     return new Promise<Replies[K]>((resolve, reject) => {
-      const message = {id: this.next_id++, kind, ...content} as unknown as RequestMessage;
-      this.waiting.get(kind)?.reject(new Superseded());
-      this.waiting.delete(kind); // a newer request goes to the end of the queue
-      this.waiting.set(kind, {message, resolve: resolve as Job["resolve"], reject});
+      this.cancel(kind); // and the newer request goes to the end of the queue
+      this.waiting.set(kind, this.job(kind, content, resolve, reject, false));
       this.pump();
     });
+  }
+  /** What is wanted whatever else is asked: exports, the linkages of pins. */
+  run<K extends Kind>(kind: K, content: Requests[K]): Promise<Replies[K]> {
+    return new Promise<Replies[K]>((resolve, reject) => {
+      this.kept.push(this.job(kind, content, resolve, reject, true));
+      this.pump();
+    });
+  }
+  private job<K extends Kind>(kind: K, content: Requests[K], resolve: (reply: Replies[K]) => void, reject: Job["reject"], kept: boolean): Job {
+    const message = {id: this.next_id++, kind, ...content} as unknown as RequestMessage;
+    return {message, resolve: resolve as Job["resolve"], reject, kept, asked: 0};
   }
 
   /** Nothing of this kind is wanted any more. */
@@ -60,22 +85,22 @@ export class EngineClient {
   }
 
   get resting(): boolean {
-    return this.restarts > most_restarts;
+    return this.in_a_row > most_in_a_row || this.deaths.length > most_deaths;
   }
 
   /** Stops what is running, keeps what is waiting (for the user's Stop). */
   restart(message = "stopped"): void {
-    this.restarts = 0;
+    this.deaths = [];
+    this.in_a_row = 0;
     this.crashed(message);
   }
   /** It is not needed any more; what it has under way is not answered. */
   close(): void {
-    this.worker?.terminate();
-    this.worker = null;
-    this.ready = false;
-    for (const job of [this.running, ...this.waiting.values()]) job?.reject(new Superseded());
+    this.end_worker();
+    for (const job of [this.running, ...this.waiting.values(), ...this.kept]) job?.reject(new Superseded());
     this.running = null;
     this.waiting.clear();
+    this.kept = [];
   }
   /** For tests: the worker dies, and says so as the browser would. */
   kill(): void {
@@ -95,15 +120,31 @@ export class EngineClient {
       if (this.worker === worker) this.crashed(event.message || "the worker failed");
     };
   }
+  private end_worker(): void {
+    clearTimeout(this.watch);
+    clearTimeout(this.relaunch);
+    this.worker?.terminate();
+    this.worker = null;
+    this.ready = false;
+  }
 
   private pump(): void {
     if (!this.ready || this.running) return;
-    const jobs = [...this.waiting.values()];
-    const next = jobs.find((job) => job.message.kind !== "explore") ?? jobs[0];
+    const next = this.next();
     if (!next) return;
-    this.waiting.delete(next.message.kind);
     this.running = next;
+    ++next.asked;
+    this.watch = setTimeout(() => this.crashed(no_answer), this.patience);
     this.worker!.postMessage(next.message);
+  }
+  private next(): Job | undefined {
+    const following = [...this.waiting.values()], quick = following.find((job) => job.message.kind !== "explore");
+    const kept = this.kept.length > 0 && (this.kept_next || !quick);
+    this.kept_next = !kept;
+    if (kept) return this.kept.shift();
+    const next = quick ?? following[0];
+    if (next) this.waiting.delete(next.message.kind);
+    return next;
   }
 
   private receive(message: ReplyMessage): void {
@@ -116,7 +157,8 @@ export class EngineClient {
     } else if (this.running?.message.id === message.id) {
       const job = this.running;
       this.running = null;
-      this.restarts = 0;
+      this.in_a_row = 0;
+      clearTimeout(this.watch);
       if ("refused" in message) job.reject(new Refusal(message.refused.mistakes));
       else job.resolve(message.reply as never);
     }
@@ -124,14 +166,17 @@ export class EngineClient {
   }
 
   private crashed(reason: string): void {
-    this.worker?.terminate();
-    this.worker = null;
-    this.ready = false;
-    const lost = this.running;
+    this.end_worker();
+    const lost = this.running, now = performance.now();
     this.running = null;
-    ++this.restarts;
-    lost?.reject(new Crashed(reason));
+    ++this.in_a_row;
+    this.deaths = [...this.deaths.filter((death) => now - death < remembered_ms), now];
+    if (lost?.kept && lost.asked < 2 && reason !== no_answer) this.kept.unshift(lost);
+    else lost?.reject(new Crashed(reason));
     this.on_crash(reason, this.resting);
-    if (!this.resting) this.launch();
+    if (this.resting) return;
+    const before = this.deaths.length - 1;
+    if (before === 0) this.launch();
+    else this.relaunch = setTimeout(() => this.launch(), Math.min(first_delay_ms * 2 ** (before - 1), longest_delay_ms));
   }
 }

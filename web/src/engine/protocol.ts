@@ -17,8 +17,8 @@ export const defect_bits = {order: 1, branch: 2, circuit: 4} as const;
 
 /** Bits of what a cell fails, in this order (bit i); a degenerate cell has all bits set. */
 export const requirement_keys = [
-  "types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "ground_pivots_within",
-  "moving_pivots_within",
+  "types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length",
+  "ground_pivots_within", "moving_pivots_within",
 ] as const;
 export type RequirementKey = (typeof requirement_keys)[number];
 
@@ -158,6 +158,17 @@ export interface Window {
 }
 export const whole: Window = {input: [0, 1], output: [0, 1]};
 
+/** A value that would leave something: a box made larger; null: drop the requirement. */
+export interface Relaxation {
+  requirement: RequirementKey;
+  value: number | Box | null;
+  leaves: number;
+}
+export interface MissedBox {
+  requirement: "ground_pivots_within" | "moving_pivots_within";
+  nearest: Point;
+  beyond: Point;
+}
 export interface Census {
   /** Cells (pairs without the diagonal) of each LinkageType; sliders count as degenerate and in nothing else. */
   types: number[];
@@ -174,7 +185,11 @@ export interface Census {
   /** By requirement, in the order of requirement_keys: cells left after it and all before it. */
   left: number[];
   /** Defect bits of cells that fail by defects: share per kind, for the sentence "64 % fail by order". */
-  relax: {requirement: RequirementKey; value: number | null; leaves: number}[]; // dearest first; only if meeting = 0
+  relax: Relaxation[]; // dearest first; only if meeting = 0
+  /** The fewest requirements that leave something when they are dropped together; where relaxing one alone would, null. */
+  relax_together: {requirements: RequirementKey[]; leaves: number} | null;
+  /** Boxes that the curve does not enter, its nearest point, and the way to it from the border; only if meeting = 0. */
+  missed_boxes: MissedBox[];
 }
 export interface MapAnswer {
   samples: number; // as asked; an axis of a few places has one row or column to each
@@ -294,6 +309,7 @@ export interface Requirements {
   min_transmission_angle_deg?: number;
   max_link_ratio?: number | null;
   max_length?: number | null;
+  min_length?: number | null;
   ground_pivots_within?: Box | null;
   moving_pivots_within?: Box | null;
   respect_direction?: boolean;
@@ -328,7 +344,7 @@ export interface Replies {
   linkage: {linkage: Linkage; engine_ms: number};
   live: Record<Side, Uint8Array>; // by the index of that side's curve samples: that side link there, the other held
   halo: {offsets: Float64Array; counts: Uint32Array; steps: number; reach: number; engine_ms: number}; // counts: row-major [dy][dx] (steps²) or [turn] (steps)
-  best: {linkages: {tau: TauPair; type: LinkageType; min_transmission_angle_deg: number; link_ratio: number; longest: number; chain?: Chain}[]}; // each with its chain where that is searched for
+  best: {linkages: {tau: TauPair; type: LinkageType; min_transmission_angle_deg: number; link_ratio: number; longest: number; max_structural_error_deg?: number | null; pivots: Point[]; chain?: Chain}[]; notices: Notice[]}; // pivots: of a four-bar both ends of input and output, of a six-bar its seven hinges; each with its chain where that is searched for
   improve: {tau: TauPair; improved: boolean};
   verify: {verified: boolean; residual: number};
   trace: {points: Float64Array}; // 2K, one per drive state

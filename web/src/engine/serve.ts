@@ -49,7 +49,7 @@ export class Server {
       linkage: (r) => this.linkage(r),
       live: (r) => this.live(r),
       halo: (r) => this.halo(r),
-      best: (r) => ({linkages: JSON.parse(this.holding(r.problem).best(r.most))}),
+      best: (r) => JSON.parse(this.holding(r.problem).best(r.most)),
       improve: (r) => JSON.parse(this.holding(r.problem).improve(...r.tau)),
       verify: (r) => JSON.parse(this.holding(r.problem).verify(...r.tau)),
       trace: (r) => ({points: copied(this.holding(r.problem).trace(...r.tau, ...r.point))}),

@@ -8,7 +8,7 @@ import type {Workbench} from "../state/workbench.svelte";
 import {with_other_task} from "../tasks/kinds";
 import {animated_gif, film, type Progress} from "./animation";
 import {animation_frames} from "./frames";
-import {file_stem} from "./names";
+import {file_name, file_stem} from "./names";
 import {picture_colors, picture_of} from "./picture";
 import {copied, rasterised} from "./raster";
 import {save_blob} from "./save";
@@ -45,8 +45,7 @@ export async function made_file(workbench: Workbench, target: Target, format: Fo
   if (format === "png") return {name: `${stem}.png`, blob: await png(workbench, target)};
   if (format === "gif" || format === "webm") return {name: `${stem}.${format}`, blob: await animation(workbench, target, format, progress)};
   const {text, extension} = await from_engine(workbench, target, format);
-  const ending = extension.replace(/^\./, "");
-  return {name: format === "result" ? `${stem}-result.${ending}` : `${stem}.${ending}`, blob: new Blob([text], {type: engine_types[format]})};
+  return {name: file_name(format === "result" ? `${stem}-result` : stem, extension), blob: new Blob([text], {type: engine_types[format]})};
 }
 /** For a button elsewhere: the picked linkage, saved, and a word about it. */
 export async function take_away(workbench: Workbench, format: Format): Promise<void> {
@@ -57,8 +56,12 @@ export async function take_away(workbench: Workbench, format: Format): Promise<v
   workbench.say("state.exported", {name});
 }
 
+/** What is told of a linkage in its problem: another unit or title makes another drawing of the same bars. */
+export function question_of({problem, tau}: Target): string {
+  return JSON.stringify([engine_text(problem), tau]);
+}
 export function from_engine(workbench: Workbench, {problem, tau}: Target, format: ExportFormat): Promise<{text: string; extension: string}> {
-  return workbench.driver_client!.request("export", {problem: engine_text(problem), tau, format});
+  return workbench.driver_client!.run("export", {problem: engine_text(problem), tau, format});
 }
 export async function svg_of(workbench: Workbench, target: Target): Promise<string> {
   return (await from_engine(workbench, target, "svg")).text;
@@ -71,7 +74,7 @@ async function png(workbench: Workbench, target: Target): Promise<Blob> {
 }
 async function linkage_of(workbench: Workbench, {pin, problem, tau}: Target): Promise<Linkage> {
   if (pin === null && workbench.picked_linkage) return workbench.picked_linkage;
-  return (await workbench.driver_client!.request("linkage", {problem: engine_text(problem), tau})).linkage;
+  return (await workbench.driver_client!.run("linkage", {problem: engine_text(problem), tau})).linkage;
 }
 async function animation(workbench: Workbench, target: Target, format: "gif" | "webm", progress: Progress): Promise<Blob> {
   const linkage = await linkage_of(workbench, target), {problem} = target;

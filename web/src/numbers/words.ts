@@ -1,14 +1,25 @@
 // How the numbers of a linkage are said.
-import type {Linkage, LinkageType, Point, RequirementKey, Requirements} from "../engine/protocol";
+import type {Linkage, LinkageType, Point, RequirementKey, Requirements, TaskAnswer} from "../engine/protocol";
 import {requirement_names, value_text} from "../requirements/requirements";
+import type {Task} from "../state/task";
+import {name_of} from "../tasks/kinds";
 import en from "../texts/en.json";
 import {degrees_text, length_text, significant} from "../texts/numbers";
 import {t, type TextKey} from "../texts/texts.svelte";
 
+/** What stands where no linkage is in hand. */
+export function no_linkage_text(task: TaskAnswer | null, otherwise: TextKey): string {
+  return t(task && task.status !== "solved" ? "num.no_linkage" : otherwise);
+}
 /** A name that fits a table. */
 export function short_type(type: LinkageType): string {
   const short = `region.short.${type}`;
   return t((short in en ? short : `type.${type}`) as TextKey);
+}
+/** Of a linkage of a task: a six-bar is called by its make-up. */
+export function short_name(task: Task, type: LinkageType): string {
+  const name = name_of(task, type);
+  return name === `type.${type}` ? short_type(type) : t(name);
 }
 /** "Crank-rocker"; of a six-bar, "Watt I". */
 export function linkage_name({six_bar, type}: Pick<Linkage, "six_bar" | "type">): string {

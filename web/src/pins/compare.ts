@@ -1,6 +1,7 @@
 // Pinned linkages side by side: what is compared, which is best, in which order, and as a table to take away.
 import type {Linkage} from "../engine/protocol";
 import type {Pin} from "../state/problem";
+import {least_of, most_of} from "../state/ends";
 
 export const compared = [
   "min_transmission_angle_deg", "min_transmission_angle_full_turn_deg", "link_ratio", "longest", "ground", "input", "coupler",
@@ -27,7 +28,7 @@ export function value_of({pin, linkage}: Column, key: Compared): number | null {
 /** Of the values, those that are best; none where all are equal or only one is known. */
 export function best_of(values: (number | null)[], end: "high" | "low" | undefined): boolean[] {
   const known = values.filter((v): v is number => v !== null);
-  const best = end === "high" ? Math.max(...known) : Math.min(...known);
+  const best = end === "high" ? most_of(known) : least_of(known);
   const none = !end || known.length < 2 || known.every((v) => v === best);
   return values.map((v) => !none && v === best);
 }

@@ -2,6 +2,7 @@
 import UPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import {state_columns, type Drive} from "../engine/protocol";
+import {least_of, most_of} from "../state/ends";
 
 export interface Curve {
   name: string;
@@ -17,7 +18,7 @@ export const colors = ["--accent", "--output", "--good", "--body", "--warn", "--
 /** Angles and transmission angles between the first and the last position, or over all that can be driven. */
 export function stretch(drive: Drive): [angles: number[], values: number[]] {
   const all = drive.states.length / drive.width, whole = drive.task[0] < 0 || drive.task[1] < 0;
-  const first = whole ? 0 : Math.min(...drive.task), last = whole ? all - 1 : Math.max(...drive.task);
+  const first = whole ? 0 : least_of(drive.task), last = whole ? all - 1 : most_of(drive.task);
   const angles: number[] = [], values: number[] = [];
   for (let row = first; row <= last; ++row) {
     const angle = drive.states[row * drive.width];

@@ -2,14 +2,17 @@
 import type {Axis, AxisQuantity, Side, Special} from "../engine/protocol";
 import {place_of} from "../state/axis";
 import {significant} from "../texts/numbers";
+import type {TermName} from "../terms/pictures";
 import {t, type TextKey} from "../texts/texts.svelte";
 import {pixel_of, type Scale} from "./scale";
+import {most_of} from "../state/ends";
 
 const branch_texts: Record<string, TextKey> = {
   odd: "curve.odd", oval: "curve.oval", nodal: "curve.nodal", line: "curve.line", circle: "curve.circle_part", conic: "curve.conic",
   line_at_infinity: "curve.line_at_infinity", point: "curve.single_point", center_line: "curve.center_line",
   direct: "axis.direct", opposite: "axis.opposite",
 };
+const branch_terms: Record<string, TermName> = {odd: "branch_infinity", oval: "branch_closed", nodal: "node"};
 const sheets: Record<string, string> = {sheet_1: "I", sheet_2: "II", sheet_1_opposite: "III", sheet_2_opposite: "IV"};
 const quantity_texts: Partial<Record<AxisQuantity, TextKey>> = {
   side_direction: "axis.side_direction", side_length: "axis.side_length", output_scale: "axis.output_scale", pair_output: "axis.pair_output",
@@ -19,6 +22,7 @@ export interface AxisBar {
   start: number;
   end: number;
   text: string;
+  term: TermName | null;
 }
 export interface AxisMark {
   kind: "pole" | "node" | "infinity";
@@ -47,7 +51,7 @@ export function axis_bars(axis: Axis, side: Side, scale: Scale, unit: string): A
   const quantity = key ? [t(key, {of, unit}).trim()] : [];
   return scale.pieces.map(({start, end, block}) => {
     const name = axis.blocks[block] ? block_text(axis, block) : "";
-    return {start, end, text: [...quantity, ...(name ? [name] : [])].join(" · ")};
+    return {start, end, text: [...quantity, ...(name ? [name] : [])].join(" · "), term: branch_terms[axis.branches[axis.blocks[block]?.branch]?.name] ?? null};
   });
 }
 
@@ -66,7 +70,7 @@ export function axis_numbers(axis: Axis, scale: Scale): AxisNumber[] {
       const place = place_of(axis, tau);
       return place !== null && place >= from && place < to ? [{index, at: pixel_of(scale, place), text: number_text(axis.quantity, value)}] : [];
     });
-    const widest = Math.max(...own.slice(1).map(({at}, i) => at - own[i].at), 0) || Infinity;
+    const widest = Math.max(most_of(own.slice(1).map(({at}, i) => at - own[i].at)), 0) || Infinity;
     const step = every.find((k) => k * widest >= number_px) ?? own.length;
     let last = -Infinity;
     return own.filter(({index, at}) => {

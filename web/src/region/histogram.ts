@@ -1,4 +1,5 @@
 import type {MapAnswer} from "../engine/protocol";
+import {most_of} from "../state/ends";
 
 /** Share of the defect-free cells in each of `bins` equal steps of [from, to], the largest scaled to 1. */
 export function histogram(map: Pick<MapAnswer, "type" | "defects" | "value">, from: number, to: number, bins: number): number[] {
@@ -10,6 +11,6 @@ export function histogram(map: Pick<MapAnswer, "type" | "defects" | "value">, fr
     const bin = Math.floor((value[i] - from) * scale);
     if (bin >= 0 && bin < bins) ++counts[bin];
   }
-  const most = Math.max(...counts);
+  const most = most_of(counts);
   return most > 0 ? counts.map((count) => count / most) : counts;
 }

@@ -1,6 +1,6 @@
 // A linkage in words, for the card and for those who listen.
 import type {Linkage} from "../engine/protocol";
-import {defect_key, has_defect} from "../numbers/words";
+import {defect_key, has_defect, linkage_name} from "../numbers/words";
 import type {Task} from "../state/task";
 import {told} from "../tasks/kinds";
 import {degrees_text, fixed, significant} from "../texts/numbers";
@@ -13,7 +13,7 @@ function within(text: string): string {
 
 /** "Double crank, transmission angle 82.6 degrees, no defects" */
 export function spoken(linkage: Linkage, task: Task): string {
-  const type = t(type_text(linkage.type));
+  const type = linkage_name(linkage);
   if (linkage.type === "degenerate") return linkage.reason ? told(task, linkage.reason) : type;
   const defects = within(t(defect_key(linkage.defects))), angle = linkage.min_transmission_angle_deg;
   if (has_defect(linkage) || angle === null) return t("region.spoken_bare", {type, defects});

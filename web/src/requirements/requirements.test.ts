@@ -1,9 +1,10 @@
 import {describe, expect, it} from "vitest";
-import type {Census, Linkage, Requirements, TaskAnswer} from "../engine/protocol";
+import type {Box, Linkage, TaskAnswer} from "../engine/protocol";
 import type {Problem} from "../state/problem";
-import {box_around, dropped, failing, in_force, is_asked, is_needed, relaxation_text, relaxed, row_order, unmet_text, value_text, with_side} from "./requirements";
+import {
+  all_dropped, box_around, dropped, failing, in_force, is_asked, is_needed, missed_box_text, relaxation_text, relaxed, together_text, unmet_text, value_text,
+} from "./requirements";
 
-const census = (only: number[], meeting = 0, defect_free = 100) => ({only, meeting, defect_free}) as Census;
 const linkage = (fails: number, defects = {order: false, branch: false, circuit: false}, type = "crank_rocker") => ({fails, defects, type}) as Linkage;
 
 describe("requirements", () => {
@@ -34,29 +35,35 @@ describe("requirements", () => {
     expect(value_text("max_length", 460, "")).toBe("460");
     expect(value_text("max_link_ratio", 8.25, "mm")).toBe("8.25");
   });
-  it("puts the dearest first when nothing is left", () => {
-    const all: Requirements = {min_transmission_angle_deg: 89, max_link_ratio: 8, max_length: 450};
-    expect(row_order(census([0, 0, 500, 0, 0, 0, 0]), all)[0]).toBe("min_transmission_angle_deg");
-    expect(row_order(census([0, 3, 5, 9, 0, 0, 0]), all).slice(0, 3)).toEqual(["max_link_ratio", "min_transmission_angle_deg", "no_defects"]);
-    expect(row_order(census([0, 3, 5, 9, 0, 0, 0], 1), all)[0]).toBe("types");
-    expect(row_order(null, all)[0]).toBe("types");
-  });
   it("names what fails", () => {
     expect(failing(linkage(0b0010100))).toEqual(["min_transmission_angle_deg", "max_length"]);
     expect(failing(linkage(0b0000110, {order: true, branch: false, circuit: false}))).toEqual([]);
-    expect(failing(linkage(0b1000110, {order: false, branch: true, circuit: true}))).toEqual(["moving_pivots_within"]);
-    expect(failing(linkage(0x7f, undefined, "degenerate"))).toEqual([]);
+    expect(failing(linkage(0b10000110, {order: false, branch: true, circuit: true}))).toEqual(["moving_pivots_within"]);
+    expect(failing(linkage(0xff, undefined, "degenerate"))).toEqual([]);
   });
   it("says what is not met and what to relax", () => {
     const problem = {requirements: {min_transmission_angle_deg: 89, max_length: 400}} as Problem, asked = {problem, task: null, unit: "mm"};
     expect(unmet_text(linkage(0), asked)).toBeNull();
-    expect(unmet_text(linkage(0b0110100), asked)).toBe("Not met: transmission angle (89° at least), longest link (400 mm at most), box for ground pivots");
+    expect(unmet_text(linkage(0b1010100), asked)).toBe("Not met: transmission angle (89° at least), longest link (400 mm at most), box for fixed pivots");
     const relaxation = {requirement: "min_transmission_angle_deg", value: 83, leaves: 34} as const;
     expect(relaxation_text(relaxation, true, "83°")).toBe("The transmission angle costs most: 83° would leave 34.");
     expect(relaxation_text({...relaxation, value: null}, false, "")).toBe("Without the transmission angle, 34 are left.");
   });
-  it("keeps boxes upright", () => {
-    expect(with_side({x: [0, 10], y: [0, 5]}, "x", 0, 20)).toEqual({x: [10, 20], y: [0, 5]});
+  it("names the requirements that only together leave something, and drops them all", () => {
+    const requirements = ["no_defects", "max_length", "ground_pivots_within"] as const;
+    expect(together_text({requirements: [...requirements], leaves: 1234})).toBe("No single requirement is to blame: without ban on defects, longest link and box for fixed pivots together, 1\u202f234 are left.");
+    expect(all_dropped(requirements)).toEqual({no_defects: false, min_transmission_angle_deg: undefined, max_length: null, ground_pivots_within: null});
+  });
+  it("leads to the nearest box that would do", () => {
+    const box = {x: [70, 430], y: [210, 410]} as Box;
+    expect(relaxed("ground_pivots_within", box)).toEqual({ground_pivots_within: box});
+    expect(value_text("ground_pivots_within", box, "mm")).toBe("x 70 … 430, y 210 … 410");
+    expect(missed_box_text({requirement: "ground_pivots_within", nearest: [250, 210], beyond: [0, -60]}, "mm"))
+      .toBe("The centre-point curve does not enter the box for fixed pivots; nearest is (250, 210), 60 mm further down.");
+    expect(missed_box_text({requirement: "moving_pivots_within", nearest: [-5, 3.25], beyond: [7, 2]}, ""))
+      .toBe("The circle-point curve does not enter the box for moving pivots; nearest is (−5, 3.25), 7 further right, 2 further up.");
+  });
+  it("begins with a box around what there is", () => {
     expect(box_around([[100, 0], [200, 50]])).toEqual({x: [0, 300], y: [-30, 80]});
     expect(box_around([[5, 5]]).x[0]).toBeLessThan(5);
   });

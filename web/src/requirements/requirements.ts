@@ -1,10 +1,11 @@
 // Requirements as the panel sees them: which are asked, how one is dropped or relaxed, and the words for it.
-import {linkage_types, requirement_keys, type Box, type Census, type Linkage, type RequirementKey, type Requirements} from "../engine/protocol";
+import {linkage_types, requirement_keys, type Box, type Census, type Linkage, type MissedBox, type Relaxation, type RequirementKey, type Requirements} from "../engine/protocol";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {text_for} from "../tasks/kinds";
 import {grouped, significant} from "../texts/numbers";
 import {t, type TextKey} from "../texts/texts.svelte";
+import {least_of, most_of} from "../state/ends";
 
 /** Names of the rows; `req.short.<key>` is for sentences. */
 export const requirement_names: Record<RequirementKey, TextKey> = {
@@ -13,9 +14,12 @@ export const requirement_names: Record<RequirementKey, TextKey> = {
   min_transmission_angle_deg: "req.min_transmission",
   max_link_ratio: "req.max_ratio",
   max_length: "req.max_length",
+  min_length: "req.min_length",
   ground_pivots_within: "req.ground_box",
   moving_pivots_within: "req.moving_box",
 };
+
+export const is_length = (key: RequirementKey) => key === "max_length" || key === "min_length";
 
 /** What is asked: the file's own requirements, where they are silent the defaults that the engine used. */
 export function in_force({problem, task}: Pick<Workbench, "problem" | "task">): Requirements {
@@ -26,7 +30,8 @@ export function is_asked(requirements: Requirements, key: RequirementKey): boole
   switch (key) {
     case "types": return (requirements.types?.length ?? 0) > 0;
     case "no_defects": return requirements.no_defects ?? true;
-    case "min_transmission_angle_deg": return (requirements.min_transmission_angle_deg ?? 0) > 0;
+    case "min_transmission_angle_deg":
+    case "min_length": return (requirements[key] ?? 0) > 0;
     default: return requirements[key] !== null && requirements[key] !== undefined;
   }
 }
@@ -43,19 +48,17 @@ export function dropped(key: RequirementKey): Partial<Requirements> {
 export function is_needed(requirements: Requirements, key: RequirementKey): boolean {
   return key === "no_defects" && is_asked(requirements, "min_transmission_angle_deg");
 }
-export function relaxed(key: RequirementKey, value: number | null): Partial<Requirements> {
-  return value === null ? dropped(key) : {[key]: Number(value.toPrecision(10))};
+export function relaxed(key: RequirementKey, value: number | Box | null): Partial<Requirements> {
+  if (value === null) return dropped(key);
+  return {[key]: typeof value === "number" ? Number(value.toPrecision(10)) : value};
 }
-export function value_text(key: RequirementKey, value: number, unit: string): string {
+export function all_dropped(keys: readonly RequirementKey[]): Partial<Requirements> {
+  return Object.assign({}, ...keys.map(dropped));
+}
+export function value_text(key: RequirementKey, value: number | Box, unit: string): string {
+  if (typeof value !== "number") return (["x", "y"] as const).map((axis) => `${axis} ${value[axis].map((end) => significant(end, 4)).join(" … ")}`).join(", ");
   if (key === "min_transmission_angle_deg") return `${significant(Number(value.toFixed(2)), 4)}°`;
-  return significant(value, 6) + (key === "max_length" && unit ? ` ${unit}` : "");
-}
-
-/** Order of the rows: the engine's, so that what is left only falls; when nothing is left, the dearest first. */
-export function row_order(census: Census | null, requirements: Requirements): RequirementKey[] {
-  if (!census || census.meeting > 0 || census.defect_free === 0) return [...requirement_keys];
-  const cost = (key: RequirementKey) => (is_asked(requirements, key) ? census.only[requirement_keys.indexOf(key)] : -1);
-  return [...requirement_keys].sort((a, b) => cost(b) - cost(a) || requirement_keys.indexOf(a) - requirement_keys.indexOf(b));
+  return significant(value, 6) + (is_length(key) && unit ? ` ${unit}` : "");
 }
 
 /** Requirements that a linkage fails. A defect stands for itself: the transmission angle is not defined then. */
@@ -72,19 +75,32 @@ export function failing(linkage: Linkage): RequirementKey[] {
 function asked_for(key: RequirementKey, requirements: Requirements, unit: string): string {
   const name = t(`req.short.${key}`), value = requirements[key];
   if (typeof value !== "number") return name;
-  return t(key === "min_transmission_angle_deg" ? "req.at_least" : "req.at_most", {name, value: value_text(key, value, unit)});
+  return t(key === "min_transmission_angle_deg" || key === "min_length" ? "req.at_least" : "req.at_most", {name, value: value_text(key, value, unit)});
 }
-/** "Not met: link ratio (8 at most), box for ground pivots", or nothing. */
+/** "Not met: link ratio (8 at most), box for fixed pivots", or nothing. */
 export function unmet_text(linkage: Linkage, workbench: Pick<Workbench, "problem" | "task" | "unit">): string | null {
   const requirements = in_force(workbench);
   const names = failing(linkage).map((key) => asked_for(key, requirements, workbench.unit));
   return names.length > 0 ? t("req.unmet", {names: names.join(t("req.comma"))}) : null;
 }
 /** "The link ratio costs most: 8.2 would leave 34." `value` stands for the relaxed value. */
-export function relaxation_text({requirement, value: relaxed, leaves}: Census["relax"][number], dearest: boolean, value: string): string {
+export function relaxation_text({requirement, value: relaxed, leaves}: Relaxation, dearest: boolean, value: string): string {
   const values = {name: t(`req.short.${requirement}`), value, n: grouped(leaves)};
   if (relaxed === null) return t(dearest ? "state.without_leaves" : "state.also_without", values);
   return t(dearest ? "state.costs_most" : "state.also", values);
+}
+/** "No single requirement is to blame: without the longest link and the box for fixed pivots together, 12 are left." */
+export function together_text({requirements, leaves}: NonNullable<Census["relax_together"]>): string {
+  const names = requirements.map((key) => t(`req.short.${key}`)), last = names.pop()!;
+  return t("req.relax_together", {names: names.length ? `${names.join(t("req.comma"))}${t("req.and")}${last}` : last, n: grouped(leaves)});
+}
+/** "The centre-point curve does not enter the box for fixed pivots; nearest is (250, 210), 60 mm further down." */
+export function missed_box_text({requirement, nearest, beyond}: MissedBox, unit: string): string {
+  const length = (value: number) => significant(Math.abs(value), 3) + (unit ? ` ${unit}` : "");
+  const ways = ([[beyond[0], "left", "right"], [beyond[1], "down", "up"]] as const).flatMap(([by, back, ahead]) =>
+    by === 0 ? [] : [t(`req.further_${by < 0 ? back : ahead}`, {length: length(by)})]);
+  const curve = t(requirement === "ground_pivots_within" ? "req.curve_center" : "req.curve_circle");
+  return t("req.missed_box", {curve, name: t(`req.short.${requirement}`), place: nearest.map((v) => significant(v, 4)).join(", "), way: ways.join(t("req.comma"))});
 }
 export function none_defect_free_text({pairs, types, order, branch}: Census, task: Task): string {
   const four_bars = Math.max(pairs - types[linkage_types.indexOf("degenerate")], 1), percent = (part: number) => Math.round((100 * part) / four_bars);
@@ -93,14 +109,10 @@ export function none_defect_free_text({pairs, types, order, branch}: Census, tas
 
 // ---- boxes ----------------------------------------------------------------------------------------------------------
 
-export function with_side(box: Box, axis: "x" | "y", end: 0 | 1, value: number): Box {
-  const other = box[axis][end === 0 ? 1 : 0];
-  return {...box, [axis]: [Math.min(value, other), Math.max(value, other)]};
-}
 /** A box to begin with where none was drawn: around these points, with room. */
 export function box_around(points: readonly (readonly [number, number])[]): Box {
   const around = (values: number[]): [number, number] => {
-    const low = Math.min(...values), high = Math.max(...values), size = Math.max(high - low, 1e-3 * Math.max(Math.abs(high), 1));
+    const low = least_of(values), high = most_of(values), size = Math.max(high - low, 1e-3 * Math.max(Math.abs(high), 1));
     const step = 10 ** Math.floor(Math.log10(size)), tidy = (value: number) => Number(value.toPrecision(12));
     return [tidy(Math.floor((low - 0.5 * size) / step) * step), tidy(Math.ceil((high + 0.5 * size) / step) * step)];
   };

@@ -8,7 +8,8 @@ import type {Problem} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
 import {mistakes_text} from "../texts/mistakes";
 import {t} from "../texts/texts.svelte";
-import {read_work, write_work} from "./storage";
+import {told} from "./own_files";
+import {other_work, read_before, write_before, type Kept} from "./storage";
 
 const most_bytes = 16 * 1024 * 1024;
 
@@ -29,16 +30,20 @@ export async function read_text(workbench: Workbench, text: string): Promise<Pro
 
 /** Another task takes the place of the one on screen, which can be had back: by undo, and from the menu. */
 export function replace_work(workbench: Workbench, problem: Problem, file_name: string | null = null): void {
-  write_work("before", workbench.whole_problem);
+  write_before(workbench.slot, workbench.whole_problem);
   workbench.open(problem, file_name);
 }
-export function can_restore(): boolean {
-  return read_work("before") !== null;
+export function can_restore({slot}: Workbench): boolean {
+  return read_before(slot) !== null;
 }
 /** What was here before; what is here now takes its place. */
 export function restore_work(workbench: Workbench): void {
-  const before = read_work("before");
+  const before = read_before(workbench.slot);
   if (before) replace_work(workbench, before);
+}
+/** What other tabs have kept, the last first: a few. */
+export function work_elsewhere({slot}: Workbench): Kept[] {
+  return other_work(slot).slice(0, 5);
 }
 
 function newer_version([first]: readonly Mistake[]): string | null {
@@ -53,9 +58,11 @@ export function say_refused(workbench: Workbench, mistakes: readonly Mistake[], 
   else workbench.say("state.bad_file", {name, why});
 }
 
-async function text_of(file: File): Promise<string | null> {
+const looked_at = 4096; // bytes at the start of a file that say what it is
+
+function decoded(bytes: ArrayBuffer): string | null {
   try {
-    return new TextDecoder("utf-8", {fatal: true, ignoreBOM: true}).decode(await file.arrayBuffer());
+    return new TextDecoder("utf-8", {fatal: true, ignoreBOM: true}).decode(bytes);
   } catch {
     return null;
   }
@@ -63,12 +70,15 @@ async function text_of(file: File): Promise<string | null> {
 export async function open_file(workbench: Workbench, file: File): Promise<void> {
   const {name} = file;
   if (file.size > most_bytes) return workbench.say("state.huge_file", {name});
-  const text = await text_of(file);
-  const read = text === null ? [{code: "not_utf8", place: "", message: "this is not UTF-8 text; save the file in UTF-8"}] : await read_text(workbench, text);
+  const bytes = await file.arrayBuffer(), text = decoded(bytes), start = new TextDecoder("latin1").decode(bytes.slice(0, looked_at));
+  const found = told(name, start, text);
+  if (!("text" in found)) return workbench.say(`state.is_${found.kind}`, {name});
+  const read = text === null ? [{code: "not_utf8", place: "", message: "this is not UTF-8 text; save the file in UTF-8"}] : await read_text(workbench, found.text);
   if (read === null) return;
   if (Array.isArray(read)) return say_refused(workbench, read, name);
-  replace_work(workbench, read, name);
-  workbench.say("file.opened", {name}, {key: "edit.undo", run: () => workbench.undo()});
+  const words = {problem: "file.opened", result: "file.opened_result", linkage: "file.opened_linkage"} as const;
+  replace_work(workbench, read, found.kind === "problem" ? name : null); // saving it must not write over what it came from
+  workbench.say(words[found.kind], {name}, {key: "edit.undo", run: () => workbench.undo()});
 }
 /** Browsers show their file chooser only shortly after a click or a key of the page's own, not after Ctrl-O alone. */
 export function pick_file(workbench: Workbench): void {

@@ -9,6 +9,7 @@ export const icons = {
   map: "M4 4h16v16H4zM4 20 20 4M12 4v16",
   numbers: "M4 6h16M4 12h10M4 18h13",
   theme: "M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zM12 3v18",
+  add: "M12 5v14M5 12h14",
   close: "M6 6l12 12M18 6 6 18",
   down: "m7 10 5 5 5-5",
 } as const;

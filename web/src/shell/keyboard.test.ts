@@ -1,7 +1,9 @@
 import {describe, expect, it} from "vitest";
 import en from "../texts/en.json";
 import zh from "../texts/zh.json";
+import {preferences} from "../state/preferences.svelte";
 import {is_key, key_groups} from "./keyboard";
+import {begins_no_number, may_act} from "./single_keys";
 
 function press(key: string, ...held: ("ctrl" | "meta" | "shift" | "alt")[]) {
   return {key, ctrlKey: held.includes("ctrl"), metaKey: held.includes("meta"), shiftKey: held.includes("shift"), altKey: held.includes("alt")};
@@ -29,6 +31,23 @@ describe("a key", () => {
     expect(is_key(press("?", "shift"), "?")).toBe(true);
     expect(is_key(press("?"), "?")).toBe(true);
     expect(is_key(press("/"), "?")).toBe(false);
+  });
+});
+
+describe("a key of one character", () => {
+  const inside = {closest: () => ({})} as unknown as Element, outside = {closest: () => null} as unknown as Element;
+  it("acts in the drawing and on the map only where the user has said so", () => {
+    for (const on of [true, false]) {
+      preferences.single_keys = on;
+      expect([press("b"), press("?", "shift"), press("0")].map((key) => [may_act(key, inside), may_act(key, outside), may_act(key, null)])).toEqual(Array(3).fill([true, on, on]));
+      for (const key of [press(" "), press("ArrowLeft"), press("Escape"), press("z", "ctrl"), press("s", "meta")]) expect(may_act(key, null)).toBe(true);
+    }
+    preferences.single_keys = true;
+  });
+  it("is none of a number's, unless a number, a formula or π begins with it", () => {
+    expect([..."bcfhimnrstxBX?"].filter((key) => !begins_no_number(press(key)))).toEqual([]);
+    expect([..."0123456789+-=.,(pπ "].filter((key) => begins_no_number(press(key)))).toEqual([]);
+    expect(begins_no_number(press("a", "ctrl"))).toBe(false);
   });
 });
 

@@ -5,6 +5,7 @@ import type {Workbench} from "../state/workbench.svelte";
 import type {TextKey} from "../texts/texts.svelte";
 import {move_to, step} from "../transport/play";
 import {pick_file, save_file} from "./files";
+import {may_act} from "./single_keys";
 
 export interface KeyEntry {
   /** Ways to say it: "Ctrl+Shift+Z", "Space", "P". Ctrl stands for ⌘ as well. */
@@ -125,6 +126,7 @@ export function listen_to_keys(workbench: Workbench): () => void {
   const pressed = (event: KeyboardEvent) => {
     if (event.defaultPrevented || workbench.dialog !== null) return;
     const entry = entries.find(({keys}) => keys.some((key) => is_key(event, key)));
+    if (!may_act(event, document.activeElement)) return;
     if (!entry || is_taken(event, event.target instanceof Element ? event.target : null, entry.in_text ?? false)) return;
     event.preventDefault();
     entry.run!(workbench);

@@ -1,9 +1,10 @@
 // A whole problem in the fragment of a link: #1.<check sum>.<data>, data = base64url of the deflated file.
 import {Inflate, deflateSync, strFromU8, strToU8} from "fflate";
-import type {Problem} from "../state/problem";
+import {engine_text, type Problem} from "../state/problem";
 
 export const longest_link = 64 * 1024; // characters, of the whole address
 const most_bytes = 16 * 1024 * 1024; // of what it unpacks to
+const most_packed = 2 * 1024 * 1024; // characters that are tried: nothing of use is packed thirtyfold, and packing takes time
 const slice = 1024; // bytes unpacked at a time: at most a megabyte comes out before the next look at the sum
 const version = "1";
 
@@ -49,6 +50,7 @@ export function fragment_of(problem: Problem): string {
 }
 /** The address that opens this problem; nothing when it is too long for a link. */
 export function link_of(problem: Problem, page: string): string | null {
+  if (engine_text(problem).length > most_packed) return null;
   const link = page.replace(/#.*$/s, "") + fragment_of(problem);
   return link.length <= longest_link ? link : null;
 }

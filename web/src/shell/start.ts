@@ -7,12 +7,15 @@ import {Workbench} from "../state/workbench.svelte";
 import {open_once} from "../transport/play";
 import {accept_drops} from "./files";
 import {open_link} from "./links";
-import {keep_work, read_work} from "./storage";
+import {save_text} from "../exports/save";
+import {damaged_work, forget_damaged, keep_work, own_slot, read_work} from "./storage";
 
 /** Until a link has been read, which takes the engine. The first example is on screen before the engine is. */
 export function first_workbench(): Workbench {
-  const problem = read_work("work") ?? first_example.problem;
-  const workbench = new Workbench(problem);
+  const slot = own_slot(), kept = read_work(slot);
+  const workbench = new Workbench(kept ?? first_example.problem), problem = workbench.whole_problem;
+  workbench.slot = slot;
+  workbench.kept_since = kept?.at ?? null;
   if (is_first_example(problem)) {
     const {task, map, linkage, live} = stored_start();
     workbench.show_stored(task, map, linkage, live);
@@ -25,19 +28,31 @@ function is_first_example(problem: Problem): boolean {
 
 /** Once the page stands and the engine is being started. Returns how to end it. */
 export function begin(workbench: Workbench): () => void {
-  const newcomer = !preferences.toured && read_work("work") === null && location.hash.length <= 1;
+  const newcomer = !preferences.toured && workbench.kept_since === null && location.hash.length <= 1;
   if (newcomer) workbench.tour = 0;
-  keep_work(workbench);
+  const end_keeping = keep_work(workbench, workbench.kept_since ?? 0);
+  give_out_damaged(workbench);
   void open_link(workbench);
   const opened = () => void open_link(workbench);
   addEventListener("hashchange", opened);
   const end_drops = accept_drops(workbench);
   const waiting = newcomer ? setInterval(() => first_opening(workbench, waiting), 100) : undefined;
   return () => {
+    end_keeping();
     removeEventListener("hashchange", opened);
     end_drops();
     clearInterval(waiting);
   };
+}
+/** Work of an earlier visit that could not be read is no work to be thrown away. */
+function give_out_damaged(workbench: Workbench): void {
+  const text = damaged_work();
+  if (text === null) return;
+  const save = () => {
+    save_text("linkwright-damaged.json", text, "application/json");
+    forget_damaged();
+  };
+  workbench.say("state.damaged_work", {}, {key: "state.save_it", run: save});
 }
 /** As soon as there is a linkage to show: it opens once. */
 function first_opening(workbench: Workbench, waiting: ReturnType<typeof setInterval> | undefined): void {

@@ -10,6 +10,7 @@ import type {Viewport} from "../drawing/viewport";
 import type {Linkage, Point} from "../engine/protocol";
 import type {State} from "../state/drive";
 import {body_point} from "../state/problem";
+import {same_value} from "../state/task";
 import {convex_hull} from "./hull";
 import {pin_diameter, plate_thickness, plate_width, type LayerPlan, type Link} from "./layers";
 
@@ -20,8 +21,8 @@ export interface SolidInput {
   outline: readonly Point[]; // body coordinates
   /** Any state of the drive: how the body lies on the coupler. */
   state: State;
-  /** What is to be in the window. */
-  reach: readonly Point[];
+  /** What is to be in the window; asked for when the view is fitted. */
+  reach: () => readonly Point[];
 }
 const pitch = 1.35 * plate_thickness; // from layer to layer: heads of pins fit between the plates
 const head = {thickness: 0.25 * plate_thickness, radius: 0.75 * pin_diameter};
@@ -45,10 +46,15 @@ export class SolidScene {
   private readonly light = new DirectionalLight(0xffffff, 1.9);
   private parts = new Group();
   private moving: Moving[] = [];
+  private shaped: ((input: SolidInput) => void)[] = []; // what another linkage changes of the parts
+  private built: Pick<SolidInput, "outline" | "plan"> | null = null; // what they were built for
+  private readonly materials = new Map<string, {role: keyof SolidColors; material: MeshStandardMaterial}>();
+  /** How often the parts were built: for tests. */
+  builds = 0;
   private unit = 1;
   private state: State | null = null;
   private fixed: Record<SolidPivot["side"], Point> | null = null;
-  private reach: readonly Point[] = [];
+  private reach: SolidInput["reach"] = () => [];
   private asked = 0;
   /** The wall behind, which shows nothing but shadow. */
   private readonly wall = new Mesh(new PlaneGeometry(60, 60), new ShadowMaterial({opacity: 0.22}));
@@ -75,6 +81,7 @@ export class SolidScene {
     this.canvas.removeEventListener("dblclick", this.look_square);
     this.controls.dispose();
     this.clear();
+    for (const {material} of this.materials.values()) material.dispose();
     this.wall.geometry.dispose();
     this.wall.material.dispose();
     this.light.dispose();
@@ -82,18 +89,18 @@ export class SolidScene {
     this.renderer.forceContextLoss();
   }
 
-  /** Another linkage, another order of layers or another outline. The view stays where the user has turned it. */
+  /** Another linkage is the same parts stretched; only another order of layers or another outline is built anew. The view
+   *  stays where the user has turned it. */
   show(input: SolidInput): void {
-    const first = this.parts.children.length === 0, unit_before = this.unit;
-    this.clear();
+    const first = this.built === null, unit_before = this.unit;
     this.unit = input.linkage.longest!;
     this.reach = input.reach;
     this.fixed = {input: input.linkage.input.center!, output: input.linkage.output.center!};
-    this.build(input);
-    this.scene.add(this.parts);
+    if (!this.built || this.built.outline !== input.outline || !same_value(this.built.plan.order, input.plan.order)) this.build(input);
+    for (const reshape of this.shaped) reshape(input);
     if (first) this.fit();
     else if (this.unit !== unit_before) this.keep_view(unit_before / this.unit);
-    this.put_light();
+    this.put_light(input.state);
     this.ask();
   }
   move(state: State): void {
@@ -105,24 +112,23 @@ export class SolidScene {
     }
     this.ask();
   }
-  resize(width: number, height: number): void {
+  resize(width: number, height: number, ratio: number): void {
     if (width === 0 || height === 0) return;
     this.size = {width, height};
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(Math.min(ratio, 2));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.ask();
   }
-  recolor(colors: SolidColors, input: SolidInput | null): void {
+  recolor(colors: SolidColors): void {
     this.colors = colors;
-    if (!input) return;
-    this.show(input);
-    if (this.state) this.move(this.state);
+    for (const {role, material} of this.materials.values()) material.color.set(colors[role]);
+    this.ask();
   }
   /** Everything in the window, seen from a little above and to the left of straight ahead. */
   fit(): void {
-    const points = this.reach.map(([x, y]) => new Vector3(x / this.unit, y / this.unit, layer_z(2)));
+    const points = this.reach().map(([x, y]) => new Vector3(x / this.unit, y / this.unit, layer_z(2)));
     const center = new Box3().setFromPoints(points).getCenter(new Vector3());
     const ahead = new Vector3(-0.38, 0.34, 1).normalize();
     const right = new Vector3().crossVectors(this.camera.up, ahead).normalize(), up = new Vector3().crossVectors(ahead, right);
@@ -195,13 +201,13 @@ export class SolidScene {
     this.parts.traverse((object) => {
       if (!(object instanceof Mesh)) return;
       (object.geometry as BufferGeometry).dispose();
-      (object.material as MeshStandardMaterial).dispose();
     });
     this.parts = new Group();
-    this.moving = [];
+    [this.moving, this.shaped] = [[], []];
   }
-  private put_light(): void {
-    const center = new Box3().setFromObject(this.parts).getCenter(new Vector3());
+  private put_light({ax, ay, bx, by}: State): void {
+    const pivots = [this.fixed!.input, this.fixed!.output, [ax, ay], [bx, by]].map(([x, y]) => new Vector3(x / this.unit, y / this.unit, layer_z(2)));
+    const center = new Box3().setFromPoints(pivots).getCenter(new Vector3());
     this.light.target.position.copy(center);
     this.light.position.copy(center).add(new Vector3(-1.2, 1.9, 3.2));
     const reach = 2.6, {camera} = this.light.shadow;
@@ -230,23 +236,30 @@ export class SolidScene {
 
   // ---- parts --------------------------------------------------------------------------------------------------
 
-  private build({linkage, plan, outline, state}: SolidInput): void {
-    const {order} = plan, fixed = {input: linkage.input.center!, output: linkage.output.center!};
-    this.add_ground(fixed.input, fixed.output);
-    const lengths = linkage.lengths!;
-    this.add_link("input", lengths.input, order.input, (s) => [...fixed.input, Math.atan2(s.ay - fixed.input[1], s.ax - fixed.input[0])]);
-    this.add_link("output", lengths.output, order.output, (s) => [...fixed.output, Math.atan2(s.by - fixed.output[1], s.bx - fixed.output[0])]);
-    this.add_link("coupler", lengths.coupler, order.coupler, (s) => [s.ax, s.ay, Math.atan2(s.by - s.ay, s.bx - s.ax)]);
-    this.add_pin(0, order.input, "input", () => [...fixed.input, 0]);
-    this.add_pin(0, order.output, "output", () => [...fixed.output, 0]);
+  private build({plan, outline}: SolidInput): void {
+    this.clear();
+    ++this.builds;
+    this.built = {plan, outline};
+    const {order} = plan, center = (side: SolidPivot["side"]) => this.fixed![side];
+    this.add_ground();
+    this.add_link("input", order.input, (s) => [...center("input"), Math.atan2(s.ay - center("input")[1], s.ax - center("input")[0])]);
+    this.add_link("output", order.output, (s) => [...center("output"), Math.atan2(s.by - center("output")[1], s.bx - center("output")[0])]);
+    this.add_link("coupler", order.coupler, (s) => [s.ax, s.ay, Math.atan2(s.by - s.ay, s.bx - s.ax)]);
+    this.add_pin(0, order.input, "input", () => [...center("input"), 0]);
+    this.add_pin(0, order.output, "output", () => [...center("output"), 0]);
     this.add_pin(order.input, order.coupler, "input", (s) => [s.ax, s.ay, 0]);
     this.add_pin(order.output, order.coupler, "output", (s) => [s.bx, s.by, 0]);
-    this.add_body(outline, order.coupler, body_point([state.ax, state.ay], state), body_point([state.bx, state.by], state));
+    this.add_body(outline, order.coupler);
+    this.scene.add(this.parts);
   }
-  private material(color: string, opacity = 1): MeshStandardMaterial {
-    return new MeshStandardMaterial({
-      color: new Color(color), roughness: 0.62, metalness: 0, transparent: opacity < 1, opacity, side: opacity < 1 ? DoubleSide : FrontSide, depthWrite: opacity === 1,
+  /** One to each colour: with the last material of its kind its shader would go, and be compiled again. */
+  private material(role: keyof SolidColors, opacity = 1): MeshStandardMaterial {
+    const key = `${role} ${opacity}`, known = this.materials.get(key);
+    const material = known?.material ?? new MeshStandardMaterial({
+      color: new Color(this.colors[role]), roughness: 0.62, metalness: 0, transparent: opacity < 1, opacity, side: opacity < 1 ? DoubleSide : FrontSide, depthWrite: opacity === 1,
     });
+    if (!known) this.materials.set(key, {role, material});
+    return material;
   }
   private mesh(geometry: BufferGeometry, material: MeshStandardMaterial, z: number): Mesh {
     const mesh = new Mesh(geometry, material);
@@ -256,55 +269,72 @@ export class SolidScene {
     this.parts.add(mesh);
     return mesh;
   }
-  private add_link(link: Link, length: number, layer: number, place: Moving["place"]): void {
-    const holes: Point[] = [[0, 0], [length / this.unit, 0]];
-    const shape = slot(0, length / this.unit, plate_width / 2);
-    for (const [x, y] of holes) shape.holes.push(new Shape().absarc(x, y, pin_diameter / 2, 0, 2 * Math.PI, true));
-    const object = this.mesh(plate(shape, plate_thickness), this.material(this.colors[link === "coupler" ? "body" : link], 1), layer_z(layer));
+  private add_link(link: Link, layer: number, place: Moving["place"]): void {
+    const shape = slot(0, 1, plate_width / 2);
+    for (const x of [0, 1]) shape.holes.push(new Shape().absarc(x, 0, pin_diameter / 2, 0, 2 * Math.PI, true));
+    const geometry = plate(shape, plate_thickness), stretch = stretching(geometry);
+    const object = this.mesh(geometry, this.material(link === "coupler" ? "body" : link), layer_z(layer));
     object.name = link;
+    this.shaped.push(({linkage}) => stretch(linkage.lengths![link] / this.unit));
     this.moving.push({object, place});
   }
   private add_pin(one: number, other: number, role: "input" | "output", place: Moving["place"]): void {
     const low = Math.min(one, other), high = Math.max(one, other);
     const bottom = layer_z(low) - (low === 0 ? 0 : head.thickness), top = layer_z(high) + plate_thickness + head.thickness;
-    const pin = new Group();
-    const steel = () => this.material(this.colors.ink2);
-    pin.add(upright(pin_diameter / 2, bottom, top, steel()), upright(head.radius, top - head.thickness, top, steel()));
-    if (low > 0) pin.add(upright(head.radius, bottom, bottom + head.thickness, steel()));
-    pin.add(upright(0.45 * pin_diameter / 2, top, top + 0.002, this.material(this.colors[role])));
+    const pin = new Group(), steel = this.material("ink2");
+    pin.add(upright(pin_diameter / 2, bottom, top, steel), upright(head.radius, top - head.thickness, top, steel));
+    if (low > 0) pin.add(upright(head.radius, bottom, bottom + head.thickness, steel));
+    pin.add(upright(0.45 * pin_diameter / 2, top, top + 0.002, this.material(role)));
     this.parts.add(pin);
     this.moving.push({object: pin, place});
   }
   /** The body, and a web that holds it on the coupler. */
-  private add_body(outline: readonly Point[], layer: number, a: Point, b: Point): void {
-    const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-    const away = (p: Point) => Math.hypot(p[0] - middle[0], p[1] - middle[1]);
-    const nearest = [...outline].sort((p, q) => away(p) - away(q)).slice(0, 2);
-    const thickness = plate_thickness / 4, z = layer_z(layer) + (plate_thickness - thickness) / 2;
-    for (const [corners, opacity] of [[outline, 0.34], [convex_hull([a, b, ...nearest]), 0.2]] as const) {
-      const shape = new Shape(corners.map(([x, y]) => new Vector2(x / this.unit, y / this.unit)));
-      const object = this.mesh(plate(shape, thickness), this.material(this.colors.accent, opacity), z);
+  private add_body(outline: readonly Point[], layer: number): void {
+    const thickness = plate_thickness / 4, z = layer_z(layer) + (plate_thickness - thickness) / 2, unit = this.unit;
+    const flat = (corners: readonly Point[]) => plate(new Shape(corners.map(([x, y]) => new Vector2(x / this.unit, y / this.unit))), thickness);
+    const body = this.mesh(flat(outline), this.material("accent", 0.34), z), web = this.mesh(flat(outline), this.material("accent", 0.2), z);
+    this.shaped.push(({state}) => {
+      body.scale.set(unit / this.unit, unit / this.unit, 1);
+      web.geometry.dispose();
+      web.geometry = flat(web_corners(outline, body_point([state.ax, state.ay], state), body_point([state.bx, state.by], state)));
+    });
+    for (const object of [body, web]) {
       object.name = "body";
       object.renderOrder = 1;
       this.moving.push({object, place: (s) => [s.x, s.y, (s.theta_deg * Math.PI) / 180]});
     }
   }
   /** A plate behind everything that carries two brackets. */
-  private add_ground(input: Point, output: Point): void {
-    const one = scaled(input, this.unit), other = scaled(output, this.unit);
-    const length = Math.hypot(other[0] - one[0], other[1] - one[1]), angle = Math.atan2(other[1] - one[1], other[0] - one[0]);
-    const base = this.mesh(plate(slot(0, length, 0.13), plate_thickness / 2), this.material(this.colors.curve), 0);
-    base.position.set(one[0], one[1], 0);
-    base.rotation.z = angle;
-    base.name = "ground";
-    for (const [[x, y], role] of [[one, "input"], [other, "output"]] as const) {
-      const foot = this.mesh(plate(bracket(), plate_thickness), this.material(this.colors[role]), layer_z(0));
-      foot.position.set(x, y, foot.position.z);
-      foot.name = "ground";
-    }
+  private add_ground(): void {
+    const geometry = plate(slot(0, 1, 0.13), plate_thickness / 2), stretch = stretching(geometry), base = this.mesh(geometry, this.material("curve"), 0);
+    const feet = (["input", "output"] as const).map((role) => this.mesh(plate(bracket(), plate_thickness), this.material(role), layer_z(0)));
+    for (const object of [base, ...feet]) object.name = "ground";
+    this.shaped.push(() => {
+      const one = scaled(this.fixed!.input, this.unit), other = scaled(this.fixed!.output, this.unit);
+      stretch(Math.hypot(other[0] - one[0], other[1] - one[1]));
+      base.position.set(one[0], one[1], 0);
+      base.rotation.z = Math.atan2(other[1] - one[1], other[0] - one[0]);
+      [one, other].forEach(([x, y], i) => feet[i].position.set(x, y, feet[i].position.z));
+    });
   }
 }
 
+/** Brings a plate of length 1 to another length: its far end moves as it is. */
+export function stretching(geometry: BufferGeometry): (length: number) => void {
+  const places = geometry.getAttribute("position"), far = Array.from({length: places.count}, (_, i) => i).filter((i) => places.getX(i) > 0.5), at = far.map((i) => places.getX(i));
+  return (length) => {
+    far.forEach((i, k) => places.setX(i, at[k] + length - 1));
+    places.needsUpdate = true;
+    geometry.computeBoundingBox();
+    geometry.computeBoundingSphere();
+  };
+}
+/** From the coupler's ends a and b to the two corners of the body that are nearest to their middle. */
+function web_corners(outline: readonly Point[], a: Point, b: Point): Point[] {
+  const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+  const away = (p: Point) => Math.hypot(p[0] - middle[0], p[1] - middle[1]);
+  return convex_hull([a, b, ...[...outline].sort((p, q) => away(p) - away(q)).slice(0, 2)]);
+}
 function layer_z(layer: number): number {
   return plate_thickness / 2 + layer * pitch;
 }

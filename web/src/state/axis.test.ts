@@ -34,8 +34,14 @@ describe("places on the axis", () => {
   it("and τ are one to one", () => {
     for (let i = 0; i < 1000; ++i) {
       const place = (i + 0.5) / 1000;
-      expect(place_of(axis, tau_at(axis, place))).toBeCloseTo(place, 12);
+      expect(place_of(axis, tau_at(axis, place)!)).toBeCloseTo(place, 12);
     }
+  });
+  it("have no τ where there are no side links", () => {
+    const empty: Axis = {...axis, branches: [], blocks: []};
+    expect([block_at(empty, 0.5), tau_at(empty, 0.5)]).toEqual([null, null]);
+    expect([held_place(empty, 0.3), stepped_place({...empty, quantity: "burmester_point"}, 0.3, 1, 0.1)]).toEqual([0.3, 0.4]);
+    expect(tau_of_places({input: empty, output: empty}, [0, 0])).toBeNull();
   });
   it("are none for what no block shows", () => {
     expect(place_of(axis, -0.1)).toBeNull();

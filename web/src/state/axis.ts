@@ -1,4 +1,5 @@
 // Places on the map's axes and curve coordinates, as the engine's axis tells them.
+import {least_of, most_of} from "./ends";
 import {
   axis_quantities, whole, type Axes, type Axis, type AxisBlock, type Branch, type Side, type TaskAnswer, type TauPair, type Window,
 } from "../engine/protocol";
@@ -25,8 +26,9 @@ function wrapped(tau: number, branch: Branch): number {
   return rest >= length ? branch.from : branch.from + rest;
 }
 
-export function block_at(axis: Axis, place: number): AxisBlock {
-  return axis.blocks.find((block) => place < block.to) ?? axis.blocks[axis.blocks.length - 1];
+/** Nothing on an axis without side links. */
+export function block_at(axis: Axis, place: number): AxisBlock | null {
+  return axis.blocks.find((block) => place < block.to) ?? axis.blocks.at(-1) ?? null;
 }
 
 /** Whether the dyads lie along Burmester's curves; where there are none, the engine says what they lie along instead. */
@@ -59,14 +61,14 @@ function middle_tau({from, to}: Branch): number {
 }
 /** What stands for all places of a block, on an axis of a few; otherwise the place itself. */
 export function held_place(axis: Axis, place: number): number {
-  if (!is_discrete(axis) || axis.blocks.length === 0) return place;
-  const {from, to} = block_at(axis, place);
-  return (from + to) / 2;
+  const block = is_discrete(axis) ? block_at(axis, place) : null;
+  return block ? (block.from + block.to) / 2 : place;
 }
 /** So many cells of `cell` on; on an axis of a few places to the next. */
 export function stepped_place(axis: Axis, place: number, cells: number, cell: number): number {
-  if (!is_discrete(axis)) return Math.min(Math.max(place + cells * cell, 0), 1);
-  const at = axis.blocks.indexOf(block_at(axis, place)), to = Math.min(Math.max(at + Math.sign(cells), 0), axis.blocks.length - 1);
+  const block = is_discrete(axis) ? block_at(axis, place) : null;
+  if (!block) return Math.min(Math.max(place + cells * cell, 0), 1);
+  const at = axis.blocks.indexOf(block), to = Math.min(Math.max(at + Math.sign(cells), 0), axis.blocks.length - 1);
   return held_place(axis, axis.blocks[to].from);
 }
 
@@ -85,15 +87,16 @@ export function held_tau(axes: Axes, tau: TauPair): TauPair {
   return [held(axes.input, tau[0]), held(axes.output, tau[1])];
 }
 
-/** τ at a place of the axis, on its branch. */
-export function tau_at(axis: Axis, place: number): number {
-  const inside = Math.min(Math.max(place, 0), 1);
-  const block = block_at(axis, inside), branch = axis.branches[block.branch];
+/** τ at a place of the axis, on its branch; none on an axis without side links. */
+export function tau_at(axis: Axis, place: number): number | null {
+  const inside = Math.min(Math.max(place, 0), 1), block = block_at(axis, inside);
+  if (!block) return null;
+  const branch = axis.branches[block.branch];
   return is_discrete(axis) ? middle_tau(branch) : wrapped(interpolated(block.knots, inside, 0), branch);
 }
 export function tau_of_places(axes: Axes, place: TauPair): TauPair | null {
-  if (axes.input.blocks.length === 0 || axes.output.blocks.length === 0) return null;
-  return [tau_at(axes.input, place[0]), tau_at(axes.output, place[1])];
+  const input = tau_at(axes.input, place[0]), output = tau_at(axes.output, place[1]);
+  return input === null || output === null ? null : [input, output];
 }
 
 /** Place of τ on the axis; nothing where no block shows it. */
@@ -103,7 +106,7 @@ export function place_of(axis: Axis, tau: number): number | null {
     if (tau < branch.from - 1e-12 || tau > branch.to + 1e-12) continue;
     const length = branch.to - branch.from;
     const ends = [block.knots[0][1], block.knots[block.knots.length - 1][1]];
-    const low = Math.min(...ends), high = Math.max(...ends);
+    const low = least_of(ends), high = most_of(ends);
     for (const turns of [0, 1, -1, 2, -2]) {
       const unwrapped = tau + turns * length;
       if (unwrapped >= low - 1e-12 && unwrapped <= high + 1e-12) {

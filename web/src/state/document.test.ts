@@ -50,6 +50,9 @@ describe("on the axis of an answer", () => {
     const tau = [0.25 + 1e-12, 0.5] as const, settled = settled_on(both(axis), {...document, picked: {tau, place: [0.25, 0.5]}});
     expect(settled.picked!.tau).toBe(tau);
   });
+  it("what was loaded with a τ that is none of the axes is not in hand as another", () => {
+    expect(settled_on(both(axis), {...document, picked: {tau: [1.25, 0.5], place: null}}).picked).toBeNull();
+  });
   it("without a curve everything waits for one", () => {
     expect(settled_on(both(no_curve), document)).toBe(document);
   });

@@ -2,7 +2,8 @@
 import type {Axes, TauPair} from "../engine/protocol";
 import {places_of, tau_of_places} from "./axis";
 import {map_of} from "../tasks/kinds";
-import {problem_text, with_view, type Pin, type Problem} from "./problem";
+import {with_view, type Pin, type Problem} from "./problem";
+import {same_value} from "./task";
 
 export interface Picked {
   tau: TauPair;
@@ -29,8 +30,8 @@ export function from_problem(problem: Problem): Document {
 }
 /** The reverse, as it is saved and shared. */
 export function to_problem({problem, picked, pins, order}: Document): Problem {
-  const view = {...problem.view, pins: pins.length ? pins : undefined, picked: picked?.tau, order: order ?? undefined};
-  return with_view(problem, view);
+  const view = {...problem.view, ...(pins.length ? {pins} : {}), ...(picked ? {picked: picked.tau} : {}), ...(order === null ? {} : {order})};
+  return Object.keys(view).length ? with_view(problem, view) : problem;
 }
 
 /** After a change: what was picked stays in hand where the map stays one of the same things. */
@@ -44,8 +45,7 @@ export function same_tau(a: TauPair | null | undefined, b: TauPair | null | unde
 }
 /** Whether going from one to the other is a step. */
 export function differs(a: Document, b: Document): boolean {
-  const same_problem = a.problem === b.problem || problem_text(a.problem) === problem_text(b.problem);
-  return !same_problem || a.pins !== b.pins || a.picked?.tau.join() !== b.picked?.tau.join();
+  return !same_value(a.problem, b.problem) || a.pins !== b.pins || a.picked?.tau.join() !== b.picked?.tau.join();
 }
 
 /** On the axes of an answer, the picked linkage keeps its place on the map; what was freshly loaded gets its place from τ.
@@ -58,8 +58,10 @@ export function settled_on(axes: Axes, document: Document): Document {
   const same = picked === document.picked && pins === document.pins && order === document.order;
   return same ? document : {...document, picked, pins, order};
 }
-function settled(axes: Axes, picked: Picked): Picked {
+/** Nothing where τ is none of these axes: the engine would take it for another. */
+function settled(axes: Axes, picked: Picked): Picked | null {
   const place = picked.place ?? places_of(axes, picked.tau);
+  if (!place) return null;
   const tau = picked.place ? kept_tau(picked.tau, tau_of_places(axes, picked.place) ?? picked.tau) : picked.tau;
   return tau === picked.tau && place === picked.place ? picked : {tau, place};
 }

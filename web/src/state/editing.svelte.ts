@@ -3,7 +3,8 @@
 import type {Mistake} from "../engine/protocol";
 import {differs, from_problem, with_problem, type Document, type Picked} from "./document";
 import {History} from "./history";
-import {engine_text, type Pin, type Problem} from "./problem";
+import {engine_text, same_question, type Pin, type Problem} from "./problem";
+import type {Steps} from "./steps";
 
 export abstract class Editing {
   document = $state.raw<Document>({problem: null as unknown as Problem, picked: null, pins: [], order: null});
@@ -12,8 +13,10 @@ export abstract class Editing {
   /** A drag is under way: changes are not steps yet. */
   gesture = $state(false);
   refusal = $state.raw<Mistake[] | null>(null);
-  /** The last gesture made a step, and what became of the picked linkage is not known yet. */
-  just_dragged = false;
+  /** Counts the ways through the history, back and forth: what was typed and not taken goes with them. */
+  moves = $state(0);
+  /** The last step was of the task or what is required, and what became of the picked linkage is not known yet. */
+  just_changed = false;
 
   private readonly history: History<Document>;
   private last_good: Document;
@@ -21,9 +24,12 @@ export abstract class Editing {
   private refused: Problem | null = null;
   private readonly listeners: (() => void)[] = [];
 
-  constructor(problem: Problem, now: () => number = () => performance.now()) {
-    this.document = from_problem(problem);
-    this.history = new History(this.document, now);
+  /** Begins with a problem, or where a visit before left off. */
+  constructor(start: Problem | Steps, now: () => number = () => performance.now()) {
+    const {past, present, future} = "present" in start ? start : {past: [], present: from_problem(start), future: []};
+    this.document = present;
+    this.history = new History(this.document, now, [...past], [...future]);
+    [this.can_undo, this.can_redo] = [past.length > 0, future.length > 0];
     this.last_good = this.document;
   }
 
@@ -44,6 +50,11 @@ export abstract class Editing {
     return engine_text(this.problem) === this.good_text;
   }
 
+  /** The document with all its steps, to be kept. */
+  get steps(): Steps {
+    return this.history.steps;
+  }
+
   /** Told after every committed change. */
   on_commit(listener: () => void): void {
     this.listeners.push(listener);
@@ -53,18 +64,28 @@ export abstract class Editing {
 
   /** One undoable step. Steps with the same `merge` label within a second are one. */
   edit(change: (problem: Problem) => Problem, merge: string | null = null): void {
-    this.commit(with_problem(this.document, change(this.problem)), merge);
+    this.edit_document((document) => with_problem(document, change(document.problem)), merge);
   }
   edit_document(change: (document: Document) => Document, merge: string | null = null): void {
-    this.commit(change(this.document), merge);
+    const before = this.document, after = change(before);
+    this.note_change(before, after);
+    this.commit(after, merge);
+  }
+  private note_change(before: Document, after: Document): void {
+    if (after.picked !== before.picked) this.just_changed = false; // it is the user's own choice
+    else this.just_changed ||= !same_question(before.problem, after.problem);
   }
   undo(): void {
     this.cancel_gesture();
+    ++this.moves;
+    this.just_changed = false;
     this.show(this.history.undo());
     this.told();
   }
   redo(): void {
     this.cancel_gesture();
+    ++this.moves;
+    this.just_changed = false;
     this.show(this.history.redo());
     this.told();
   }
@@ -101,9 +122,10 @@ export abstract class Editing {
     this.gesture = false;
     const kept = this.refusal && this.refused === this.problem ? this.last_good : this.document;
     this.refusal = null;
-    this.just_dragged = differs(kept, this.history.present);
-    if (this.just_dragged) this.commit(kept);
-    else this.show(this.history.present);
+    const before = this.history.present;
+    if (!differs(kept, before)) return this.show(before);
+    this.just_changed = !same_question(before.problem, kept.problem);
+    this.commit(kept);
   }
   cancel_gesture(): void {
     if (!this.gesture) return;

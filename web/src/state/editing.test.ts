@@ -31,9 +31,9 @@ describe("editing", () => {
     expect(b.shown.map((p) => poses_of(p.task)[1].x)).toEqual([1, 2, 3]);
     expect([told, b.can_undo]).toEqual([0, false]);
     b.end_gesture();
-    expect([told, b.can_undo, b.just_dragged]).toEqual([1, true, true]);
+    expect([told, b.can_undo, b.just_changed]).toEqual([1, true, true]);
     b.end_gesture(); // the pointer's end may be told twice
-    expect([told, b.just_dragged]).toEqual([1, true]);
+    expect([told, b.just_changed]).toEqual([1, true]);
     b.undo();
     expect([b.problem, b.can_undo, b.can_redo]).toEqual([problem, false, true]);
   });

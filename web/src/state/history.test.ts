@@ -68,4 +68,18 @@ describe("history", () => {
     h.retract(5, (a, b) => a === b);
     expect(h.undo()).toBe(3);
   });
+  it("has what was undone again when what was done instead was no good", () => {
+    const {history: h} = history();
+    h.commit(1);
+    h.commit(2);
+    h.undo();
+    h.commit(9);
+    h.retract(1, (a, b) => a === b);
+    expect([h.redo(), h.can_redo]).toEqual([2, false]);
+    h.undo();
+    h.commit(9);
+    h.commit(10);
+    h.retract(9, (a, b) => a === b); // 9 stands, and what it made impossible stays so
+    expect(h.can_redo).toBe(false);
+  });
 });

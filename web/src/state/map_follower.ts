@@ -3,7 +3,7 @@
 import {Crashed, Refusal, Superseded} from "../engine/client";
 import {whole, type Replies, type Window} from "../engine/protocol";
 import {settled_on, type Document} from "./document";
-import {engine_text} from "./problem";
+import {engine_text, same_question} from "./problem";
 import type {Workbench} from "./workbench.svelte";
 
 const even_samples = 400, quick_samples = 100, fine_samples = 1000;
@@ -72,12 +72,11 @@ export class MapFollower {
   private take(reply: Replies["explore"], document: Document, samples: number, window: Window): void {
     const {workbench} = this, {task, gesture} = workbench, {input: axis} = reply.task.axes;
     if (workbench.incomplete) return; // positions were removed meanwhile
-    workbench.task = reply.task;
-    if (reply.map) workbench.map = reply.map;
-    else workbench.map = workbench.census = workbench.hand = workbench.picked_linkage = null;
+    if (workbench.answers.map_is_of_present && !same_question(document.problem, workbench.problem)) return; // a drag was taken back meanwhile
+    workbench.answers.take_map(reply.task, reply.map, document.problem);
     workbench.engine_ms = reply.engine_ms;
     workbench.accept(document);
-    if (reply.map && window === whole && samples !== fine_samples) workbench.census = reply.map.census;
+    if (reply.map && window === whole && samples !== fine_samples) workbench.answers.take_census(reply.map.census, document.problem);
     const split = task !== null && gesture && axis.quantity === "curve_coordinate" && task.axes.input.branches.length !== axis.branches.length;
     if (split) workbench.say(axis.branches.length > 1 ? "state.curve_split" : "state.curve_joined");
     if (gesture || workbench.problem === document.problem) this.settle();
@@ -115,7 +114,7 @@ export class MapFollower {
     const {workbench} = this, {problem, order} = workbench.document;
     const content = {problem: engine_text(problem), samples: even_samples, window: whole, property: "min_transmission_angle_deg" as const, order: order ?? ("fresh" as const)};
     const reply = await workbench.driver_client?.request("explore", content).catch(() => null);
-    if (reply?.map && workbench.problem === problem) workbench.census = reply.map.census;
+    if (reply?.map && workbench.problem === problem) workbench.answers.take_census(reply.map.census, problem);
   }
 
   // ---- slowness -----------------------------------------------------------------------------------------------

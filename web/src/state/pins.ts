@@ -25,6 +25,10 @@ export function free_name(pins: readonly Pin[]): string {
     if (!pins.some((pin) => pin.name === name)) return name;
   }
 }
+/** The name, or where another pin has it the first that none has. */
+export function unused_name(pins: readonly Pin[], name: string): string {
+  return pins.some((pin) => pin.name === name) ? free_name(pins) : name;
+}
 /** The pin that keeps this linkage of the task. */
 export function find_pin(pins: readonly Pin[], task: Task, tau: TauPair): Pin | undefined {
   return pins.find((pin) => same_task(pin.task, task) && Math.hypot(pin.tau[0] - tau[0], pin.tau[1] - tau[1]) < 1e-6);

@@ -2,7 +2,8 @@
 import type {Box, LinkageType, Point, Requirements, TauPair} from "../engine/protocol";
 import {diagonal_of, poses_of, with_task_poses, type Pose, type Task} from "./task";
 
-export type Objective = "min_transmission_angle" | "link_ratio" | "size" | "structural_error";
+export const objectives = ["min_transmission_angle", "link_ratio", "size", "structural_error"] as const;
+export type Objective = (typeof objectives)[number];
 export interface Options {
   region_samples?: number;
   spacing?: "coordinate" | "arc_length";
@@ -14,9 +15,10 @@ export interface Options {
   seed?: number;
   effort?: number;
 }
+export const most_pins = 1000;
 /** A linkage that the user keeps: it carries the task in which it was pinned. */
 export interface Pin {
-  name: string; // A, B, …
+  name: string; // A, B, … or what the user calls it
   note?: string;
   tau: TauPair;
   place?: TauPair; // where its marker stands on the map, display coordinates
@@ -61,10 +63,16 @@ export function problem_text(problem: Problem, indent?: number): string {
   return JSON.stringify(problem, null, indent);
 }
 
+const engine_texts = new WeakMap<Problem, string>(); // problems are immutable, some are megabytes, and each is asked for often
 /** What the engine needs: without the view, so that pins and outline never make it compute. */
 export function engine_text(problem: Problem): string {
-  const {view: _, ...rest} = problem;
-  return JSON.stringify(rest);
+  const {view: _, ...rest} = problem, text = engine_texts.get(problem) ?? JSON.stringify(rest);
+  engine_texts.set(problem, text);
+  return text;
+}
+/** Whether the engine's answer to one is that to the other. */
+export function same_question(a: Problem, b: Problem): boolean {
+  return a === b || engine_text(a) === engine_text(b);
 }
 
 export function with_pose(problem: Problem, index: number, change: Partial<Pose>): Problem {

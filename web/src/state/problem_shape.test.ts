@@ -20,19 +20,19 @@ describe("a view from outside", () => {
     expect(read_view({outline: [[0, 0], [1, 0], [0, "<b>"]], picked: [NaN, 1]})).toEqual({});
   });
   it("takes pins one by one", () => {
-    const pins = [pin, {...pin, name: "<img>"}, {...pin, name: "B", type: "no_such_type"}, {...pin, name: "C", tau: [1]}, null, {...pin, note: 7, name: "D", lengths: {ground: "x"}}];
+    const pins = [pin, {...pin, name: "lid, 2nd try <b>"}, {...pin, name: " "}, {...pin, name: "B", type: "no_such_type"}, {...pin, name: "C", tau: [1]}, null, {...pin, note: 7, name: "D", lengths: {ground: "x"}}];
     const read = read_view({pins}).pins!;
-    expect(read.map((p) => p.name)).toEqual(["A", "D"]);
-    expect(read[1].note).toBeUndefined();
-    expect(read[1].lengths).toBeNull();
+    expect(read.map((p) => p.name)).toEqual(["A", "lid, 2nd try <b>", "D"]);
+    expect(read[2].note).toBeUndefined();
+    expect(read[2].lengths).toBeNull();
   });
   it("takes pins of old, which had poses", () => {
     const {task, ...old} = pin;
     expect(read_view({pins: [{...old, poses: task.poses}]}).pins).toEqual([pin]);
     expect(read_view({pins: [old]}).pins).toEqual([]);
   });
-  it("keeps one pin of each name", () => {
-    expect(read_view({pins: [pin, {...pin, tau: [9, 9]}]}).pins).toEqual([pin]);
+  it("gives the second pin of a name another, and loses none", () => {
+    expect(read_view({pins: [pin, {...pin, tau: [9, 9]}, {...pin, name: "B"}]}).pins!.map(({name, tau}) => [name, tau[0]])).toEqual([["A", 0.1], ["B", 9], ["C", 0.1]]);
   });
   it("shows no picture but one that is in the file", () => {
     const background = {x: 0, y: 0, width: 10, aspect: 0.5};

@@ -2,50 +2,56 @@
 // with a task; the view, which it keeps and never reads, is looked through here: what does not fit is left out.
 import {linkage_types, type Point, type TauPair} from "../engine/protocol";
 import {read_task} from "../tasks/kinds";
-import type {Background, Pin, Problem, View} from "./problem";
-import {is_number, is_object, is_pair, number_or_null, read_list} from "./shape";
+import {unused_name} from "./pins";
+import {most_pins, objectives, type Background, type Pin, type Problem, type View} from "./problem";
+import {is_finite, is_number, is_object, is_pair, read_list, type Object} from "./shape";
 
-const most_pins = 100, most_points = 1000;
+const most_points = 10_000, longest_name = 100, longest_text = 10_000;
 
 function pairs(value: unknown): Point[] | undefined {
   return read_list(value, (item) => (is_pair(item) ? item : null), most_points) ?? undefined;
 }
 
-/** A pin names itself by one letter and perhaps a number; all its numbers are looked at, its note is text. */
+/** A pin has the name that its user gave it; all its numbers are looked at, name and note are text. */
 function read_pin(value: unknown): Pin | null {
-  if (!is_object(value) || typeof value.name !== "string" || !/^[A-Z]\d{0,3}$/.test(value.name) || !is_pair(value.tau)) return null;
+  if (!is_object(value) || typeof value.name !== "string" || value.name.trim() === "" || !is_pair(value.tau)) return null;
   const task = read_task(value.task ?? {kind: "motion", mechanism: "four_bar", poses: value.poses}); // pins used to have poses
   const type = linkage_types.find((name) => name === value.type);
   if (!task || !type) return null;
   const pivots = is_object(value.pivots) ? value.pivots : {};
-  const pivot = (key: string) => (is_pair(pivots[key]) ? pivots[key] : null);
+  const number = (key: string) => (is_finite(value[key]) ? value[key] : null);
   return {
-    name: value.name,
-    note: typeof value.note === "string" ? value.note.slice(0, 2000) : undefined,
+    name: value.name.trim().slice(0, longest_name),
+    note: typeof value.note === "string" ? value.note.slice(0, longest_text) : undefined,
     tau: value.tau as TauPair,
     place: is_pair(value.place) ? value.place : undefined,
     task,
     shown: value.shown === true ? true : undefined,
     type,
-    min_transmission_angle_deg: number_or_null(value.min_transmission_angle_deg),
-    link_ratio: number_or_null(value.link_ratio),
-    longest: number_or_null(value.longest),
+    min_transmission_angle_deg: number("min_transmission_angle_deg"),
+    link_ratio: number("link_ratio"),
+    longest: number("longest"),
     lengths: read_lengths(value.lengths),
     pivots: {
-      input_center: pivot("input_center"), input_circle: pivot("input_circle"),
-      output_center: pivot("output_center"), output_circle: pivot("output_circle"),
+      input_center: read_pivot(pivots.input_center), input_circle: read_pivot(pivots.input_circle),
+      output_center: read_pivot(pivots.output_center), output_circle: read_pivot(pivots.output_circle),
     },
   };
+}
+/** However far away: it is what the engine found. */
+function read_pivot(value: unknown): Point | null {
+  return Array.isArray(value) && value.length === 2 && value.every(is_finite) ? (value as unknown as Point) : null;
 }
 function read_lengths(value: unknown): Pin["lengths"] {
   if (!is_object(value)) return null;
   const {ground, input, coupler, output} = value;
-  return is_number(ground) && is_number(input) && is_number(coupler) && is_number(output) ? {ground, input, coupler, output} : null;
+  return is_finite(ground) && is_finite(input) && is_finite(coupler) && is_finite(output) ? {ground, input, coupler, output} : null;
 }
 function read_pins(value: unknown): Pin[] | undefined {
   if (!Array.isArray(value)) return undefined;
-  const pins = value.slice(0, most_pins).map(read_pin).filter((pin) => pin !== null);
-  return pins.filter((pin, i) => pins.findIndex((other) => other.name === pin.name) === i);
+  const pins: Pin[] = [];
+  for (const pin of value.slice(0, most_pins).map(read_pin)) if (pin) pins.push({...pin, name: unused_name(pins, pin.name)});
+  return pins;
 }
 function read_background(value: unknown): Background | undefined {
   if (!is_object(value) || typeof value.image !== "string" || !/^data:image\/(png|jpeg|webp|gif);base64,[A-Za-z0-9+/=]+$/.test(value.image)) return undefined;
@@ -70,16 +76,45 @@ export function read_view(value: unknown): View {
   return Object.fromEntries(Object.entries(view).filter(([, part]) => part !== undefined)) as View;
 }
 
+// ---- requirements and options ---------------------------------------------------------------------------------------
+
+type Check = (value: unknown) => boolean;
+const is_flag: Check = (value) => typeof value === "boolean";
+const is_one_of = (names: readonly string[]): Check => (value) => names.includes(value as string);
+const is_between = (low: number, high: number): Check => (value) => is_number(value) && value >= low && value <= high;
+const is_box: Check = (value) => is_object(value) && is_pair(value.x) && is_pair(value.y);
+const or_null = (check: Check): Check => (value) => value === null || check(value);
+
+const requirement_checks: Record<string, Check> = {
+  types: or_null((value) => Array.isArray(value) && value.every(is_one_of(linkage_types))),
+  no_defects: is_flag,
+  min_transmission_angle_deg: or_null(is_between(0, 90)),
+  max_link_ratio: or_null(is_between(1, 1e12)),
+  max_length: or_null(is_between(0, 1e12)),
+  ground_pivots_within: or_null(is_box),
+  moving_pivots_within: or_null(is_box),
+  respect_direction: is_flag,
+};
+const option_checks: Record<string, Check> = {
+  region_samples: is_between(8, 20_000), spacing: is_one_of(["coordinate", "arc_length"]), objective: is_one_of(objectives),
+  best: is_between(0, 1000), window: or_null(Array.isArray), box: or_null(is_box), seed: is_between(0, 999_999_999), effort: is_between(1, 10_000_000),
+};
+/** The members that are right. One that is not known here belongs to a later version: the engine reads it. */
+function sound(value: unknown, checks: Record<string, Check>): Object | undefined {
+  if (!is_object(value)) return undefined;
+  return Object.fromEntries(Object.entries(value).filter(([key, member]) => !Object.hasOwn(checks, key) || checks[key](member)));
+}
+
 /** A problem whose task the engine has read, or will: right in its outlines, its view in every part. */
 export function read_problem(value: unknown): Problem | null {
   if (!is_object(value) || value.linkwright !== 1) return null;
   const task = read_task(value.task);
   if (!task) return null;
-  const text = (key: string) => (typeof value[key] === "string" ? {[key]: (value[key] as string).slice(0, 1000)} : {});
-  const part = (key: string) => (is_object(value[key]) ? {[key]: value[key]} : {});
+  const text = (key: string) => (typeof value[key] === "string" ? {[key]: (value[key] as string).slice(0, longest_text)} : {});
+  const requirements = sound(value.requirements, requirement_checks), options = sound(value.options, option_checks);
   const view = read_view(value.view);
   return {
     linkwright: 1, ...text("title"), ...text("length_unit"), task,
-    ...part("requirements"), ...part("options"), ...(Object.keys(view).length ? {view} : {}),
+    ...(requirements ? {requirements} : {}), ...(options ? {options} : {}), ...(Object.keys(view).length ? {view} : {}),
   };
 }

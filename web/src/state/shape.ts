@@ -9,11 +9,11 @@ export function is_object(value: unknown): value is Object {
 export function is_number(value: unknown): value is number {
   return typeof value === "number" && Math.abs(value) <= 1e12;
 }
+export function is_finite(value: unknown): value is number {
+  return Number.isFinite(value);
+}
 export function is_pair(value: unknown): value is Point {
   return Array.isArray(value) && value.length === 2 && value.every(is_number);
-}
-export function number_or_null(value: unknown): number | null {
-  return is_number(value) ? value : null;
 }
 /** All of a list, or nothing where one of them is none. */
 export function read_list<T>(value: unknown, read: (item: unknown) => T | null, most: number): T[] | null {

@@ -1,5 +1,6 @@
 // What a linkage is asked to do, as the problem file has it: a form to each kind of task (tasks/ has what they bring).
 import type {Box, Chain, Point} from "../engine/protocol";
+import {least_of, most_of} from "./ends";
 
 export interface Pose {
   x: number;
@@ -102,6 +103,7 @@ export function with_task_poses(task: Task, poses: readonly Pose[]): Task {
 export function same_value(a: unknown, b: unknown): boolean {
   if (a === b) return true;
   if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
+  if (Array.isArray(a) && Array.isArray(b)) return a.length === b.length && a.every((item, i) => same_value(item, b[i]));
   const keys = new Set([...Object.keys(a), ...Object.keys(b)]);
   return Array.isArray(a) === Array.isArray(b) && [...keys].every((key) => same_value(a[key as never], b[key as never]));
 }
@@ -112,7 +114,7 @@ export function same_task(a: Task, b: Task): boolean {
 /** The box around points. */
 export function box_of(points: readonly Point[]): Box {
   const xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
-  return {x: [Math.min(...xs), Math.max(...xs)], y: [Math.min(...ys), Math.max(...ys)]};
+  return {x: [least_of(xs), most_of(xs)], y: [least_of(ys), most_of(ys)]};
 }
 export function diagonal_of(points: readonly Point[]): number {
   if (points.length === 0) return 0;

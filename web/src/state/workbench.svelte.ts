@@ -1,12 +1,14 @@
 // The one state of the page. Views read it and call its actions; none keeps a copy. What is undoable is in `document`
 // (editing.svelte.ts); the rest is how it is being looked at and what the engine answers, for which two followers ask.
-import {EngineClient} from "../engine/client";
+import {EngineClient, no_answer, patience_ms} from "../engine/client";
 import {
   whole, type Box, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
 import {incompleteness, kind_of, map_of, properties_of, with_other_task} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
+import {Answers} from "./answers.svelte";
+import {BestList} from "./best_list.svelte";
 import {held_tau, held_window, places_of} from "./axis";
 import {from_problem, to_problem, type Picked} from "./document";
 import {angle_at_stage, stage_at_angle} from "./drive";
@@ -15,15 +17,11 @@ import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
 import {find_pin, free_name, new_pin} from "./pins";
 import {preferences} from "./preferences.svelte";
-import type {Objective, Pin, Problem} from "./problem";
+import {most_pins, type Objective, type Pin, type Problem} from "./problem";
+import type {Steps} from "./steps";
 import {same_task} from "./task";
+import {after_change, with_toast, type Toast} from "./toasts";
 
-export interface Toast {
-  id: number;
-  key: TextKey;
-  values: Values;
-  action?: {key: TextKey; run: () => void};
-}
 export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
@@ -34,23 +32,18 @@ const measures: Record<Objective, Property> = {
 
 /** A task is shown between the last two positions. */
 const before_last = 1.55;
+/** A round of a search takes longer than any answer, and the user has a button to stop it. */
+const search_patience = 10;
 
 export class Workbench extends Editing {
-  task = $state.raw<TaskAnswer | null>(null);
-  map = $state.raw<MapAnswer | null>(null);
-  /** Of the whole region at 400² (100² in a slow drag), whatever part of it is on screen. */
-  census = $state.raw<Census | null>(null);
+  /** What the engine has said, each with the problem of which it said it. */
+  readonly answers = new Answers(() => ({problem: this.problem, tau: this.tau_in_hand}));
   incomplete = $state.raw<Incomplete | null>(null);
   engine_ms = $state(0);
   window = $state.raw<Window>(whole);
 
   hovered = $state.raw<TauPair | null>(null);
-  /** The linkage that all views show: the hovered one, else the picked one. */
-  hand = $state.raw<Linkage | null>(null);
-  picked_linkage = $state.raw<Linkage | null>(null);
-  live = $state.raw<Replies["live"] | null>(null);
   halo = $state.raw<(Replies["halo"] & {pose: number; mode: "move" | "turn"}) | null>(null);
-  verified = $state.raw<Replies["verify"] | null>(null);
   improving = $state(false);
 
   /** Where the drive stands: comparable between linkages (state/drive.ts). */
@@ -89,9 +82,12 @@ export class Workbench extends Editing {
   tour = $state<number | null>(null);
   file_name = $state<string | null>(null);
   kept = $state(true); // the browser stores work between visits
+  slot = ""; // where it does (shell/storage)
+  kept_since: number | null = null; // when a visit before left it there; null: it did not
 
   readonly maps = new MapFollower(this);
   readonly linkages = new LinkageFollower(this);
+  readonly best_list = new BestList(this);
   engine: EngineClient | null = null; // follows the task
   driver_client: EngineClient | null = null; // follows the pointer
   /** One more engine, for what takes its time. */
@@ -99,6 +95,37 @@ export class Workbench extends Editing {
   private toast_id = 0;
   private map_shown = "";
 
+  constructor(start: Problem | Steps, now?: () => number) {
+    super(start, now);
+    this.on_commit(() => {
+      const left = after_change(this.toasts);
+      if (left.length < this.toasts.length) this.toasts = left;
+    });
+  }
+
+  get task(): TaskAnswer | null {
+    return this.answers.task;
+  }
+  get map(): MapAnswer | null {
+    return this.answers.map;
+  }
+  /** Of the whole region at 400² (100² in a slow drag), whatever part of it is on screen. */
+  get census(): Census | null {
+    return this.answers.census;
+  }
+  /** The linkage that all views show: the hovered one, else the picked one. */
+  get hand(): Linkage | null {
+    return this.answers.hand;
+  }
+  get picked_linkage(): Linkage | null {
+    return this.answers.picked_linkage;
+  }
+  get live(): Replies["live"] | null {
+    return this.answers.live;
+  }
+  get verified(): Replies["verify"] | null {
+    return this.answers.verified;
+  }
   get tau_in_hand(): TauPair | null {
     return this.hovered ?? this.picked?.tau ?? null;
   }
@@ -125,20 +152,23 @@ export class Workbench extends Editing {
 
   /** Starts the workers. With one core, one worker does both, hover first. */
   connect(start: () => Worker, cores: number): void {
-    const gave_up = () => this.say("state.engine_gave_up", {}, {key: "state.again", run: () => this.wake()});
-    const crashed = (_: string, resting: boolean) => {
+    const died = (reason: string, resting: boolean): void => {
+      if (resting) this.say("state.engine_gave_up", {}, {key: "state.again", run: () => this.wake()});
+      else if (reason === no_answer) this.say("state.engine_hung", {s: patience_ms / 1000});
+      else this.say("state.engine_stopped");
+    };
+    const crashed = (reason: string, resting: boolean): void => {
       this.maps.forget();
-      if (resting) return gave_up();
-      this.say("state.engine_stopped");
-      setTimeout(() => this.refresh(), 0);
+      died(reason, resting);
+      if (!resting) setTimeout(() => this.refresh(), 0);
     };
     const ready = () => {
       this.engine_state = "ready";
       this.refresh();
     };
     this.engine = new EngineClient(start, crashed, ready);
-    this.driver_client = cores > 1 ? new EngineClient(start, (_, resting) => resting && gave_up(), () => this.linkages.follow()) : this.engine;
-    this.start_engine = (on_ready, on_crash) => new EngineClient(start, on_crash, on_ready);
+    this.driver_client = cores > 1 ? new EngineClient(start, died, () => this.linkages.follow()) : this.engine;
+    this.start_engine = (on_ready, on_crash) => new EngineClient(start, on_crash, on_ready, search_patience * patience_ms);
     this.on_commit(() => this.wake());
   }
   /** For tests and the Stop button. */
@@ -155,24 +185,27 @@ export class Workbench extends Editing {
   }
   /** What the page shows before the engine has answered: a stored answer for the document in force. */
   show_stored(task: TaskAnswer, map: MapAnswer | null, linkage: Linkage | null, live: Replies["live"] | null = null): void {
-    this.task = task;
-    this.map = map;
-    this.census = map?.census ?? null;
+    this.answers.take_map(task, map, this.problem);
+    if (map) this.answers.take_census(map.census, this.problem);
     if (linkage && !this.picked) this.amend({picked: {tau: linkage.tau, place: this.place_of(linkage.tau)}});
     this.amend({order: task.axes.input.order});
-    this.hand = this.picked_linkage = linkage;
-    this.live = live;
+    if (linkage) {
+      this.answers.take_hand(linkage, this.problem);
+      this.answers.take_picked(linkage, this.problem);
+    }
+    this.answers.take_live(live);
   }
   /** Brings map, curves and the linkage in hand up to the document. */
   refresh(): void {
     this.incomplete = incompleteness(this.problem);
     this.show_whole_map();
     if (this.incomplete) {
-      this.task = this.map = this.census = this.hand = this.picked_linkage = this.live = null;
+      this.answers.forget();
       this.maps.stop();
       this.maps.forget();
       this.accept_unread();
     } else {
+      this.answers.asked_anew();
       this.maps.refresh();
       this.linkages.follow();
     }
@@ -207,6 +240,7 @@ export class Workbench extends Editing {
     this.selected_pose = null;
     this.mode = "point";
     this.stage = Math.max(kind_of(problem.task).stops(problem.task) - before_last, 0.45);
+    this.just_changed = false;
     this.commit(from_problem(problem));
     ++this.opened;
   }
@@ -215,6 +249,7 @@ export class Workbench extends Editing {
 
   hover(tau: TauPair | null): void {
     this.hovered = tau;
+    this.answers.asked_anew();
     this.linkages.hover();
   }
   /** An undoable choice. */
@@ -256,9 +291,11 @@ export class Workbench extends Editing {
   // ---- pins ---------------------------------------------------------------------------------------------------
 
   pin(linkage: Linkage | null = this.hand): void {
+    if (linkage && linkage === this.hand && !this.answers.hand_is_of_present) return void this.pin_at(this.tau_in_hand ?? linkage.tau); // as the task is now
     if (!linkage) return;
     const known = find_pin(this.pins, this.problem.task, linkage.tau);
     if (known) return this.say("state.already_pinned", {name: known.name});
+    if (this.pins.length >= most_pins) return this.say("state.too_many_pins", {n: most_pins});
     const pin = new_pin(linkage, this.problem, free_name(this.pins), this.place_of(linkage.tau));
     this.edit_document((document) => ({...document, pins: [...document.pins, pin]}));
     this.say("state.pinned", {name: pin.name}, {key: "edit.undo", run: () => this.undo()});
@@ -305,8 +342,8 @@ export class Workbench extends Editing {
 
   say(key: TextKey, values: Values = {}, action?: Toast["action"]): void {
     const toast = {id: ++this.toast_id, key, values, action};
-    this.toasts = [...this.toasts.filter((t) => t.key !== key).slice(-2), toast];
-    const long = action !== undefined || /bad|huge|newer|storage/.test(key);
+    this.toasts = with_toast(this.toasts, toast);
+    const long = action !== undefined || /bad|huge|newer|storage|hung|state\.is_/.test(key);
     setTimeout(() => this.dismiss(toast.id), long ? 10_000 : key === "state.curve_split" || key === "state.curve_joined" ? 2000 : 5000);
   }
   dismiss(id: number): void {

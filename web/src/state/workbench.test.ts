@@ -7,7 +7,7 @@ import {Server} from "../engine/serve";
 import {targets} from "../exports/take_away";
 import {examples, first_example} from "../gallery/gallery";
 import {fetch_pin} from "../pins/fetch";
-import {with_options, with_pose, with_poses, with_requirements, type Problem} from "./problem";
+import {engine_text, with_options, with_pose, with_poses, with_requirements, type Problem} from "./problem";
 import {fresh_function, function_kind} from "../tasks/function/kind";
 import {pairs_of, with_named} from "../tasks/function/pairs";
 import {new_problem} from "../tasks/motion/kind";
@@ -16,7 +16,7 @@ import {Workbench} from "./workbench.svelte";
 import {poses_of} from "./task";
 
 const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
-const tailgate = first_example.problem;
+const tailgate = first_example.problem, footrest = examples.find(({name}) => name === "footrest")!.problem;
 let servers: (() => Server)[];
 
 /** What the engine says a map took; null: the truth. */
@@ -24,6 +24,8 @@ interface Machine {
   map_ms: number | null;
   /** How much later the best linkages come. */
   best_ms: number;
+  /** It does not answer. */
+  mute: boolean;
 }
 /** Answers a little later, as a worker does. */
 class Thread {
@@ -34,7 +36,7 @@ class Thread {
   }
   postMessage(message: RequestMessage): void {
     this.asked.push(message);
-    setTimeout(() => !this.dead && this.say(this.slowed(this.server.serve(message).message)), message.kind === "best" ? this.machine.best_ms : 0);
+    if (!this.machine.mute) setTimeout(() => !this.dead && this.say(this.slowed(this.server.serve(message).message)), message.kind === "best" ? this.machine.best_ms : 0);
   }
   private slowed(reply: ReplyMessage): ReplyMessage {
     const answer = (reply as {reply?: {engine_ms?: number}}).reply;
@@ -62,7 +64,7 @@ interface Bench {
   machine: Machine;
 }
 function bench(problem: Problem, cores = 2): Bench {
-  const now = {time: 0}, asked: RequestMessage[] = [], machine: Machine = {map_ms: null, best_ms: 0};
+  const now = {time: 0}, asked: RequestMessage[] = [], machine: Machine = {map_ms: null, best_ms: 0, mute: false};
   const workbench = new Workbench(problem, () => now.time);
   let started = 0;
   workbench.connect(() => new Thread(servers[started++ % 2](), asked, machine) as unknown as Worker, cores);
@@ -218,6 +220,80 @@ describe("the workbench", () => {
     expect(poses_of(workbench.problem.task)[2].x).toBe(-219);
   });
 
+  it("shows nothing of a linkage beside a task that has none", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    await until(() => workbench.verified);
+    const shown = () => [workbench.map, workbench.census, workbench.hand, workbench.picked_linkage, workbench.live, workbench.verified];
+    workbench.hover([1.3125, 1.1125]); // asked of the old task, answered after the new one
+    workbench.edit((problem) => ({...problem, task: {...footrest.task, given: {side_length: 5}} as Problem["task"]}));
+    await until(() => workbench.task?.reason?.code === "no_side_link_of_length");
+    for (let i = 0; i < 20; ++i) {
+      expect(shown()).toEqual([null, null, null, null, null, null]);
+      await new Promise((resolve) => setTimeout(resolve, 5));
+    }
+    workbench.hover(null);
+    workbench.undo();
+    await settled(b);
+    await until(() => workbench.verified?.verified);
+    expect(shown()).not.toContain(null);
+  });
+
+  it("never says that driving has checked what it has not: another linkage, another task", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    await until(() => workbench.verified?.verified);
+    workbench.hover([1.3125, 1.1125]);
+    await until(() => workbench.hand!.tau[0] === 1.3125);
+    expect(workbench.verified).toBeNull();
+    workbench.hover(null);
+    expect(workbench.verified).not.toBeNull();
+    workbench.begin_gesture();
+    workbench.drag((problem) => with_pose(problem, 2, {x: -219}));
+    expect(workbench.verified).toBeNull();
+    await until(() => workbench.is_current);
+    expect(workbench.verified).toBeNull();
+    workbench.cancel_gesture();
+    await settled(b);
+    await until(() => workbench.verified?.verified);
+  });
+
+  it("pins the linkage of the task as it is, not the one that is still on screen", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    const before = workbench.hand!;
+    workbench.edit((problem) => with_pose(problem, 2, {x: -219}));
+    workbench.pin();
+    expect(workbench.pins).toEqual([]);
+    await until(() => workbench.pins.length > 0);
+    const [pin] = workbench.pins, {linkage} = await workbench.driver_client!.request("linkage", {problem: engine_text(workbench.problem), tau: pin.tau});
+    expect([pin.task, pin.lengths]).toEqual([workbench.problem.task, linkage.lengths]);
+    expect(pin.lengths).not.toEqual(before.lengths);
+  });
+
+  it("marks what is shown as outdated where no answer comes", async () => {
+    const b = bench(tailgate), {workbench} = b, {answers} = workbench;
+    await settled(b);
+    const marks = () => [answers.map_outdated, answers.census_outdated, answers.hand_outdated];
+    b.machine.mute = true;
+    workbench.edit((problem) => with_pose(problem, 2, {x: -219}));
+    expect(marks()).toEqual([false, false, false]); // not at once: in a drag the next answer is on its way
+    await until(() => answers.map_outdated);
+    expect(marks()).toEqual([true, true, true]);
+    workbench.undo();
+    expect(marks()).toEqual([false, false, false]);
+    workbench.redo();
+    await until(() => answers.map_outdated);
+    b.machine.mute = false;
+    workbench.engine!.restart();
+    workbench.driver_client!.restart();
+    await until(() => workbench.is_current && !marks().includes(true));
+    await settled(b);
+    workbench.hover([1.3125, 1.1125]);
+    await until(() => workbench.hand!.tau[0] === 1.3125);
+    expect(marks()).toEqual([false, false, false]);
+  });
+
   it("lives with a task whose dyads are no curve", async () => {
     const b = bench(tailgate), {workbench} = b;
     await settled(b);
@@ -256,6 +332,56 @@ describe("the workbench", () => {
     expect(workbench.census).toEqual(census);
     workbench.hover([1.3125, 1.1125]);
     await until(() => workbench.hand!.tau[0] === 1.3125);
+  });
+
+  it("leaves a linkage that a change has cost for the best, says so, and undo brings it back", async () => {
+    const b = bench(tailgate), {workbench} = b, keys = () => workbench.toasts.map(({key}) => key);
+    await settled(b);
+    const picked = workbench.picked!.tau, longest = workbench.picked_linkage!.longest!;
+    const limit = (max_length: number) => workbench.edit((problem) => with_requirements(problem, {max_length}));
+    limit(Math.ceil(longest) + 1); // it still does
+    await settled(b);
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    expect([workbench.picked!.tau, keys()]).toEqual([picked, []]);
+    limit(Math.floor(longest) - 1);
+    await until(() => keys().includes("state.went_to_best"));
+    await settled(b);
+    expect(workbench.picked_linkage!.fails).toBe(0);
+    const best = workbench.picked!.tau;
+    workbench.undo(); // one step with the change
+    await settled(b);
+    expect([workbench.picked!.tau, workbench.problem.requirements!.max_length]).toEqual([picked, Math.ceil(longest) + 1]);
+    workbench.redo();
+    await settled(b);
+    expect(workbench.picked!.tau).toEqual(best);
+    workbench.undo();
+    limit(Math.floor(longest) - 1);
+    await until(() => keys().includes("state.went_to_best"));
+    workbench.toasts[0].action!.run(); // keep the old one
+    await settled(b);
+    expect(workbench.picked!.tau).toEqual(picked);
+    expect(workbench.problem.requirements!.max_length).toBe(Math.floor(longest) - 1);
+    expect(workbench.picked_linkage!.fails).not.toBe(0);
+    limit(Math.floor(longest) - 2); // it failed before: the user has wanted it so
+    await settled(b);
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    expect([workbench.picked!.tau, keys()]).toEqual([picked, []]);
+  });
+
+  it("stays with what it has where nothing is left, and after a step back", async () => {
+    const b = bench(tailgate), {workbench} = b;
+    await settled(b);
+    const picked = workbench.picked!.tau, limit = (max_length: number) => workbench.edit((problem) => with_requirements(problem, {max_length}));
+    limit(1);
+    await until(() => workbench.census!.meeting === 0);
+    await new Promise((resolve) => setTimeout(resolve, 600));
+    expect([workbench.picked!.tau, workbench.toasts]).toEqual([picked, []]);
+    workbench.undo();
+    workbench.redo();
+    workbench.undo();
+    await settled(b);
+    await new Promise((resolve) => setTimeout(resolve, 600));
+    expect([workbench.picked!.tau, workbench.toasts]).toEqual([picked, []]);
   });
 
   it("opens another task as one step", async () => {

@@ -12,14 +12,20 @@ const degrees_per: Record<string, number> = {deg: 1, "°": 1, "º": 1, rad: 180 
 /** The value in degrees (angles) or in the user's unit (lengths). A comma is a decimal comma unless both comma and
  *  point occur: then the last of them is decimal and the others group. */
 export function evaluated(text: string, quantity: Quantity = "number", unit = ""): Reading {
-  const source = normalised(text);
-  if (source === "") return {fault: "empty"};
-  const tokens = tokens_of(source);
-  const value = tokens && new Expression(tokens, quantity, unit.trim().toLowerCase()).value();
+  const value = plain.test(text) ? Number(text.replace(",", ".")) : calculated(normalised(text), quantity, unit);
+  if (value === undefined) return {fault: "empty"};
   if (value === null || Number.isNaN(value)) return {fault: "not_a_number"};
   return Math.abs(value) <= largest_number ? {value: value === 0 ? 0 : value} : {fault: "out_of_range"};
 }
 
+/** What most numbers of a long table are: they need no reading. */
+const plain = /^[-+]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?$/;
+
+function calculated(source: string, quantity: Quantity, unit: string): number | null | undefined {
+  if (source === "") return undefined;
+  const tokens = tokens_of(source);
+  return tokens && new Expression(tokens, quantity, unit.trim().toLowerCase()).value();
+}
 function normalised(text: string): string {
   return text
     .trim()

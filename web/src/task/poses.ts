@@ -4,6 +4,7 @@ import {body_point, with_task, type Pin} from "../state/problem";
 import type {Document} from "../state/document";
 import {poses_of, same_task, with_task_poses, type Pose, type Task} from "../state/task";
 import {kind_of} from "../tasks/kinds";
+import {least_of, most_of} from "../state/ends";
 
 export function moved(poses: readonly Pose[], from: number, to: number): Pose[] {
   const list = [...poses], [pose] = list.splice(from, 1);
@@ -31,7 +32,7 @@ export function proposed(poses: readonly Pose[], step: number): Pose {
 
 /** One step of the arrow keys for lengths: a power of ten, about a hundredth of the points' box or less. */
 export function length_step(points: readonly Point[]): number {
-  const size = (k: 0 | 1) => Math.max(...points.map((p) => p[k])) - Math.min(...points.map((p) => p[k]));
+  const size = (k: 0 | 1) => most_of(points.map((p) => p[k])) - least_of(points.map((p) => p[k]));
   const extent = points.length > 1 ? Math.max(size(0), size(1)) : 0;
   return extent > 0 ? 10 ** (Math.floor(Math.log10(extent)) - 2) : 1;
 }
@@ -85,7 +86,7 @@ function referred_pin(pin: Pin, task: Task, point: (p: Point) => Point): Pin {
 function referred_box(box: Box, origin: Pose): Box {
   const corners = box.x.flatMap((x) => box.y.map((y) => body_point([x, y], origin)));
   const xs = corners.map((c) => clean(c[0])), ys = corners.map((c) => clean(c[1]));
-  return {x: [Math.min(...xs), Math.max(...xs)], y: [Math.min(...ys), Math.max(...ys)]};
+  return {x: [least_of(xs), most_of(xs)], y: [least_of(ys), most_of(ys)]};
 }
 function clean(value: number): number {
   const rounded = Number(value.toPrecision(13));

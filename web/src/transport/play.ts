@@ -2,6 +2,7 @@
 import type {Drive} from "../engine/protocol";
 import {angle_of_row, travel} from "../state/drive";
 import type {Workbench} from "../state/workbench.svelte";
+import {least_of, most_of} from "../state/ends";
 
 export type Repeat = "reverse" | "loop" | "once";
 export type Span = readonly [low: number, high: number];
@@ -18,7 +19,7 @@ const lit_ms = 250, longest_frame_ms = 200;
 export function task_span(drive: Drive): Span | null {
   if (drive.task[0] < 0 || drive.task[1] < 0) return null;
   const ends = drive.task.map((row) => angle_of_row(drive, row));
-  const span: Span = [Math.min(...ends), Math.max(...ends)];
+  const span: Span = [least_of(ends), most_of(ends)];
   return span[1] > span[0] ? span : null;
 }
 export function played_span(drive: Drive, whole: boolean): Span {

@@ -34,6 +34,14 @@ export function moved_box(box: Box, edges: Edges, x: number, y: number, snap: (v
     edge < 0 ? ordered(snap(values[0] + by), values[1]) : edge > 0 ? ordered(values[0], snap(values[1] + by)) : [values[0], values[1]];
   return {x: along(box.x, edges.x, x), y: along(box.y, edges.y, y)};
 }
+/** By arrow keys an edge stops before the other: no box turns over. */
+export function nudged_box(box: Box, edges: Edges, dx: number, dy: number): Box | null {
+  const whole = edges.x === 0 && edges.y === 0, add = (value: number, by: number) => Number((value + by).toPrecision(12));
+  const along = ([low, high]: readonly [number, number], edge: number, by: number): [number, number] =>
+    [whole || edge < 0 ? add(low, by) : low, whole || edge > 0 ? add(high, by) : high];
+  const moved = {x: along(box.x, edges.x, dx), y: along(box.y, edges.y, dy)};
+  return has_area(moved) ? moved : null;
+}
 function has_area(box: Box): boolean {
   return box.x[1] > box.x[0] && box.y[1] > box.y[0];
 }

@@ -6,7 +6,7 @@ import {diagonal_of, pattern_of, position_count, type AnglePair, type FreeNumber
 import {significant} from "../../texts/numbers";
 import type {TaskKind} from "../kind";
 
-const most_pairs = 1000;
+const most_pairs = 10_000;
 
 function read_pair(value: unknown): AnglePair | null {
   if (!is_object(value) || !is_number(value.input_deg) || !is_number(value.output_deg)) return null;
@@ -26,7 +26,7 @@ function read_function(value: unknown): NamedFunction | null {
   return {
     input_range_deg, output_range_deg,
     ...present({
-      expression: typeof value.expression === "string" ? value.expression.slice(0, 100) : null,
+      expression: typeof value.expression === "string" ? value.expression : null,
       table: read_list(value.table, read_range, Infinity), x: read_range(value.x), y: read_range(value.y),
       interpolation: interpolation === "linear" || interpolation === "monotone_cubic" ? interpolation : null,
       points: is_number(value.points) ? value.points : null,

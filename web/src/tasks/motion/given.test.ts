@@ -3,7 +3,7 @@ import type {Linkage} from "../../engine/protocol";
 import {with_poses, type Problem} from "../../state/problem";
 import {poses_of, with_task_poses, type Given, type MotionTask} from "../../state/task";
 import {freeable, freed_of, with_freed} from "./freed";
-import {form_of, free_numbers, fresh_given, given_forms, given_of, has_form, lengths_of, takes_given, with_given, with_length} from "./given";
+import {form_of, free_numbers, fresh_given, GivenMemory, given_forms, given_of, has_form, lengths_of, memory_of, takes_given, with_given, with_length} from "./given";
 import {motion_kind, new_problem} from "./kind";
 
 const four = new_problem(), three = with_poses(four, poses_of(four.task).slice(1));
@@ -26,6 +26,23 @@ describe("what is given beside three positions", () => {
     }
     const hand = {input: {length: 12.3456}, output: {length: 78.9}} as Linkage;
     expect(fresh_given("side_lengths", three, hand)).toEqual({side_lengths: [12.3, 78.9]});
+  });
+  it("keeps its numbers to the last digit from two lengths to one and back, whatever the linkage in hand has", () => {
+    const memory = new GivenMemory(), hand = {input: {length: 12.3456}, output: {length: 313.4}} as Linkage;
+    const two = with_given(three, {side_lengths: [200.123456, 320]}), one = with_given(three, memory.chosen("side_length", two, hand));
+    expect(given_of(one)).toEqual({side_length: 200.123456});
+    expect(memory.chosen("side_lengths", one, hand)).toEqual({side_lengths: [200.123456, 320]});
+    expect(memory.chosen("side_lengths", with_given(three, {side_length: 210}), hand)).toEqual({side_lengths: [210, 320]}); // R₁ was changed meanwhile
+    expect(new GivenMemory().chosen("side_lengths", one, hand)).toEqual({side_lengths: [200.123456, 313]});
+    const angle = with_given(three, memory.chosen("side_angle", one, hand));
+    expect(given_of(angle)).toEqual({side_angle_deg: 60, directed: true});
+    expect(memory.chosen("side_lengths", angle, hand)).toEqual({side_lengths: [200.123456, 320]});
+  });
+  it("is remembered as long as the task is open", () => {
+    const workbench = {opened: 1}, memory = memory_of(workbench);
+    expect(memory_of(workbench)).toBe(memory);
+    workbench.opened = 2;
+    expect(memory_of(workbench)).not.toBe(memory);
   });
   it("leaves so many numbers free, and a length that is open can be set", () => {
     const all: [Given, number, Given][] = [

@@ -23,10 +23,10 @@ export function has_form({task}: Problem, form: GivenForm): boolean {
   return form !== "instant_center" || poses_of(task).every((pose) => !pose.derivatives?.length);
 }
 
-/** A form to start from: as the linkage in hand has it, else of the task's size. */
+/** A form to start from: what is given already, else as the linkage in hand has it, else of the task's size. */
 export function fresh_given(form: GivenForm, problem: Problem, hand: Linkage | null): Given {
-  const poses = poses_of(problem.task), size = poses_extent(poses), [{x, y}] = poses;
-  const length = (side: Side) => Number((hand?.[side].length ?? round_step(0.5 * size)).toPrecision(3));
+  const poses = poses_of(problem.task), size = poses_extent(poses), [{x, y}] = poses, given = given_of(problem), known = given ? lengths_of(given) : {};
+  const length = (side: Side) => known[side] ?? Number((hand?.[side].length ?? round_step(0.5 * size)).toPrecision(3));
   if (form === "side_lengths") return {side_lengths: [length("input"), length("output")]};
   if (form === "side_length") return {side_length: length("input")};
   if (form === "side_angle") return {side_angle_deg: 60, directed: true};
@@ -43,6 +43,29 @@ export function with_length(given: Given, side: Side, length: number): Given {
   if ("side_lengths" in given) return {side_lengths: side === "input" ? [length, given.side_lengths[1]] : [given.side_lengths[0], length]};
   if ("side_length" in given) return side === "input" ? {side_length: length} : {side_lengths: [given.side_length, length]};
   return "side_angle_deg" in given ? {...given, input_length: length} : given;
+}
+
+/** What was given in each form before another was chosen: it comes back with its form, but for what both have. */
+export class GivenMemory {
+  private readonly left = new Map<GivenForm, Given>();
+
+  chosen(form: GivenForm, problem: Problem, hand: Linkage | null): Given {
+    const now = given_of(problem);
+    if (now) this.left.set(form_of(now), now);
+    const before = this.left.get(form), input = now ? lengths_of(now).input : null;
+    if (!before) return fresh_given(form, problem, hand);
+    return typeof input === "number" && typeof lengths_of(before).input === "number" ? with_length(before, "input", input) : before;
+  }
+}
+
+const memories = new WeakMap<object, {opened: number; memory: GivenMemory}>();
+/** Of the task that is open: another begins with nothing. */
+export function memory_of(workbench: {opened: number}): GivenMemory {
+  const known = memories.get(workbench), {opened} = workbench;
+  if (known?.opened === opened) return known.memory;
+  const memory = new GivenMemory();
+  memories.set(workbench, {opened, memory});
+  return memory;
 }
 
 /** Three positions leave four numbers free. */

@@ -7,7 +7,7 @@ import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
 import {form_of} from "./given";
 
-const most_poses = 100;
+const most_poses = 10_000; // the engine takes five; what was typed is kept until it is set right
 
 export function read_pose(value: unknown): Pose | null {
   if (!is_object(value) || !is_number(value.x) || !is_number(value.y) || !is_number(value.theta_deg)) return null;

@@ -7,7 +7,7 @@ import {same_value, type Pose, type SixBarTask} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {default_box, six_bar_task, with_six_bar} from "./chain";
 
-export const default_effort = 10_000, most_effort = 1_000_000, most_seed = 999_999_999;
+export const default_effort = 20_000, most_effort = 1_000_000, most_seed = 999_999_999;
 const chains_a_round = 1000, most_found = 12, most_a_round = 4;
 
 export interface Found {

@@ -1,10 +1,11 @@
+import {readFileSync} from "node:fs";
 import {describe, expect, it} from "vitest";
 import {Crashed, type EngineClient} from "../../engine/client";
 import {engine_text, with_options, with_pose, type Problem} from "../../state/problem";
 import {Workbench} from "../../state/workbench.svelte";
 import {new_problem as new_motion} from "../motion/kind";
 import {six_bar_kind} from "./kind";
-import {ChainSearch, most_seed, round_of, rounds_of} from "./search.svelte";
+import {ChainSearch, default_effort, most_seed, round_of, rounds_of} from "./search.svelte";
 
 const problem = with_options(six_bar_kind.beginnings[0].make(), {effort: 1500});
 const entry = {tau: [0.25, 0.5], type: "double_crank", min_transmission_angle_deg: 40, link_ratio: 3, longest: 500, chain: {a: [0, 0], b: [1, 0], d: [3, 2]}};
@@ -47,6 +48,11 @@ describe("a search for a chain", () => {
     expect(search.is_for(workbench.problem)).toBe(false);
     workbench.undo();
     expect(search.found_for(workbench.problem)).toHaveLength(1);
+  });
+  it("tries as many chains as the schema says where the file does not", () => {
+    const {properties} = JSON.parse(readFileSync("../schema/problem.schema.json", "utf8")).$defs.options;
+    expect(default_effort).toBe(properties.effort.default);
+    expect(most_seed).toBe(properties.seed.maximum);
   });
   it("tries every round with a seed that the engine takes", () => {
     const last = with_options(problem, {seed: most_seed});

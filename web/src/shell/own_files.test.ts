@@ -1,0 +1,68 @@
+// What the engine exports is what the page opens.
+import {readFileSync} from "node:fs";
+import {beforeAll, describe, expect, it} from "vitest";
+import {create_linkwright, type Session} from "../engine/module";
+import {examples, first_example} from "../gallery/gallery";
+import {engine_text, type Problem} from "../state/problem";
+import {read_problem} from "../state/problem_shape";
+import {told} from "./own_files";
+
+const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
+let session: Session;
+beforeAll(async () => void (session = new (await create_linkwright({wasmBinary: wasm})).Session()));
+
+interface Best {
+  tau: [number, number];
+}
+function exported(problem: Problem, format: string): {tau: [number, number]; text: string} {
+  expect(session.set_problem(engine_text(problem))).toBe(true);
+  const [{tau}] = (JSON.parse(session.best(1)) as {linkages: Best[]}).linkages;
+  return {tau, text: session.exported(...tau, format)};
+}
+const opened = (text: string) => {
+  const found = told("x.json", text.slice(0, 4096), text);
+  return {kind: found.kind, problem: "text" in found ? read_problem(JSON.parse(session.read(found.text))) : null};
+};
+
+describe("an export that is opened", () => {
+  it("as a result has its task, with the linkage in hand", () => {
+    for (const name of ["tailgate", "log_generator", "latch"]) {
+      const {problem} = examples.find((example) => example.name === name) ?? first_example, {tau, text} = exported(problem, "result");
+      const {kind, problem: read} = opened(text);
+      expect([name, kind, read?.view?.picked, read?.view?.pins]).toEqual([name, "result", tau, undefined]);
+      expect(read?.task).toEqual(problem.task);
+    }
+  });
+  it("as a result of several linkages has them pinned", () => {
+    const {text} = exported(first_example.problem, "result"), file = JSON.parse(text);
+    file.linkages.push(file.linkages[0], {mechanism: "four_bar"});
+    const {problem} = opened(JSON.stringify(file));
+    expect(problem!.view!.pins!.map(({name, type, longest}) => [name, type, Math.round(longest!)])).toEqual([["A", "triple_rocker_input", 252], ["B", "triple_rocker_input", 252]]);
+  });
+  it("as a linkage has its positions for a task", () => {
+    const {tau, text} = exported(first_example.problem, "json"), {kind, problem} = opened(text);
+    expect([kind, problem!.view!.picked, problem!.length_unit]).toEqual(["linkage", tau, "mm"]);
+    expect(problem!.task).toEqual(first_example.problem.task);
+  });
+  it("as a linkage that does not hold its task is said to be one", () => {
+    const of_pairs = exported(examples.find(({name}) => name === "log_generator")!.problem, "json").text;
+    expect(opened(of_pairs).kind).toBe("lone_linkage");
+    expect(opened('{"linkwright":1,"linkage":{"mechanism":"six_bar"},"poses":[]}').kind).toBe("lone_linkage");
+  });
+  it("as a drawing or a table is said to be one, by what is in it or by its name", () => {
+    for (const [format, kind] of [["dxf", "drawing"], ["svg", "drawing"]] as const) {
+      const {text} = exported(first_example.problem, format);
+      expect(told("renamed.txt", text.slice(0, 4096), text), format).toEqual({kind});
+    }
+    expect(told("motion.csv", "phi,x", "phi,x")).toEqual({kind: "table"});
+    expect(told("a", "\x89PNG\r\n", null)).toEqual({kind: "drawing"});
+    expect(told("a", "GIF89a", null)).toEqual({kind: "film"});
+    expect(told("a.webm", "\x1a\x45\xdf\xa3", null)).toEqual({kind: "film"});
+  });
+  it("that is none of these is read as a problem", () => {
+    const text = JSON.stringify(first_example.problem);
+    expect(told("task.json", text, text)).toEqual({kind: "problem", text});
+    expect(told("task.csv", text, text)).toEqual({kind: "problem", text});
+    expect(told("broken.json", "{\"linkages\":", "{\"linkages\":")).toEqual({kind: "problem", text: "{\"linkages\":"});
+  });
+});

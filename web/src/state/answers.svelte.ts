@@ -1,0 +1,146 @@
+// What the engine has answered, each answer with the problem that it answers. Nothing is shown of a task that has no
+// linkage; what belongs to an earlier problem than the one in force is outdated once it has been so for a moment.
+import type {Census, Linkage, MapAnswer, Replies, TaskAnswer, TauPair} from "../engine/protocol";
+import {same_tau} from "./document";
+import {same_question, type Problem} from "./problem";
+
+/** So long the last answer stands for the next one: in a drag each comes a few frames late. */
+export const patience_ms = 400;
+
+interface Answer<T> {
+  is: T;
+  of: Problem;
+}
+type Verdict = Replies["verify"];
+
+/** Whether the answer on screen has been waiting for its successor for too long. */
+class Wait {
+  over = $state(false);
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(private readonly behind: () => boolean) {}
+  /** Something else is asked. */
+  begin(): void {
+    if (!this.behind()) return this.end();
+    this.timer ??= setTimeout(() => {
+      this.timer = undefined;
+      this.over = this.behind();
+    }, patience_ms);
+  }
+  /** Something has been answered, perhaps not the last that was asked. */
+  answered(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    this.begin();
+  }
+  private end(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    this.over = false;
+  }
+}
+
+export class Answers {
+  private explored = $state.raw<Answer<{task: TaskAnswer; map: MapAnswer | null}> | null>(null);
+  private counted = $state.raw<Answer<Census> | null>(null);
+  private held = $state.raw<Answer<Linkage> | null>(null);
+  private picked = $state.raw<Answer<Linkage> | null>(null);
+  private along = $state.raw<Replies["live"] | null>(null);
+  private driven = $state.raw<Answer<Verdict & {tau: TauPair}> | null>(null);
+
+  private readonly map_wait: Wait;
+  private readonly census_wait: Wait;
+  private readonly hand_wait: Wait;
+
+  /** `asked`: the problem in force and the linkage that is to be in hand. */
+  constructor(private readonly asked: () => {problem: Problem; tau: TauPair | null}) {
+    this.map_wait = new Wait(() => this.explored !== null && !this.answers(this.explored));
+    this.census_wait = new Wait(() => this.census !== null && !this.answers(this.counted!));
+    this.hand_wait = new Wait(() => this.hand !== null && !(this.hand_is_of_present && same_tau(this.held!.is.tau, this.asked().tau)));
+  }
+
+  // ---- what there is ------------------------------------------------------------------------------------------
+
+  get task(): TaskAnswer | null {
+    return this.explored?.is.task ?? null;
+  }
+  get map(): MapAnswer | null {
+    return this.explored?.is.map ?? null;
+  }
+  get census(): Census | null {
+    return this.map && this.counted ? this.counted.is : null;
+  }
+  get hand(): Linkage | null {
+    return this.has_linkages && this.held ? this.held.is : null;
+  }
+  get picked_linkage(): Linkage | null {
+    return this.has_linkages && this.picked ? this.picked.is : null;
+  }
+  get live(): Replies["live"] | null {
+    return this.has_linkages ? this.along : null;
+  }
+  /** What driving has found of the very linkage in hand through the very task in force; null: not known. */
+  get verified(): Verdict | null {
+    const {driven, hand} = this;
+    return driven && hand && same_tau(driven.is.tau, hand.tau) && this.answers(driven) && this.hand_is_of_present ? driven.is : null;
+  }
+  get map_is_of_present(): boolean {
+    return this.explored !== null && this.answers(this.explored);
+  }
+  get hand_is_of_present(): boolean {
+    return this.hand !== null && this.answers(this.held!);
+  }
+  get map_outdated(): boolean {
+    return this.map_wait.over && this.explored !== null;
+  }
+  get census_outdated(): boolean {
+    return this.census_wait.over && this.census !== null;
+  }
+  get hand_outdated(): boolean {
+    return this.hand_wait.over && this.hand !== null;
+  }
+  /** Whether the picked linkage is that of the problem: it may still be of the one before. */
+  picked_is_of(problem: Problem): boolean {
+    return this.picked !== null && same_question(this.picked.of, problem);
+  }
+  private get has_linkages(): boolean {
+    return this.explored?.is.task.status === "solved";
+  }
+  private answers({of}: Answer<unknown>): boolean {
+    return same_question(of, this.asked().problem);
+  }
+
+  // ---- what comes ---------------------------------------------------------------------------------------------
+
+  /** The problem in force, or the linkage asked for, is another. */
+  asked_anew(): void {
+    for (const wait of [this.map_wait, this.census_wait, this.hand_wait]) wait.begin();
+  }
+  take_map(task: TaskAnswer, map: MapAnswer | null, of: Problem): void {
+    this.explored = {is: {task, map}, of};
+    if (!map) this.counted = this.held = this.picked = this.along = null;
+    this.map_wait.answered();
+  }
+  take_census(census: Census, of: Problem): void {
+    this.counted = {is: census, of};
+    this.census_wait.answered();
+  }
+  take_hand(linkage: Linkage | null, of: Problem): void {
+    this.held = linkage && {is: linkage, of};
+    this.hand_wait.answered();
+  }
+  take_picked(linkage: Linkage, of: Problem): void {
+    this.picked = {is: linkage, of};
+  }
+  take_live(live: Replies["live"] | null): void {
+    this.along = live;
+  }
+  take_verdict(verdict: Verdict, tau: TauPair, of: Problem): void {
+    this.driven = {is: {...verdict, tau}, of};
+  }
+  /** The problem is not one that can be asked. */
+  forget(): void {
+    this.explored = this.counted = this.held = this.picked = this.along = this.driven = null;
+    this.asked_anew();
+  }
+}

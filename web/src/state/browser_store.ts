@@ -1,0 +1,8 @@
+/** What the browser keeps between visits; nothing where it keeps nothing. */
+export function browser_store(): Storage | null {
+  try {
+    return globalThis.localStorage ?? null;
+  } catch {
+    return null; // forbidden, as in some private windows
+  }
+}

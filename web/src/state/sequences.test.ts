@@ -1,0 +1,217 @@
+// Whatever is done, in whatever order, and whatever dies meanwhile: nothing is lost. A model keeps the documents and where
+// undo stands in them; workbench and store have to agree with it after every action.
+import fc from "fast-check";
+import {afterAll, beforeAll, describe, expect, it, vi} from "vitest";
+import {patience_ms, type EngineClient} from "../engine/client";
+import type {Axis, Kind, RequestMessage} from "../engine/protocol";
+import {keep_work, own_slot, read_work, type Store} from "../shell/storage";
+import {new_problem} from "../tasks/motion/kind";
+import {function_kind} from "../tasks/function/kind";
+import {with_pose, with_poses, with_requirements, with_view, type Pin, type Problem} from "./problem";
+import {poses_of} from "./task";
+import {Workbench} from "./workbench.svelte";
+
+// ---- an engine that is none -----------------------------------------------------------------------------------------
+
+const refused_x = 666, rest_ms = 5000;
+const axis: Axis = {quantity: "curve_coordinate", ticks: null, order: 3, branches: [{name: "odd", from: 0, to: 1}], blocks: [{branch: 0, from: 0, to: 1, knots: [[0, 0], [1, 1]]}]};
+const linkage = (tau: unknown) => ({tau, type: "crank_rocker", input: {center: [0, 0], circle: [1, 0]}, output: {center: [2, 0], circle: [1, 1]}, fails: 0, drive: null, lengths: null, link_ratio: 2, longest: 2, min_transmission_angle_deg: 40});
+const replies: Partial<Record<Kind, (request: never) => object>> = {
+  explore: ({samples, window, property}: {samples: number; window: object; property: string}) => ({
+    task: {status: "solved", axes: {input: axis, output: axis}}, engine_ms: 1,
+    map: {samples, window, property, type: {length: 100}, census: {meeting: 1}},
+  }),
+  linkage: ({tau}: {tau: unknown}) => ({linkage: linkage(tau), engine_ms: 1}),
+  best: () => ({linkages: [{tau: [0.5, 0.5], type: "crank_rocker"}]}),
+  verify: () => ({verified: true, residual: 0}),
+};
+let hangs = false;
+class FakeWorker extends EventTarget {
+  onmessage: ((event: object) => void) | null = null;
+  onerror: ((event: Event) => void) | null = null;
+  private dead = false;
+
+  constructor() {
+    super();
+    this.addEventListener("error", (event) => this.onerror?.(event));
+    setTimeout(() => this.say({kind: "ready", version: "0"}));
+  }
+  postMessage(message: RequestMessage): void {
+    const {id, kind} = message, refused = "problem" in message && message.problem.includes(`"x":${refused_x},`);
+    if (hangs) return;
+    const reply = refused ? {refused: {mistakes: [{code: "refused", place: "task", message: "no"}]}} : {reply: replies[kind]?.(message as never) ?? {}};
+    setTimeout(() => this.say({id, kind, ...reply}), kind === "explore" ? 3 : 1);
+  }
+  terminate(): void {
+    this.dead = true;
+  }
+  private say(data: object): void {
+    if (!this.dead) this.onmessage?.({data});
+  }
+}
+
+// ---- a browser that is none -----------------------------------------------------------------------------------------
+
+function store(): Store {
+  const items = new Map<string, string>();
+  return {
+    get length() { return items.size; }, key: (i) => [...items.keys()][i] ?? null, getItem: (key) => items.get(key) ?? null,
+    setItem: (key, text) => void items.set(key, text), removeItem: (key) => void items.delete(key),
+  };
+}
+beforeAll(() => {
+  vi.useFakeTimers();
+  vi.stubGlobal("document", Object.assign(new EventTarget(), {visibilityState: "visible"}));
+  vi.stubGlobal("addEventListener", () => {});
+  vi.stubGlobal("removeEventListener", () => {});
+  vi.stubGlobal("ErrorEvent", class extends Event {});
+});
+afterAll(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+class Page {
+  workbench!: Workbench;
+  private readonly local = store();
+  private readonly session = store();
+  private end = () => {};
+
+  constructor() {
+    this.open();
+  }
+  open(): void {
+    const slot = own_slot(this.local, this.session), kept = read_work(slot, this.local);
+    this.workbench = new Workbench(kept ?? new_problem());
+    this.workbench.slot = slot;
+    this.workbench.connect(() => new FakeWorker() as unknown as Worker, 2);
+    this.end = keep_work(this.workbench, kept?.at ?? 0, this.local, this.session);
+  }
+  /** The page goes, without a moment's rest, and comes again. */
+  reload(): void {
+    this.close();
+    this.open();
+  }
+  close(): void {
+    this.end();
+    this.workbench.maps.stop();
+    for (const client of this.clients) client.close();
+  }
+  get clients(): EngineClient[] {
+    return [this.workbench.engine!, this.workbench.driver_client!];
+  }
+}
+
+// ---- the model and what can be done ---------------------------------------------------------------------------------
+
+interface Kept {
+  problem: Problem;
+  pins: readonly Pick<Pin, "name" | "note" | "shown">[];
+}
+class Model {
+  private steps: Kept[];
+  private at = 0;
+  constructor(first: Problem) {
+    this.steps = [{problem: first, pins: []}];
+  }
+  get now(): Kept {
+    return this.steps[this.at];
+  }
+  get can(): [undo: boolean, redo: boolean] {
+    return [this.at > 0, this.at < this.steps.length - 1];
+  }
+  step(next: Partial<Kept>): void {
+    this.steps = [...this.steps.slice(0, this.at + 1), {...this.now, ...next}];
+    ++this.at;
+  }
+  move(by: 1 | -1): void {
+    this.at = Math.min(Math.max(this.at + by, 0), this.steps.length - 1);
+  }
+}
+type Action = {name: string; by: number};
+type Doing = (page: Page, model: Model, by: number) => void | Promise<unknown>;
+
+/** The same change here and there. */
+function edited(change: (problem: Problem, by: number) => Problem): Doing {
+  return ({workbench}, model, by) => {
+    const before = workbench.problem, after = change(before, by);
+    workbench.edit(() => after);
+    if (!refused(after)) model.step({problem: after});
+  };
+}
+const refused = (problem: Problem) => poses_of(problem.task).length >= 4 && JSON.stringify(problem.task).includes(`"x":${refused_x},`);
+const last = (problem: Problem) => Math.max(poses_of(problem.task).length - 1, 0);
+const doings: Record<string, Doing> = {
+  move: edited((problem, by) => with_pose(problem, by % (last(problem) + 1), {x: by + 0.125, y: 1 - by})),
+  refused: edited((problem) => with_pose(problem, last(problem), {x: refused_x})),
+  limit: edited((problem, by) => with_requirements(problem, {max_link_ratio: by % 3 ? by + 2 : null})),
+  title: edited((problem, by) => ({...problem, title: `task ${by} …`})),
+  outline: edited((problem, by) => with_view(problem, {outline: [[0, 0], [by + 1, 0], [0, 1]]})),
+  remove: edited((problem) => (last(problem) > 2 ? with_poses(problem, poses_of(problem.task).slice(0, -1)) : problem)),
+  add: edited((problem, by) => (last(problem) < 3 ? with_poses(problem, [...poses_of(problem.task), {x: 1000 + by, y: by, theta_deg: by}]) : problem)),
+  drag: async ({workbench}, model, by) => {
+    workbench.begin_gesture();
+    for (let i = 0; i < 3; ++i) {
+      workbench.drag((problem) => with_pose(problem, 0, {x: by + i + 0.25}));
+      await vi.advanceTimersByTimeAsync(by % 7);
+    }
+    const {problem} = workbench;
+    if (by % 4 === 0) return workbench.cancel_gesture();
+    workbench.end_gesture();
+    if (JSON.stringify(problem) !== JSON.stringify(model.now.problem)) model.step({problem});
+  },
+  pin: async ({workbench}, model, by) => {
+    const count = workbench.pins.length;
+    await Promise.all([workbench.pin_at([(by % 50) / 100, 0.9]), vi.advanceTimersByTimeAsync(rest_ms)]);
+    if (workbench.pins.length > count) model.step({pins: [...model.now.pins, {name: workbench.pins.at(-1)!.name, note: undefined, shown: undefined}]});
+  },
+  rename: ({workbench}, model, by) => {
+    const pin = workbench.pins[by % (workbench.pins.length || 1)], to = {name: `No. ${by}, lid…`, note: `noted ${by}`, shown: true};
+    if (!pin || workbench.pins.some(({name}) => name === to.name)) return;
+    workbench.change_pin(pin.name, to);
+    model.step({pins: model.now.pins.map((other) => (other.name === pin.name ? to : other))});
+  },
+  unpin: ({workbench}, model, by) => {
+    const pin = workbench.pins[by % (workbench.pins.length || 1)];
+    if (!pin) return;
+    workbench.unpin(pin.name);
+    model.step({pins: model.now.pins.filter(({name}) => name !== pin.name)});
+  },
+  open: ({workbench}, model, by) => {
+    const problem = {...(by % 2 ? new_problem() : function_kind.beginnings[0].make()), title: `opened ${by}`};
+    workbench.open(problem);
+    model.step({problem, pins: []});
+  },
+  hover: ({workbench}, _, by) => workbench.hover(by % 3 ? [by / 1000, 0.2] : null),
+  undo: ({workbench}, model) => (workbench.undo(), model.move(-1)),
+  redo: ({workbench}, model) => (workbench.redo(), model.move(1)),
+  reload: (page) => page.reload(),
+  kill: (page, _, by) => page.clients[by % 2].kill(),
+  hang: async () => {
+    hangs = true;
+    await vi.advanceTimersByTimeAsync(patience_ms + rest_ms);
+    hangs = false;
+  },
+};
+const action: fc.Arbitrary<Action> = fc.record({name: fc.constantFrom(...Object.keys(doings)), by: fc.nat(500)});
+
+/** With reloads in between that wait for nothing. */
+async function followed(actions: readonly Action[]): Promise<void> {
+  const page = new Page(), model = new Model(page.workbench.problem);
+  await vi.advanceTimersByTimeAsync(rest_ms);
+  for (const {name, by} of actions) {
+    await doings[name](page, model, by);
+    if (by % 5 === 0 && !refused(page.workbench.problem)) page.reload(); // before the engine has refused it, it is the work that there is
+    await vi.advanceTimersByTimeAsync(rest_ms);
+    const {problem, pins, can_undo, can_redo} = page.workbench;
+    expect({problem, pins: pins.map(({name, note, shown}) => ({name, note, shown})), can: [can_undo, can_redo]}, name).toEqual({...model.now, can: model.can});
+  }
+  page.close();
+}
+
+const seed = Number(process.env.SEQUENCES_SEED ?? 1); // another seed, other sequences
+describe("1,000 sequences of actions, with reloads and with workers that die or hang", () => {
+  it("lose nothing", async () => {
+    await fc.assert(fc.asyncProperty(fc.array(action, {minLength: 1, maxLength: 25}), followed), {numRuns: 1000, seed, endOnFailure: true});
+  }, 120_000);
+});

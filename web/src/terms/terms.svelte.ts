@@ -1,0 +1,69 @@
+// What a word of the trade means: one sentence and a small picture, shown beside the word that is pointed at, focused or
+// touched. One is open at a time.
+import type {Attachment} from "svelte/attachments";
+import type {Linkage, LinkageType} from "../engine/protocol";
+import {pictures, type TermName} from "./pictures";
+
+export interface Explained {
+  name: TermName;
+  /** What a press on it does, where it does something. */
+  hint: string | null;
+  at: DOMRect;
+}
+const wait_ms = 350; // of the pointer, so that nothing flickers on the way past
+
+class Terms {
+  open = $state.raw<Explained | null>(null);
+  private owner: Element | null = null;
+  private waiting: ReturnType<typeof setTimeout> | undefined;
+
+  show(owner: Element, name: TermName, hint: string | null = null): void {
+    clearTimeout(this.waiting);
+    this.owner = owner;
+    this.open = {name, hint, at: owner.getBoundingClientRect()};
+  }
+  show_soon(owner: Element, name: TermName, hint: string | null): void {
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => owner.isConnected && this.show(owner, name, hint), wait_ms);
+  }
+  /** Unless another word is explained by now. */
+  hide(owner: Element): void {
+    clearTimeout(this.waiting);
+    if (this.owner === owner) this.close();
+  }
+  close(): void {
+    clearTimeout(this.waiting);
+    this.owner = this.open = null;
+  }
+}
+export const terms = new Terms();
+
+export function term_of_type(type: LinkageType): TermName {
+  return type === "degenerate" ? "slider" : type in pictures ? (type as TermName) : "change_point";
+}
+/** Of a six-bar, its topology. */
+export function term_of_linkage({six_bar, type}: Pick<Linkage, "six_bar" | "type">): TermName {
+  return six_bar ? (six_bar.topology === "watt_1" ? "watt_1" : "stephenson") : term_of_type(type);
+}
+/** The worst defect, as it is told. */
+export function term_of_defects({order, branch, circuit}: Linkage["defects"]): TermName {
+  return circuit ? "circuit_defect" : branch ? "branch_defect" : order ? "order_defect" : "no_defects";
+}
+export const tip_id = "term_tip";
+
+/** Explains a word on a thing that has another use already: a button, a cell. Words alone take a Term. */
+export function explains(name: TermName | null, hint: () => string | null = () => null): Attachment<HTMLElement | SVGElement> {
+  return (element: HTMLElement | SVGElement) => {
+    if (!name) return;
+    const events = new AbortController(), {signal} = events;
+    element.addEventListener("pointerenter", (event) => { if ((event as PointerEvent).pointerType === "mouse") terms.show_soon(element, name, hint()); }, {signal});
+    element.addEventListener("pointerleave", () => terms.hide(element), {signal});
+    element.addEventListener("pointerdown", () => terms.hide(element), {signal});
+    element.addEventListener("focus", () => { if (element.matches(":focus-visible")) terms.show(element, name, hint()); }, {signal});
+    element.addEventListener("blur", () => terms.hide(element), {signal});
+    return () => {
+      events.abort();
+      terms.hide(element);
+    };
+  };
+}
