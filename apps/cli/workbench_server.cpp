@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <httplib.h>
 #include <iterator>
@@ -12,10 +13,13 @@
 namespace linkwright::cli {
 namespace {
 
+using namespace std::chrono_literals;
+
 constexpr const char* this_machine = "127.0.0.1";
 // A connection occupies a thread until its request has come, and browsers open some ahead of need.
 constexpr std::size_t threads = 64;
 constexpr std::chrono::seconds longest_idle{1}, longest_read{2}, longest_write{10};
+constexpr std::chrono::milliseconds longest_end{300};
 
 const httplib::Headers& strict_headers() {
   static const httplib::Headers headers{
@@ -109,14 +113,17 @@ struct WorkbenchServer::Http {
   httplib::Server server;
   std::atomic<bool> ended{false};
 
-  /// In a thread of its own: stops the server at the first signal, or ends with it.
+  /// In a thread of its own: stops the server at the first signal, or ends with it. The library waits for connections
+  /// that browsers keep open ahead of need; nothing is lost with them.
   void stop_at_signal() {
     const sigset_t signals = stopping_signals();
     const timespec while_running{0, 100'000'000};
     while (!ended && sigtimedwait(&signals, nullptr, &while_running) < 0) continue;
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
-    while (!ended && !server.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (!ended && !server.is_running()) std::this_thread::sleep_for(1ms);
     server.stop();
+    for (auto waited = 0ms; waited < longest_end && !ended; waited += 1ms) std::this_thread::sleep_for(1ms);
+    if (!ended) std::_Exit(0);
   }
 };
 

@@ -259,7 +259,9 @@ TEST(SessionOfASixBar, WithoutAChainAsksForOne) {
   const ExploreReply reply = session.explore({});
   EXPECT_EQ(reply.map, nullptr);
   EXPECT_EQ(json::parse(reply.task)["reason"]["code"], "chain_wanted");
-  for (const json& found : json::parse(session.best(3))["linkages"]) {
+  const json best = json::parse(session.best(3));
+  ASSERT_FALSE(best["linkages"].empty());
+  for (const json& found : best["linkages"]) {
     problem["task"]["chain"] = found["chain"];
     Session chained;
     ASSERT_TRUE(chained.set_problem(problem.dump())) << chained.mistakes();
