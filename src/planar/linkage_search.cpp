@@ -18,7 +18,8 @@ struct Pace {
   double step, resolution, across;
 };
 constexpr Pace coarse = {1, 1e-3, 1e-3}, fine = {0.1, 1e-6, 1e-7};
-constexpr std::size_t least_feet = 30;  // whatever number is asked for, the first is the same
+constexpr std::size_t least_feet = 30;      // whatever number is asked for, the first is the same
+constexpr std::int64_t most_left_out = 60;  // each has been driven as long as a drive may last
 
 // Largest distance of a pivot between two linkages.
 double farthest_pivot(const FourBar& a, const FourBar& b) {
@@ -71,7 +72,7 @@ class LinkageSearch {
     size_ = design_size(hills);
     const std::vector<Candidate> tops = distinct(hills);
     // Another batch for those that driving did not confirm.
-    for (auto next = tops.begin(); next != tops.end() && held_.size() < wanted && !progress_.is_cancelled();) {
+    for (auto next = tops.begin(); next != tops.end() && goes_on(wanted);) {
       const auto last =
           next + std::min<std::ptrdiff_t>(tops.end() - next, static_cast<std::ptrdiff_t>(wanted - held_.size()));
       hold(distinct(climbed_from({next, last}, fine)));
@@ -86,6 +87,9 @@ class LinkageSearch {
   }
 
  private:
+  [[nodiscard]] bool goes_on(std::size_t wanted) const {
+    return held_.size() < wanted && left_out_ < most_left_out && !progress_.is_cancelled();
+  }
   // The map's numbers are single: a cell on the very edge of a requirement may fail here.
   [[nodiscard]] std::vector<Candidate> candidates_at(const std::vector<RankedCell>& cells) const {
     std::vector<Candidate> found;
@@ -155,9 +159,9 @@ class LinkageSearch {
   void add_clearly_different(std::size_t wanted) {
     if (held_.size() >= wanted) return;
     constexpr std::size_t tiles = 48;
-    const double least = clearly_different_design * size_;
+    const double least = clearly_different_design * (held_.empty() ? size_ : design_size(held_));
     for (const RankedCell& cell : tile_bests(map_, filter_, options_.objective, tiles)) {
-      if (held_.size() >= wanted || progress_.is_cancelled()) return;
+      if (!goes_on(wanted)) return;
       const auto foot = judge_.candidate(place_of(cell));
       if (!foot || !differs(*foot, held_, least)) continue;
       const auto score = [&](const Candidate& c) {

@@ -83,7 +83,9 @@ class Search {
   [[nodiscard]] std::optional<Bounded> bounded(const SixBarMember& member, const Requirements& wanted) const;
   [[nodiscard]] std::vector<Bounded> sampled(const SixBarFamily& family, const Requirements& wanted,
                                              Trial& trial) const;
-  [[nodiscard]] std::optional<SixBarProspect> prospect(const ThreeLinkChain& chain, std::array<double, 2> tau) const;
+  /// Nothing where it does not better this score.
+  [[nodiscard]] std::optional<SixBarProspect> prospect(const ThreeLinkChain& chain, std::array<double, 2> tau,
+                                                       double to_better) const;
 
   const SixBarTask& task_;
   SixBarRow row_;
@@ -142,7 +144,8 @@ Trial Search::trial(const ThreeLinkChain& chain) const {
   return trial;
 }
 
-std::optional<SixBarProspect> Search::prospect(const ThreeLinkChain& chain, std::array<double, 2> tau) const {
+std::optional<SixBarProspect> Search::prospect(const ThreeLinkChain& chain, std::array<double, 2> tau,
+                                               double to_better) const {
   const auto its_family = family(chain);
   if (!its_family) return std::nullopt;
   const auto first = its_family->with_first(tau[0]);
@@ -151,10 +154,12 @@ std::optional<SixBarProspect> Search::prospect(const ThreeLinkChain& chain, std:
   if (!member || !box_.contains(member->six_bar.at(SixBar::c5)) || !box_.contains(member->six_bar.at(SixBar::z5)))
     return std::nullopt;
   const Requirements wanted = with_defaults(wanted_, chain);
-  if (!bounded(*member, wanted)) return std::nullopt;
+  const auto at_most = bounded(*member, wanted);
+  if (!at_most || !is_real_gain(at_most->bound, to_better)) return std::nullopt;
   const SixBarRating rating = rating_of(*member, false);
-  if (!meets(wanted, member->six_bar, rating)) return std::nullopt;
-  return SixBarProspect{chain, tau, score_of(objective_, rating), *member, false};
+  const double score = score_of(objective_, rating);
+  if (!meets(wanted, member->six_bar, rating) || !is_real_gain(score, to_better)) return std::nullopt;
+  return SixBarProspect{chain, tau, score, *member, false};
 }
 
 SixBarProspect Search::refined(SixBarProspect here, std::uint64_t seed, const Progress& progress) const {
@@ -172,9 +177,8 @@ SixBarProspect Search::refined(SixBarProspect here, std::uint64_t seed, const Pr
         *pivot += Point{x, step(height)};
       }
       const double tau_4 = here.tau[0] + step(1);
-      const auto there = prospect(chain, {tau_4, here.tau[1] + step(1)});
-      const bool better = there && is_real_gain(there->score, here.score);
-      if (better) here = *there;
+      const auto better = prospect(chain, {tau_4, here.tau[1] + step(1)}, here.score);
+      if (better) here = *better;
       failures = better ? 0 : failures + 1;
     }
   here.local_optimum = true;

@@ -60,7 +60,12 @@ AxisStretch branch_of(const BurmesterCurve& curve, double tau, double unit) {
 class ChainJudge {
  public:
   ChainJudge(const ThreeLinkChain& chain, const SixBarFamily& family, const Requirements& wanted, Objective objective)
-      : chain_(chain), family_(family), wanted_(wanted), objective_(objective) {}
+      : chain_(chain),
+        family_(family),
+        wanted_(wanted),
+        objective_(objective),
+        depends_on_driving_(wanted.no_defects || wanted.min_transmission_angle > 0 ||
+                            objective == Objective::min_transmission_angle) {}
 
   struct Placed {
     SixBarProspect prospect;
@@ -101,7 +106,8 @@ class ChainJudge {
     const auto member = family_.member(first, tau);
     if (!member) return std::nullopt;
     if (!meets_by_shape(wanted_, member->six_bar, shape_of(member->six_bar))) return std::nullopt;
-    const SixBarRating rating = rating_of(*member, false);
+    const SixBarRating rating =
+        depends_on_driving_ ? rating_of(*member, false) : SixBarRating{shape_of(member->six_bar), {}};
     if (!meets(wanted_, member->six_bar, rating)) return std::nullopt;
     return Placed{{chain_, {place[0], tau}, score_of(objective_, rating), *member, false}, place};
   }
@@ -110,6 +116,7 @@ class ChainJudge {
   const SixBarFamily& family_;
   Requirements wanted_;
   Objective objective_;
+  bool depends_on_driving_;
 };
 
 }  // namespace

@@ -71,6 +71,9 @@ std::vector<Notice> left_out_warning(const Solution& solution) {
 // Where rounding decides what a linkage does, it is no answer: counted, and said.
 void leave_out_unconfirmed(Solution& solution) {
   std::int64_t& count = solution.left_out;
+  if (solution.requirements.no_defects)  // none in the working frame, where they were judged
+    count += static_cast<std::int64_t>(
+        std::erase_if(solution.linkages, [](const FourBarSolution& found) { return !found.report.defects.none(); }));
   for (std::vector<FourBarSolution>* list : {&solution.linkages, &solution.pairs})
     count += static_cast<std::int64_t>(std::erase_if(*list, is_unconfirmed));
   count += static_cast<std::int64_t>(std::erase_if(solution.six_bars, [](const SixBarSolution& found) {

@@ -25,10 +25,14 @@ class Climb {
     Place best{start[0], {start[1], score}};
     HillTop top;
     top.end = SearchEnd::out_of_turns;
+    double step = options_.first_step[0];
     for (int pass = 0; pass < most_passes && !progress_.is_cancelled(); ++pass) {
-      const double before = best.found.score;
-      best = pass_from(best).top;
-      if (best.found.score > before + worth_another * std::abs(before)) continue;
+      const Place before = best;
+      best = pass_from(best, step).top;
+      const bool gained = best.found.score > before.found.score + worth_another * std::abs(before.found.score);
+      const double moved = std::abs(best.at - before.at);
+      step = std::min(moved, step);
+      if (gained && moved > options_.resolution * options_.first_step[0]) continue;
       top.end = SearchEnd::settled;
       break;
     }
@@ -39,21 +43,35 @@ class Climb {
   }
 
  private:
-  [[nodiscard]] LineSearchResult<Crossed> pass_from(const Place& start) {
-    const auto [step, across] = options_.first_step;
-    const Place from = along_second(start, across);
+  [[nodiscard]] LineSearchResult<Crossed> pass_from(const Place& start, double step) {
+    const double share = options_.first_step[0] > 0 ? step / options_.first_step[0] : 1;
+    const Place from = along_second(start, share * options_.first_step[1]);
+    last_at_ = from.at;
+    last_second_ = from.found.second;
     if (!(step > 0)) return {from};
-    return climb_line(from, {step, options_.resolution * step, options_.most_turns},
+    return climb_line(from, {step, options_.resolution * options_.first_step[0], options_.most_turns},
                       [&](double first, const Place& best) { return best_at(first, best); });
   }
 
-  /// The best second coordinate for this first one, sought from where the best so far has it.
+  /// The best second coordinate for this first one, sought from where the ridge leads to, or else from where the best
+  /// so far has it.
   [[nodiscard]] std::optional<Crossed> best_at(double first, const Place& best) {
     if (progress_.is_cancelled()) return std::nullopt;
     const double share = std::min(1.0, std::abs(first - best.at) / options_.first_step[0]);
     const double step = std::max(share, options_.resolution) * options_.first_step[1];
-    const auto from = allowed_near(first, best.found.second, step);
+    auto from = allowed_near(first, best.found.second + slope_at(best) * (first - best.at), step);
+    if (!from) from = allowed_near(first, best.found.second, step);
     return from ? std::optional(along_second({first, *from}, step).found) : std::nullopt;
+  }
+
+  /// Of the ridge, from the last two places that were the best.
+  [[nodiscard]] double slope_at(const Place& best) {
+    if (best.at != last_at_) {
+      slope_ = (best.found.second - last_second_) / (best.at - last_at_);
+      last_at_ = best.at;
+      last_second_ = best.found.second;
+    }
+    return slope_;
   }
 
   /// What stands at the same second coordinate, or a few steps aside where that is not allowed.
@@ -84,6 +102,7 @@ class Climb {
   HillClimbOptions options_;
   const Progress& progress_;
   int evaluations_ = 0;
+  double last_at_ = 0, last_second_ = 0, slope_ = 0;  ///< of the ridge
 };
 
 }  // namespace

@@ -253,7 +253,7 @@ TEST(SessionOfASixBar, WritesEveryFormat) {
 TEST(SessionOfASixBar, WithoutAChainAsksForOne) {
   json problem = json::parse(loader);
   problem["task"].erase("chain");
-  problem["options"] = {{"box", {{"x", {-2600, 400}}, {"y", {0, 2400}}}}, {"effort", 400}};
+  problem["options"] = {{"box", {{"x", {-2600, 400}}, {"y", {0, 2400}}}}, {"effort", 400}, {"seed", 13}};
   Session session;
   ASSERT_TRUE(session.set_problem(problem.dump())) << session.mistakes();
   const ExploreReply reply = session.explore({});

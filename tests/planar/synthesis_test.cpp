@@ -225,6 +225,24 @@ TEST(SolveMotion, LeavesOutSideLinksThatDoNotKeepTheirLengths) {
   EXPECT_TRUE(solution.linkages.empty());
 }
 
+// Positions 4e-5 apart that move apart at thousands: hundreds of the best are decided by rounding, and each is driven.
+TEST(SolveMotion, LooksNoFurtherThanItCanConfirm) {
+  const MotionTask task{{{{{-0.9834762526975566, -1.5898325833885882}, radians(-58.578334543)},
+                          {{{355.7871666566817, -579.2178543672314}, -1.488927507862679}}},
+                         {{{-0.983457057608122, -1.589866834416212}, radians(-58.580390056)},
+                          {{{4845.0802607355145, 3560.571800467416}, -1.7960454907643078}}}}};
+  SynthesisOptions options;
+  options.region_samples = 126;
+  options.best = 1;
+  Requirements any;
+  any.max_link_ratio = Requirements::unlimited;
+  any.min_length = 0;
+  const Solution solution = solved(task, any, options);
+  EXPECT_TRUE(warns(solution, "linkages_left_out"));
+  EXPECT_TRUE(solution.linkages.empty());
+  EXPECT_LT(solution.left_out, 100);
+}
+
 TEST(SolveMotion, NamesTheSpacingThatShowsAHiddenStretch) {
   SynthesisOptions options;
   options.region_samples = 100;

@@ -50,6 +50,16 @@ TEST(HillClimb, KeepsToWhatIsAllowed) {
   EXPECT_NEAR(top.score, 0.75 + 0.3 * std::hypot(1, 0.5), 1e-4);
 }
 
+// A narrow strip across both axes: far steps along the one hit it only where the other is led along.
+TEST(HillClimb, RunsAlongAStripAslant) {
+  const auto strip = [](double u, double v) -> std::optional<double> {
+    return std::abs(v - 0.1 - 0.8 * u) < 0.004 ? std::optional(u + v) : std::nullopt;
+  };
+  const HillTop top = climb_hill({strip, {0, 1}, {0, 1}}, {0.02, 0.116}, *strip(0.02, 0.116), {{0.001, 0.001}, 1e-3});
+  EXPECT_NEAR(top.score, 1.904, 1e-4);
+  EXPECT_LT(top.evaluations, 1500);
+}
+
 TEST(HillClimb, StaysWhereAStepIsNone) {
   const auto bowl = [](double u, double v) { return std::optional(-(u - 0.3) * (u - 0.3) - (v - 0.7) * (v - 0.7)); };
   const HillTop top = climb_hill({bowl, {0, 1}, {0, 1}}, {0.5, 0.5}, *bowl(0.5, 0.5), {{0, 0.01}, 1e-6});
