@@ -4,6 +4,7 @@
 #include <array>
 
 #include "io/problem_writer.hpp"
+#include "io/result_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/io/number_text.hpp"
 #include "linkwright/planar/freed_position.hpp"
@@ -29,29 +30,10 @@ void write_by_requirement(JsonWriter& json, std::string_view key, CountOf count_
 }
 
 void write_relaxation(JsonWriter& json, const Relaxation& relaxation) {
-  const bool is_angle = relaxation.requirement == RequirementKind::min_transmission_angle;
   json.begin_object(JsonWriter::Layout::one_line);
   json.member("requirement", key(relaxation.requirement));
-  json.key("value");
-  if (relaxation.box)
-    write_box(json, *relaxation.box);
-  else if (relaxation.value)
-    json.value(is_angle ? degrees_for_files(*relaxation.value) : *relaxation.value);
-  else
-    json.null();
+  write_relaxed_value(json, relaxation);
   json.member("leaves", relaxation.leaves);
-  json.end_object();
-}
-
-void write_joint_relaxation(JsonWriter& json, const std::optional<JointRelaxation>& joint) {
-  json.key("relax_together");
-  if (!joint) return json.null();
-  json.begin_object(JsonWriter::Layout::one_line);
-  json.key("requirements");
-  json.begin_list(JsonWriter::Layout::one_line);
-  for (const RequirementKind requirement : joint->requirements) json.value(key(requirement));
-  json.end_list();
-  json.member("leaves", joint->leaves);
   json.end_object();
 }
 
@@ -130,7 +112,8 @@ std::string JudgedMap::census_json() const {
     json.begin_list();
     for (const Relaxation& relaxation : relax_) write_relaxation(json, relaxation);
     json.end_list();
-    write_joint_relaxation(json, relax_together_);
+    json.key("relax_together");
+    relax_together_ ? write_joint_relaxation(json, *relax_together_) : json.null();
     json.key("missed_boxes");
     json.begin_list();
     for (const MissedBox& missed : missed_boxes_) write_missed_box(json, missed);

@@ -151,31 +151,13 @@ void write_relaxations(JsonWriter& json, const std::vector<Relaxation>& relaxati
   json.begin_list();
   for (const Relaxation& relaxation : relaxations) {
     json.begin_object(Layout::one_line);
-    const bool is_angle = relaxation.requirement == RequirementKind::min_transmission_angle;
     json.member("requirement", key(relaxation.requirement));
     json.member("only_this", relaxation.only_this);
-    json.key("value");  // as the problem file wants it
-    if (relaxation.box)
-      write_box(json, *relaxation.box);
-    else if (relaxation.value)
-      json.value(is_angle ? degrees_for_files(*relaxation.value) : *relaxation.value);
-    else
-      json.null();
+    write_relaxed_value(json, relaxation);
     json.member("leaves", relaxation.leaves);
     json.end_object();
   }
   json.end_list();
-}
-
-void write_joint_relaxation(JsonWriter& json, const JointRelaxation& joint) {
-  json.key("relax_together");
-  json.begin_object(Layout::one_line);
-  json.key("requirements");
-  json.begin_list(Layout::one_line);
-  for (const RequirementKind requirement : joint.requirements) json.value(key(requirement));
-  json.end_list();
-  json.member("leaves", joint.leaves);
-  json.end_object();
 }
 
 void write_four_bars(JsonWriter& json, const std::vector<FourBarSolution>& list, const TaskFamily& given) {
@@ -251,10 +233,34 @@ void write_answer(JsonWriter& json, const Problem& problem, const Solution& solu
   write_ways_out(json, problem, solution);
   json.key("relax");
   write_relaxations(json, solution.relax);
-  if (solution.relax_together) write_joint_relaxation(json, *solution.relax_together);
+  if (solution.relax_together) {
+    json.key("relax_together");
+    write_joint_relaxation(json, *solution.relax_together);
+  }
 }
 
 }  // namespace
+
+void write_relaxed_value(JsonWriter& json, const Relaxation& relaxation) {
+  const bool is_angle = relaxation.requirement == RequirementKind::min_transmission_angle;
+  json.key("value");
+  if (relaxation.box)
+    write_box(json, *relaxation.box);
+  else if (relaxation.value)
+    json.value(is_angle ? degrees_for_files(*relaxation.value) : *relaxation.value);
+  else
+    json.null();
+}
+
+void write_joint_relaxation(JsonWriter& json, const JointRelaxation& joint) {
+  json.begin_object(Layout::one_line);
+  json.key("requirements");
+  json.begin_list(Layout::one_line);
+  for (const RequirementKind requirement : joint.requirements) json.value(key(requirement));
+  json.end_list();
+  json.member("leaves", joint.leaves);
+  json.end_object();
+}
 
 void write_branches(JsonWriter& json, const std::vector<CurveBranch>& branches) {
   json.begin_list();
