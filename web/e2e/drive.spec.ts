@@ -44,7 +44,7 @@ test.describe("drive", () => {
       expect(body.turned).toBeLessThan(1e-9);
       await expect(bar).toHaveAttribute("aria-valuetext", new RegExp(`position ${pose + 1}$`));
     }
-    expect((await body_at(page, 3)).angle - (await body_at(page, 0)).angle).toBeCloseTo(sweep, 9);
+    expect((await body_at(page, 3)).angle - (await body_at(page, 0)).angle).toBeCloseTo(sweep!, 9);
   });
 
   test("playing passes the positions in order and a rocker stops at its limit", async ({page}) => {

@@ -15,7 +15,10 @@ import {stored_start, thumbnail} from "../src/engine/stored";
 import {halo_reach} from "../src/drawing/drags/pose_drags";
 import {first_example} from "../src/gallery/gallery";
 import {roomy_squares} from "../src/state/linkage_follower";
+import {engine_text} from "../src/state/problem";
+import {read_problem} from "../src/state/problem_shape";
 import {poses_of} from "../src/state/task";
+import {round_of, rounds_of} from "../src/tasks/six_bar/search.svelte";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const program = join(root, "build/release/bin/linkwright");
@@ -362,6 +365,17 @@ describe("the tailgate", () => {
     for (const [i, {tau}] of linkages.entries()) {
       expect(tau[0]).toBeCloseTo(result.linkages[i].input.coordinate, 6);
       expect(tau[1]).toBeCloseTo(result.linkages[i].output.coordinate, 6);
+    }
+  });
+  test("finds the six-bars that the program finds for the same file", () => {
+    const file = join(root, "examples/loader_bucket.json"), result = JSON.parse(run("solve", file, "-o", "-"));
+    const problem = read_problem(JSON.parse(readFileSync(file, "utf8").replace(/^ *\/\/.*$/gm, "")))!, last = rounds_of(problem).at(-1)!;
+    const {linkages} = ask("best", {problem: engine_text(round_of(problem, last)), most: problem.options?.best ?? 10});
+    const gamma = (found: {min_transmission_angle_deg: number}) => found.min_transmission_angle_deg;
+    expect(linkages.map(gamma)).toHaveLength(result.linkages.length);
+    for (const [i, found] of linkages.entries()) {
+      expect(gamma(found)).toBeCloseTo(gamma(result.linkages[i]), 6);
+      for (const [k, at] of found.chain!.a.entries()) expect(at).toBeCloseTo(result.linkages[i].chain.a[k], 6);
     }
   });
   test("is stored for the page to begin with", () => {

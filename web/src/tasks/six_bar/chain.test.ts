@@ -6,7 +6,7 @@ import type {Problem} from "../../state/problem";
 import {incompleteness} from "../kinds";
 import {default_box, elbow_of, elbows, guided_hinges, row_of, rows, with_hinge, with_other_elbow, with_six_bar} from "./chain";
 import {six_bar_kind} from "./kind";
-import {merged, round_of, rounds_of, type Found} from "./search.svelte";
+import {round_of, rounds_of} from "./search.svelte";
 
 const chain: Chain = {a: [0, 0], b: [5, 5], d: [10, 0]};
 const problem = six_bar_kind.beginnings[0].make();
@@ -72,16 +72,20 @@ describe("what carries an added link's end", () => {
 
 describe("a search", () => {
   const asked: Problem = {...problem, options: {seed: 5, effort: 2300, box: {x: [0, 1], y: [2, 3]}}};
-  it("goes by rounds, each with the next seed", () => {
-    expect(rounds_of(asked)).toBe(3);
-    expect([0, 1, 2].map((round) => round_of(asked, round).options)).toMatchObject([{seed: 5, effort: 1000}, {seed: 6, effort: 1000}, {seed: 7, effort: 300}]);
-    expect(round_of(asked, 0).options!.box).toEqual({x: [0, 1], y: [2, 3]});
-    expect(round_of(asked, 0).task).not.toHaveProperty("chain", expect.anything());
-    expect(round_of({...problem, options: {}}, 0).options!.box).toEqual(default_box(problem));
+  it("goes by rounds of more and more chains, the last of which is what the file asks", () => {
+    expect(rounds_of(asked)).toEqual([575, 2300]);
+    expect(rounds_of({...problem, options: {effort: 800}})).toEqual([800]);
+    const {seed, effort} = round_of(asked, 2300).options!;
+    expect([seed, effort]).toEqual([5, 2300]);
+    expect(round_of(asked, 575).options!.box).toEqual({x: [0, 1], y: [2, 3]});
+    expect(round_of(asked, 575).task).not.toHaveProperty("chain", expect.anything());
+    expect(round_of({...problem, options: {}}, 1).options!.box).toEqual(default_box(problem));
   });
-  it("keeps the best of all rounds, best first", () => {
-    const found = (angle: number) => ({min_transmission_angle_deg: angle}) as Found;
-    expect(merged([found(40), found(20)], [found(30), found(50)]).map((one) => one.min_transmission_angle_deg)).toEqual([50, 40, 30, 20]);
-    expect(merged(Array.from({length: 12}, (_, i) => found(i)), [found(30)])).toHaveLength(12);
+  it("tries little more than what is asked before the last round", () => {
+    for (const effort of [1, 1000, 1001, 20_000, 1_000_000]) {
+      const rounds = rounds_of({...problem, options: {effort}});
+      expect(rounds.at(-1)).toBe(effort);
+      expect(rounds.slice(0, -1).reduce((sum, chains) => sum + chains, 0)).toBeLessThan(effort / 2);
+    }
   });
 });

@@ -1,5 +1,5 @@
-// Looks for a chain, in an engine of its own: the page goes on. Rounds of few chains, each with the next seed, so that
-// what was found is there when the search is stopped.
+// Looks for a chain, in an engine of its own: the page goes on. Rounds of more and more chains, each beginning with those
+// of the round before, so that what was found is there when the search is stopped, and the last is the program's answer.
 import {Crashed, Refusal, type EngineClient} from "../../engine/client";
 import type {Box, Chain, Linkage, Replies, TauPair} from "../../engine/protocol";
 import {engine_text, with_options, type Problem} from "../../state/problem";
@@ -8,12 +8,11 @@ import type {Workbench} from "../../state/workbench.svelte";
 import {default_box, six_bar_task, with_six_bar} from "./chain";
 
 export const default_effort = 20_000, most_effort = 1_000_000, most_seed = 999_999_999;
-const chains_a_round = 1000, most_found = 12, most_a_round = 4;
+const first_chains = 1000, times_as_many = 4, default_best = 10;
 
 export interface Found {
   chain: Chain;
   tau: TauPair;
-  seed: number;
   min_transmission_angle_deg: number;
   link_ratio: number;
   longest: number;
@@ -25,18 +24,15 @@ type Entry = Replies["best"]["linkages"][number];
 export function box_of_search(problem: Problem): Box {
   return problem.options?.box ?? default_box(problem);
 }
-/** The problem of one round. */
-export function round_of(problem: Problem, round: number): Problem {
-  const {seed = 1, effort = default_effort} = problem.options ?? {};
-  const chains = Math.min(chains_a_round, effort - round * chains_a_round);
-  return with_options(with_six_bar(problem, {chain: undefined}), {box: box_of_search(problem), seed: (seed + round) % (most_seed + 1), effort: chains, best: most_a_round});
+/** How many chains each round tries. */
+export function rounds_of({options}: Problem): number[] {
+  const rounds = [options?.effort ?? default_effort];
+  while (rounds[0] > first_chains) rounds.unshift(Math.ceil(rounds[0] / times_as_many));
+  return rounds;
 }
-export function rounds_of({options}: Problem): number {
-  return Math.ceil((options?.effort ?? default_effort) / chains_a_round);
-}
-/** The best of all rounds, best first. */
-export function merged(known: readonly Found[], more: readonly Found[]): Found[] {
-  return [...known, ...more].sort((a, b) => b.min_transmission_angle_deg - a.min_transmission_angle_deg).slice(0, most_found);
+/** The problem of a round: for the last one, what the program would be asked. */
+export function round_of(problem: Problem, chains: number): Problem {
+  return with_options(with_six_bar(problem, {chain: undefined}), {box: box_of_search(problem), effort: chains});
 }
 
 /** Elbows that are all as in position 1 need not be said. */
@@ -49,8 +45,9 @@ export class ChainSearch {
   /** The positions through which they go. */
   private poses = $state.raw<readonly Pose[]>([]);
   running = $state(false);
-  round = $state(0);
-  rounds = $state(0);
+  /** Chains tried, of all that are to be tried. */
+  tried = $state(0);
+  to_try = $state(0);
   seconds = $state(0);
   /** How the last one ended. */
   end = $state.raw<"done" | "stopped" | "failed" | null>(null);
@@ -62,17 +59,19 @@ export class ChainSearch {
   async start(): Promise<void> {
     const {problem, start_engine} = this.workbench, task = six_bar_task(problem);
     if (this.running || !start_engine || !task) return;
-    const begin = performance.now();
+    const begin = performance.now(), rounds = rounds_of(problem);
     this.found = [];
     this.poses = task.poses;
-    [this.running, this.seconds, this.round, this.rounds, this.end] = [true, 0, 0, rounds_of(problem), null];
+    [this.running, this.seconds, this.tried, this.to_try, this.end] = [true, 0, 0, rounds.reduce((sum, chains) => sum + chains), null];
     this.timer = setInterval(() => (this.seconds = Math.round((performance.now() - begin) / 1000)), 250);
     const client = (this.client = start_engine(() => {}, () => {}));
     try {
-      for (; this.round < this.rounds && this.client === client && this.is_for(this.workbench.problem); ++this.round) {
-        await this.try_round(client, problem, task);
+      for (const chains of rounds) {
+        if (this.client !== client || !this.is_for(this.workbench.problem)) break;
+        await this.try_round(client, round_of(problem, chains), task);
+        this.tried += chains;
       }
-      if (this.client === client) this.stop(this.round < this.rounds ? "stopped" : "done");
+      if (this.client === client) this.stop(this.tried < this.to_try ? "stopped" : "done");
     } catch (error) {
       if (this.client !== client) return; // stopped
       this.stop("failed");
@@ -98,13 +97,16 @@ export class ChainSearch {
     this.end = end;
     client?.close();
   }
-  private async try_round(client: EngineClient, problem: Problem, {added}: SixBarTask): Promise<void> {
-    const asked = round_of(problem, this.round), {linkages} = await client.request("best", {problem: engine_text(asked), most: most_a_round});
+  private async try_round(client: EngineClient, asked: Problem, {added}: SixBarTask): Promise<void> {
+    const {linkages} = await client.request("best", {problem: engine_text(asked), most: asked.options?.best ?? default_best});
     const entries = linkages.filter((entry): entry is Entry & {chain: Chain} => entry.chain !== undefined);
     const known = this.found;
-    this.found = merged(known, entries.map((entry) => ({...entry, chain: plain(entry.chain), added, seed: asked.options!.seed!, linkage: null})));
-    for (const one of this.found.filter((found) => !known.includes(found))) {
-      const {linkage} = await client.request("linkage", {problem: engine_text(with_six_bar(problem, {chain: one.chain})), tau: one.tau});
+    this.found = entries.map((entry) => {
+      const one = {...entry, chain: plain(entry.chain), added};
+      return {...one, linkage: known.find((other) => same_value(other.chain, one.chain) && same_value(other.tau, one.tau))?.linkage ?? null};
+    });
+    for (const one of this.found.filter(({linkage}) => !linkage)) {
+      const {linkage} = await client.request("linkage", {problem: engine_text(with_six_bar(asked, {chain: one.chain})), tau: one.tau});
       this.found = this.found.map((other) => (other === one ? {...one, linkage} : other));
     }
   }
