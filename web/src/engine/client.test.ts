@@ -193,6 +193,24 @@ describe("a worker that dies", () => {
     expect(Puppet.all.length).toBe(6);
     expect(crashes.map(([, resting]) => resting)).toEqual([false, false, false, false, false, true]);
   });
+  it("that rests is woken by what somebody waits for, and that is told where it goes on dying", async () => {
+    const engine = client();
+    while (!engine.resting) {
+      Puppet.last.say({kind: "crashed", message: "again"});
+      vi.advanceTimersByTime(4000);
+    }
+    const before = Puppet.all.length, answered = engine.run("linkage", {problem, tau});
+    expect(Puppet.all.length).toBe(before + 1);
+    Puppet.last.ready();
+    Puppet.last.answer({linkage: 3});
+    expect(await answered).toEqual({linkage: 3});
+    const lost = expect(engine.run("linkage", {problem, tau})).rejects.toThrow(Crashed);
+    while (!engine.resting) {
+      Puppet.last.say({kind: "crashed", message: "again"});
+      vi.advanceTimersByTime(4000);
+    }
+    await lost;
+  });
   it("now and then is started again every time", async () => {
     const engine = client();
     for (let i = 0; i < 20; ++i) {

@@ -66,7 +66,8 @@ export class EngineClient {
   run<K extends Kind>(kind: K, content: Requests[K]): Promise<Replies[K]> {
     return new Promise<Replies[K]>((resolve, reject) => {
       this.kept.push(this.job(kind, content, resolve, reject, true));
-      this.pump();
+      if (this.resting) this.wake();
+      else this.pump();
     });
   }
   private job<K extends Kind>(kind: K, content: Requests[K], resolve: (reply: Replies[K]) => void, reject: Job["reject"], kept: boolean): Job {
@@ -93,6 +94,12 @@ export class EngineClient {
     this.deaths = [];
     this.in_a_row = 0;
     this.crashed(message);
+  }
+  /** Somebody waits for an answer: once more. */
+  private wake(): void {
+    this.deaths = [];
+    this.in_a_row = 0;
+    this.launch();
   }
   /** It is not needed any more; what it has under way is not answered. */
   close(): void {
@@ -174,7 +181,11 @@ export class EngineClient {
     if (lost?.kept && lost.asked < 2 && reason !== no_answer) this.kept.unshift(lost);
     else lost?.reject(new Crashed(reason));
     this.on_crash(reason, this.resting);
-    if (this.resting) return;
+    if (this.resting) {
+      for (const job of this.kept) job.reject(new Crashed(reason)); // somebody waits for them
+      this.kept = [];
+      return;
+    }
     const before = this.deaths.length - 1;
     if (before === 0) this.launch();
     else this.relaunch = setTimeout(() => this.launch(), Math.min(first_delay_ms * 2 ** (before - 1), longest_delay_ms));

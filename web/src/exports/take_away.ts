@@ -11,7 +11,6 @@ import {animation_frames} from "./frames";
 import {file_name, file_stem} from "./names";
 import {picture_colors, picture_of} from "./picture";
 import {copied, rasterised} from "./raster";
-import {save_blob} from "./save";
 
 export interface Target {
   /** A pin's; null: the picked linkage. */
@@ -47,15 +46,6 @@ export async function made_file(workbench: Workbench, target: Target, format: Fo
   const {text, extension} = await from_engine(workbench, target, format);
   return {name: file_name(format === "result" ? `${stem}-result` : stem, extension), blob: new Blob([text], {type: engine_types[format]})};
 }
-/** For a button elsewhere: the picked linkage, saved, and a word about it. */
-export async function take_away(workbench: Workbench, format: Format): Promise<void> {
-  const [target] = targets(workbench);
-  if (!target) return;
-  const {name, blob} = await made_file(workbench, target, format, {done() {}, signal: new AbortController().signal});
-  save_blob(name, blob);
-  workbench.say("state.exported", {name});
-}
-
 /** What is told of a linkage in its problem: another unit or title makes another drawing of the same bars. */
 export function question_of({problem, tau}: Target): string {
   return JSON.stringify([engine_text(problem), tau]);
@@ -73,7 +63,7 @@ async function png(workbench: Workbench, target: Target): Promise<Blob> {
   return rasterised(on_screen ?? (await svg_of(workbench, target)), 2);
 }
 async function linkage_of(workbench: Workbench, {pin, problem, tau}: Target): Promise<Linkage> {
-  if (pin === null && workbench.picked_linkage) return workbench.picked_linkage;
+  if (pin === null && workbench.picked_linkage && workbench.answers.picked_is_of(problem)) return workbench.picked_linkage;
   return (await workbench.driver_client!.run("linkage", {problem: engine_text(problem), tau})).linkage;
 }
 async function animation(workbench: Workbench, target: Target, format: "gif" | "webm", progress: Progress): Promise<Blob> {

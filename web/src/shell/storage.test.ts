@@ -61,10 +61,10 @@ describe("the browser's store", () => {
     });
   it("keeps all of a problem but what is malformed in it", () => {
     const store = store_of(), view = {...problem.view, traced: "x", pins: [{name: 7}]};
-    const requirements = {types: 5, min_transmission_angle_deg: "steep", max_link_ratio: 7, ground_pivots_within: {x: [0]}, min_length: 0.1};
+    const requirements = {types: 5, min_transmission_angle_deg: "steep", max_link_ratio: 7, ground_pivots_within: {x: [0]}, min_length: "short", least_sweep: 0.1};
     store.items.set("linkwright.work", JSON.stringify({version: 1, problem: {...problem, requirements, options: {objective: "beauty", best: 3}, view}}));
     const kept = to_problem(read_work("", store)!.present);
-    expect(JSON.parse(JSON.stringify(kept))).toEqual({...problem, requirements: {max_link_ratio: 7, min_length: 0.1}, options: {best: 3}});
+    expect(JSON.parse(JSON.stringify(kept))).toEqual({...problem, requirements: {max_link_ratio: 7, least_sweep: 0.1}, options: {best: 3}});
   });
 });
 

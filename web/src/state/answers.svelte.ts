@@ -77,7 +77,7 @@ export class Answers {
     return this.has_linkages && this.picked ? this.picked.is : null;
   }
   get live(): Replies["live"] | null {
-    return this.has_linkages ? this.along : null;
+    return this.hand ? this.along : null;
   }
   /** What driving has found of the very linkage in hand through the very task in force; null: not known. */
   get verified(): Verdict | null {
@@ -127,6 +127,7 @@ export class Answers {
   }
   take_hand(linkage: Linkage | null, of: Problem): void {
     this.held = linkage && {is: linkage, of};
+    if (!linkage) this.along = null;
     this.hand_wait.answered();
   }
   take_picked(linkage: Linkage, of: Problem): void {

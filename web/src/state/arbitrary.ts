@@ -55,9 +55,9 @@ export const task: Arbitrary<Task> = fc.oneof(motion, six_bar, function_task);
 const limit = (low: number, high: number) => fc.oneof(fc.constant(null), fc.double({min: low, max: high, noNaN: true}));
 const requirements = record<Requirements>({}, {
   types: fc.uniqueArray(fc.constantFrom(...linkage_types)), no_defects: fc.boolean(), min_transmission_angle_deg: fc.double({min: 0, max: 89, noNaN: true}),
-  max_link_ratio: limit(1, 1e6), max_length: limit(1e-6, 1e9), ground_pivots_within: fc.oneof(fc.constant(null), box),
+  max_link_ratio: limit(1, 1e6), max_length: limit(1e-6, 1e9), min_length: limit(0, 1), ground_pivots_within: fc.oneof(fc.constant(null), box),
   moving_pivots_within: fc.oneof(fc.constant(null), box), respect_direction: fc.boolean(),
-  ...({min_length: limit(0, 1)} as object), // of a later version
+  ...({least_sweep: limit(0, 1)} as object), // of a later version
 });
 const options = record<Options>({}, {
   region_samples: fc.integer({min: 8, max: 20_000}), spacing: fc.constantFrom("coordinate", "arc_length"), objective: fc.constantFrom(...objectives),

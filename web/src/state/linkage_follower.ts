@@ -150,7 +150,7 @@ export class LinkageFollower {
       const {hand, answers} = this.workbench;
       if (hand && same_tau(hand.tau, tau) && answers.hand_is_of_present) return hand;
       const reply = await this.driver?.request("linkage", {problem: engine_text(problem), tau}).catch(() => null);
-      if (reply) return reply.linkage;
+      if (reply) return this.workbench.problem === problem ? reply.linkage : null;
     }
     return null;
   }

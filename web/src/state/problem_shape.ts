@@ -91,6 +91,7 @@ const requirement_checks: Record<string, Check> = {
   min_transmission_angle_deg: or_null(is_between(0, 90)),
   max_link_ratio: or_null(is_between(1, 1e12)),
   max_length: or_null(is_between(0, 1e12)),
+  min_length: or_null(is_between(0, 1e12)),
   ground_pivots_within: or_null(is_box),
   moving_pivots_within: or_null(is_box),
   respect_direction: is_flag,

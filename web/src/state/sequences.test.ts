@@ -3,7 +3,7 @@
 import fc from "fast-check";
 import {afterAll, beforeAll, describe, expect, it, vi} from "vitest";
 import {patience_ms, type EngineClient} from "../engine/client";
-import type {Axis, Kind, RequestMessage} from "../engine/protocol";
+import type {Axis, Kind, RequestMessage, TauPair} from "../engine/protocol";
 import {keep_work, own_slot, read_work, type Store} from "../shell/storage";
 import {new_problem} from "../tasks/motion/kind";
 import {function_kind} from "../tasks/function/kind";
@@ -26,6 +26,7 @@ const replies: Partial<Record<Kind, (request: never) => object>> = {
   verify: () => ({verified: true, residual: 0}),
 };
 let hangs = false;
+const met = {hung: 0, killed_at_work: 0, late_pins: 0};
 class FakeWorker extends EventTarget {
   onmessage: ((event: object) => void) | null = null;
   onerror: ((event: Event) => void) | null = null;
@@ -38,7 +39,7 @@ class FakeWorker extends EventTarget {
   }
   postMessage(message: RequestMessage): void {
     const {id, kind} = message, refused = "problem" in message && message.problem.includes(`"x":${refused_x},`);
-    if (hangs) return;
+    if (hangs) return void ++met.hung;
     const reply = refused ? {refused: {mistakes: [{code: "refused", place: "task", message: "no"}]}} : {reply: replies[kind]?.(message as never) ?? {}};
     setTimeout(() => this.say({id, kind, ...reply}), kind === "explore" ? 3 : 1);
   }
@@ -106,7 +107,7 @@ class Page {
 
 interface Kept {
   problem: Problem;
-  pins: readonly Pick<Pin, "name" | "note" | "shown">[];
+  pins: readonly Pick<Pin, "name" | "note" | "shown" | "tau" | "task">[];
 }
 class Model {
   private steps: Kept[];
@@ -162,14 +163,21 @@ const doings: Record<string, Doing> = {
   },
   pin: async ({workbench}, model, by) => {
     const count = workbench.pins.length;
-    await Promise.all([workbench.pin_at([(by % 50) / 100, 0.9]), vi.advanceTimersByTimeAsync(rest_ms)]);
-    if (workbench.pins.length > count) model.step({pins: [...model.now.pins, {name: workbench.pins.at(-1)!.name, note: undefined, shown: undefined}]});
+    const tau: TauPair = [(by % 50) / 100, 0.9];
+    await Promise.all([workbench.pin_at(tau), vi.advanceTimersByTimeAsync(rest_ms)]);
+    if (workbench.pins.length > count) model.step({pins: [...model.now.pins, {name: workbench.pins.at(-1)!.name, note: undefined, shown: undefined, tau, task: model.now.problem.task}]});
+  },
+  /** The task changes before the engine has answered: there is nothing to pin. */
+  pin_late: async (page, model, by) => {
+    const asked = page.workbench.pin_at([by / 1000, 0.7]);
+    edited((problem) => ({...problem, title: `late ${++met.late_pins}`}))(page, model, by);
+    await Promise.all([asked, vi.advanceTimersByTimeAsync(rest_ms)]);
   },
   rename: ({workbench}, model, by) => {
     const pin = workbench.pins[by % (workbench.pins.length || 1)], to = {name: `No. ${by}, lid…`, note: `noted ${by}`, shown: true};
     if (!pin || workbench.pins.some(({name}) => name === to.name)) return;
     workbench.change_pin(pin.name, to);
-    model.step({pins: model.now.pins.map((other) => (other.name === pin.name ? to : other))});
+    model.step({pins: model.now.pins.map((other) => (other.name === pin.name ? {...other, ...to} : other))});
   },
   unpin: ({workbench}, model, by) => {
     const pin = workbench.pins[by % (workbench.pins.length || 1)];
@@ -186,13 +194,25 @@ const doings: Record<string, Doing> = {
   undo: ({workbench}, model) => (workbench.undo(), model.move(-1)),
   redo: ({workbench}, model) => (workbench.redo(), model.move(1)),
   reload: (page) => page.reload(),
-  kill: (page, _, by) => page.clients[by % 2].kill(),
-  hang: async () => {
+  kill: (page, _, by) => {
+    set_to_work(page, by);
+    const client = page.clients[by % 2];
+    met.killed_at_work += Number(client.busy);
+    client.kill();
+  },
+  hang: async (page, _, by) => {
     hangs = true;
+    set_to_work(page, by);
     await vi.advanceTimersByTimeAsync(patience_ms + rest_ms);
     hangs = false;
+    await vi.advanceTimersByTimeAsync(patience_ms + rest_ms); // what was asked again meanwhile hangs, too
   },
 };
+function set_to_work({workbench}: Page, by: number): void {
+  workbench.best_list.found = null;
+  void workbench.best_list.fetch();
+  void workbench.linkages.fetch([by / 1000, 0.3]);
+}
 const action: fc.Arbitrary<Action> = fc.record({name: fc.constantFrom(...Object.keys(doings)), by: fc.nat(500)});
 
 /** With reloads in between that wait for nothing. */
@@ -204,7 +224,7 @@ async function followed(actions: readonly Action[]): Promise<void> {
     if (by % 5 === 0 && !refused(page.workbench.problem)) page.reload(); // before the engine has refused it, it is the work that there is
     await vi.advanceTimersByTimeAsync(rest_ms);
     const {problem, pins, can_undo, can_redo} = page.workbench;
-    expect({problem, pins: pins.map(({name, note, shown}) => ({name, note, shown})), can: [can_undo, can_redo]}, name).toEqual({...model.now, can: model.can});
+    expect({problem, pins: pins.map(({name, note, shown, tau, task}) => ({name, note, shown, tau, task})), can: [can_undo, can_redo]}, name).toEqual({...model.now, can: model.can});
   }
   page.close();
 }
@@ -213,5 +233,7 @@ const seed = Number(process.env.SEQUENCES_SEED ?? 1); // another seed, other seq
 describe("1,000 sequences of actions, with reloads and with workers that die or hang", () => {
   it("lose nothing", async () => {
     await fc.assert(fc.asyncProperty(fc.array(action, {minLength: 1, maxLength: 25}), followed), {numRuns: 1000, seed, endOnFailure: true});
+    expect(met.hung).toBeGreaterThan(100);
+    expect(met.killed_at_work).toBeGreaterThan(100);
   }, 120_000);
 });

@@ -38,6 +38,7 @@ describe("what is stored", () => {
     const read = read_steps(text)!;
     expect([read.past.length, read.past[0].picked!.tau[0], read.present.picked!.tau[0], read.future.length]).toEqual([500, 200, 700, 1]);
     expect(read.past[499].problem.view!.background!.image).toBe(image);
+    expect(read.past[0].problem.task).toBe(read.past[499].problem.task); // and once in memory: a table may be long
   });
   it("is read step by step: what is damaged is left out", () => {
     const value = JSON.parse(steps_text({...steps, past: steps.past.slice(-3)}, 0));

@@ -302,7 +302,9 @@ export class Workbench extends Editing {
   }
   /** Pins the linkage at a place that was pointed at, fetching it if it is not in hand yet. */
   async pin_at(tau: TauPair): Promise<void> {
-    this.pin(await this.linkages.fetch(tau));
+    const linkage = await this.linkages.fetch(tau);
+    if (linkage) this.pin(linkage);
+    else this.say("state.not_pinned");
   }
   unpin(name: string): void {
     this.edit_document((document) => ({...document, pins: document.pins.filter((pin) => pin.name !== name)}));

@@ -18,14 +18,17 @@ const common_properties: readonly Property[] = [
 export function kind_of(task: Task): TaskKind {
   return task_kinds.find((kind) => kind.is(task)) ?? task_kinds[0];
 }
+/** The same object is the same task: the steps of undo share what they have in common. */
 export function read_task(value: unknown): Task | null {
   if (!is_object(value)) return null;
-  for (const kind of task_kinds) {
-    const task = kind.read(value);
-    if (task) return task;
-  }
-  return null;
+  const known = read_before.get(value);
+  if (known !== undefined) return known;
+  let task: Task | null = null;
+  for (const kind of task_kinds) task ??= kind.read(value);
+  read_before.set(value, task);
+  return task;
 }
+const read_before = new WeakMap<object, Task | null>();
 
 export function incompleteness({task}: Problem): Incomplete | null {
   return kind_of(task).incompleteness(task);
