@@ -70,6 +70,7 @@ class TemporaryFile {
 class StandardOutput {
  public:
   void write(std::string_view text) {
+    if (!text.empty()) has_written = true;
     if (failed_with_ == 0 && std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) failed_with_ = errno;
   }
   [[nodiscard]] bool finish() {

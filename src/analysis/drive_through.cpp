@@ -101,7 +101,7 @@ class Tracer {
 
   void walk() {
     Strand here = strand_at(start_);
-    for (int i = 0; i < options_.most_steps && !circuit_.closed; ++i) {
+    for (int i = 0; steps_ < options_.most_steps && !circuit_.closed; ++i, ++steps_) {
       const auto next = step(here, i > 0);
       if (!next) break;
       here = *next;
@@ -204,6 +204,7 @@ class Tracer {
   TorusVector start_;
   double sense_ = 1;  ///< of the input's counter-clockwise turn against the curve's own tangent
   int way_ = 1;       ///< of the walk: ahead, or −1: back
+  int steps_ = 0;     ///< both ways
   Circuit circuit_;
 };
 

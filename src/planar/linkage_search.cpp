@@ -18,8 +18,8 @@ struct Pace {
   double step, resolution, across;
 };
 constexpr Pace coarse = {1, 1e-3, 1e-3}, fine = {0.1, 1e-6, 1e-7};
-constexpr std::size_t least_feet = 30;      // whatever number is asked for, the first is the same
-constexpr std::int64_t most_left_out = 60;  // each has been driven as long as a drive may last
+constexpr std::size_t least_feet = 30;     // whatever number is asked for, the first is the same
+constexpr std::size_t most_left_out = 60;  // each has been driven as long as a drive may last
 
 // Largest distance of a pivot between two linkages.
 double farthest_pivot(const FourBar& a, const FourBar& b) {
@@ -81,14 +81,14 @@ class LinkageSearch {
     add_clearly_different(wanted);
     std::sort(found_.begin(), found_.end(),
               [](const Found& a, const Found& b) { return better(a.candidate, b.candidate); });
-    BestLinkages best{{}, left_out_};
+    BestLinkages best{{}, std::ssize(left_out_)};
     for (Found& found : found_) best.linkages.push_back(std::move(found.linkage));
     return best;
   }
 
  private:
   [[nodiscard]] bool goes_on(std::size_t wanted) const {
-    return held_.size() < wanted && left_out_ < most_left_out && !progress_.is_cancelled();
+    return held_.size() < wanted && left_out_.size() < most_left_out && !progress_.is_cancelled();
   }
   // The map's numbers are single: a cell on the very edge of a requirement may fail here.
   [[nodiscard]] std::vector<Candidate> candidates_at(const std::vector<RankedCell>& cells) const {
@@ -133,6 +133,11 @@ class LinkageSearch {
     return held;
   }
 
+  [[nodiscard]] bool is_new(const Candidate& candidate) const {
+    return differs(candidate, held_, different_design * size_) &&
+           differs(candidate, left_out_, different_design * size_);
+  }
+
   /// Made, driven through the task, and held where driving confirms what they do.
   void hold(const std::vector<Candidate>& candidates) {
     std::vector<std::optional<FourBarSolution>> made(candidates.size());
@@ -141,11 +146,11 @@ class LinkageSearch {
         made[i] = make_four_bar(solution_.given, candidates[i].place, solution_.requirements.respect_direction, true);
     });
     for (std::size_t i = 0; i < made.size(); ++i) {
-      if (!made[i] || !differs(candidates[i], held_, different_design * size_)) continue;
+      if (!made[i] || !is_new(candidates[i])) continue;
       const DefectReport &here = candidates[i].report, &there = made[i]->report;
       const bool same = here.type == there.type && here.defects == there.defects;  // in the user's coordinates
       if (!same || is_unconfirmed(*made[i])) {
-        ++left_out_;
+        left_out_.push_back(candidates[i]);
         continue;
       }
       made[i]->local_optimum = candidates[i].local_optimum;
@@ -163,7 +168,7 @@ class LinkageSearch {
     for (const RankedCell& cell : tile_bests(map_, filter_, options_.objective, tiles)) {
       if (!goes_on(wanted)) return;
       const auto foot = judge_.candidate(place_of(cell));
-      if (!foot || !differs(*foot, held_, least)) continue;
+      if (!foot || !differs(*foot, held_, least) || !is_new(*foot)) continue;
       const auto score = [&](const Candidate& c) {
         return differs(c, held_, least) ? std::optional(c.score) : std::nullopt;
       };
@@ -188,7 +193,7 @@ class LinkageSearch {
   double size_ = 0;              ///< design_size of the hills
   std::vector<Candidate> held_;  ///< as in found_
   std::vector<Found> found_;
-  std::int64_t left_out_ = 0;
+  std::vector<Candidate> left_out_;  ///< driving did not confirm them
 };
 
 }  // namespace

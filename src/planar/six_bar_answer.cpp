@@ -74,6 +74,7 @@ Result<Solution> solve_chain(const SixBarTask& task, const ThreeLinkChain& chain
   solution.six_bars =
       best_six_bars(task, chain, family, solution.region, solution.requirements,
                     {solution.options.objective, solution.options.best, solution.options.region.threads}, progress);
+  if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
   judge(solution);
   return solution;
 }

@@ -35,4 +35,20 @@ std::vector<SixBarProspect> distinct(const std::vector<SixBarProspect>& sorted, 
   return kept;
 }
 
+std::vector<SixBarSolution> driven_exactly(const std::vector<SixBarProspect>& prospects, const SixBarTask& task,
+                                           const SixBarRow& row, const Requirements& wanted, Objective objective) {
+  std::vector<SixBarSolution> solutions;
+  for (const SixBarProspect& prospect : prospects) {
+    SixBarSolution exact = solution_of(task.poses, prospect.chain, row, prospect.member);
+    if (!meets(with_defaults(wanted, prospect.chain), exact.member.six_bar, exact.rating)) continue;
+    exact.local_optimum = prospect.local_optimum;
+    solutions.push_back(std::move(exact));
+  }
+  std::sort(solutions.begin(), solutions.end(), [&](const SixBarSolution& a, const SixBarSolution& b) {
+    const double one = score_of(objective, a.rating), other = score_of(objective, b.rating);
+    return one != other ? one > other : a.member.coordinates < b.member.coordinates;
+  });
+  return solutions;
+}
+
 }  // namespace linkwright

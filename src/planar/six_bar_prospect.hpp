@@ -34,4 +34,10 @@ struct SixBarProspect {
 [[nodiscard]] std::vector<SixBarProspect> distinct(const std::vector<SixBarProspect>& sorted, std::size_t most,
                                                    double least);
 
+/// Each driven in exact steps, best first again. What then fails the requirements after all – searches take larger
+/// steps – is left out.
+[[nodiscard]] std::vector<SixBarSolution> driven_exactly(const std::vector<SixBarProspect>& prospects,
+                                                         const SixBarTask& task, const SixBarRow& row,
+                                                         const Requirements& wanted, Objective objective);
+
 }  // namespace linkwright

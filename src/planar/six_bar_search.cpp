@@ -281,10 +281,9 @@ SixBarSearchResult search_six_bars(const SixBarTask& task, const Requirements& r
   result.interrupted = progress.is_cancelled();
   const bool any = !held.empty();
   keep_best(held, static_cast<std::size_t>(std::max(choice.best, 0)), least);
-  for (const SixBarProspect& prospect : held) {
-    result.linkages.push_back(solution_of(task.poses, prospect.chain, *row, prospect.member));
-    result.linkages.back().local_optimum = prospect.local_optimum && !result.interrupted;
-  }
+  result.linkages = driven_exactly(held, task, *row, requirements, choice.objective);
+  if (result.interrupted)
+    for (SixBarSolution& found : result.linkages) found.local_optimum = false;
   result.reason = words(result, any);
   if (!result.interrupted) progress(1);
   return result;

@@ -163,17 +163,8 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLin
     }
   });
   std::sort(tops.begin(), tops.end(), is_better);
-  std::vector<SixBarSolution> solutions;
-  for (const SixBarProspect& top : distinct(tops, wanted, different_design * chain.size())) {
-    solutions.push_back(solution_of(task.poses, chain, *row, top.member));
-    solutions.back().local_optimum = top.local_optimum;
-  }
-  // Driven in exact steps, two that are all but equal may change places.
-  std::sort(solutions.begin(), solutions.end(), [&](const SixBarSolution& a, const SixBarSolution& b) {
-    const double one = score_of(choice.objective, a.rating), other = score_of(choice.objective, b.rating);
-    return one != other ? one > other : a.member.coordinates < b.member.coordinates;
-  });
-  return solutions;
+  return driven_exactly(distinct(tops, wanted, different_design * chain.size()), task, *row, requirements,
+                        choice.objective);
 }
 
 std::optional<std::array<double, 2>> improved_six_bar(const ThreeLinkChain& chain, const SixBarFamily& family,

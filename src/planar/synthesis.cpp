@@ -71,11 +71,14 @@ std::vector<Notice> left_out_warning(const Solution& solution) {
 // Where rounding decides what a linkage does, it is no answer: counted, and said.
 void leave_out_unconfirmed(Solution& solution) {
   std::int64_t& count = solution.left_out;
+  if (!solution.pairs.empty()) {  // all there are, those of the list among them
+    count = static_cast<std::int64_t>(std::erase_if(solution.pairs, is_unconfirmed));
+    std::erase_if(solution.linkages, is_unconfirmed);
+  }
   if (solution.requirements.no_defects)  // none in the working frame, where they were judged
     count += static_cast<std::int64_t>(
         std::erase_if(solution.linkages, [](const FourBarSolution& found) { return !found.report.defects.none(); }));
-  for (std::vector<FourBarSolution>* list : {&solution.linkages, &solution.pairs})
-    count += static_cast<std::int64_t>(std::erase_if(*list, is_unconfirmed));
+  count += static_cast<std::int64_t>(std::erase_if(solution.linkages, is_unconfirmed));
   count += static_cast<std::int64_t>(std::erase_if(solution.six_bars, [](const SixBarSolution& found) {
     return found.rating.drive.defects.none() && !found.verified_by_driving;
   }));
@@ -92,23 +95,25 @@ void leave_out_unconfirmed(Solution& solution) {
 }
 
 // Where the best by another measure stand at the edge of locking: what keeps them away from it, and what that leaves.
-std::vector<Notice> locking_warning(const Solution& solution) {
+std::vector<Notice> locking_warning(const Solution& solution, const Progress& progress) {
   constexpr double edge = radians(1), best_of_all = radians(40), step = radians(5);
   const Requirements& asked = solution.requirements;
   if (solution.linkages.empty() || asked.min_transmission_angle > 0 || !asked.no_defects) return {};
+  const auto is_discrete = [&](LinkageFamily::Side side) { return solution.given.family->axis(side).is_discrete(); };
+  if (is_discrete(LinkageFamily::Side::input) && is_discrete(LinkageFamily::Side::output)) return {};
   const double angle = solution.linkages.front().report.min_transmission_angle;
   if (solution.options.objective == Objective::min_transmission_angle || angle >= edge) return {};
   Requirements wanted = asked;
   std::int64_t left = 0;
   for (wanted.min_transmission_angle = best_of_all; left == 0 && wanted.min_transmission_angle > edge;) {
-    left = filter_of(*solution.given.family, solution.region, wanted).census().meeting;
+    left = filter_of(*solution.given.family, solution.region, wanted).census(progress).meeting;
+    if (progress.is_cancelled()) return {};
     if (left == 0) wanted.min_transmission_angle -= step;
   }
-  Notice notice{"held_by_locking",
-                fmt::format("The best linkage stands at the edge of locking: its transmission angle is {:.2g}°, and "
-                            "nothing else holds it back.",
-                            degrees(angle)),
-                {{"angle", degrees(angle)}}};
+  Notice notice{
+      "held_by_locking",
+      fmt::format("The best linkage stands at the edge of locking: its transmission angle is {:.2g}°.", degrees(angle)),
+      {{"angle", degrees(angle)}}};
   if (left > 0) {
     const double proposed = degrees(wanted.min_transmission_angle);
     notice.message += fmt::format(" Ask for a transmission angle of at least {:.0f}°: {} four-bars have it.", proposed,
@@ -211,7 +216,9 @@ Notice nothing_left(const Solution& solution) {
 // Cells of the map meet the requirements, and yet no linkage is listed.
 void explain_empty_list(Solution& solution) {
   if (solution.options.best == 0 || !solution.linkages.empty() || !solution.six_bars.empty()) return;
-  if (solution.reason.code != "solved") return;
+  const bool erased = solution.left_out > 0 && solution.reason.code == "searched";
+  if (solution.reason.code != "solved" && !erased) return;
+  solution.status = SolutionStatus::no_solution;
   const auto meeting = static_cast<double>(solution.meeting_requirements);
   if (solution.left_out > 0)
     solution.reason = {
@@ -460,7 +467,7 @@ Result<Solution> solve(const Task& task, const Requirements& requirements, const
   if (!solved) return solved;
   leave_out_unconfirmed(*solved);
   explain_empty_list(*solved);
-  for (Notice& warning : locking_warning(*solved)) solved->given.warnings.push_back(std::move(warning));
+  for (Notice& warning : locking_warning(*solved, progress)) solved->given.warnings.push_back(std::move(warning));
   return solved;
 }
 

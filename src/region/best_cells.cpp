@@ -45,7 +45,7 @@ std::vector<RankedCell> hill_tops(const RegionMap& map, const RequirementFilter&
            same_branch(map.output_coordinates()[column], map.output_coordinates()[other_column]);
   };
   const std::size_t reach = std::max<std::size_t>(map.rows() / 100, 1);
-  return hill_tops(map.rows(), map.columns(), {reach, most}, score_at, same_hill);
+  return hill_tops(map.rows(), map.columns(), {reach, most, map.threads()}, score_at, same_hill);
 }
 
 std::vector<RankedCell> tile_bests(const RegionMap& map, const RequirementFilter& filter, Objective objective,

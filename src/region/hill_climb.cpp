@@ -33,7 +33,7 @@ class Climb {
       const double moved = std::abs(best.at - before.at);
       step = std::min(moved, step);
       if (gained && moved > options_.resolution * options_.first_step[0]) continue;
-      top.end = SearchEnd::settled;
+      if (!progress_.is_cancelled()) top.end = SearchEnd::settled;
       break;
     }
     top.place = {hill_.first.onto(best.at), hill_.second.onto(best.found.second)};
@@ -93,6 +93,7 @@ class Climb {
   }
 
   [[nodiscard]] std::optional<Crossed> at(double first, double second) {
+    if (progress_.is_cancelled()) return std::nullopt;
     ++evaluations_;
     const auto score = hill_.score_at(hill_.first.onto(first), hill_.second.onto(second));
     return score ? std::optional(Crossed{second, *score}) : std::nullopt;

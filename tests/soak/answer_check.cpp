@@ -257,6 +257,10 @@ void check_order(const json& result, Wrongs& wrongs) {
       worth = -entry["link_ratio"].get<double>();
     } else if (objective == "min_transmission_angle") {
       worth = entry["min_transmission_angle_deg"].get<double>();
+    } else if (objective == "structural_error") {
+      worth = -entry.value("max_structural_error_deg", 0.0);
+    } else if (entry["lengths"].is_object()) {
+      worth = -std::max_element(entry["lengths"].begin(), entry["lengths"].end())->get<double>();
     } else {
       continue;
     }

@@ -85,7 +85,7 @@ class Section {
   }
 
  private:
-  /// Not closer to the top or to a flank than what is to be told apart, so that brackets close from both sides.
+  /// Not closer to the top than what is to be told apart, so that brackets close from both sides.
   [[nodiscard]] static double away(double there, const Flank& low, const Flank& top, const Flank& high,
                                    double resolution) {
     const double least = 0.5 * resolution;
