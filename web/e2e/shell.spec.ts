@@ -136,6 +136,7 @@ test("6 · from the start to a DXF by keys alone, the focus always in sight", as
 test("19 · the engine dies in the middle of a map, and nothing is lost", async ({page}) => {
   await open_workbench(page);
   await move_a_pose(page);
+  await page.waitForFunction(() => globalThis.__linkwright!.workbench.is_current && globalThis.__linkwright!.workbench.hand?.fails === 0);
   const before = await shown(page);
   const killed = page.evaluate(() => new Promise<number>((resolve) => {
     const {workbench, kill_engine} = globalThis.__linkwright as unknown as {workbench: {engine: {busy: boolean}; maps: {fine: boolean}; edit(change: (problem: object) => object): void}; kill_engine(): void};
