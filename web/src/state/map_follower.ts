@@ -12,6 +12,7 @@ const slow_ms = 25, slow_often = 3, quick_often = 8; // so many 400² maps in a 
 export class MapFollower {
   private asked = ""; // what the map on screen, or on its way, answers
   private asked_samples = 0;
+  private forgotten = 0; // how often
   private slow_maps = 0; // in a row
   private quick_maps = 0; // left until the next trial at 400²
   private fine = false; // at rest: the fine map was asked for
@@ -37,6 +38,7 @@ export class MapFollower {
   /** What was asked will not be answered, or its answer is gone. */
   forget(): void {
     this.asked = "";
+    ++this.forgotten;
   }
 
   private async explore(samples: number): Promise<void> {
@@ -50,11 +52,13 @@ export class MapFollower {
     this.asked = asked;
     this.asked_samples = samples;
     this.watch_slowness();
+    const {forgotten} = this;
     try {
       const order = gesture ? "nearest" : (document.order ?? "fresh");
       const reply = await engine.request("explore", {problem, samples, window, property, order});
       this.calm();
       if (samples === even_samples) this.weigh(reply.engine_ms);
+      if (this.forgotten !== forgotten) return; // a task that cannot be asked has stood between: this is of before
       this.take(reply, document, samples, window);
       if (this.asked !== asked) return;
       this.asked = question(reply.task.axes.input.order);
