@@ -8,6 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/function_error.hpp"
 #include "linkwright/planar/function_linkage.hpp"
+#include "linkwright/planar/synthesis.hpp"
 #include "support/random_function.hpp"
 
 namespace linkwright {
@@ -109,6 +110,77 @@ TEST(FunctionSearch, FivePairsAreOnlyRanked) {
   const auto best = best_of(task, usual());
   ASSERT_EQ(best.size(), 1u);
   EXPECT_NEAR(degrees(best[0].max_structural_error), 0.28829, 1e-4);
+}
+
+FunctionTask named_function(std::string expression, std::array<double, 2> x, double output_range_deg) {
+  FunctionTask task;
+  task.function = NamedFunction{.expression = std::move(expression),
+                                .x = x,
+                                .input_range = {0, radians(60)},
+                                .output_range = {0, radians(output_range_deg)},
+                                .points = 5};
+  task.pairs = precision_pairs(*task.function);
+  return task;
+}
+
+Solution solved_function(const FunctionTask& task, const SynthesisOptions& options) {
+  auto result = solve(task, {}, options);
+  EXPECT_TRUE(result.ok());
+  return std::move(result).value();
+}
+
+FunctionTask squares() {
+  FunctionTask task = named_function("x^2", {0, 1}, 60);
+  task.function->points = 4;
+  task.pairs = precision_pairs(*task.function);
+  return task;
+}
+
+TEST(SolveFunction, AnAxisOfOnePlaceIsWithinAnyWindow) {
+  SynthesisOptions options;
+  options.window = RegionWindow{{0, 2}, {0.6, 0.9}};
+  const Solution solution = solved_function(squares(), options);
+  EXPECT_GT(solution.meeting_requirements, 0);
+  EXPECT_FALSE(solution.linkages.empty());
+}
+
+TEST(SolveFunction, TheLeastStructuralErrorIsSoughtWithinTheWindow) {
+  SynthesisOptions options;
+  options.objective = Objective::structural_error;
+  const Solution whole = solved_function(squares(), options);
+  ASSERT_GT(whole.linkages.size(), 1u);
+  const double best = whole.linkages[0].input.coordinate, other = whole.linkages[1].input.coordinate;
+  options.window = RegionWindow{{other - 1e-3, other + 1e-3}, {0, 1}};
+  ASSERT_GT(std::abs(best - other), 1e-3);
+  const Solution part = solved_function(squares(), options);
+  ASSERT_FALSE(part.linkages.empty());
+  for (const FourBarSolution& found : part.linkages) EXPECT_NEAR(found.input.coordinate, other, 1e-3);
+  EXPECT_NEAR(*part.linkages[0].function->max_structural_error, *whole.linkages[1].function->max_structural_error,
+              1e-6);
+}
+
+TEST(SolveFunction, FivePrecisionPointsListEveryLinkageWhateverItsDefects) {
+  int with_defects = 0, free_of_them = 0;
+  for (const FunctionTask& task : {named_function("log", {1, 10}, 60), named_function("log", {1, 4}, -45),
+                                   named_function("sin_deg", {0, 90}, -120), named_function("x^2", {1, 10}, -120)}) {
+    const auto solution = solve(task, {}, {});
+    ASSERT_TRUE(solution.ok());
+    EXPECT_LE(solution->linkages.size(), solution->pairs.size());
+    EXPECT_NE(solution->reason.message.find("generate all pairs"), std::string::npos) << solution->reason.message;
+    for (const FourBarSolution& found : solution->pairs) {
+      ASSERT_TRUE(found.function);
+      EXPECT_TRUE(found.verified_by_driving);
+      const bool is_free = found.report.defects.none();
+      EXPECT_EQ(defect_notice(found, solution->given).has_value(), !is_free);
+      if (is_free) {
+        EXPECT_TRUE(found.function->reaches_pairs);
+        EXPECT_LT(found.function->precision_error, 1e-9);
+      }
+      (is_free ? free_of_them : with_defects) += 1;
+    }
+  }
+  EXPECT_GT(with_defects, 0);
+  EXPECT_GT(free_of_them, 0);
 }
 
 }  // namespace

@@ -239,11 +239,9 @@ TEST(RegionMap, RemembersItsThreads) {
   EXPECT_EQ(map.threads(), 0);
 }
 
+#ifndef LINKWRIGHT_SANITIZED  // sanitizers end the program where there is no memory
 // More cells than there is memory: the last map is gone, and none takes its place.
 TEST(RegionMap, IsEmptyWhereTheCellsDoNotFit) {
-#ifdef LINKWRIGHT_SANITIZED
-  GTEST_SKIP() << "sanitizers end the program instead";
-#endif
   const auto task = testing::motion_task({{{0, 0}, 0}, {{1, 0.2}, 0.4}, {{1.9, 0.8}, 0.9}});
   const RegionAxis axis({{Homogeneous::of(Point{0, -2}), Homogeneous::of(Point{0.3, 0.4}), 0.5}}, task.poses);
   RegionMap map(axis, axis, 1);
@@ -254,6 +252,7 @@ TEST(RegionMap, IsEmptyWhereTheCellsDoNotFit) {
       std::bad_alloc);
   EXPECT_EQ(map.rows() * map.columns(), 0u);
 }
+#endif
 
 TEST(RegionAxisDeathTest, TakesNoMoreThanFivePoses) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
