@@ -4,7 +4,11 @@ import {defineConfig} from "@playwright/test";
 const port = Number(process.env.LINKWRIGHT_PORT ?? 4179);
 const program = process.env.LINKWRIGHT_CLI ?? "../build/release/bin/linkwright";
 const quiet = [
-  "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-default-apps", "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-default-apps",
+  "--disable-quic",
   "--disable-sync",
 ];
 const solid_drawing = "--enable-unsafe-swiftshader"; // WebGL without a graphics card; flat drawing does not go through it, which would be slow

@@ -1,18 +1,36 @@
 // The drawing by hand: walk-throughs 2, 3, 10, 11, 12 and the halo of 13, and what else can be taken hold of there.
 import type {Locator, Page} from "@playwright/test";
 import type {Point} from "../src/engine/protocol";
-import {drag, example, expect, keep_screenshot, map_hash, middle_of, open_workbench, read_state, solve, test, until_mapped, type Pixel} from "./support";
+import {
+  drag,
+  example,
+  expect,
+  keep_screenshot,
+  map_hash,
+  middle_of,
+  open_workbench,
+  read_state,
+  solve,
+  test,
+  until_mapped,
+  type Pixel,
+} from "./support";
 import type {MotionTask} from "../src/state/task";
 
 /** Map, linkage and the document are those of the same task, and the map has reached its finest. */
 async function until_at_rest(page: Page): Promise<void> {
   await page.waitForFunction(() => {
     const {workbench} = (globalThis as any).__linkwright;
-    return !workbench.gesture && workbench.map?.samples === 1000 && workbench.hand?.tau.join() === workbench.document.picked?.tau.join();
+    return (
+      !workbench.gesture &&
+      workbench.map?.samples === 1000 &&
+      workbench.hand?.tau.join() === workbench.document.picked?.tau.join()
+    );
   });
 }
 const handle = (page: Page, id: string): Locator => page.getByTestId(`drawing.${id}`);
-const poses = (page: Page) => read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses.map((pose) => ({...pose})));
+const poses = (page: Page) =>
+  read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses.map((pose) => ({...pose})));
 const picked = (page: Page) => read_state(page, (workbench) => workbench.picked!.tau);
 async function canvas(page: Page): Promise<Pixel & {width: number; height: number}> {
   return (await page.getByTestId("drawing.canvas").boundingBox())!;
@@ -27,10 +45,14 @@ async function until_followed(page: Page): Promise<void> {
 /** How far a dyad is from standing on circles in all positions: nothing that the page computes comes in. */
 function off_circle(all: readonly {x: number; y: number; theta_deg: number}[], center: Point, circle: Point): number {
   const angle = (deg: number) => (deg * Math.PI) / 180;
-  const [first] = all, dx = circle[0] - first.x, dy = circle[1] - first.y, back = angle(-first.theta_deg);
+  const [first] = all,
+    dx = circle[0] - first.x,
+    dy = circle[1] - first.y,
+    back = angle(-first.theta_deg);
   const body = [dx * Math.cos(back) - dy * Math.sin(back), dx * Math.sin(back) + dy * Math.cos(back)];
   const lengths = all.map(({x, y, theta_deg}) => {
-    const c = Math.cos(angle(theta_deg)), s = Math.sin(angle(theta_deg));
+    const c = Math.cos(angle(theta_deg)),
+      s = Math.sin(angle(theta_deg));
     return Math.hypot(x + c * body[0] - s * body[1] - center[0], y + s * body[0] + c * body[1] - center[1]);
   });
   return Math.max(...lengths) - Math.min(...lengths);
@@ -47,7 +69,8 @@ test("a dragged position moves map, table and linkage, and one undo puts all bac
   test.slow(); // ten maps and two of the finest
   await until_at_rest(page);
   const before = {poses: await poses(page), hash: await map_hash(page), picked: await picked(page)};
-  const from = await middle_of(handle(page, "disc_3")), hashes = new Set<string>();
+  const from = await middle_of(handle(page, "disc_3")),
+    hashes = new Set<string>();
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.keyboard.down("Alt"); // every pixel counts
@@ -59,7 +82,8 @@ test("a dragged position moves map, table and linkage, and one undo puts all bac
   await page.keyboard.up("Alt"); // and in the end the grid
   expect(hashes.size).toBeGreaterThanOrEqual(5);
   await page.mouse.up();
-  const [, , third] = await poses(page), step = await read_state(page, (workbench) => workbench.grid_step);
+  const [, , third] = await poses(page),
+    step = await read_state(page, (workbench) => workbench.grid_step);
   expect(third.x).toBeGreaterThan(before.poses[2].x);
   expect(third.y).toBeGreaterThan(before.poses[2].y);
   for (const value of [third.x, third.y]) expect(Math.abs(value / step - Math.round(value / step))).toBeLessThan(1e-9);
@@ -108,7 +132,11 @@ test("a box is drawn where the ground pivots must lie, resized, and both agree w
   const area = await canvas(page);
   await page.keyboard.press("r");
   await expect(page.getByTestId("drawing.mode")).toBeVisible();
-  await drag(page, {x: area.x + 0.55 * area.width, y: area.y + 0.3 * area.height}, {x: area.x + 0.9 * area.width, y: area.y + 0.6 * area.height});
+  await drag(
+    page,
+    {x: area.x + 0.55 * area.width, y: area.y + 0.3 * area.height},
+    {x: area.x + 0.9 * area.width, y: area.y + 0.6 * area.height},
+  );
   await expect(page.getByTestId("drawing.mode")).toBeHidden();
   await expect(page.getByTestId("drawing.ground_box")).toBeVisible();
   const problem = () => read_state(page, (workbench) => JSON.parse(JSON.stringify(workbench.problem)));
@@ -116,17 +144,28 @@ test("a box is drawn where the ground pivots must lie, resized, and both agree w
   expect(drawn).not.toEqual(example("tailgate").requirements.ground_pivots_within);
   await until_at_rest(page);
 
-  const outside = await read_state(page, async (workbench, box) => {
-    const {map} = workbench, cells = [...map!.fails.keys()].filter((i) => map!.fails[i] === 0), n = map!.samples;
-    const chosen = Array.from({length: 50}, (_, k) => cells[Math.floor(((k + 0.5) / 50) * cells.length)]), bad = [];
-    for (const cell of chosen) {
-      const tau: [number, number] = [map!.input_tau[Math.floor(cell / n)], map!.output_tau[cell % n]];
-      const {linkage} = await workbench.driver_client!.request("linkage", {problem: JSON.stringify({...workbench.problem, view: undefined}), tau});
-      const within = (p: readonly [number, number] | null) => p && p[0] >= box.x[0] && p[0] <= box.x[1] && p[1] >= box.y[0] && p[1] <= box.y[1];
-      if (!within(linkage.input.center) || !within(linkage.output.center)) bad.push(tau);
-    }
-    return bad;
-  }, drawn);
+  const outside = await read_state(
+    page,
+    async (workbench, box) => {
+      const {map} = workbench,
+        cells = [...map!.fails.keys()].filter((i) => map!.fails[i] === 0),
+        n = map!.samples;
+      const chosen = Array.from({length: 50}, (_, k) => cells[Math.floor(((k + 0.5) / 50) * cells.length)]),
+        bad = [];
+      for (const cell of chosen) {
+        const tau: [number, number] = [map!.input_tau[Math.floor(cell / n)], map!.output_tau[cell % n]];
+        const {linkage} = await workbench.driver_client!.request("linkage", {
+          problem: JSON.stringify({...workbench.problem, view: undefined}),
+          tau,
+        });
+        const within = (p: readonly [number, number] | null) =>
+          p && p[0] >= box.x[0] && p[0] <= box.x[1] && p[1] >= box.y[0] && p[1] <= box.y[1];
+        if (!within(linkage.input.center) || !within(linkage.output.center)) bad.push(tau);
+      }
+      return bad;
+    },
+    drawn,
+  );
   expect(outside).toEqual([]);
   const census = await read_state(page, (workbench) => workbench.census!.meeting);
   expect(census).toBe(solve(await problem()).region.meeting_requirements);
@@ -144,32 +183,44 @@ test("a box is drawn where the ground pivots must lie, resized, and both agree w
   expect(await read_state(page, (workbench) => workbench.mode)).toBe("point");
 });
 
-test("a pivot slides along the thick part of its curve: its column of the map goes with it, the row stays", async ({page}) => {
+test("a pivot slides along the thick part of its curve: its column of the map goes with it, the row stays", async ({
+  page,
+}) => {
   await until_at_rest(page);
   const start = await read_state(page, (workbench) => ({tau: workbench.picked!.tau, place: workbench.picked!.place!}));
-  const home = handle(page, "pivot_output_circle_home"), from = await middle_of(home);
+  const home = handle(page, "pivot_output_circle_home"),
+    from = await middle_of(home);
   // Sixty pixels along the live part, from where the pivot is.
   const way = await page.getByTestId("drawing.live_output_circle").evaluate((path, at) => {
-    const {x, y} = (path as SVGPathElement).ownerSVGElement!.getBoundingClientRect(), curve = path as SVGPathElement, length = curve.getTotalLength();
+    const {x, y} = (path as SVGPathElement).ownerSVGElement!.getBoundingClientRect(),
+      curve = path as SVGPathElement,
+      length = curve.getTotalLength();
     const point = (s: number) => ({x: curve.getPointAtLength(s).x + x, y: curve.getPointAtLength(s).y + y});
     const away = (s: number) => Math.hypot(point(s).x - at.x, point(s).y - at.y);
     let best = 0;
     for (let s = 0; s <= length; s += 0.5) if (away(s) < away(best)) best = s;
     for (const sign of [1, -1]) {
       const list = Array.from({length: 13}, (_, k) => point(best + sign * 5 * k));
-      const connected = list.every((p, k) => k === 0 || Math.abs(Math.hypot(p.x - list[k - 1].x, p.y - list[k - 1].y) - 5) < 1.5);
+      const connected = list.every(
+        (p, k) => k === 0 || Math.abs(Math.hypot(p.x - list[k - 1].x, p.y - list[k - 1].y) - 5) < 1.5,
+      );
       if (connected && best + sign * 60 >= 0 && best + sign * 60 <= length) return list;
     }
     return null;
   }, from);
   expect(way).not.toBeNull();
-  const task_poses = await poses(page), columns = new Set<number>();
+  const task_poses = await poses(page),
+    columns = new Set<number>();
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   for (const at of way!.slice(1)) {
     await page.mouse.move(at.x, at.y);
     await until_followed(page);
-    const now = await read_state(page, (workbench) => ({place: workbench.picked!.place!, output: workbench.hand!.output, fails: workbench.hand!.fails}));
+    const now = await read_state(page, (workbench) => ({
+      place: workbench.picked!.place!,
+      output: workbench.hand!.output,
+      fails: workbench.hand!.fails,
+    }));
     expect(off_circle(task_poses, now.output.center!, now.output.circle!)).toBeLessThan(1e-6);
     expect(now.place[0]).toBe(start.place[0]);
     expect(now.fails).toBe(0);
@@ -187,7 +238,8 @@ test("a pivot slides along the thick part of its curve: its column of the map go
 
 test("off the thick part the linkage is hatched and says why", async ({page}) => {
   await until_at_rest(page);
-  const from = await middle_of(handle(page, "pivot_output_circle_home")), area = await canvas(page);
+  const from = await middle_of(handle(page, "pivot_output_circle_home")),
+    area = await canvas(page);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(area.x + 0.45 * area.width, area.y + area.height - 8, {steps: 12});
@@ -204,7 +256,10 @@ test("off the thick part the linkage is hatched and says why", async ({page}) =>
 
 test("a pivot dragged out of the window goes through infinity and comes back from the other side", async ({page}) => {
   await until_at_rest(page);
-  const at_infinity = await read_state(page, (workbench) => workbench.task!.specials.find((s) => s.kind === "center_at_infinity")!.tau[0]);
+  const at_infinity = await read_state(
+    page,
+    (workbench) => workbench.task!.specials.find((s) => s.kind === "center_at_infinity")!.tau[0],
+  );
   const other = (await picked(page))[1];
   await read_state(page, (workbench, tau) => workbench.pick(tau), [at_infinity, other] as const);
   await until_followed(page);
@@ -216,7 +271,9 @@ test("a pivot dragged out of the window goes through infinity and comes back fro
 
   // Back to a pivot in the window that is on the same branch: the sample nearest to where the curve leaves at the lower right.
   const edge = await page.getByTestId("curve.center_path").evaluate((path) => {
-    const curve = path as SVGPathElement, svg = curve.ownerSVGElement!.getBoundingClientRect(), length = curve.getTotalLength();
+    const curve = path as SVGPathElement,
+      svg = curve.ownerSVGElement!.getBoundingClientRect(),
+      length = curve.getTotalLength();
     let best = {x: 0, y: 0};
     for (let s = 0; s < length; s += 1) {
       const p = curve.getPointAtLength(s);
@@ -226,21 +283,29 @@ test("a pivot dragged out of the window goes through infinity and comes back fro
   });
   await page.mouse.click(edge.x, edge.y);
   await until_followed(page);
-  const input_moved = (await picked(page))[0] !== at_infinity, side = input_moved ? "input" : "output";
-  const pivot = handle(page, `pivot_${side}_center`), start = await middle_of(pivot), area = await canvas(page);
+  const input_moved = (await picked(page))[0] !== at_infinity,
+    side = input_moved ? "input" : "output";
+  const pivot = handle(page, `pivot_${side}_center`),
+    start = await middle_of(pivot),
+    area = await canvas(page);
   expect(Math.hypot(start.x - edge.x, start.y - edge.y)).toBeLessThan(4);
   await page.mouse.move(start.x, start.y);
   await page.mouse.down();
   const out = area.x + area.width - start.x < area.y + area.height - start.y ? {x: 1, y: 0} : {x: 0, y: 1};
   const room = out.x ? area.x + area.width - start.x : area.y + area.height - start.y;
   for (let over = -room; over <= 170; over += 10) {
-    await page.mouse.move(start.x + out.x * (room + over) + (1 - out.x) * (room + Math.min(over, 0)) * 0.8, start.y + out.y * (room + over) + (1 - out.y) * (room + Math.min(over, 0)) * 0.8);
+    await page.mouse.move(
+      start.x + out.x * (room + over) + (1 - out.x) * (room + Math.min(over, 0)) * 0.8,
+      start.y + out.y * (room + over) + (1 - out.y) * (room + Math.min(over, 0)) * 0.8,
+    );
     await until_followed(page);
     expect(await markup()).not.toMatch(/NaN|Infinity|undefined/);
   }
   await page.mouse.up();
   const there = await middle_of(pivot);
-  expect(Math.hypot(there.x - start.x, there.y - start.y), "back in the window at quite another place").toBeGreaterThan(150);
+  expect(Math.hypot(there.x - start.x, there.y - start.y), "back in the window at quite another place").toBeGreaterThan(
+    150,
+  );
   const link = await read_state(page, (workbench, name) => workbench.hand![name as "input"], side);
   expect(off_circle(await poses(page), link.center!, link.circle!)).toBeLessThan(1e-6 * Math.max(1, link.length!));
 });
@@ -248,13 +313,20 @@ test("a pivot dragged out of the window goes through infinity and comes back fro
 test("a held position shows where it may go, and nowhere else are linkages", async ({page}) => {
   await until_at_rest(page);
   const from = await middle_of(handle(page, "disc_3"));
-  const {scale} = await page.getByTestId("drawing.ground_box").evaluate((box) => ({scale: Number(box.getAttribute("width")) / 360}));
+  const {scale} = await page
+    .getByTestId("drawing.ground_box")
+    .evaluate((box) => ({scale: Number(box.getAttribute("width")) / 360}));
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   const halo = page.getByTestId("drawing.halo");
   await expect(halo).toBeVisible();
   await page.waitForFunction(() => globalThis.__linkwright!.workbench.halo!.reach === 30); // it looks closer than at first
-  const squares = await halo.locator("rect").evaluateAll((all) => all.map((r) => ({offset: r.getAttribute("data-offset")!.split(",").map(Number), count: Number(r.getAttribute("data-count"))})));
+  const squares = await halo.locator("rect").evaluateAll((all) =>
+    all.map((r) => ({
+      offset: r.getAttribute("data-offset")!.split(",").map(Number),
+      count: Number(r.getAttribute("data-count")),
+    })),
+  );
   expect(squares.length).toBeGreaterThan(20);
   expect(squares.every((s) => Math.hypot(...s.offset) < 40)).toBe(true);
   await keep_screenshot(page, "halo");
@@ -274,15 +346,28 @@ test("a place on a curve shows its side link; a click puts the nearer one there,
   await until_at_rest(page);
   // A place of the circle-point curve that nothing else is near to.
   const spot = await page.getByTestId("curve.circle_path").evaluate((path) => {
-    const curve = path as SVGPathElement, svg = curve.ownerSVGElement!, box = svg.getBoundingClientRect(), length = curve.getTotalLength();
-    const handles = [...svg.querySelectorAll(".handle")].map((h) => [Number(h.getAttribute("cx")), Number(h.getAttribute("cy"))]);
+    const curve = path as SVGPathElement,
+      svg = curve.ownerSVGElement!,
+      box = svg.getBoundingClientRect(),
+      length = curve.getTotalLength();
+    const handles = [...svg.querySelectorAll(".handle")].map((h) => [
+      Number(h.getAttribute("cx")),
+      Number(h.getAttribute("cy")),
+    ]);
     const boxes = [...svg.querySelectorAll<SVGRectElement>("[data-testid$=_box]")].map((r) => r.getBBox());
     const center = svg.querySelector<SVGPathElement>('[data-testid="curve.center_path"]')!;
     const centers = Array.from({length: 400}, (_, k) => center.getPointAtLength((k / 400) * center.getTotalLength()));
     for (let s = 0; s < length; s += 2) {
-      const p = curve.getPointAtLength(s), inside = p.x > 60 && p.y > 60 && p.x < box.width - 60 && p.y < box.height - 80;
-      const free = handles.every(([x, y]) => Math.hypot(x - p.x, y - p.y) > 30) && centers.every((c) => Math.hypot(c.x - p.x, c.y - p.y) > 25);
-      const clear = boxes.every((b) => [b.x, b.x + b.width].every((x) => Math.abs(x - p.x) > 30) && [b.y, b.y + b.height].every((y) => Math.abs(y - p.y) > 30));
+      const p = curve.getPointAtLength(s),
+        inside = p.x > 60 && p.y > 60 && p.x < box.width - 60 && p.y < box.height - 80;
+      const free =
+        handles.every(([x, y]) => Math.hypot(x - p.x, y - p.y) > 30) &&
+        centers.every((c) => Math.hypot(c.x - p.x, c.y - p.y) > 25);
+      const clear = boxes.every(
+        (b) =>
+          [b.x, b.x + b.width].every((x) => Math.abs(x - p.x) > 30) &&
+          [b.y, b.y + b.height].every((y) => Math.abs(y - p.y) > 30),
+      );
       if (inside && free && clear) return {x: p.x + box.x, y: p.y + box.y};
     }
     return null;
@@ -294,7 +379,8 @@ test("a place on a curve shows its side link; a click puts the nearer one there,
   await expect(page.getByTestId("drawing.note")).toContainText(tau.toFixed(4));
   await page.mouse.click(spot!.x, spot!.y);
   await until_followed(page);
-  const nearer = await picked(page), side = nearer[0] === before[0] ? 1 : 0;
+  const nearer = await picked(page),
+    side = nearer[0] === before[0] ? 1 : 0;
   expect(nearer[side]).toBeCloseTo(tau, 9);
   const reached = await read_state(page, (workbench, k) => workbench.hand![k ? "output" : "input"], side);
   expect(off_circle(await poses(page), reached.center!, reached.circle!)).toBeLessThan(1e-6);
@@ -345,7 +431,12 @@ test("the outline is edited at its corners, traced points draw their curves", as
   expect(await outline()).toHaveLength(corners);
   await page.getByTestId("drawing.outline_redraw").click();
   const disc = await middle_of(handle(page, "disc_1"));
-  for (const [dx, dy] of [[-40, 20], [60, 20], [60, -30]]) await page.mouse.click(disc.x + dx, disc.y + dy);
+  for (const [dx, dy] of [
+    [-40, 20],
+    [60, 20],
+    [60, -30],
+  ])
+    await page.mouse.click(disc.x + dx, disc.y + dy);
   await page.keyboard.press("Enter");
   expect(await outline()).toHaveLength(3);
   await page.keyboard.press("Escape");
@@ -357,17 +448,35 @@ test("the outline is edited at its corners, traced points draw their curves", as
 });
 
 test("two positions that are the same are refused in words, the map gone with the marks on it", async ({page}) => {
-  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.slice(0, 3)}})));
+  await read_state(page, (workbench) =>
+    workbench.edit((problem) => ({
+      ...problem,
+      task: {...problem.task, poses: (problem.task as MotionTask).poses.slice(0, 3)},
+    })),
+  );
   await expect(page.getByTestId("region.crosshair_row")).toHaveCount(0);
-  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, task: {...problem.task, poses: [...(problem.task as MotionTask).poses, (problem.task as MotionTask).poses[2]]}})));
+  await read_state(page, (workbench) =>
+    workbench.edit((problem) => ({
+      ...problem,
+      task: {...problem.task, poses: [...(problem.task as MotionTask).poses, (problem.task as MotionTask).poses[2]]},
+    })),
+  );
   await expect(page.getByTestId("region.notice")).toHaveText(/Position 4 is the same as an earlier one/);
 });
 
 test("an empty task is clicked together", async ({page}) => {
-  await read_state(page, (workbench) => workbench.open({linkwright: 1, length_unit: "mm", task: {kind: "motion", mechanism: "four_bar", poses: []}}));
+  await read_state(page, (workbench) =>
+    workbench.open({linkwright: 1, length_unit: "mm", task: {kind: "motion", mechanism: "four_bar", poses: []}}),
+  );
   await expect(page.getByTestId("drawing.missing")).toBeVisible();
   const area = await canvas(page);
-  for (const [x, y] of [[0.4, 0.8], [0.3, 0.6], [0.25, 0.45], [0.35, 0.25]]) await page.mouse.click(area.x + x * area.width, area.y + y * area.height);
+  for (const [x, y] of [
+    [0.4, 0.8],
+    [0.3, 0.6],
+    [0.25, 0.45],
+    [0.35, 0.25],
+  ])
+    await page.mouse.click(area.x + x * area.width, area.y + y * area.height);
   expect(await poses(page)).toHaveLength(4);
   for (let k = 2; k <= 4; ++k) {
     await handle(page, `knob_${k}`).focus();
@@ -389,7 +498,9 @@ test("a picture dropped on the drawing lies behind it and is brought to scale", 
     const blob = await new Promise<Blob>((resolve) => canvas.toBlob((b) => resolve(b!), "image/png"));
     const transfer = new DataTransfer();
     transfer.items.add(new File([blob], "car.png", {type: "image/png"}));
-    document.querySelector(".drawing_card")!.dispatchEvent(new DragEvent("drop", {dataTransfer: transfer, bubbles: true, cancelable: true}));
+    document
+      .querySelector(".drawing_card")!
+      .dispatchEvent(new DragEvent("drop", {dataTransfer: transfer, bubbles: true, cancelable: true}));
   });
   await page.waitForFunction(() => !!(globalThis as any).__linkwright.workbench.problem.view?.background);
   const background = () => read_state(page, (workbench) => workbench.problem.view!.background!);

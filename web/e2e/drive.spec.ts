@@ -4,7 +4,19 @@ import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import type {Download, Page} from "@playwright/test";
-import {analyze, drag, expect, expect_accessible, keep_screenshot, open_workbench, played_poses, read_state, solve, test, toasts} from "./support";
+import {
+  analyze,
+  drag,
+  expect,
+  expect_accessible,
+  keep_screenshot,
+  open_workbench,
+  played_poses,
+  read_state,
+  solve,
+  test,
+  toasts,
+} from "./support";
 import type {MotionTask} from "../src/state/task";
 
 /** Opens the example and waits for the picked linkage and its drive. */
@@ -15,22 +27,33 @@ async function open_with_drive(page: Page): Promise<void> {
 }
 /** Where the drive stands, and how far the body is there from a position (from 0). */
 function body_at(page: Page, pose: number) {
-  return read_state(page, (workbench, index) => {
-    const {states, ticks} = workbench.hand!.drive!, width = states.length / Math.round(states.length / 13);
-    const at = ticks[index].state * width, wanted = (workbench.problem.task as MotionTask).poses[index];
-    const turn = ((states[at + 7] - wanted.theta_deg) / 360) % 1;
-    return {
-      angle: states[at] + 0, now: workbench.angle + 0, // no −0
-      away: Math.hypot(states[at + 5] - wanted.x, states[at + 6] - wanted.y), turned: Math.abs(turn - Math.round(turn)) * 360,
-    };
-  }, pose);
+  return read_state(
+    page,
+    (workbench, index) => {
+      const {states, ticks} = workbench.hand!.drive!,
+        width = states.length / Math.round(states.length / 13);
+      const at = ticks[index].state * width,
+        wanted = (workbench.problem.task as MotionTask).poses[index];
+      const turn = ((states[at + 7] - wanted.theta_deg) / 360) % 1;
+      return {
+        angle: states[at] + 0,
+        now: workbench.angle + 0, // no −0
+        away: Math.hypot(states[at + 5] - wanted.x, states[at + 6] - wanted.y),
+        turned: Math.abs(turn - Math.round(turn)) * 360,
+      };
+    },
+    pose,
+  );
 }
 
 test.describe("drive", () => {
   test("the scrub bar snaps to the positions, and the body is exactly there", async ({page}) => {
     await open_with_drive(page);
     const best = solve(await read_state(page, (workbench) => workbench.whole_problem)).linkages[0];
-    const [tau, sweep] = await read_state(page, (workbench) => [workbench.hand!.tau, workbench.hand!.driver_sweep_deg] as const);
+    const [tau, sweep] = await read_state(
+      page,
+      (workbench) => [workbench.hand!.tau, workbench.hand!.driver_sweep_deg] as const,
+    );
     expect(tau[0]).toBeCloseTo(best.input.coordinate, 5); // along a ridge that is all but level
     expect(sweep).toBeCloseTo(best.driver_sweep_deg, 2);
     const bar = page.getByTestId("drive.angle");
@@ -56,7 +79,13 @@ test.describe("drive", () => {
     await page.getByTestId("drive.angle").focus();
     await page.keyboard.press("Home");
     expect(await played_poses(page)).toEqual([0, 1, 2, 3]);
-    const end = await read_state(page, ({hand, angle, playing}) => ({angle, playing, high: hand!.drive!.states.at(-13)!, limit: hand!.drive!.limits.high, dead: hand!.dead_points_deg}));
+    const end = await read_state(page, ({hand, angle, playing}) => ({
+      angle,
+      playing,
+      high: hand!.drive!.states.at(-13)!,
+      limit: hand!.drive!.limits.high,
+      dead: hand!.dead_points_deg,
+    }));
     expect(end.playing).toBe(false);
     expect(end.limit).toBe("dead_point");
     expect(end.angle).toBe(end.high);
@@ -85,7 +114,9 @@ test.describe("drive", () => {
     await page.getByTestId("drive.angle").focus();
     await page.keyboard.press("Home");
     await page.keyboard.press("Shift+ArrowRight");
-    const first = await read_state(page, ({hand}) => Array.from(hand!.drive!.states.slice(13 * hand!.drive!.ticks[0].state, 13 * hand!.drive!.ticks[0].state + 13)));
+    const first = await read_state(page, ({hand}) =>
+      Array.from(hand!.drive!.states.slice(13 * hand!.drive!.ticks[0].state, 13 * hand!.drive!.ticks[0].state + 13)),
+    );
     await expect(page.getByTestId("plot.value")).toHaveText(`${first[8].toFixed(1)}°`);
     const over = page.getByTestId("plot.title").locator(".u-over");
     const box = (await over.boundingBox())!;
@@ -106,16 +137,21 @@ test.describe("drive", () => {
     await page.emulateMedia({reducedMotion: "reduce"});
     await open_with_drive(page);
     expect(await read_state(page, (workbench) => workbench.playing)).toBe(false);
-    const seen = read_state(page, (workbench) => new Promise<number[]>((resolve) => {
-      const stops = workbench.hand!.drive!.ticks.map((tick) => workbench.hand!.drive!.states[13 * tick.state]);
-      const angles: number[] = [workbench.angle], begin = workbench.angle;
-      const look = () => {
-        if (workbench.angle !== angles.at(-1)) angles.push(workbench.angle);
-        if (angles.length < 3) requestAnimationFrame(look);
-        else resolve(angles.filter((angle) => angle !== begin && !stops.includes(angle)));
-      };
-      look();
-    }));
+    const seen = read_state(
+      page,
+      (workbench) =>
+        new Promise<number[]>((resolve) => {
+          const stops = workbench.hand!.drive!.ticks.map((tick) => workbench.hand!.drive!.states[13 * tick.state]);
+          const angles: number[] = [workbench.angle],
+            begin = workbench.angle;
+          const look = () => {
+            if (workbench.angle !== angles.at(-1)) angles.push(workbench.angle);
+            if (angles.length < 3) requestAnimationFrame(look);
+            else resolve(angles.filter((angle) => angle !== begin && !stops.includes(angle)));
+          };
+          look();
+        }),
+    );
     await page.locator("[data-speed='4']").click();
     await page.getByTestId("drive.play").click();
     expect(await seen, "angles that are no position").toEqual([]);
@@ -160,37 +196,57 @@ test.describe("exports", () => {
     await expect_accessible(page, "dialog");
     await keep_screenshot(page, "export");
     const {name, bytes} = await exported(page, "dxf");
-    const {lengths, type} = await read_state(page, ({picked_linkage}) => ({lengths: picked_linkage!.lengths!, type: picked_linkage!.type}));
+    const {lengths, type} = await read_state(page, ({picked_linkage}) => ({
+      lengths: picked_linkage!.lengths!,
+      type: picked_linkage!.type,
+    }));
     expect(name).toBe(`tailgate-hinge-${type}.dxf`);
     await expect(page.getByTestId("export.status")).toContainText(name);
-    const drawing = in_file(name, bytes, (path) => JSON.parse(execFileSync("/usr/bin/python3", ["-c", read_dxf, path], {encoding: "utf8"})));
+    const drawing = in_file(name, bytes, (path) =>
+      JSON.parse(execFileSync("/usr/bin/python3", ["-c", read_dxf, path], {encoding: "utf8"})),
+    );
     expect(drawing.errors).toBe(0);
     expect(drawing.units).toBe(4); // mm
-    expect(drawing.layers).toEqual(expect.arrayContaining(["COUPLER", "COUPLER_CURVE", "GROUND", "INPUT", "OUTPUT", "POSITIONS"]));
+    expect(drawing.layers).toEqual(
+      expect.arrayContaining(["COUPLER", "COUPLER_CURVE", "GROUND", "INPUT", "OUTPUT", "POSITIONS"]),
+    );
     for (const link of ["ground", "input", "coupler", "output"] as const) {
       const [[x0, y0], [x1, y1]] = drawing.circles[link.toUpperCase()];
       expect(Math.abs(Math.hypot(x1 - x0, y1 - y0) - lengths[link]), link).toBeLessThan(1e-6);
     }
   });
 
-  test("SVG is well-formed, CSV begins at position 1 and has a row at each, JSON is read by the program", async ({page}) => {
+  test("SVG is well-formed, CSV begins at position 1 and has a row at each, JSON is read by the program", async ({
+    page,
+  }) => {
     await open_exports(page);
     const svg = await exported(page, "svg");
     in_file(svg.name, svg.bytes, (path) => execFileSync("xmllint", ["--noout", "--nonet", path]));
     expect(svg.bytes.toString()).toContain("<svg");
 
     const csv = (await exported(page, "csv")).bytes.toString().trimEnd().split("\n");
-    expect(csv[0]).toMatch(/^driver_turn_from_position_1_deg,input_angle_from_x_deg,.*,body_x,body_y,body_theta_deg,.*,position$/);
-    expect(csv.slice(1).map((line) => line.split(",").at(-1)).filter(Boolean)).toEqual(["1", "2", "3", "4"]);
+    expect(csv[0]).toMatch(
+      /^driver_turn_from_position_1_deg,input_angle_from_x_deg,.*,body_x,body_y,body_theta_deg,.*,position$/,
+    );
+    expect(
+      csv
+        .slice(1)
+        .map((line) => line.split(",").at(-1))
+        .filter(Boolean),
+    ).toEqual(["1", "2", "3", "4"]);
     expect(csv[1]).toMatch(/^0,.*,1$/);
     const columns = csv[0].split(",").length;
     expect(csv.every((line) => line.split(",").length === columns)).toBe(true);
 
     const json = await exported(page, "json");
     const analysis = analyze(json.bytes.toString());
-    const {lengths, type} = await read_state(page, ({picked_linkage}) => ({lengths: picked_linkage!.lengths!, type: picked_linkage!.type}));
+    const {lengths, type} = await read_state(page, ({picked_linkage}) => ({
+      lengths: picked_linkage!.lengths!,
+      type: picked_linkage!.type,
+    }));
     expect(analysis.type).toBe(type);
-    for (const link of ["ground", "input", "coupler", "output"] as const) expect(analysis.lengths[link]).toBeCloseTo(lengths[link], 9);
+    for (const link of ["ground", "input", "coupler", "output"] as const)
+      expect(analysis.lengths[link]).toBeCloseTo(lengths[link], 9);
 
     const result = JSON.parse((await exported(page, "result")).bytes.toString());
     expect(result.status).toBe("solved");
@@ -247,11 +303,15 @@ test.describe("exports", () => {
     const sheet = page.getByTestId("export.sheet");
     await expect(sheet).toBeVisible();
     await expect(sheet.locator("h1")).toHaveText("Tailgate hinge");
-    expect(await sheet.locator("img").evaluate((image: HTMLImageElement) => image.complete && image.naturalWidth > 0)).toBe(true);
-    expect(await sheet.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
-      const {data} = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
-      return new Set(new Uint32Array(data.buffer)).size;
-    })).toBeGreaterThan(8);
+    expect(
+      await sheet.locator("img").evaluate((image: HTMLImageElement) => image.complete && image.naturalWidth > 0),
+    ).toBe(true);
+    expect(
+      await sheet.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
+        const {data} = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+        return new Set(new Uint32Array(data.buffer)).size;
+      }),
+    ).toBeGreaterThan(8);
     await expect(sheet).toContainText(/#1\./); // the link
     const pdf = (await page.pdf({preferCSSPageSize: true})).toString("latin1");
     expect(pdf.match(/\/Type \/Page\b(?!s)/g)).toHaveLength(1);
@@ -262,16 +322,19 @@ test.describe("exports", () => {
 
 /** Some pixels of the 3-D picture, to tell one from another. */
 function solid_print(page: Page): Promise<string> {
-  return page.getByTestId("solid.figure").locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
-    const copy = document.createElement("canvas");
-    [copy.width, copy.height] = [96, 96];
-    const context = copy.getContext("2d", {willReadFrequently: true})!;
-    context.drawImage(canvas, 0, 0, 96, 96);
-    const data = new Uint32Array(context.getImageData(0, 0, 96, 96).data.buffer);
-    let sum = 0;
-    for (const pixel of data) sum = (Math.imul(sum, 31) + pixel) | 0;
-    return new Set(data).size > 20 ? String(sum) : "blank";
-  });
+  return page
+    .getByTestId("solid.figure")
+    .locator("canvas")
+    .evaluate((canvas: HTMLCanvasElement) => {
+      const copy = document.createElement("canvas");
+      [copy.width, copy.height] = [96, 96];
+      const context = copy.getContext("2d", {willReadFrequently: true})!;
+      context.drawImage(canvas, 0, 0, 96, 96);
+      const data = new Uint32Array(context.getImageData(0, 0, 96, 96).data.buffer);
+      let sum = 0;
+      for (const pixel of data) sum = (Math.imul(sum, 31) + pixel) | 0;
+      return new Set(data).size > 20 ? String(sum) : "blank";
+    });
 }
 async function changed_from(page: Page, before: string): Promise<string> {
   await expect.poll(() => solid_print(page)).not.toBe(before);
@@ -292,7 +355,8 @@ test.describe("3-D", () => {
     let print = await changed_from(page, "blank");
     await keep_screenshot(page, "solid");
 
-    await read_state(page, async (workbench) => { // what is under the pointer is the same parts, stretched
+    await read_state(page, async (workbench) => {
+      // what is under the pointer is the same parts, stretched
       const [input, output] = workbench.picked!.tau;
       for (const by of [1e-3, 2e-3, 3e-3]) {
         workbench.hover([input + by, output]);
@@ -333,14 +397,23 @@ test.describe("3-D", () => {
     await read_state(page, (workbench) => void (workbench.solid = true));
     const figure = (await page.getByTestId("solid.figure").boundingBox())!;
     await page.waitForFunction(() => globalThis.__linkwright!.solid_pixel?.({side: "input", end: "center"}));
-    const pivots = () => page.evaluate(() => (["input", "output"] as const).flatMap((side) => (["center", "circle"] as const).map((end) => globalThis.__linkwright!.solid_pixel({side, end}))));
-    const before = await pivots(), picked = await read_state(page, (workbench) => workbench.picked!.tau);
+    const pivots = () =>
+      page.evaluate(() =>
+        (["input", "output"] as const).flatMap((side) =>
+          (["center", "circle"] as const).map((end) => globalThis.__linkwright!.solid_pixel({side, end})),
+        ),
+      );
+    const before = await pivots(),
+      picked = await read_state(page, (workbench) => workbench.picked!.tau);
     const from = {x: figure.x + before[2][0], y: figure.y + before[2][1]};
     await drag(page, from, {x: from.x - 14, y: from.y + 10}, 6);
     const [input, output] = await read_state(page, (workbench) => workbench.picked!.tau);
     expect(input).toBe(picked[0]);
     expect(Math.abs(output - picked[1])).toBeGreaterThan(1e-4);
-    await page.waitForFunction(() => globalThis.__linkwright!.workbench.hand?.tau.join() === globalThis.__linkwright!.workbench.picked!.tau.join());
+    await page.waitForFunction(
+      () =>
+        globalThis.__linkwright!.workbench.hand?.tau.join() === globalThis.__linkwright!.workbench.picked!.tau.join(),
+    );
     expect(await read_state(page, (workbench) => workbench.hand!.residual)).toBeLessThan(1e-9);
     expect((await pivots())[0]).toEqual(before[0]); // the input's ground pivot neither moved nor turned
     await page.keyboard.press("Control+z");
@@ -356,7 +429,14 @@ test.describe("3-D", () => {
     });
     await open_with_drive(page);
     await read_state(page, (workbench) => void (workbench.solid = true));
-    await expect.poll(() => read_state(page, (workbench) => [workbench.solid, workbench.toasts.some((toast) => toast.key === "state.no_webgl")])).toEqual([false, true]);
+    await expect
+      .poll(() =>
+        read_state(page, (workbench) => [
+          workbench.solid,
+          workbench.toasts.some((toast) => toast.key === "state.no_webgl"),
+        ]),
+      )
+      .toEqual([false, true]);
     await expect(page.getByTestId("drawing.canvas")).toBeVisible();
   });
 });

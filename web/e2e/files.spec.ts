@@ -4,7 +4,19 @@ import type {BrowserContext, Page} from "@playwright/test";
 import {closeSync, openSync, readFileSync, writeSync} from "node:fs";
 import {join} from "node:path";
 import {
-  bad_problems, examples, expect, file_menu, move_a_pose, open_files, open_workbench, read_state, run_program, shown, test, toasts, until_ready,
+  bad_problems,
+  examples,
+  expect,
+  file_menu,
+  move_a_pose,
+  open_files,
+  open_workbench,
+  read_state,
+  run_program,
+  shown,
+  test,
+  toasts,
+  until_ready,
 } from "./support";
 import type {MotionTask} from "../src/state/task";
 
@@ -45,13 +57,21 @@ test("15 · work outlives a reload, and what an example replaced can be had back
   await read_state(page, (workbench) => workbench.pin());
   await read_state(page, (workbench) => workbench.change_pin("A", {name: "lid, 2nd…"}));
   const before = await shown(page);
-  await page.evaluate(() => localStorage.setItem("linkwright.preferences", '{"language": "fr", "toured": true, "colour_by": 7}')); // blanks nothing
+  await page.evaluate(() =>
+    localStorage.setItem("linkwright.preferences", '{"language": "fr", "toured": true, "colour_by": 7}'),
+  ); // blanks nothing
   await page.reload();
   await until_ready(page);
   expect(await shown(page)).toEqual(before);
   expect(await read_state(page, (workbench) => workbench.pins[0].name)).toBe("lid, 2nd…");
   for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+z"); // name, pin, pose
-  expect(await read_state(page, ({can_undo, pins, problem}) => [can_undo, pins.length, (problem.task as MotionTask).poses[2].x])).toEqual([false, 0, -220]);
+  expect(
+    await read_state(page, ({can_undo, pins, problem}) => [
+      can_undo,
+      pins.length,
+      (problem.task as MotionTask).poses[2].x,
+    ]),
+  ).toEqual([false, 0, -220]);
   for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+y");
   await expect.poll(() => shown(page)).toEqual(before);
 
@@ -90,7 +110,10 @@ test("15 · a file dropped on the page is opened", async ({page}) => {
   await page.evaluate((content) => {
     const data = new DataTransfer();
     data.items.add(new File([content], "dump_bucket.json", {type: "application/json"}));
-    for (const type of ["dragover", "drop"]) document.querySelector("aside")!.dispatchEvent(new DragEvent(type, {dataTransfer: data, bubbles: true, cancelable: true}));
+    for (const type of ["dragover", "drop"])
+      document
+        .querySelector("aside")!
+        .dispatchEvent(new DragEvent(type, {dataTransfer: data, bubbles: true, cancelable: true}));
   }, text);
   await expect(page).toHaveTitle(/Dump bucket/);
   await expect(toasts(page)).toContainText("“dump_bucket.json” opened.");
@@ -99,7 +122,9 @@ test("15 · a file dropped on the page is opened", async ({page}) => {
   await expect(toasts(page)).toContainText("“result.json” is a result");
   await expect(page).toHaveTitle(/Dump bucket/);
   const best = JSON.parse(result).linkages[0];
-  await expect.poll(() => read_state(page, ({picked_linkage, pins}) => [picked_linkage?.type, pins.length])).toEqual([best.type, JSON.parse(result).linkages.length]);
+  await expect
+    .poll(() => read_state(page, ({picked_linkage, pins}) => [picked_linkage?.type, pins.length]))
+    .toEqual([best.type, JSON.parse(result).linkages.length]);
 });
 
 // ---- 16 ---------------------------------------------------------------------------------------------------------
@@ -130,11 +155,14 @@ test("16 · a link is the task, and a broken one opens nothing", async ({page, c
   expect(await shown(other)).toEqual(before);
   await elsewhere.close();
 
-  const at = link.length - 40, broken = link.slice(0, at) + (link[at] === "A" ? "B" : "A") + link.slice(at + 1);
+  const at = link.length - 40,
+    broken = link.slice(0, at) + (link[at] === "A" ? "B" : "A") + link.slice(at + 1);
   const again = await browser.newContext({locale: "en-GB"});
   const third = await again.newPage();
   await open_workbench(third, broken);
-  await expect(toasts(third)).toContainText("This link is damaged and was not opened: some of its characters were lost or changed on the way. Your work is unchanged.");
+  await expect(toasts(third)).toContainText(
+    "This link is damaged and was not opened: some of its characters were lost or changed on the way. Your work is unchanged.",
+  );
   await expect(third).toHaveTitle(/Tailgate hinge/);
   expect((await shown(third)).poses).toBe("[[0,0,0],[-125,75,-25],[-220,220,-52],[-220,450,-82]]");
 
@@ -153,10 +181,20 @@ test("17 · files that are no problems get their sentences, and nothing changes"
   await move_a_pose(page);
   await shown(page);
   const before = await read_state(page, (workbench) => JSON.stringify(workbench.whole_problem));
-  const {files} = JSON.parse(readFileSync(join(bad_problems, "expected.json"), "utf8")) as {files: Record<string, [place: string, message: string][]>};
+  const {files} = JSON.parse(readFileSync(join(bad_problems, "expected.json"), "utf8")) as {
+    files: Record<string, [place: string, message: string][]>;
+  };
   const names = [
-    "cut_short.json", "not_a_number.json", "three_poses.json", "unknown_key.json", "empty.json", "duplicate_key.json", "nested_too_deep.json",
-    "missing_angle.json", "overflow.json", "trailing_comma.json",
+    "cut_short.json",
+    "not_a_number.json",
+    "three_poses.json",
+    "unknown_key.json",
+    "empty.json",
+    "duplicate_key.json",
+    "nested_too_deep.json",
+    "missing_angle.json",
+    "overflow.json",
+    "trailing_comma.json",
   ];
   for (const name of names) {
     await open_files(page, join(bad_problems, name));
@@ -166,11 +204,15 @@ test("17 · files that are no problems get their sentences, and nothing changes"
     await expect(toasts(page)).toContainText("Your work is unchanged.");
   }
   await open_files(page, join(bad_problems, "newer_version.json"));
-  await expect(toasts(page)).toContainText("This file was written by a newer Linkwright (version 2; this is 1). Reload the page to get the newest.");
+  await expect(toasts(page)).toContainText(
+    "This file was written by a newer Linkwright (version 2; this is 1). Reload the page to get the newest.",
+  );
   await open_files(page, join(bad_problems, "invalid_utf8.json"));
   await expect(toasts(page)).toContainText("“invalid_utf8.json” is not a Linkwright problem: this is not UTF-8 text");
 
-  const brackets = info.outputPath("brackets.json"), file = openSync(brackets, "w"), million = Buffer.alloc(1 << 20, "[");
+  const brackets = info.outputPath("brackets.json"),
+    file = openSync(brackets, "w"),
+    million = Buffer.alloc(1 << 20, "[");
   for (let i = 0; i < 200; ++i) writeSync(file, million);
   closeSync(file);
   await open_files(page, brackets);

@@ -1,10 +1,26 @@
 // Function generation: the sine generator from the gallery, its ribbon, its error, its dials.
 import {readFileSync} from "node:fs";
 import type {FunctionTask} from "../src/state/task";
-import {drag, example, expect, expect_accessible, keep_screenshot, map_hash, map_pixel, middle_of, open_workbench, read_state, solve, test, until_settled} from "./support";
+import {
+  drag,
+  example,
+  expect,
+  expect_accessible,
+  keep_screenshot,
+  map_hash,
+  map_pixel,
+  middle_of,
+  open_workbench,
+  read_state,
+  solve,
+  test,
+  until_settled,
+} from "./support";
 
 test.beforeEach(async ({page}) => {
-  await page.addInitScript(() => localStorage.setItem("linkwright.preferences", JSON.stringify({language: "en", theme: "light", toured: true})));
+  await page.addInitScript(() =>
+    localStorage.setItem("linkwright.preferences", JSON.stringify({language: "en", theme: "light", toured: true})),
+  );
   await open_workbench(page);
 });
 
@@ -22,10 +38,13 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   await expect(page.getByTestId("num.max_error")).toHaveText("0.056°");
   await expect(page.getByTestId("num.reach")).toHaveText("reached whole");
   await expect(page.getByTestId("plot.error")).toHaveAttribute("aria-selected", "true");
-  expect(await read_state(page, (workbench) => workbench.hand!.function!.pairs.every(([, , off]) => Math.abs(off!) < 1e-9))).toBe(true);
+  expect(
+    await read_state(page, (workbench) => workbench.hand!.function!.pairs.every(([, , off]) => Math.abs(off!) < 1e-9)),
+  ).toBe(true);
 
   // A formula: one that is not understood stays, marked from where on; a factor is.
-  const formula = page.getByTestId("function.expression"), was = await formula.inputValue();
+  const formula = page.getByTestId("function.expression"),
+    was = await formula.inputValue();
   await formula.fill("2sn_deg");
   await formula.press("Enter");
   await expect(page.getByTestId("function.wrong").locator("mark")).toHaveText("sn_deg");
@@ -41,7 +60,10 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   await expect(formula).toHaveValue(was);
 
   // A ribbon: one column, along which pointing goes by one coordinate; a click keeps.
-  expect(await read_state(page, (workbench) => [workbench.map!.columns, workbench.map!.property])).toEqual([1, "max_structural_error_deg"]);
+  expect(await read_state(page, (workbench) => [workbench.map!.columns, workbench.map!.property])).toEqual([
+    1,
+    "max_structural_error_deg",
+  ]);
   await expect(page.getByTestId("region.ribbon_line").first()).toBeAttached();
   const there = await map_pixel(page, [0.8, 0.5]);
   await page.mouse.move(there.x, there.y + 90); // in the plot under it
@@ -68,7 +90,9 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   await until_settled(page);
 
   // A mark of a dial makes pairs of the function; the map follows; undo brings all back.
-  const named = await task(), hash = await map_hash(page), mark = await middle_of(page.getByTestId("drawing.mark_output_2"));
+  const named = await task(),
+    hash = await map_hash(page),
+    mark = await middle_of(page.getByTestId("drawing.mark_output_2"));
   const seen = new Set<string>();
   await page.mouse.move(mark.x, mark.y);
   await page.mouse.down();
@@ -120,7 +144,9 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   // A free number makes a square of the ribbon, with numbers on its axis.
   await page.getByTestId("function.free").selectOption("output_scale");
   await until_settled(page);
-  expect(await read_state(page, (workbench) => [workbench.map!.columns > 99, workbench.task!.axes.output.quantity])).toEqual([true, "output_scale"]);
+  expect(
+    await read_state(page, (workbench) => [workbench.map!.columns > 99, workbench.task!.axes.output.quantity]),
+  ).toEqual([true, "output_scale"]);
   await expect(page.getByTestId("region.output_axis")).toContainText("×0.5");
   await page.getByTestId("function.free").selectOption("none");
   await page.getByTestId("function.points").selectOption("5");
@@ -143,7 +169,8 @@ test("what is undone while it is dragged lets go of the pointer", async ({page})
   await page.getByTestId("example.sine_generator").click();
   await until_settled(page);
   const document = () => read_state(page, ({problem, picked}) => JSON.stringify([problem, picked!.tau]));
-  const before = await document(), there = await map_pixel(page, [0.8, 0.5]);
+  const before = await document(),
+    there = await map_pixel(page, [0.8, 0.5]);
   await page.mouse.click(there.x, there.y); // a step to undo
   await until_settled(page);
   for (const handle of ["function.point.2", "region.input_axis"]) {

@@ -3,17 +3,36 @@ import type {Page} from "@playwright/test";
 import type {Linkage, Point, TauPair} from "../src/engine/protocol";
 import {places_of} from "../src/state/axis";
 import type {Given, MotionTask} from "../src/state/task";
-import {drag, example, expect, expect_accessible, keep_screenshot, map_hash, map_pixel, middle_of, open_workbench, read_state, solve, test, until_settled} from "./support";
+import {
+  drag,
+  example,
+  expect,
+  expect_accessible,
+  keep_screenshot,
+  map_hash,
+  map_pixel,
+  middle_of,
+  open_workbench,
+  read_state,
+  solve,
+  test,
+  until_settled,
+} from "./support";
 
 const handle = (page: Page, id: string) => page.getByTestId(`drawing.${id}`);
-const given = (page: Page): Promise<Given | undefined> => read_state(page, (workbench) => (workbench.problem.task as MotionTask).given);
+const given = (page: Page): Promise<Given | undefined> =>
+  read_state(page, (workbench) => (workbench.problem.task as MotionTask).given);
 const hand = (page: Page): Promise<Linkage> => read_state(page, (workbench) => workbench.hand!) as Promise<Linkage>;
 
 async function open_example(page: Page, name: string): Promise<void> {
-  await read_state(page, (workbench, problem) => {
-    workbench.tour = null; // its hint lies over the drawing
-    workbench.open(problem);
-  }, example(name));
+  await read_state(
+    page,
+    (workbench, problem) => {
+      workbench.tour = null; // its hint lies over the drawing
+      workbench.open(problem);
+    },
+    example(name),
+  );
   await until_settled(page);
 }
 function expect_lengths(linkage: Linkage, wanted: Record<string, number>): void {
@@ -32,9 +51,15 @@ test("three positions: lengths as rings, an angle as a wedge, the instant centre
   await keep_screenshot(page, "three-positions");
 
   // A ring: what is dragged is the length, the field and the map follow; one undo.
-  const hash = await map_hash(page), ring = await middle_of(handle(page, "ring_output"));
+  const hash = await map_hash(page),
+    ring = await middle_of(handle(page, "ring_output"));
   const center = (await hand(page)).output.center!;
-  const scale = await page.getByTestId("given.ring_output").locator("circle").first().evaluate((circle) => Number(circle.getAttribute("r"))) / 24;
+  const scale =
+    (await page
+      .getByTestId("given.ring_output")
+      .locator("circle")
+      .first()
+      .evaluate((circle) => Number(circle.getAttribute("r")))) / 24;
   const hub = await page.getByTestId("given.ring_output").locator("circle").first().boundingBox();
   const middle = {x: hub!.x + hub!.width / 2, y: hub!.y + hub!.height / 2};
   const longer = 30 / 24;
@@ -54,8 +79,16 @@ test("three positions: lengths as rings, an angle as a wedge, the instant centre
   // A sheet fills the map; the whole map comes back.
   await page.getByTestId("region.sheet.II").click();
   await page.waitForFunction(() => globalThis.__linkwright!.workbench.map!.window.output[0] > 0);
-  const taus = await read_state(page, ({map}) => [[...map!.input_tau], [...map!.output_tau]].map((list) => [Math.floor(Math.min(...list)), Math.floor(Math.max(...list))]));
-  expect(taus).toEqual([[0, 0], [1, 1]]);
+  const taus = await read_state(page, ({map}) =>
+    [[...map!.input_tau], [...map!.output_tau]].map((list) => [
+      Math.floor(Math.min(...list)),
+      Math.floor(Math.max(...list)),
+    ]),
+  );
+  expect(taus).toEqual([
+    [0, 0],
+    [1, 1],
+  ]);
   await page.getByTestId("region.sheet.II").click();
   await until_settled(page);
 
@@ -78,14 +111,16 @@ test("three positions: lengths as rings, an angle as a wedge, the instant centre
   await page.getByTestId("given.length_input").press("Enter");
   await page.waitForFunction(() => globalThis.__linkwright!.workbench.task!.axes.output.quantity === "side_length");
   await until_settled(page);
-  const direction = ({center, circle}: {center: Point | null; circle: Point | null}) => Math.atan2(circle![1] - center![1], circle![0] - center![0]);
+  const direction = ({center, circle}: {center: Point | null; circle: Point | null}) =>
+    Math.atan2(circle![1] - center![1], circle![0] - center![0]);
   await handle(page, "side_angle").focus();
   await page.keyboard.press("ArrowUp");
   await until_settled(page);
   expect(((await given(page)) as {side_angle_deg: number}).side_angle_deg).toBe(61);
   await read_state(page, (workbench) => workbench.pick_best()); // the one that was in hand may be no more
   await until_settled(page);
-  const {input, output} = await hand(page), turn = ((direction(output) - direction(input)) * 180) / Math.PI - 61;
+  const {input, output} = await hand(page),
+    turn = ((direction(output) - direction(input)) * 180) / Math.PI - 61;
   expect(Math.abs(turn - 360 * Math.round(turn / 360))).toBeLessThan(1e-6);
 
   // The instant centre: an ordinary map again, with its mirror.
@@ -94,7 +129,10 @@ test("three positions: lengths as rings, an angle as a wedge, the instant centre
   const cross = await middle_of(handle(page, "instant_center"));
   await drag(page, cross, {x: cross.x + 20, y: cross.y - 12});
   await until_settled(page);
-  expect(await read_state(page, ({task}) => [task!.symmetric, task!.curves.kind !== "every_point"])).toEqual([true, true]);
+  expect(await read_state(page, ({task}) => [task!.symmetric, task!.curves.kind !== "every_point"])).toEqual([
+    true,
+    true,
+  ]);
   await expect(page.getByTestId("given.family")).toContainText("2");
 
   // A fourth position makes what is given needless, taking it out again asks anew.
@@ -110,13 +148,16 @@ test("three positions: lengths as rings, an angle as a wedge, the instant centre
   await expect(page.getByTestId("region.notice")).toBeHidden();
 });
 
-test("20 · five positions: a board of as many four-bars as the program finds, and one position freed", async ({page}) => {
+test("20 · five positions: a board of as many four-bars as the program finds, and one position freed", async ({
+  page,
+}) => {
   await open_workbench(page);
   await page.getByTestId("file.menu").click();
   await page.getByTestId("file.examples").click();
   await page.getByTestId("example.nose_gear").click();
   await until_settled(page);
-  const result = solve(example("nose_gear")), count = result.dyads.length;
+  const result = solve(example("nose_gear")),
+    count = result.dyads.length;
   expect(await read_state(page, ({map}) => [map!.rows, map!.columns])).toEqual([count, count]);
   await expect(page.locator("[data-testid^='curve.bead_center_']")).toHaveCount(count);
   await expect(page.locator("[data-testid^='region.board.']")).toHaveCount(count * (count - 1));
@@ -132,7 +173,9 @@ test("20 · five positions: a board of as many four-bars as the program finds, a
   await page.mouse.move(x + 20, y - 15);
   await page.waitForFunction(() => globalThis.__linkwright!.workbench.hand?.tau.join() === "0.5,2.5");
   await expect(page.getByTestId("region.card")).toBeVisible();
-  const hovered = await hand(page), [px, py] = result.dyads[0].center_point, [qx, qy] = result.dyads[2].circle_point;
+  const hovered = await hand(page),
+    [px, py] = result.dyads[0].center_point,
+    [qx, qy] = result.dyads[2].circle_point;
   expect(Math.hypot(hovered.input.center![0] - px, hovered.input.center![1] - py)).toBeLessThan(1e-6);
   expect(Math.hypot(hovered.output.circle![0] - qx, hovered.output.circle![1] - qy)).toBeLessThan(1e-6);
   await page.mouse.click(x, y);
@@ -148,29 +191,47 @@ test("20 · five positions: a board of as many four-bars as the program finds, a
 
   // Free one: a map of four positions, coloured by the miss, which is nothing where all five are met.
   await page.getByTestId("freed.3").click();
-  await page.waitForFunction(() => globalThis.__linkwright!.workbench.map?.property === "pose_miss" && globalThis.__linkwright!.workbench.map.rows > 100);
+  await page.waitForFunction(
+    () =>
+      globalThis.__linkwright!.workbench.map?.property === "pose_miss" &&
+      globalThis.__linkwright!.workbench.map.rows > 100,
+  );
   await until_settled(page);
-  const miss = await page.evaluate(async ([input, output]) => {
-    const {workbench} = globalThis.__linkwright!, {tau, center} = workbench.task!.curves;
-    // The exact linkage on the curve of the other four: from the nearest of its corners the miss leads there.
-    const nearest = ([px, py]: readonly number[]) => {
-      const away = (i: number) => Math.hypot(center[3 * i + 1] / center[3 * i] - px, center[3 * i + 2] / center[3 * i] - py);
-      return [...tau.keys()].reduce((best, i) => (away(i) < away(best) ? i : best), 0);
-    };
-    const problem = JSON.stringify({...workbench.problem, view: undefined});
-    const at = async (pair: number[]) => (await workbench.driver_client!.request("linkage", {problem, tau: pair as unknown as [number, number]})).linkage.miss?.distance ?? Infinity;
-    let place = [tau[nearest(input)], tau[nearest(output)]], least = await at(place);
-    for (let step = 0.004; step > 1e-8; step /= 2) {
-      for (let better = true; better; ) {
-        better = false;
-        for (const [di, dk] of [[step, 0], [-step, 0], [0, step], [0, -step]]) {
-          const there = [place[0] + di, place[1] + dk], value = await at(there);
-          if (value < least) [place, least, better] = [there, value, true];
+  const miss = await page.evaluate(
+    async ([input, output]) => {
+      const {workbench} = globalThis.__linkwright!,
+        {tau, center} = workbench.task!.curves;
+      // The exact linkage on the curve of the other four: from the nearest of its corners the miss leads there.
+      const nearest = ([px, py]: readonly number[]) => {
+        const away = (i: number) =>
+          Math.hypot(center[3 * i + 1] / center[3 * i] - px, center[3 * i + 2] / center[3 * i] - py);
+        return [...tau.keys()].reduce((best, i) => (away(i) < away(best) ? i : best), 0);
+      };
+      const problem = JSON.stringify({...workbench.problem, view: undefined});
+      const at = async (pair: number[]) =>
+        (await workbench.driver_client!.request("linkage", {problem, tau: pair as unknown as [number, number]})).linkage
+          .miss?.distance ?? Infinity;
+      let place = [tau[nearest(input)], tau[nearest(output)]],
+        least = await at(place);
+      for (let step = 0.004; step > 1e-8; step /= 2) {
+        for (let better = true; better;) {
+          better = false;
+          for (const [di, dk] of [
+            [step, 0],
+            [-step, 0],
+            [0, step],
+            [0, -step],
+          ]) {
+            const there = [place[0] + di, place[1] + dk],
+              value = await at(there);
+            if (value < least) [place, least, better] = [there, value, true];
+          }
         }
       }
-    }
-    return least;
-  }, [exact.input.center!, exact.output.center!] as const);
+      return least;
+    },
+    [exact.input.center!, exact.output.center!] as const,
+  );
   expect(miss).toBeLessThan(1e-3);
   await expect(page.getByTestId("num.miss")).toContainText("mm");
   await keep_screenshot(page, "five-positions-one-freed");
@@ -193,7 +254,13 @@ test("three and five positions in Chinese, in the dark, on a phone", async ({pag
     await read_state(page, (workbench) => void (workbench.sheet = "task"));
     await expect(page.getByTestId("task.kind")).toHaveText(/四杆机构/);
     await expect_accessible(page);
-    const small = await page.locator("button:visible").evaluateAll((buttons) => buttons.filter((b) => b.getBoundingClientRect().height < 43.5 && !b.closest("svg")).map((b) => b.outerHTML.slice(0, 100)));
+    const small = await page
+      .locator("button:visible")
+      .evaluateAll((buttons) =>
+        buttons
+          .filter((b) => b.getBoundingClientRect().height < 43.5 && !b.closest("svg"))
+          .map((b) => b.outerHTML.slice(0, 100)),
+      );
     expect(small).toEqual([]);
     await keep_screenshot(page, `phone-${name}`);
     await read_state(page, (workbench) => void (workbench.sheet = null));

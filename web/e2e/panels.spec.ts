@@ -4,17 +4,30 @@ import {readFileSync} from "node:fs";
 import type {Page} from "@playwright/test";
 import {requirement_keys, type TauPair} from "../src/engine/protocol";
 import type {MotionTask, Pose} from "../src/state/task";
-import {example, expect, expect_accessible, keep_screenshot, open_workbench, read_state, solve, test, until_settled} from "./support";
+import {
+  example,
+  expect,
+  expect_accessible,
+  keep_screenshot,
+  open_workbench,
+  read_state,
+  solve,
+  test,
+  until_settled,
+} from "./support";
 
 type Hooked = {__linkwright: {workbench: any; preferences: any}};
 
 test.beforeEach(async ({page}) => {
-  await page.addInitScript(() => localStorage.setItem("linkwright.preferences", JSON.stringify({language: "en", theme: "light", toured: true})));
+  await page.addInitScript(() =>
+    localStorage.setItem("linkwright.preferences", JSON.stringify({language: "en", theme: "light", toured: true})),
+  );
   await open_workbench(page);
   await until_settled(page);
 });
 
-const poses = (page: Page): Promise<Pose[]> => read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses as Pose[]);
+const poses = (page: Page): Promise<Pose[]> =>
+  read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses as Pose[]);
 const meeting = (page: Page): Promise<number> => read_state(page, (workbench) => workbench.census!.meeting);
 const grouped = (count: number) => String(count).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 
@@ -34,7 +47,10 @@ async function paste_into(page: Page, name: string, text: string): Promise<void>
 }
 async function pick(page: Page, tau: TauPair): Promise<void> {
   await read_state(page, (workbench, to) => workbench.pick(to), tau);
-  await page.waitForFunction((to) => (globalThis as unknown as Hooked).__linkwright.workbench.picked_linkage?.tau.join() === to, tau.join());
+  await page.waitForFunction(
+    (to) => (globalThis as unknown as Hooked).__linkwright.workbench.picked_linkage?.tau.join() === to,
+    tau.join(),
+  );
 }
 
 test.describe("table of positions", () => {
@@ -61,7 +77,9 @@ test.describe("table of positions", () => {
     const before = await poses(page);
     await type_into(page, "task.y.2", "12elve", "Tab"); // a letter alone is handed on to the page
     await expect(page.getByTestId("task.y.2")).toHaveAttribute("aria-invalid", "true");
-    await expect(page.getByTestId("task.fault")).toContainText("must be a number between −1 000 000 000 and 1 000 000 000. The last good value stays.");
+    await expect(page.getByTestId("task.fault")).toContainText(
+      "must be a number between −1 000 000 000 and 1 000 000 000. The last good value stays.",
+    );
     expect(await poses(page)).toEqual(before);
     await page.getByTestId("task.y.2").focus();
     await page.keyboard.press("Escape");
@@ -81,22 +99,35 @@ test.describe("table of positions", () => {
 
   test("takes a pasted block as one step", async ({page}) => {
     const before = await poses(page);
-    await paste_into(page, "task.x.1", "x\ty\tθ\r\n0\t0\t0\r\n-120,5\t80\t-25\r\n-210\t225,25\t-50\r\n-220\t440\t-80\r\n");
+    await paste_into(
+      page,
+      "task.x.1",
+      "x\ty\tθ\r\n0\t0\t0\r\n-120,5\t80\t-25\r\n-210\t225,25\t-50\r\n-220\t440\t-80\r\n",
+    );
     expect(await poses(page)).toEqual([
-      {x: 0, y: 0, theta_deg: 0}, {x: -120.5, y: 80, theta_deg: -25}, {x: -210, y: 225.25, theta_deg: -50}, {x: -220, y: 440, theta_deg: -80},
+      {x: 0, y: 0, theta_deg: 0},
+      {x: -120.5, y: 80, theta_deg: -25},
+      {x: -210, y: 225.25, theta_deg: -50},
+      {x: -220, y: 440, theta_deg: -80},
     ]);
     await page.keyboard.press("Control+z");
     expect(await poses(page)).toEqual(before);
     await paste_into(page, "task.y.3", "221; -53\n451; -83");
-    expect((await poses(page)).slice(2)).toEqual([{x: -220, y: 221, theta_deg: -53}, {x: -220, y: 451, theta_deg: -83}]);
+    expect((await poses(page)).slice(2)).toEqual([
+      {x: -220, y: 221, theta_deg: -53},
+      {x: -220, y: 451, theta_deg: -83},
+    ]);
     await page.keyboard.press("Control+z");
     await paste_into(page, "task.x.1", "1\t2\t3\n4\tfive\t6");
-    await expect(page.getByTestId("task.fault")).toHaveText("Row 2, column 2: “five” is not a number. Nothing was pasted.");
+    await expect(page.getByTestId("task.fault")).toHaveText(
+      "Row 2, column 2: “five” is not a number. Nothing was pasted.",
+    );
     expect(await poses(page)).toEqual(before);
   });
 
   test("reorders by keys and by drag, doubles, adds, removes, changes the reference", async ({page}) => {
-    const before = await poses(page), [a, b, c, d] = before;
+    const before = await poses(page),
+      [a, b, c, d] = before;
     await page.getByTestId("task.reorder.1").focus();
     await page.keyboard.press("Alt+ArrowDown");
     expect(await poses(page)).toEqual([b, a, c, d]);
@@ -104,7 +135,8 @@ test.describe("table of positions", () => {
     await page.keyboard.press("Control+z");
     expect(await poses(page)).toEqual(before);
 
-    const from = (await page.getByTestId("task.reorder.4").boundingBox())!, to = (await page.getByTestId("task.reorder.2").boundingBox())!;
+    const from = (await page.getByTestId("task.reorder.4").boundingBox())!,
+      to = (await page.getByTestId("task.reorder.2").boundingBox())!;
     await page.mouse.move(from.x + 8, from.y + 12);
     await page.mouse.down();
     await page.mouse.move(to.x + 8, to.y + 12, {steps: 5});
@@ -134,14 +166,18 @@ test.describe("table of positions", () => {
     await page.getByTestId("task.make_reference").click();
     const moved = await poses(page);
     expect(moved[2]).toEqual({x: 0, y: 0, theta_deg: 0});
-    expect(Math.hypot(moved[3].x - moved[0].x, moved[3].y - moved[0].y)).toBeCloseTo(Math.hypot(d.x - a.x, d.y - a.y), 9);
+    expect(Math.hypot(moved[3].x - moved[0].x, moved[3].y - moved[0].y)).toBeCloseTo(
+      Math.hypot(d.x - a.x, d.y - a.y),
+      9,
+    );
     await until_settled(page);
     // The same linkage, seen from elsewhere.
     const {lengths} = await read_state(page, (workbench) => workbench.hand!);
     await read_state(page, (workbench) => workbench.undo());
     await until_settled(page);
     const original = await read_state(page, (workbench) => workbench.hand!.lengths!);
-    for (const link of ["ground", "input", "coupler", "output"] as const) expect(lengths![link] / original[link]).toBeCloseTo(1, 9);
+    for (const link of ["ground", "input", "coupler", "output"] as const)
+      expect(lengths![link] / original[link]).toBeCloseTo(1, 9);
   });
 
   test("holds directions and curvatures of travel", async ({page}) => {
@@ -192,8 +228,12 @@ test.describe("requirements", () => {
     await expect(page.getByTestId("req.none_left")).toHaveCount(0);
 
     // Rows stay where they are under the hand that types, whatever becomes of the counts.
-    const tops = () => page.locator("[data-testid^='req.row.']").evaluateAll((rows) => rows.map((row) => row.getBoundingClientRect().top));
-    const field = page.getByTestId("req.max_length"), before = await tops();
+    const tops = () =>
+      page
+        .locator("[data-testid^='req.row.']")
+        .evaluateAll((rows) => rows.map((row) => row.getBoundingClientRect().top));
+    const field = page.getByTestId("req.max_length"),
+      before = await tops();
     await field.focus();
     await field.fill("5");
     await field.press("Enter");
@@ -209,7 +249,8 @@ test.describe("requirements", () => {
     await until_settled(page);
     let worth_something = 0;
     for (const key of ["types", ...asked] as const) {
-      const before = await meeting(page), only = await read_state(page, (workbench, bit) => workbench.census!.only[bit], requirement_keys.indexOf(key));
+      const before = await meeting(page),
+        only = await read_state(page, (workbench, bit) => workbench.census!.only[bit], requirement_keys.indexOf(key));
       const drop = page.getByTestId(`req.without.${key}`);
       await expect(drop).toHaveText(`without it +${grouped(only)}`);
       await drop.click();
@@ -225,7 +266,8 @@ test.describe("requirements", () => {
     // "No defects" goes alone only where no transmission angle is asked for.
     await page.getByTestId("req.without.min_transmission_angle_deg").click();
     await until_settled(page);
-    const before = await meeting(page), [, only] = await read_state(page, (workbench) => workbench.census!.only);
+    const before = await meeting(page),
+      [, only] = await read_state(page, (workbench) => workbench.census!.only);
     expect(only).toBeGreaterThan(0);
     await page.getByTestId("req.without.no_defects").click();
     await until_settled(page);
@@ -234,7 +276,8 @@ test.describe("requirements", () => {
 
   test("the slider is live, one drag is one undo, Esc takes it back", async ({page}) => {
     const before = await read_state(page, (workbench) => JSON.stringify(workbench.problem));
-    const slider = page.getByTestId("req.min_transmission"), box = (await slider.boundingBox())!;
+    const slider = page.getByTestId("req.min_transmission"),
+      box = (await slider.boundingBox())!;
     const at = (share: number) => [box.x + 8 + share * (box.width - 16), box.y + box.height / 2] as const;
     await page.mouse.move(...at(30 / 89));
     await page.mouse.down();
@@ -254,29 +297,48 @@ test.describe("requirements", () => {
     for (const share of [0.45, 0.6, 0.75]) await page.mouse.move(...at(share));
     await page.mouse.up();
     await page.waitForFunction(() => !(globalThis as unknown as Hooked).__linkwright.workbench.gesture);
-    expect(await read_state(page, (workbench) => workbench.problem.requirements!.min_transmission_angle_deg)).toBeGreaterThan(50);
+    expect(
+      await read_state(page, (workbench) => workbench.problem.requirements!.min_transmission_angle_deg),
+    ).toBeGreaterThan(50);
     await read_state(page, (workbench) => workbench.undo());
-    expect(await read_state(page, (workbench) => [JSON.stringify(workbench.problem), workbench.can_undo])).toEqual([before, false]);
+    expect(await read_state(page, (workbench) => [JSON.stringify(workbench.problem), workbench.can_undo])).toEqual([
+      before,
+      false,
+    ]);
   });
 
   test("every cell in full colour has its ground pivots in the box", async ({page}) => {
     await page.getByTestId("req.ground_box.draw").click();
     expect(await read_state(page, (workbench) => workbench.mode)).toBe("ground_box");
     await page.getByTestId("req.ground_box.draw").click();
-    for (const [side, value] of [["x0", "100"], ["x1", "300"], ["y0", "280"], ["y1", "380"]]) await type_into(page, `req.ground_box.${side}`, value, "Tab");
+    for (const [side, value] of [
+      ["x0", "100"],
+      ["x1", "300"],
+      ["y0", "280"],
+      ["y1", "380"],
+    ])
+      await type_into(page, `req.ground_box.${side}`, value, "Tab");
     await until_settled(page);
     const taus = await read_state(page, (workbench) => {
       const {fails, input_tau, output_tau, samples} = workbench.map!;
       const found: [number, number][] = [];
-      for (let cell = 0; found.length < 50 && cell < 50 * fails.length; cell += 7919) { // a prime: all over the map
-        if (fails[cell % fails.length] === 0) found.push([input_tau[Math.floor((cell % fails.length) / samples)], output_tau[(cell % fails.length) % samples]]);
+      for (let cell = 0; found.length < 50 && cell < 50 * fails.length; cell += 7919) {
+        // a prime: all over the map
+        if (fails[cell % fails.length] === 0)
+          found.push([
+            input_tau[Math.floor((cell % fails.length) / samples)],
+            output_tau[(cell % fails.length) % samples],
+          ]);
       }
       return found;
     });
     expect(taus).toHaveLength(50);
     for (const tau of taus) {
       await read_state(page, (workbench, to) => workbench.hover(to), tau);
-      await page.waitForFunction((to) => (globalThis as unknown as Hooked).__linkwright.workbench.hand?.tau.join() === to, tau.join());
+      await page.waitForFunction(
+        (to) => (globalThis as unknown as Hooked).__linkwright.workbench.hand?.tau.join() === to,
+        tau.join(),
+      );
       for (const side of ["input", "output"]) {
         const text = await page.getByTestId(`num.${side}_center`).innerText();
         const [x, y] = text.replaceAll("−", "-").split(", ").map(Number);
@@ -291,9 +353,14 @@ test.describe("requirements", () => {
     await page.keyboard.press("Enter");
     expect(await read_state(page, (workbench) => workbench.problem.requirements!.max_link_ratio)).toBeNull();
     await type_into(page, "req.max_ratio", "0.5", "Tab");
-    await expect(page.getByTestId("req.row.max_link_ratio")).toContainText("Link ratio at most must be a number not below 1.");
+    await expect(page.getByTestId("req.row.max_link_ratio")).toContainText(
+      "Link ratio at most must be a number not below 1.",
+    );
     await page.getByTestId("req.reset").click();
-    expect(await read_state(page, (workbench) => Object.keys(workbench.problem.requirements!).sort())).toEqual(["max_length", "min_transmission_angle_deg"]);
+    expect(await read_state(page, (workbench) => Object.keys(workbench.problem.requirements!).sort())).toEqual([
+      "max_length",
+      "min_transmission_angle_deg",
+    ]);
     await page.getByTestId("req.no_defects").uncheck();
     await until_settled(page);
     expect(await read_state(page, (workbench) => workbench.problem.requirements!)).toMatchObject({no_defects: false});
@@ -315,13 +382,23 @@ test.describe("numbers", () => {
       const angle = (value: number) => `${value.toFixed(1)}°`;
       await expect(page.getByTestId("num.min_task")).toHaveText(angle(found.min_transmission_angle_deg));
       await expect(page.getByTestId("num.ratio")).toHaveText(found.link_ratio.toFixed(2));
-      await expect(page.getByTestId("num.sweep")).toHaveText(`${angle(found.driver_sweep_deg)} ${found.drive === "cw" ? "↻" : "↺"}`);
-      await expect(page.getByTestId("num.input_center")).toHaveText(found.input.center_point.map((v: number) => v.toFixed(1).replace("-", "−")).join(", "));
-      await expect(page.getByTestId("num.output_circle")).toHaveText(found.output.circle_point.map((v: number) => v.toFixed(1).replace("-", "−")).join(", "));
+      await expect(page.getByTestId("num.sweep")).toHaveText(
+        `${angle(found.driver_sweep_deg)} ${found.drive === "cw" ? "↻" : "↺"}`,
+      );
+      await expect(page.getByTestId("num.input_center")).toHaveText(
+        found.input.center_point.map((v: number) => v.toFixed(1).replace("-", "−")).join(", "),
+      );
+      await expect(page.getByTestId("num.output_circle")).toHaveText(
+        found.output.circle_point.map((v: number) => v.toFixed(1).replace("-", "−")).join(", "),
+      );
       await expect(page.getByTestId("num.verdict")).toHaveText("✓ No defects, checked by driving");
       await expect(page.getByTestId("num.verified")).toBeVisible();
-      if (found.min_transmission_angle_full_turn_deg !== null) await expect(page.getByTestId("num.min_turn")).toHaveText(angle(found.min_transmission_angle_full_turn_deg));
-      if (found.swapped.min_transmission_angle_deg !== null) await expect(page.getByTestId("num.swapped")).toContainText(`γ ${angle(found.swapped.min_transmission_angle_deg)}`);
+      if (found.min_transmission_angle_full_turn_deg !== null)
+        await expect(page.getByTestId("num.min_turn")).toHaveText(angle(found.min_transmission_angle_full_turn_deg));
+      if (found.swapped.min_transmission_angle_deg !== null)
+        await expect(page.getByTestId("num.swapped")).toContainText(
+          `γ ${angle(found.swapped.min_transmission_angle_deg)}`,
+        );
     }
   });
 
@@ -334,14 +411,21 @@ test.describe("numbers", () => {
     const row = (await page.evaluate(() => navigator.clipboard.readText())).split("\t").map(Number);
     [65.03, 211.05, 53.92, 255.9].forEach((length, i) => expect(row[i]).toBeCloseTo(length, 2));
     await page.getByTestId("num.copy.input_center").click();
-    expect((await page.evaluate(() => navigator.clipboard.readText())).split("\t").map(Number).map((v) => v.toFixed(1))).toEqual(["179.0", "348.5"]);
+    expect(
+      (await page.evaluate(() => navigator.clipboard.readText()))
+        .split("\t")
+        .map(Number)
+        .map((v) => v.toFixed(1)),
+    ).toEqual(["179.0", "348.5"]);
 
     const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId("num.dxf").click()]);
     expect(download.suggestedFilename()).toMatch(/^tailgate-hinge.*\.dxf$/);
     expect(readFileSync(await download.path(), "utf8")).toContain("EOF");
 
     await type_into(page, "req.max_length", "250");
-    await expect(page.getByTestId("toast.title")).toContainText("no longer met the requirements; this is the best that does");
+    await expect(page.getByTestId("toast.title")).toContainText(
+      "no longer met the requirements; this is the best that does",
+    );
     await expect(page.getByTestId("num.missed")).toHaveCount(0);
     await page.getByTestId("toast.state.keep_old").click();
     await until_settled(page);
@@ -354,11 +438,15 @@ test.describe("numbers", () => {
     });
     await pick(page, defective);
     await expect(page.getByTestId("num.verdict")).toHaveText("✕ Order defect");
-    await expect(page.getByTestId("num.reason")).toContainText(/Order defect: this linkage reaches the positions as [1-4](-[1-4]){3}\./);
+    await expect(page.getByTestId("num.reason")).toContainText(
+      /Order defect: this linkage reaches the positions as [1-4](-[1-4]){3}\./,
+    );
     await expect(page.getByTestId("num.min_task")).toHaveText("–");
     await expect(page.getByTestId("num.verified")).toHaveCount(0);
     await page.getByTestId("export.title").click();
-    await expect(page.getByTestId("export.mind")).toContainText(/^Mind before you build it: Order defect: this linkage reaches the positions as /);
+    await expect(page.getByTestId("export.mind")).toContainText(
+      /^Mind before you build it: Order defect: this linkage reaches the positions as /,
+    );
   });
 });
 
@@ -397,14 +485,17 @@ test.describe("pins", () => {
     expect(await order()).toEqual(["A", "Slim"]);
     await page.getByTestId("pin.sort.ground").click();
     expect(await order()).toEqual(["Slim", "A"]); // 65 mm before 83 mm
-    const links = () => dialog.locator("polyline.input").evaluateAll((lines) => lines.map((line) => line.getAttribute("points")));
+    const links = () =>
+      dialog.locator("polyline.input").evaluateAll((lines) => lines.map((line) => line.getAttribute("points")));
     const closed = await links();
     await page.getByTestId("pin.scrub").fill("2.5");
     expect((await links()).every((line, i) => line !== closed[i])).toBe(true); // one scrub moves both
     await expect_accessible(page, "[data-testid='pin.compare_dialog']");
     await keep_screenshot(page, "compare");
     const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId("pin.export_table").click()]);
-    const table = readFileSync(await download.path(), "utf8").split("\r\n").map((line) => line.replace("\ufeff", "").split(","));
+    const table = readFileSync(await download.path(), "utf8")
+      .split("\r\n")
+      .map((line) => line.replace("\ufeff", "").split(","));
     expect(table[0]).toEqual(["Name", "Slim", "A"]);
     const longest = table.find((row) => row[0].startsWith("Longest link"))!;
     expect(Number(longest[2]) / linkages[0].lengths.input).toBeCloseTo(1, 9);
@@ -437,7 +528,8 @@ test("the panels are accessible, light and dark; the status line switches snappi
   for (const theme of ["light", "dark"]) {
     await page.evaluate((name) => ((globalThis as unknown as Hooked).__linkwright.preferences.theme = name), theme);
     await page.waitForFunction((name) => document.documentElement.dataset.theme === name, theme);
-    for (const part of ["task.title", "req.title", "pin.title", "num.title"]) await expect_accessible(page, `[data-testid='${part}']`);
+    for (const part of ["task.title", "req.title", "pin.title", "num.title"])
+      await expect_accessible(page, `[data-testid='${part}']`);
     await expect_accessible(page, "footer");
   }
   await expect(page.getByTestId("status.tau")).toContainText("τ₁");

@@ -3,7 +3,18 @@ import type {Page} from "@playwright/test";
 import type {Linkage, TauPair} from "../src/engine/protocol";
 import {linkage_types} from "../src/engine/protocol";
 import {place_of} from "../src/state/axis";
-import {example, expect, keep_screenshot, map_hash, map_pixel, open_workbench, read_state, solve, test, until_settled} from "./support";
+import {
+  example,
+  expect,
+  keep_screenshot,
+  map_hash,
+  map_pixel,
+  open_workbench,
+  read_state,
+  solve,
+  test,
+  until_settled,
+} from "./support";
 import type {MotionTask} from "../src/state/task";
 
 async function places(page: Page, tau: TauPair): Promise<TauPair> {
@@ -37,10 +48,13 @@ function program_lengths(result: any, tau: TauPair): Record<"ground" | "input" |
     return {center: flat(center_homogeneous[i]), circle: flat(circle_homogeneous[i])};
   };
   const apart = (a: number[], b: number[]) => Math.hypot(a[0] - b[0], a[1] - b[1]);
-  const input = dyad(tau[0]), output = dyad(tau[1]);
+  const input = dyad(tau[0]),
+    output = dyad(tau[1]);
   return {
-    ground: apart(input.center, output.center), input: apart(input.center, input.circle),
-    coupler: apart(input.circle, output.circle), output: apart(output.center, output.circle),
+    ground: apart(input.center, output.center),
+    input: apart(input.center, input.circle),
+    coupler: apart(input.circle, output.circle),
+    output: apart(output.center, output.circle),
   };
 }
 function expect_lengths(linkage: Linkage, wanted: Record<string, number>, relative: number): void {
@@ -76,10 +90,17 @@ test("4 · hovering shows another linkage, as the program computes it", async ({
   // The ten best beside the map, in the program's order: looked at, taken in hand, pinned.
   await page.getByTestId("best.tab").click();
   await expect(page.getByTestId("best.10")).toBeVisible();
-  const listed = await read_state(page, ({best_list}) => best_list.found!.linkages.map(({tau, min_transmission_angle_deg: angle}) => [...tau, angle]));
-  const printed = solve(example("tailgate")).linkages.map((linkage: any) => [linkage.input.coordinate, linkage.output.coordinate, linkage.min_transmission_angle_deg]);
+  const listed = await read_state(page, ({best_list}) =>
+    best_list.found!.linkages.map(({tau, min_transmission_angle_deg: angle}) => [...tau, angle]),
+  );
+  const printed = solve(example("tailgate")).linkages.map((linkage: any) => [
+    linkage.input.coordinate,
+    linkage.output.coordinate,
+    linkage.min_transmission_angle_deg,
+  ]);
   expect(listed).toHaveLength(printed.length);
-  for (const [i, numbers] of listed.entries()) numbers.forEach((value, k) => expect(value, `number ${i + 1}`).toBeCloseTo(printed[i][k], 4));
+  for (const [i, numbers] of listed.entries())
+    numbers.forEach((value, k) => expect(value, `number ${i + 1}`).toBeCloseTo(printed[i][k], 4));
   await page.getByTestId("best.3").hover();
   await expect.poll(async () => (await hand(page)).tau).toEqual(listed[2].slice(0, 2));
   await keep_screenshot(page, "best");
@@ -96,7 +117,10 @@ test("4 · hovering shows another linkage, as the program computes it", async ({
 test("5 · X goes to the mirror cell: the same bars, driven from the other side", async ({page}) => {
   await open_workbench(page);
   const mirrored: Record<string, string> = {
-    crank_rocker: "rocker_crank", rocker_crank: "crank_rocker", triple_rocker_input: "triple_rocker_output", triple_rocker_output: "triple_rocker_input",
+    crank_rocker: "rocker_crank",
+    rocker_crank: "crank_rocker",
+    triple_rocker_input: "triple_rocker_output",
+    triple_rocker_output: "triple_rocker_input",
   };
   for (const start of [cell, await rocker(page)]) {
     await pick(page, start);
@@ -107,7 +131,16 @@ test("5 · X goes to the mirror cell: the same bars, driven from the other side"
     const after = await hand(page);
     expect(after.type).toBe(mirrored[before.type] ?? before.type);
     expect(before.swapped!.type).toBe(after.type);
-    expect_lengths(after, {ground: before.lengths!.ground, input: before.lengths!.output, coupler: before.lengths!.coupler, output: before.lengths!.input}, 1e-12);
+    expect_lengths(
+      after,
+      {
+        ground: before.lengths!.ground,
+        input: before.lengths!.output,
+        coupler: before.lengths!.coupler,
+        output: before.lengths!.input,
+      },
+      1e-12,
+    );
   }
 });
 /** A cell of the map that is a crank-rocker. */
@@ -123,12 +156,16 @@ test("6 · the map by keys alone", async ({page}) => {
   await open_workbench(page);
   await pick(page, cell);
   await tab_to(page, "region.map");
-  const start = await places(page, cell), part = 1 / 400;
+  const start = await places(page, cell),
+    part = 1 / 400;
   const at = async () => places(page, await read_state(page, (workbench) => workbench.tau_in_hand!));
-  const expect_at = (rows: number, columns: number) => expect.poll(async () => {
-    const [up, across] = await at();
-    return [Math.round(((up - start[0]) / part) * 1e6) / 1e6, Math.round(((across - start[1]) / part) * 1e6) / 1e6];
-  }).toEqual([rows, columns]);
+  const expect_at = (rows: number, columns: number) =>
+    expect
+      .poll(async () => {
+        const [up, across] = await at();
+        return [Math.round(((up - start[0]) / part) * 1e6) / 1e6, Math.round(((across - start[1]) / part) * 1e6) / 1e6];
+      })
+      .toEqual([rows, columns]);
   await page.keyboard.press("ArrowUp");
   await expect_at(1, 0);
   await page.keyboard.press("Shift+ArrowLeft");
@@ -137,7 +174,12 @@ test("6 · the map by keys alone", async ({page}) => {
   await expect_at(1, -9.9);
 
   const spoken = page.getByTestId("region.spoken");
-  await expect.poll(async () => (await hand(page)).tau.join() === (await read_state(page, (workbench) => workbench.tau_in_hand!)).join()).toBe(true);
+  await expect
+    .poll(
+      async () =>
+        (await hand(page)).tau.join() === (await read_state(page, (workbench) => workbench.tau_in_hand!)).join(),
+    )
+    .toBe(true);
   const linkage = await hand(page);
   const angle = linkage.min_transmission_angle_deg!.toFixed(1);
   await expect(spoken).toHaveText(`Triple rocker, output longest, transmission angle ${angle} degrees, no defects`);
@@ -175,14 +217,19 @@ test("9 · the legend filters by type", async ({page}) => {
   await open_workbench(page);
   await until_settled(page);
   const button = page.getByTestId("region.map").page().locator("section").getByTestId("type.double_crank").last();
-  const before = await read_state(page, ({census}) => ({meeting: census!.meeting, cranks: census!.meeting_types[2]})), hash = await map_hash(page);
+  const before = await read_state(page, ({census}) => ({meeting: census!.meeting, cranks: census!.meeting_types[2]})),
+    hash = await map_hash(page);
   expect(before.cranks).toBeGreaterThan(0);
   await button.click();
-  await expect.poll(() => read_state(page, (workbench) => workbench.census!.meeting)).toBe(before.meeting - before.cranks);
+  await expect
+    .poll(() => read_state(page, (workbench) => workbench.census!.meeting))
+    .toBe(before.meeting - before.cranks);
   await expect.poll(() => map_hash(page)).not.toBe(hash);
   const washed = await read_state(page, ({map}) => map!.type.every((type, i) => type !== 2 || map!.fails[i] !== 0));
   expect(washed).toBe(true);
-  expect(await read_state(page, (workbench) => workbench.whole_problem.requirements!.types)).toEqual(linkage_types.filter((type) => !/double_crank|degenerate/.test(type)));
+  expect(await read_state(page, (workbench) => workbench.whole_problem.requirements!.types)).toEqual(
+    linkage_types.filter((type) => !/double_crank|degenerate/.test(type)),
+  );
 
   await button.click({modifiers: ["Alt"]});
   await expect.poll(() => read_state(page, (workbench) => workbench.census!.meeting)).toBe(before.cranks);
@@ -197,9 +244,15 @@ test("9 · the legend filters by type", async ({page}) => {
 test("12 · through infinity", async ({page}) => {
   await open_workbench(page);
   await until_settled(page);
-  const {axis, mark} = await read_state(page, ({task}) => ({axis: task!.axes.input, mark: task!.specials.find((special) => special.kind === "center_at_infinity" && special.tau.length)!.tau[0]}));
+  const {axis, mark} = await read_state(page, ({task}) => ({
+    axis: task!.axes.input,
+    mark: task!.specials.find((special) => special.kind === "center_at_infinity" && special.tau.length)!.tau[0],
+  }));
   const beyond = place_of(axis, mark)!;
-  await read_state(page, (workbench, tau) => workbench.pick(tau), [cell[0], await tau_at_place(page, beyond - 2.5 / 400)] as const);
+  await read_state(page, (workbench, tau) => workbench.pick(tau), [
+    cell[0],
+    await tau_at_place(page, beyond - 2.5 / 400),
+  ] as const);
   await until_settled(page);
   await page.getByTestId("region.map").focus();
   let sliders = 0;
@@ -237,21 +290,34 @@ test("13 · when the curve splits, map and pins stay", async ({page}) => {
   await open_workbench(page);
   await pick(page, cell);
   await read_state(page, (workbench) => workbench.pin());
-  const pin = page.getByTestId("region.pin.A"), place_before = await pin.boundingBox();
+  const pin = page.getByTestId("region.pin.A"),
+    place_before = await pin.boundingBox();
   const branches = await read_state(page, (workbench) => workbench.task!.axes.input.branches.length);
 
   /** Position 3 moved by so much (mm); the curve's κ, and the map as it is then. */
-  const moved = (dx: number) => page.evaluate(async (by) => {
-    const hook = (globalThis as any).__linkwright, {workbench} = hook, start = -220;
-    if (!workbench.gesture) workbench.begin_gesture();
-    workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.map((pose: any, i: number) => (i === 2 ? {...pose, x: start + by} : pose))}}));
-    while (!workbench.is_current || workbench.map.samples !== 400) await new Promise((done) => setTimeout(done));
-    hook.seen ??= new Map();
-    hook.seen.set(by, {type: workbench.map.type.slice(), defects: workbench.map.defects.slice()});
-    return workbench.task.curves.kappa as number;
-  }, dx);
+  const moved = (dx: number) =>
+    page.evaluate(async (by) => {
+      const hook = (globalThis as any).__linkwright,
+        {workbench} = hook,
+        start = -220;
+      if (!workbench.gesture) workbench.begin_gesture();
+      workbench.drag((problem: any) => ({
+        ...problem,
+        task: {
+          ...problem.task,
+          poses: (problem.task as MotionTask).poses.map((pose: any, i: number) =>
+            i === 2 ? {...pose, x: start + by} : pose,
+          ),
+        },
+      }));
+      while (!workbench.is_current || workbench.map.samples !== 400) await new Promise((done) => setTimeout(done));
+      hook.seen ??= new Map();
+      hook.seen.set(by, {type: workbench.map.type.slice(), defects: workbench.map.defects.slice()});
+      return workbench.task.curves.kappa as number;
+    }, dx);
   const start = await moved(1e-9); // at rest the map is a finer one
-  let same = 0, other = 0;
+  let same = 0,
+    other = 0;
   for (let dx = 1; dx <= 40 && other === 0; ++dx) {
     for (const by of [dx, -dx]) {
       if (other === 0 && Math.sign(await moved(by)) !== Math.sign(start)) [same, other] = [by - Math.sign(by), by];
@@ -266,15 +332,27 @@ test("13 · when the curve splits, map and pins stay", async ({page}) => {
     await moved(same);
   }
   await moved(other);
-  await expect.poll(() => read_state(page, (workbench) => workbench.task!.axes.input.branches.length)).not.toBe(branches);
-  await expect.poll(() => read_state(page, (workbench) => workbench.toasts.map((toast) => toast.key as string))).toEqual(expect.arrayContaining([expect.stringMatching(/curve_(split|joined)/)]));
-  const changed = await page.evaluate(([a, b]) => {
-    const {seen} = (globalThis as any).__linkwright, one = seen.get(a), two = seen.get(b);
-    let count = 0;
-    for (let i = 0; i < one.type.length; ++i) if (one.type[i] !== two.type[i] || one.defects[i] !== two.defects[i]) ++count;
-    return count / one.type.length;
-  }, [same, other]);
-  console.log(`κ changes its sign between ${same} and ${other} mm: ${(100 * changed).toFixed(1)} % of the cells change`);
+  await expect
+    .poll(() => read_state(page, (workbench) => workbench.task!.axes.input.branches.length))
+    .not.toBe(branches);
+  await expect
+    .poll(() => read_state(page, (workbench) => workbench.toasts.map((toast) => toast.key as string)))
+    .toEqual(expect.arrayContaining([expect.stringMatching(/curve_(split|joined)/)]));
+  const changed = await page.evaluate(
+    ([a, b]) => {
+      const {seen} = (globalThis as any).__linkwright,
+        one = seen.get(a),
+        two = seen.get(b);
+      let count = 0;
+      for (let i = 0; i < one.type.length; ++i)
+        if (one.type[i] !== two.type[i] || one.defects[i] !== two.defects[i]) ++count;
+      return count / one.type.length;
+    },
+    [same, other],
+  );
+  console.log(
+    `κ changes its sign between ${same} and ${other} mm: ${(100 * changed).toFixed(1)} % of the cells change`,
+  );
   expect(changed).toBeLessThan(0.1);
   const place_after = await pin.boundingBox();
   expect(Math.hypot(place_after!.x - place_before!.x, place_after!.y - place_before!.y)).toBeLessThan(0.01);

@@ -4,8 +4,23 @@ import type {Page} from "@playwright/test";
 import {join} from "node:path";
 import {tau_at} from "../src/state/axis";
 import {
-  bad_problems, drag, expect, expect_accessible, file_menu, keep_screenshot, map_pixel, middle_of, move_a_pose, open_files, open_workbench,
-  read_state, shown, test, toasts, until_ready, until_settled,
+  bad_problems,
+  drag,
+  expect,
+  expect_accessible,
+  file_menu,
+  keep_screenshot,
+  map_pixel,
+  middle_of,
+  move_a_pose,
+  open_files,
+  open_workbench,
+  read_state,
+  shown,
+  test,
+  toasts,
+  until_ready,
+  until_settled,
 } from "./support";
 import type {MotionTask} from "../src/state/task";
 
@@ -14,17 +29,29 @@ import type {MotionTask} from "../src/state/task";
 test("1 · first start: a map, a count, the tour, nothing in anyone's way", async ({page}) => {
   await page.goto("/");
   const colors = () =>
-    page.getByTestId("region.map").locator("canvas").first().evaluate((canvas: HTMLCanvasElement) => {
-      const style = getComputedStyle(document.documentElement);
-      const wanted = ["double_crank", "triple_rocker_input", "triple_rocker_output", "crank_rocker", "rocker_crank"].map((name) => parseInt(style.getPropertyValue(`--${name}`).trim().slice(1), 16));
-      if (canvas.width === 0) return 0;
-      const {data} = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
-      const found = new Set<number>();
-      for (let i = 0; i < data.length; i += 4) found.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
-      return wanted.filter((color) => found.has(color)).length;
-    });
+    page
+      .getByTestId("region.map")
+      .locator("canvas")
+      .first()
+      .evaluate((canvas: HTMLCanvasElement) => {
+        const style = getComputedStyle(document.documentElement);
+        const wanted = [
+          "double_crank",
+          "triple_rocker_input",
+          "triple_rocker_output",
+          "crank_rocker",
+          "rocker_crank",
+        ].map((name) => parseInt(style.getPropertyValue(`--${name}`).trim().slice(1), 16));
+        if (canvas.width === 0) return 0;
+        const {data} = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+        const found = new Set<number>();
+        for (let i = 0; i < data.length; i += 4) found.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+        return wanted.filter((color) => found.has(color)).length;
+      });
   await expect.poll(colors, {timeout: 2000}).toBeGreaterThanOrEqual(3);
-  await expect(page.getByTestId("chip.title")).toContainText(/159.600 four-bars.*97.477 free of defects.*25.608 meet your requirements/);
+  await expect(page.getByTestId("chip.title")).toContainText(
+    /159.600 four-bars.*97.477 free of defects.*25.608 meet your requirements/,
+  );
   await expect(page.locator(".tour_hint")).toContainText("1 of 3 · Drag position 4 into the green.");
   await until_ready(page);
   await expect(page.getByTestId("chip.title")).toContainText(/159.600 four-bars/);
@@ -48,25 +75,39 @@ test("1 · the linkage opens once, and the tour goes with what one does and neve
   await page.addInitScript(() => {
     const hook = globalThis as {lowest_stage?: number};
     const watch = () => {
-      hook.lowest_stage = Math.min(hook.lowest_stage ?? Infinity, globalThis.__linkwright?.workbench?.stage ?? Infinity);
+      hook.lowest_stage = Math.min(
+        hook.lowest_stage ?? Infinity,
+        globalThis.__linkwright?.workbench?.stage ?? Infinity,
+      );
       requestAnimationFrame(watch);
     };
     watch();
   });
   await page.goto("/");
   await until_ready(page);
-  await page.waitForFunction(() => (globalThis as {lowest_stage?: number}).lowest_stage! < 1 && Math.abs(globalThis.__linkwright!.workbench.stage - 2.45) < 1e-9);
+  await page.waitForFunction(
+    () =>
+      (globalThis as {lowest_stage?: number}).lowest_stage! < 1 &&
+      Math.abs(globalThis.__linkwright!.workbench.stage - 2.45) < 1e-9,
+  );
 
   const disc = page.getByRole("button", {name: /3/}).locator("visible=true").first();
   await expect(page.locator(".tour_hint")).toContainText("1 of 3");
   await read_state(page, (workbench) => {
     workbench.begin_gesture();
-    workbench.drag((problem) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.map((pose, i) => (i === 2 ? {...pose, x: -222} : pose))}}));
+    workbench.drag((problem) => ({
+      ...problem,
+      task: {
+        ...problem.task,
+        poses: (problem.task as MotionTask).poses.map((pose, i) => (i === 2 ? {...pose, x: -222} : pose)),
+      },
+    }));
   });
   await expect(disc).toBeAttached();
   await read_state(page, (workbench) => workbench.end_gesture());
   await expect(page.locator(".tour_hint")).toContainText("2 of 3 · Move over the map.");
-  const from = await map_pixel(page, [0.7, 0.1]), to = await map_pixel(page, [0.3, 0.4]);
+  const from = await map_pixel(page, [0.7, 0.1]),
+    to = await map_pixel(page, [0.3, 0.4]);
   await page.mouse.move(from.x, from.y);
   await page.mouse.move(to.x, to.y, {steps: 24});
   await expect(page.locator(".tour_hint")).toContainText("3 of 3 · Click to keep it,");
@@ -93,10 +134,17 @@ test("6 · from the start to a DXF by keys alone, the focus always in sight", as
     const fault = await page.evaluate(() => {
       const element = document.activeElement as HTMLElement | SVGElement;
       if (element === document.body) return "nothing has the focus";
-      const {outlineStyle, outlineWidth, boxShadow} = getComputedStyle(element), box = element.getBoundingClientRect();
-      const marked = element.matches(":focus-visible") && ((outlineStyle !== "none" && parseFloat(outlineWidth) >= 1) || boxShadow !== "none" || element.closest("svg") !== null);
+      const {outlineStyle, outlineWidth, boxShadow} = getComputedStyle(element),
+        box = element.getBoundingClientRect();
+      const marked =
+        element.matches(":focus-visible") &&
+        ((outlineStyle !== "none" && parseFloat(outlineWidth) >= 1) ||
+          boxShadow !== "none" ||
+          element.closest("svg") !== null);
       const inside = box.right > 0 && box.bottom > 0 && box.left < innerWidth && box.top < innerHeight;
-      return marked && inside ? null : `${element.tagName} ${element.getAttribute("data-testid") ?? element.getAttribute("aria-label") ?? element.className}`;
+      return marked && inside
+        ? null
+        : `${element.tagName} ${element.getAttribute("data-testid") ?? element.getAttribute("aria-label") ?? element.className}`;
     });
     if (fault === "nothing has the focus") ++past_the_end;
     else if (fault) unseen.push(fault);
@@ -124,7 +172,12 @@ test("6 · from the start to a DXF by keys alone, the focus always in sight", as
   await tab_to("export.title");
   await page.keyboard.press("Enter");
   await expect(page.getByTestId("export.dxf")).toBeVisible();
-  for (let i = 0; i < 30 && (await page.evaluate(() => document.activeElement?.getAttribute("data-testid"))) !== "export.dxf"; ++i) await page.keyboard.press("Tab");
+  for (
+    let i = 0;
+    i < 30 && (await page.evaluate(() => document.activeElement?.getAttribute("data-testid"))) !== "export.dxf";
+    ++i
+  )
+    await page.keyboard.press("Tab");
   const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Enter")]);
   expect(download.suggestedFilename()).toMatch(/^tailgate-hinge.*\.dxf$/);
   expect(unseen).toEqual([]);
@@ -136,27 +189,45 @@ test("6 · from the start to a DXF by keys alone, the focus always in sight", as
 test("19 · the engine dies in the middle of a map, and nothing is lost", async ({page}) => {
   await open_workbench(page);
   await move_a_pose(page);
-  await page.waitForFunction(() => globalThis.__linkwright!.workbench.is_current && globalThis.__linkwright!.workbench.hand?.fails === 0);
+  await page.waitForFunction(
+    () => globalThis.__linkwright!.workbench.is_current && globalThis.__linkwright!.workbench.hand?.fails === 0,
+  );
   const before = await shown(page);
-  const killed = page.evaluate(() => new Promise<number>((resolve) => {
-    const {workbench, kill_engine} = globalThis.__linkwright as unknown as {workbench: {engine: {busy: boolean}; maps: {fine: boolean}; edit(change: (problem: object) => object): void}; kill_engine(): void};
-    workbench.edit((problem) => ({...problem, requirements: {...(problem as {requirements: object}).requirements, max_link_ratio: 7}}));
-    const look = () => {
-      if (!(workbench.maps.fine && workbench.engine.busy)) return void setTimeout(look, 1);
-      kill_engine();
-      resolve(performance.now());
-    };
-    look();
-  }));
+  const killed = page.evaluate(
+    () =>
+      new Promise<number>((resolve) => {
+        const {workbench, kill_engine} = globalThis.__linkwright as unknown as {
+          workbench: {engine: {busy: boolean}; maps: {fine: boolean}; edit(change: (problem: object) => object): void};
+          kill_engine(): void;
+        };
+        workbench.edit((problem) => ({
+          ...problem,
+          requirements: {...(problem as {requirements: object}).requirements, max_link_ratio: 7},
+        }));
+        const look = () => {
+          if (!(workbench.maps.fine && workbench.engine.busy)) return void setTimeout(look, 1);
+          kill_engine();
+          resolve(performance.now());
+        };
+        look();
+      }),
+  );
   await killed;
   await expect(toasts(page)).toContainText("The engine stopped and was started again. Nothing was lost.");
-  await page.waitForFunction(() => globalThis.__linkwright!.ready && globalThis.__linkwright!.workbench.map!.samples === 1000, null, {timeout: 3000});
+  await page.waitForFunction(
+    () => globalThis.__linkwright!.ready && globalThis.__linkwright!.workbench.map!.samples === 1000,
+    null,
+    {timeout: 3000},
+  );
   const requirements = await read_state(page, (workbench) => workbench.problem.requirements!.max_link_ratio);
   expect(requirements).toBe(7);
   await page.keyboard.press("Control+z");
   await expect.poll(() => shown(page)).toEqual(before);
   await page.keyboard.press("Control+z");
-  expect(await read_state(page, ({can_undo, problem}) => [can_undo, (problem.task as MotionTask).poses[2].x])).toEqual([false, -220]);
+  expect(await read_state(page, ({can_undo, problem}) => [can_undo, (problem.task as MotionTask).poses[2].x])).toEqual([
+    false,
+    -220,
+  ]);
 });
 
 // ---- 21 ---------------------------------------------------------------------------------------------------------
@@ -164,7 +235,8 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
 /** Words of Latin letters that are seen or spoken, but for names, units and signs. */
 function latin_words(page: Page): Promise<string[]> {
   return page.evaluate(() => {
-    const allowed = /^(Linkwright|linkwright|solve|analyze|English|mm|DXF|SVG|PNG|CSV|JSON|GIF|WebM|A4|A3|MB|kB|PP?P?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
+    const allowed =
+      /^(Linkwright|linkwright|solve|analyze|English|mm|DXF|SVG|PNG|CSV|JSON|GIF|WebM|A4|A3|MB|kB|PP?P?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
     const texts: string[] = [];
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
@@ -172,7 +244,8 @@ function latin_words(page: Page): Promise<string[]> {
         const parent = node.parentElement!;
         if (!["SCRIPT", "STYLE"].includes(parent.tagName) && parent.checkVisibility()) texts.push(node.data);
       } else if (node instanceof Element && node.checkVisibility()) {
-        for (const name of ["aria-label", "title", "placeholder", "aria-valuetext"]) texts.push(node.getAttribute(name) ?? "");
+        for (const name of ["aria-label", "title", "placeholder", "aria-valuetext"])
+          texts.push(node.getAttribute(name) ?? "");
       }
     }
     const words = texts.flatMap((text) => text.match(/[A-Za-z][A-Za-z'’]*/g) ?? []);
@@ -200,7 +273,9 @@ test("21 · in Chinese nothing is left in English, in the dark all can be read, 
     await expect(page.locator("dialog[open]")).toHaveCount(0);
   }
   await open_files(page, join(bad_problems, "missing_angle.json"));
-  await expect(toasts(page)).toContainText("“missing_angle.json” 不是有效的任务文件:task.poses[2].theta_deg:缺少此项,请补上。当前工作未改变。");
+  await expect(toasts(page)).toContainText(
+    "“missing_angle.json” 不是有效的任务文件:task.poses[2].theta_deg:缺少此项,请补上。当前工作未改变。",
+  );
   await page.reload();
   await until_ready(page);
   await expect(page.locator("html")).toHaveAttribute("lang", "zh-CN");
@@ -225,13 +300,27 @@ test.describe("22 · on a phone", () => {
   /** Controls with less than 44 px in one direction, the drawing's handles apart (they have a reach of their own). */
   function small_controls(page: Page): Promise<string[]> {
     return page.evaluate(() => {
-      const all = [...document.querySelectorAll<HTMLElement>("button, a[href], input, select, summary, [role=tab], [role=slider], [role=menuitem]")];
-      const shown = all.filter((element) => element.checkVisibility({visibilityProperty: true, opacityProperty: true}) && !element.closest("svg, .unseen"));
+      const all = [
+        ...document.querySelectorAll<HTMLElement>(
+          "button, a[href], input, select, summary, [role=tab], [role=slider], [role=menuitem]",
+        ),
+      ];
+      const shown = all.filter(
+        (element) =>
+          element.checkVisibility({visibilityProperty: true, opacityProperty: true}) &&
+          !element.closest("svg, .unseen"),
+      );
       const reach = (element: HTMLElement) => (element.closest("label") ?? element).getBoundingClientRect();
-      return shown.filter((element) => {
-        const box = reach(element), own = element.getBoundingClientRect();
-        return own.width > 0 && (Math.max(box.width, own.width) < 43.5 || Math.max(box.height, own.height) < 43.5);
-      }).map((element) => `${element.tagName} ${element.dataset.testid ?? element.ariaLabel ?? element.textContent} ${JSON.stringify(reach(element))}`);
+      return shown
+        .filter((element) => {
+          const box = reach(element),
+            own = element.getBoundingClientRect();
+          return own.width > 0 && (Math.max(box.width, own.width) < 43.5 || Math.max(box.height, own.height) < 43.5);
+        })
+        .map(
+          (element) =>
+            `${element.tagName} ${element.dataset.testid ?? element.ariaLabel ?? element.textContent} ${JSON.stringify(reach(element))}`,
+        );
     });
   }
   const sideways = (page: Page) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
@@ -274,15 +363,22 @@ test.describe("22 · on a phone", () => {
     await shown(page);
     const aim = await map_pixel(page, [0.7, 0.3]);
     const session = await page.context().newCDPSession(page);
-    const touch = (type: string, points: {x: number; y: number}[]) => session.send("Input.dispatchTouchEvent", {type: type as "touchStart", touchPoints: points});
+    const touch = (type: string, points: {x: number; y: number}[]) =>
+      session.send("Input.dispatchTouchEvent", {type: type as "touchStart", touchPoints: points});
     await touch("touchStart", [{x: aim.x - 30, y: aim.y + 30}]);
     await touch("touchMove", [{x: aim.x - 10, y: aim.y + 50}]);
     await touch("touchMove", [{x: aim.x, y: aim.y + 56}]);
-    const axis = await read_state(page, (workbench) => workbench.task!.axes.input), aimed_at = [tau_at(axis, 0.7)!, tau_at(axis, 0.3)!] as const;
-    const off = (of: "hovered" | "picked") => read_state(page, ({hovered, picked}, [which, [a, b]]) => {
-      const tau = which === "hovered" ? hovered : picked!.tau;
-      return tau ? Math.hypot(tau[0] - a, tau[1] - b) : Infinity;
-    }, [of, aimed_at] as const);
+    const axis = await read_state(page, (workbench) => workbench.task!.axes.input),
+      aimed_at = [tau_at(axis, 0.7)!, tau_at(axis, 0.3)!] as const;
+    const off = (of: "hovered" | "picked") =>
+      read_state(
+        page,
+        ({hovered, picked}, [which, [a, b]]) => {
+          const tau = which === "hovered" ? hovered : picked!.tau;
+          return tau ? Math.hypot(tau[0] - a, tau[1] - b) : Infinity;
+        },
+        [of, aimed_at] as const,
+      );
     await expect.poll(() => off("hovered")).toBeLessThan(0.02);
     await touch("touchEnd", []);
     await expect.poll(() => off("picked")).toBeLessThan(0.02);
@@ -292,7 +388,8 @@ test.describe("22 · on a phone", () => {
   test("on its side, drawing and map stand beside each other", async ({page}) => {
     await page.setViewportSize({width: 844, height: 390});
     await open_workbench(page);
-    const drawing = (await page.getByTestId("drawing.canvas").boundingBox())!, map = (await page.getByTestId("region.map").boundingBox())!;
+    const drawing = (await page.getByTestId("drawing.canvas").boundingBox())!,
+      map = (await page.getByTestId("region.map").boundingBox())!;
     expect(drawing.x + drawing.width).toBeLessThanOrEqual(map.x);
     expect(map.y + map.height).toBeLessThanOrEqual(390);
     expect(await sideways(page)).toBe(0);
@@ -304,7 +401,8 @@ test.describe("22 · on a phone", () => {
 
 test("columns are as wide as one wants, within limits, also after a reload", async ({page}) => {
   await open_workbench(page);
-  const splitter = page.getByTestId("splitter.left"), width = () => page.locator("aside.left").evaluate((element) => Math.round(element.getBoundingClientRect().width));
+  const splitter = page.getByTestId("splitter.left"),
+    width = () => page.locator("aside.left").evaluate((element) => Math.round(element.getBoundingClientRect().width));
   const box = (await splitter.boundingBox())!;
   await page.mouse.move(box.x + 4, 500);
   await page.mouse.down();
@@ -324,12 +422,21 @@ test("columns are as wide as one wants, within limits, also after a reload", asy
 test("keys reach the whole page, but never a text", async ({page}) => {
   await open_workbench(page);
   await shown(page);
-  const activation = (isActive: boolean) => page.evaluate((active) => Object.defineProperty(navigator, "userActivation", {configurable: true, value: {isActive: active}}) && undefined, isActive);
+  const activation = (isActive: boolean) =>
+    page.evaluate(
+      (active) =>
+        Object.defineProperty(navigator, "userActivation", {configurable: true, value: {isActive: active}}) &&
+        undefined,
+      isActive,
+    );
   await activation(false); // nothing was clicked yet: the browser would not open its chooser
   await page.keyboard.press("Control+o");
   await expect(toasts(page)).toContainText("A click is needed");
   await activation(true);
-  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), toasts(page).getByRole("button", {name: "Open…"}).click()]);
+  const [chooser] = await Promise.all([
+    page.waitForEvent("filechooser"),
+    toasts(page).getByRole("button", {name: "Open…"}).click(),
+  ]);
   expect(chooser.isMultiple()).toBe(false);
   await page.keyboard.press("f");
   await expect(page.getByTestId("region.map")).toBeHidden();
@@ -345,11 +452,14 @@ test("keys reach the whole page, but never a text", async ({page}) => {
   await page.keyboard.type("M f p?");
   await page.keyboard.press("Enter");
   await expect(page.getByTestId("file.menu")).toContainText("M f p?");
-  expect(await read_state(page, ({full, pins, dialog, problem}) => [full, pins.length, dialog, problem.title])).toEqual(["none", 0, null, "M f p?"]);
+  expect(await read_state(page, ({full, pins, dialog, problem}) => [full, pins.length, dialog, problem.title])).toEqual(
+    ["none", 0, null, "M f p?"],
+  );
   await page.keyboard.press("Control+z");
   await expect(page.getByTestId("file.menu")).toContainText("Tailgate hinge");
 
-  const value = () => page.getByTestId("task.x.3").inputValue(), snaps = () => page.getByTestId("status.snap").getAttribute("aria-pressed");
+  const value = () => page.getByTestId("task.x.3").inputValue(),
+    snaps = () => page.getByTestId("status.snap").getAttribute("aria-pressed");
   await page.getByTestId("task.x.3").focus();
   const number = await value();
   await page.keyboard.press("s"); // no number begins with it: the page has it, and nothing lands in the field
@@ -374,7 +484,8 @@ test("a laptop has its panels over the drawing, never over the map", async ({pag
   await open_workbench(page);
   await shown(page);
   const map = (await page.getByTestId("region.map").boundingBox())!;
-  for (const name of ["num.best", "pin.add", "region.improve", "num.dxf", "bar.new"]) await expect(page.getByTestId(name), name).toBeInViewport({ratio: 1});
+  for (const name of ["num.best", "pin.add", "region.improve", "num.dxf", "bar.new"])
+    await expect(page.getByTestId(name), name).toBeInViewport({ratio: 1});
   for (const name of ["rail.task", "rail.limits", "rail.pins"]) {
     await page.getByTestId(name).click();
     const sheet = (await page.locator("#rail_sheet").boundingBox())!;
@@ -391,12 +502,17 @@ test("a laptop has its panels over the drawing, never over the map", async ({pag
 test("pictures of the main states", async ({page}) => {
   await open_workbench(page);
   await shown(page);
-  for (const tau of [[1.3125, 1.1025], [0.9525, 1.4575]] as const) {
+  for (const tau of [
+    [1.3125, 1.1025],
+    [0.9525, 1.4575],
+  ] as const) {
     await read_state(page, (workbench, pair) => workbench.pick(pair as [number, number]), tau);
     await shown(page);
     await read_state(page, (workbench) => workbench.pin());
   }
-  await read_state(page, (workbench) => { for (const toast of workbench.toasts) workbench.dismiss(toast.id); });
+  await read_state(page, (workbench) => {
+    for (const toast of workbench.toasts) workbench.dismiss(toast.id);
+  });
   await keep_screenshot(page, "wide-light");
 
   await page.getByTestId("view.solid").click();
@@ -410,7 +526,12 @@ test("pictures of the main states", async ({page}) => {
     await keep_screenshot(page, "dragging");
     await page.keyboard.press("Escape");
   });
-  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, requirements: {...problem.requirements, min_transmission_angle_deg: 89}})));
+  await read_state(page, (workbench) =>
+    workbench.edit((problem) => ({
+      ...problem,
+      requirements: {...problem.requirements, min_transmission_angle_deg: 89},
+    })),
+  );
   await expect.poll(() => read_state(page, (workbench) => workbench.census?.meeting)).toBe(0);
   await keep_screenshot(page, "none-left");
 });

@@ -1,6 +1,21 @@
 import type {SixBarTask} from "../src/state/task";
 import {readFileSync} from "node:fs";
-import {analyze, drag, expect, expect_accessible, file_menu, keep_screenshot, map_pixel, middle_of, open_workbench, played_poses, read_state, test, until_settled, type Pixel} from "./support";
+import {
+  analyze,
+  drag,
+  expect,
+  expect_accessible,
+  file_menu,
+  keep_screenshot,
+  map_pixel,
+  middle_of,
+  open_workbench,
+  played_poses,
+  read_state,
+  test,
+  until_settled,
+  type Pixel,
+} from "./support";
 import type {Page} from "@playwright/test";
 
 async function open_loader(page: Page): Promise<void> {
@@ -11,14 +26,22 @@ async function open_loader(page: Page): Promise<void> {
 }
 /** The map's hash of what it shows. */
 function counts(page: Page): Promise<string> {
-  return read_state(page, ({map}) => `${map!.census.meeting} ${map!.census.defect_free} ${map!.fails.join("").length} ${map!.value.reduce((sum, value) => sum + value, 0)}`);
+  return read_state(
+    page,
+    ({map}) =>
+      `${map!.census.meeting} ${map!.census.defect_free} ${map!.fails.join("").length} ${map!.value.reduce((sum, value) => sum + value, 0)}`,
+  );
 }
 /** A cell that meets everything and is not the one in hand. */
 function passing_place(page: Page): Promise<readonly [number, number]> {
   return read_state(page, ({map, picked}) => {
     const cells = [...map!.fails.keys()].filter((i) => map!.fails[i] === 0);
-    const place = (i: number) => [(Math.floor(i / map!.columns) + 0.5) / map!.rows, ((i % map!.columns) + 0.5) / map!.columns] as const;
-    return place(cells.findLast((i) => Math.hypot(place(i)[0] - picked!.place![0], place(i)[1] - picked!.place![1]) > 0.05) ?? cells[0]);
+    const place = (i: number) =>
+      [(Math.floor(i / map!.columns) + 0.5) / map!.rows, ((i % map!.columns) + 0.5) / map!.columns] as const;
+    return place(
+      cells.findLast((i) => Math.hypot(place(i)[0] - picked!.place![0], place(i)[1] - picked!.place![1]) > 0.05) ??
+        cells[0],
+    );
   });
 }
 
@@ -36,7 +59,9 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   await expect(page.getByTestId("region.card")).toContainText("Watt I");
   await page.mouse.move(5, 400);
   await until_settled(page);
-  expect(await read_state(page, ({hand}) => [hand!.fails, hand!.six_bar!.topology, hand!.six_bar!.lengths.length])).toEqual([0, "watt_1", 10]);
+  expect(
+    await read_state(page, ({hand}) => [hand!.fails, hand!.six_bar!.topology, hand!.six_bar!.lengths.length]),
+  ).toEqual([0, "watt_1", 10]);
   await expect(page.getByTestId("num.type")).toHaveText("Watt I");
   await expect(page.getByTestId("num.verified")).toBeVisible();
   await expect(page.getByTestId("drawing.linkage")).toHaveAttribute("data-fails", "false");
@@ -67,7 +92,9 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   await page.keyboard.press("Escape");
 
   // Hinge b dragged: the map follows, one undo takes it back.
-  const before = await counts(page), handle = page.getByTestId("drawing.chain_b"), from = await middle_of(handle);
+  const before = await counts(page),
+    handle = page.getByTestId("drawing.chain_b"),
+    from = await middle_of(handle);
   await drag(page, from, {x: from.x + 24, y: from.y - 12}, 6, async () => {
     await expect(page.getByTestId("six_bar.reach")).toHaveCount(5);
   });
@@ -79,7 +106,8 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   expect(await read_state(page, ({problem}) => (problem.task as SixBarTask).chain!.b)).toEqual([288.6, 1029.9]);
 
   // An end of link 4 slides along its curve, and the map's crosshair with it.
-  const tau = await read_state(page, ({picked}) => picked!.tau), end = await middle_of(page.getByTestId("drawing.pivot_input_center"));
+  const tau = await read_state(page, ({picked}) => picked!.tau),
+    end = await middle_of(page.getByTestId("drawing.pivot_input_center"));
   await drag(page, end, {x: end.x + 12, y: end.y + 8}, 6);
   const slid = await read_state(page, ({picked}) => picked!.tau);
   expect(slid[0]).not.toBe(tau[0]);
@@ -98,11 +126,16 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
 
   // A chain is searched for; stopped, what was found stays; choosing one is one step.
   const box = await read_state(page, ({problem}) => problem.options!.box!);
-  await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, options: {...problem.options, box: undefined}})));
+  await read_state(page, (workbench) =>
+    workbench.edit((problem) => ({...problem, options: {...problem.options, box: undefined}})),
+  );
   await until_settled(page);
   await page.getByTestId("six_bar.search_chain").click();
   await expect(page.getByTestId("drawing.search_box")).toBeVisible();
-  expect(await read_state(page, (workbench) => [workbench.is_current, workbench.problem.options?.box])).toEqual([true, undefined]); // the panel shows one of its own
+  expect(await read_state(page, (workbench) => [workbench.is_current, workbench.problem.options?.box])).toEqual([
+    true,
+    undefined,
+  ]); // the panel shows one of its own
   await read_state(page, (workbench) => workbench.undo());
   expect(await read_state(page, ({search_box}) => search_box)).toEqual(box);
   await page.getByTestId("six_bar.seed").fill("4");
@@ -114,7 +147,10 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   await expect(page.getByTestId("six_bar.ended")).toContainText("Stopped after");
   await page.getByTestId("six_bar.found.1").click();
   await until_settled(page);
-  expect(await read_state(page, ({hand}) => [hand!.fails, hand!.drive!.ticks.every((tick) => tick.reached)])).toEqual([0, true]);
+  expect(await read_state(page, ({hand}) => [hand!.fails, hand!.drive!.ticks.every((tick) => tick.reached)])).toEqual([
+    0,
+    true,
+  ]);
   await keep_screenshot(page, "six_bar_search");
   await page.keyboard.press("Control+z");
   await until_settled(page);

@@ -7,7 +7,9 @@ test("the page opens with the example solved", async ({page}) => {
   const problem = await read_state(page, (workbench) => workbench.whole_problem);
   const {region, status} = solve(problem);
   expect(status).toBe("solved");
-  await expect.poll(() => read_state(page, (workbench) => workbench.census?.types.reduce((sum, n) => sum + n, 0))).toBeGreaterThan(0);
+  await expect
+    .poll(() => read_state(page, (workbench) => workbench.census?.types.reduce((sum, n) => sum + n, 0)))
+    .toBeGreaterThan(0);
   const types = await read_state(page, (workbench) => workbench.census!.types);
   expect(types).toEqual(linkage_types.map((type) => region.counts[type]));
   await keep_screenshot(page, "first-start");
@@ -19,7 +21,10 @@ test("everybody can use it", async ({page}) => {
 });
 
 test("it is served under its strict policy, apart from other pages", async ({page}) => {
-  const [response] = await Promise.all([page.waitForResponse((answer) => new URL(answer.url()).pathname === "/"), open_workbench(page)]);
+  const [response] = await Promise.all([
+    page.waitForResponse((answer) => new URL(answer.url()).pathname === "/"),
+    open_workbench(page),
+  ]);
   expect(response.headers()["content-security-policy"]).toContain("default-src 'self'");
   expect(await page.evaluate(() => crossOriginIsolated)).toBe(true);
 });

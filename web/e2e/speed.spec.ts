@@ -21,23 +21,49 @@ test("the map follows a drag", async ({page}) => {
   await open_workbench(page);
   await until_fine(page);
   const moves = await page.evaluate(async () => {
-    const hook = globalThis.__linkwright!, workbench = hook.workbench as any, {maps} = workbench, take = maps.take.bind(maps);
+    const hook = globalThis.__linkwright!,
+      workbench = hook.workbench as any,
+      {maps} = workbench,
+      take = maps.take.bind(maps);
     const found: {engine: number; round: number; paint: number; samples: number}[] = [];
     workbench.begin_gesture();
     for (let i = 0; i < 60; ++i) {
-      const start = performance.now(), dx = 5 * Math.sin(i / 5), dy = 5 * Math.cos(i / 7);
+      const start = performance.now(),
+        dx = 5 * Math.sin(i / 5),
+        dy = 5 * Math.cos(i / 7);
       let arrived = start;
-      maps.take = (...answer: unknown[]) => { arrived = performance.now(); take(...answer); };
-      workbench.drag((problem: any) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.map((pose: any, k: number) => (k === 2 ? {...pose, x: -220 + dx, y: 220 + dy} : pose))}}));
-      while (!workbench.is_current || hook.painted_map() !== workbench.map) await new Promise((done) => setTimeout(done));
-      found.push({engine: workbench.engine_ms, round: arrived - start, paint: workbench.paint_ms, samples: workbench.map.samples});
+      maps.take = (...answer: unknown[]) => {
+        arrived = performance.now();
+        take(...answer);
+      };
+      workbench.drag((problem: any) => ({
+        ...problem,
+        task: {
+          ...problem.task,
+          poses: (problem.task as MotionTask).poses.map((pose: any, k: number) =>
+            k === 2 ? {...pose, x: -220 + dx, y: 220 + dy} : pose,
+          ),
+        },
+      }));
+      while (!workbench.is_current || hook.painted_map() !== workbench.map)
+        await new Promise((done) => setTimeout(done));
+      found.push({
+        engine: workbench.engine_ms,
+        round: arrived - start,
+        paint: workbench.paint_ms,
+        samples: workbench.map.samples,
+      });
     }
     delete maps.take;
     workbench.cancel_gesture();
     return found;
   });
-  const engine = median(moves.map((m) => m.engine)), transfer = median(moves.map((m) => m.round - m.engine)), paint = median(moves.map((m) => m.paint));
-  console.log(`drag, ${moves.filter((m) => m.samples === 400).length} of 60 frames at 400²: engine ${engine.toFixed(1)} ms, transfer ${transfer.toFixed(1)} ms, paint ${paint.toFixed(1)} ms, together ${median(moves.map((m) => m.round + m.paint)).toFixed(1)} ms (medians)`);
+  const engine = median(moves.map((m) => m.engine)),
+    transfer = median(moves.map((m) => m.round - m.engine)),
+    paint = median(moves.map((m) => m.paint));
+  console.log(
+    `drag, ${moves.filter((m) => m.samples === 400).length} of 60 frames at 400²: engine ${engine.toFixed(1)} ms, transfer ${transfer.toFixed(1)} ms, paint ${paint.toFixed(1)} ms, together ${median(moves.map((m) => m.round + m.paint)).toFixed(1)} ms (medians)`,
+  );
   expect(paint, "painting the map, main thread").toBeLessThan(16);
 });
 
@@ -48,20 +74,37 @@ test("the linkage follows the mouse over the map", async ({page}) => {
   await session.send("Performance.enable");
   const busy = async () => {
     const {metrics} = await session.send("Performance.getMetrics");
-    return 1000 * metrics.filter(({name}) => ["ScriptDuration", "LayoutDuration", "RecalcStyleDuration"].includes(name)).reduce((sum, {value}) => sum + value, 0);
+    return (
+      1000 *
+      metrics
+        .filter(({name}) => ["ScriptDuration", "LayoutDuration", "RecalcStyleDuration"].includes(name))
+        .reduce((sum, {value}) => sum + value, 0)
+    );
   };
-  const hash = await map_hash(page), before = await busy();
+  const hash = await map_hash(page),
+    before = await busy();
   const times = await page.evaluate(async () => {
-    const {workbench} = globalThis.__linkwright!, map = document.querySelector("[data-testid='region.map']")!, box = map.getBoundingClientRect();
-    const next_task = () => new Promise<void>((done) => {
-      const {port1, port2} = new MessageChannel();
-      port1.onmessage = () => done();
-      port2.postMessage(0);
-    });
+    const {workbench} = globalThis.__linkwright!,
+      map = document.querySelector("[data-testid='region.map']")!,
+      box = map.getBoundingClientRect();
+    const next_task = () =>
+      new Promise<void>((done) => {
+        const {port1, port2} = new MessageChannel();
+        port1.onmessage = () => done();
+        port2.postMessage(0);
+      });
     const found: {engine: number; drawn: number}[] = [];
     for (let i = 0; i < 100; ++i) {
       await new Promise(requestAnimationFrame);
-      map.dispatchEvent(new PointerEvent("pointermove", {clientX: box.x + box.width * (0.5 + 0.4 * Math.cos(i / 8)), clientY: box.y + box.height * (0.5 + 0.4 * Math.sin(i / 8)), bubbles: true, pointerType: "mouse", pointerId: 1}));
+      map.dispatchEvent(
+        new PointerEvent("pointermove", {
+          clientX: box.x + box.width * (0.5 + 0.4 * Math.cos(i / 8)),
+          clientY: box.y + box.height * (0.5 + 0.4 * Math.sin(i / 8)),
+          bubbles: true,
+          pointerType: "mouse",
+          pointerId: 1,
+        }),
+      );
       await new Promise(requestAnimationFrame); // where the page takes it up
       const start = performance.now();
       while (!workbench.hovered || workbench.hand?.tau.join() !== workbench.hovered.join()) await next_task();
@@ -73,7 +116,9 @@ test("the linkage follows the mouse over the map", async ({page}) => {
     return found;
   });
   const work = ((await busy()) - before) / times.length;
-  console.log(`hover: linkage there after ${median(times.map((t) => t.engine)).toFixed(1)} ms, laid out after ${median(times.map((t) => t.drawn)).toFixed(1)} ms (medians of 100); main thread ${work.toFixed(1)} ms each`);
+  console.log(
+    `hover: linkage there after ${median(times.map((t) => t.engine)).toFixed(1)} ms, laid out after ${median(times.map((t) => t.drawn)).toFixed(1)} ms (medians of 100); main thread ${work.toFixed(1)} ms each`,
+  );
   expect(work, "hovering, main thread").toBeLessThan(16);
   expect(await map_hash(page), "hovering never repaints the map").toBe(hash);
 });
@@ -82,18 +127,26 @@ test("a requirement is tried by its slider", async ({page}) => {
   await open_workbench(page);
   await until_fine(page);
   const times = await page.evaluate(async () => {
-    const hook = globalThis.__linkwright!, {workbench} = hook, found: {whole: number; engine: number; paint: number}[] = [];
+    const hook = globalThis.__linkwright!,
+      {workbench} = hook,
+      found: {whole: number; engine: number; paint: number}[] = [];
     workbench.begin_gesture();
     for (let i = 0; i < 40; ++i) {
       const start = performance.now();
-      workbench.drag((problem) => ({...problem, requirements: {...problem.requirements, min_transmission_angle_deg: 31 + i}}));
-      while (!workbench.is_current || hook.painted_map() !== workbench.map) await new Promise((done) => setTimeout(done));
+      workbench.drag((problem) => ({
+        ...problem,
+        requirements: {...problem.requirements, min_transmission_angle_deg: 31 + i},
+      }));
+      while (!workbench.is_current || hook.painted_map() !== workbench.map)
+        await new Promise((done) => setTimeout(done));
       found.push({whole: performance.now() - start, engine: workbench.engine_ms, paint: workbench.paint_ms});
     }
     workbench.cancel_gesture();
     return found;
   });
-  console.log(`requirement slider: engine ${median(times.map((t) => t.engine)).toFixed(1)} ms, paint ${median(times.map((t) => t.paint)).toFixed(1)} ms, until painted ${median(times.map((t) => t.whole)).toFixed(1)} ms (medians of 40)`);
+  console.log(
+    `requirement slider: engine ${median(times.map((t) => t.engine)).toFixed(1)} ms, paint ${median(times.map((t) => t.paint)).toFixed(1)} ms, until painted ${median(times.map((t) => t.whole)).toFixed(1)} ms (medians of 40)`,
+  );
   expect(median(times.map((t) => t.paint)), "painting the map, main thread").toBeLessThan(16);
 });
 
@@ -103,11 +156,17 @@ test("what a first visit loads", async ({page}) => {
   const start = Date.now();
   await open_workbench(page);
   const ready = Date.now() - start;
-  const first_paint = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? NaN);
+  const first_paint = await page.evaluate(
+    () => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? NaN,
+  );
   await until_fine(page);
-  const files = readdirSync(served, {recursive: true, encoding: "utf8"}).filter((name) => asked.has(`/${name}`) || name === "index.html");
+  const files = readdirSync(served, {recursive: true, encoding: "utf8"}).filter(
+    (name) => asked.has(`/${name}`) || name === "index.html",
+  );
   const bytes = files.reduce((sum, name) => sum + gzipSync(readFileSync(join(served, name))).length, 0);
-  console.log(`first load: ${files.length} files, ${(bytes / 1e6).toFixed(2)} MB compressed; first paint after ${first_paint.toFixed(0)} ms, engine ready after ${ready} ms`);
+  console.log(
+    `first load: ${files.length} files, ${(bytes / 1e6).toFixed(2)} MB compressed; first paint after ${first_paint.toFixed(0)} ms, engine ready after ${ready} ms`,
+  );
   expect(files.some((name) => name.endsWith(".wasm"))).toBe(true);
   expect(bytes).toBeLessThan(1.5e6);
 });

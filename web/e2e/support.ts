@@ -11,7 +11,9 @@ import type {Workbench} from "../src/state/workbench.svelte";
 import type {MotionTask} from "../src/state/task";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-const program = process.env.LINKWRIGHT_CLI ? resolve(root, "web", process.env.LINKWRIGHT_CLI) : join(root, "build/release/bin/linkwright");
+const program = process.env.LINKWRIGHT_CLI
+  ? resolve(root, "web", process.env.LINKWRIGHT_CLI)
+  : join(root, "build/release/bin/linkwright");
 const screenshots = join(root, "build/web-screenshots");
 export const examples = join(root, "examples");
 export const bad_problems = join(root, "data/bad_problems");
@@ -40,7 +42,8 @@ export class Complaints {
 
   constructor(page: Page) {
     page.on("console", (message) => {
-      if (/^(error|warning)$/.test(message.type()) && !harmless.test(message.text())) this.all.push(`${message.type()}: ${message.text()}`);
+      if (/^(error|warning)$/.test(message.type()) && !harmless.test(message.text()))
+        this.all.push(`${message.type()}: ${message.text()}`);
     });
     page.on("pageerror", (error) => this.all.push(`exception: ${error.stack ?? error.message}`));
     page.on("crash", () => this.all.push("the page crashed"));
@@ -73,7 +76,8 @@ export {expect};
 /** Opens the page and waits until the engine has answered. */
 export async function open_workbench(page: Page, address = "/"): Promise<void> {
   await page.addInitScript(() => {
-    if (!localStorage.getItem("linkwright.preferences")) localStorage.setItem("linkwright.preferences", '{"toured": true}'); // no first start: no tour, no opening
+    if (!localStorage.getItem("linkwright.preferences"))
+      localStorage.setItem("linkwright.preferences", '{"toured": true}'); // no first start: no tour, no opening
   });
   await page.goto(address);
   await until_ready(page);
@@ -99,7 +103,11 @@ export async function until_settled(page: Page): Promise<void> {
 }
 
 /** What `read` finds in the page's state. It runs in the page: of all that is outside of it, it sees its argument only. */
-export async function read_state<T, A = undefined>(page: Page, read: (workbench: Workbench, argument: A) => T, argument?: A): Promise<T> {
+export async function read_state<T, A = undefined>(
+  page: Page,
+  read: (workbench: Workbench, argument: A) => T,
+  argument?: A,
+): Promise<T> {
   const workbench = await page.evaluateHandle(() => globalThis.__linkwright!.workbench);
   try {
     return (await workbench.evaluate(read as never, argument)) as T;
@@ -110,23 +118,28 @@ export async function read_state<T, A = undefined>(page: Page, read: (workbench:
 
 /** Plays to the end of the travel: the poses that lit up on the way. */
 export async function played_poses(page: Page): Promise<number[]> {
-  const lit = read_state(page, (workbench) => new Promise<number[]>((resolve) => {
-    const passed: number[] = [], {get, set} = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(workbench), "lit_pose")!;
-    Object.defineProperty(workbench, "lit_pose", {
-      get: () => get!.call(workbench),
-      set(pose: number | null) {
-        if (pose !== null) passed.push(pose);
-        set!.call(workbench, pose);
-      },
-    });
-    let started = false;
-    const look = () => {
-      started ||= workbench.playing;
-      if (started && !workbench.playing) resolve(passed);
-      else requestAnimationFrame(look);
-    };
-    look();
-  }));
+  const lit = read_state(
+    page,
+    (workbench) =>
+      new Promise<number[]>((resolve) => {
+        const passed: number[] = [],
+          {get, set} = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(workbench), "lit_pose")!;
+        Object.defineProperty(workbench, "lit_pose", {
+          get: () => get!.call(workbench),
+          set(pose: number | null) {
+            if (pose !== null) passed.push(pose);
+            set!.call(workbench, pose);
+          },
+        });
+        let started = false;
+        const look = () => {
+          started ||= workbench.playing;
+          if (started && !workbench.playing) resolve(passed);
+          else requestAnimationFrame(look);
+        };
+        look();
+      }),
+  );
   await page.getByTestId("drive.play").click();
   return lit;
 }
@@ -142,11 +155,14 @@ export async function shown(page: Page): Promise<Shown> {
   await page.waitForFunction(() => {
     const {workbench, ready} = globalThis.__linkwright!;
     const {picked, picked_linkage} = workbench;
-    return ready && workbench.map!.samples === 1000 && picked !== null && picked_linkage?.tau.join() === picked.tau.join();
+    return (
+      ready && workbench.map!.samples === 1000 && picked !== null && picked_linkage?.tau.join() === picked.tau.join()
+    );
   });
   return read_state(page, ({map, picked, pins, problem}) => {
     let sum = 0x811c9dc5;
-    for (const bytes of [map!.type, map!.defects, map!.fails]) for (const byte of bytes) sum = Math.imul(sum ^ byte, 0x01000193);
+    for (const bytes of [map!.type, map!.defects, map!.fails])
+      for (const byte of bytes) sum = Math.imul(sum ^ byte, 0x01000193);
     return {
       map: `${map!.samples} ${sum >>> 0}`,
       picked: picked!.tau.join(),
@@ -156,9 +172,19 @@ export async function shown(page: Page): Promise<Shown> {
   });
 }
 export async function move_a_pose(page: Page, x = -222): Promise<void> {
-  await read_state(page, (workbench, value) => {
-    workbench.edit((problem) => ({...problem, task: {...problem.task, poses: (problem.task as MotionTask).poses.map((pose, i) => (i === 2 ? {...pose, x: value} : pose))}}));
-  }, x);
+  await read_state(
+    page,
+    (workbench, value) => {
+      workbench.edit((problem) => ({
+        ...problem,
+        task: {
+          ...problem.task,
+          poses: (problem.task as MotionTask).poses.map((pose, i) => (i === 2 ? {...pose, x: value} : pose)),
+        },
+      }));
+    },
+    x,
+  );
 }
 
 // ---- files and sentences ----------------------------------------------------------------------------------------
@@ -193,7 +219,13 @@ export async function middle_of(thing: Locator): Promise<Pixel> {
   return {x: box.x + box.width / 2, y: box.y + box.height / 2};
 }
 /** Drags from one pixel to another in steps, as a hand does; `before_release` runs while the button is held. */
-export async function drag(page: Page, from: Pixel, to: Pixel, steps = 10, before_release?: () => Promise<void>): Promise<void> {
+export async function drag(
+  page: Page,
+  from: Pixel,
+  to: Pixel,
+  steps = 10,
+  before_release?: () => Promise<void>,
+): Promise<void> {
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(to.x, to.y, {steps});
@@ -209,14 +241,22 @@ const axe_source = readFileSync(createRequire(import.meta.url).resolve("axe-core
 export async function expect_accessible(page: Page, part = "html"): Promise<void> {
   await page.evaluate(axe_source); // by the debugger, which the page's Content-Security-Policy does not bind
   const violations = await page.evaluate(async (selector) => {
-    const {axe} = globalThis as unknown as {axe: {run(part: string, options: object): Promise<{violations: Violation[]}>}};
+    const {axe} = globalThis as unknown as {
+      axe: {run(part: string, options: object): Promise<{violations: Violation[]}>};
+    };
     interface Violation {
       id: string;
       help: string;
       nodes: {target: unknown[]; failureSummary?: string}[];
     }
-    const found = await axe.run(selector, {runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]});
-    return found.violations.map(({id, help, nodes}) => ({id, help, where: nodes.slice(0, 5).map((node) => `${node.target.join(" ")}: ${node.failureSummary}`)}));
+    const found = await axe.run(selector, {
+      runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],
+    });
+    return found.violations.map(({id, help, nodes}) => ({
+      id,
+      help,
+      where: nodes.slice(0, 5).map((node) => `${node.target.join(" ")}: ${node.failureSummary}`),
+    }));
   }, part);
   expect(violations, "violations of accessibility").toEqual([]);
 }

@@ -2,13 +2,32 @@
 import type {Page} from "@playwright/test";
 import type {Problem} from "../src/state/problem";
 import type {MotionTask} from "../src/state/task";
-import {example, expect, keep_screenshot, open_workbench, read_state, shown, test, until_ready, until_settled} from "./support";
+import {
+  example,
+  expect,
+  keep_screenshot,
+  open_workbench,
+  read_state,
+  shown,
+  test,
+  until_ready,
+  until_settled,
+} from "./support";
 
 const five: Problem = {
-  linkwright: 1, title: "Five", length_unit: "mm",
+  linkwright: 1,
+  title: "Five",
+  length_unit: "mm",
   task: {
-    kind: "motion", mechanism: "four_bar",
-    poses: [[0, 0, 0], [100, 0, 40], [20, 90, -30], [-140, 50, 100], [60, -130, 10]].map(([x, y, theta_deg]) => ({x, y, theta_deg})),
+    kind: "motion",
+    mechanism: "four_bar",
+    poses: [
+      [0, 0, 0],
+      [100, 0, 40],
+      [20, 90, -30],
+      [-140, 50, 100],
+      [60, -130, 10],
+    ].map(([x, y, theta_deg]) => ({x, y, theta_deg})),
   },
 };
 async function expect_no_linkage(page: Page): Promise<void> {
@@ -18,7 +37,8 @@ async function expect_no_linkage(page: Page): Promise<void> {
   });
   await expect(page.getByTestId("num.none")).toHaveText("This task has no linkage; the map says why.");
   await expect(page.getByTestId("region.notice")).toBeVisible();
-  for (const gone of ["num.verified", "num.verdict", "chip.title", "region.ring", "status.tau"]) await expect(page.getByTestId(gone)).toHaveCount(0);
+  for (const gone of ["num.verified", "num.verdict", "chip.title", "region.ring", "status.tau"])
+    await expect(page.getByTestId(gone)).toHaveCount(0);
   await expect(page.getByTestId("drive.play")).toBeDisabled();
 }
 
@@ -32,13 +52,18 @@ test("a task without a linkage shows none: no numbers, no verdict, no counts of 
   await expect(page.getByTestId("num.verified")).toBeVisible();
 
   const three = example("footrest");
-  await read_state(page, (workbench, problem) => workbench.open(problem), {...three, task: {...three.task, given: {side_length: 60}}});
+  await read_state(page, (workbench, problem) => workbench.open(problem), {
+    ...three,
+    task: {...three.task, given: {side_length: 60}},
+  });
   await until_settled(page);
   await expect(page.getByTestId("num.verdict")).toBeVisible();
   await page.getByTestId("given.length_input").fill("5");
   await page.keyboard.press("Enter");
   await expect_no_linkage(page);
-  await expect(page.getByTestId("region.notice")).toContainText("No input side link of length 5 can be carried through the positions");
+  await expect(page.getByTestId("region.notice")).toContainText(
+    "No input side link of length 5 can be carried through the positions",
+  );
   await keep_screenshot(page, "no-linkage");
   await page.getByTestId("edit.undo").click();
   await until_settled(page);
@@ -51,7 +76,10 @@ test("a part that cannot be drawn says so, with ways on; the others go on", asyn
   await shown(page); // nothing more comes by itself
   await expect(page.getByTestId("num.verified")).toBeVisible();
   await read_state(page, (workbench) => {
-    workbench.answers.take_hand({...workbench.hand!, lengths: {} as never, dead_points_deg: null as never}, workbench.problem);
+    workbench.answers.take_hand(
+      {...workbench.hand!, lengths: {} as never, dead_points_deg: null as never},
+      workbench.problem,
+    );
   });
   const failed = page.getByTestId("failed.num.title");
   await expect(failed).toContainText("“Numbers” could not be drawn");
@@ -68,16 +96,28 @@ test("a part that cannot be drawn says so, with ways on; the others go on", asyn
 });
 
 test("every canvas has the pixels of its place, at five sizes and two pixel ratios", async ({page}) => {
-  const sizes = [[1366, 768], [1440, 900], [1280, 720], [1024, 768], [390, 844]] as const;
+  const sizes = [
+    [1366, 768],
+    [1440, 900],
+    [1280, 720],
+    [1024, 768],
+    [390, 844],
+  ] as const;
   await page.setViewportSize({width: sizes[0][0], height: sizes[0][1]}); // where the map is as wide as a canvas is from the start
   await open_workbench(page);
   await until_settled(page);
-  const misfits = () => page.evaluate(() => [...document.querySelectorAll("canvas")].flatMap((canvas) => {
-    const {width, height} = canvas.getBoundingClientRect(), off = (pixels: number, length: number) => Math.abs(pixels - length * devicePixelRatio) > 1;
-    const place = `${canvas.className} in ${canvas.parentElement!.className} at ${innerWidth} × ${innerHeight} × ${devicePixelRatio}`;
-    if (canvas.classList.contains("faded")) return [`${place}: not drawn yet`];
-    return width > 0 && (off(canvas.width, width) || off(canvas.height, height)) ? [`${place}: ${canvas.width} × ${canvas.height} for ${width} × ${height}`] : [];
-  }));
+  const misfits = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll("canvas")].flatMap((canvas) => {
+        const {width, height} = canvas.getBoundingClientRect(),
+          off = (pixels: number, length: number) => Math.abs(pixels - length * devicePixelRatio) > 1;
+        const place = `${canvas.className} in ${canvas.parentElement!.className} at ${innerWidth} × ${innerHeight} × ${devicePixelRatio}`;
+        if (canvas.classList.contains("faded")) return [`${place}: not drawn yet`];
+        return width > 0 && (off(canvas.width, width) || off(canvas.height, height))
+          ? [`${place}: ${canvas.width} × ${canvas.height} for ${width} × ${height}`]
+          : [];
+      }),
+    );
   await expect(page.locator(".map canvas")).toHaveCount(2);
   const session = await page.context().newCDPSession(page);
   const check = async (width: number, height: number, deviceScaleFactor: number) => {
@@ -95,11 +135,13 @@ test("every canvas has the pixels of its place, at five sizes and two pixel rati
 test("what was typed stays until it is valid or taken back, and no number moves by itself", async ({page}) => {
   await open_workbench(page);
   await until_settled(page);
-  const field = (id: string) => page.getByTestId(id), type = async (id: string, text: string, key = "Enter") => {
-    await field(id).fill(text);
-    await page.keyboard.press(key);
-  };
-  const box = () => read_state(page, (workbench) => workbench.problem.requirements!.ground_pivots_within!.x), sentence = field("req.row.ground_pivots_within").locator(".fault");
+  const field = (id: string) => page.getByTestId(id),
+    type = async (id: string, text: string, key = "Enter") => {
+      await field(id).fill(text);
+      await page.keyboard.press(key);
+    };
+  const box = () => read_state(page, (workbench) => workbench.problem.requirements!.ground_pivots_within!.x),
+    sentence = field("req.row.ground_pivots_within").locator(".fault");
   await type("req.ground_box.x0", "500", "Tab");
   await expect(field("req.ground_box.x0")).toHaveValue("500");
   await expect(field("req.ground_box.x0")).toHaveAttribute("aria-invalid", "true");

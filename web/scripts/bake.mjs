@@ -5,7 +5,10 @@ import {readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {basename} from "node:path";
 import {fileURLToPath} from "node:url";
 
-const start_name = "tailgate", start_samples = 200, census_samples = 400, thumbnail_samples = 64;
+const start_name = "tailgate",
+  start_samples = 200,
+  census_samples = 400,
+  thumbnail_samples = 64;
 const state_width = 13; // as in src/engine/protocol.ts
 const property = "min_transmission_angle_deg";
 const folders = ["../../examples/", "../src/gallery/"].map((path) => new URL(path, import.meta.url));
@@ -24,7 +27,8 @@ const packed = (bytes) => Buffer.from(deflateSync(bytes, {level: 9})).toString("
 /** Numbers in single precision, which is enough for a picture: column by column, the differences from row to row of their
  *  bits, first all lowest bytes, then the next, for the sake of deflate. */
 function packed_numbers(numbers, width = 1) {
-  const rows = numbers.length / width, bits = new Uint32Array(Float32Array.from(numbers).buffer);
+  const rows = numbers.length / width,
+    bits = new Uint32Array(Float32Array.from(numbers).buffer);
   const bytes = new Uint8Array(4 * bits.length);
   for (let column = 0, at = 0; column < width; ++column) {
     for (let row = 0, last = 0; row < rows; ++row, ++at) {
@@ -38,7 +42,10 @@ function packed_numbers(numbers, width = 1) {
 
 function problems() {
   const files = folders.flatMap((folder) =>
-    readdirSync(folder).filter((file) => file.endsWith(".json")).map((file) => new URL(file, folder)));
+    readdirSync(folder)
+      .filter((file) => file.endsWith(".json"))
+      .map((file) => new URL(file, folder)),
+  );
   return files.map((file) => ({name: basename(fileURLToPath(file), ".json"), text: readFileSync(file, "utf8")}));
 }
 
@@ -56,12 +63,19 @@ function start_of(session, problem) {
     name: problem.name,
     task: JSON.parse(task),
     curves: {
-      tau: packed_numbers(curves.tau), center: packed_numbers(curves.center, 3), circle: packed_numbers(curves.circle, 3),
+      tau: packed_numbers(curves.tau),
+      center: packed_numbers(curves.center, 3),
+      circle: packed_numbers(curves.circle, 3),
       branch: packed(curves.branch.slice()),
     },
     map: {
-      samples: start_samples, property, census: JSON.parse(census), tau: packed_numbers(map.input_tau),
-      type: packed(map.type.slice()), defects: packed(map.defects.slice()), fails: packed(map.fails.slice()),
+      samples: start_samples,
+      property,
+      census: JSON.parse(census),
+      tau: packed_numbers(map.input_tau),
+      type: packed(map.type.slice()),
+      defects: packed(map.defects.slice()),
+      fails: packed(map.fails.slice()),
     },
   };
   const tau = best_tau(session);
@@ -76,16 +90,27 @@ function start_of(session, problem) {
 function thumbnail_of(session, problem) {
   open(session, problem);
   const {map} = explored(session, thumbnail_samples);
-  const thumbnail = {title: JSON.parse(session.read(problem.text)).title, rows: 0, columns: 0, type: "", fails: "", linkage: null};
+  const thumbnail = {
+    title: JSON.parse(session.read(problem.text)).title,
+    rows: 0,
+    columns: 0,
+    type: "",
+    fails: "",
+    linkage: null,
+  };
   if (map) {
-    const {input_tau: {length: rows}, output_tau: {length: columns}} = map;
+    const {
+      input_tau: {length: rows},
+      output_tau: {length: columns},
+    } = map;
     Object.assign(thumbnail, {rows, columns, type: packed(map.type.slice()), fails: packed(map.fails.slice())});
   }
   const tau = map && best_tau(session); // a chain is not searched for here
   if (tau) {
     const {type, input, output, six_bar} = JSON.parse(session.linkage(...tau).linkage);
     const pivots = [input.center, input.circle, output.center, output.circle];
-    if (!six_bar) thumbnail.linkage = {tau, type, pivots: pivots.map((point) => point.map((x) => Number(x.toPrecision(6))))};
+    if (!six_bar)
+      thumbnail.linkage = {tau, type, pivots: pivots.map((point) => point.map((x) => Number(x.toPrecision(6))))};
   }
   return thumbnail;
 }
@@ -95,7 +120,10 @@ const session = new engine.Session();
 const all = problems();
 const stored = {
   version: engine.version(),
-  start: start_of(session, all.find(({name}) => name === start_name)),
+  start: start_of(
+    session,
+    all.find(({name}) => name === start_name),
+  ),
   thumbnails: Object.fromEntries(all.map((problem) => [problem.name, thumbnail_of(session, problem)])),
 };
 const text = JSON.stringify(stored);

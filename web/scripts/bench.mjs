@@ -16,7 +16,8 @@ function whole_map(session, samples) {
 /** Milliseconds a call, the median of at least 15 and of at most half a second, after some to warm up. */
 function timed(question) {
   for (let i = 0; i < 3; ++i) question(i);
-  const times = [], end = performance.now() + 500;
+  const times = [],
+    end = performance.now() + 500;
   for (let i = 0; times.length < 15 || (performance.now() < end && times.length < 2000); ++i) {
     const start = performance.now();
     question(i);
@@ -25,7 +26,8 @@ function timed(question) {
   return times.sort((a, b) => a - b)[times.length >> 1];
 }
 
-const session = new engine.Session(), found = {};
+const session = new engine.Session(),
+  found = {};
 for (const samples of [100, 400, 1000]) {
   found[`drag/${samples}`] = timed((step) => {
     session.set_problem(moved(step));
@@ -40,7 +42,17 @@ found.halo = timed(() => session.halo(2, false, 120, 13, 60));
 found.best = timed(() => session.best(1));
 found.improve = timed(() => session.improve(...tau));
 session.delete();
-for (const name of ["tailgate", "latch", "airtight_hatch", "transfer_arm", "nose_gear", "sine_generator", "flow_meter", "log_generator", "loader_bucket_chain"]) {
+for (const name of [
+  "tailgate",
+  "latch",
+  "airtight_hatch",
+  "transfer_arm",
+  "nose_gear",
+  "sine_generator",
+  "flow_meter",
+  "log_generator",
+  "loader_bucket_chain",
+]) {
   const text = example(name);
   found[`open/${name}`] = timed(() => {
     const opened = new engine.Session();

@@ -7,8 +7,18 @@ import {fileURLToPath} from "node:url";
 import {beforeAll, describe, expect, test} from "vitest";
 import {create_linkwright} from "../src/engine/module";
 import {
-  linkage_types, properties, state_width, whole, type Kind, type Linkage, type MapAnswer, type Mistake, type ReplyMessage,
-  type Replies, type RequestMessage, type Requests,
+  linkage_types,
+  properties,
+  state_width,
+  whole,
+  type Kind,
+  type Linkage,
+  type MapAnswer,
+  type Mistake,
+  type ReplyMessage,
+  type Replies,
+  type RequestMessage,
+  type Requests,
 } from "../src/engine/protocol";
 import {Server} from "../src/engine/serve";
 import {stored_start, thumbnail} from "../src/engine/stored";
@@ -55,19 +65,26 @@ interface Case {
 /** The worked cases of data/planar as problems. */
 function worked_cases(): Case[] {
   const folder = join(root, "data/planar/");
-  return readdirSync(folder).filter((file) => file.endsWith(".json")).map((file) => {
-    const positions = JSON.parse(readFileSync(folder + file, "utf8")).positions as number[][][];
-    const poses = positions.map(([[x, y, theta], ...derivatives]) => ({
-      x, y, theta_deg: (theta * 180) / Math.PI,
-      ...(derivatives.length > 0 && {derivatives: derivatives.map(([dx, dy, dtheta]) => ({x: dx, y: dy, theta: dtheta}))}),
-    }));
-    const task = {kind: "motion", mechanism: "four_bar", poses};
-    return {name: file, problem: JSON.stringify({linkwright: 1, task})};
-  });
+  return readdirSync(folder)
+    .filter((file) => file.endsWith(".json"))
+    .map((file) => {
+      const positions = JSON.parse(readFileSync(folder + file, "utf8")).positions as number[][][];
+      const poses = positions.map(([[x, y, theta], ...derivatives]) => ({
+        x,
+        y,
+        theta_deg: (theta * 180) / Math.PI,
+        ...(derivatives.length > 0 && {
+          derivatives: derivatives.map(([dx, dy, dtheta]) => ({x: dx, y: dy, theta: dtheta})),
+        }),
+      }));
+      const task = {kind: "motion", mechanism: "four_bar", poses};
+      return {name: file, problem: JSON.stringify({linkwright: 1, task})};
+    });
 }
 function examples(): Case[] {
   const folder = join(root, "examples/");
-  return readdirSync(folder).filter((file) => file.endsWith(".json"))
+  return readdirSync(folder)
+    .filter((file) => file.endsWith(".json"))
     .map((name) => ({name, problem: readFileSync(folder + name, "utf8")}));
 }
 
@@ -77,7 +94,9 @@ function run(...args: string[]): string {
 /** Where an axis is no Burmester curve it is laid out for a map of 400. */
 function samples_of(problem: string): number {
   const {kind, given = {}} = JSON.parse(problem.replace(/^\s*\/\/.*$/gm, "")).task;
-  return kind === "function" || "side_lengths" in given || "side_length" in given || "side_angle_deg" in given ? 400 : coarse;
+  return kind === "function" || "side_lengths" in given || "side_length" in given || "side_angle_deg" in given
+    ? 400
+    : coarse;
 }
 /** What the program answers; null where it refuses. */
 function solved(problem: string, samples: number) {
@@ -100,7 +119,8 @@ function expect_near(value: number, wanted: number, room: number, what: string):
 function expect_same_point(a: readonly number[], b: readonly number[], size: number, room: number, what: string): void {
   const scaled = (v: readonly number[]) => [v[0] * size, v[1], v[2]];
   const unit = (v: number[]) => v.map((x) => x / Math.hypot(...v));
-  const p = unit(scaled(a)), q = unit(scaled(b));
+  const p = unit(scaled(a)),
+    q = unit(scaled(b));
   if (Math.hypot(...a) === 0 && Math.hypot(...b) === 0) return; // no partner at all
   const sign = p[0] * q[0] + p[1] * q[1] + p[2] * q[2] < 0 ? -1 : 1;
   const distance = Math.hypot(...p.map((x, i) => x - sign * q[i]));
@@ -109,7 +129,8 @@ function expect_same_point(a: readonly number[], b: readonly number[], size: num
 
 /** For each of our rows the program's. Only the places on a Burmester curve are the same bit by bit. */
 function rows_of(ours: Float64Array, theirs: number[], exactly: boolean): number[] {
-  const rising = [...ours.keys()].sort((a, b) => ours[a] - ours[b]), rows = new Array<number>(ours.length);
+  const rising = [...ours.keys()].sort((a, b) => ours[a] - ours[b]),
+    rows = new Array<number>(ours.length);
   expect(ours.length).toBe(theirs.length);
   for (const [row, own] of rising.entries()) {
     expect_near(ours[own], theirs[row], exactly ? 0 : 1e-12, `row ${row}`);
@@ -122,23 +143,32 @@ interface Pair {
   theirs: number;
 }
 /** Our cells and the program's. */
-function* cells_of(map: MapAnswer, region: {input_coordinate: number[]; output_coordinate: number[]}, exactly: boolean): Generator<Pair> {
-  const rows = rows_of(map.input_tau, region.input_coordinate, exactly), columns = rows_of(map.output_tau, region.output_coordinate, exactly);
-  for (const [i, row] of rows.entries()) for (const [k, column] of columns.entries()) yield {ours: i * map.columns + k, theirs: row * map.columns + column};
+function* cells_of(
+  map: MapAnswer,
+  region: {input_coordinate: number[]; output_coordinate: number[]},
+  exactly: boolean,
+): Generator<Pair> {
+  const rows = rows_of(map.input_tau, region.input_coordinate, exactly),
+    columns = rows_of(map.output_tau, region.output_coordinate, exactly);
+  for (const [i, row] of rows.entries())
+    for (const [k, column] of columns.entries()) yield {ours: i * map.columns + k, theirs: row * map.columns + column};
 }
 
 /** What the program says of the samples of its own map; the page draws others at every look. */
 const of_its_samples = new Set(["side_links_left_out", "linkages_left_out", "stretch_between_samples"]);
 
 describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
-  const samples = samples_of(problem), result = existsSync(program) ? solved(problem, samples) : null;
+  const samples = samples_of(problem),
+    result = existsSync(program) ? solved(problem, samples) : null;
   const six_bar = result?.problem.task.mechanism === "six_bar"; // tests/bindings compares its map and linkages
-  const has_map = result?.region?.type && !six_bar, exactly = samples === coarse;
+  const has_map = result?.region?.type && !six_bar,
+    exactly = samples === coarse;
   const shared_properties = has_map ? properties.filter((property) => property in result.region.properties) : [];
   const their_defects = has_map ? decoded(result.region.defects) : new Uint8Array();
   const same_defects = (map: MapAnswer, {ours, theirs}: Pair) => map.defects[ours] === their_defects[theirs];
   // Sines of two C libraries differ in the last bit; the conditions of the task magnify that.
-  const well_conditioned = result?.condition < 1e4, precision = 1e-12 * Math.max(10, result?.condition);
+  const well_conditioned = result?.condition < 1e4,
+    precision = 1e-12 * Math.max(10, result?.condition);
 
   test("is refused by both or by none", () => {
     const answer = reply("explore", {problem, samples, window: whole, property: "link_ratio", order: "fresh"});
@@ -156,7 +186,12 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     if (!result.curve) return;
     expect(task.curves.kind).toBe(result.curve.kind);
     expect(task.curves.center_kind).toBe(result.curve.center_kind);
-    expect_near(task.characteristic_length, result.characteristic_length, 1e-12 * result.characteristic_length, "length");
+    expect_near(
+      task.characteristic_length,
+      result.characteristic_length,
+      1e-12 * result.characteristic_length,
+      "length",
+    );
     expect(task.axes.input.branches).toEqual(result.curve.branches);
     if (task.reason) expect(task.reason.message).toBe(result.reason);
     const of_task = result.warnings.filter(({code}: {code: string}) => !of_its_samples.has(code));
@@ -165,14 +200,28 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     const {coordinate, center_homogeneous, circle_homogeneous} = result.curve.samples;
     for (const [i, tau] of (coordinate as number[]).entries()) {
       const {linkage} = ask("linkage", {problem, tau: [tau, tau]});
-      expect_same_point(linkage.input.center_homogeneous, center_homogeneous[i], result.characteristic_length, precision, `τ ${tau}`);
-      expect_same_point(linkage.input.circle_homogeneous, circle_homogeneous[i], result.characteristic_length, precision, `τ ${tau}`);
+      expect_same_point(
+        linkage.input.center_homogeneous,
+        center_homogeneous[i],
+        result.characteristic_length,
+        precision,
+        `τ ${tau}`,
+      );
+      expect_same_point(
+        linkage.input.circle_homogeneous,
+        circle_homogeneous[i],
+        result.characteristic_length,
+        precision,
+        `τ ${tau}`,
+      );
     }
   });
   test.runIf(has_map)("has the same map", () => {
     const {map} = explored(problem, "min_transmission_angle_deg", samples);
-    const type = decoded(result.region.type), angles = floats(result.region.properties.min_transmission_angle_deg);
-    let differing = 0, by_a_bit = 0;
+    const type = decoded(result.region.type),
+      angles = floats(result.region.properties.min_transmission_angle_deg);
+    let differing = 0,
+      by_a_bit = 0;
     for (const pair of cells_of(map!, result.region, exactly)) {
       if (map!.type[pair.ours] === type[pair.theirs] && same_defects(map!, pair)) continue;
       if (Math.max(map!.value[pair.ours], angles[pair.theirs]) < locked_deg) ++by_a_bit;
@@ -180,10 +229,16 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     }
     expect(differing).toBe(0);
     if (by_a_bit > 0) return;
-    const {counts} = result.region, {census} = map!;
+    const {counts} = result.region,
+      {census} = map!;
     expect(census.types).toEqual(linkage_types.map((name) => counts[name]));
-    expect([census.order, census.branch, census.circuit, census.defect_free, census.pairs]).toEqual(
-      [counts.order, counts.branch, counts.circuit, counts.defect_free, counts.pairs]);
+    expect([census.order, census.branch, census.circuit, census.defect_free, census.pairs]).toEqual([
+      counts.order,
+      counts.branch,
+      counts.circuit,
+      counts.defect_free,
+      counts.pairs,
+    ]);
     expect(census.meeting).toBe(result.region.meeting_requirements);
     expect(map!.fails.filter((bits) => bits === 0).length).toBe(census.meeting);
   });
@@ -194,9 +249,16 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     let beyond = 0;
     for (const pair of cells_of(map!, result.region, exactly)) {
       if (!same_defects(map!, pair)) continue;
-      const value = map!.value[pair.ours], right = wanted[pair.theirs];
+      const value = map!.value[pair.ours],
+        right = wanted[pair.theirs];
       beyond += Number(Math.abs(value - right) > 1.2e-7 * Math.abs(right));
-      expect_near(value, right, (well_conditioned ? 1e-4 : 1e-2) * Math.abs(right) + (property === "min_transmission_angle_deg" ? locked_deg : 0), `${property} ${pair.ours}`);
+      expect_near(
+        value,
+        right,
+        (well_conditioned ? 1e-4 : 1e-2) * Math.abs(right) +
+          (property === "min_transmission_angle_deg" ? locked_deg : 0),
+        `${property} ${pair.ours}`,
+      );
     }
     if (well_conditioned) expect(beyond).toBeLessThanOrEqual(map!.value.length / 100);
   });
@@ -275,7 +337,8 @@ describe("the tailgate", () => {
     expect(task).toEqual([ticks[0].state, ticks[3].state]);
   });
   test("exchanges its side links with its drivers", () => {
-    const {linkage} = ask("linkage", at), mirrored = ask("linkage", {problem: tailgate, tau: [1.1125, 1.3125]}).linkage;
+    const {linkage} = ask("linkage", at),
+      mirrored = ask("linkage", {problem: tailgate, tau: [1.1125, 1.3125]}).linkage;
     expect(mirrored.lengths!.input).toBe(linkage.lengths!.output);
     expect(mirrored.type).toBe(linkage.swapped!.type);
   });
@@ -296,16 +359,25 @@ describe("the tailgate", () => {
       writeFileSync(file, text);
       return JSON.parse(run("solve", file, "-o", "-"));
     };
-    const box = {x: [150, 160], y: [300, 320]}, narrow = asking({ground_pivots_within: box});
-    const {relax, missed_boxes} = explored(narrow, "min_transmission_angle_deg", 400).map!.census, result = solved(narrow);
-    expect(relax).toEqual(result.relax.map(({requirement, value, leaves}: (typeof relax)[number]) => ({requirement, value, leaves})));
-    expect(explored(asking({[relax[0].requirement]: relax[0].value}), "min_transmission_angle_deg", 400).map!.census.meeting).toBe(relax[0].leaves);
+    const box = {x: [150, 160], y: [300, 320]},
+      narrow = asking({ground_pivots_within: box});
+    const {relax, missed_boxes} = explored(narrow, "min_transmission_angle_deg", 400).map!.census,
+      result = solved(narrow);
+    expect(relax).toEqual(
+      result.relax.map(({requirement, value, leaves}: (typeof relax)[number]) => ({requirement, value, leaves})),
+    );
+    expect(
+      explored(asking({[relax[0].requirement]: relax[0].value}), "min_transmission_angle_deg", 400).map!.census.meeting,
+    ).toBe(relax[0].leaves);
     expect(missed_boxes).toHaveLength(1);
     const [{nearest, beyond}] = missed_boxes;
     expect([nearest[0] - beyond[0], nearest[1] - beyond[1]].map((v) => Number(v.toFixed(9)))).toEqual([150, 320]);
-    expect(result.reason).toContain("The centre-point curve does not enter ground_pivots_within; nearest is (141.9, 320.6)");
+    expect(result.reason).toContain(
+      "The centre-point curve does not enter ground_pivots_within; nearest is (141.9, 320.6)",
+    );
 
-    const two = asking({ground_pivots_within: box, max_length: 50}), {relax_together} = explored(two, "min_transmission_angle_deg", 400).map!.census;
+    const two = asking({ground_pivots_within: box, max_length: 50}),
+      {relax_together} = explored(two, "min_transmission_angle_deg", 400).map!.census;
     expect(relax_together!.requirements).toEqual(["max_length", "ground_pivots_within"]);
     expect(relax_together).toEqual(solved(two).relax_together);
   });
@@ -313,19 +385,32 @@ describe("the tailgate", () => {
     const moved = (x: number) => tailgate.replace('{"x": -220, "y": 220', `{"x": ${-220 + x}, "y": 220`);
     const frame = (x: number, order: "nearest" | "fresh") =>
       ask("explore", {problem: moved(x), samples: 200, window: whole, property: "link_ratio", order});
-    const one = frame(-0.412, "fresh"), other = frame(-0.373, "nearest");
+    const one = frame(-0.412, "fresh"),
+      other = frame(-0.373, "nearest");
     expect(one.task.curves.kappa! < 0).toBe(true);
     expect(other.task.curves.kappa! > 0).toBe(true);
     const changed = one.map!.type.filter(
-      (type, i) => type !== other.map!.type[i] || one.map!.defects[i] !== other.map!.defects[i]);
+      (type, i) => type !== other.map!.type[i] || one.map!.defects[i] !== other.map!.defects[i],
+    );
     expect(changed.length / 200 ** 2).toBeLessThan(0.1);
     const forced = ask("explore", {
-      problem: moved(-0.373), samples: 200, window: whole, property: "link_ratio", order: other.task.axes.input.order});
+      problem: moved(-0.373),
+      samples: 200,
+      window: whole,
+      property: "link_ratio",
+      order: other.task.axes.input.order,
+    });
     expect(forced.map!.type).toEqual(other.map!.type);
   });
   test("says where its third position may go", () => {
     const {counts, offsets, steps} = ask("halo", {
-      problem: tailgate, pose: 2, mode: "move", reach: 40, steps: 13, samples: 60});
+      problem: tailgate,
+      pose: 2,
+      mode: "move",
+      reach: 40,
+      steps: 13,
+      samples: 60,
+    });
     expect(steps).toBe(13);
     expect([offsets[0], offsets[6], offsets[12]]).toEqual([-40, 0, 40]);
     const center = counts[6 * 13 + 6];
@@ -333,7 +418,11 @@ describe("the tailgate", () => {
     expect(counts[6 * 13 + 12]).toBe(0); // at +40 in x
     // What the tour asks for: the last position goes far without all being lost.
     const poses = poses_of(first_example.problem.task);
-    const room = poses.map((_, pose) => roomy_squares(ask("halo", {problem: tailgate, pose, mode: "move", reach: halo_reach(poses), steps: 13, samples: 60}).counts));
+    const room = poses.map((_, pose) =>
+      roomy_squares(
+        ask("halo", {problem: tailgate, pose, mode: "move", reach: halo_reach(poses), steps: 13, samples: 60}).counts,
+      ),
+    );
     expect(Math.max(...room)).toBe(room[3]);
     expect(room[3]).toBeGreaterThan(13 ** 2 / 3);
     const turned = ask("halo", {problem: tailgate, pose: 2, mode: "turn", reach: 5, steps: 5, samples: 60});
@@ -368,8 +457,10 @@ describe("the tailgate", () => {
     }
   });
   test("finds the six-bars that the program finds for the same file", () => {
-    const file = join(root, "examples/loader_bucket.json"), result = JSON.parse(run("solve", file, "-o", "-"));
-    const problem = read_problem(JSON.parse(readFileSync(file, "utf8").replace(/^ *\/\/.*$/gm, "")))!, last = rounds_of(problem).at(-1)!;
+    const file = join(root, "examples/loader_bucket.json"),
+      result = JSON.parse(run("solve", file, "-o", "-"));
+    const problem = read_problem(JSON.parse(readFileSync(file, "utf8").replace(/^ *\/\/.*$/gm, "")))!,
+      last = rounds_of(problem).at(-1)!;
     const {linkages} = ask("best", {problem: engine_text(round_of(problem, last)), most: problem.options?.best ?? 10});
     const gamma = (found: {min_transmission_angle_deg: number}) => found.min_transmission_angle_deg;
     expect(linkages.map(gamma)).toHaveLength(result.linkages.length);
@@ -379,7 +470,8 @@ describe("the tailgate", () => {
     }
   });
   test("is stored for the page to begin with", () => {
-    const stored = stored_start(), live = explored(tailgate, stored.map.property, stored.map.samples);
+    const stored = stored_start(),
+      live = explored(tailgate, stored.map.property, stored.map.samples);
     expect(stored.task.axes.input).toEqual(live.task.axes.input);
     expect(stored.map.type).toEqual(live.map!.type);
     expect(stored.map.fails).toEqual(live.map!.fails);

@@ -28,10 +28,13 @@ export function click_target(bench: Bench, target: Target, shift: boolean): void
 
 /** The nearer side link of the picked linkage goes to the place; with Shift the other one. */
 export function put_side_link({workbench, scene}: Bench, spot: Spot, other: boolean): void {
-  const picked = workbench.picked, linkage = workbench.picked_linkage, samples = scene.samples[spot.sides[0]];
+  const picked = workbench.picked,
+    linkage = workbench.picked_linkage,
+    samples = scene.samples[spot.sides[0]];
   const place = samples && point_at(samples, spot.curve, spot);
   if (!picked || !place || !workbench.task) return;
-  const away = (point: Point | null | undefined) => (point ? Math.hypot(point[0] - place[0], point[1] - place[1]) : Infinity);
+  const away = (point: Point | null | undefined) =>
+    point ? Math.hypot(point[0] - place[0], point[1] - place[1]) : Infinity;
   const input_nearer = away(linkage?.input[spot.curve]) <= away(linkage?.output[spot.curve]);
   const side = spot.sides.length > 1 ? (input_nearer !== other ? "input" : "output") : spot.sides[0];
   workbench.pick(with_side(workbench.task, picked.tau, side, spot.tau));
@@ -39,31 +42,45 @@ export function put_side_link({workbench, scene}: Bench, spot: Spot, other: bool
 
 /** Whether a click on the canvas adds a position: the task lacks some. */
 export function poses_are_wanted({incomplete, problem}: Bench["workbench"]): boolean {
-  return "poses" in problem.task && (incomplete?.state === "empty" || incomplete?.state === "too_few" || incomplete?.state === "no_given");
+  return (
+    "poses" in problem.task &&
+    (incomplete?.state === "empty" || incomplete?.state === "too_few" || incomplete?.state === "no_given")
+  );
 }
 /** A click on the canvas of such a task. */
 export function add_position({workbench, scene}: Bench, at: Point): void {
-  const [x, y] = to_user(scene.view, at), snap = (value: number) => multiple(value, scene.snap_step ?? 10 ** Math.floor(Math.log10(scene.step / 8)));
+  const [x, y] = to_user(scene.view, at),
+    snap = (value: number) => multiple(value, scene.snap_step ?? 10 ** Math.floor(Math.log10(scene.step / 8)));
   const last = scene.poses.at(-1);
   scene.touched = true;
-  workbench.edit((problem) => with_poses(problem, [...poses_of(problem.task), {x: snap(x), y: snap(y), theta_deg: last?.theta_deg ?? 0}]));
+  workbench.edit((problem) =>
+    with_poses(problem, [...poses_of(problem.task), {x: snap(x), y: snap(y), theta_deg: last?.theta_deg ?? 0}]),
+  );
   workbench.selected_pose = scene.poses.length - 1;
 }
 
 /** Traces the body point under the pointer, or ends tracing the one that is there. */
 export function toggle_traced({workbench, scene}: Bench, at: Point): void {
-  const pose = body_under(scene, at), traced = workbench.problem.view?.traced ?? [];
+  const pose = body_under(scene, at),
+    traced = workbench.problem.view?.traced ?? [];
   if (!pose) return;
   const near = traced.findIndex((p) => {
     const [x, y] = to_screen(scene.view, placed(p, pose));
     return Math.hypot(x - at[0], y - at[1]) < 10;
   });
-  const fine = 10 ** Math.floor(Math.log10(scene.step / 8)), [x, y] = body_point(to_user(scene.view, at), pose);
+  const fine = 10 ** Math.floor(Math.log10(scene.step / 8)),
+    [x, y] = body_point(to_user(scene.view, at), pose);
   const point: Point = [multiple(x, fine), multiple(y, fine)];
-  workbench.edit((problem) => with_view(problem, {traced: near >= 0 ? traced.filter((_, i) => i !== near) : [...traced, point]}));
+  workbench.edit((problem) =>
+    with_view(problem, {traced: near >= 0 ? traced.filter((_, i) => i !== near) : [...traced, point]}),
+  );
 }
 function body_under(scene: Bench["scene"], at: Point): Pick<Pose, "x" | "y" | "theta_deg"> | null {
-  const covers = (pose: Pick<Pose, "x" | "y" | "theta_deg">) => inside(scene.outline.map((p) => to_screen(scene.view, placed(p, pose))), at);
+  const covers = (pose: Pick<Pose, "x" | "y" | "theta_deg">) =>
+    inside(
+      scene.outline.map((p) => to_screen(scene.view, placed(p, pose))),
+      at,
+    );
   const now = scene.now?.pose ?? null;
   if (now && covers(now)) return now;
   return scene.poses.find(covers) ?? now ?? scene.poses[0] ?? null;
@@ -72,7 +89,9 @@ function body_under(scene: Bench["scene"], at: Point): Pick<Pose, "x" | "y" | "t
 // ---- outline by clicks ----------------------------------------------------------------------------------------
 
 export function add_draft_corner(bench: Bench, at: Point): void {
-  const {scene} = bench, draft = scene.draft ?? [], first = draft[0];
+  const {scene} = bench,
+    draft = scene.draft ?? [],
+    first = draft[0];
   if (first && draft.length >= 3) {
     const [x, y] = to_screen(scene.view, placed(first, scene.outline_pose!));
     if (Math.hypot(x - at[0], y - at[1]) <= 12) return close_draft(bench);
@@ -89,42 +108,97 @@ export function close_draft({workbench, scene}: Bench): void {
 
 /** Arrow keys on a handle: one step, with Shift ten, with Alt a tenth. */
 export function nudge(bench: Bench, target: Target, dx: number, dy: number, times: number): void {
-  const {workbench, scene} = bench, step = scene.step * times, merge = `nudge ${target_id(target)}`;
+  const {workbench, scene} = bench,
+    step = scene.step * times,
+    merge = `nudge ${target_id(target)}`;
   const add = (value: number, by: number) => Number((value + by).toPrecision(12)) + 0;
   const change_pose = (index: number, change: (pose: Pose) => Pose) =>
-    workbench.edit((problem) => with_poses(problem, poses_of(problem.task).map((p, i) => (i === index ? change(p) : p))), merge);
+    workbench.edit(
+      (problem) =>
+        with_poses(
+          problem,
+          poses_of(problem.task).map((p, i) => (i === index ? change(p) : p)),
+        ),
+      merge,
+    );
   scene.touched = true;
   if ("pose" in target) workbench.selected_pose = target.pose;
   const turn = (dy || -dx) * times;
   switch (target.kind) {
-    case "disc": case "body":
-      return workbench.edit((problem) => with_pose(problem, target.pose, {x: add(scene.poses[target.pose].x, dx * step), y: add(scene.poses[target.pose].y, dy * step)}), merge);
-    case "knob": return change_pose(target.pose, (p) => ({...p, theta_deg: wrapped_deg(add(p.theta_deg, turn))}));
-    case "velocity": return change_pose(target.pose, (p) => with_travel(p, {direction_deg: wrapped_deg(add(travel_of(p)?.direction_deg ?? 0, turn))}));
-    case "curvature": return change_pose(target.pose, (p) => with_bend(p, {curvature: add(bend_of(p)?.curvature ?? 0, turn * bend_step(scene.view.scale))}));
+    case "disc":
+    case "body":
+      return workbench.edit(
+        (problem) =>
+          with_pose(problem, target.pose, {
+            x: add(scene.poses[target.pose].x, dx * step),
+            y: add(scene.poses[target.pose].y, dy * step),
+          }),
+        merge,
+      );
+    case "knob":
+      return change_pose(target.pose, (p) => ({...p, theta_deg: wrapped_deg(add(p.theta_deg, turn))}));
+    case "velocity":
+      return change_pose(target.pose, (p) =>
+        with_travel(p, {direction_deg: wrapped_deg(add(travel_of(p)?.direction_deg ?? 0, turn))}),
+      );
+    case "curvature":
+      return change_pose(target.pose, (p) =>
+        with_bend(p, {curvature: add(bend_of(p)?.curvature ?? 0, turn * bend_step(scene.view.scale))}),
+      );
     case "corner": {
-      const outline = scene.outline, [x, y] = outline[target.index];
-      return workbench.edit((problem) => with_outline(problem, outline.map((p, i) => (i === target.index ? [add(x, dx * step), add(y, dy * step)] : p))), merge);
+      const outline = scene.outline,
+        [x, y] = outline[target.index];
+      return workbench.edit(
+        (problem) =>
+          with_outline(
+            problem,
+            outline.map((p, i) => (i === target.index ? [add(x, dx * step), add(y, dy * step)] : p)),
+          ),
+        merge,
+      );
     }
-    case "box": return nudge_box(bench, target, dx * step, dy * step, merge);
-    case "task": return target.nudge(bench, dx, dy, step);
-    case "pivot": return nudge_pivot(bench, target, (dx || dy) * times, merge);
+    case "box":
+      return nudge_box(bench, target, dx * step, dy * step, merge);
+    case "task":
+      return target.nudge(bench, dx, dy, step);
+    case "pivot":
+      return nudge_pivot(bench, target, (dx || dy) * times, merge);
   }
 }
 function bend_step(scale: number): number {
   return round_step(scale / 2000);
 }
-function nudge_box({workbench, scene}: Bench, {box, edges}: Extract<Target, {kind: "box"}>, dx: number, dy: number, merge: string): void {
+function nudge_box(
+  {workbench, scene}: Bench,
+  {box, edges}: Extract<Target, {kind: "box"}>,
+  dx: number,
+  dy: number,
+  merge: string,
+): void {
   const before = scene.boxes[box];
   if (!before) return;
   const moved = nudged_box(before, edges, dx, dy);
   if (moved) workbench.edit((problem) => with_box(problem, box, moved), merge);
 }
-function nudge_pivot({workbench, scene}: Bench, {side, end}: Extract<Target, {kind: "pivot"}>, steps: number, merge: string): void {
-  const {picked, task} = workbench, samples = scene.samples[side];
+function nudge_pivot(
+  {workbench, scene}: Bench,
+  {side, end}: Extract<Target, {kind: "pivot"}>,
+  steps: number,
+  merge: string,
+): void {
+  const {picked, task} = workbench,
+    samples = scene.samples[side];
   const spot = picked && task && samples && spot_of_tau(samples, end, coordinate_of(task, picked.tau, side));
   if (!picked || !task || !samples || !spot) return;
-  workbench.pick(with_side(task, picked.tau, side, stepped(samples, end, scene.view, spot, steps * scene.step * scene.view.scale).tau), merge);
+  workbench.pick(
+    with_side(
+      task,
+      picked.tau,
+      side,
+      stepped(samples, end, scene.view, spot, steps * scene.step * scene.view.scale).tau,
+    ),
+    merge,
+  );
 }
 
 /** Del on a handle. */
@@ -139,7 +213,12 @@ export function remove_target({workbench, scene}: Bench, target: Target): boolea
       workbench.edit((problem) => with_box(problem, target.box, undefined));
       return true;
     case "disc":
-      workbench.edit((problem) => with_poses(problem, poses_of(problem.task).filter((_, i) => i !== target.pose)));
+      workbench.edit((problem) =>
+        with_poses(
+          problem,
+          poses_of(problem.task).filter((_, i) => i !== target.pose),
+        ),
+      );
       workbench.selected_pose = null;
       return true;
     default:

@@ -2,7 +2,8 @@
 import type {Background} from "../state/problem";
 import {to_user, type Viewport} from "./viewport";
 
-const most_pixels = 1600, most_characters = 400_000;
+const most_pixels = 1600,
+  most_characters = 400_000;
 
 export function is_picture(file: File): boolean {
   return /^image\/(png|jpeg|svg\+xml|webp)$/.test(file.type);
@@ -18,12 +19,16 @@ export async function picture(file: File, view: Viewport): Promise<Background | 
   if (!image) return null;
   const aspect = image.naturalHeight / image.naturalWidth;
   const width = Math.min((0.8 * view.width) / view.scale, (0.8 * view.height) / view.scale / aspect);
-  const [x, y] = to_user(view, [view.width / 2 - (width * view.scale) / 2, view.height / 2 + (width * aspect * view.scale) / 2]);
+  const [x, y] = to_user(view, [
+    view.width / 2 - (width * view.scale) / 2,
+    view.height / 2 + (width * aspect * view.scale) / 2,
+  ]);
   const short = (value: number) => Number(value.toPrecision(6));
   return {image: small_jpeg(image), x: short(x), y: short(y), width: short(width), aspect, opacity: 0.5};
 }
 async function loaded(file: File): Promise<HTMLImageElement | null> {
-  const image = new Image(), address = URL.createObjectURL(file);
+  const image = new Image(),
+    address = URL.createObjectURL(file);
   image.src = address;
   try {
     await image.decode();
@@ -35,9 +40,12 @@ async function loaded(file: File): Promise<HTMLImageElement | null> {
   }
 }
 function small_jpeg(image: HTMLImageElement): string {
-  let size = Math.min(1, most_pixels / Math.max(image.naturalWidth, image.naturalHeight)), quality = 0.82, text = "";
+  let size = Math.min(1, most_pixels / Math.max(image.naturalWidth, image.naturalHeight)),
+    quality = 0.82,
+    text = "";
   for (let tries = 0; tries < 6; ++tries) {
-    const canvas = document.createElement("canvas"), pen = canvas.getContext("2d")!;
+    const canvas = document.createElement("canvas"),
+      pen = canvas.getContext("2d")!;
     canvas.width = Math.max(1, Math.round(image.naturalWidth * size));
     canvas.height = Math.max(1, Math.round(image.naturalHeight * size));
     pen.fillStyle = "#ffffff";
@@ -52,9 +60,19 @@ function small_jpeg(image: HTMLImageElement): string {
 }
 
 /** The picture enlarged about the first of two of its points, so that they lie `length` apart. */
-export function scaled(background: Background, marks: readonly (readonly [number, number])[], length: number): Background | null {
-  const [a, b] = marks, now = Math.hypot(b[0] - a[0], b[1] - a[1]);
+export function scaled(
+  background: Background,
+  marks: readonly (readonly [number, number])[],
+  length: number,
+): Background | null {
+  const [a, b] = marks,
+    now = Math.hypot(b[0] - a[0], b[1] - a[1]);
   if (!(now > 0) || !(length > 0) || !Number.isFinite(length)) return null;
   const factor = length / now;
-  return {...background, width: background.width * factor, x: a[0] + (background.x - a[0]) * factor, y: a[1] + (background.y - a[1]) * factor};
+  return {
+    ...background,
+    width: background.width * factor,
+    x: a[0] + (background.x - a[0]) * factor,
+    y: a[1] + (background.y - a[1]) * factor,
+  };
 }

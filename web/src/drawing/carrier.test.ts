@@ -3,13 +3,21 @@ import type {Linkage, Point} from "../engine/protocol";
 import {body_point, placed} from "../state/problem";
 import {carrier_of, type Carrier} from "./carrier";
 
-const linkage = {input: {center: [0, 0], circle: [100, 0]}, output: {center: [300, 0], circle: [300, 80]}} as unknown as Linkage;
+const linkage = {
+  input: {center: [0, 0], circle: [100, 0]},
+  output: {center: [300, 0], circle: [300, 80]},
+} as unknown as Linkage;
 const first = {x: 0, y: 0, theta_deg: 0};
 const now = (circle: Point) => ({
-  pose: {x: 50, y: 20, theta_deg: 90}, joints: [],
-  ends: {input: {center: linkage.input.center, circle}, output: {center: linkage.output.center, circle: linkage.output.circle}},
+  pose: {x: 50, y: 20, theta_deg: 90},
+  joints: [],
+  ends: {
+    input: {center: linkage.input.center, circle},
+    output: {center: linkage.output.center, circle: linkage.output.circle},
+  },
 });
-const home = (carrier: Carrier | null, point: Point) => carrier && placed(body_point(point, carrier.now), carrier.first);
+const home = (carrier: Carrier | null, point: Point) =>
+  carrier && placed(body_point(point, carrier.now), carrier.first);
 
 describe("what carries the end of a side link", () => {
   it("is the body, and nothing on the ground", () => {

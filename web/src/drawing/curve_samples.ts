@@ -38,20 +38,31 @@ export interface Spot {
 /** Of each side; the same object where they come from the same curve. Nothing where a side's dyads depend on the other's. */
 export function samples_of_sides(task: TaskAnswer, origin: Point): Record<Side, CurveSamples | null> {
   const of = (curves: DyadPolygon, side: Side, sides: readonly Side[]) =>
-    curves.tau.length > 0 && task.axes[moving_side(task.axes, side)].branches.length > 0 ? curve_samples(task, curves, side, sides, origin) : null;
+    curves.tau.length > 0 && task.axes[moving_side(task.axes, side)].branches.length > 0
+      ? curve_samples(task, curves, side, sides, origin)
+      : null;
   if (!task.output_curves) {
     const both = of(task.curves, "input", ["input", "output"]);
     return {input: both, output: both};
   }
   return {input: of(task.curves, "input", ["input"]), output: of(task.output_curves, "output", ["output"])};
 }
-function curve_samples(task: TaskAnswer, curves: DyadPolygon, side: Side, sides: readonly Side[], origin: Point): CurveSamples {
-  const axis = task.axes[moving_side(task.axes, side)], discrete = is_discrete(axis);
+function curve_samples(
+  task: TaskAnswer,
+  curves: DyadPolygon,
+  side: Side,
+  sides: readonly Side[],
+  origin: Point,
+): CurveSamples {
+  const axis = task.axes[moving_side(task.axes, side)],
+    discrete = is_discrete(axis);
   const unit = task.characteristic_length > 0 ? task.characteristic_length : 1;
   const moved = (samples: Float64Array) => {
     const out = new Float64Array(samples.length);
     for (let i = 0; i < samples.length; i += 3) {
-      const w = samples[i], x = (samples[i + 1] - origin[0] * w) / unit, y = (samples[i + 2] - origin[1] * w) / unit;
+      const w = samples[i],
+        x = (samples[i + 1] - origin[0] * w) / unit,
+        y = (samples[i + 2] - origin[1] * w) / unit;
       const size = Math.hypot(w, x, y) || 1;
       out[i] = w / size;
       out[i + 1] = x / size;
@@ -61,7 +72,16 @@ function curve_samples(task: TaskAnswer, curves: DyadPolygon, side: Side, sides:
   };
   const gap = has_burmester_curve(task) ? Infinity : least_gap;
   const runs = runs_of(curves, axis.branches, gap).filter((run) => discrete || run.to - run.from > 1);
-  return {sides, tau: curves.tau, center: moved(curves.center), circle: moved(curves.circle), origin, unit, runs, discrete};
+  return {
+    sides,
+    tau: curves.tau,
+    center: moved(curves.center),
+    circle: moved(curves.circle),
+    origin,
+    unit,
+    runs,
+    discrete,
+  };
 }
 /** What is drawn and slid along: where the ground pivots are given, the centres are no curve. */
 export function curves_of({center}: CurveSamples): readonly CurveName[] {
@@ -97,7 +117,8 @@ const finite = 1e-7; // |w| of a unit vector that is taken for a point of the dr
 
 /** Sample in pixels, or nothing at infinity. */
 export function sample_at(samples: CurveSamples, curve: CurveName, index: number, view: Viewport): Point | null {
-  const data = samples[curve], w = data[3 * index];
+  const data = samples[curve],
+    w = data[3 * index];
   if (Math.abs(w) < finite) return null;
   return pixel(samples, data[3 * index + 1] / w, data[3 * index + 2] / w, view);
 }
@@ -109,7 +130,8 @@ function pixel(samples: CurveSamples, x: number, y: number, view: Viewport): Poi
 }
 /** +1 where b follows a through finite points, −1 through infinity. */
 function link_sign(data: Float64Array, a: number, b: number): number {
-  const i = 3 * a, j = 3 * b;
+  const i = 3 * a,
+    j = 3 * b;
   const product = data[i] * data[j] + data[i + 1] * data[j + 1] + data[i + 2] * data[j + 2];
   return (product < 0 ? -1 : 1) * (data[j] < 0 ? -1 : 1) * (data[i] < 0 ? -1 : 1);
 }
@@ -120,7 +142,12 @@ export function through_infinity(samples: CurveSamples, curve: CurveName, a: num
 // ---- drawing --------------------------------------------------------------------------------------------------
 
 /** The path of all segments that `wanted` lets through, clipped to the window and a good border around it. */
-export function curve_path(samples: CurveSamples, curve: CurveName, view: Viewport, wanted: (a: number, b: number) => boolean = () => true): string {
+export function curve_path(
+  samples: CurveSamples,
+  curve: CurveName,
+  view: Viewport,
+  wanted: (a: number, b: number) => boolean = () => true,
+): string {
   const pen = new Pen(view);
   for (const run of samples.runs) {
     for (let a = run.from; a < run.to; ++a) {
@@ -131,10 +158,14 @@ export function curve_path(samples: CurveSamples, curve: CurveName, view: Viewpo
   return pen.path;
 }
 function add_segment(pen: Pen, samples: CurveSamples, curve: CurveName, run: Run, a: number, view: Viewport): void {
-  const b = next_in(run, a), p = sample_at(samples, curve, a, view), q = sample_at(samples, curve, b, view);
+  const b = next_in(run, a),
+    p = sample_at(samples, curve, a, view),
+    q = sample_at(samples, curve, b, view);
   if (p && q && !through_infinity(samples, curve, a, b)) {
-    if (Math.abs(p[0] - q[0]) + Math.abs(p[1] - q[1]) < straight_px || !pen.inside(p) || !pen.inside(q)) return pen.line(p, q);
-    const before = previous_in(run, a), after = next_in(run, b);
+    if (Math.abs(p[0] - q[0]) + Math.abs(p[1] - q[1]) < straight_px || !pen.inside(p) || !pen.inside(q))
+      return pen.line(p, q);
+    const before = previous_in(run, a),
+      after = next_in(run, b);
     const o = through_infinity(samples, curve, before, a) ? null : sample_at(samples, curve, before, view);
     const r = through_infinity(samples, curve, b, after) ? null : sample_at(samples, curve, after, view);
     return pen.bend(p, control(o, p, q), control(r, q, p), q);
@@ -145,21 +176,30 @@ function add_segment(pen: Pen, samples: CurveSamples, curve: CurveName, run: Run
 }
 /** Bézier control point of a stroke from p to q, o before p: the tangent at p is that of the parabola through the three. */
 function control(o: Point | null, p: Point, q: Point): Point {
-  const next = Math.hypot(q[0] - p[0], q[1] - p[1]), last = o ? Math.hypot(p[0] - o[0], p[1] - o[1]) : 0;
+  const next = Math.hypot(q[0] - p[0], q[1] - p[1]),
+    last = o ? Math.hypot(p[0] - o[0], p[1] - o[1]) : 0;
   if (!o || last === 0 || next === 0) return [p[0] + (q[0] - p[0]) / 3, p[1] + (q[1] - p[1]) / 3];
   const slope = (k: 0 | 1) => ((q[k] - p[k]) * (last / next) + (p[k] - o[k]) * (next / last)) / (last + next);
   return [p[0] + (slope(0) * next) / 3, p[1] + (slope(1) * next) / 3];
 }
 /** Direction (y up) of the point at infinity between two samples, and whether each of them runs with or against it. */
-function infinity_between(data: Float64Array, a: number, b: number): {direction: Point; sense_a: number; sense_b: number} {
-  const i = 3 * a, j = 3 * b;
+function infinity_between(
+  data: Float64Array,
+  a: number,
+  b: number,
+): {direction: Point; sense_a: number; sense_b: number} {
+  const i = 3 * a,
+    j = 3 * b;
   const sign = data[i] * data[j] + data[i + 1] * data[j + 1] + data[i + 2] * data[j + 2] < 0 ? -1 : 1;
-  const wa = Math.abs(data[i]), wb = Math.abs(data[j]), share = wa + wb > 0 ? wa / (wa + wb) : 0.5;
+  const wa = Math.abs(data[i]),
+    wb = Math.abs(data[j]),
+    share = wa + wb > 0 ? wa / (wa + wb) : 0.5;
   const mixed = (k: number) => data[i + k] * (1 - share) + sign * data[j + k] * share;
   return {direction: [mixed(1), mixed(2)], sense_a: data[i], sense_b: sign * data[j]};
 }
 function far(from: Point, direction: Point, sense: number): Point {
-  const length = Math.hypot(direction[0], direction[1]) || 1, reach = (sense < 0 ? -1 : 1) * 1e5;
+  const length = Math.hypot(direction[0], direction[1]) || 1,
+    reach = (sense < 0 ? -1 : 1) * 1e5;
   return [from[0] + (direction[0] / length) * reach, from[1] - (direction[1] / length) * reach];
 }
 
@@ -197,10 +237,14 @@ function text(p: Point): string {
 }
 /** Liang and Barsky. */
 export function clip(p: Point, q: Point, low: Point, high: Point): [Point, Point] | null {
-  let enter = 0, leave = 1;
+  let enter = 0,
+    leave = 1;
   for (const k of [0, 1] as const) {
     const d = q[k] - p[k];
-    for (const [side, limit] of [[-d, p[k] - low[k]], [d, high[k] - p[k]]]) {
+    for (const [side, limit] of [
+      [-d, p[k] - low[k]],
+      [d, high[k] - p[k]],
+    ]) {
       if (side === 0) {
         if (limit < 0) return null;
       } else if (side < 0) enter = Math.max(enter, limit / side);
@@ -230,7 +274,8 @@ export function spot_of_tau(samples: CurveSamples, curve: CurveName, tau: number
   const on = samples.runs.filter((r) => tau >= r.branch.from - 1e-12 && tau <= r.branch.to + 1e-12);
   const run = on.findLast((r) => tau >= samples.tau[r.from]) ?? on[0];
   if (!run) return null;
-  let low = run.from, high = run.to;
+  let low = run.from,
+    high = run.to;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
     if (samples.tau[middle] <= tau) low = middle;
@@ -238,34 +283,62 @@ export function spot_of_tau(samples: CurveSamples, curve: CurveName, tau: number
   }
   const length = run.branch.to - run.branch.from;
   const spot = {sides: samples.sides, curve, tau};
-  if (run.closed && tau < samples.tau[run.from]) return {...spot, index: run.to - 1, share: wrap_share(samples, run, tau + length)};
+  if (run.closed && tau < samples.tau[run.from])
+    return {...spot, index: run.to - 1, share: wrap_share(samples, run, tau + length)};
   const to = next_tau(samples, run, low);
-  return {...spot, index: low, share: to > samples.tau[low] ? Math.max((tau - samples.tau[low]) / (to - samples.tau[low]), 0) : 0};
+  return {
+    ...spot,
+    index: low,
+    share: to > samples.tau[low] ? Math.max((tau - samples.tau[low]) / (to - samples.tau[low]), 0) : 0,
+  };
 }
 function wrap_share(samples: CurveSamples, run: Run, tau: number): number {
-  const from = samples.tau[run.to - 1], to = samples.tau[run.from] + run.branch.to - run.branch.from;
+  const from = samples.tau[run.to - 1],
+    to = samples.tau[run.from] + run.branch.to - run.branch.from;
   return to > from ? (tau - from) / (to - from) : 0;
 }
 
 /** The place nearest to a point of the screen among the segments that `wanted` lets through. */
-export function nearest(samples: CurveSamples, curve: CurveName, view: Viewport, at: Point, wanted: (run: Run, a: number) => boolean = () => true): (Spot & {distance: number; x: number; y: number}) | null {
+export function nearest(
+  samples: CurveSamples,
+  curve: CurveName,
+  view: Viewport,
+  at: Point,
+  wanted: (run: Run, a: number) => boolean = () => true,
+): (Spot & {distance: number; x: number; y: number}) | null {
   let best: {run: Run; index: number; share: number; distance: number; x: number; y: number} | null = null;
   for (const run of samples.runs) {
     let p = sample_at(samples, curve, run.from, view);
     for (let a = run.from; a < run.to; ++a) {
-      const b = next_in(run, a), q = sample_at(samples, curve, b, view), from = p;
+      const b = next_in(run, a),
+        q = sample_at(samples, curve, b, view),
+        from = p;
       p = q;
       if (!from || !q || !wanted(run, a) || through_infinity(samples, curve, a, b)) continue;
       const found = nearest_on_segment(from, q, at);
       if (!best || found.distance < best.distance) best = {run, index: a, ...found};
     }
   }
-  return best && {...spot_at(samples, curve, best.run, best.index, best.share), distance: best.distance, x: best.x, y: best.y};
+  return (
+    best && {
+      ...spot_at(samples, curve, best.run, best.index, best.share),
+      distance: best.distance,
+      x: best.x,
+      y: best.y,
+    }
+  );
 }
-export function nearest_on_segment(p: Point, q: Point, at: Point): {share: number; distance: number; x: number; y: number} {
-  const dx = q[0] - p[0], dy = q[1] - p[1], square = dx * dx + dy * dy;
+export function nearest_on_segment(
+  p: Point,
+  q: Point,
+  at: Point,
+): {share: number; distance: number; x: number; y: number} {
+  const dx = q[0] - p[0],
+    dy = q[1] - p[1],
+    square = dx * dx + dy * dy;
   const share = square > 0 ? Math.min(Math.max(((at[0] - p[0]) * dx + (at[1] - p[1]) * dy) / square, 0), 1) : 0;
-  const x = p[0] + share * dx, y = p[1] + share * dy;
+  const x = p[0] + share * dx,
+    y = p[1] + share * dy;
   return {share, distance: Math.hypot(at[0] - x, at[1] - y), x, y};
 }
 
@@ -273,13 +346,20 @@ export function nearest_on_segment(p: Point, q: Point, at: Point): {share: numbe
 export function point_at(samples: CurveSamples, curve: CurveName, spot: Spot): Point | null {
   const run = run_of(samples, spot.index);
   if (!run) return null;
-  const data = samples[curve], a = spot.index, b = next_in(run, a);
+  const data = samples[curve],
+    a = spot.index,
+    b = next_in(run, a);
   const user = (i: number): Point | null => {
     const w = data[3 * i];
-    return Math.abs(w) < finite ? null
-      : [samples.origin[0] + (data[3 * i + 1] / w) * samples.unit, samples.origin[1] + (data[3 * i + 2] / w) * samples.unit];
+    return Math.abs(w) < finite
+      ? null
+      : [
+          samples.origin[0] + (data[3 * i + 1] / w) * samples.unit,
+          samples.origin[1] + (data[3 * i + 2] / w) * samples.unit,
+        ];
   };
-  const p = user(a), q = user(b);
+  const p = user(a),
+    q = user(b);
   if (!p || !q || through_infinity(samples, curve, a, b)) return null;
   return [p[0] + spot.share * (q[0] - p[0]), p[1] + spot.share * (q[1] - p[1])];
 }

@@ -15,7 +15,8 @@ export async function take_file(bench: Bench, file: File): Promise<void> {
   else if (is_picture(file)) await take_picture(bench, file);
 }
 export async function take_outline({workbench, scene}: Bench, file: File): Promise<void> {
-  const outline = file.size < 16e6 ? outline_of_file(file.name, await file.text(), 0.3 * poses_extent(scene.poses)) : null;
+  const outline =
+    file.size < 16e6 ? outline_of_file(file.name, await file.text(), 0.3 * poses_extent(scene.poses)) : null;
   if (!outline) return workbench.say("drawing.no_outline", {name: file.name});
   scene.draft = null;
   workbench.edit((problem) => with_outline(problem, outline));

@@ -6,9 +6,15 @@ import type {Viewport} from "./viewport";
 const view: Viewport = {x: 0, y: 0, scale: 1, width: 400, height: 400};
 const problem = {
   linkwright: 1,
-  task: {kind: "motion", mechanism: "four_bar", poses: [
-    {x: 0, y: 0, theta_deg: 0}, {x: 8, y: 0, theta_deg: 90}, {x: 58, y: 3, theta_deg: 0},
-  ]},
+  task: {
+    kind: "motion",
+    mechanism: "four_bar",
+    poses: [
+      {x: 0, y: 0, theta_deg: 0},
+      {x: 8, y: 0, theta_deg: 90},
+      {x: 58, y: 3, theta_deg: 0},
+    ],
+  },
 } as Problem;
 
 describe("handles", () => {
@@ -23,11 +29,25 @@ describe("handles", () => {
   });
   it("reach farther under a finger, and a phone shows the selected knob only", () => {
     expect(within_reach(pose_handles(problem, view, null, true), [200, 220], false)).toEqual([]);
-    expect(within_reach(pose_handles(problem, view, null, true), [200, 220], true).map((h) => h.id)).toContain("disc_1");
-    expect(pose_handles(problem, view, 1, true).filter((h) => h.target.kind === "knob").map((h) => h.id)).toEqual(["knob_2"]);
+    expect(within_reach(pose_handles(problem, view, null, true), [200, 220], true).map((h) => h.id)).toContain(
+      "disc_1",
+    );
+    expect(
+      pose_handles(problem, view, 1, true)
+        .filter((h) => h.target.kind === "knob")
+        .map((h) => h.id),
+    ).toEqual(["knob_2"]);
   });
   it("of curvature lie on the osculating parabola", () => {
-    const pose = {x: 0, y: 0, theta_deg: 0, derivatives: [{x: 2, y: 0, theta: 0}, {x: 0, y: 0.04, theta: 0}]};
+    const pose = {
+      x: 0,
+      y: 0,
+      theta_deg: 0,
+      derivatives: [
+        {x: 2, y: 0, theta: 0},
+        {x: 0, y: 0.04, theta: 0},
+      ],
+    };
     const [x, y] = curvature_place(pose, view)!;
     expect(x).toBeCloseTo(274, 9);
     expect(y).toBeCloseTo(200 - (0.01 * 74 * 74) / 2, 9);
@@ -47,7 +67,13 @@ describe("boxes", () => {
 });
 
 it("a point lies inside a polygon or not", () => {
-  const hook = [[0, 0], [10, 0], [10, 10], [5, 2], [0, 10]] as const;
+  const hook = [
+    [0, 0],
+    [10, 0],
+    [10, 10],
+    [5, 2],
+    [0, 10],
+  ] as const;
   expect(inside(hook, [1, 5])).toBe(true);
   expect(inside(hook, [5, 6])).toBe(false);
 });

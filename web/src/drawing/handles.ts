@@ -48,37 +48,58 @@ export interface Handle {
 
 /** Priority where targets overlap. Then come the curves, thin as they are, and the insides of bodies. */
 export const ranks = {selected: 0, disc: 1, knob: 2, pivot: 3, corner: 4, box: 5} as const;
-export const arm_length = 58, arrow_length = 46, curvature_reach = 74;
+export const arm_length = 58,
+  arrow_length = 46,
+  curvature_reach = 74;
 
 export function target_id(target: Target): string {
   switch (target.kind) {
-    case "pivot": return `pivot_${target.side}_${target.end}${target.home ? "_home" : ""}`;
-    case "corner": case "midpoint": case "traced": return `${target.kind}_${target.index + 1}`;
-    case "box": return `box_${target.box}_${target.edges.x}_${target.edges.y}`;
-    case "curve": return `curve_${target.spot.curve}`;
-    case "task": return target.part;
-    default: return `${target.kind}_${target.pose + 1}`;
+    case "pivot":
+      return `pivot_${target.side}_${target.end}${target.home ? "_home" : ""}`;
+    case "corner":
+    case "midpoint":
+    case "traced":
+      return `${target.kind}_${target.index + 1}`;
+    case "box":
+      return `box_${target.box}_${target.edges.x}_${target.edges.y}`;
+    case "curve":
+      return `curve_${target.spot.curve}`;
+    case "task":
+      return target.part;
+    default:
+      return `${target.kind}_${target.pose + 1}`;
   }
 }
-function handle(target: Target, at: Point, rank: number, reach: readonly [number, number], cursor: string, tab = true): Handle {
+function handle(
+  target: Target,
+  at: Point,
+  rank: number,
+  reach: readonly [number, number],
+  cursor: string,
+  tab = true,
+): Handle {
   return {id: target_id(target), target, at, rank, reach, cursor, tab};
 }
 
 /** A unit vector on the screen in the direction of travel; nothing where the body turns about its origin. */
 export function travel_direction(pose: Pose): Point | null {
-  const travel = travel_of(pose), angle = ((travel?.direction_deg ?? 0) * Math.PI) / 180;
+  const travel = travel_of(pose),
+    angle = ((travel?.direction_deg ?? 0) * Math.PI) / 180;
   return travel && [Math.cos(angle), -Math.sin(angle)];
 }
 /** The handle of the curvature lies on the osculating parabola, a fixed way along the tangent. */
 export function curvature_place(pose: Pose, view: Viewport): Point | null {
-  const along = travel_direction(pose), bend = bend_of(pose);
+  const along = travel_direction(pose),
+    bend = bend_of(pose);
   if (!along || !bend) return null;
-  const [x, y] = to_screen(view, [pose.x, pose.y]), reach = curvature_reach;
+  const [x, y] = to_screen(view, [pose.x, pose.y]),
+    reach = curvature_reach;
   const rise = (bend.curvature * reach * reach) / 2 / view.scale;
   return [x + along[0] * reach + along[1] * rise, y + along[1] * reach - along[0] * rise];
 }
 export function knob_place(pose: Pose, view: Viewport, length: number): Point {
-  const [x, y] = to_screen(view, [pose.x, pose.y]), angle = (pose.theta_deg * Math.PI) / 180;
+  const [x, y] = to_screen(view, [pose.x, pose.y]),
+    angle = (pose.theta_deg * Math.PI) / 180;
   return [x + length * Math.cos(angle), y - length * Math.sin(angle)];
 }
 
@@ -91,9 +112,22 @@ export function pose_handles(problem: Problem, view: Viewport, selected: number 
     const rank = (usual: number) => (i === selected ? ranks.selected : usual);
     const at = to_screen(view, [pose.x, pose.y]);
     const handles = [handle({kind: "disc", pose: i}, at, rank(ranks.disc), [14, 24], "move")];
-    if (!phone || i === selected) handles.push(handle({kind: "knob", pose: i}, knob_place(pose, view, arm_length), rank(ranks.knob), [12, 24], "grab"));
-    const along = travel_direction(pose), bend = curvature_place(pose, view);
-    if (along) handles.push(handle({kind: "velocity", pose: i}, [at[0] + along[0] * arrow_length, at[1] + along[1] * arrow_length], rank(ranks.knob), [14, 24], "grab"));
+    if (!phone || i === selected)
+      handles.push(
+        handle({kind: "knob", pose: i}, knob_place(pose, view, arm_length), rank(ranks.knob), [12, 24], "grab"),
+      );
+    const along = travel_direction(pose),
+      bend = curvature_place(pose, view);
+    if (along)
+      handles.push(
+        handle(
+          {kind: "velocity", pose: i},
+          [at[0] + along[0] * arrow_length, at[1] + along[1] * arrow_length],
+          rank(ranks.knob),
+          [14, 24],
+          "grab",
+        ),
+      );
     if (bend) handles.push(handle({kind: "curvature", pose: i}, bend, rank(ranks.knob), [14, 24], "grab"));
     return handles;
   });
@@ -105,21 +139,33 @@ export type Ends = Record<Side, Record<End, Point | null>>;
 export function pivot_handles(linkage: Linkage, now: Ends, view: Viewport): Handle[] {
   const handles: Handle[] = [];
   for (const side of ["input", "output"] as const) {
-    const ends = (["center", "circle"] as const).flatMap((end) => (now[side][end] ? [{end, at: to_screen(view, now[side][end])}] : []));
-    for (const {end, at} of ends) handles.push(handle({kind: "pivot", side, end, home: false}, at, ranks.pivot, [14, 24], "pointer"));
+    const ends = (["center", "circle"] as const).flatMap((end) =>
+      now[side][end] ? [{end, at: to_screen(view, now[side][end])}] : [],
+    );
+    for (const {end, at} of ends)
+      handles.push(handle({kind: "pivot", side, end, home: false}, at, ranks.pivot, [14, 24], "pointer"));
     for (const {end, at} of ends) {
-      const place = linkage[side][end], home = place && to_screen(view, place);
+      const place = linkage[side][end],
+        home = place && to_screen(view, place);
       if (home && Math.hypot(home[0] - at[0], home[1] - at[1]) > 12) {
-        handles.push(handle({kind: "pivot", side, end, home: true}, home, ranks.pivot + 0.5, [10, 20], "pointer", false));
+        handles.push(
+          handle({kind: "pivot", side, end, home: true}, home, ranks.pivot + 0.5, [10, 20], "pointer", false),
+        );
       }
     }
   }
   return handles;
 }
 
-const corner_edges: Edges[] = [{x: -1, y: 1}, {x: 1, y: 1}, {x: 1, y: -1}, {x: -1, y: -1}];
+const corner_edges: Edges[] = [
+  {x: -1, y: 1},
+  {x: 1, y: 1},
+  {x: 1, y: -1},
+  {x: -1, y: -1},
+];
 export function box_handles(name: BoxName, box: Box, view: Viewport): Handle[] {
-  const along = (values: readonly [number, number], edge: number) => (edge < 0 ? values[0] : edge > 0 ? values[1] : (values[0] + values[1]) / 2);
+  const along = (values: readonly [number, number], edge: number) =>
+    edge < 0 ? values[0] : edge > 0 ? values[1] : (values[0] + values[1]) / 2;
   return [{x: 0, y: 0} as Edges, ...corner_edges].map((edges) => {
     const at = to_screen(view, [along(box.x, edges.x), edges.y === 0 ? box.y[1] : along(box.y, edges.y)]);
     return handle({kind: "box", box: name, edges}, at, ranks.box, [8, 20], edge_cursor(edges));
@@ -132,13 +178,29 @@ export function edge_cursor(edges: Edges): string {
   return edges.x === edges.y ? "nesw-resize" : "nwse-resize";
 }
 /** Which part of a box's border is under the pointer: its edges, or just inside of them the whole box. */
-export function border_hit(box: Box, view: Viewport, at: Point, reach: number): {edges: Edges; distance: number} | null {
-  const [left, top] = to_screen(view, [box.x[0], box.y[1]]), [right, bottom] = to_screen(view, [box.x[1], box.y[0]]);
+export function border_hit(
+  box: Box,
+  view: Viewport,
+  at: Point,
+  reach: number,
+): {edges: Edges; distance: number} | null {
+  const [left, top] = to_screen(view, [box.x[0], box.y[1]]),
+    [right, bottom] = to_screen(view, [box.x[1], box.y[0]]);
   if (at[0] < left - reach || at[0] > right + reach || at[1] < top - reach || at[1] > bottom + reach) return null;
   const near = (value: number, low: number, high: number): -1 | 0 | 1 =>
-    Math.abs(value - low) <= reach && Math.abs(value - low) <= Math.abs(value - high) ? -1 : Math.abs(value - high) <= reach ? 1 : 0;
-  const x = near(at[0], left, right), y = near(at[1], bottom, top);
-  const distance = Math.min(Math.abs(at[0] - left), Math.abs(at[0] - right), Math.abs(at[1] - top), Math.abs(at[1] - bottom));
+    Math.abs(value - low) <= reach && Math.abs(value - low) <= Math.abs(value - high)
+      ? -1
+      : Math.abs(value - high) <= reach
+        ? 1
+        : 0;
+  const x = near(at[0], left, right),
+    y = near(at[1], bottom, top);
+  const distance = Math.min(
+    Math.abs(at[0] - left),
+    Math.abs(at[0] - right),
+    Math.abs(at[1] - top),
+    Math.abs(at[1] - bottom),
+  );
   if (x !== 0 || y !== 0) return {edges: {x, y}, distance};
   return distance <= reach + 12 ? {edges: {x: 0, y: 0}, distance} : null;
 }
@@ -147,20 +209,25 @@ export function border_hit(box: Box, view: Viewport, at: Point, reach: number): 
 export function corner_handles(outline: readonly Point[], pose: Pose, view: Viewport): Handle[] {
   const corners = outline.map((p) => to_screen(view, placed(p, pose)));
   const middle = (i: number): Point => {
-    const p = corners[i], q = corners[(i + 1) % corners.length];
+    const p = corners[i],
+      q = corners[(i + 1) % corners.length];
     return [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2];
   };
   return corners.flatMap((at, index) => {
-    const next = corners[(index + 1) % corners.length], long = Math.hypot(next[0] - at[0], next[1] - at[1]) >= 24;
+    const next = corners[(index + 1) % corners.length],
+      long = Math.hypot(next[0] - at[0], next[1] - at[1]) >= 24;
     const corner = handle({kind: "corner", index}, at, ranks.selected - 1, [12, 24], "crosshair");
-    return long ? [corner, handle({kind: "midpoint", index}, middle(index), ranks.selected - 1, [12, 24], "crosshair")] : [corner];
+    return long
+      ? [corner, handle({kind: "midpoint", index}, middle(index), ranks.selected - 1, [12, 24], "crosshair")]
+      : [corner];
   });
 }
 
 export function inside(polygon: readonly Point[], at: Point): boolean {
   let within = false;
   for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i++) {
-    const [xi, yi] = polygon[i], [xj, yj] = polygon[j];
+    const [xi, yi] = polygon[i],
+      [xj, yj] = polygon[j];
     if (yi > at[1] !== yj > at[1] && at[0] < ((xj - xi) * (at[1] - yi)) / (yj - yi) + xi) within = !within;
   }
   return within;

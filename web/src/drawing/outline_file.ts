@@ -16,10 +16,13 @@ export function outline_of_file(name: string, text: string, size: number): Point
 
 /** The longest LWPOLYLINE or POLYLINE, else the chain of LINEs. Arcs of polylines are taken as their chords. */
 export function dxf_polyline(text: string): Point[] | null {
-  const lines = text.split(/\r\n|\r|\n/), entities: {kind: string; points: Point[]}[] = [];
+  const lines = text.split(/\r\n|\r|\n/),
+    entities: {kind: string; points: Point[]}[] = [];
   let x = NaN;
   for (let i = 0; i + 1 < lines.length; i += 2) {
-    const code = Number(lines[i]), value = lines[i + 1].trim(), last = entities[entities.length - 1];
+    const code = Number(lines[i]),
+      value = lines[i + 1].trim(),
+      last = entities[entities.length - 1];
     if (code === 0) entities.push({kind: value, points: []});
     else if (code === 10 || code === 11) x = Number(value);
     else if ((code === 20 || code === 21) && last) last.points.push([x, Number(value)]);
@@ -32,7 +35,11 @@ export function dxf_polyline(text: string): Point[] | null {
   });
   const strokes = entities.filter((e) => e.kind === "LINE" && e.points.length === 2).flatMap((e) => e.points);
   if (strokes.length) lists.push(strokes);
-  return lists.filter((l) => l.every((p) => Number.isFinite(p[0]) && Number.isFinite(p[1]))).sort((a, b) => b.length - a.length)[0] ?? null;
+  return (
+    lists
+      .filter((l) => l.every((p) => Number.isFinite(p[0]) && Number.isFinite(p[1])))
+      .sort((a, b) => b.length - a.length)[0] ?? null
+  );
 }
 
 /** The first polygon, polyline, rectangle or path; y turned up. */
@@ -42,8 +49,16 @@ export function svg_polyline(text: string): Point[] | null {
   if (!shape) return null;
   const number = (name: string) => Number.parseFloat(shape.getAttribute(name) ?? "0") || 0;
   if (shape.localName === "rect") {
-    const x = number("x"), y = number("y"), w = number("width"), h = number("height");
-    return [[x, -y], [x, -y - h], [x + w, -y - h], [x + w, -y]];
+    const x = number("x"),
+      y = number("y"),
+      w = number("width"),
+      h = number("height");
+    return [
+      [x, -y],
+      [x, -y - h],
+      [x + w, -y - h],
+      [x + w, -y],
+    ];
   }
   if (shape.localName === "path") return path_points(shape.getAttribute("d") ?? "");
   const values = (shape.getAttribute("points") ?? "").match(/-?[\d.]+(?:e[-+]?\d+)?/gi)?.map(Number) ?? [];
@@ -63,15 +78,18 @@ function path_points(d: string): Point[] {
 }
 export function straight_points(d: string): Point[] | null {
   const points: Point[] = [];
-  let x = 0, y = 0;
+  let x = 0,
+    y = 0;
   for (const [, command, rest] of d.matchAll(/([a-zA-Z])([^a-zA-Z]*(?:e[-+]?\d+[^a-zA-Z]*)*)/g)) {
     const values = rest.match(/-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi)?.map(Number) ?? [];
-    const relative = command === command.toLowerCase(), from = (at: number) => (relative ? at : 0);
+    const relative = command === command.toLowerCase(),
+      from = (at: number) => (relative ? at : 0);
     if (/[zZ]/.test(command)) return points;
     if (/[hH]/.test(command)) for (const v of values) points.push([(x = from(x) + v), -y]);
     else if (/[vV]/.test(command)) for (const v of values) points.push([x, -(y = from(y) + v)]);
     else if (/[mMlL]/.test(command)) {
-      for (let i = 0; i + 1 < values.length; i += 2) points.push([(x = from(x) + values[i]), -(y = from(y) + values[i + 1])]);
+      for (let i = 0; i + 1 < values.length; i += 2)
+        points.push([(x = from(x) + values[i]), -(y = from(y) + values[i + 1])]);
     } else return null;
   }
   return points;
@@ -79,7 +97,8 @@ export function straight_points(d: string): Point[] | null {
 
 function without_repeats(points: readonly Point[]): Point[] {
   const kept = points.filter((p, i) => i === 0 || Math.hypot(p[0] - points[i - 1][0], p[1] - points[i - 1][1]) > 1e-9);
-  const [first] = kept, last = kept[kept.length - 1];
+  const [first] = kept,
+    last = kept[kept.length - 1];
   return kept.length > 1 && Math.hypot(first[0] - last[0], first[1] - last[1]) <= 1e-9 ? kept.slice(0, -1) : kept;
 }
 function reduced(points: Point[]): Point[] {
@@ -89,7 +108,10 @@ function reduced(points: Point[]): Point[] {
 /** Where the drawing's origin lies in or near the shape it is kept as the body's; a shape of quite another size is
  *  brought to the task's. */
 function fitted_to(points: Point[], size: number): Point[] {
-  const box = bounds(points)!, w = box.x[1] - box.x[0], h = box.y[1] - box.y[0], largest = Math.max(w, h);
+  const box = bounds(points)!,
+    w = box.x[1] - box.x[0],
+    h = box.y[1] - box.y[0],
+    largest = Math.max(w, h);
   const factor = largest > 20 * size || largest < size / 20 ? size / largest : 1;
   const near = box.x[0] - w / 2 <= 0 && box.x[1] + w / 2 >= 0 && box.y[0] - h / 2 <= 0 && box.y[1] + h / 2 >= 0;
   const middle = near ? [0, 0] : [(box.x[0] + box.x[1]) / 2, (box.y[0] + box.y[1]) / 2];

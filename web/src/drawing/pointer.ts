@@ -31,14 +31,22 @@ const same_place = {mouse: 4, touch: 14};
 
 export function follow_pointer(bench: Bench): Attachment<SVGSVGElement> {
   return (svg) => {
-    const pointer = new Pointer(bench, svg), stop = new AbortController(), options = {signal: stop.signal};
+    const pointer = new Pointer(bench, svg),
+      stop = new AbortController(),
+      options = {signal: stop.signal};
     svg.addEventListener("pointerdown", (event) => pointer.down(event), options);
     svg.addEventListener("pointermove", (event) => pointer.move(event), options);
     svg.addEventListener("pointerup", (event) => pointer.up(event), options);
     svg.addEventListener("pointercancel", (event) => pointer.lost(event), options);
     svg.addEventListener("pointerleave", () => pointer.leave(), options);
     svg.addEventListener("wheel", (event) => pointer.wheel(event), {...options, passive: false});
-    svg.addEventListener("contextmenu", (event) => { if (event.pointerType === "touch") event.preventDefault(); }, options);
+    svg.addEventListener(
+      "contextmenu",
+      (event) => {
+        if (event.pointerType === "touch") event.preventDefault();
+      },
+      options,
+    );
     window.addEventListener("keydown", (event) => pointer.key(event), {...options, capture: true});
     window.addEventListener("keyup", (event) => pointer.key(event), {...options, capture: true});
     window.addEventListener("blur", () => pointer.abort(), options);
@@ -67,7 +75,8 @@ class Pointer {
   // ---- press, move, release -----------------------------------------------------------------------------------
 
   down(event: PointerEvent): void {
-    const at = this.place(event), touch = event.pointerType === "touch";
+    const at = this.place(event),
+      touch = event.pointerType === "touch";
     if (event.button > 1) return;
     if (event.button === 1) event.preventDefault(); // no scrolling by the middle button
     this.svg.setPointerCapture(event.pointerId);
@@ -78,14 +87,26 @@ class Pointer {
     this.bench.scene.spot = null;
     const targets = event.button === 1 ? [] : this.targets(at, touch);
     const taken = this.taken(targets, at, touch);
-    this.press = {id: event.pointerId, from: at, at, keys: keys_of(event), touch, targets, taken, drag: null, in_gesture: false, moved: false};
+    this.press = {
+      id: event.pointerId,
+      from: at,
+      at,
+      keys: keys_of(event),
+      touch,
+      targets,
+      taken,
+      drag: null,
+      in_gesture: false,
+      moved: false,
+    };
     // A held position shows at once where it may go.
     if (taken?.kind === "disc" || taken?.kind === "knob") this.take(this.press);
     this.svg.style.cursor = this.press.drag?.cursor ?? "";
     if (touch) this.hover(at, touch);
   }
   move(event: PointerEvent): void {
-    const at = this.place(event), {press} = this;
+    const at = this.place(event),
+      {press} = this;
     if (this.fingers.has(event.pointerId)) {
       if (this.fingers.size === 2) return this.pinch(event.pointerId, at);
       this.fingers.set(event.pointerId, at);
@@ -98,7 +119,8 @@ class Pointer {
   }
   private dragged(press: Press): void {
     if (!press.moved) {
-      if (Math.hypot(press.at[0] - press.from[0], press.at[1] - press.from[1]) < slack[press.touch ? "touch" : "mouse"]) return;
+      if (Math.hypot(press.at[0] - press.from[0], press.at[1] - press.from[1]) < slack[press.touch ? "touch" : "mouse"])
+        return;
       press.moved = true;
       this.take(press);
       this.bench.workbench.curve_hover = null;
@@ -156,19 +178,24 @@ class Pointer {
 
   /** Targets of the mode in force. */
   private targets(at: Point, touch: boolean): Target[] {
-    const {workbench, scene} = this.bench, all = scene.targets_at(at, touch).map(({target}) => target);
+    const {workbench, scene} = this.bench,
+      all = scene.targets_at(at, touch).map(({target}) => target);
     if (workbench.mode === "point") return all;
-    if (workbench.mode === "outline" && scene.draft === null) return all.filter((t) => t.kind === "corner" || t.kind === "midpoint");
+    if (workbench.mode === "outline" && scene.draft === null)
+      return all.filter((t) => t.kind === "corner" || t.kind === "midpoint");
     return [];
   }
   /** A drag takes the first target, or the one that the last click at this place went down to. */
   private taken(targets: Target[], at: Point, touch: boolean): Target | null {
-    const last = this.near_last(at, touch)?.visited.at(-1), draggable = targets.filter((t) => t.kind !== "curve");
+    const last = this.near_last(at, touch)?.visited.at(-1),
+      draggable = targets.filter((t) => t.kind !== "curve");
     return draggable.find((t) => target_id(t) === last) ?? draggable[0] ?? null;
   }
   private near_last(at: Point, touch: boolean): typeof this.last_click {
     const last = this.last_click;
-    return last && Math.hypot(last.at[0] - at[0], last.at[1] - at[1]) <= same_place[touch ? "touch" : "mouse"] ? last : null;
+    return last && Math.hypot(last.at[0] - at[0], last.at[1] - at[1]) <= same_place[touch ? "touch" : "mouse"]
+      ? last
+      : null;
   }
   private begin({from, taken}: Press): Drag | null {
     const {workbench} = this.bench;
@@ -176,28 +203,47 @@ class Pointer {
     if (box) return rubber_drag(this.bench, box, from);
     if (workbench.mode === "scale") return picture_drag(this.bench, from);
     switch (taken?.kind) {
-      case "disc": case "body": return move_drag(this.bench, taken, from);
-      case "knob": return turn_drag(this.bench, taken, from);
-      case "velocity": return velocity_drag(this.bench, taken, from);
-      case "curvature": return curvature_drag(this.bench, taken);
-      case "pivot": return pivot_drag(this.bench, taken) ?? pan_drag(this.bench, from);
-      case "box": return box_drag(this.bench, taken, from);
-      case "task": return taken.drag(this.bench, from);
-      case "corner": case "midpoint": return corner_drag(this.bench, taken);
-      default: return pan_drag(this.bench, from);
+      case "disc":
+      case "body":
+        return move_drag(this.bench, taken, from);
+      case "knob":
+        return turn_drag(this.bench, taken, from);
+      case "velocity":
+        return velocity_drag(this.bench, taken, from);
+      case "curvature":
+        return curvature_drag(this.bench, taken);
+      case "pivot":
+        return pivot_drag(this.bench, taken) ?? pan_drag(this.bench, from);
+      case "box":
+        return box_drag(this.bench, taken, from);
+      case "task":
+        return taken.drag(this.bench, from);
+      case "corner":
+      case "midpoint":
+        return corner_drag(this.bench, taken);
+      default:
+        return pan_drag(this.bench, from);
     }
   }
   private click(press: Press): void {
-    const {workbench, scene} = this.bench, {at, touch, keys} = press;
+    const {workbench, scene} = this.bench,
+      {at, touch, keys} = press;
     switch (workbench.mode) {
-      case "trace": return toggle_traced(this.bench, at);
-      case "scale": scene.marks = [...scene.marks.slice(-1), to_user(scene.view, at)]; return;
-      case "outline": if (scene.draft) return add_draft_corner(this.bench, at);
+      case "trace":
+        return toggle_traced(this.bench, at);
+      case "scale":
+        scene.marks = [...scene.marks.slice(-1), to_user(scene.view, at)];
+        return;
+      case "outline":
+        if (scene.draft) return add_draft_corner(this.bench, at);
     }
-    const last = this.near_last(at, touch), time = performance.now();
+    const last = this.near_last(at, touch),
+      time = performance.now();
     const target = this.deeper(press.targets, last?.visited ?? []);
     if (target?.kind === "corner" && last && time - last.time < 400) return remove_corner(this.bench, target.index);
-    const visited = target ? [...(last?.visited.includes(target_id(target)) ? [] : (last?.visited ?? [])), target_id(target)] : [];
+    const visited = target
+      ? [...(last?.visited.includes(target_id(target)) ? [] : (last?.visited ?? [])), target_id(target)]
+      : [];
     this.last_click = {at, time, visited};
     if (target) {
       click_target(this.bench, target, keys.shift);
@@ -216,7 +262,8 @@ class Pointer {
     const {workbench, scene} = this.bench;
     if (poses_are_wanted(workbench)) return add_position(this.bench, at);
     workbench.selected_pose = null;
-    if (document.activeElement instanceof SVGElement && this.svg.contains(document.activeElement)) document.activeElement.blur();
+    if (document.activeElement instanceof SVGElement && this.svg.contains(document.activeElement))
+      document.activeElement.blur();
     scene.corner = null;
   }
 
@@ -230,14 +277,18 @@ class Pointer {
     const first = drawing ? null : this.first(at, touch);
     scene.hovered = first?.target ?? null;
     this.show_spot(first?.target ?? null);
-    if (!this.press) this.svg.style.cursor = first?.cursor ?? (drawing || scene.draft || workbench.incomplete ? "crosshair" : "");
+    if (!this.press)
+      this.svg.style.cursor = first?.cursor ?? (drawing || scene.draft || workbench.incomplete ? "crosshair" : "");
   }
   private first(at: Point, touch: boolean): {target: Target; cursor: string} | null {
     const [first] = this.targets(at, touch);
-    return first ? (this.bench.scene.targets_at(at, touch).find(({target}) => target_id(target) === target_id(first)) ?? null) : null;
+    return first
+      ? (this.bench.scene.targets_at(at, touch).find(({target}) => target_id(target) === target_id(first)) ?? null)
+      : null;
   }
   private show_spot(target: Target | null): void {
-    const {workbench, scene} = this.bench, spot = target?.kind === "curve" ? target.spot : null;
+    const {workbench, scene} = this.bench,
+      spot = target?.kind === "curve" ? target.spot : null;
     if (!spot && !scene.spot) return;
     scene.spot = spot;
     workbench.curve_hover = spot && {sides: spot.sides, tau: spot.tau};
@@ -250,16 +301,23 @@ class Pointer {
 
   wheel(event: WheelEvent): void {
     event.preventDefault();
-    const {scene} = this.bench, unit = event.deltaMode === 1 ? 18 : event.deltaMode === 2 ? 300 : 1;
+    const {scene} = this.bench,
+      unit = event.deltaMode === 1 ? 18 : event.deltaMode === 2 ? 300 : 1;
     scene.touched = true;
-    scene.view = zoomed(scene.view, Math.exp(-event.deltaY * unit * (event.ctrlKey ? 0.01 : 0.0016)), this.place(event));
+    scene.view = zoomed(
+      scene.view,
+      Math.exp(-event.deltaY * unit * (event.ctrlKey ? 0.01 : 0.0016)),
+      this.place(event),
+    );
   }
   private pinch(id: number, at: Point): void {
-    const {scene} = this.bench, before = this.fingers.get(id)!;
+    const {scene} = this.bench,
+      before = this.fingers.get(id)!;
     const [other] = [...this.fingers].filter(([key]) => key !== id).map(([, point]) => point);
     const apart = (p: Point) => Math.max(Math.hypot(p[0] - other[0], p[1] - other[1]), 10);
     const middle = (p: Point): Point => [(p[0] + other[0]) / 2, (p[1] + other[1]) / 2];
-    const from = middle(before), to = middle(at);
+    const from = middle(before),
+      to = middle(at);
     scene.touched = true;
     scene.view = zoomed(panned(scene.view, to[0] - from[0], to[1] - from[1]), apart(at) / apart(before), to);
     this.fingers.set(id, at);

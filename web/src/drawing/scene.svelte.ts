@@ -10,8 +10,22 @@ import type {Workbench} from "../state/workbench.svelte";
 import {carrier_of, joint_of, type Carrier} from "./carrier";
 import {curves_of, nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
 import {
-  border_hit, box_handles, box_names, corner_handles, edge_cursor, inside, pivot_handles, pose_handles, ranks, target_id, within_reach,
-  type BoxName, type End, type Ends, type Handle, type Target,
+  border_hit,
+  box_handles,
+  box_names,
+  corner_handles,
+  edge_cursor,
+  inside,
+  pivot_handles,
+  pose_handles,
+  ranks,
+  target_id,
+  within_reach,
+  type BoxName,
+  type End,
+  type Ends,
+  type Handle,
+  type Target,
 } from "./handles";
 import {anchors_of, kind_of} from "../tasks/kinds";
 import {task_view} from "../tasks/views";
@@ -68,17 +82,29 @@ export class Scene {
   readonly served = $derived.by(() => served_poses(this.workbench.problem.task));
   readonly outline = $derived.by(() => outline_of(this.workbench.problem));
   /** Without an outline of its own, the body is sized from the poses, so it takes two. */
-  readonly has_body = $derived.by(() => this.poses.length > 1 || (this.poses.length === 1 && (this.workbench.problem.view?.outline?.length ?? 0) >= 3));
+  readonly has_body = $derived.by(
+    () =>
+      this.poses.length > 1 || (this.poses.length === 1 && (this.workbench.problem.view?.outline?.length ?? 0) >= 3),
+  );
   readonly boxes = $derived.by((): Record<BoxName, Box | null> => {
-    const {problem, search_box} = this.workbench, {requirements} = problem;
-    return {ground: requirements?.ground_pivots_within ?? null, moving: requirements?.moving_pivots_within ?? null, search: search_box};
+    const {problem, search_box} = this.workbench,
+      {requirements} = problem;
+    return {
+      ground: requirements?.ground_pivots_within ?? null,
+      moving: requirements?.moving_pivots_within ?? null,
+      search: search_box,
+    };
   });
 
   readonly samples = $derived.by(() => {
     const task = this.workbench.task;
     if (!task) return {input: null, output: null};
-    const points = untrack(() => anchors_of(this.workbench.problem.task)), count = points.length || 1;
-    return samples_of_sides(task, [points.reduce((sum, p) => sum + p[0], 0) / count, points.reduce((sum, p) => sum + p[1], 0) / count]);
+    const points = untrack(() => anchors_of(this.workbench.problem.task)),
+      count = points.length || 1;
+    return samples_of_sides(task, [
+      points.reduce((sum, p) => sum + p[0], 0) / count,
+      points.reduce((sum, p) => sum + p[1], 0) / count,
+    ]);
   });
   /** One for both sides where they are the same. */
   readonly distinct_samples = $derived.by((): CurveSamples[] => {
@@ -90,12 +116,17 @@ export class Scene {
     const {hand} = this.workbench;
     if (!hand) return null;
     if (hand.drive) {
-      const s = state_at(hand.drive, this.workbench.angle), joints = joints_at(hand.drive, this.workbench.angle);
+      const s = state_at(hand.drive, this.workbench.angle),
+        joints = joints_at(hand.drive, this.workbench.angle);
       return {pose: s, joints, ends: hand.six_bar ? added_ends(joints) : ends_of(hand, [s.ax, s.ay], [s.bx, s.by])};
     }
     if (hand.six_bar || this.poses.length === 0) {
       const pose = this.poses[0] ?? {x: 0, y: 0, theta_deg: 0};
-      return {pose, joints: hand.six_bar?.joints.map(({at}) => at) ?? [], ends: ends_of(hand, hand.input.circle, hand.output.circle)};
+      return {
+        pose,
+        joints: hand.six_bar?.joints.map(({at}) => at) ?? [],
+        ends: ends_of(hand, hand.input.circle, hand.output.circle),
+      };
     }
     const pose = this.nearest_pose;
     const carried = (point: Point | null) => point && placed(body_point(point, this.served[0]), pose);
@@ -111,24 +142,38 @@ export class Scene {
     return this.served[Math.min(Math.max(Math.round(this.workbench.stage), 0), this.served.length - 1)];
   }
   /** There are curves of ground pivots, not of moving ones only. */
-  readonly has_center_curves = $derived.by(() => this.distinct_samples.some((samples) => curves_of(samples).includes("center")));
+  readonly has_center_curves = $derived.by(() =>
+    this.distinct_samples.some((samples) => curves_of(samples).includes("center")),
+  );
   /** The pose on which the outline is edited. */
   readonly outline_pose = $derived.by(() => this.poses[this.workbench.selected_pose ?? 0] ?? this.poses[0] ?? null);
 
   readonly box_handles = $derived.by(() => [
     ...box_names.flatMap((name) => (this.boxes[name] ? box_handles(name, this.boxes[name], this.view) : [])),
   ]);
-  readonly pose_handles = $derived.by(() => pose_handles(this.workbench.problem, this.view, this.workbench.selected_pose, screen_size.kind === "phone"));
+  readonly pose_handles = $derived.by(() =>
+    pose_handles(this.workbench.problem, this.view, this.workbench.selected_pose, screen_size.kind === "phone"),
+  );
   readonly task_handles = $derived.by(() => task_view(this.workbench.problem.task).handles?.(this) ?? []);
-  readonly pivot_handles = $derived.by(() => (this.workbench.hand && this.now ? pivot_handles(this.workbench.hand, this.now.ends, this.view) : []));
+  readonly pivot_handles = $derived.by(() =>
+    this.workbench.hand && this.now ? pivot_handles(this.workbench.hand, this.now.ends, this.view) : [],
+  );
   readonly corner_handles = $derived.by(() => {
     const editing = this.workbench.mode === "outline" && this.draft === null && this.outline_pose;
     return editing ? corner_handles(this.outline, this.outline_pose, this.view) : [];
   });
   /** Without those that a handle of the task stands for. */
-  private readonly own_pivot_handles = $derived.by(() => this.pivot_handles.filter(({id}) => !this.task_handles.some((handle) => handle.id === id)));
+  private readonly own_pivot_handles = $derived.by(() =>
+    this.pivot_handles.filter(({id}) => !this.task_handles.some((handle) => handle.id === id)),
+  );
   /** In reading order. */
-  readonly handles = $derived.by((): Handle[] => [...this.corner_handles, ...this.pose_handles, ...this.task_handles, ...this.own_pivot_handles, ...this.box_handles]);
+  readonly handles = $derived.by((): Handle[] => [
+    ...this.corner_handles,
+    ...this.pose_handles,
+    ...this.task_handles,
+    ...this.own_pivot_handles,
+    ...this.box_handles,
+  ]);
 
   readonly step = $derived(grid_step(this.view));
   /** What the status line says of snapping: step in the user's unit, or nothing while it is off. */
@@ -138,30 +183,55 @@ export class Scene {
 
   task_points(): Point[] {
     const {task} = this.workbench.problem;
-    return task_points([...anchors_of(task), ...(kind_of(task).around?.(task) ?? [])], this.poses, this.outline, this.has_body);
+    return task_points(
+      [...anchors_of(task), ...(kind_of(task).around?.(task) ?? [])],
+      this.poses,
+      this.outline,
+      this.has_body,
+    );
   }
 
   // ---- what is under the pointer ------------------------------------------------------------------------------
 
   /** All targets at a point of the screen, the first to be taken first. */
   targets_at(at: Point, touch: boolean): {target: Target; cursor: string}[] {
-    const boxes = this.boxes_at(at, touch), near = within_reach([...this.handles.filter((h) => h.target.kind !== "box" || h.cursor !== "move"), ...boxes], at, touch);
+    const boxes = this.boxes_at(at, touch),
+      near = within_reach(
+        [...this.handles.filter((h) => h.target.kind !== "box" || h.cursor !== "move"), ...boxes],
+        at,
+        touch,
+      );
     return [...near.filter(unique), ...this.curves_at(at, touch), ...this.bodies_at(at)];
   }
   private boxes_at(at: Point, touch: boolean): Handle[] {
     const found: Handle[] = [];
     for (const name of box_names) {
-      const box = this.boxes[name], hit = box && border_hit(box, this.view, at, touch ? 20 : 8);
+      const box = this.boxes[name],
+        hit = box && border_hit(box, this.view, at, touch ? 20 : 8);
       if (!hit) continue;
       const target: Target = {kind: "box", box: name, edges: hit.edges};
-      found.push({id: target_id(target), target, at, rank: ranks.box + hit.distance / 1000, reach: [8, 20], cursor: edge_cursor(hit.edges), tab: false});
+      found.push({
+        id: target_id(target),
+        target,
+        at,
+        rank: ranks.box + hit.distance / 1000,
+        reach: [8, 20],
+        cursor: edge_cursor(hit.edges),
+        tab: false,
+      });
     }
     return found;
   }
   private bodies_at(at: Point): {target: Target; cursor: string}[] {
     if (!this.has_body) return [];
     const found = this.poses.flatMap((pose, i) =>
-      inside(this.outline.map((p) => to_screen(this.view, placed(p, pose))), at) ? [{target: {kind: "body", pose: i} as Target, cursor: "move"}] : []);
+      inside(
+        this.outline.map((p) => to_screen(this.view, placed(p, pose))),
+        at,
+      )
+        ? [{target: {kind: "body", pose: i} as Target, cursor: "move"}]
+        : [],
+    );
     const first = found.findIndex(({target}) => target.kind === "body" && target.pose === this.workbench.selected_pose);
     return first > 0 ? [...found.splice(first, 1), ...found] : found;
   }

@@ -9,17 +9,22 @@ const count = 400;
 
 /** Centre points: the hyperbola x y = 100², τ rising from x = ∞ over the upper right branch to y = ∞ and back below. */
 function hyperbola() {
-  const tau = new Float64Array(count), center = new Float64Array(3 * count);
+  const tau = new Float64Array(count),
+    center = new Float64Array(3 * count);
   for (let i = 0; i < count; ++i) {
     const t = ((i + 0.5) / count) * Math.PI;
     tau[i] = i / count;
     center.set([Math.sin(t) * Math.cos(t), 100 * Math.cos(t) ** 2, 100 * Math.sin(t) ** 2], 3 * i);
   }
-  return samples_of_sides({
-    characteristic_length: 100,
-    curves: {kind: "one_branch", tau, center, circle: center, branch: new Uint8Array(count)},
-    axes: {input: {quantity: "curve_coordinate", order: 0, branches: [{name: "odd", from: 0, to: 1}], blocks: []}}, output_curves: null,
-  } as unknown as TaskAnswer, [0, 0]).input!;
+  return samples_of_sides(
+    {
+      characteristic_length: 100,
+      curves: {kind: "one_branch", tau, center, circle: center, branch: new Uint8Array(count)},
+      axes: {input: {quantity: "curve_coordinate", order: 0, branches: [{name: "odd", from: 0, to: 1}], blocks: []}},
+      output_curves: null,
+    } as unknown as TaskAnswer,
+    [0, 0],
+  ).input!;
 }
 const samples = hyperbola();
 
@@ -33,7 +38,8 @@ describe("sliding", () => {
   });
   it("goes through infinity and comes back from the other side", () => {
     const from = spot_of_tau(samples, "center", 0.17)!; // right of (100, 100), x = 100 cot t
-    const at = [430, 150] as const, beyond = beyond_edge(samples, "center", view, at, from)!;
+    const at = [430, 150] as const,
+      beyond = beyond_edge(samples, "center", view, at, from)!;
     expect(beyond).not.toBeNull();
     expect(overshoot(view, at)).toBe(30);
     const taus = [0, 40, 80, 120, 160].map((over) => beyond_spot(samples, "center", beyond, over).tau);
@@ -43,8 +49,10 @@ describe("sliding", () => {
     expect([...falling].sort((a, b) => b - a)).toEqual(falling);
   });
   it("steps along the curve by pixels, both ways", () => {
-    const from = spot_of_tau(samples, "center", 0.25)!, p = point_at(samples, "center", from)!;
-    const there = stepped(samples, "center", view, from, 10), q = point_at(samples, "center", there)!;
+    const from = spot_of_tau(samples, "center", 0.25)!,
+      p = point_at(samples, "center", from)!;
+    const there = stepped(samples, "center", view, from, 10),
+      q = point_at(samples, "center", there)!;
     expect(Math.hypot(q[0] - p[0], q[1] - p[1])).toBeCloseTo(10, 0);
     expect(stepped(samples, "center", view, there, -10).tau).toBeCloseTo(0.25, 6);
   });

@@ -1,7 +1,17 @@
 // A pivot that slides along its curve: which place of the curve a pointer means.
 import type {Point} from "../engine/protocol";
 import {
-  nearest, next_in, previous_in, run_of, sample_at, spot_at, through_infinity, type CurveName, type CurveSamples, type Run, type Spot,
+  nearest,
+  next_in,
+  previous_in,
+  run_of,
+  sample_at,
+  spot_at,
+  through_infinity,
+  type CurveName,
+  type CurveSamples,
+  type Run,
+  type Spot,
 } from "./curve_samples";
 import type {Viewport} from "./viewport";
 
@@ -29,7 +39,8 @@ export function slid(samples: CurveSamples, curve: CurveName, view: Viewport, at
   const run = run_of(samples, from.index);
   const anywhere = nearest(samples, curve, view, at);
   if (!run || !anywhere) return from;
-  const size = run.to - run.from, most = Math.max(size * neighbourhood, 3);
+  const size = run.to - run.from,
+    most = Math.max(size * neighbourhood, 3);
   const near = nearest(samples, curve, view, at, (r, a) => {
     const apart = Math.abs(a - from.index);
     return r === run && Math.min(apart, size - apart) <= most;
@@ -38,28 +49,45 @@ export function slid(samples: CurveSamples, curve: CurveName, view: Viewport, at
 }
 
 /** Where the curve leaves the window beside a pointer that has left it. */
-export function beyond_edge(samples: CurveSamples, curve: CurveName, view: Viewport, at: Point, from: Spot): Beyond | null {
+export function beyond_edge(
+  samples: CurveSamples,
+  curve: CurveName,
+  view: Viewport,
+  at: Point,
+  from: Spot,
+): Beyond | null {
   const edge: Point = [Math.min(Math.max(at[0], 0), view.width), Math.min(Math.max(at[1], 0), view.height)];
-  const start = slid(samples, curve, view, edge, from), run = run_of(samples, start.index);
+  const start = slid(samples, curve, view, edge, from),
+    run = run_of(samples, start.index);
   if (!run) return null;
   const ways = [true, false].map((forward) => {
     const step = (i: number) => (forward ? next_in(run, i) : previous_in(run, i));
-    let index = start.index, guard = run.to - run.from;
+    let index = start.index,
+      guard = run.to - run.from;
     while (guard-- > 0 && in_window(view, sample_at(samples, curve, index, view))) index = step(index);
     const last = sample_at(samples, curve, forward ? previous_in(run, index) : next_in(run, index), view);
     let count = 0;
-    for (let i = index; count < run.to - run.from && !in_window(view, sample_at(samples, curve, i, view)); i = step(i)) ++count;
-    return {run, index, forward, count, distance: last && guard > 0 ? Math.hypot(last[0] - edge[0], last[1] - edge[1]) : Infinity};
+    for (let i = index; count < run.to - run.from && !in_window(view, sample_at(samples, curve, i, view)); i = step(i))
+      ++count;
+    return {
+      run,
+      index,
+      forward,
+      count,
+      distance: last && guard > 0 ? Math.hypot(last[0] - edge[0], last[1] - edge[1]) : Infinity,
+    };
   });
   const [best] = ways.sort((a, b) => a.distance - b.distance);
   return best.distance < 60 && best.count < run.to - run.from ? best : null;
 }
 /** The place that an overshoot means on the stretch beyond. */
 export function beyond_spot(samples: CurveSamples, curve: CurveName, beyond: Beyond, over: number): Spot {
-  const {run, forward} = beyond, size = run.to - run.from;
+  const {run, forward} = beyond,
+    size = run.to - run.from;
   const steps = Math.min(over / beyond_px, 1) * beyond.count;
   const offset = beyond.index - run.from + (forward ? steps : -steps);
-  const wrapped = ((offset % size) + size) % size, whole = Math.min(Math.floor(wrapped), size - 1);
+  const wrapped = ((offset % size) + size) % size,
+    whole = Math.min(Math.floor(wrapped), size - 1);
   return spot_at(samples, curve, run, run.from + whole, wrapped - whole);
 }
 
@@ -67,11 +95,16 @@ export function beyond_spot(samples: CurveSamples, curve: CurveName, beyond: Bey
 export function stepped(samples: CurveSamples, curve: CurveName, view: Viewport, from: Spot, pixels: number): Spot {
   const run = run_of(samples, from.index);
   if (!run) return from;
-  let {index, share} = from, left = Math.abs(pixels);
+  let {index, share} = from,
+    left = Math.abs(pixels);
   const forward = pixels > 0;
   for (let guard = run.to - run.from; guard > 0; --guard) {
-    const p = sample_at(samples, curve, index, view), q = sample_at(samples, curve, next_in(run, index), view);
-    const length = p && q && !through_infinity(samples, curve, index, next_in(run, index)) ? Math.hypot(q[0] - p[0], q[1] - p[1]) : 0;
+    const p = sample_at(samples, curve, index, view),
+      q = sample_at(samples, curve, next_in(run, index), view);
+    const length =
+      p && q && !through_infinity(samples, curve, index, next_in(run, index))
+        ? Math.hypot(q[0] - p[0], q[1] - p[1])
+        : 0;
     const room = (forward ? 1 - share : share) * length;
     if (room > left) return spot_at(samples, curve, run, index, share + ((forward ? 1 : -1) * left) / length);
     left -= room;

@@ -2,7 +2,9 @@ import {describe, expect, it} from "vitest";
 import {cut, multiple, no_keys, snapped_angle, snapped_point, wrapped_deg, type Grid} from "./snapping";
 
 const grid: Grid = {step: 5, xs: [-125, 0], ys: [75, 0], near: 3, on: true};
-const shift = {...no_keys, shift: true}, alt = {...no_keys, alt: true}, fine = {...no_keys, fine: true};
+const shift = {...no_keys, shift: true},
+  alt = {...no_keys, alt: true},
+  fine = {...no_keys, fine: true};
 
 describe("points", () => {
   it("go to the grid", () => {

@@ -44,14 +44,21 @@ function aligned(value: number, candidates: readonly number[], near: number): nu
 }
 
 /** A dragged point: `from` where it was taken, `raw` where the pointer has it. */
-export function snapped_point(from: Point, raw: Point, grid: Grid, keys: Keys, pixel: number): {point: Point; guides: Guide[]} {
+export function snapped_point(
+  from: Point,
+  raw: Point,
+  grid: Grid,
+  keys: Keys,
+  pixel: number,
+): {point: Point; guides: Guide[]} {
   let [x, y] = raw;
   const keeps_x = keys.shift && Math.abs(raw[0] - from[0]) < Math.abs(raw[1] - from[1]);
   const keeps_y = keys.shift && !keeps_x;
   if (keeps_x) x = from[0];
   if (keeps_y) y = from[1];
   if (keys.alt || !grid.on) return {point: [keeps_x ? x : cut(x, pixel), keeps_y ? y : cut(y, pixel)], guides: []};
-  const step = keys.fine ? grid.step / 10 : grid.step, near = keys.fine ? grid.near / 10 : grid.near;
+  const step = keys.fine ? grid.step / 10 : grid.step,
+    near = keys.fine ? grid.near / 10 : grid.near;
   const guides: Guide[] = [];
   const settle = (axis: "x" | "y", value: number, candidates: readonly number[]) => {
     const other = aligned(value, candidates, near);
@@ -69,10 +76,18 @@ export function wrapped_deg(angle: number): number {
 }
 
 /** A dragged angle in degrees; `near` is how many degrees 6 px are at the arm's end. */
-export function snapped_angle(raw: number, others: readonly number[], near: number, on: boolean, keys: Keys): {angle: number; aligned: boolean} {
+export function snapped_angle(
+  raw: number,
+  others: readonly number[],
+  near: number,
+  on: boolean,
+  keys: Keys,
+): {angle: number; aligned: boolean} {
   if (keys.shift) return {angle: wrapped_deg(multiple(raw, 15)), aligned: false};
   if (keys.alt || !on) return {angle: wrapped_deg(multiple(raw, 0.001)), aligned: false};
-  const other = others.map(wrapped_deg).find((o) => Math.abs(wrapped_deg(raw - o)) <= Math.min(near, keys.fine ? 0.05 : 0.8));
+  const other = others
+    .map(wrapped_deg)
+    .find((o) => Math.abs(wrapped_deg(raw - o)) <= Math.min(near, keys.fine ? 0.05 : 0.8));
   if (other !== undefined) return {angle: other, aligned: true};
   return {angle: wrapped_deg(multiple(raw, keys.fine ? 0.1 : 1)), aligned: false};
 }

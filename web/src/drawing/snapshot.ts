@@ -1,17 +1,36 @@
 // The drawing as a picture of its own: without handles, in the light theme's colours, on white.
 const properties = [
-  "fill", "fill-opacity", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "opacity",
-  "font-size", "font-weight", "font-family", "text-anchor",
+  "fill",
+  "fill-opacity",
+  "stroke",
+  "stroke-width",
+  "stroke-opacity",
+  "stroke-dasharray",
+  "stroke-linecap",
+  "stroke-linejoin",
+  "opacity",
+  "font-size",
+  "font-weight",
+  "font-family",
+  "text-anchor",
 ] as const;
 const defaults: Partial<Record<string, string>> = {
-  "fill-opacity": "1", "stroke-opacity": "1", "stroke-dasharray": "none", "stroke-linecap": "butt", "stroke-linejoin": "miter", opacity: "1",
+  "fill-opacity": "1",
+  "stroke-opacity": "1",
+  "stroke-dasharray": "none",
+  "stroke-linecap": "butt",
+  "stroke-linejoin": "miter",
+  opacity: "1",
 };
 const namespace = "http://www.w3.org/2000/svg";
 
 /** The text of an SVG file; nothing where there is no drawing on the page. */
-export function drawing_svg(element: SVGSVGElement | null = document.querySelector<SVGSVGElement>("svg.drawing")): string | null {
+export function drawing_svg(
+  element: SVGSVGElement | null = document.querySelector<SVGSVGElement>("svg.drawing"),
+): string | null {
   if (!element) return null;
-  const root = document.documentElement, theme = root.dataset.theme;
+  const root = document.documentElement,
+    theme = root.dataset.theme;
   root.dataset.theme = "light"; // restored before anything is painted
   try {
     const copy = element.cloneNode(true) as SVGSVGElement;
@@ -27,10 +46,12 @@ export function drawing_svg(element: SVGSVGElement | null = document.querySelect
 
 /** Computed styles become attributes; classes, test names and roles go. */
 function inline(from: Element, to: Element): void {
-  const style = getComputedStyle(from), drawn = !["g", "svg"].includes(from.localName);
+  const style = getComputedStyle(from),
+    drawn = !["g", "svg"].includes(from.localName);
   for (const name of properties) {
     const value = style.getPropertyValue(name);
-    if (drawn && value && value !== defaults[name] && (from.localName === "text" || !/^(font|text)-/.test(name))) to.setAttribute(name, value.replaceAll("px", ""));
+    if (drawn && value && value !== defaults[name] && (from.localName === "text" || !/^(font|text)-/.test(name)))
+      to.setAttribute(name, value.replaceAll("px", ""));
   }
   for (const {name} of [...to.attributes]) {
     if (name === "class" || name === "style" || name === "tabindex" || name === "role" || /^(data|aria)-/.test(name)) {
@@ -47,7 +68,8 @@ function remove_comments(node: Node): void {
   }
 }
 function framed(copy: SVGSVGElement, element: SVGSVGElement): SVGSVGElement {
-  const width = Math.round(element.clientWidth), height = Math.round(element.clientHeight);
+  const width = Math.round(element.clientWidth),
+    height = Math.round(element.clientHeight);
   for (const {name} of [...copy.attributes]) copy.removeAttribute(name);
   copy.setAttribute("xmlns", namespace);
   copy.setAttribute("width", String(width));

@@ -10,7 +10,8 @@ describe("viewport", () => {
     expect(to_user(view, [202, 148])).toEqual([11, 21]);
   });
   it("zooms about the pointer and pans with it", () => {
-    const at = [33, 250] as const, under = to_user(view, at);
+    const at = [33, 250] as const,
+      under = to_user(view, at);
     const near = to_user(zoomed(view, 3.7, at), at);
     expect(near[0]).toBeCloseTo(under[0], 10);
     expect(near[1]).toBeCloseTo(under[1], 10);
@@ -20,10 +21,18 @@ describe("viewport", () => {
     const fit = fitted({x: [0, 100], y: [0, 10]}, 500, 400, {left: 50, right: 50, top: 100, bottom: 0});
     expect(fit.scale).toBe(4);
     expect(to_screen(fit, [0, 5])).toEqual([50, 250]);
-    expect(Number.isFinite(fitted({x: [3, 3], y: [4, 4]}, 500, 400, {left: 0, right: 0, top: 0, bottom: 0}).scale)).toBe(true);
+    expect(
+      Number.isFinite(fitted({x: [3, 3], y: [4, 4]}, 500, 400, {left: 0, right: 0, top: 0, bottom: 0}).scale),
+    ).toBe(true);
   });
   it("finds bounds of what is finite", () => {
-    expect(bounds([[1, 2], [NaN, 0], [-1, 5]])).toEqual({x: [-1, 1], y: [2, 5]});
+    expect(
+      bounds([
+        [1, 2],
+        [NaN, 0],
+        [-1, 5],
+      ]),
+    ).toEqual({x: [-1, 1], y: [2, 5]});
     expect(bounds([])).toBeNull();
   });
   it("has round grid steps of at least 8 px", () => {

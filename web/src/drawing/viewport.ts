@@ -18,7 +18,8 @@ export interface Margins {
   bottom: number;
 }
 
-const least_scale = 1e-7, most_scale = 1e9;
+const least_scale = 1e-7,
+  most_scale = 1e9;
 
 export function to_screen(view: Viewport, point: Point): Point {
   return [view.width / 2 + (point[0] - view.x) * view.scale, view.height / 2 - (point[1] - view.y) * view.scale];
@@ -43,7 +44,8 @@ export function resized(view: Viewport, width: number, height: number): Viewport
 export function bounds(points: readonly Point[]): Box | null {
   const finite = points.filter((p) => Number.isFinite(p[0]) && Number.isFinite(p[1]));
   if (finite.length === 0) return null;
-  const xs = finite.map((p) => p[0]), ys = finite.map((p) => p[1]);
+  const xs = finite.map((p) => p[0]),
+    ys = finite.map((p) => p[1]);
   return {x: [least_of(xs), most_of(xs)], y: [least_of(ys), most_of(ys)]};
 }
 
@@ -51,11 +53,14 @@ export function bounds(points: readonly Point[]): Box | null {
 export function fitted(box: Box, width: number, height: number, margins: Margins): Viewport {
   const free_width = Math.max(width - margins.left - margins.right, 40);
   const free_height = Math.max(height - margins.top - margins.bottom, 40);
-  let w = box.x[1] - box.x[0], h = box.y[1] - box.y[0];
+  let w = box.x[1] - box.x[0],
+    h = box.y[1] - box.y[0];
   if (!(w > 0) && !(h > 0)) w = h = 200;
   const scale = Math.min(Math.max(Math.min(free_width / w, free_height / h), least_scale), most_scale);
   return {
-    scale, width, height,
+    scale,
+    width,
+    height,
     x: (box.x[0] + box.x[1]) / 2 - (margins.left - margins.right) / 2 / scale,
     y: (box.y[0] + box.y[1]) / 2 + (margins.top - margins.bottom) / 2 / scale,
   };

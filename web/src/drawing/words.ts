@@ -12,11 +12,15 @@ import type {Scene} from "./scene.svelte";
 /** As many decimals as the step has, or as one pixel is worth. */
 export function length_note(value: number, step: number, unit: string): string {
   const decimals = Math.min(Math.max(-Math.floor(Math.log10(step) + 1e-9), 0), 9);
-  const short = fixed(value, decimals + 1).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+  const short = fixed(value, decimals + 1)
+    .replace(/(\.\d*?)0+$/, "$1")
+    .replace(/\.$/, "");
   return unit ? `${short} ${unit}` : short;
 }
 export function angle_note(value: number): string {
-  return `${fixed(value, 3).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "")}°`;
+  return `${fixed(value, 3)
+    .replace(/(\.\d*?)0+$/, "$1")
+    .replace(/\.$/, "")}°`;
 }
 export function point_note(point: readonly [number, number], step: number, unit: string): string {
   return `x ${length_note(point[0], step, "")}  y ${length_note(point[1], step, unit)}`;
@@ -30,20 +34,35 @@ export function reason_of(workbench: Workbench): string | null {
 }
 
 export function target_label(target: Target, scene: Scene): string {
-  const unit = scene.workbench.unit, pose = "pose" in target ? scene.poses[target.pose] : null;
+  const unit = scene.workbench.unit,
+    pose = "pose" in target ? scene.poses[target.pose] : null;
   const n = "pose" in target ? target.pose + 1 : 0;
   switch (target.kind) {
-    case "disc": case "body": return t("drawing.position", {n, place: pose ? point_note([pose.x, pose.y], scene.step, unit) : ""});
-    case "knob": return t("drawing.turn", {n, angle: pose ? angle_note(pose.theta_deg) : ""});
-    case "velocity": return t("drawing.travel", {n, angle: pose ? angle_note(travel_of(pose)?.direction_deg ?? 0) : ""});
-    case "curvature": return t("drawing.bend", {n, radius: pose ? radius_note(pose, scene) : ""});
-    case "pivot": return t(`drawing.pivot_${target.side}_${target.end}`);
-    case "corner": return t("drawing.corner", {n: target.index + 1});
-    case "midpoint": return t("drawing.midpoint", {n: target.index + 1});
-    case "box": return t(target.edges.x === 0 && target.edges.y === 0 ? `drawing.box_${target.box}` : `drawing.box_corner_${target.box}`);
-    case "traced": return t("drawing.traced", {n: target.index + 1});
-    case "task": return target.label();
-    case "curve": return t(`curve.${target.spot.curve}`);
+    case "disc":
+    case "body":
+      return t("drawing.position", {n, place: pose ? point_note([pose.x, pose.y], scene.step, unit) : ""});
+    case "knob":
+      return t("drawing.turn", {n, angle: pose ? angle_note(pose.theta_deg) : ""});
+    case "velocity":
+      return t("drawing.travel", {n, angle: pose ? angle_note(travel_of(pose)?.direction_deg ?? 0) : ""});
+    case "curvature":
+      return t("drawing.bend", {n, radius: pose ? radius_note(pose, scene) : ""});
+    case "pivot":
+      return t(`drawing.pivot_${target.side}_${target.end}`);
+    case "corner":
+      return t("drawing.corner", {n: target.index + 1});
+    case "midpoint":
+      return t("drawing.midpoint", {n: target.index + 1});
+    case "box":
+      return t(
+        target.edges.x === 0 && target.edges.y === 0 ? `drawing.box_${target.box}` : `drawing.box_corner_${target.box}`,
+      );
+    case "traced":
+      return t("drawing.traced", {n: target.index + 1});
+    case "task":
+      return target.label();
+    case "curve":
+      return t(`curve.${target.spot.curve}`);
   }
 }
 export function handle_label(handle: Handle, scene: Scene): string {
@@ -51,5 +70,7 @@ export function handle_label(handle: Handle, scene: Scene): string {
 }
 export function radius_note(pose: Pose, scene: Scene): string {
   const curvature = bend_of(pose)?.curvature ?? 0;
-  return Math.abs(curvature) * scene.view.width < 1e-3 * scene.view.scale ? "∞" : length_note(1 / curvature, scene.step, scene.workbench.unit);
+  return Math.abs(curvature) * scene.view.width < 1e-3 * scene.view.scale
+    ? "∞"
+    : length_note(1 / curvature, scene.step, scene.workbench.unit);
 }

@@ -37,25 +37,39 @@ class Puppet extends EventTarget {
   }
 }
 
-const problem = "{}", tau = [0, 1] as const;
-const explore = {problem, samples: 8, window: {input: [0, 1], output: [0, 1]}, property: "link_ratio", order: "fresh"} as const;
+const problem = "{}",
+  tau = [0, 1] as const;
+const explore = {
+  problem,
+  samples: 8,
+  window: {input: [0, 1], output: [0, 1]},
+  property: "link_ratio",
+  order: "fresh",
+} as const;
 const crashes: [string, boolean][] = [];
 let readies = 0;
 function client(): EngineClient {
-  return new EngineClient(() => new Puppet() as unknown as Worker, (message, resting) => crashes.push([message, resting]), () => ++readies);
+  return new EngineClient(
+    () => new Puppet() as unknown as Worker,
+    (message, resting) => crashes.push([message, resting]),
+    () => ++readies,
+  );
 }
 
 beforeEach(() => {
   vi.useFakeTimers();
   Puppet.all = [];
   crashes.length = readies = 0;
-  vi.stubGlobal("ErrorEvent", class extends Event {
-    message: string;
-    constructor(type: string, init: ErrorEventInit) {
-      super(type, init);
-      this.message = init.message ?? "";
-    }
-  });
+  vi.stubGlobal(
+    "ErrorEvent",
+    class extends Event {
+      message: string;
+      constructor(type: string, init: ErrorEventInit) {
+        super(type, init);
+        this.message = init.message ?? "";
+      }
+    },
+  );
 });
 afterEach(() => {
   vi.useRealTimers();
@@ -65,7 +79,8 @@ afterEach(() => {
 describe("one engine worker", () => {
   it("is asked nothing before it is ready, and one thing at a time", async () => {
     const engine = client();
-    const first = engine.request("linkage", {problem, tau}), second = engine.request("live", {problem, tau});
+    const first = engine.request("linkage", {problem, tau}),
+      second = engine.request("live", {problem, tau});
     expect(Puppet.last.asked).toEqual([]);
     Puppet.last.ready();
     expect(readies).toBe(1);
@@ -103,7 +118,9 @@ describe("one engine worker", () => {
   });
   it("drops what is not wanted any more", async () => {
     const engine = client();
-    const lost = expect(engine.request("halo", {problem, pose: 0, mode: "move", reach: 1, steps: 3, samples: 8})).rejects.toBeInstanceOf(Superseded);
+    const lost = expect(
+      engine.request("halo", {problem, pose: 0, mode: "move", reach: 1, steps: 3, samples: 8}),
+    ).rejects.toBeInstanceOf(Superseded);
     engine.cancel("halo");
     await lost;
     Puppet.last.ready();
@@ -113,7 +130,11 @@ describe("one engine worker", () => {
     const engine = client();
     Puppet.last.ready();
     const read = engine.request("read", {text: "{"});
-    Puppet.last.say({id: Puppet.last.asked[0].id, kind: "read", refused: {mistakes: [{code: "invalid_json", place: "line 1, column 2", message: "the file breaks off here"}]}});
+    Puppet.last.say({
+      id: Puppet.last.asked[0].id,
+      kind: "read",
+      refused: {mistakes: [{code: "invalid_json", place: "line 1, column 2", message: "the file breaks off here"}]},
+    });
     const refusal = await read.catch((error: unknown) => error);
     expect(refusal).toBeInstanceOf(Refusal);
     expect((refusal as Refusal).message).toBe("line 1, column 2: the file breaks off here");
@@ -131,7 +152,8 @@ describe("one engine worker", () => {
 
 describe("a worker that dies", () => {
   it("is started again, loses what it had and goes on with what waits", async () => {
-    const engine = client(), first = Puppet.last;
+    const engine = client(),
+      first = Puppet.last;
     first.ready();
     const lost = expect(engine.request("explore", explore)).rejects.toBeInstanceOf(Crashed);
     const waits = engine.request("linkage", {problem, tau});
@@ -199,7 +221,8 @@ describe("a worker that dies", () => {
       Puppet.last.say({kind: "crashed", message: "again"});
       vi.advanceTimersByTime(4000);
     }
-    const before = Puppet.all.length, answered = engine.run("linkage", {problem, tau});
+    const before = Puppet.all.length,
+      answered = engine.run("linkage", {problem, tau});
     expect(Puppet.all.length).toBe(before + 1);
     Puppet.last.ready();
     Puppet.last.answer({linkage: 3});
@@ -221,7 +244,8 @@ describe("a worker that dies", () => {
     expect(Puppet.all.length).toBe(21);
   });
   it("that gives no answer is ended, and what waits goes on", async () => {
-    const engine = client(), first = Puppet.last;
+    const engine = client(),
+      first = Puppet.last;
     first.ready();
     const lost = expect(engine.request("verify", {problem, tau})).rejects.toBeInstanceOf(Crashed);
     const waits = engine.request("linkage", {problem, tau});
@@ -240,10 +264,12 @@ describe("a worker that dies", () => {
 });
 
 describe("what is run", () => {
-  const dxf = {problem, tau, format: "dxf"} as const, svg = {problem, tau, format: "svg"} as const;
+  const dxf = {problem, tau, format: "dxf"} as const,
+    svg = {problem, tau, format: "svg"} as const;
   it("is answered whatever else is asked meanwhile, of its own kind too", async () => {
     const engine = client();
-    const first = engine.run("export", dxf), second = engine.run("export", svg);
+    const first = engine.run("export", dxf),
+      second = engine.run("export", svg);
     const followed = engine.request("export", {problem, tau, format: "csv"});
     Puppet.last.ready();
     for (let i = 0; i < 3; ++i) {
@@ -264,7 +290,8 @@ describe("what is run", () => {
     expect(Puppet.last.asked.map(({kind}) => kind)).toEqual(["export", "linkage", "export", "linkage", "export"]);
   });
   it("outlives a worker's death once: it may be what it dies of", async () => {
-    const engine = client(), made = engine.run("export", dxf);
+    const engine = client(),
+      made = engine.run("export", dxf);
     Puppet.last.ready();
     engine.kill();
     Puppet.last.ready();

@@ -24,8 +24,11 @@ interface Job {
 export const no_answer = "no answer";
 /** So long a worker may take for one answer; a map of 1000² on a slow telephone takes a tenth of it. */
 export const patience_ms = 30_000;
-const most_in_a_row = 3, most_deaths = 5, remembered_ms = 300_000;
-const first_delay_ms = 250, longest_delay_ms = 4000; // doubled from death to death
+const most_in_a_row = 3,
+  most_deaths = 5,
+  remembered_ms = 300_000;
+const first_delay_ms = 250,
+  longest_delay_ms = 4000; // doubled from death to death
 
 /** One engine worker. At most one request is with the worker. Of the waiting ones that follow something the last of each
  *  kind wins, and a map waits for all others; those that are `run` are all answered, in turn with the former. A worker that
@@ -70,7 +73,13 @@ export class EngineClient {
       else this.pump();
     });
   }
-  private job<K extends Kind>(kind: K, content: Requests[K], resolve: (reply: Replies[K]) => void, reject: Job["reject"], kept: boolean): Job {
+  private job<K extends Kind>(
+    kind: K,
+    content: Requests[K],
+    resolve: (reply: Replies[K]) => void,
+    reject: Job["reject"],
+    kept: boolean,
+  ): Job {
     const message = {id: this.next_id++, kind, ...content} as unknown as RequestMessage;
     return {message, resolve: resolve as Job["resolve"], reject, kept, asked: 0};
   }
@@ -145,7 +154,8 @@ export class EngineClient {
     this.worker!.postMessage(next.message);
   }
   private next(): Job | undefined {
-    const following = [...this.waiting.values()], quick = following.find((job) => job.message.kind !== "explore");
+    const following = [...this.waiting.values()],
+      quick = following.find((job) => job.message.kind !== "explore");
     const kept = this.kept.length > 0 && (this.kept_next || !quick);
     this.kept_next = !kept;
     if (kept) return this.kept.shift();
@@ -174,7 +184,8 @@ export class EngineClient {
 
   private crashed(reason: string): void {
     this.end_worker();
-    const lost = this.running, now = performance.now();
+    const lost = this.running,
+      now = performance.now();
     this.running = null;
     ++this.in_a_row;
     this.deaths = [...this.deaths.filter((death) => now - death < remembered_ms), now];
@@ -188,6 +199,7 @@ export class EngineClient {
     }
     const before = this.deaths.length - 1;
     if (before === 0) this.launch();
-    else this.relaunch = setTimeout(() => this.launch(), Math.min(first_delay_ms * 2 ** (before - 1), longest_delay_ms));
+    else
+      this.relaunch = setTimeout(() => this.launch(), Math.min(first_delay_ms * 2 ** (before - 1), longest_delay_ms));
   }
 }

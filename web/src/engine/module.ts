@@ -22,7 +22,12 @@ export interface Session {
   mistakes(): string;
   read(text: string): string;
   explore(
-    samples: number, input_from: number, input_to: number, output_from: number, output_to: number, property: string,
+    samples: number,
+    input_from: number,
+    input_to: number,
+    output_from: number,
+    output_to: number,
+    property: string,
     order: number,
   ): {task: string; curves: DyadPolygon; output_curves: DyadPolygon | null; map: MapArrays | null};
   linkage(input_tau: number, output_tau: number): {linkage: string; states: Float64Array};
@@ -41,4 +46,6 @@ export interface LinkwrightModule {
 }
 
 /** In node the module's bytes are given; a browser fetches them from beside the script. */
-export const create_linkwright = untyped as unknown as (options?: {wasmBinary?: Uint8Array}) => Promise<LinkwrightModule>;
+export const create_linkwright = untyped as unknown as (options?: {
+  wasmBinary?: Uint8Array;
+}) => Promise<LinkwrightModule>;

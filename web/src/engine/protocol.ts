@@ -8,8 +8,16 @@ export type TauPair = readonly [input: number, output: number];
 export type Point = readonly [x: number, y: number];
 
 export const linkage_types = [
-  "crank_rocker", "rocker_crank", "double_crank", "double_rocker", "triple_rocker_ground", "triple_rocker_input",
-  "triple_rocker_coupler", "triple_rocker_output", "change_point", "degenerate",
+  "crank_rocker",
+  "rocker_crank",
+  "double_crank",
+  "double_rocker",
+  "triple_rocker_ground",
+  "triple_rocker_input",
+  "triple_rocker_coupler",
+  "triple_rocker_output",
+  "change_point",
+  "degenerate",
 ] as const; // index = code in the map
 export type LinkageType = (typeof linkage_types)[number];
 
@@ -17,14 +25,24 @@ export const defect_bits = {order: 1, branch: 2, circuit: 4} as const;
 
 /** Bits of what a cell fails, in this order (bit i); a degenerate cell has all bits set. */
 export const requirement_keys = [
-  "types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length",
-  "ground_pivots_within", "moving_pivots_within",
+  "types",
+  "no_defects",
+  "min_transmission_angle_deg",
+  "max_link_ratio",
+  "max_length",
+  "min_length",
+  "ground_pivots_within",
+  "moving_pivots_within",
 ] as const;
 export type RequirementKey = (typeof requirement_keys)[number];
 
 /** What a colour of the map can stand for, beside the type. Values as f32; 0 where not defined, never NaN. */
 export const properties = [
-  "min_transmission_angle_deg", "min_transmission_angle_full_turn_deg", "link_ratio", "longest_link", "driver_sweep_deg",
+  "min_transmission_angle_deg",
+  "min_transmission_angle_full_turn_deg",
+  "link_ratio",
+  "longest_link",
+  "driver_sweep_deg",
   "max_structural_error_deg", // of a named function, where no number is free; lesser is better
   "pose_miss", // by how much the freed pose is missed, user's unit; of tasks that have one, in cells that meet everything
 ] as const;
@@ -228,9 +246,13 @@ export interface Defects {
 /** One state of the drive: a row of `states`. */
 export const state_columns = [
   "input_deg", // driver angle from position 1, in the sense of travel positive
-  "ax", "ay", // moving pivot of the input
-  "bx", "by", // moving pivot of the output
-  "x", "y", "theta_deg", // pose of the moving frame
+  "ax",
+  "ay", // moving pivot of the input
+  "bx",
+  "by", // moving pivot of the output
+  "x",
+  "y",
+  "theta_deg", // pose of the moving frame
   "transmission_angle_deg",
   "coupler_deg", // coupler angle from position 1
   "output_deg", // output angle from position 1
@@ -344,7 +366,19 @@ export interface Replies {
   linkage: {linkage: Linkage; engine_ms: number};
   live: Record<Side, Uint8Array>; // by the index of that side's curve samples: that side link there, the other held
   halo: {offsets: Float64Array; counts: Uint32Array; steps: number; reach: number; engine_ms: number}; // counts: row-major [dy][dx] (steps²) or [turn] (steps)
-  best: {linkages: {tau: TauPair; type: LinkageType; min_transmission_angle_deg: number; link_ratio: number; longest: number; max_structural_error_deg?: number | null; pivots: Point[]; chain?: Chain}[]; notices: Notice[]}; // pivots: of a four-bar both ends of input and output, of a six-bar its seven hinges; each with its chain where that is searched for
+  best: {
+    linkages: {
+      tau: TauPair;
+      type: LinkageType;
+      min_transmission_angle_deg: number;
+      link_ratio: number;
+      longest: number;
+      max_structural_error_deg?: number | null;
+      pivots: Point[];
+      chain?: Chain;
+    }[];
+    notices: Notice[];
+  }; // pivots: of a four-bar both ends of input and output, of a six-bar its seven hinges; each with its chain where that is searched for
   improve: {tau: TauPair; improved: boolean};
   verify: {verified: boolean; residual: number};
   trace: {points: Float64Array}; // 2K, one per drive state

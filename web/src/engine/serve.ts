@@ -2,7 +2,17 @@
 import type {LinkwrightModule, MapArrays, Session} from "./module";
 import {state_width} from "./protocol";
 import type {
-  Census, DyadPolygon, Kind, Linkage, MapAnswer, Mistake, Replies, ReplyMessage, RequestMessage, Requests, TaskAnswer,
+  Census,
+  DyadPolygon,
+  Kind,
+  Linkage,
+  MapAnswer,
+  Mistake,
+  Replies,
+  ReplyMessage,
+  RequestMessage,
+  Requests,
+  TaskAnswer,
 } from "./protocol";
 
 class Mistaken extends Error {
@@ -13,7 +23,9 @@ class Mistaken extends Error {
 
 const nearest_order = -1;
 const no_dyads: Mistake = {
-  code: "no_dyads", place: "task.poses", message: "these positions have no side links to pair; move one of them",
+  code: "no_dyads",
+  place: "task.poses",
+  message: "these positions have no side links to pair; move one of them",
 };
 const extensions = {svg: ".svg", dxf: ".dxf", csv: ".csv", json: ".json", result: ".json"};
 
@@ -85,7 +97,8 @@ export class Server {
     const found = this.holding(problem).linkage(...tau);
     if (!found.linkage) throw new Mistaken([no_dyads]);
     const linkage = JSON.parse(found.linkage) as Linkage;
-    if (linkage.drive) linkage.drive = {...linkage.drive, width: linkage.drive.width ?? state_width, states: copied(found.states)};
+    if (linkage.drive)
+      linkage.drive = {...linkage.drive, width: linkage.drive.width ?? state_width, states: copied(found.states)};
     return {linkage, engine_ms: now() - start};
   }
 
@@ -99,13 +112,18 @@ export class Server {
     const turn = mode === "turn";
     const session = this.holding(problem);
     const counts = copied(session.halo(pose, turn, turn ? (reach * Math.PI) / 180 : reach, steps, samples));
-    const offsets = Float64Array.from({length: steps}, (_, i) => (steps === 1 ? 0 : reach * ((2 * i) / (steps - 1) - 1)));
+    const offsets = Float64Array.from({length: steps}, (_, i) =>
+      steps === 1 ? 0 : reach * ((2 * i) / (steps - 1) - 1),
+    );
     return {offsets, counts, steps, reach, engine_ms: now() - start};
   }
 
   private exported({problem, tau, format}: Requests["export"]): Replies["export"] {
     const text = this.holding(problem).exported(...tau, format);
-    if (!text) throw new Mistaken([{code: "no_four_bar", place: "", message: "a slider or zero link cannot be written as a four-bar"}]);
+    if (!text)
+      throw new Mistaken([
+        {code: "no_four_bar", place: "", message: "a slider or zero link cannot be written as a four-bar"},
+      ]);
     return {text, extension: extensions[format]};
   }
 

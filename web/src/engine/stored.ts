@@ -1,7 +1,17 @@
 // Stored answers (scripts/bake.mjs): what the page shows before its engine has loaded, and the gallery's thumbnails.
 import {inflateSync} from "fflate";
 import untyped from "./generated/stored.json";
-import {state_width, whole, type Linkage, type LinkageType, type MapAnswer, type Point, type Replies, type TaskAnswer, type TauPair} from "./protocol";
+import {
+  state_width,
+  whole,
+  type Linkage,
+  type LinkageType,
+  type MapAnswer,
+  type Point,
+  type Replies,
+  type TaskAnswer,
+  type TauPair,
+} from "./protocol";
 
 /** Arrays are deflated, in base64. */
 type Packed<Keys extends string> = Record<Keys, string>;
@@ -16,7 +26,10 @@ interface Stored {
     states: string;
     live: Packed<"input" | "output">;
   };
-  thumbnails: Record<string, (Pick<Thumbnail, "title" | "rows" | "columns" | "linkage"> & Packed<"type" | "fails">) | undefined>;
+  thumbnails: Record<
+    string,
+    (Pick<Thumbnail, "title" | "rows" | "columns" | "linkage"> & Packed<"type" | "fails">) | undefined
+  >;
 }
 const stored = untyped as unknown as Stored;
 
@@ -25,7 +38,9 @@ function unpacked(text: string): Uint8Array<ArrayBuffer> {
 }
 /** The reverse of packed_numbers() in scripts/bake.mjs. */
 function unpacked_numbers(text: string, width = 1): Float64Array {
-  const bytes = unpacked(text), count = bytes.length / 4, rows = count / width;
+  const bytes = unpacked(text),
+    count = bytes.length / 4,
+    rows = count / width;
   const bits = new Uint32Array(count);
   for (let column = 0, at = 0; column < width; ++column) {
     for (let row = 0, last = 0; row < rows; ++row, ++at) {
@@ -48,26 +63,41 @@ export interface StoredStart {
 /** The first example, in single precision. */
 export function stored_start(): StoredStart {
   const {name, task, curves, map, linkage, states, live} = stored.start;
-  const tau = unpacked_numbers(map.tau), {samples} = map;
-  const none = () => new Float32Array(samples), nobody = () => new Uint32Array(samples);
+  const tau = unpacked_numbers(map.tau),
+    {samples} = map;
+  const none = () => new Float32Array(samples),
+    nobody = () => new Uint32Array(samples);
   return {
     name,
     task: {
       ...task,
       curves: {
         ...task.curves,
-        tau: unpacked_numbers(curves.tau), center: unpacked_numbers(curves.center, 3),
-        circle: unpacked_numbers(curves.circle, 3), branch: unpacked(curves.branch),
+        tau: unpacked_numbers(curves.tau),
+        center: unpacked_numbers(curves.center, 3),
+        circle: unpacked_numbers(curves.circle, 3),
+        branch: unpacked(curves.branch),
       },
     },
     map: {
-      samples, rows: samples, columns: samples, window: whole, property: map.property, census: map.census,
-      input_tau: tau, output_tau: tau.slice(),
-      type: unpacked(map.type), defects: unpacked(map.defects), fails: unpacked(map.fails),
+      samples,
+      rows: samples,
+      columns: samples,
+      window: whole,
+      property: map.property,
+      census: map.census,
+      input_tau: tau,
+      output_tau: tau.slice(),
+      type: unpacked(map.type),
+      defects: unpacked(map.defects),
+      fails: unpacked(map.fails),
       value: new Float32Array(samples ** 2),
       ridge: {input: none(), input_partner: nobody(), output: none(), output_partner: nobody()},
     },
-    linkage: {...linkage, drive: linkage.drive && {...linkage.drive, width: state_width, states: unpacked_numbers(states, state_width)}},
+    linkage: {
+      ...linkage,
+      drive: linkage.drive && {...linkage.drive, width: state_width, states: unpacked_numbers(states, state_width)},
+    },
     live: {input: unpacked(live.input), output: unpacked(live.output)},
   };
 }

@@ -24,7 +24,8 @@ function canvas_for(picture: Picture): [HTMLCanvasElement, CanvasRenderingContex
 
 export async function animated_gif(picture: Picture, frames: readonly Frame[], progress: Progress): Promise<Blob> {
   const {GIFEncoder, applyPalette, quantize} = await import("gifenc");
-  const {width, height} = picture, [, context] = canvas_for(picture);
+  const {width, height} = picture,
+    [, context] = canvas_for(picture);
   const pixels = (angle: number) => {
     paint_picture(context, picture, angle);
     return context.getImageData(0, 0, width, height).data;
@@ -42,7 +43,12 @@ export async function animated_gif(picture: Picture, frames: readonly Frame[], p
     await breathe(progress);
     const index = applyPalette(pixels(frame.angle), palette.slice(0, changed_only));
     encoder.writeFrame(before ? only_changes(before, index) : index, width, height, {
-      palette: i === 0 ? palette : undefined, delay: frame.ms, repeat: 0, transparent: i > 0, transparentIndex: changed_only, dispose: 1,
+      palette: i === 0 ? palette : undefined,
+      delay: frame.ms,
+      repeat: 0,
+      transparent: i > 0,
+      transparentIndex: changed_only,
+      dispose: 1,
     });
     before = index;
     progress.done((i + 1) / frames.length);
@@ -69,7 +75,8 @@ export async function film(picture: Picture, frames: readonly Frame[], progress:
     recorder.onstop = resolve;
     recorder.onerror = () => reject(new Error("the recorder failed"));
   });
-  const length = duration_ms(frames), began = performance.now();
+  const length = duration_ms(frames),
+    began = performance.now();
   paint_picture(context, picture, frames[0].angle);
   recorder.start();
   try {

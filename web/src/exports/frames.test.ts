@@ -25,7 +25,10 @@ describe("an animation", () => {
     expect(frame_at(frames, duration_ms(frames) + 10).angle).toBe(0);
   });
   it("goes round where the driver goes round", () => {
-    const crank = sample_drive(rows_at([-100, 0, 60, 260]), [1, 1, 2, 2], {full_turn: true, limits: {low: null, high: null}});
+    const crank = sample_drive(rows_at([-100, 0, 60, 260]), [1, 1, 2, 2], {
+      full_turn: true,
+      limits: {low: null, high: null},
+    });
     const round = animation_frames(crank, true);
     expect(round).toHaveLength(80);
     expect(round.every((f, i) => f.ms === 50 && Math.abs(f.angle - (-100 + 4.5 * i)) < 1e-9)).toBe(true);

@@ -21,13 +21,17 @@ export function draw_map(canvas: HTMLCanvasElement, map: MapAnswer, axes: Axes, 
   const at = (value: number, [from, to]: readonly [number, number]) => ((value - from) / (to - from)) * pixels;
   context.fillStyle = css(palette.paper);
   for (const {from} of axes.output.blocks.slice(1)) context.fillRect(at(from, map.window.output) - 3, 0, 6, pixels);
-  for (const {from} of axes.input.blocks.slice(1)) context.fillRect(0, pixels - at(from, map.window.input) - 3, pixels, 6);
+  for (const {from} of axes.input.blocks.slice(1))
+    context.fillRect(0, pixels - at(from, map.window.input) - 3, pixels, 6);
   if (place) cross(context, at(place[1], map.window.output), pixels - at(place[0], map.window.input));
 }
 function cross(context: CanvasRenderingContext2D, x: number, y: number): void {
   const style = getComputedStyle(document.documentElement);
   context.lineWidth = 3;
-  for (const [name, line] of [["input", [0, y, pixels, y]], ["output", [x, 0, x, pixels]]] as const) {
+  for (const [name, line] of [
+    ["input", [0, y, pixels, y]],
+    ["output", [x, 0, x, pixels]],
+  ] as const) {
     context.strokeStyle = style.getPropertyValue(`--${name}`);
     context.beginPath();
     context.moveTo(line[0], line[1]);

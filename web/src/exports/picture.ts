@@ -6,7 +6,18 @@ import type {Pose} from "../state/task";
 import {role_of_body, role_of_joint, type Role} from "../tasks/six_bar/roles";
 import {shown_states, swept_points} from "../transport/swept";
 
-export const picture_colors = ["paper", "ink", "ink3", "line", "grid", "accent", "input", "output", "body", "curve"] as const;
+export const picture_colors = [
+  "paper",
+  "ink",
+  "ink3",
+  "line",
+  "grid",
+  "accent",
+  "input",
+  "output",
+  "body",
+  "curve",
+] as const;
 export type PictureColors = Record<(typeof picture_colors)[number], string>;
 export interface Picture {
   drive: Drive;
@@ -22,15 +33,39 @@ export interface Picture {
   height: number;
 }
 
-export function picture_of(linkage: Linkage, outline: readonly Point[], poses: readonly Pose[], whole: boolean, width: number, height: number, colors: PictureColors): Picture | null {
+export function picture_of(
+  linkage: Linkage,
+  outline: readonly Point[],
+  poses: readonly Pose[],
+  whole: boolean,
+  width: number,
+  height: number,
+  colors: PictureColors,
+): Picture | null {
   const {drive} = linkage;
   if (!drive || !linkage.input.center || !linkage.output.center) return null;
   const states = shown_states(drive, whole);
   const fixed: [Point, Point] = [linkage.input.center, linkage.output.center];
-  const six_bar = linkage.six_bar ?? null, hinges = six_bar ? Array.from({length: row_count(drive)}, (_, row) => row_joints(drive, row)).flat() : fixed;
-  const points = [...hinges, ...poses.flatMap((pose) => outline.map((p) => placed(p, pose))), ...swept_points(states, outline)];
+  const six_bar = linkage.six_bar ?? null,
+    hinges = six_bar ? Array.from({length: row_count(drive)}, (_, row) => row_joints(drive, row)).flat() : fixed;
+  const points = [
+    ...hinges,
+    ...poses.flatMap((pose) => outline.map((p) => placed(p, pose))),
+    ...swept_points(states, outline),
+  ];
   const path = states.map((s): Point => [s.x, s.y]);
-  return {drive, fixed, six_bar, outline, poses, path, colors, view: fitted(points, width, height, 0.06 * width), width, height};
+  return {
+    drive,
+    fixed,
+    six_bar,
+    outline,
+    poses,
+    path,
+    colors,
+    view: fitted(points, width, height, 0.06 * width),
+    width,
+    height,
+  };
 }
 
 export function fitted(points: readonly Point[], width: number, height: number, margin: number): Picture["view"] {
@@ -43,7 +78,8 @@ export function fitted(points: readonly Point[], width: number, height: number, 
 type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 
 export function paint_picture(context: Context, picture: Picture, angle: number): void {
-  const state = state_at(picture.drive, angle), {colors} = picture;
+  const state = state_at(picture.drive, angle),
+    {colors} = picture;
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.globalAlpha = 1;
   context.lineCap = context.lineJoin = "round";
@@ -68,7 +104,12 @@ function paint_task(context: Context, picture: Picture): void {
   context.strokeStyle = colors.line;
   context.lineWidth = 1.2;
   for (const pose of picture.poses) {
-    trace(context, picture, picture.outline.map((p) => placed(p, pose)), true);
+    trace(
+      context,
+      picture,
+      picture.outline.map((p) => placed(p, pose)),
+      true,
+    );
     context.stroke();
   }
   context.strokeStyle = colors.accent;
@@ -88,7 +129,12 @@ function paint_task(context: Context, picture: Picture): void {
   });
 }
 function paint_body(context: Context, picture: Picture, state: State): void {
-  trace(context, picture, picture.outline.map((p) => placed(p, state)), true);
+  trace(
+    context,
+    picture,
+    picture.outline.map((p) => placed(p, state)),
+    true,
+  );
   context.fillStyle = picture.colors.accent;
   context.globalAlpha = 0.13;
   context.fill();
@@ -98,24 +144,44 @@ function paint_body(context: Context, picture: Picture, state: State): void {
   context.stroke();
 }
 function paint_links(context: Context, picture: Picture, state: State): void {
-  const {colors, fixed} = picture, a: Point = [state.ax, state.ay], b: Point = [state.bx, state.by];
-  const bars: [Point, Point, string][] = [[a, b, colors.body], [fixed[0], a, colors.input], [fixed[1], b, colors.output]];
+  const {colors, fixed} = picture,
+    a: Point = [state.ax, state.ay],
+    b: Point = [state.bx, state.by];
+  const bars: [Point, Point, string][] = [
+    [a, b, colors.body],
+    [fixed[0], a, colors.input],
+    [fixed[1], b, colors.output],
+  ];
   for (const [from, to, color] of bars) {
     context.strokeStyle = color;
     context.lineWidth = 7;
     trace(context, picture, [from, to], false);
     context.stroke();
   }
-  for (const [pivot, color] of [[fixed[0], colors.input], [fixed[1], colors.output]] as const) paint_ground(context, picture, pivot, color);
-  for (const [pivot, color] of [[a, colors.input], [b, colors.output]] as const) disc(context, ...pixels(picture, pivot), 6.5, colors.paper, color, 2.4);
+  for (const [pivot, color] of [
+    [fixed[0], colors.input],
+    [fixed[1], colors.output],
+  ] as const)
+    paint_ground(context, picture, pivot, color);
+  for (const [pivot, color] of [
+    [a, colors.input],
+    [b, colors.output],
+  ] as const)
+    disc(context, ...pixels(picture, pivot), 6.5, colors.paper, color, 2.4);
 }
 function paint_six_bar(context: Context, picture: Picture, {bodies, joints}: SixBar, now: readonly Point[]): void {
-  const {colors} = picture, color = (role: Role) => colors[role === "driver" ? "accent" : role === "chain" ? "body" : role];
+  const {colors} = picture,
+    color = (role: Role) => colors[role === "driver" ? "accent" : role === "chain" ? "body" : role];
   bodies.forEach((list, body) => {
     if (body === 0) return;
     context.strokeStyle = context.fillStyle = color(role_of_body(body));
     context.lineWidth = list.length > 2 ? 4 : 6;
-    trace(context, picture, list.map((joint) => now[joint]), list.length > 2);
+    trace(
+      context,
+      picture,
+      list.map((joint) => now[joint]),
+      list.length > 2,
+    );
     context.globalAlpha = 0.2;
     if (list.length > 2) context.fill();
     context.globalAlpha = 1;
@@ -142,7 +208,15 @@ function paint_ground(context: Context, picture: Picture, pivot: Point, color: s
   context.stroke();
   disc(context, x, y, 5.5, picture.colors.paper, color, 2.4);
 }
-function disc(context: Context, x: number, y: number, radius: number, fill: string, stroke: string, width: number): void {
+function disc(
+  context: Context,
+  x: number,
+  y: number,
+  radius: number,
+  fill: string,
+  stroke: string,
+  width: number,
+): void {
   context.beginPath();
   context.arc(x, y, radius, 0, 2 * Math.PI);
   context.fillStyle = fill;

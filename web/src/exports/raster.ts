@@ -27,5 +27,7 @@ function png_of(source: CanvasImageSource, width: number, height: number, ground
     context.fillRect(0, 0, width, height);
   }
   context.drawImage(source, 0, 0, width, height);
-  return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("no picture"))), "image/png"));
+  return new Promise((resolve, reject) =>
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("no picture"))), "image/png"),
+  );
 }

@@ -3,8 +3,14 @@ import type {Linkage} from "../engine/protocol";
 import {first_example} from "../gallery/gallery";
 import {shortcoming} from "./shortcoming";
 
-const {problem} = first_example, workbench = {problem: {...problem, requirements: {max_link_ratio: 8}}, task: null, unit: "mm"};
-const linkage = {type: "double_crank", defects: {order: false, branch: false, circuit: false}, reason: null, fails: 0} as unknown as Linkage;
+const {problem} = first_example,
+  workbench = {problem: {...problem, requirements: {max_link_ratio: 8}}, task: null, unit: "mm"};
+const linkage = {
+  type: "double_crank",
+  defects: {order: false, branch: false, circuit: false},
+  reason: null,
+  fails: 0,
+} as unknown as Linkage;
 const of = (change: Partial<Linkage>, verified: boolean | null = true) =>
   shortcoming({...linkage, ...change}, problem.task, verified === null ? null : {verified, residual: 0}, workbench);
 
@@ -14,8 +20,11 @@ describe("what to mind of a linkage that is taken away", () => {
     expect(of({}, null)).toBeNull();
   });
   it("is its defect, and what it misses", () => {
-    const defects = {order: false, branch: true, circuit: true}, reason = {code: "circuit_defect", values: {from: 1, to: 2}, message: ""};
-    expect(of({defects, reason, fails: 2 | 8})).toBe("Mind before you build it: Circuit defect: positions 1 and 2 need taking it apart. Not met: link ratio (8 at most)");
+    const defects = {order: false, branch: true, circuit: true},
+      reason = {code: "circuit_defect", values: {from: 1, to: 2}, message: ""};
+    expect(of({defects, reason, fails: 2 | 8})).toBe(
+      "Mind before you build it: Circuit defect: positions 1 and 2 need taking it apart. Not met: link ratio (8 at most)",
+    );
     expect(of({fails: 8})).toBe("Mind before you build it: Not met: link ratio (8 at most)");
   });
   it("is that driving disagrees", () => {

@@ -8,8 +8,15 @@ import {told} from "../tasks/kinds";
 import {t} from "../texts/texts.svelte";
 
 /** Its defect and the requirements that it misses, in one sentence; nothing of a linkage that does what was asked. */
-export function shortcoming(linkage: Linkage, task: Task, verified: Replies["verify"] | null, workbench: Pick<Workbench, "problem" | "task" | "unit">): string | null {
+export function shortcoming(
+  linkage: Linkage,
+  task: Task,
+  verified: Replies["verify"] | null,
+  workbench: Pick<Workbench, "problem" | "task" | "unit">,
+): string | null {
   const disputed = verdict_of(linkage, verified)?.text === "num.disputed" ? t("num.not_verified") : null;
-  const parts = [linkage.reason && told(task, linkage.reason), disputed, unmet_text(linkage, workbench)].filter((part) => part !== null);
+  const parts = [linkage.reason && told(task, linkage.reason), disputed, unmet_text(linkage, workbench)].filter(
+    (part) => part !== null,
+  );
   return parts.length ? t("export.mind", {why: parts.join(" ")}) : null;
 }

@@ -25,32 +25,53 @@ export type Format = (typeof formats)[number];
 export const animated: readonly Format[] = ["gif", "webm"];
 
 const engine_types: Record<ExportFormat, string> = {
-  dxf: "image/vnd.dxf", svg: "image/svg+xml", csv: "text/csv", json: "application/json", result: "application/json",
+  dxf: "image/vnd.dxf",
+  svg: "image/svg+xml",
+  csv: "text/csv",
+  json: "application/json",
+  result: "application/json",
 };
 const film_size = {width: 640, height: 480};
 
 export function targets(workbench: Workbench): Target[] {
   const {problem, pins, picked_linkage, picked} = workbench;
-  const own: Target[] = picked && picked_linkage ? [{pin: null, tau: picked.tau, type: picked_linkage.type, problem}] : [];
-  return [...own, ...pins.map((pin) => ({pin: pin.name, tau: pin.tau, type: pin.type, problem: with_other_task(problem, pin.task)}))];
+  const own: Target[] =
+    picked && picked_linkage ? [{pin: null, tau: picked.tau, type: picked_linkage.type, problem}] : [];
+  return [
+    ...own,
+    ...pins.map((pin) => ({pin: pin.name, tau: pin.tau, type: pin.type, problem: with_other_task(problem, pin.task)})),
+  ];
 }
 
 export interface File {
   name: string;
   blob: Blob;
 }
-export async function made_file(workbench: Workbench, target: Target, format: Format, progress: Progress): Promise<File> {
+export async function made_file(
+  workbench: Workbench,
+  target: Target,
+  format: Format,
+  progress: Progress,
+): Promise<File> {
   const stem = file_stem(target.problem, target, workbench.pins);
   if (format === "png") return {name: `${stem}.png`, blob: await png(workbench, target)};
-  if (format === "gif" || format === "webm") return {name: `${stem}.${format}`, blob: await animation(workbench, target, format, progress)};
+  if (format === "gif" || format === "webm")
+    return {name: `${stem}.${format}`, blob: await animation(workbench, target, format, progress)};
   const {text, extension} = await from_engine(workbench, target, format);
-  return {name: file_name(format === "result" ? `${stem}-result` : stem, extension), blob: new Blob([text], {type: engine_types[format]})};
+  return {
+    name: file_name(format === "result" ? `${stem}-result` : stem, extension),
+    blob: new Blob([text], {type: engine_types[format]}),
+  };
 }
 /** What is told of a linkage in its problem: another unit or title makes another drawing of the same bars. */
 export function question_of({problem, tau}: Target): string {
   return JSON.stringify([engine_text(problem), tau]);
 }
-export function from_engine(workbench: Workbench, {problem, tau}: Target, format: ExportFormat): Promise<{text: string; extension: string}> {
+export function from_engine(
+  workbench: Workbench,
+  {problem, tau}: Target,
+  format: ExportFormat,
+): Promise<{text: string; extension: string}> {
   return workbench.driver_client!.run("export", {problem: engine_text(problem), tau, format});
 }
 export async function svg_of(workbench: Workbench, target: Target): Promise<string> {
@@ -63,13 +84,28 @@ async function png(workbench: Workbench, target: Target): Promise<Blob> {
   return rasterised(on_screen ?? (await svg_of(workbench, target)), 2);
 }
 async function linkage_of(workbench: Workbench, {pin, problem, tau}: Target): Promise<Linkage> {
-  if (pin === null && workbench.picked_linkage && workbench.answers.picked_is_of(problem)) return workbench.picked_linkage;
+  if (pin === null && workbench.picked_linkage && workbench.answers.picked_is_of(problem))
+    return workbench.picked_linkage;
   return (await workbench.driver_client!.run("linkage", {problem: engine_text(problem), tau})).linkage;
 }
-async function animation(workbench: Workbench, target: Target, format: "gif" | "webm", progress: Progress): Promise<Blob> {
-  const linkage = await linkage_of(workbench, target), {problem} = target;
+async function animation(
+  workbench: Workbench,
+  target: Target,
+  format: "gif" | "webm",
+  progress: Progress,
+): Promise<Blob> {
+  const linkage = await linkage_of(workbench, target),
+    {problem} = target;
   const {width, height} = film_size;
-  const picture = picture_of(linkage, poses_of(problem.task).length ? outline_of(problem) : [], poses_of(problem.task), workbench.whole_travel, width, height, css_values(document.documentElement, picture_colors));
+  const picture = picture_of(
+    linkage,
+    poses_of(problem.task).length ? outline_of(problem) : [],
+    poses_of(problem.task),
+    workbench.whole_travel,
+    width,
+    height,
+    css_values(document.documentElement, picture_colors),
+  );
   if (!picture) throw new Error("no drive table");
   const frames = animation_frames(picture.drive, workbench.whole_travel);
   return format === "gif" ? animated_gif(picture, frames, progress) : film(picture, frames, progress);

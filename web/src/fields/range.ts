@@ -8,7 +8,10 @@ export interface RangeRule {
 }
 export type RangeFault = "half" | "falling" | "no_extent";
 
-export function reading_of([from, to]: Ends, {rising, optional}: RangeRule): {range: readonly [number, number] | null} | {fault: RangeFault} {
+export function reading_of(
+  [from, to]: Ends,
+  {rising, optional}: RangeRule,
+): {range: readonly [number, number] | null} | {fault: RangeFault} {
   if (from === null && to === null && optional) return {range: null};
   if (from === null || to === null) return {fault: "half"};
   if (from === to) return {fault: "no_extent"};

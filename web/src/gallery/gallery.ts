@@ -25,9 +25,28 @@ import parallel_moves from "./parallel_moves.json?raw";
 import three_parallel from "./three_parallel.json?raw";
 
 const files = {
-  tailgate, drawer_hinge, dump_bucket, landing_gear, folding_table, lift_platform, hood_hinge, latch,
-  airtight_hatch, footrest, corner_drawer, nose_gear, transfer_arm, sine_generator, log_generator, five_hatch, wheel_loader, hatchback_lid,
-  almost_symmetric, mirror_symmetric, three_parallel, parallel_moves,
+  tailgate,
+  drawer_hinge,
+  dump_bucket,
+  landing_gear,
+  folding_table,
+  lift_platform,
+  hood_hinge,
+  latch,
+  airtight_hatch,
+  footrest,
+  corner_drawer,
+  nose_gear,
+  transfer_arm,
+  sine_generator,
+  log_generator,
+  five_hatch,
+  wheel_loader,
+  hatchback_lid,
+  almost_symmetric,
+  mirror_symmetric,
+  three_parallel,
+  parallel_moves,
 };
 export type ExampleName = keyof typeof files;
 export interface Example {

@@ -7,24 +7,42 @@ const lower: Record<Side, string> = {input: "₁", output: "₂"};
 
 /** "τ₁ 1.1311 · τ₂ 0.4207", of each axis with a choice. */
 export function places_text(axes: Axes, tau: TauPair, digits = 4): string {
-  return (["input", "output"] as const).map((side, k) => place_text(axes[side], side, tau[k], digits)).filter((text) => text !== "").join(" · ");
+  return (["input", "output"] as const)
+    .map((side, k) => place_text(axes[side], side, tau[k], digits))
+    .filter((text) => text !== "")
+    .join(" · ");
 }
 /** "τ₁ 1.1311", "β₂ 47.2°", "point 2"; nothing where the axis leaves nothing to choose or another number says it. */
 export function place_text(axis: Axis, side: Side, tau: number, digits = 4): string {
   switch (axis.quantity) {
-    case "curve_coordinate": return `τ${lower[side]} ${fixed(tau, digits)}`;
-    case "burmester_point": return t("axis.point", {n: Math.floor(tau) + 1});
-    case "side_direction": return `β${lower[side]} ${degrees_text(value_at(axis, tau, (a, b, share) => a + share * (b - a)))}`;
-    case "pair_output": return `ψ ${degrees_text(value_at(axis, tau, (a, b, share) => a + share * (b - a)))}`;
-    case "output_scale": return `×${significant(value_at(axis, tau, (a, b, share) => a * (b / a) ** share), 3)}`;
-    default: return "";
+    case "curve_coordinate":
+      return `τ${lower[side]} ${fixed(tau, digits)}`;
+    case "burmester_point":
+      return t("axis.point", {n: Math.floor(tau) + 1});
+    case "side_direction":
+      return `β${lower[side]} ${degrees_text(value_at(axis, tau, (a, b, share) => a + share * (b - a)))}`;
+    case "pair_output":
+      return `ψ ${degrees_text(value_at(axis, tau, (a, b, share) => a + share * (b - a)))}`;
+    case "output_scale":
+      return `×${significant(
+        value_at(axis, tau, (a, b, share) => a * (b / a) ** share),
+        3,
+      )}`;
+    default:
+      return "";
   }
 }
 /** Between the engine's ticks, and beyond the last of a branch. */
-function value_at({ticks, branches}: Axis, tau: number, between: (a: number, b: number, share: number) => number): number {
+function value_at(
+  {ticks, branches}: Axis,
+  tau: number,
+  between: (a: number, b: number, share: number) => number,
+): number {
   const branch = branches.findLast(({from}) => tau >= from) ?? branches[0];
   const own = (ticks ?? []).filter(([at]) => at >= branch.from && at < branch.to);
-  const found = own.findIndex(([at]) => at > tau), after = found < 0 ? own.length - 1 : Math.max(found, 1);
-  const from = own[after - 1], to = own[after];
+  const found = own.findIndex(([at]) => at > tau),
+    after = found < 0 ? own.length - 1 : Math.max(found, 1);
+  const from = own[after - 1],
+    to = own[after];
   return from && to ? between(from[1], to[1], (tau - from[0]) / (to[0] - from[0])) : 0;
 }

@@ -11,7 +11,10 @@ export interface Verdict {
 }
 
 /** Nothing of what is no linkage with turning links. A defect stands for itself, whatever driving said. */
-export function verdict_of({type, defects}: Pick<Linkage, "type" | "defects">, verified: Replies["verify"] | null): Verdict | null {
+export function verdict_of(
+  {type, defects}: Pick<Linkage, "type" | "defects">,
+  verified: Replies["verify"] | null,
+): Verdict | null {
   if (type === "degenerate") return null;
   if (has_defect({defects})) return {good: false, text: defect_key(defects), driven: false};
   if (verified && !verified.verified) return {good: false, text: "num.disputed", driven: false};

@@ -50,12 +50,19 @@ export function has_defect(linkage: {defects: Linkage["defects"]}): boolean {
 }
 /** The worst defect by name: a circuit defect is a branch defect too. */
 export function defect_key(defects: Linkage["defects"]): TextKey {
-  return defects.circuit ? "defect.circuit" : defects.branch ? "defect.branch" : defects.order ? "defect.order" : "defect.none";
+  return defects.circuit
+    ? "defect.circuit"
+    : defects.branch
+      ? "defect.branch"
+      : defects.order
+        ? "defect.order"
+        : "defect.none";
 }
 
 /** "Transmission angle at least 30°" with the value asked for. */
 export function requirement_words(key: RequirementKey, requirements: Requirements, unit: string): string {
-  const value = requirements[key], name = t(requirement_names[key]);
+  const value = requirements[key],
+    name = t(requirement_names[key]);
   return typeof value === "number" ? `${name} ${value_text(key, value, unit)}` : name;
 }
 /** "Crank-rocker, no defects, γ 41.3°": the same bars, driven from the other side. */

@@ -2,7 +2,10 @@ import {describe, expect, it} from "vitest";
 import {best_of, compared, sorted_by, table_csv, type Column, type Compared} from "./compare";
 
 const column = (name: string, angle: number | null, ratio: number, note = "") =>
-  ({pin: {name, note, min_transmission_angle_deg: angle, link_ratio: ratio, longest: 100, lengths: null}, linkage: null}) as unknown as Column;
+  ({
+    pin: {name, note, min_transmission_angle_deg: angle, link_ratio: ratio, longest: 100, lengths: null},
+    linkage: null,
+  }) as unknown as Column;
 const columns = [column("A", 40, 3), column("B", 80, 5), column("C", null, 2)];
 const names = (list: Column[]) => list.map((c) => c.pin.name).join("");
 
@@ -23,7 +26,11 @@ describe("compare", () => {
   });
   it("writes a table that a spreadsheet opens without harm", () => {
     const rows = Object.fromEntries(compared.map((key) => [key, key])) as Record<Compared, string>;
-    const text = table_csv([column("=A1", 40.5, 3, 'say "hi", or\nnot'), column("-x", null, 2, "-5")], {name: "Name", note: "Note", type: "Type", rows}, () => "crank");
+    const text = table_csv(
+      [column("=A1", 40.5, 3, 'say "hi", or\nnot'), column("-x", null, 2, "-5")],
+      {name: "Name", note: "Note", type: "Type", rows},
+      () => "crank",
+    );
     const lines = text.split("\r\n");
     expect(lines[0]).toBe("Name,'=A1,'-x");
     expect(lines[2]).toBe("min_transmission_angle_deg,40.5,");

@@ -4,14 +4,24 @@ import type {Pin} from "../state/problem";
 import {least_of, most_of} from "../state/ends";
 
 export const compared = [
-  "min_transmission_angle_deg", "min_transmission_angle_full_turn_deg", "link_ratio", "longest", "ground", "input", "coupler",
-  "output", "driver_sweep_deg",
+  "min_transmission_angle_deg",
+  "min_transmission_angle_full_turn_deg",
+  "link_ratio",
+  "longest",
+  "ground",
+  "input",
+  "coupler",
+  "output",
+  "driver_sweep_deg",
 ] as const;
 export type Compared = (typeof compared)[number];
 
 /** Which end is the better one; nothing where it is a matter of taste. */
 export const better: Partial<Record<Compared, "high" | "low">> = {
-  min_transmission_angle_deg: "high", min_transmission_angle_full_turn_deg: "high", link_ratio: "low", longest: "low",
+  min_transmission_angle_deg: "high",
+  min_transmission_angle_full_turn_deg: "high",
+  link_ratio: "low",
+  longest: "low",
 };
 
 export interface Column {
@@ -20,7 +30,8 @@ export interface Column {
 }
 
 export function value_of({pin, linkage}: Column, key: Compared): number | null {
-  if (key === "ground" || key === "input" || key === "coupler" || key === "output") return (linkage?.lengths ?? pin.lengths)?.[key] ?? null;
+  if (key === "ground" || key === "input" || key === "coupler" || key === "output")
+    return (linkage?.lengths ?? pin.lengths)?.[key] ?? null;
   if (key === "driver_sweep_deg" || key === "min_transmission_angle_full_turn_deg") return linkage?.[key] ?? null;
   return linkage ? linkage[key] : pin[key];
 }
@@ -37,14 +48,19 @@ export function best_of(values: (number | null)[], end: "high" | "low" | undefin
 export function sorted_by(columns: readonly Column[], key: Compared, reversed: boolean): Column[] {
   const sign = (better[key] === "high" ? -1 : 1) * (reversed ? -1 : 1);
   return [...columns].sort((a, b) => {
-    const x = value_of(a, key), y = value_of(b, key);
+    const x = value_of(a, key),
+      y = value_of(b, key);
     if (x === null || y === null) return Number(x === null) - Number(y === null);
     return sign * (x - y);
   });
 }
 
 /** Comma separated, all digits. Names and notes are the user's: quoted, and never a formula. */
-export function table_csv(columns: readonly Column[], headings: {name: string; note: string; type: string; rows: Record<Compared, string>}, type_name: (c: Column) => string): string {
+export function table_csv(
+  columns: readonly Column[],
+  headings: {name: string; note: string; type: string; rows: Record<Compared, string>},
+  type_name: (c: Column) => string,
+): string {
   const rows = [
     [headings.name, ...columns.map((c) => c.pin.name)],
     [headings.type, ...columns.map(type_name)],

@@ -17,9 +17,12 @@ export const colors = ["--accent", "--output", "--good", "--body", "--warn", "--
 
 /** Angles and transmission angles between the first and the last position, or over all that can be driven. */
 export function stretch(drive: Drive): [angles: number[], values: number[]] {
-  const all = drive.states.length / drive.width, whole = drive.task[0] < 0 || drive.task[1] < 0;
-  const first = whole ? 0 : least_of(drive.task), last = whole ? all - 1 : most_of(drive.task);
-  const angles: number[] = [], values: number[] = [];
+  const all = drive.states.length / drive.width,
+    whole = drive.task[0] < 0 || drive.task[1] < 0;
+  const first = whole ? 0 : least_of(drive.task),
+    last = whole ? all - 1 : most_of(drive.task);
+  const angles: number[] = [],
+    values: number[] = [];
   for (let row = first; row <= last; ++row) {
     const angle = drive.states[row * drive.width];
     if (angles.length && angle <= angles[angles.length - 1]) continue; // uPlot wants rising x
@@ -30,18 +33,46 @@ export function stretch(drive: Drive): [angles: number[], values: number[]] {
 }
 
 export function draw_overlay(host: HTMLElement, curves: readonly Curve[], label: string): UPlot {
-  const style = getComputedStyle(document.documentElement), ink = style.getPropertyValue("--ink3"), line = style.getPropertyValue("--line");
+  const style = getComputedStyle(document.documentElement),
+    ink = style.getPropertyValue("--ink3"),
+    line = style.getPropertyValue("--line");
   const font = `11px ${getComputedStyle(document.body).fontFamily}`;
   const axis: UPlot.Axis = {stroke: ink, font, grid: {stroke: line, width: 1}, ticks: {show: false}};
-  const data = curves.length ? UPlot.join(curves.map(({drive}) => stretch(drive) as UPlot.AlignedData)) : ([[], []] as unknown as UPlot.AlignedData);
+  const data = curves.length
+    ? UPlot.join(curves.map(({drive}) => stretch(drive) as UPlot.AlignedData))
+    : ([[], []] as unknown as UPlot.AlignedData);
   return new UPlot(
     {
-      width: host.clientWidth, height: 180, legend: {show: false}, cursor: {show: false}, padding: [8, 12, 0, 0],
+      width: host.clientWidth,
+      height: 180,
+      legend: {show: false},
+      cursor: {show: false},
+      padding: [8, 12, 0, 0],
       scales: {x: {time: false}, y: {range: [0, 90]}},
-      axes: [{...axis, label, labelFont: font, labelSize: 18, size: 28, values: (_, ticks) => ticks.map((v) => `${String(v).replace("-", "−")}°`)},
-        {...axis, size: 38, splits: () => [0, 30, 60, 90], values: (_, ticks) => ticks.map((v) => `${v}°`)}],
-      series: [{}, ...curves.map(({color, dash, name}) => ({label: name, stroke: style.getPropertyValue(color), dash, width: 1.8, spanGaps: true, points: {show: false}}))],
+      axes: [
+        {
+          ...axis,
+          label,
+          labelFont: font,
+          labelSize: 18,
+          size: 28,
+          values: (_, ticks) => ticks.map((v) => `${String(v).replace("-", "−")}°`),
+        },
+        {...axis, size: 38, splits: () => [0, 30, 60, 90], values: (_, ticks) => ticks.map((v) => `${v}°`)},
+      ],
+      series: [
+        {},
+        ...curves.map(({color, dash, name}) => ({
+          label: name,
+          stroke: style.getPropertyValue(color),
+          dash,
+          width: 1.8,
+          spanGaps: true,
+          points: {show: false},
+        })),
+      ],
     },
-    data, host,
+    data,
+    host,
   );
 }

@@ -8,7 +8,9 @@ const every = 4; // rows
 /** Its pivots between the first position and the last. */
 export function reach_of({drive, input, output, six_bar}: Linkage): Point[] {
   if (!drive || !input.center || !output.center) return [];
-  const {task} = drive, [first, last] = task[0] < 0 || task[1] < 0 ? [0, six_bar ? row_count(drive) - 1 : 0] : [least_of(task), most_of(task)];
+  const {task} = drive,
+    [first, last] =
+      task[0] < 0 || task[1] < 0 ? [0, six_bar ? row_count(drive) - 1 : 0] : [least_of(task), most_of(task)];
   const points: Point[] = six_bar ? [] : [input.center, output.center];
   for (let row = first; row <= last; row += every) {
     const {ax, ay, bx, by} = row_state(drive, row);
@@ -17,7 +19,11 @@ export function reach_of({drive, input, output, six_bar}: Linkage): Point[] {
   return points;
 }
 export function room_around(points: readonly Point[]): {x: number; y: number; width: number; height: number} {
-  const xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
-  const x = least_of(xs), y = least_of(ys), size = Math.max(most_of(xs) - x, most_of(ys) - y, 1e-9), room = 0.06 * size;
+  const xs = points.map((p) => p[0]),
+    ys = points.map((p) => p[1]);
+  const x = least_of(xs),
+    y = least_of(ys),
+    size = Math.max(most_of(xs) - x, most_of(ys) - y, 1e-9),
+    room = 0.06 * size;
   return {x: x - room, y: y - room, width: most_of(xs) - x + 2 * room, height: most_of(ys) - y + 2 * room};
 }

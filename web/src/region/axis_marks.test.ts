@@ -5,9 +5,35 @@ import {make_scale} from "./scale";
 
 const ticks = [0, 1].flatMap((sheet) => Array.from({length: 12}, (_, i) => [sheet + i / 12, 30 * i] as const));
 const directions: Axis = {
-  quantity: "side_direction", order: 0, ticks,
-  branches: [{name: "sheet_1", from: 0, to: 1}, {name: "sheet_2", from: 1, to: 2}],
-  blocks: [{branch: 0, from: 0, to: 0.5, knots: [[0, 0], [0.5, 1]]}, {branch: 1, from: 0.5, to: 1, knots: [[0.5, 1], [0.75, 1.25], [0.76, 1.75], [1, 2]]}],
+  quantity: "side_direction",
+  order: 0,
+  ticks,
+  branches: [
+    {name: "sheet_1", from: 0, to: 1},
+    {name: "sheet_2", from: 1, to: 2},
+  ],
+  blocks: [
+    {
+      branch: 0,
+      from: 0,
+      to: 0.5,
+      knots: [
+        [0, 0],
+        [0.5, 1],
+      ],
+    },
+    {
+      branch: 1,
+      from: 0.5,
+      to: 1,
+      knots: [
+        [0.5, 1],
+        [0.75, 1.25],
+        [0.76, 1.75],
+        [1, 2],
+      ],
+    },
+  ],
 };
 
 describe("an axis with numbers", () => {
@@ -24,10 +50,27 @@ describe("an axis with numbers", () => {
   it("says what its blocks are", () => {
     const bars = axis_bars(directions, "output", make_scale(directions.blocks, [0, 1], 404), "mm");
     expect(bars.map(({text}) => text)).toEqual(["Direction β₂ ° · sheet I", "Direction β₂ ° · sheet II"]);
-    const length = axis_bars({...directions, quantity: "side_length"}, "input", make_scale(directions.blocks, [0, 1], 404), "mm");
+    const length = axis_bars(
+      {...directions, quantity: "side_length"},
+      "input",
+      make_scale(directions.blocks, [0, 1], 404),
+      "mm",
+    );
     expect(length[0].text).toBe("Length R₁ mm · sheet I");
-    const points = axis_bars({...directions, quantity: "burmester_point", ticks: null}, "input", make_scale(directions.blocks, [0, 1], 404), "mm");
+    const points = axis_bars(
+      {...directions, quantity: "burmester_point", ticks: null},
+      "input",
+      make_scale(directions.blocks, [0, 1], 404),
+      "mm",
+    );
     expect(points.map(({text}) => text)).toEqual(["1", "2"]);
-    expect(axis_bars({...directions, quantity: "nothing", ticks: null}, "input", make_scale([{from: 0, to: 1}], [0, 1], 404), "mm")[0].text).toBe("");
+    expect(
+      axis_bars(
+        {...directions, quantity: "nothing", ticks: null},
+        "input",
+        make_scale([{from: 0, to: 1}], [0, 1], 404),
+        "mm",
+      )[0].text,
+    ).toBe("");
   });
 });

@@ -8,14 +8,25 @@ import {pixel_of, type Scale} from "./scale";
 import {most_of} from "../state/ends";
 
 const branch_texts: Record<string, TextKey> = {
-  odd: "curve.odd", oval: "curve.oval", nodal: "curve.nodal", line: "curve.line", circle: "curve.circle_part", conic: "curve.conic",
-  line_at_infinity: "curve.line_at_infinity", point: "curve.single_point", center_line: "curve.center_line",
-  direct: "axis.direct", opposite: "axis.opposite",
+  odd: "curve.odd",
+  oval: "curve.oval",
+  nodal: "curve.nodal",
+  line: "curve.line",
+  circle: "curve.circle_part",
+  conic: "curve.conic",
+  line_at_infinity: "curve.line_at_infinity",
+  point: "curve.single_point",
+  center_line: "curve.center_line",
+  direct: "axis.direct",
+  opposite: "axis.opposite",
 };
 const branch_terms: Record<string, TermName> = {odd: "branch_infinity", oval: "branch_closed", nodal: "node"};
 const sheets: Record<string, string> = {sheet_1: "I", sheet_2: "II", sheet_1_opposite: "III", sheet_2_opposite: "IV"};
 const quantity_texts: Partial<Record<AxisQuantity, TextKey>> = {
-  side_direction: "axis.side_direction", side_length: "axis.side_length", output_scale: "axis.output_scale", pair_output: "axis.pair_output",
+  side_direction: "axis.side_direction",
+  side_length: "axis.side_length",
+  output_scale: "axis.output_scale",
+  pair_output: "axis.pair_output",
 };
 
 export interface AxisBar {
@@ -36,26 +47,36 @@ export interface AxisNumber {
 }
 
 export function block_text(axis: Axis, index: number): string {
-  const {branch} = axis.blocks[index], halves = axis.blocks.filter((block) => block.branch === branch), {name} = axis.branches[branch];
+  const {branch} = axis.blocks[index],
+    halves = axis.blocks.filter((block) => block.branch === branch),
+    {name} = axis.branches[branch];
   if (axis.quantity === "nothing" || name === "range") return "";
   if (axis.quantity === "burmester_point") return String(branch + 1);
   if (name in sheets) return t("axis.sheet", {n: sheets[name]});
   if (name.startsWith("direction_")) return t("axis.direction", {n: branch + 1});
-  if (axis.branches.length === 1 && halves.length === 2) return t(halves[0] === axis.blocks[index] ? "region.first_half" : "region.second_half");
+  if (axis.branches.length === 1 && halves.length === 2)
+    return t(halves[0] === axis.blocks[index] ? "region.first_half" : "region.second_half");
   const key = branch_texts[name];
   return key ? t(key) : name;
 }
 /** Each block with what its numbers are, if it has any, and its name. */
 export function axis_bars(axis: Axis, side: Side, scale: Scale, unit: string): AxisBar[] {
-  const key = quantity_texts[axis.quantity], of = side === "input" ? "₁" : "₂";
+  const key = quantity_texts[axis.quantity],
+    of = side === "input" ? "₁" : "₂";
   const quantity = key ? [t(key, {of, unit}).trim()] : [];
   return scale.pieces.map(({start, end, block}) => {
     const name = axis.blocks[block] ? block_text(axis, block) : "";
-    return {start, end, text: [...quantity, ...(name ? [name] : [])].join(" · "), term: branch_terms[axis.branches[axis.blocks[block]?.branch]?.name] ?? null};
+    return {
+      start,
+      end,
+      text: [...quantity, ...(name ? [name] : [])].join(" · "),
+      term: branch_terms[axis.branches[axis.blocks[block]?.branch]?.name] ?? null,
+    };
   });
 }
 
-const number_px = 34, every = [1, 2, 3, 4, 6, 12];
+const number_px = 34,
+  every = [1, 2, 3, 4, 6, 12];
 
 function number_text(quantity: AxisQuantity, value: number): string {
   if (quantity === "side_direction" || quantity === "pair_output") return `${significant(value, 3)}°`;
@@ -66,10 +87,14 @@ function number_text(quantity: AxisQuantity, value: number): string {
 export function axis_numbers(axis: Axis, scale: Scale): AxisNumber[] {
   return scale.pieces.flatMap(({block, from, to, end}) => {
     const branch = axis.branches[axis.blocks[block]?.branch];
-    const own = (axis.ticks ?? []).filter(([tau]) => branch && tau >= branch.from && tau < branch.to).flatMap(([tau, value], index) => {
-      const place = place_of(axis, tau);
-      return place !== null && place >= from && place < to ? [{index, at: pixel_of(scale, place), text: number_text(axis.quantity, value)}] : [];
-    });
+    const own = (axis.ticks ?? [])
+      .filter(([tau]) => branch && tau >= branch.from && tau < branch.to)
+      .flatMap(([tau, value], index) => {
+        const place = place_of(axis, tau);
+        return place !== null && place >= from && place < to
+          ? [{index, at: pixel_of(scale, place), text: number_text(axis.quantity, value)}]
+          : [];
+      });
     const widest = Math.max(most_of(own.slice(1).map(({at}, i) => at - own[i].at)), 0) || Infinity;
     const step = every.find((k) => k * widest >= number_px) ?? own.length;
     let last = -Infinity;
@@ -82,13 +107,15 @@ export function axis_numbers(axis: Axis, scale: Scale): AxisNumber[] {
 }
 
 function mark_text(special: Special): string {
-  if (special.kind === "pole" && special.positions) return t("curve.pole", {i: special.positions[0], j: special.positions[1]});
+  if (special.kind === "pole" && special.positions)
+    return t("curve.pole", {i: special.positions[0], j: special.positions[1]});
   if (special.kind === "node") return t("curve.node");
   return t(special.kind === "center_at_infinity" ? "curve.slider_fixed" : "curve.slider_moving");
 }
 export function axis_marks(axis: Axis, specials: readonly Special[], scale: Scale): AxisMark[] {
   const marks: AxisMark[] = [];
-  const first = scale.pieces[0], last = scale.pieces[scale.pieces.length - 1];
+  const first = scale.pieces[0],
+    last = scale.pieces[scale.pieces.length - 1];
   for (const special of specials) {
     if (special.kind === "focus") continue;
     const kind = special.kind === "pole" || special.kind === "node" ? special.kind : "infinity";

@@ -9,6 +9,14 @@ it("a canvas takes both of its sizes, whichever it has already", () => {
   expect(untouched).toEqual({width: 450, height: 360});
 });
 it("a canvas of the right size is not emptied", () => {
-  const canvas = {width: 300, set height(_: number) { throw new Error("emptied"); }, get height() { return 200; }};
+  const canvas = {
+    width: 300,
+    set height(_: number) {
+      throw new Error("emptied");
+    },
+    get height() {
+      return 200;
+    },
+  };
   expect(size_canvas(canvas, 150, 100, 2)).toEqual([300, 200]);
 });

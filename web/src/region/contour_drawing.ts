@@ -3,7 +3,9 @@ import {contours, straightest, type Contour} from "./contours";
 import type {Axes, Axis, MapAnswer} from "../engine/protocol";
 import {point_of, type Frame} from "./painter";
 
-const label_px = 30, label_apart_px = 22, most_lines = 500; // squares along an edge: finer is not seen
+const label_px = 30,
+  label_apart_px = 22,
+  most_lines = 500; // squares along an edge: finer is not seen
 
 function breaks(window: readonly [number, number], edges: readonly number[], n: number): Set<number> {
   return new Set(edges.map((edge) => Math.round(((edge - window[0]) / (window[1] - window[0])) * n)));
@@ -13,20 +15,35 @@ function breaks(window: readonly [number, number], edges: readonly number[], n: 
 export function map_contours(map: MapAnswer, levels: readonly number[], axes: Axes, ignored: number): Contour[] {
   const {rows, columns, value, defects, type, fails, window} = map;
   const edges = (axis: Axis) => axis.blocks.flatMap((block) => [block.from, block.to]);
-  return contours({
-    rows, columns, value, stride: Math.max(1, Math.round(Math.max(rows, columns) / most_lines)),
-    counts: (i) => defects[i] === 0 && type[i] < 9 && (fails[i] & ~ignored) === 0,
-    row_breaks: breaks(window.input, edges(axes.input), rows), column_breaks: breaks(window.output, edges(axes.output), columns),
-  }, levels);
+  return contours(
+    {
+      rows,
+      columns,
+      value,
+      stride: Math.max(1, Math.round(Math.max(rows, columns) / most_lines)),
+      counts: (i) => defects[i] === 0 && type[i] < 9 && (fails[i] & ~ignored) === 0,
+      row_breaks: breaks(window.input, edges(axes.input), rows),
+      column_breaks: breaks(window.output, edges(axes.output), columns),
+    },
+    levels,
+  );
 }
 
 /** The same in pixels of the frame. */
-export function placed_contours(found: readonly Contour[], {rows, columns, window}: MapAnswer, frame: Frame): Contour[] {
-  const place = (cell: number, n: number, [from, to]: readonly [number, number]) => from + ((cell + 0.5) / n) * (to - from);
+export function placed_contours(
+  found: readonly Contour[],
+  {rows, columns, window}: MapAnswer,
+  frame: Frame,
+): Contour[] {
+  const place = (cell: number, n: number, [from, to]: readonly [number, number]) =>
+    from + ((cell + 0.5) / n) * (to - from);
   const placed = (line: Float32Array) => {
     const moved = new Float32Array(line.length);
     for (let i = 0; i < line.length; i += 2) {
-      [moved[i], moved[i + 1]] = point_of(frame, [place(line[i + 1], rows, window.input), place(line[i], columns, window.output)]);
+      [moved[i], moved[i + 1]] = point_of(frame, [
+        place(line[i + 1], rows, window.input),
+        place(line[i], columns, window.output),
+      ]);
     }
     return moved;
   };
@@ -42,10 +59,16 @@ function path_of(lines: readonly Float32Array[]): Path2D {
   return path;
 }
 
-export function draw_contours(context: CanvasRenderingContext2D, found: readonly Contour[], bold: (level: number) => boolean, text: (level: number) => string): void {
+export function draw_contours(
+  context: CanvasRenderingContext2D,
+  found: readonly Contour[],
+  bold: (level: number) => boolean,
+  text: (level: number) => string,
+): void {
   context.lineJoin = context.lineCap = "round";
   for (const {level, lines} of found) {
-    const path = path_of(lines), width = bold(level) ? 2 : 1;
+    const path = path_of(lines),
+      width = bold(level) ? 2 : 1;
     context.strokeStyle = "rgba(16,20,24,0.4)";
     context.lineWidth = width + 1;
     context.stroke(path);
@@ -60,9 +83,18 @@ export function draw_contours(context: CanvasRenderingContext2D, found: readonly
   for (const {level, lines} of found) label(context, lines, text(level), labelled);
 }
 
-function label(context: CanvasRenderingContext2D, lines: readonly Float32Array[], text: string, labelled: {x: number; y: number}[]): void {
+function label(
+  context: CanvasRenderingContext2D,
+  lines: readonly Float32Array[],
+  text: string,
+  labelled: {x: number; y: number}[],
+): void {
   const longest_first = [...lines].sort((a, b) => b.length - a.length).slice(0, 4);
-  const at = longest_first.map((line) => straightest(line, label_px)).find((place) => place && labelled.every((other) => Math.hypot(other.x - place.x, other.y - place.y) > label_apart_px));
+  const at = longest_first
+    .map((line) => straightest(line, label_px))
+    .find(
+      (place) => place && labelled.every((other) => Math.hypot(other.x - place.x, other.y - place.y) > label_apart_px),
+    );
   if (!at) return;
   labelled.push(at);
   const angle = Math.abs(at.angle) > Math.PI / 2 ? at.angle + Math.PI : at.angle;

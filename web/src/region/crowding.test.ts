@@ -4,7 +4,12 @@ import {crowded_share, is_crowded} from "./crowding";
 
 function line(tau: number[], x: number[]): Curves {
   const points = Float64Array.from(x.flatMap((v) => [1, v, 0]));
-  return {tau: Float64Array.from(tau), center: points, circle: points, branch: new Uint8Array(tau.length)} as unknown as Curves;
+  return {
+    tau: Float64Array.from(tau),
+    center: points,
+    circle: points,
+    branch: new Uint8Array(tau.length),
+  } as unknown as Curves;
 }
 const steps = Array.from({length: 101}, (_, i) => i / 100);
 

@@ -25,7 +25,10 @@ function strokes(context: CanvasRenderingContext2D, rising: boolean): void {
 }
 function dots(context: CanvasRenderingContext2D): void {
   context.beginPath();
-  for (const [x, y] of [[2, 2], [6, 6]]) {
+  for (const [x, y] of [
+    [2, 2],
+    [6, 6],
+  ]) {
     context.moveTo(x + 1.1, y);
     context.arc(x, y, 1.1, 0, 2 * Math.PI);
   }

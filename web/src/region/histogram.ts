@@ -2,8 +2,14 @@ import type {MapAnswer} from "../engine/protocol";
 import {most_of} from "../state/ends";
 
 /** Share of the defect-free cells in each of `bins` equal steps of [from, to], the largest scaled to 1. */
-export function histogram(map: Pick<MapAnswer, "type" | "defects" | "value">, from: number, to: number, bins: number): number[] {
-  const counts = new Array<number>(bins).fill(0), scale = bins / (to - from || 1);
+export function histogram(
+  map: Pick<MapAnswer, "type" | "defects" | "value">,
+  from: number,
+  to: number,
+  bins: number,
+): number[] {
+  const counts = new Array<number>(bins).fill(0),
+    scale = bins / (to - from || 1);
   const {type, defects, value} = map;
   const step = type.length > 200_000 ? 5 : 1;
   for (let i = 0; i < type.length; i += step) {

@@ -5,7 +5,10 @@ import {colorings_of} from "./property";
 import type {RegionView} from "./view.svelte";
 
 const arrows: Record<string, readonly [rows: number, columns: number]> = {
-  ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowRight: [0, 1], ArrowLeft: [0, -1],
+  ArrowUp: [1, 0],
+  ArrowDown: [-1, 0],
+  ArrowRight: [0, 1],
+  ArrowLeft: [0, -1],
 };
 const zoom_step = 1.6;
 
@@ -14,7 +17,8 @@ const zoom_step = 1.6;
 export function map_key(event: KeyboardEvent, view: RegionView, focused: boolean): boolean {
   if (event.ctrlKey || event.metaKey) return false;
   if (focused && event.key in arrows) {
-    const [rows, columns] = arrows[event.key], cells = event.altKey ? 0.1 : event.shiftKey ? 10 : 1;
+    const [rows, columns] = arrows[event.key],
+      cells = event.altKey ? 0.1 : event.shiftKey ? 10 : 1;
     view.step(rows * cells, columns * cells);
     return true;
   }

@@ -6,14 +6,23 @@ import {mixed, pixel, ramp, rgb_of, type Look, type Palette} from "./palette";
 import {make_scale} from "./scale";
 
 const palette: Palette = {
-  types: Array.from({length: 10}, (_, i) => [i * 20, 10, 200] as const), paper: [255, 255, 255], defect: [220, 220, 220],
-  hatch: [190, 190, 190], ink: [0, 0, 0],
+  types: Array.from({length: 10}, (_, i) => [i * 20, 10, 200] as const),
+  paper: [255, 255, 255],
+  defect: [220, 220, 220],
+  hatch: [190, 190, 190],
+  ink: [0, 0, 0],
 };
 const look: Look = {palette, only_meeting: false, type_hover: null};
 // Row 0: crank-rocker that meets all, the same failing; row 1: with a defect, degenerate.
 const map = {
-  samples: 2, rows: 2, columns: 2, window: whole, type: Uint8Array.of(0, 0, 2, 9), defects: Uint8Array.of(0, 0, 2, 0),
-  fails: Uint8Array.of(0, 4, 2, 127), value: Float32Array.of(90, 45, 0, 0),
+  samples: 2,
+  rows: 2,
+  columns: 2,
+  window: whole,
+  type: Uint8Array.of(0, 0, 2, 9),
+  defects: Uint8Array.of(0, 0, 2, 0),
+  fails: Uint8Array.of(0, 4, 2, 127),
+  value: Float32Array.of(90, 45, 0, 0),
 } as MapAnswer;
 
 function painted(change: Partial<Look> = {}): number[] {
@@ -23,7 +32,9 @@ function painted(change: Partial<Look> = {}): number[] {
 }
 
 describe("painter", () => {
-  const full = pixel(palette.types[0]), washed = pixel(mixed(palette.types[0], palette.paper, 0.3)), paper = pixel(palette.paper);
+  const full = pixel(palette.types[0]),
+    washed = pixel(mixed(palette.types[0], palette.paper, 0.3)),
+    paper = pixel(palette.paper);
   it("paints types with row 0 at the bottom, defects clear", () => {
     expect(painted()).toEqual([0, paper, full, washed]);
   });
@@ -43,11 +54,21 @@ describe("painter", () => {
     expect(out[2]).toBe(pixel(ramp(0)));
   });
   it("lays points and the diagonal over the gaps", () => {
-    const scale = make_scale([{from: 0, to: 0.5}, {from: 0.5, to: 1}], [0, 1], 404);
+    const scale = make_scale(
+      [
+        {from: 0, to: 0.5},
+        {from: 0.5, to: 1},
+      ],
+      [0, 1],
+      404,
+    );
     const frame = {up: scale, across: scale};
     expect(point_of(frame, [0, 0])).toEqual([0, 404]);
     expect(point_of(frame, [0.75, 0.25])).toEqual([100, 100]);
-    expect(diagonal(frame)).toEqual([[0, 404, 200, 204], [204, 200, 404, 0]]);
+    expect(diagonal(frame)).toEqual([
+      [0, 404, 200, 204],
+      [204, 200, 404, 0],
+    ]);
   });
   it("tells pictures apart", () => {
     expect(hash_of(Uint32Array.of(1, 2))).not.toBe(hash_of(Uint32Array.of(2, 1)));

@@ -12,24 +12,36 @@ export interface Range {
 /** With rows and columns exchanged, where there is one of either. */
 export function on_its_side(map: MapAnswer): MapAnswer {
   const {rows, columns, window, input_tau, output_tau} = map;
-  return {...map, rows: columns, columns: rows, window: {input: window.output, output: window.input}, input_tau: output_tau, output_tau: input_tau};
+  return {
+    ...map,
+    rows: columns,
+    columns: rows,
+    window: {input: window.output, output: window.input},
+    input_tau: output_tau,
+    output_tau: input_tau,
+  };
 }
 
 /** Fills columns × rows pixels, row 0 of the map at the bottom. */
 export function paint_types(map: MapAnswer, look: Look, out: Uint32Array): void {
-  const table = type_table(look), {rows, columns, type, defects, fails} = map;
+  const table = type_table(look),
+    {rows, columns, type, defects, fails} = map;
   for (let row = 0; row < rows; ++row) {
-    let from = row * columns, to = (rows - 1 - row) * columns;
+    let from = row * columns,
+      to = (rows - 1 - row) * columns;
     for (const end = from + columns; from < end; ++from, ++to) {
       out[to] = table[type[from] | (fails[from] === 0 ? 16 : 0) | (defects[from] << 5)];
     }
   }
 }
 export function paint_values(map: MapAnswer, look: Look, range: Range, out: Uint32Array): void {
-  const table = ramp_table(look), {rows, columns, type, defects, fails, value} = map;
-  const scale = (ramp_steps - 1) / (range.to - range.from || 1), top = ramp_steps - 1;
+  const table = ramp_table(look),
+    {rows, columns, type, defects, fails, value} = map;
+  const scale = (ramp_steps - 1) / (range.to - range.from || 1),
+    top = ramp_steps - 1;
   for (let row = 0; row < rows; ++row) {
-    let from = row * columns, to = (rows - 1 - row) * columns;
+    let from = row * columns,
+      to = (rows - 1 - row) * columns;
     for (const end = from + columns; from < end; ++from, ++to) {
       const step = (value[from] - range.from) * scale;
       const kind = type[from] | (fails[from] === 0 ? 16 : 0) | (defects[from] << 5);
@@ -41,8 +53,10 @@ export function paint_values(map: MapAnswer, look: Look, range: Range, out: Uint
 export function paint_defect_mask(map: MapAnswer, kind: DefectKind, out: Uint32Array): void {
   const {rows, columns, defects} = map;
   for (let row = 0; row < rows; ++row) {
-    let from = row * columns, to = (rows - 1 - row) * columns;
-    for (const end = from + columns; from < end; ++from, ++to) out[to] = worst_kind[defects[from] & 7] === kind ? 0xff000000 : 0;
+    let from = row * columns,
+      to = (rows - 1 - row) * columns;
+    for (const end = from + columns; from < end; ++from, ++to)
+      out[to] = worst_kind[defects[from] & 7] === kind ? 0xff000000 : 0;
   }
 }
 export type DefectKind = 0 | 1 | 2 | 3; // none, order, branch, circuit
@@ -77,18 +91,26 @@ interface Part {
   size: number;
 }
 function part(piece: Piece, scale: Scale, span: readonly [number, number], n: number): Part | null {
-  const from = Math.max(piece.from, span[0]), to = Math.min(piece.to, span[1]);
+  const from = Math.max(piece.from, span[0]),
+    to = Math.min(piece.to, span[1]);
   if (to <= from) return null;
   const per_place = n / (span[1] - span[0]);
   const start = piece.start + (from - piece.from) * scale.per_place;
-  return {source: (from - span[0]) * per_place, source_size: (to - from) * per_place, start, size: (to - from) * scale.per_place};
+  return {
+    source: (from - span[0]) * per_place,
+    source_size: (to - from) * per_place,
+    start,
+    size: (to - from) * scale.per_place,
+  };
 }
 
 /** Draws the bitmap of the part `window` of the region, wherever that part lies in the frame. */
 export function draw_bitmap(context: CanvasRenderingContext2D, {canvas}: Bitmap, window: Window, frame: Frame): void {
-  const {up, across} = frame, {width: columns, height: rows} = canvas;
+  const {up, across} = frame,
+    {width: columns, height: rows} = canvas;
   const ratio = context.getTransform().a; // device pixels
-  const crowded = (count: number, scale: Scale, [from, to]: readonly [number, number]) => count > scale.per_place * ratio * (to - from) * 1.3;
+  const crowded = (count: number, scale: Scale, [from, to]: readonly [number, number]) =>
+    count > scale.per_place * ratio * (to - from) * 1.3;
   context.imageSmoothingEnabled = crowded(rows, up, window.input) || crowded(columns, across, window.output);
   for (const row of up.pieces) {
     const v = part(row, up, window.input, rows);
@@ -96,14 +118,26 @@ export function draw_bitmap(context: CanvasRenderingContext2D, {canvas}: Bitmap,
     for (const column of across.pieces) {
       const h = part(column, across, window.output, columns);
       if (!h) continue;
-      context.drawImage(canvas, h.source, rows - v.source - v.source_size, h.source_size, v.source_size,
-        h.start, up.size - v.start - v.size, h.size, v.size);
+      context.drawImage(
+        canvas,
+        h.source,
+        rows - v.source - v.source_size,
+        h.source_size,
+        v.source_size,
+        h.start,
+        up.size - v.start - v.size,
+        h.size,
+        v.size,
+      );
     }
   }
 }
 
 /** Calls back with the rectangle of every pair of blocks. */
-export function for_each_block(frame: Frame, draw: (x: number, y: number, width: number, height: number) => void): void {
+export function for_each_block(
+  frame: Frame,
+  draw: (x: number, y: number, width: number, height: number) => void,
+): void {
   for (const row of frame.up.pieces) {
     for (const column of frame.across.pieces) {
       draw(column.start, frame.up.size - row.end, column.end - column.start, row.end - row.start);
@@ -117,7 +151,8 @@ export function diagonal(frame: Frame): [x1: number, y1: number, x2: number, y2:
   const {up, across} = frame;
   for (const row of up.pieces) {
     for (const column of across.pieces) {
-      const from = Math.max(row.from, column.from), to = Math.min(row.to, column.to);
+      const from = Math.max(row.from, column.from),
+        to = Math.min(row.to, column.to);
       if (row.block !== column.block || to <= from) continue;
       const x = (place: number) => column.start + (place - column.from) * across.per_place;
       const y = (place: number) => up.size - (row.start + (place - row.from) * up.per_place);

@@ -17,7 +17,13 @@ export function rgb_of(hex: string): Rgb {
 }
 export function read_palette(style: Pick<CSSStyleDeclaration, "getPropertyValue">): Palette {
   const token = (name: string) => rgb_of(style.getPropertyValue(`--${name}`));
-  return {types: linkage_types.map(token), paper: token("paper"), defect: token("defect"), hatch: token("hatch"), ink: token("ink")};
+  return {
+    types: linkage_types.map(token),
+    paper: token("paper"),
+    defect: token("defect"),
+    hatch: token("hatch"),
+    ink: token("ink"),
+  };
 }
 
 export function mixed(color: Rgb, ground: Rgb, share: number): Rgb {
@@ -40,7 +46,8 @@ export function ramp(share: number): Rgb {
 }
 
 export const washed_share = 0.3;
-const faded_share = 0.15, seen_through = 170;
+const faded_share = 0.15,
+  seen_through = 170;
 
 /** What a cell is: code | 16 if it meets everything | its defect bits << 5. */
 export const cell_kinds = 256;
@@ -55,7 +62,9 @@ export interface Look {
 }
 type Level = "clear" | "paper" | "full" | "washed" | "through";
 function level_of(kind: number, look: Look): Level {
-  const type = kind & 15, meets = (kind & 16) !== 0, defects = kind >> 5;
+  const type = kind & 15,
+    meets = (kind & 16) !== 0,
+    defects = kind >> 5;
   if (type >= 9) return "paper";
   if (look.only_meeting && !meets) return "paper";
   if (defects) return meets ? "through" : "clear"; // the hatching below shows
@@ -75,16 +84,21 @@ function faded(kind: number, look: Look): boolean {
 export function type_table(look: Look): Uint32Array {
   const {palette} = look;
   return Uint32Array.from({length: cell_kinds}, (_, kind) =>
-    shown(palette.types[kind & 15] ?? palette.paper, level_of(kind, look), faded(kind, look), palette.paper));
+    shown(palette.types[kind & 15] ?? palette.paper, level_of(kind, look), faded(kind, look), palette.paper),
+  );
 }
 
 export const ramp_steps = 256;
 /** Pixels by (row of the kind, step of the ramp): rows[kind] is the offset of its row in `pixels`. */
 export function ramp_table(look: Look): {rows: Uint32Array; pixels: Uint32Array} {
   const {paper} = look.palette;
-  const rows = new Uint32Array(cell_kinds), known = new Map<string, number>(), pixels: number[] = [];
+  const rows = new Uint32Array(cell_kinds),
+    known = new Map<string, number>(),
+    pixels: number[] = [];
   for (let kind = 0; kind < cell_kinds; ++kind) {
-    const level = level_of(kind, look), dim = faded(kind, look), name = `${level} ${dim}`;
+    const level = level_of(kind, look),
+      dim = faded(kind, look),
+      name = `${level} ${dim}`;
     if (!known.has(name)) {
       known.set(name, pixels.length);
       for (let i = 0; i < ramp_steps; ++i) pixels.push(shown(ramp(i / (ramp_steps - 1)), level, dim, paper));

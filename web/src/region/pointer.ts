@@ -5,7 +5,12 @@ import type {Picked} from "../state/document";
 import type {RegionView} from "./view.svelte";
 import {boxed, panned, zoomed} from "./zoom";
 
-const drag_px = 4, touch_drag_px = 8, double_ms = 350, double_px = 8, double_touch_px = 28, least_box_px = 6;
+const drag_px = 4,
+  touch_drag_px = 8,
+  double_ms = 350,
+  double_px = 8,
+  double_touch_px = 28,
+  least_box_px = 6;
 export const finger_px = 56; // the crosshair stands so far above the finger
 
 type Doing =
@@ -32,7 +37,8 @@ export class MapPointer {
     if (event.pointerType === "touch") return this.touch_down(event.pointerId, at);
     this.flush();
     if (event.button === 0) this.doing = {kind: "press", from: at};
-    else if (event.button === 1 || event.button === 2) this.doing = {kind: "pan", from: at, last: at, button: event.button, moved: false};
+    else if (event.button === 1 || event.button === 2)
+      this.doing = {kind: "pan", from: at, last: at, button: event.button, moved: false};
   }
   move(event: PointerEvent, at: Point): void {
     if (event.pointerType === "touch") return this.touch_move(event.pointerId, at);
@@ -60,7 +66,8 @@ export class MapPointer {
   }
   wheel(event: WheelEvent, at: Point): void {
     const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
-    const place = this.view.place(at), factor = Math.exp(Math.min(Math.max(pixels, -400), 400) * (event.ctrlKey ? 0.01 : 0.002));
+    const place = this.view.place(at),
+      factor = Math.exp(Math.min(Math.max(pixels, -400), 400) * (event.ctrlKey ? 0.01 : 0.002));
     this.zooming *= factor;
     this.later(() => {
       this.view.zoom_at(place, this.zooming);
@@ -96,11 +103,14 @@ export class MapPointer {
   private click(at: Point, time: number, reach: number): void {
     const last = this.last_click;
     this.last_click = null;
-    if (last && time - last.time < double_ms && apart(last.at, at) < reach) this.second_click(last.at, last.label, last.before);
+    if (last && time - last.time < double_ms && apart(last.at, at) < reach)
+      this.second_click(last.at, last.label, last.before);
     else this.first_click(at, time);
   }
   private first_click(at: Point, time: number): void {
-    const {workbench} = this.view, target = this.view.target(at), label = `map ${++this.clicks}`;
+    const {workbench} = this.view,
+      target = this.view.target(at),
+      label = `map ${++this.clicks}`;
     this.last_click = {at, time, label, before: workbench.picked};
     if (!target) return;
     if (target.pin && !workbench.is_stale(target.pin)) workbench.pick_pin(target.pin);
@@ -108,7 +118,8 @@ export class MapPointer {
   }
   /** Pins what was picked; where there is nothing to pin, the whole map comes back and the pick is undone. */
   private second_click(at: Point, label: string, before: Picked | null): void {
-    const {workbench} = this.view, target = this.view.target(at);
+    const {workbench} = this.view,
+      target = this.view.target(at);
     if (!target) return;
     if (!this.view.is_empty(target.place)) return void workbench.pin_at(target.tau);
     workbench.edit_document((document) => ({...document, picked: before}), label);
@@ -139,7 +150,9 @@ export class MapPointer {
   private pinch(doing: Doing & {kind: "pinch"}): void {
     const [a, b] = this.touches.values();
     if (!a || !b) return;
-    const now = middle(a, b), spread = Math.max(apart(a, b), 1), {workbench, size} = this.view;
+    const now = middle(a, b),
+      spread = Math.max(apart(a, b), 1),
+      {workbench, size} = this.view;
     const around = zoomed(workbench.window, this.view.place(doing.middle), doing.spread / spread);
     workbench.zoom(panned(around, (now[1] - doing.middle[1]) / size, (doing.middle[0] - now[0]) / size));
     doing.middle = now;

@@ -16,13 +16,55 @@ interface Description {
   quantity: "angle" | "fine_angle" | "ratio" | "length";
 }
 export const descriptions: Record<Property, Description> = {
-  min_transmission_angle_deg: {text: "region.by_transmission", short: "region.short_transmission", larger_is_better: true, requirement: "min_transmission_angle_deg", quantity: "angle"},
-  link_ratio: {text: "region.by_ratio", short: "region.short_ratio", larger_is_better: false, requirement: "max_link_ratio", quantity: "ratio"},
-  longest_link: {text: "region.by_size", short: "region.by_size", larger_is_better: false, requirement: "max_length", quantity: "length"},
-  min_transmission_angle_full_turn_deg: {text: "num.min_turn", short: "num.min_turn", larger_is_better: true, requirement: null, quantity: "angle"},
-  pose_miss: {text: "region.by_miss", short: "region.by_miss", larger_is_better: false, requirement: null, quantity: "length"},
-  driver_sweep_deg: {text: "num.sweep", short: "num.sweep", larger_is_better: true, requirement: null, quantity: "angle"},
-  max_structural_error_deg: {text: "function.max_error", short: "function.error", larger_is_better: false, requirement: null, quantity: "fine_angle"},
+  min_transmission_angle_deg: {
+    text: "region.by_transmission",
+    short: "region.short_transmission",
+    larger_is_better: true,
+    requirement: "min_transmission_angle_deg",
+    quantity: "angle",
+  },
+  link_ratio: {
+    text: "region.by_ratio",
+    short: "region.short_ratio",
+    larger_is_better: false,
+    requirement: "max_link_ratio",
+    quantity: "ratio",
+  },
+  longest_link: {
+    text: "region.by_size",
+    short: "region.by_size",
+    larger_is_better: false,
+    requirement: "max_length",
+    quantity: "length",
+  },
+  min_transmission_angle_full_turn_deg: {
+    text: "num.min_turn",
+    short: "num.min_turn",
+    larger_is_better: true,
+    requirement: null,
+    quantity: "angle",
+  },
+  pose_miss: {
+    text: "region.by_miss",
+    short: "region.by_miss",
+    larger_is_better: false,
+    requirement: null,
+    quantity: "length",
+  },
+  driver_sweep_deg: {
+    text: "num.sweep",
+    short: "num.sweep",
+    larger_is_better: true,
+    requirement: null,
+    quantity: "angle",
+  },
+  max_structural_error_deg: {
+    text: "function.max_error",
+    short: "function.error",
+    larger_is_better: false,
+    requirement: null,
+    quantity: "fine_angle",
+  },
 };
 /** In the order in which C walks through them. */
 export function colorings_of(task: Task): Coloring[] {
@@ -70,7 +112,11 @@ export function painted_range(property: Property, ends: readonly [number, number
 }
 
 /** Contour levels, the requirement's own among them. */
-export function contour_levels(property: Property, requirements: Requirements, typical: number): {level: number; bold: boolean}[] {
+export function contour_levels(
+  property: Property,
+  requirements: Requirements,
+  typical: number,
+): {level: number; bold: boolean}[] {
   const bold = threshold(property, requirements);
   const levels = new Set(plain_levels(property, domain(property, requirements, typical)));
   if (bold !== null && bold > 0) levels.add(bold);

@@ -11,10 +11,21 @@ export interface RibbonLine {
 
 /** Stretches of linkages with a value, those that meet the requirements apart from the others. */
 export function ribbon_lines(map: MapAnswer, scale: Scale): RibbonLine[] {
-  const lines: RibbonLine[] = [], {rows, value, fails, type, window: {input: [from, to]}} = map;
-  let last: RibbonLine | null = null, piece = -1;
+  const lines: RibbonLine[] = [],
+    {
+      rows,
+      value,
+      fails,
+      type,
+      window: {
+        input: [from, to],
+      },
+    } = map;
+  let last: RibbonLine | null = null,
+    piece = -1;
   for (let row = 0; row < rows; ++row) {
-    const place = from + ((row + 0.5) / rows) * (to - from), meets = fails[row] === 0;
+    const place = from + ((row + 0.5) / rows) * (to - from),
+      meets = fails[row] === 0;
     const here = scale.pieces.findIndex((p) => place >= p.from && place <= p.to);
     if (value[row] === 0 || type[row] >= 9 || here < 0) {
       last = null;
@@ -36,7 +47,8 @@ export function ribbon_lines(map: MapAnswer, scale: Scale): RibbonLine[] {
 export function axis_top(property: Property, values: readonly number[], limit: number | null): number {
   if (property.startsWith("min_transmission_angle")) return 90;
   if (property === "driver_sweep_deg") return 360;
-  const sorted = [...values].sort((a, b) => a - b), usual = sorted[Math.floor(0.85 * (sorted.length - 1))] ?? 1;
+  const sorted = [...values].sort((a, b) => a - b),
+    usual = sorted[Math.floor(0.85 * (sorted.length - 1))] ?? 1;
   return Math.max(1.15 * usual, limit === null ? 0 : Math.min(1.1 * limit, 3 * usual)) || 1;
 }
 /** Round values from 0 up, as many as there is room for. */

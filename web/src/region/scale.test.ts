@@ -1,19 +1,30 @@
 import {describe, expect, it} from "vitest";
 import {gap_px, make_scale, pixel_of, place_at} from "./scale";
 
-const blocks = [{from: 0, to: 0.5}, {from: 0.5, to: 1}];
+const blocks = [
+  {from: 0, to: 0.5},
+  {from: 0.5, to: 1},
+];
 
 describe("scale", () => {
   it("lays the blocks over the whole edge with a gap between them", () => {
     const scale = make_scale(blocks, [0, 1], 404);
-    expect(scale.pieces.map((p) => [p.start, p.end])).toEqual([[0, 200], [204, 404]]);
+    expect(scale.pieces.map((p) => [p.start, p.end])).toEqual([
+      [0, 200],
+      [204, 404],
+    ]);
     expect(pixel_of(scale, 0)).toBe(0);
     expect(pixel_of(scale, 0.25)).toBe(100);
     expect(pixel_of(scale, 0.5)).toBe(200 + gap_px);
     expect(pixel_of(scale, 1)).toBe(404);
   });
   it("goes both ways", () => {
-    for (const window of [[0, 1], [0.3, 0.9], [0.1, 0.2], [0.49999, 0.50001]] as const) {
+    for (const window of [
+      [0, 1],
+      [0.3, 0.9],
+      [0.1, 0.2],
+      [0.49999, 0.50001],
+    ] as const) {
       const scale = make_scale(blocks, window, 412);
       for (let i = 0; i <= 50; ++i) {
         const place = window[0] + ((window[1] - window[0]) * i) / 50;

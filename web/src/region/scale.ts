@@ -43,7 +43,8 @@ export function pixel_of(scale: Scale, place: number): number {
 /** Place under a pixel; in a gap the nearer edge, outside the axis its end. */
 export function place_at(scale: Scale, pixel: number): number {
   const {pieces} = scale;
-  let nearest = pieces[0], distance = Infinity;
+  let nearest = pieces[0],
+    distance = Infinity;
   for (const piece of pieces) {
     const off = pixel < piece.start ? piece.start - pixel : pixel > piece.end ? pixel - piece.end : 0;
     if (off < distance) [nearest, distance] = [piece, off];

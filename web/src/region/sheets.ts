@@ -23,9 +23,11 @@ export function sheets_of({axes: {input, output}}: TaskAnswer, map: MapAnswer | 
   });
 }
 function is_empty(map: MapAnswer, {input, output}: Window): boolean {
-  const rows = [input[0] * map.rows, input[1] * map.rows].map(Math.round), columns = [output[0] * map.columns, output[1] * map.columns].map(Math.round);
+  const rows = [input[0] * map.rows, input[1] * map.rows].map(Math.round),
+    columns = [output[0] * map.columns, output[1] * map.columns].map(Math.round);
   for (let row = rows[0]; row < rows[1]; ++row) {
-    for (let column = columns[0]; column < columns[1]; ++column) if (map.type[row * map.columns + column] < 9) return false;
+    for (let column = columns[0]; column < columns[1]; ++column)
+      if (map.type[row * map.columns + column] < 9) return false;
   }
   return true;
 }

@@ -29,7 +29,9 @@ export class RegionView {
   readonly ribbon = $derived.by(() => this.workbench.task !== null && is_ribbon(this.workbench.task.axes));
   /** Of the cells, in pixels; the map is as wide as its size. */
   readonly height = $derived(this.ribbon ? ribbon_px : this.size);
-  readonly sides: {up: Side; across: Side} = $derived(this.ribbon ? {up: "output", across: "input"} : {up: "input", across: "output"});
+  readonly sides: {up: Side; across: Side} = $derived(
+    this.ribbon ? {up: "output", across: "input"} : {up: "input", across: "output"},
+  );
   readonly frame: Frame = $derived.by(() => {
     const {task, window} = this.workbench;
     const scale = (side: Side, size: number) => make_scale(task?.axes[side].blocks ?? [], window[side], size);
@@ -52,7 +54,8 @@ export class RegionView {
   }
 
   place(point: Point): TauPair {
-    const {task} = this.workbench, place = this.turned([place_at(this.frame.up, this.height - point[1]), place_at(this.frame.across, point[0])]);
+    const {task} = this.workbench,
+      place = this.turned([place_at(this.frame.up, this.height - point[1]), place_at(this.frame.across, point[0])]);
     return task ? [held_place(task.axes.input, place[0]), held_place(task.axes.output, place[1])] : place;
   }
   point(place: TauPair): Point {
@@ -77,14 +80,17 @@ export class RegionView {
     let nearest: Pin | null = null;
     for (const pin of this.workbench.pins_on_map) {
       if (!pin.place) continue;
-      const [x, y] = this.point(pin.place), distance = Math.hypot(x - point[0], y - point[1]);
+      const [x, y] = this.point(pin.place),
+        distance = Math.hypot(x - point[0], y - point[1]);
       if (distance <= reach) [nearest, reach] = [pin, distance];
     }
     return nearest;
   }
   /** What is meant by pointing at a pixel: a pin of this task close by, or the very place. */
   target(point: Point): {place: TauPair; tau: TauPair; pin: Pin | null} | null {
-    const pin = this.pin_near(point), place = pin?.place ?? this.place(point), tau = this.tau_of_place(place);
+    const pin = this.pin_near(point),
+      place = pin?.place ?? this.place(point),
+      tau = this.tau_of_place(place);
     return tau && {place, tau: pin && !this.workbench.is_stale(pin) ? pin.tau : tau, pin};
   }
 
@@ -99,12 +105,18 @@ export class RegionView {
   /** The keyboard's crosshair, by cells of the map as it is shown. */
   step(up: number, across: number): void {
     const [rows, columns] = this.turned([up, across]);
-    const from = this.hand_place ?? this.middle(), {task} = this.workbench;
+    const from = this.hand_place ?? this.middle(),
+      {task} = this.workbench;
     if (!task) return;
     const moved = (side: Side, place: number, by: number) =>
-      this.up_to_infinity(task.axes[side], place, by === 0 ? place : stepped_place(task.axes[side], place, by, this.cell_width(side)));
+      this.up_to_infinity(
+        task.axes[side],
+        place,
+        by === 0 ? place : stepped_place(task.axes[side], place, by, this.cell_width(side)),
+      );
     const to = [moved("input", from[0], rows), moved("output", from[1], columns)] as const;
-    const place: TauPair = [to[0].place, to[1].place], plain = this.tau_of_place(place);
+    const place: TauPair = [to[0].place, to[1].place],
+      plain = this.tau_of_place(place);
     if (!plain) return;
     const tau: TauPair = [to[0].tau ?? plain[0], to[1].tau ?? plain[1]];
     this.by_keys = true;
@@ -125,7 +137,8 @@ export class RegionView {
     let stop: {place: number; tau: number | null} = {place: to, tau: null};
     for (const tau of marks.flatMap((mark) => mark.tau)) {
       const place = place_of(axis, tau);
-      if (place === null || Math.abs(place - from) < 1e-12 || (place - from) * (stop.place - place) < 0 || from === to) continue;
+      if (place === null || Math.abs(place - from) < 1e-12 || (place - from) * (stop.place - place) < 0 || from === to)
+        continue;
       if (Math.sign(place - from) === Math.sign(to - from)) stop = {place, tau};
     }
     return stop;
@@ -151,13 +164,16 @@ export class RegionView {
   cell(place: TauPair): number | null {
     const map = this.workbench.map;
     if (!map) return null;
-    const index = (at: number, [from, to]: readonly [number, number], count: number) => (at === to ? count - 1 : Math.floor(((at - from) / (to - from)) * count));
-    const row = index(place[0], map.window.input, map.rows), column = index(place[1], map.window.output, map.columns);
+    const index = (at: number, [from, to]: readonly [number, number], count: number) =>
+      at === to ? count - 1 : Math.floor(((at - from) / (to - from)) * count);
+    const row = index(place[0], map.window.input, map.rows),
+      column = index(place[1], map.window.output, map.columns);
     return row < 0 || column < 0 || row >= map.rows || column >= map.columns ? null : row * map.columns + column;
   }
   /** Nothing to take hold of here: a defect, or no four-bar. */
   is_empty(place: TauPair): boolean {
-    const cell = this.cell(place), map = this.workbench.map;
+    const cell = this.cell(place),
+      map = this.workbench.map;
     return cell === null || !map || map.type[cell] >= 9 || map.defects[cell] !== 0;
   }
 }

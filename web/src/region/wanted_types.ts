@@ -17,7 +17,10 @@ function wanting(problem: Problem, types: readonly LinkageType[]): Problem {
   return with_requirements(problem, {types: all || none ? undefined : [...types]});
 }
 export function toggled(problem: Problem, type: LinkageType): Problem {
-  return wanting(problem, wantable.filter((t) => (t === type) !== is_wanted(problem, t)));
+  return wanting(
+    problem,
+    wantable.filter((t) => (t === type) !== is_wanted(problem, t)),
+  );
 }
 /** Only this one; all again if it was so already. */
 export function only(problem: Problem, type: LinkageType): Problem {

@@ -15,17 +15,27 @@ function within(text: string): string {
 export function spoken(linkage: Linkage, task: Task): string {
   const type = linkage_name(linkage);
   if (linkage.type === "degenerate") return linkage.reason ? told(task, linkage.reason) : type;
-  const defects = within(t(defect_key(linkage.defects))), angle = linkage.min_transmission_angle_deg;
+  const defects = within(t(defect_key(linkage.defects))),
+    angle = linkage.min_transmission_angle_deg;
   if (has_defect(linkage) || angle === null) return t("region.spoken_bare", {type, defects});
   return t("region.spoken", {type, angle: fixed(angle, 1), defects});
 }
 
 /** "γ 72.7° · ratio 4.6 · 258 mm" */
-export function figures(of: {min_transmission_angle_deg: number | null; link_ratio: number | null; longest: number | null}, unit: string): string {
+export function figures(
+  of: {min_transmission_angle_deg: number | null; link_ratio: number | null; longest: number | null},
+  unit: string,
+): string {
   const parts: string[] = [];
   if (of.min_transmission_angle_deg !== null) parts.push(`γ ${degrees_text(of.min_transmission_angle_deg)}`);
-  if (of.link_ratio !== null) parts.push(t("region.ratio_value", {value: of.link_ratio < 100 ? fixed(of.link_ratio, 1) : significant(of.link_ratio, 2)}));
-  if (of.longest !== null) parts.push(`${of.longest < 1e6 && of.longest >= 100 ? fixed(of.longest, 0) : significant(of.longest, 3)} ${unit}`.trim());
+  if (of.link_ratio !== null)
+    parts.push(
+      t("region.ratio_value", {value: of.link_ratio < 100 ? fixed(of.link_ratio, 1) : significant(of.link_ratio, 2)}),
+    );
+  if (of.longest !== null)
+    parts.push(
+      `${of.longest < 1e6 && of.longest >= 100 ? fixed(of.longest, 0) : significant(of.longest, 3)} ${unit}`.trim(),
+    );
   return parts.join(" · ");
 }
 

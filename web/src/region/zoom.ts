@@ -44,7 +44,8 @@ export function showing(window: Window, place: TauPair): Window {
     const margin = 0.1 * width(span);
     return at < span[0] ? held(at - margin, at - margin + width(span)) : held(at + margin - width(span), at + margin);
   };
-  const input = shifted(window.input, place[0]), output = shifted(window.output, place[1]);
+  const input = shifted(window.input, place[0]),
+    output = shifted(window.output, place[1]);
   return input === window.input && output === window.output ? window : window_of(input, output);
 }
 
@@ -52,5 +53,11 @@ export function magnification(window: Window): number {
   return 1 / Math.sqrt(width(window.input) * width(window.output));
 }
 export function same_window(a: Window, b: Window): boolean {
-  return a === b || (a.input[0] === b.input[0] && a.input[1] === b.input[1] && a.output[0] === b.output[0] && a.output[1] === b.output[1]);
+  return (
+    a === b ||
+    (a.input[0] === b.input[0] &&
+      a.input[1] === b.input[1] &&
+      a.output[0] === b.output[0] &&
+      a.output[1] === b.output[1])
+  );
 }

@@ -2,10 +2,23 @@ import {describe, expect, it} from "vitest";
 import type {Box, Linkage, TaskAnswer} from "../engine/protocol";
 import type {Problem} from "../state/problem";
 import {
-  all_dropped, box_around, dropped, failing, in_force, is_asked, is_needed, missed_box_text, relaxation_text, relaxed, together_text, unmet_text, value_text,
+  all_dropped,
+  box_around,
+  dropped,
+  failing,
+  in_force,
+  is_asked,
+  is_needed,
+  missed_box_text,
+  relaxation_text,
+  relaxed,
+  together_text,
+  unmet_text,
+  value_text,
 } from "./requirements";
 
-const linkage = (fails: number, defects = {order: false, branch: false, circuit: false}, type = "crank_rocker") => ({fails, defects, type}) as Linkage;
+const linkage = (fails: number, defects = {order: false, branch: false, circuit: false}, type = "crank_rocker") =>
+  ({fails, defects, type}) as Linkage;
 
 describe("requirements", () => {
   it("takes the engine's defaults where the file is silent", () => {
@@ -42,29 +55,48 @@ describe("requirements", () => {
     expect(failing(linkage(0xff, undefined, "degenerate"))).toEqual([]);
   });
   it("says what is not met and what to relax", () => {
-    const problem = {requirements: {min_transmission_angle_deg: 89, max_length: 400}} as Problem, asked = {problem, task: null, unit: "mm"};
+    const problem = {requirements: {min_transmission_angle_deg: 89, max_length: 400}} as Problem,
+      asked = {problem, task: null, unit: "mm"};
     expect(unmet_text(linkage(0), asked)).toBeNull();
-    expect(unmet_text(linkage(0b1010100), asked)).toBe("Not met: transmission angle (89° at least), longest link (400 mm at most), box for fixed pivots");
+    expect(unmet_text(linkage(0b1010100), asked)).toBe(
+      "Not met: transmission angle (89° at least), longest link (400 mm at most), box for fixed pivots",
+    );
     const relaxation = {requirement: "min_transmission_angle_deg", value: 83, leaves: 34} as const;
     expect(relaxation_text(relaxation, true, "83°")).toBe("The transmission angle costs most: 83° would leave 34.");
-    expect(relaxation_text({...relaxation, value: null}, false, "")).toBe("Without the transmission angle, 34 are left.");
+    expect(relaxation_text({...relaxation, value: null}, false, "")).toBe(
+      "Without the transmission angle, 34 are left.",
+    );
   });
   it("names the requirements that only together leave something, and drops them all", () => {
     const requirements = ["no_defects", "max_length", "ground_pivots_within"] as const;
-    expect(together_text({requirements: [...requirements], leaves: 1234})).toBe("No single requirement is to blame: without ban on defects, longest link and box for fixed pivots together, 1\u202f234 are left.");
-    expect(all_dropped(requirements)).toEqual({no_defects: false, min_transmission_angle_deg: undefined, max_length: null, ground_pivots_within: null});
+    expect(together_text({requirements: [...requirements], leaves: 1234})).toBe(
+      "No single requirement is to blame: without ban on defects, longest link and box for fixed pivots together, 1\u202f234 are left.",
+    );
+    expect(all_dropped(requirements)).toEqual({
+      no_defects: false,
+      min_transmission_angle_deg: undefined,
+      max_length: null,
+      ground_pivots_within: null,
+    });
   });
   it("leads to the nearest box that would do", () => {
     const box = {x: [70, 430], y: [210, 410]} as Box;
     expect(relaxed("ground_pivots_within", box)).toEqual({ground_pivots_within: box});
     expect(value_text("ground_pivots_within", box, "mm")).toBe("x 70 … 430, y 210 … 410");
-    expect(missed_box_text({requirement: "ground_pivots_within", nearest: [250, 210], beyond: [0, -60]}, "mm"))
-      .toBe("The centre-point curve does not enter the box for fixed pivots; nearest is (250, 210), 60 mm further down.");
-    expect(missed_box_text({requirement: "moving_pivots_within", nearest: [-5, 3.25], beyond: [7, 2]}, ""))
-      .toBe("The circle-point curve does not enter the box for moving pivots; nearest is (−5, 3.25), 7 further right, 2 further up.");
+    expect(missed_box_text({requirement: "ground_pivots_within", nearest: [250, 210], beyond: [0, -60]}, "mm")).toBe(
+      "The centre-point curve does not enter the box for fixed pivots; nearest is (250, 210), 60 mm further down.",
+    );
+    expect(missed_box_text({requirement: "moving_pivots_within", nearest: [-5, 3.25], beyond: [7, 2]}, "")).toBe(
+      "The circle-point curve does not enter the box for moving pivots; nearest is (−5, 3.25), 7 further right, 2 further up.",
+    );
   });
   it("begins with a box around what there is", () => {
-    expect(box_around([[100, 0], [200, 50]])).toEqual({x: [0, 300], y: [-30, 80]});
+    expect(
+      box_around([
+        [100, 0],
+        [200, 50],
+      ]),
+    ).toEqual({x: [0, 300], y: [-30, 80]});
     expect(box_around([[5, 5]]).x[0]).toBeLessThan(5);
   });
 });

@@ -1,5 +1,15 @@
 // Requirements as the panel sees them: which are asked, how one is dropped or relaxed, and the words for it.
-import {linkage_types, requirement_keys, type Box, type Census, type Linkage, type MissedBox, type Relaxation, type RequirementKey, type Requirements} from "../engine/protocol";
+import {
+  linkage_types,
+  requirement_keys,
+  type Box,
+  type Census,
+  type Linkage,
+  type MissedBox,
+  type Relaxation,
+  type RequirementKey,
+  type Requirements,
+} from "../engine/protocol";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {text_for} from "../tasks/kinds";
@@ -23,25 +33,35 @@ export const is_length = (key: RequirementKey) => key === "max_length" || key ==
 
 /** What is asked: the file's own requirements, where they are silent the defaults that the engine used. */
 export function in_force({problem, task}: Pick<Workbench, "problem" | "task">): Requirements {
-  const defined = Object.fromEntries(Object.entries(problem.requirements ?? {}).filter(([, value]) => value !== undefined));
+  const defined = Object.fromEntries(
+    Object.entries(problem.requirements ?? {}).filter(([, value]) => value !== undefined),
+  );
   return {...task?.requirements, ...defined};
 }
 export function is_asked(requirements: Requirements, key: RequirementKey): boolean {
   switch (key) {
-    case "types": return (requirements.types?.length ?? 0) > 0;
-    case "no_defects": return requirements.no_defects ?? true;
+    case "types":
+      return (requirements.types?.length ?? 0) > 0;
+    case "no_defects":
+      return requirements.no_defects ?? true;
     case "min_transmission_angle_deg":
-    case "min_length": return (requirements[key] ?? 0) > 0;
-    default: return requirements[key] !== null && requirements[key] !== undefined;
+    case "min_length":
+      return (requirements[key] ?? 0) > 0;
+    default:
+      return requirements[key] !== null && requirements[key] !== undefined;
   }
 }
 /** The change that drops a requirement. The transmission angle over the task is defined only without defects. */
 export function dropped(key: RequirementKey): Partial<Requirements> {
   switch (key) {
-    case "types": return {types: undefined};
-    case "no_defects": return {no_defects: false, min_transmission_angle_deg: undefined};
-    case "min_transmission_angle_deg": return {min_transmission_angle_deg: undefined};
-    default: return {[key]: null};
+    case "types":
+      return {types: undefined};
+    case "no_defects":
+      return {no_defects: false, min_transmission_angle_deg: undefined};
+    case "min_transmission_angle_deg":
+      return {min_transmission_angle_deg: undefined};
+    default:
+      return {[key]: null};
   }
 }
 /** The transmission angle leans on "no defects", which therefore cannot be dropped alone. */
@@ -56,7 +76,10 @@ export function all_dropped(keys: readonly RequirementKey[]): Partial<Requiremen
   return Object.assign({}, ...keys.map(dropped));
 }
 export function value_text(key: RequirementKey, value: number | Box, unit: string): string {
-  if (typeof value !== "number") return (["x", "y"] as const).map((axis) => `${axis} ${value[axis].map((end) => significant(end, 4)).join(" … ")}`).join(", ");
+  if (typeof value !== "number")
+    return (["x", "y"] as const)
+      .map((axis) => `${axis} ${value[axis].map((end) => significant(end, 4)).join(" … ")}`)
+      .join(", ");
   if (key === "min_transmission_angle_deg") return `${significant(Number(value.toFixed(2)), 4)}°`;
   return significant(value, 6) + (is_length(key) && unit ? ` ${unit}` : "");
 }
@@ -66,16 +89,22 @@ export function failing(linkage: Linkage): RequirementKey[] {
   if (linkage.type === "degenerate") return [];
   const keys = requirement_keys.filter((_, bit) => linkage.fails & (1 << bit));
   const {order, branch, circuit} = linkage.defects;
-  return order || branch || circuit ? keys.filter((key) => key !== "min_transmission_angle_deg" && key !== "no_defects") : keys;
+  return order || branch || circuit
+    ? keys.filter((key) => key !== "min_transmission_angle_deg" && key !== "no_defects")
+    : keys;
 }
 
 // ---- sentences ------------------------------------------------------------------------------------------------------
 
 /** "transmission angle (89° at least)" */
 function asked_for(key: RequirementKey, requirements: Requirements, unit: string): string {
-  const name = t(`req.short.${key}`), value = requirements[key];
+  const name = t(`req.short.${key}`),
+    value = requirements[key];
   if (typeof value !== "number") return name;
-  return t(key === "min_transmission_angle_deg" || key === "min_length" ? "req.at_least" : "req.at_most", {name, value: value_text(key, value, unit)});
+  return t(key === "min_transmission_angle_deg" || key === "min_length" ? "req.at_least" : "req.at_most", {
+    name,
+    value: value_text(key, value, unit),
+  });
 }
 /** "Not met: link ratio (8 at most), box for fixed pivots", or nothing. */
 export function unmet_text(linkage: Linkage, workbench: Pick<Workbench, "problem" | "task" | "unit">): string | null {
@@ -84,26 +113,44 @@ export function unmet_text(linkage: Linkage, workbench: Pick<Workbench, "problem
   return names.length > 0 ? t("req.unmet", {names: names.join(t("req.comma"))}) : null;
 }
 /** "The link ratio costs most: 8.2 would leave 34." `value` stands for the relaxed value. */
-export function relaxation_text({requirement, value: relaxed, leaves}: Relaxation, dearest: boolean, value: string): string {
+export function relaxation_text(
+  {requirement, value: relaxed, leaves}: Relaxation,
+  dearest: boolean,
+  value: string,
+): string {
   const values = {name: t(`req.short.${requirement}`), value, n: grouped(leaves)};
   if (relaxed === null) return t(dearest ? "state.without_leaves" : "state.also_without", values);
   return t(dearest ? "state.costs_most" : "state.also", values);
 }
 /** "No single requirement is to blame: without the longest link and the box for fixed pivots together, 12 are left." */
 export function together_text({requirements, leaves}: NonNullable<Census["relax_together"]>): string {
-  const names = requirements.map((key) => t(`req.short.${key}`)), last = names.pop()!;
-  return t("req.relax_together", {names: names.length ? `${names.join(t("req.comma"))}${t("req.and")}${last}` : last, n: grouped(leaves)});
+  const names = requirements.map((key) => t(`req.short.${key}`)),
+    last = names.pop()!;
+  return t("req.relax_together", {
+    names: names.length ? `${names.join(t("req.comma"))}${t("req.and")}${last}` : last,
+    n: grouped(leaves),
+  });
 }
 /** "The centre-point curve does not enter the box for fixed pivots; nearest is (250, 210), 60 mm further down." */
 export function missed_box_text({requirement, nearest, beyond}: MissedBox, unit: string): string {
   const length = (value: number) => significant(Math.abs(value), 3) + (unit ? ` ${unit}` : "");
-  const ways = ([[beyond[0], "left", "right"], [beyond[1], "down", "up"]] as const).flatMap(([by, back, ahead]) =>
-    by === 0 ? [] : [t(`req.further_${by < 0 ? back : ahead}`, {length: length(by)})]);
+  const ways = (
+    [
+      [beyond[0], "left", "right"],
+      [beyond[1], "down", "up"],
+    ] as const
+  ).flatMap(([by, back, ahead]) => (by === 0 ? [] : [t(`req.further_${by < 0 ? back : ahead}`, {length: length(by)})]));
   const curve = t(requirement === "ground_pivots_within" ? "req.curve_center" : "req.curve_circle");
-  return t("req.missed_box", {curve, name: t(`req.short.${requirement}`), place: nearest.map((v) => significant(v, 4)).join(", "), way: ways.join(t("req.comma"))});
+  return t("req.missed_box", {
+    curve,
+    name: t(`req.short.${requirement}`),
+    place: nearest.map((v) => significant(v, 4)).join(", "),
+    way: ways.join(t("req.comma")),
+  });
 }
 export function none_defect_free_text({pairs, types, order, branch}: Census, task: Task): string {
-  const four_bars = Math.max(pairs - types[linkage_types.indexOf("degenerate")], 1), percent = (part: number) => Math.round((100 * part) / four_bars);
+  const four_bars = Math.max(pairs - types[linkage_types.indexOf("degenerate")], 1),
+    percent = (part: number) => Math.round((100 * part) / four_bars);
   return t(text_for(task, "state.none_defect_free"), {order: percent(order), branch: percent(branch)});
 }
 
@@ -112,8 +159,11 @@ export function none_defect_free_text({pairs, types, order, branch}: Census, tas
 /** A box to begin with where none was drawn: around these points, with room. */
 export function box_around(points: readonly (readonly [number, number])[]): Box {
   const around = (values: number[]): [number, number] => {
-    const low = least_of(values), high = most_of(values), size = Math.max(high - low, 1e-3 * Math.max(Math.abs(high), 1));
-    const step = 10 ** Math.floor(Math.log10(size)), tidy = (value: number) => Number(value.toPrecision(12));
+    const low = least_of(values),
+      high = most_of(values),
+      size = Math.max(high - low, 1e-3 * Math.max(Math.abs(high), 1));
+    const step = 10 ** Math.floor(Math.log10(size)),
+      tidy = (value: number) => Number(value.toPrecision(12));
     return [tidy(Math.floor((low - 0.5 * size) / step) * step), tidy(Math.ceil((high + 0.5 * size) / step) * step)];
   };
   return {x: around(points.map((p) => p[0])), y: around(points.map((p) => p[1]))};

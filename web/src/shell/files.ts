@@ -19,7 +19,9 @@ export async function read_text(workbench: Workbench, text: string): Promise<Pro
   if (!engine) return [{code: "no_engine", place: "", message: t("state.engine_missing")}];
   try {
     const {problem} = await engine.request("read", {text});
-    return read_problem(JSON.parse(problem)) ?? [{code: "not_available", place: "task", message: t("mistake.not_available")}];
+    return (
+      read_problem(JSON.parse(problem)) ?? [{code: "not_available", place: "task", message: t("mistake.not_available")}]
+    );
   } catch (error) {
     if (error instanceof Refusal) return error.mistakes;
     if (error instanceof Crashed) return [{code: "crashed", place: "", message: t("file.crashed")}];
@@ -70,10 +72,15 @@ function decoded(bytes: ArrayBuffer): string | null {
 export async function open_file(workbench: Workbench, file: File): Promise<void> {
   const {name} = file;
   if (file.size > most_bytes) return workbench.say("state.huge_file", {name});
-  const bytes = await file.arrayBuffer(), text = decoded(bytes), start = new TextDecoder("latin1").decode(bytes.slice(0, looked_at));
+  const bytes = await file.arrayBuffer(),
+    text = decoded(bytes),
+    start = new TextDecoder("latin1").decode(bytes.slice(0, looked_at));
   const found = told(name, start, text);
   if (!("text" in found)) return workbench.say(`state.is_${found.kind}`, {name});
-  const read = text === null ? [{code: "not_utf8", place: "", message: "this is not UTF-8 text; save the file in UTF-8"}] : await read_text(workbench, found.text);
+  const read =
+    text === null
+      ? [{code: "not_utf8", place: "", message: "this is not UTF-8 text; save the file in UTF-8"}]
+      : await read_text(workbench, found.text);
   if (read === null) return;
   if (Array.isArray(read)) return say_refused(workbench, read, name);
   const words = {problem: "file.opened", result: "file.opened_result", linkage: "file.opened_linkage"} as const;
@@ -82,7 +89,8 @@ export async function open_file(workbench: Workbench, file: File): Promise<void>
 }
 /** Browsers show their file chooser only shortly after a click or a key of the page's own, not after Ctrl-O alone. */
 export function pick_file(workbench: Workbench): void {
-  if (navigator.userActivation?.isActive === false) return workbench.say("file.open_by_click", {}, {key: "file.open", run: () => pick_file(workbench)});
+  if (navigator.userActivation?.isActive === false)
+    return workbench.say("file.open_by_click", {}, {key: "file.open", run: () => pick_file(workbench)});
   const input = document.createElement("input");
   input.type = "file";
   input.accept = ".json,application/json";

@@ -6,7 +6,13 @@ import {is_key, key_groups} from "./keyboard";
 import {begins_no_number, may_act} from "./single_keys";
 
 function press(key: string, ...held: ("ctrl" | "meta" | "shift" | "alt")[]) {
-  return {key, ctrlKey: held.includes("ctrl"), metaKey: held.includes("meta"), shiftKey: held.includes("shift"), altKey: held.includes("alt")};
+  return {
+    key,
+    ctrlKey: held.includes("ctrl"),
+    metaKey: held.includes("meta"),
+    shiftKey: held.includes("shift"),
+    altKey: held.includes("alt"),
+  };
 }
 
 describe("a key", () => {
@@ -35,12 +41,20 @@ describe("a key", () => {
 });
 
 describe("a key of one character", () => {
-  const inside = {closest: () => ({})} as unknown as Element, outside = {closest: () => null} as unknown as Element;
+  const inside = {closest: () => ({})} as unknown as Element,
+    outside = {closest: () => null} as unknown as Element;
   it("acts in the drawing and on the map only where the user has said so", () => {
     for (const on of [true, false]) {
       preferences.single_keys = on;
-      expect([press("b"), press("?", "shift"), press("0")].map((key) => [may_act(key, inside), may_act(key, outside), may_act(key, null)])).toEqual(Array(3).fill([true, on, on]));
-      for (const key of [press(" "), press("ArrowLeft"), press("Escape"), press("z", "ctrl"), press("s", "meta")]) expect(may_act(key, null)).toBe(true);
+      expect(
+        [press("b"), press("?", "shift"), press("0")].map((key) => [
+          may_act(key, inside),
+          may_act(key, outside),
+          may_act(key, null),
+        ]),
+      ).toEqual(Array(3).fill([true, on, on]));
+      for (const key of [press(" "), press("ArrowLeft"), press("Escape"), press("z", "ctrl"), press("s", "meta")])
+        expect(may_act(key, null)).toBe(true);
     }
     preferences.single_keys = true;
   });
@@ -53,7 +67,10 @@ describe("a key of one character", () => {
 
 describe("the table of keys", () => {
   it("gives every key one meaning", () => {
-    const keys = key_groups.flatMap((g) => g.entries).filter((e) => e.run).flatMap((e) => e.keys);
+    const keys = key_groups
+      .flatMap((g) => g.entries)
+      .filter((e) => e.run)
+      .flatMap((e) => e.keys);
     expect(new Set(keys).size).toBe(keys.length);
   });
   it("has words for every entry in both languages", () => {

@@ -49,7 +49,11 @@ export const key_groups: readonly KeyGroup[] = [
   {
     title: "keys.page",
     entries: [
-      {keys: ["Space"], text: "keys.play", run: (workbench) => (workbench.playing = !workbench.playing && workbench.hand?.drive != null)},
+      {
+        keys: ["Space"],
+        text: "keys.play",
+        run: (workbench) => (workbench.playing = !workbench.playing && workbench.hand?.drive != null),
+      },
       {keys: ["→"], text: "keys.turn", run: turn(1)},
       {keys: ["←"], text: "keys.turn_back", run: turn(-1)},
       {keys: ["Shift+→"], text: "keys.next_position", run: (workbench) => step(workbench, 1)},
@@ -102,16 +106,25 @@ const names: Record<string, string> = {Space: " ", "→": "ArrowRight", "←": "
 type Press = Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "shiftKey" | "altKey">;
 /** Whether a key press is this key. A letter is one in any case; "?" is wherever the keyboard has it. */
 export function is_key(press: Press, written: string): boolean {
-  const parts = written.split("+"), key = parts.pop()!, name = names[key] ?? key;
+  const parts = written.split("+"),
+    key = parts.pop()!,
+    name = names[key] ?? key;
   if ((press.ctrlKey || press.metaKey) !== parts.includes("Ctrl") || press.altKey) return false;
   if (name.length === 1 && !/[A-Z ]/i.test(name)) return press.key === name;
   return press.shiftKey === parts.includes("Shift") && press.key.toLowerCase() === name.toLowerCase();
 }
 
-const text_fields = "input:not([type=checkbox], [type=radio], [type=range], [type=button]), textarea, select, [contenteditable]";
+const text_fields =
+  "input:not([type=checkbox], [type=radio], [type=range], [type=button]), textarea, select, [contenteditable]";
 const owns_keys: readonly (readonly [keys: RegExp, places: string])[] = [
-  [/^( |Enter)$/, "button, a, summary, input, [role=button], [role=tab], [role=switch], [role=menuitem], [role=option]"],
-  [/^Arrow/, "input, [role=slider], [role=tab], [role=radio], [role=menu], [role=listbox], [role=separator], [role=application], [data-handle], .handle, table"],
+  [
+    /^( |Enter)$/,
+    "button, a, summary, input, [role=button], [role=tab], [role=switch], [role=menuitem], [role=option]",
+  ],
+  [
+    /^Arrow/,
+    "input, [role=slider], [role=tab], [role=radio], [role=menu], [role=listbox], [role=separator], [role=application], [data-handle], .handle, table",
+  ],
 ];
 /** Whether what has the focus wants this key for itself. */
 export function is_taken(press: Press, target: Element | null, in_text: boolean): boolean {
@@ -127,7 +140,8 @@ export function listen_to_keys(workbench: Workbench): () => void {
     if (event.defaultPrevented || workbench.dialog !== null) return;
     const entry = entries.find(({keys}) => keys.some((key) => is_key(event, key)));
     if (!may_act(event, document.activeElement)) return;
-    if (!entry || is_taken(event, event.target instanceof Element ? event.target : null, entry.in_text ?? false)) return;
+    if (!entry || is_taken(event, event.target instanceof Element ? event.target : null, entry.in_text ?? false))
+      return;
     event.preventDefault();
     entry.run!(workbench);
   };

@@ -12,7 +12,8 @@ export async function copy_link(workbench: Workbench): Promise<void> {
   if (!link) return workbench.say("state.link_too_long", {}, {key: "file.save", run: () => save_file(workbench)});
   const values = {n: grouped(link.length)};
   const picture = workbench.problem.view?.background != null;
-  if (await copy_text(link)) return workbench.say(picture ? "state.link_copied_no_picture" : "state.link_copied", values);
+  if (await copy_text(link))
+    return workbench.say(picture ? "state.link_copied_no_picture" : "state.link_copied", values);
   history.replaceState(null, "", link);
   workbench.say("state.link_in_address");
 }

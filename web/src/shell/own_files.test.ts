@@ -27,20 +27,26 @@ const opened = (text: string) => {
 describe("an export that is opened", () => {
   it("as a result has its task, with the linkage in hand", () => {
     for (const name of ["tailgate", "log_generator", "latch"]) {
-      const {problem} = examples.find((example) => example.name === name) ?? first_example, {tau, text} = exported(problem, "result");
+      const {problem} = examples.find((example) => example.name === name) ?? first_example,
+        {tau, text} = exported(problem, "result");
       const {kind, problem: read} = opened(text);
       expect([name, kind, read?.view?.picked, read?.view?.pins]).toEqual([name, "result", tau, undefined]);
       expect(read?.task).toEqual(problem.task);
     }
   });
   it("as a result of several linkages has them pinned", () => {
-    const {text} = exported(first_example.problem, "result"), file = JSON.parse(text);
+    const {text} = exported(first_example.problem, "result"),
+      file = JSON.parse(text);
     file.linkages.push(file.linkages[0], {mechanism: "four_bar"});
     const {problem} = opened(JSON.stringify(file));
-    expect(problem!.view!.pins!.map(({name, type, longest}) => [name, type, Math.round(longest!)])).toEqual([["A", "triple_rocker_input", 252], ["B", "triple_rocker_input", 252]]);
+    expect(problem!.view!.pins!.map(({name, type, longest}) => [name, type, Math.round(longest!)])).toEqual([
+      ["A", "triple_rocker_input", 252],
+      ["B", "triple_rocker_input", 252],
+    ]);
   });
   it("as a linkage has its positions for a task", () => {
-    const {tau, text} = exported(first_example.problem, "json"), {kind, problem} = opened(text);
+    const {tau, text} = exported(first_example.problem, "json"),
+      {kind, problem} = opened(text);
     expect([kind, problem!.view!.picked, problem!.length_unit]).toEqual(["linkage", tau, "mm"]);
     expect(problem!.task).toEqual(first_example.problem.task);
   });
@@ -50,7 +56,10 @@ describe("an export that is opened", () => {
     expect(opened('{"linkwright":1,"linkage":{"mechanism":"six_bar"},"poses":[]}').kind).toBe("lone_linkage");
   });
   it("as a drawing or a table is said to be one, by what is in it or by its name", () => {
-    for (const [format, kind] of [["dxf", "drawing"], ["svg", "drawing"]] as const) {
+    for (const [format, kind] of [
+      ["dxf", "drawing"],
+      ["svg", "drawing"],
+    ] as const) {
       const {text} = exported(first_example.problem, format);
       expect(told("renamed.txt", text.slice(0, 4096), text), format).toEqual({kind});
     }
@@ -63,6 +72,6 @@ describe("an export that is opened", () => {
     const text = JSON.stringify(first_example.problem);
     expect(told("task.json", text, text)).toEqual({kind: "problem", text});
     expect(told("task.csv", text, text)).toEqual({kind: "problem", text});
-    expect(told("broken.json", "{\"linkages\":", "{\"linkages\":")).toEqual({kind: "problem", text: "{\"linkages\":"});
+    expect(told("broken.json", '{"linkages":', '{"linkages":')).toEqual({kind: "problem", text: '{"linkages":'});
   });
 });

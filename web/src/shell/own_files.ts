@@ -12,7 +12,11 @@ export type Told =
   | {kind: "lone_linkage" | "drawing" | "table" | "film"};
 
 const starts: readonly (readonly [RegExp, "drawing" | "film"])[] = [
-  [/^\x89PNG|^\xff\xd8\xff|^RIFF....WEBP|^(\s*999\s.*)?\s*0\r?\n\s*SECTION|^(\ufeff?\s*<\?xml[^>]*>\s*(<!--[^]*?-->\s*)*)?<svg/, "drawing"], [/^GIF8|^\x1a\x45\xdf\xa3/, "film"],
+  [
+    /^\x89PNG|^\xff\xd8\xff|^RIFF....WEBP|^(\s*999\s.*)?\s*0\r?\n\s*SECTION|^(\ufeff?\s*<\?xml[^>]*>\s*(<!--[^]*?-->\s*)*)?<svg/,
+    "drawing",
+  ],
+  [/^GIF8|^\x1a\x45\xdf\xa3/, "film"],
 ];
 const endings = {drawing: /\.(dxf|svg|png|jpe?g|webp)$/i, table: /\.csv$/i, film: /\.(gif|webm)$/i} as const;
 
@@ -20,13 +24,15 @@ const endings = {drawing: /\.(dxf|svg|png|jpe?g|webp)$/i, table: /\.csv$/i, film
 export function told(name: string, bytes: string, text: string | null): Told {
   const start = starts.find(([pattern]) => pattern.test(bytes));
   if (start) return {kind: start[1]};
-  for (const kind of ["drawing", "table", "film"] as const) if (endings[kind].test(name) && !/^\s*\{/.test(bytes)) return {kind};
+  for (const kind of ["drawing", "table", "film"] as const)
+    if (endings[kind].test(name) && !/^\s*\{/.test(bytes)) return {kind};
   return of_text(text ?? "");
 }
 function of_text(text: string): Told {
   const file = /"linkages?"\s*:/.test(text) ? parsed(text) : null;
   if (!file) return {kind: "problem", text};
-  if (is_object(file.problem) && Array.isArray(file.linkages)) return {kind: "result", text: JSON.stringify(problem_of_result(file.problem, file.linkages))};
+  if (is_object(file.problem) && Array.isArray(file.linkages))
+    return {kind: "result", text: JSON.stringify(problem_of_result(file.problem, file.linkages))};
   return is_object(file.linkage) ? of_linkage(file, file.linkage) : {kind: "problem", text};
 }
 function parsed(text: string): Object | null {
@@ -40,35 +46,71 @@ function parsed(text: string): Object | null {
 
 /** The best one in hand; where there are several, all are pinned. */
 function problem_of_result(problem: Object, linkages: readonly unknown[]): Object {
-  const view = read_view(problem.view), pins: Pin[] = [...(view.pins ?? [])];
-  const found = linkages.filter(is_object), picked = found.map(tau_of).find((tau) => tau !== null);
-  if (found.length > 1) for (const linkage of found) {
-    const pin = pin_of(linkage, problem.task);
-    if (pin) pins.push({...pin, name: unused_name(pins, "A")});
-  }
+  const view = read_view(problem.view),
+    pins: Pin[] = [...(view.pins ?? [])];
+  const found = linkages.filter(is_object),
+    picked = found.map(tau_of).find((tau) => tau !== null);
+  if (found.length > 1)
+    for (const linkage of found) {
+      const pin = pin_of(linkage, problem.task);
+      if (pin) pins.push({...pin, name: unused_name(pins, "A")});
+    }
   return {...problem, view: {...view, ...(picked ? {picked} : {}), ...(pins.length ? {pins} : {})}};
 }
 function tau_of({input, output}: Object): [number, number] | null {
-  return is_object(input) && is_object(output) && is_finite(input.coordinate) && is_finite(output.coordinate) ? [input.coordinate, output.coordinate] : null;
+  return is_object(input) && is_object(output) && is_finite(input.coordinate) && is_finite(output.coordinate)
+    ? [input.coordinate, output.coordinate]
+    : null;
 }
 function pin_of(linkage: Object, of: unknown): Pin | null {
-  const tau = tau_of(linkage), task = read_task(of), type = linkage_types.find((name) => name === linkage.type);
+  const tau = tau_of(linkage),
+    task = read_task(of),
+    type = linkage_types.find((name) => name === linkage.type);
   if (!tau || !task || !type) return null;
-  const {min_transmission_angle_deg, link_ratio, lengths} = linkage, input = linkage.input as Object, output = linkage.output as Object;
-  const all = is_object(lengths) && Object.values(lengths).every(is_finite) ? (lengths as unknown as NonNullable<Pin["lengths"]>) : null;
-  const number = (value: unknown) => (is_finite(value) ? value : null), point = (value: unknown) => (is_pair(value) ? value : null);
+  const {min_transmission_angle_deg, link_ratio, lengths} = linkage,
+    input = linkage.input as Object,
+    output = linkage.output as Object;
+  const all =
+    is_object(lengths) && Object.values(lengths).every(is_finite)
+      ? (lengths as unknown as NonNullable<Pin["lengths"]>)
+      : null;
+  const number = (value: unknown) => (is_finite(value) ? value : null),
+    point = (value: unknown) => (is_pair(value) ? value : null);
   return {
-    name: "A", tau, task, type, min_transmission_angle_deg: number(min_transmission_angle_deg), link_ratio: number(link_ratio),
-    longest: all && Object.values(all).reduce((longest, length) => Math.max(longest, length), 0), lengths: all,
-    pivots: {input_center: point(input.center_point), input_circle: point(input.circle_point), output_center: point(output.center_point), output_circle: point(output.circle_point)},
+    name: "A",
+    tau,
+    task,
+    type,
+    min_transmission_angle_deg: number(min_transmission_angle_deg),
+    link_ratio: number(link_ratio),
+    longest: all && Object.values(all).reduce((longest, length) => Math.max(longest, length), 0),
+    lengths: all,
+    pivots: {
+      input_center: point(input.center_point),
+      input_circle: point(input.circle_point),
+      output_center: point(output.center_point),
+      output_circle: point(output.circle_point),
+    },
   };
 }
 
 /** A four-bar's positions are a task where they are all that was asked: four or five poses. */
 function of_linkage({title, length_unit, poses}: Object, linkage: Object): Told {
-  const task = read_task({kind: "motion", mechanism: "four_bar", poses}), tau = tau_of(linkage);
-  const count = task && "poses" in task ? task.poses.reduce((sum, pose) => sum + 1 + (pose.derivatives?.length ?? 0), 0) : 0;
-  if (linkage.mechanism !== "four_bar" || linkage.poses !== undefined || !tau || count < 4 || count > 5) return {kind: "lone_linkage"};
+  const task = read_task({kind: "motion", mechanism: "four_bar", poses}),
+    tau = tau_of(linkage);
+  const count =
+    task && "poses" in task ? task.poses.reduce((sum, pose) => sum + 1 + (pose.derivatives?.length ?? 0), 0) : 0;
+  if (linkage.mechanism !== "four_bar" || linkage.poses !== undefined || !tau || count < 4 || count > 5)
+    return {kind: "lone_linkage"};
   const text = (value: unknown) => (typeof value === "string" ? value : "");
-  return {kind: "linkage", text: JSON.stringify({linkwright: 1, title: text(title), length_unit: text(length_unit), task, view: {picked: tau}})};
+  return {
+    kind: "linkage",
+    text: JSON.stringify({
+      linkwright: 1,
+      title: text(title),
+      length_unit: text(length_unit),
+      task,
+      view: {picked: tau},
+    }),
+  };
 }

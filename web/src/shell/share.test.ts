@@ -5,7 +5,18 @@ import {new_problem} from "../tasks/motion/kind";
 import {check_sum, fragment_of, link_of, longest_link, read_fragment} from "./share";
 
 const page = "https://example.org/linkwright/";
-const problem: Problem = {...new_problem(), title: "尾门 · \"hinge\"", view: {picked: [0.25, 1.5], outline: [[0, 0], [1, 0], [1, 1]]}};
+const problem: Problem = {
+  ...new_problem(),
+  title: '尾门 · "hinge"',
+  view: {
+    picked: [0.25, 1.5],
+    outline: [
+      [0, 0],
+      [1, 0],
+      [1, 1],
+    ],
+  },
+};
 
 function packed(text: string): string {
   const data = Buffer.from(deflateSync(strToU8(text), {level: 9})).toString("base64url");
@@ -25,7 +36,10 @@ describe("a link", () => {
     expect(check_sum("123456789")).toBe("cbf43926");
   });
   it("leaves the picture out", () => {
-    const with_picture: Problem = {...problem, view: {...problem.view, background: {image: "data:image/png;base64,AAAA", x: 0, y: 0, width: 1, aspect: 1}}};
+    const with_picture: Problem = {
+      ...problem,
+      view: {...problem.view, background: {image: "data:image/png;base64,AAAA", x: 0, y: 0, width: 1, aspect: 1}},
+    };
     expect(read_fragment(fragment_of(with_picture))).toEqual({text: JSON.stringify(problem)});
   });
   it("shows every broken character", () => {
@@ -37,7 +51,8 @@ describe("a link", () => {
   });
   it("shows that it was cut short", () => {
     const fragment = fragment_of(problem);
-    for (const length of [2, 5, 12, 40, fragment.length - 1]) expect(read_fragment(fragment.slice(0, length))).toEqual({mistake: "damaged"});
+    for (const length of [2, 5, 12, 40, fragment.length - 1])
+      expect(read_fragment(fragment.slice(0, length))).toEqual({mistake: "damaged"});
   });
   it("is nothing where there is none", () => {
     expect(read_fragment("")).toBeNull();

@@ -58,7 +58,8 @@ export function link_of(problem: Problem, page: string): string | null {
 /** Unpacks, and stops where more comes out than a file may have. */
 function inflated(bytes: Uint8Array): Link {
   const parts: Uint8Array[] = [];
-  let sum = 0, ended = false;
+  let sum = 0,
+    ended = false;
   const stream = new Inflate((part, final) => {
     parts.push(part);
     sum += part.length;

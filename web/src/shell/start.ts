@@ -12,8 +12,10 @@ import {damaged_work, forget_damaged, keep_work, own_slot, read_work} from "./st
 
 /** Until a link has been read, which takes the engine. The first example is on screen before the engine is. */
 export function first_workbench(): Workbench {
-  const slot = own_slot(), kept = read_work(slot);
-  const workbench = new Workbench(kept ?? first_example.problem), problem = workbench.whole_problem;
+  const slot = own_slot(),
+    kept = read_work(slot);
+  const workbench = new Workbench(kept ?? first_example.problem),
+    problem = workbench.whole_problem;
   workbench.slot = slot;
   workbench.kept_since = kept?.at ?? null;
   if (is_first_example(problem)) {
@@ -23,7 +25,11 @@ export function first_workbench(): Workbench {
   return workbench;
 }
 function is_first_example(problem: Problem): boolean {
-  return engine_text(problem) === engine_text(first_example.problem) && problem.view?.picked === undefined && problem.view?.order === undefined;
+  return (
+    engine_text(problem) === engine_text(first_example.problem) &&
+    problem.view?.picked === undefined &&
+    problem.view?.order === undefined
+  );
 }
 
 /** Once the page stands and the engine is being started. Returns how to end it. */

@@ -4,7 +4,18 @@ import {with_pose, with_view, type Problem} from "../state/problem";
 import {poses_of} from "../state/task";
 import {Workbench} from "../state/workbench.svelte";
 import {new_problem} from "../tasks/motion/kind";
-import {damaged_work, forget_damaged, keep_work, other_work, own_slot, read_before, read_work, write_before, write_work, type Store} from "./storage";
+import {
+  damaged_work,
+  forget_damaged,
+  keep_work,
+  other_work,
+  own_slot,
+  read_before,
+  read_work,
+  write_before,
+  write_work,
+  type Store,
+} from "./storage";
 
 interface Items extends Store {
   items: Map<string, string>;
@@ -24,7 +35,15 @@ function store_of(most = 1e9, items = new Map<string, string>()): Items {
     },
   };
 }
-const problem: Problem = with_view(new_problem(), {picked: [0.5, 1.25], outline: [[0, 0], [2, 0], [1, 1]], order: 3});
+const problem: Problem = with_view(new_problem(), {
+  picked: [0.5, 1.25],
+  outline: [
+    [0, 0],
+    [2, 0],
+    [1, 1],
+  ],
+  order: 3,
+});
 const steps = {past: [from_problem(new_problem())], present: from_problem(problem), future: []};
 
 describe("the browser's store", () => {
@@ -37,10 +56,17 @@ describe("the browser's store", () => {
     expect(read_before("", store)).toEqual(problem);
   });
   it("gives up old steps, then the picture, where there is no room", () => {
-    const image = `data:image/png;base64,${"A".repeat(5000)}`, background = {image, x: 0, y: 0, width: 1, aspect: 1};
-    const seen = {past: Array.from({length: 400}, (_, i) => from_problem(with_pose(problem, 0, {x: i}))), present: from_problem(with_view(problem, {background})), future: []};
+    const image = `data:image/png;base64,${"A".repeat(5000)}`,
+      background = {image, x: 0, y: 0, width: 1, aspect: 1};
+    const seen = {
+      past: Array.from({length: 400}, (_, i) => from_problem(with_pose(problem, 0, {x: i}))),
+      present: from_problem(with_view(problem, {background})),
+      future: [],
+    };
     const kept = (room: number) => {
-      const store = store_of(room), written = write_work("", seen, store), {past, present} = read_work("", store) ?? {past: [], present: null};
+      const store = store_of(room),
+        written = write_work("", seen, store),
+        {past, present} = read_work("", store) ?? {past: [], present: null};
       return [written, past.length, present?.problem.view?.background !== undefined && present !== null];
     };
     expect(kept(1e9)).toEqual([true, 400, true]);
@@ -50,21 +76,43 @@ describe("the browser's store", () => {
     expect(kept(10)).toEqual([false, 0, false]);
     expect(write_work("", seen, null)).toBe(false);
   });
-  it.each(["", "{", "null", "[]", "{\"version\": 1}", "{\"version\": 2, \"problem\": {}}", "{\"version\":1,\"problem\":{\"linkwright\":1,\"task\":{\"kind\":\"motion\",\"mechanism\":\"four_bar\",\"poses\":[{\"x\":null}]}}}"])(
-    "takes a damaged entry for none, and puts it aside: %s", (text) => {
-      const store = store_of();
-      store.items.set("linkwright.work", text);
-      expect(read_work("", store)).toBeNull();
-      expect(damaged_work(store)).toBe(text);
-      forget_damaged(store);
-      expect(damaged_work(store)).toBeNull();
-    });
+  it.each([
+    "",
+    "{",
+    "null",
+    "[]",
+    '{"version": 1}',
+    '{"version": 2, "problem": {}}',
+    '{"version":1,"problem":{"linkwright":1,"task":{"kind":"motion","mechanism":"four_bar","poses":[{"x":null}]}}}',
+  ])("takes a damaged entry for none, and puts it aside: %s", (text) => {
+    const store = store_of();
+    store.items.set("linkwright.work", text);
+    expect(read_work("", store)).toBeNull();
+    expect(damaged_work(store)).toBe(text);
+    forget_damaged(store);
+    expect(damaged_work(store)).toBeNull();
+  });
   it("keeps all of a problem but what is malformed in it", () => {
-    const store = store_of(), view = {...problem.view, traced: "x", pins: [{name: 7}]};
-    const requirements = {types: 5, min_transmission_angle_deg: "steep", max_link_ratio: 7, ground_pivots_within: {x: [0]}, min_length: "short", least_sweep: 0.1};
-    store.items.set("linkwright.work", JSON.stringify({version: 1, problem: {...problem, requirements, options: {objective: "beauty", best: 3}, view}}));
+    const store = store_of(),
+      view = {...problem.view, traced: "x", pins: [{name: 7}]};
+    const requirements = {
+      types: 5,
+      min_transmission_angle_deg: "steep",
+      max_link_ratio: 7,
+      ground_pivots_within: {x: [0]},
+      min_length: "short",
+      least_sweep: 0.1,
+    };
+    store.items.set(
+      "linkwright.work",
+      JSON.stringify({version: 1, problem: {...problem, requirements, options: {objective: "beauty", best: 3}, view}}),
+    );
     const kept = to_problem(read_work("", store)!.present);
-    expect(JSON.parse(JSON.stringify(kept))).toEqual({...problem, requirements: {max_link_ratio: 7, least_sweep: 0.1}, options: {best: 3}});
+    expect(JSON.parse(JSON.stringify(kept))).toEqual({
+      ...problem,
+      requirements: {max_link_ratio: 7, least_sweep: 0.1},
+      options: {best: 3},
+    });
   });
 });
 
@@ -90,15 +138,31 @@ describe("tabs", () => {
   /** A tab with the store as the browser gives it: what one writes, all others hear. */
   function opened(session = store_of()): Tab {
     const window = (listening = new EventTarget());
-    const own: Store = {...store, get length() { return store.length; }, setItem(key, value) {
-      store.setItem(key, value);
-      for (const other of windows) if (other !== window) other.dispatchEvent(Object.assign(new Event("storage"), {key, newValue: value}));
-    }};
-    const slot = own_slot(own, session), kept = read_work(slot, own), workbench = new Workbench(kept ?? problem);
+    const own: Store = {
+      ...store,
+      get length() {
+        return store.length;
+      },
+      setItem(key, value) {
+        store.setItem(key, value);
+        for (const other of windows)
+          if (other !== window) other.dispatchEvent(Object.assign(new Event("storage"), {key, newValue: value}));
+      },
+    };
+    const slot = own_slot(own, session),
+      kept = read_work(slot, own),
+      workbench = new Workbench(kept ?? problem);
     workbench.slot = slot;
     const end = keep_work(workbench, kept?.at ?? 0, own, session);
     windows.push(window);
-    return {workbench, session, end: () => { end(); windows = windows.filter((other) => other !== window); }};
+    return {
+      workbench,
+      session,
+      end: () => {
+        end();
+        windows = windows.filter((other) => other !== window);
+      },
+    };
   }
   const x = ({workbench}: Tab) => poses_of(workbench.problem.task)[1].x;
   function move(tab: Tab, to: number): void {
@@ -139,7 +203,9 @@ describe("tabs", () => {
     two.end();
     const [again, other] = [opened(one.session), opened(two.session)]; // reloads
     expect([x(again), x(other)]).toEqual([23, 24]);
-    expect(other_work(again.workbench.slot, store).map(({present}) => poses_of(present.problem.task)[1].x)).toEqual([24]);
+    expect(other_work(again.workbench.slot, store).map(({present}) => poses_of(present.problem.task)[1].x)).toEqual([
+      24,
+    ]);
   });
   it("leave the last change for the next visit, not the last tab that was heard of", () => {
     const idle = opened();
@@ -151,8 +217,10 @@ describe("tabs", () => {
     expect(x(opened())).toBe(32);
   });
   it("give up the oldest of many slots", () => {
-    for (let i = 0; i < 12; ++i) store.items.set(`linkwright.work.${i}`, `{"version":1,"at":${i},"problem":${JSON.stringify(new_problem())}}`);
-    const one = opened(), two = opened();
+    for (let i = 0; i < 12; ++i)
+      store.items.set(`linkwright.work.${i}`, `{"version":1,"at":${i},"problem":${JSON.stringify(new_problem())}}`);
+    const one = opened(),
+      two = opened();
     move(one, 41);
     move(two, 42);
     expect(other_work("", store).length).toBeLessThanOrEqual(9);

@@ -12,7 +12,10 @@ export type Kept = Steps & {at: number};
 
 const most_slots = 8; // of tabs that were open at the same time; the oldest are given up
 const most_characters = 5_300_000; // no browser keeps more, and trying takes time
-const work_key = "linkwright.work", before_key = "linkwright.before", damaged_key = "linkwright.damaged", session_key = "linkwright.slot";
+const work_key = "linkwright.work",
+  before_key = "linkwright.before",
+  damaged_key = "linkwright.damaged",
+  session_key = "linkwright.slot";
 /** A slot is "" or a dot and a name. */
 const key = (start: string, slot: string) => start + slot;
 
@@ -29,7 +32,9 @@ function session_store(): Store | null {
 /** Slots with work in them, what was changed last first. */
 function slots(store: Store | null): {slot: string; text: string}[] {
   if (!store) return [];
-  const keys = Array.from({length: store.length}, (_, i) => store.key(i) ?? "").filter((name) => name === work_key || name.startsWith(`${work_key}.`));
+  const keys = Array.from({length: store.length}, (_, i) => store.key(i) ?? "").filter(
+    (name) => name === work_key || name.startsWith(`${work_key}.`),
+  );
   const all = keys.map((name) => ({slot: name.slice(work_key.length), text: store.getItem(name) ?? ""}));
   return all.sort((a, b) => time_of(b.text) - time_of(a.text));
 }
@@ -39,11 +44,14 @@ function time_of(text: string): number {
 }
 /** What other tabs have kept, or had when they were closed. */
 export function other_work(slot: string, store: Store | null = browser_store()): Kept[] {
-  return slots(store).flatMap((other) => (other.slot === slot ? [] : [read_steps(other.text)])).filter((kept) => kept !== null);
+  return slots(store)
+    .flatMap((other) => (other.slot === slot ? [] : [read_steps(other.text)]))
+    .filter((kept) => kept !== null);
 }
 /** Where this tab writes: as before its reload, else where work was last written. */
 export function own_slot(store: Store | null = browser_store(), session: Store | null = session_store()): string {
-  const before = session?.getItem(session_key) ?? null, slot = before ?? slots(store)[0]?.slot ?? "";
+  const before = session?.getItem(session_key) ?? null,
+    slot = before ?? slots(store)[0]?.slot ?? "";
   if (before === null) put(session, session_key, slot);
   return slot;
 }
@@ -69,7 +77,8 @@ function put(store: Pick<Store, "setItem"> | null, name: string, text: string): 
 // ---- work -----------------------------------------------------------------------------------------------------------
 
 export function read_work(slot: string, store: Store | null = browser_store()): Kept | null {
-  const text = store?.getItem(key(work_key, slot)) ?? null, kept = read_steps(text);
+  const text = store?.getItem(key(work_key, slot)) ?? null,
+    kept = read_steps(text);
   if (text !== null && !kept) put(store, damaged_key, text); // the next step would write over it
   return kept;
 }
@@ -81,8 +90,18 @@ export function forget_damaged(store: Store | null = browser_store()): void {
   store?.removeItem(damaged_key);
 }
 /** Whether it is kept. What is too large for the store loses its oldest steps first, then the picture. */
-export function write_work(slot: string, steps: Steps, store: Store | null = browser_store(), at = Date.now()): boolean {
-  return store !== null && [steps, mapped(steps, without_picture)].some((kept) => [most_steps, 50, 0].some((most) => put(store, key(work_key, slot), steps_text(kept, at, most))));
+export function write_work(
+  slot: string,
+  steps: Steps,
+  store: Store | null = browser_store(),
+  at = Date.now(),
+): boolean {
+  return (
+    store !== null &&
+    [steps, mapped(steps, without_picture)].some((kept) =>
+      [most_steps, 50, 0].some((most) => put(store, key(work_key, slot), steps_text(kept, at, most))),
+    )
+  );
 }
 export function read_before(slot: string, store: Store | null = browser_store()): Problem | null {
   const kept = read_steps(store?.getItem(key(before_key, slot)) ?? null);
@@ -97,8 +116,15 @@ const rest_ms = 400;
 
 /** Keeps the work from now on: soon after every step, and when the page goes. `since`: when it was last changed. Returns how
  *  to end it. */
-export function keep_work(workbench: Workbench, since: number, store: Store | null = browser_store(), session: Store | null = session_store()): () => void {
-  let timer: ReturnType<typeof setTimeout> | undefined, changed = false, at = since;
+export function keep_work(
+  workbench: Workbench,
+  since: number,
+  store: Store | null = browser_store(),
+  session: Store | null = session_store(),
+): () => void {
+  let timer: ReturnType<typeof setTimeout> | undefined,
+    changed = false,
+    at = since;
   const write = () => {
     const kept = write_work(workbench.slot, workbench.steps, store, at);
     if (!kept && workbench.kept) workbench.say("state.storage_off");

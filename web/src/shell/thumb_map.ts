@@ -7,14 +7,27 @@ const degenerate = linkage_types.indexOf("degenerate");
 const defect = 1 << requirement_keys.indexOf("no_defects");
 
 /** Pixels from the top: the input's place upwards, the output's to the right. */
-export function painted({rows, columns, type, fails}: Pick<Thumbnail, "rows" | "columns" | "type" | "fails">, colors: Record<string, string>): Uint8ClampedArray<ArrayBuffer> {
-  const paper = rgb_of(colors.paper), grey = rgb_of(colors.hatch);
-  const full = linkage_types.map((name) => rgb_of(colors[name])), faint = full.map((color) => mixed(color, paper, washed_share));
+export function painted(
+  {rows, columns, type, fails}: Pick<Thumbnail, "rows" | "columns" | "type" | "fails">,
+  colors: Record<string, string>,
+): Uint8ClampedArray<ArrayBuffer> {
+  const paper = rgb_of(colors.paper),
+    grey = rgb_of(colors.hatch);
+  const full = linkage_types.map((name) => rgb_of(colors[name])),
+    faint = full.map((color) => mixed(color, paper, washed_share));
   const pixels = new Uint8ClampedArray(4 * rows * columns);
   for (let row = 0; row < rows; ++row) {
     for (let column = 0; column < columns; ++column) {
-      const cell = row * columns + column, at = 4 * ((rows - 1 - row) * columns + column);
-      const color = type[cell] === degenerate ? paper : fails[cell] === 0 ? full[type[cell]] : fails[cell] & defect ? grey : faint[type[cell]];
+      const cell = row * columns + column,
+        at = 4 * ((rows - 1 - row) * columns + column);
+      const color =
+        type[cell] === degenerate
+          ? paper
+          : fails[cell] === 0
+            ? full[type[cell]]
+            : fails[cell] & defect
+              ? grey
+              : faint[type[cell]];
       pixels.set(color, at);
       pixels[at + 3] = 255;
     }

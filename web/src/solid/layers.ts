@@ -27,7 +27,9 @@ export interface LayerPlan {
   crossings: Crossing[];
 }
 /** Of the longest link. */
-export const plate_width = 0.12, plate_thickness = 0.06, pin_diameter = 0.05;
+export const plate_width = 0.12,
+  plate_thickness = 0.06,
+  pin_diameter = 0.05;
 
 /** Ground is 0. Simple orders first; then those in which the ground pins end below the coupler. */
 export const orders: readonly Order[] = [
@@ -40,7 +42,8 @@ export const orders: readonly Order[] = [
 
 export function plan_layers(drive: Drive, input_center: Point, output_center: Point, longest: number): LayerPlan {
   const states = Array.from({length: row_count(drive)}, (_, row) => row_state(drive, row));
-  const crossings_of = (order: Order, within: State[]) => crossings(order, within, input_center, output_center, longest);
+  const crossings_of = (order: Order, within: State[]) =>
+    crossings(order, within, input_center, output_center, longest);
   const over_travel = orders.map((order) => ({order, over: "travel" as const, crossings: crossings_of(order, states)}));
   const free = over_travel.find((plan) => plan.crossings.length === 0);
   if (free) return free;
@@ -62,10 +65,16 @@ interface Place {
   pins: Record<Exclude<Obstacle, Link>, Point>;
 }
 function place_at(state: State, input_center: Point, output_center: Point): Place {
-  const a: Point = [state.ax, state.ay], b: Point = [state.bx, state.by];
+  const a: Point = [state.ax, state.ay],
+    b: Point = [state.bx, state.by];
   return {
     plates: {input: [input_center, a], coupler: [a, b], output: [output_center, b]},
-    pins: {input_ground_pin: input_center, output_ground_pin: output_center, input_coupler_pin: a, output_coupler_pin: b},
+    pins: {
+      input_ground_pin: input_center,
+      output_ground_pin: output_center,
+      input_coupler_pin: a,
+      output_coupler_pin: b,
+    },
   };
 }
 
@@ -76,11 +85,17 @@ interface Check {
 /** What can meet at all in this order. Links joined by a pin are never in one layer. */
 function checks_of(order: Order): Check[] {
   const checks: Check[] = [];
-  const pairs: [Link, Link][] = [["input", "output"], ["input", "coupler"], ["coupler", "output"]];
+  const pairs: [Link, Link][] = [
+    ["input", "output"],
+    ["input", "coupler"],
+    ["coupler", "output"],
+  ];
   for (const [link, obstacle] of pairs) if (order[link] === order[obstacle]) checks.push({link, obstacle});
   const pins: [Exclude<Obstacle, Link>, number, number][] = [
-    ["input_ground_pin", 0, order.input], ["output_ground_pin", 0, order.output],
-    ["input_coupler_pin", order.input, order.coupler], ["output_coupler_pin", order.output, order.coupler],
+    ["input_ground_pin", 0, order.input],
+    ["output_ground_pin", 0, order.output],
+    ["input_coupler_pin", order.input, order.coupler],
+    ["output_coupler_pin", order.output, order.coupler],
   ];
   for (const [obstacle, one, other] of pins) {
     for (const link of Object.keys(order) as Link[]) {
@@ -89,16 +104,24 @@ function checks_of(order: Order): Check[] {
   }
   return checks;
 }
-export function crossings(order: Order, states: State[], input_center: Point, output_center: Point, longest: number): Crossing[] {
-  const half = (plate_width * longest) / 2, pin = (pin_diameter * longest) / 2;
+export function crossings(
+  order: Order,
+  states: State[],
+  input_center: Point,
+  output_center: Point,
+  longest: number,
+): Crossing[] {
+  const half = (plate_width * longest) / 2,
+    pin = (pin_diameter * longest) / 2;
   const found: Crossing[] = [];
   for (const {link, obstacle} of checks_of(order)) {
     let open: Crossing | null = null;
     for (const state of states) {
       const {plates, pins} = place_at(state, input_center, output_center);
-      const meets = obstacle in plates
-        ? segment_distance(plates[link], plates[obstacle as Link]) < 2 * half
-        : point_distance(plates[link], pins[obstacle as keyof Place["pins"]]) < half + pin;
+      const meets =
+        obstacle in plates
+          ? segment_distance(plates[link], plates[obstacle as Link]) < 2 * half
+          : point_distance(plates[link], pins[obstacle as keyof Place["pins"]]) < half + pin;
       if (!meets) open = null;
       else if (open) open.to_deg = state.input_deg;
       else found.push((open = {link, obstacle, from_deg: state.input_deg, to_deg: state.input_deg}));
@@ -108,13 +131,20 @@ export function crossings(order: Order, states: State[], input_center: Point, ou
 }
 
 export function point_distance([a, b]: Segment, p: Point): number {
-  const dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
+  const dx = b[0] - a[0],
+    dy = b[1] - a[1],
+    square = dx * dx + dy * dy;
   const along = square > 0 ? Math.min(Math.max(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square, 0), 1) : 0;
   return Math.hypot(a[0] + along * dx - p[0], a[1] + along * dy - p[1]);
 }
 export function segment_distance(one: Segment, other: Segment): number {
   if (side(one, other[0]) * side(one, other[1]) < 0 && side(other, one[0]) * side(other, one[1]) < 0) return 0;
-  return Math.min(point_distance(one, other[0]), point_distance(one, other[1]), point_distance(other, one[0]), point_distance(other, one[1]));
+  return Math.min(
+    point_distance(one, other[0]),
+    point_distance(one, other[1]),
+    point_distance(other, one[0]),
+    point_distance(other, one[1]),
+  );
 }
 function side([a, b]: Segment, p: Point): number {
   return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);

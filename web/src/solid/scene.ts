@@ -1,9 +1,31 @@
 // The linkage as plates on pins. Lengths are in longest links of the linkage, z points at the viewer, z = 0 is the back of
 // the ground plate. Nothing is drawn but when something has changed.
 import {
-  AmbientLight, Box3, type BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, ExtrudeGeometry, FrontSide, Group, HemisphereLight,
-  Mesh, MeshStandardMaterial, type Object3D, PerspectiveCamera, Plane, PlaneGeometry, Raycaster, Scene, ShadowMaterial, Shape,
-  Vector2, Vector3, VSMShadowMap, WebGLRenderer,
+  AmbientLight,
+  Box3,
+  type BufferGeometry,
+  Color,
+  CylinderGeometry,
+  DirectionalLight,
+  DoubleSide,
+  ExtrudeGeometry,
+  FrontSide,
+  Group,
+  HemisphereLight,
+  Mesh,
+  MeshStandardMaterial,
+  type Object3D,
+  PerspectiveCamera,
+  Plane,
+  PlaneGeometry,
+  Raycaster,
+  Scene,
+  ShadowMaterial,
+  Shape,
+  Vector2,
+  Vector3,
+  VSMShadowMap,
+  WebGLRenderer,
 } from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Viewport} from "../drawing/viewport";
@@ -60,7 +82,11 @@ export class SolidScene {
   private readonly wall = new Mesh(new PlaneGeometry(60, 60), new ShadowMaterial({opacity: 0.22}));
   private size = {width: 0, height: 0};
 
-  constructor(private readonly canvas: HTMLCanvasElement, private colors: SolidColors, private readonly still: boolean) {
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private colors: SolidColors,
+    private readonly still: boolean,
+  ) {
     this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true, preserveDrawingBuffer: true});
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = VSMShadowMap;
@@ -69,7 +95,13 @@ export class SolidScene {
     this.light.shadow.radius = 6;
     this.light.shadow.bias = -0.0005;
     this.wall.receiveShadow = true;
-    this.scene.add(this.wall, new HemisphereLight(0xffffff, 0xb8c0c8, 1.3), new AmbientLight(0xffffff, 0.5), this.light, this.light.target);
+    this.scene.add(
+      this.wall,
+      new HemisphereLight(0xffffff, 0xb8c0c8, 1.3),
+      new AmbientLight(0xffffff, 0.5),
+      this.light,
+      this.light.target,
+    );
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
     [this.controls.minDistance, this.controls.maxDistance] = [0.3, 30];
@@ -92,11 +124,13 @@ export class SolidScene {
   /** Another linkage is the same parts stretched; only another order of layers or another outline is built anew. The view
    *  stays where the user has turned it. */
   show(input: SolidInput): void {
-    const first = this.built === null, unit_before = this.unit;
+    const first = this.built === null,
+      unit_before = this.unit;
     this.unit = input.linkage.longest!;
     this.reach = input.reach;
     this.fixed = {input: input.linkage.input.center!, output: input.linkage.output.center!};
-    if (!this.built || this.built.outline !== input.outline || !same_value(this.built.plan.order, input.plan.order)) this.build(input);
+    if (!this.built || this.built.outline !== input.outline || !same_value(this.built.plan.order, input.plan.order))
+      this.build(input);
     for (const reshape of this.shaped) reshape(input);
     if (first) this.fit();
     else if (this.unit !== unit_before) this.keep_view(unit_before / this.unit);
@@ -131,18 +165,26 @@ export class SolidScene {
     const points = this.reach().map(([x, y]) => new Vector3(x / this.unit, y / this.unit, layer_z(2)));
     const center = new Box3().setFromPoints(points).getCenter(new Vector3());
     const ahead = new Vector3(-0.38, 0.34, 1).normalize();
-    const right = new Vector3().crossVectors(this.camera.up, ahead).normalize(), up = new Vector3().crossVectors(ahead, right);
+    const right = new Vector3().crossVectors(this.camera.up, ahead).normalize(),
+      up = new Vector3().crossVectors(ahead, right);
     const slope = Math.tan((view_angle * Math.PI) / 360) * 0.92;
     let away = 0.5;
     for (const point of points) {
-      const arm = point.sub(center), near = arm.dot(ahead);
-      away = Math.max(away, near + Math.abs(arm.dot(up)) / slope, near + Math.abs(arm.dot(right)) / (slope * this.camera.aspect));
+      const arm = point.sub(center),
+        near = arm.dot(ahead);
+      away = Math.max(
+        away,
+        near + Math.abs(arm.dot(up)) / slope,
+        near + Math.abs(arm.dot(right)) / (slope * this.camera.aspect),
+      );
     }
     this.look(center, center.clone().addScaledVector(ahead, away));
   }
   turn(right: number, up: number): void {
     const arm = this.camera.position.clone().sub(this.controls.target);
-    arm.applyAxisAngle(this.camera.up, right).applyAxisAngle(new Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion), up);
+    arm
+      .applyAxisAngle(this.camera.up, right)
+      .applyAxisAngle(new Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion), up);
     this.look(this.controls.target.clone(), this.controls.target.clone().add(arm));
   }
   /** While something else follows the pointer, the view does not turn. */
@@ -151,7 +193,9 @@ export class SolidScene {
   }
   /** The pivot whose pin shows within `reach` pixels of a place on the canvas. */
   pivot_at(at: Point, reach: number): SolidPivot | null {
-    const pivots = (["input", "output"] as const).flatMap((side) => (["circle", "center"] as const).map((end) => ({side, end})));
+    const pivots = (["input", "output"] as const).flatMap((side) =>
+      (["circle", "center"] as const).map((end) => ({side, end})),
+    );
     const apart = (pivot: SolidPivot) => {
       const seen = this.pixel_of(pivot);
       return seen ? Math.hypot(seen[0] - at[0], seen[1] - at[1]) : Infinity;
@@ -162,7 +206,8 @@ export class SolidScene {
   /** Where a pivot shows on the canvas. */
   pixel_of({side, end}: SolidPivot): Point | null {
     if (!this.fixed || !this.state) return null;
-    const {state} = this, [x, y] = end === "center" ? this.fixed[side] : side === "input" ? [state.ax, state.ay] : [state.bx, state.by];
+    const {state} = this,
+      [x, y] = end === "center" ? this.fixed[side] : side === "input" ? [state.ax, state.ay] : [state.bx, state.by];
     const seen = new Vector3(x / this.unit, y / this.unit, layer_z(2)).project(this.camera);
     return [((seen.x + 1) / 2) * this.size.width, ((1 - seen.y) / 2) * this.size.height];
   }
@@ -175,9 +220,16 @@ export class SolidScene {
   }
   /** A flat view about as large as this one: what "outside of the window" and "so many pixels away" mean here. */
   flat_view(): Viewport {
-    const {target} = this.controls, {width, height} = this.size;
+    const {target} = this.controls,
+      {width, height} = this.size;
     const away = Math.max(this.camera.position.distanceTo(target), 1e-6);
-    return {x: target.x * this.unit, y: target.y * this.unit, scale: height / (2 * away * Math.tan((view_angle * Math.PI) / 360) * this.unit), width, height};
+    return {
+      x: target.x * this.unit,
+      y: target.y * this.unit,
+      scale: height / (2 * away * Math.tan((view_angle * Math.PI) / 360) * this.unit),
+      width,
+      height,
+    };
   }
 
   private look(target: Vector3, eye: Vector3): void {
@@ -206,25 +258,40 @@ export class SolidScene {
     [this.moving, this.shaped] = [[], []];
   }
   private put_light({ax, ay, bx, by}: State): void {
-    const pivots = [this.fixed!.input, this.fixed!.output, [ax, ay], [bx, by]].map(([x, y]) => new Vector3(x / this.unit, y / this.unit, layer_z(2)));
+    const pivots = [this.fixed!.input, this.fixed!.output, [ax, ay], [bx, by]].map(
+      ([x, y]) => new Vector3(x / this.unit, y / this.unit, layer_z(2)),
+    );
     const center = new Box3().setFromPoints(pivots).getCenter(new Vector3());
     this.light.target.position.copy(center);
     this.light.position.copy(center).add(new Vector3(-1.2, 1.9, 3.2));
-    const reach = 2.6, {camera} = this.light.shadow;
-    [camera.left, camera.right, camera.top, camera.bottom, camera.near, camera.far] = [-reach, reach, reach, -reach, 0.1, 8];
+    const reach = 2.6,
+      {camera} = this.light.shadow;
+    [camera.left, camera.right, camera.top, camera.bottom, camera.near, camera.far] = [
+      -reach,
+      reach,
+      reach,
+      -reach,
+      0.1,
+      8,
+    ];
     camera.updateProjectionMatrix();
   }
   /** Double-click on a plate: look square at it. */
   private readonly look_square = (event: MouseEvent): void => {
-    const box = this.canvas.getBoundingClientRect(), ray = new Raycaster();
-    ray.setFromCamera(new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2), this.camera);
+    const box = this.canvas.getBoundingClientRect(),
+      ray = new Raycaster();
+    ray.setFromCamera(
+      new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2),
+      this.camera,
+    );
     const hit = ray.intersectObjects(this.parts.children, true).at(0);
     if (!hit) return;
     const away = this.camera.position.distanceTo(this.controls.target);
     this.glide(hit.point, hit.point.clone().add(new Vector3(0, 0, away)));
   };
   private glide(target: Vector3, eye: Vector3): void {
-    const from = {target: this.controls.target.clone(), eye: this.camera.position.clone()}, began = performance.now();
+    const from = {target: this.controls.target.clone(), eye: this.camera.position.clone()},
+      began = performance.now();
     if (this.still) return this.look(target, eye);
     const frame = (now: number) => {
       const share = Math.min((now - began) / 120, 1);
@@ -240,10 +307,17 @@ export class SolidScene {
     this.clear();
     ++this.builds;
     this.built = {plan, outline};
-    const {order} = plan, center = (side: SolidPivot["side"]) => this.fixed![side];
+    const {order} = plan,
+      center = (side: SolidPivot["side"]) => this.fixed![side];
     this.add_ground();
-    this.add_link("input", order.input, (s) => [...center("input"), Math.atan2(s.ay - center("input")[1], s.ax - center("input")[0])]);
-    this.add_link("output", order.output, (s) => [...center("output"), Math.atan2(s.by - center("output")[1], s.bx - center("output")[0])]);
+    this.add_link("input", order.input, (s) => [
+      ...center("input"),
+      Math.atan2(s.ay - center("input")[1], s.ax - center("input")[0]),
+    ]);
+    this.add_link("output", order.output, (s) => [
+      ...center("output"),
+      Math.atan2(s.by - center("output")[1], s.bx - center("output")[0]),
+    ]);
     this.add_link("coupler", order.coupler, (s) => [s.ax, s.ay, Math.atan2(s.by - s.ay, s.bx - s.ax)]);
     this.add_pin(0, order.input, "input", () => [...center("input"), 0]);
     this.add_pin(0, order.output, "output", () => [...center("output"), 0]);
@@ -254,10 +328,19 @@ export class SolidScene {
   }
   /** One to each colour: with the last material of its kind its shader would go, and be compiled again. */
   private material(role: keyof SolidColors, opacity = 1): MeshStandardMaterial {
-    const key = `${role} ${opacity}`, known = this.materials.get(key);
-    const material = known?.material ?? new MeshStandardMaterial({
-      color: new Color(this.colors[role]), roughness: 0.62, metalness: 0, transparent: opacity < 1, opacity, side: opacity < 1 ? DoubleSide : FrontSide, depthWrite: opacity === 1,
-    });
+    const key = `${role} ${opacity}`,
+      known = this.materials.get(key);
+    const material =
+      known?.material ??
+      new MeshStandardMaterial({
+        color: new Color(this.colors[role]),
+        roughness: 0.62,
+        metalness: 0,
+        transparent: opacity < 1,
+        opacity,
+        side: opacity < 1 ? DoubleSide : FrontSide,
+        depthWrite: opacity === 1,
+      });
     if (!known) this.materials.set(key, {role, material});
     return material;
   }
@@ -272,31 +355,41 @@ export class SolidScene {
   private add_link(link: Link, layer: number, place: Moving["place"]): void {
     const shape = slot(0, 1, plate_width / 2);
     for (const x of [0, 1]) shape.holes.push(new Shape().absarc(x, 0, pin_diameter / 2, 0, 2 * Math.PI, true));
-    const geometry = plate(shape, plate_thickness), stretch = stretching(geometry);
+    const geometry = plate(shape, plate_thickness),
+      stretch = stretching(geometry);
     const object = this.mesh(geometry, this.material(link === "coupler" ? "body" : link), layer_z(layer));
     object.name = link;
     this.shaped.push(({linkage}) => stretch(linkage.lengths![link] / this.unit));
     this.moving.push({object, place});
   }
   private add_pin(one: number, other: number, role: "input" | "output", place: Moving["place"]): void {
-    const low = Math.min(one, other), high = Math.max(one, other);
-    const bottom = layer_z(low) - (low === 0 ? 0 : head.thickness), top = layer_z(high) + plate_thickness + head.thickness;
-    const pin = new Group(), steel = this.material("ink2");
+    const low = Math.min(one, other),
+      high = Math.max(one, other);
+    const bottom = layer_z(low) - (low === 0 ? 0 : head.thickness),
+      top = layer_z(high) + plate_thickness + head.thickness;
+    const pin = new Group(),
+      steel = this.material("ink2");
     pin.add(upright(pin_diameter / 2, bottom, top, steel), upright(head.radius, top - head.thickness, top, steel));
     if (low > 0) pin.add(upright(head.radius, bottom, bottom + head.thickness, steel));
-    pin.add(upright(0.45 * pin_diameter / 2, top, top + 0.002, this.material(role)));
+    pin.add(upright((0.45 * pin_diameter) / 2, top, top + 0.002, this.material(role)));
     this.parts.add(pin);
     this.moving.push({object: pin, place});
   }
   /** The body, and a web that holds it on the coupler. */
   private add_body(outline: readonly Point[], layer: number): void {
-    const thickness = plate_thickness / 4, z = layer_z(layer) + (plate_thickness - thickness) / 2, unit = this.unit;
-    const flat = (corners: readonly Point[]) => plate(new Shape(corners.map(([x, y]) => new Vector2(x / this.unit, y / this.unit))), thickness);
-    const body = this.mesh(flat(outline), this.material("accent", 0.34), z), web = this.mesh(flat(outline), this.material("accent", 0.2), z);
+    const thickness = plate_thickness / 4,
+      z = layer_z(layer) + (plate_thickness - thickness) / 2,
+      unit = this.unit;
+    const flat = (corners: readonly Point[]) =>
+      plate(new Shape(corners.map(([x, y]) => new Vector2(x / this.unit, y / this.unit))), thickness);
+    const body = this.mesh(flat(outline), this.material("accent", 0.34), z),
+      web = this.mesh(flat(outline), this.material("accent", 0.2), z);
     this.shaped.push(({state}) => {
       body.scale.set(unit / this.unit, unit / this.unit, 1);
       web.geometry.dispose();
-      web.geometry = flat(web_corners(outline, body_point([state.ax, state.ay], state), body_point([state.bx, state.by], state)));
+      web.geometry = flat(
+        web_corners(outline, body_point([state.ax, state.ay], state), body_point([state.bx, state.by], state)),
+      );
     });
     for (const object of [body, web]) {
       object.name = "body";
@@ -306,11 +399,16 @@ export class SolidScene {
   }
   /** A plate behind everything that carries two brackets. */
   private add_ground(): void {
-    const geometry = plate(slot(0, 1, 0.13), plate_thickness / 2), stretch = stretching(geometry), base = this.mesh(geometry, this.material("curve"), 0);
-    const feet = (["input", "output"] as const).map((role) => this.mesh(plate(bracket(), plate_thickness), this.material(role), layer_z(0)));
+    const geometry = plate(slot(0, 1, 0.13), plate_thickness / 2),
+      stretch = stretching(geometry),
+      base = this.mesh(geometry, this.material("curve"), 0);
+    const feet = (["input", "output"] as const).map((role) =>
+      this.mesh(plate(bracket(), plate_thickness), this.material(role), layer_z(0)),
+    );
     for (const object of [base, ...feet]) object.name = "ground";
     this.shaped.push(() => {
-      const one = scaled(this.fixed!.input, this.unit), other = scaled(this.fixed!.output, this.unit);
+      const one = scaled(this.fixed!.input, this.unit),
+        other = scaled(this.fixed!.output, this.unit);
       stretch(Math.hypot(other[0] - one[0], other[1] - one[1]));
       base.position.set(one[0], one[1], 0);
       base.rotation.z = Math.atan2(other[1] - one[1], other[0] - one[0]);
@@ -321,7 +419,9 @@ export class SolidScene {
 
 /** Brings a plate of length 1 to another length: its far end moves as it is. */
 export function stretching(geometry: BufferGeometry): (length: number) => void {
-  const places = geometry.getAttribute("position"), far = Array.from({length: places.count}, (_, i) => i).filter((i) => places.getX(i) > 0.5), at = far.map((i) => places.getX(i));
+  const places = geometry.getAttribute("position"),
+    far = Array.from({length: places.count}, (_, i) => i).filter((i) => places.getX(i) > 0.5),
+    at = far.map((i) => places.getX(i));
   return (length) => {
     far.forEach((i, k) => places.setX(i, at[k] + length - 1));
     places.needsUpdate = true;
@@ -350,7 +450,8 @@ function slot(from: number, to: number, radius: number): Shape {
   return shape;
 }
 function bracket(): Shape {
-  const r = plate_width / 2, shape = new Shape();
+  const r = plate_width / 2,
+    shape = new Shape();
   shape.absarc(0, 0, r, 0, Math.PI, false);
   shape.lineTo(-1.5 * r, -1.9 * r);
   shape.lineTo(1.5 * r, -1.9 * r);
@@ -360,7 +461,13 @@ function bracket(): Shape {
 function plate(shape: Shape, thickness: number): ExtrudeGeometry {
   const bevel = Math.min(0.12 * thickness, 0.006);
   return new ExtrudeGeometry(shape, {
-    depth: thickness - 2 * bevel, bevelEnabled: true, bevelSize: bevel, bevelThickness: bevel, bevelOffset: -bevel, bevelSegments: 2, curveSegments: 24,
+    depth: thickness - 2 * bevel,
+    bevelEnabled: true,
+    bevelSize: bevel,
+    bevelThickness: bevel,
+    bevelOffset: -bevel,
+    bevelSegments: 2,
+    curveSegments: 24,
   }).translate(0, 0, bevel);
 }
 function upright(radius: number, bottom: number, top: number, material: MeshStandardMaterial): Mesh {

@@ -56,7 +56,9 @@ export class Answers {
   constructor(private readonly asked: () => {problem: Problem; tau: TauPair | null}) {
     this.map_wait = new Wait(() => this.explored !== null && !this.answers(this.explored));
     this.census_wait = new Wait(() => this.census !== null && !this.answers(this.counted!));
-    this.hand_wait = new Wait(() => this.hand !== null && !(this.hand_is_of_present && same_tau(this.held!.is.tau, this.asked().tau)));
+    this.hand_wait = new Wait(
+      () => this.hand !== null && !(this.hand_is_of_present && same_tau(this.held!.is.tau, this.asked().tau)),
+    );
   }
 
   // ---- what there is ------------------------------------------------------------------------------------------
@@ -82,7 +84,9 @@ export class Answers {
   /** What driving has found of the very linkage in hand through the very task in force; null: not known. */
   get verified(): Verdict | null {
     const {driven, hand} = this;
-    return driven && hand && same_tau(driven.is.tau, hand.tau) && this.answers(driven) && this.hand_is_of_present ? driven.is : null;
+    return driven && hand && same_tau(driven.is.tau, hand.tau) && this.answers(driven) && this.hand_is_of_present
+      ? driven.is
+      : null;
   }
   get map_is_of_present(): boolean {
     return this.explored !== null && this.answers(this.explored);

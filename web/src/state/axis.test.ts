@@ -1,15 +1,55 @@
 import {describe, expect, it} from "vitest";
 import {whole, type Axis} from "../engine/protocol";
-import {block_at, held_place, held_tau, held_window, place_of, places_of, stepped_place, tau_at, tau_of_places} from "./axis";
+import {
+  block_at,
+  held_place,
+  held_tau,
+  held_window,
+  place_of,
+  places_of,
+  stepped_place,
+  tau_at,
+  tau_of_places,
+} from "./axis";
 
 /** Two branches: the first in two blocks, one of them running backwards through the branch's end; the second whole. */
 const axis: Axis = {
-  quantity: "curve_coordinate", ticks: null, order: 3,
-  branches: [{name: "odd", from: 0, to: 1}, {name: "oval", from: 1, to: 2}],
+  quantity: "curve_coordinate",
+  ticks: null,
+  order: 3,
+  branches: [
+    {name: "odd", from: 0, to: 1},
+    {name: "oval", from: 1, to: 2},
+  ],
   blocks: [
-    {branch: 0, from: 0, to: 0.25, knots: [[0, 0.75], [0.25, 0.25]]},
-    {branch: 0, from: 0.25, to: 0.5, knots: [[0.25, 0.75], [0.4, 1], [0.5, 1.25]]},
-    {branch: 1, from: 0.5, to: 1, knots: [[0.5, 1.6], [1, 2.6]]},
+    {
+      branch: 0,
+      from: 0,
+      to: 0.25,
+      knots: [
+        [0, 0.75],
+        [0.25, 0.25],
+      ],
+    },
+    {
+      branch: 0,
+      from: 0.25,
+      to: 0.5,
+      knots: [
+        [0.25, 0.75],
+        [0.4, 1],
+        [0.5, 1.25],
+      ],
+    },
+    {
+      branch: 1,
+      from: 0.5,
+      to: 1,
+      knots: [
+        [0.5, 1.6],
+        [1, 2.6],
+      ],
+    },
   ],
 };
 
@@ -40,7 +80,9 @@ describe("places on the axis", () => {
   it("have no τ where there are no side links", () => {
     const empty: Axis = {...axis, branches: [], blocks: []};
     expect([block_at(empty, 0.5), tau_at(empty, 0.5)]).toEqual([null, null]);
-    expect([held_place(empty, 0.3), stepped_place({...empty, quantity: "burmester_point"}, 0.3, 1, 0.1)]).toEqual([0.3, 0.4]);
+    expect([held_place(empty, 0.3), stepped_place({...empty, quantity: "burmester_point"}, 0.3, 1, 0.1)]).toEqual([
+      0.3, 0.4,
+    ]);
     expect(tau_of_places({input: empty, output: empty}, [0, 0])).toBeNull();
   });
   it("are none for what no block shows", () => {
@@ -52,16 +94,29 @@ describe("places on the axis", () => {
     const axes = {input: axis, output: axis};
     expect(places_of(axes, [0.75, 1.8])).toEqual([place_of(axis, 0.75), place_of(axis, 1.8)]);
     expect(places_of(axes, [0.75, 9])).toBeNull();
-    expect(tau_of_places(axes, [0.125, 0.45])!.map((tau) => tau.toFixed(12))).toEqual(["0.500000000000", "0.125000000000"]);
+    expect(tau_of_places(axes, [0.125, 0.45])!.map((tau) => tau.toFixed(12))).toEqual([
+      "0.500000000000",
+      "0.125000000000",
+    ]);
     expect(tau_of_places({input: axis, output: {...axis, blocks: []}}, [0, 0])).toBeNull();
   });
 });
 
 describe("an axis of a few dyads", () => {
   const points: Axis = {
-    quantity: "burmester_point", ticks: null, order: 0,
+    quantity: "burmester_point",
+    ticks: null,
+    order: 0,
     branches: [0, 1, 2].map((i) => ({name: "point", from: i, to: i + 1})),
-    blocks: [0, 1, 2].map((i) => ({branch: i, from: i / 3, to: (i + 1) / 3, knots: [[i / 3, i], [(i + 1) / 3, i + 1]]})),
+    blocks: [0, 1, 2].map((i) => ({
+      branch: i,
+      from: i / 3,
+      to: (i + 1) / 3,
+      knots: [
+        [i / 3, i],
+        [(i + 1) / 3, i + 1],
+      ],
+    })),
   };
   const axes = {input: points, output: axis};
   it("has one τ and one place to each", () => {

@@ -1,19 +1,30 @@
 // Places on the map's axes and curve coordinates, as the engine's axis tells them.
 import {least_of, most_of} from "./ends";
 import {
-  axis_quantities, whole, type Axes, type Axis, type AxisBlock, type Branch, type Side, type TaskAnswer, type TauPair, type Window,
+  axis_quantities,
+  whole,
+  type Axes,
+  type Axis,
+  type AxisBlock,
+  type Branch,
+  type Side,
+  type TaskAnswer,
+  type TauPair,
+  type Window,
 } from "../engine/protocol";
 
 function interpolated(knots: readonly (readonly [number, number])[], value: number, from: 0 | 1): number {
   const to = from === 0 ? 1 : 0;
   const rising = knots[knots.length - 1][from] > knots[0][from];
-  let low = 0, high = knots.length - 1;
+  let low = 0,
+    high = knots.length - 1;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
     if (knots[middle][from] <= value === rising) low = middle;
     else high = middle;
   }
-  const a = knots[low], b = knots[high];
+  const a = knots[low],
+    b = knots[high];
   const share = b[from] === a[from] ? 0 : (value - a[from]) / (b[from] - a[from]);
   return a[to] + share * (b[to] - a[to]);
 }
@@ -68,7 +79,8 @@ export function held_place(axis: Axis, place: number): number {
 export function stepped_place(axis: Axis, place: number, cells: number, cell: number): number {
   const block = is_discrete(axis) ? block_at(axis, place) : null;
   if (!block) return Math.min(Math.max(place + cells * cell, 0), 1);
-  const at = axis.blocks.indexOf(block), to = Math.min(Math.max(at + Math.sign(cells), 0), axis.blocks.length - 1);
+  const at = axis.blocks.indexOf(block),
+    to = Math.min(Math.max(at + Math.sign(cells), 0), axis.blocks.length - 1);
   return held_place(axis, axis.blocks[to].from);
 }
 
@@ -89,13 +101,15 @@ export function held_tau(axes: Axes, tau: TauPair): TauPair {
 
 /** τ at a place of the axis, on its branch; none on an axis without side links. */
 export function tau_at(axis: Axis, place: number): number | null {
-  const inside = Math.min(Math.max(place, 0), 1), block = block_at(axis, inside);
+  const inside = Math.min(Math.max(place, 0), 1),
+    block = block_at(axis, inside);
   if (!block) return null;
   const branch = axis.branches[block.branch];
   return is_discrete(axis) ? middle_tau(branch) : wrapped(interpolated(block.knots, inside, 0), branch);
 }
 export function tau_of_places(axes: Axes, place: TauPair): TauPair | null {
-  const input = tau_at(axes.input, place[0]), output = tau_at(axes.output, place[1]);
+  const input = tau_at(axes.input, place[0]),
+    output = tau_at(axes.output, place[1]);
   return input === null || output === null ? null : [input, output];
 }
 
@@ -106,7 +120,8 @@ export function place_of(axis: Axis, tau: number): number | null {
     if (tau < branch.from - 1e-12 || tau > branch.to + 1e-12) continue;
     const length = branch.to - branch.from;
     const ends = [block.knots[0][1], block.knots[block.knots.length - 1][1]];
-    const low = least_of(ends), high = most_of(ends);
+    const low = least_of(ends),
+      high = most_of(ends);
     for (const turns of [0, 1, -1, 2, -2]) {
       const unwrapped = tau + turns * length;
       if (unwrapped >= low - 1e-12 && unwrapped <= high + 1e-12) {
@@ -118,6 +133,7 @@ export function place_of(axis: Axis, tau: number): number | null {
 }
 /** Where a pair stands on the map. */
 export function places_of(axes: Axes, tau: TauPair): TauPair | null {
-  const input = place_of(axes.input, tau[0]), output = place_of(axes.output, tau[1]);
+  const input = place_of(axes.input, tau[0]),
+    output = place_of(axes.output, tau[1]);
   return input === null || output === null ? null : [held_place(axes.input, input), held_place(axes.output, output)];
 }

@@ -5,7 +5,8 @@ import type {Workbench} from "./workbench.svelte";
 
 export type Ranked = Replies["best"]["linkages"][number];
 const most = 10; // as `linkwright solve` prints where nothing else is asked
-const tries = 3, again_ms = 400; // one worker for all drops what it was asked before
+const tries = 3,
+  again_ms = 400; // one worker for all drops what it was asked before
 
 export class BestList {
   found = $state.raw<{text: string; linkages: Ranked[]; notices: Notice[]} | null>(null);
@@ -21,7 +22,8 @@ export class BestList {
   }
   /** Fetches the list of the task as it is, unless it is there or on its way. */
   async fetch(): Promise<void> {
-    const {engine, incomplete, problem} = this.workbench, text = engine_text(problem);
+    const {engine, incomplete, problem} = this.workbench,
+      text = engine_text(problem);
     if (!engine || incomplete || text === this.asked || text === this.found?.text) return;
     this.asked = text;
     for (let turn = 0; turn < tries && this.asked === text; ++turn) {

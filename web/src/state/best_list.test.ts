@@ -8,8 +8,13 @@ const list = (type: string) => ({linkages: [{type}]}) as unknown as Replies["bes
 
 it("lists the ten best of the task on screen, asking once for each task, and again where the engine drops it", async () => {
   vi.useFakeTimers();
-  const workbench = new Workbench(first_example.problem), {best_list} = workbench;
-  const replies: (() => Promise<Replies["best"]>)[] = [() => Promise.resolve(list("crank_rocker")), () => Promise.reject(new Error("superseded")), () => Promise.resolve(list("double_crank"))];
+  const workbench = new Workbench(first_example.problem),
+    {best_list} = workbench;
+  const replies: (() => Promise<Replies["best"]>)[] = [
+    () => Promise.resolve(list("crank_rocker")),
+    () => Promise.reject(new Error("superseded")),
+    () => Promise.resolve(list("double_crank")),
+  ];
   const request = vi.fn((_kind: string, _content: object) => replies.shift()!());
   workbench.engine = {request} as unknown as EngineClient;
   await Promise.all([best_list.fetch(), best_list.fetch()]);

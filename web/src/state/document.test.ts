@@ -5,8 +5,37 @@ import {new_problem} from "../tasks/motion/kind";
 import {with_pose, with_view, type Pin} from "./problem";
 
 /** One branch over the whole axis, from τ = 0 to 1. */
-const axis: Axis = {quantity: "curve_coordinate", ticks: null, order: 3, branches: [{name: "odd", from: 0, to: 1}], blocks: [{branch: 0, from: 0, to: 1, knots: [[0, 0], [1, 1]]}]};
-const shifted: Axis = {...axis, blocks: [{branch: 0, from: 0, to: 1, knots: [[0, 0.25], [1, 1.25]]}]};
+const axis: Axis = {
+  quantity: "curve_coordinate",
+  ticks: null,
+  order: 3,
+  branches: [{name: "odd", from: 0, to: 1}],
+  blocks: [
+    {
+      branch: 0,
+      from: 0,
+      to: 1,
+      knots: [
+        [0, 0],
+        [1, 1],
+      ],
+    },
+  ],
+};
+const shifted: Axis = {
+  ...axis,
+  blocks: [
+    {
+      branch: 0,
+      from: 0,
+      to: 1,
+      knots: [
+        [0, 0.25],
+        [1, 1.25],
+      ],
+    },
+  ],
+};
 const no_curve: Axis = {...axis, branches: [], blocks: []};
 const both = (one: Axis) => ({input: one, output: one});
 
@@ -18,7 +47,12 @@ describe("a document", () => {
   it("is a problem with pick, pins and order taken out of its view, and becomes it again", () => {
     const file = with_view(problem, {traced: [[1, 2]], picked: [0.25, 0.5], pins: [pin], order: 3});
     const opened = from_problem(file);
-    expect(opened).toEqual({problem: with_view(problem, {traced: [[1, 2]]}), picked: {tau: [0.25, 0.5], place: null}, pins: [pin], order: 3});
+    expect(opened).toEqual({
+      problem: with_view(problem, {traced: [[1, 2]]}),
+      picked: {tau: [0.25, 0.5], place: null},
+      pins: [pin],
+      order: 3,
+    });
     expect(to_problem(opened)).toEqual(file);
     expect(from_problem(problem)).toEqual({problem, picked: null, pins: [], order: null});
     expect("view" in from_problem(with_view(problem, {order: 3})).problem).toBe(false);
@@ -47,7 +81,8 @@ describe("on the axis of an answer", () => {
     expect(settled.pins[0]).toMatchObject({tau: [0.5, 0.75], place: [0.5, 0.75]});
   });
   it("τ stays to the last bit where it has not moved", () => {
-    const tau = [0.25 + 1e-12, 0.5] as const, settled = settled_on(both(axis), {...document, picked: {tau, place: [0.25, 0.5]}});
+    const tau = [0.25 + 1e-12, 0.5] as const,
+      settled = settled_on(both(axis), {...document, picked: {tau, place: [0.25, 0.5]}});
     expect(settled.picked!.tau).toBe(tau);
   });
   it("what was loaded with a τ that is none of the axes is not in hand as another", () => {

@@ -30,7 +30,12 @@ export function from_problem(problem: Problem): Document {
 }
 /** The reverse, as it is saved and shared. */
 export function to_problem({problem, picked, pins, order}: Document): Problem {
-  const view = {...problem.view, ...(pins.length ? {pins} : {}), ...(picked ? {picked: picked.tau} : {}), ...(order === null ? {} : {order})};
+  const view = {
+    ...problem.view,
+    ...(pins.length ? {pins} : {}),
+    ...(picked ? {picked: picked.tau} : {}),
+    ...(order === null ? {} : {order}),
+  };
   return Object.keys(view).length ? with_view(problem, view) : problem;
 }
 

@@ -6,10 +6,18 @@ import {angle_at_stage, joints_at, row_count, row_joints, row_state, stage_at_an
 function drive(reached = [true, true, true, false]): Drive {
   const angles = [-10, 0, 7, 20, 30, 42, 50];
   const states = new Float64Array(angles.length * state_width);
-  angles.forEach((angle, row) => state_columns.forEach((_, column) => (states[row * state_width + column] = column === 0 ? angle : column * angle + 1)));
+  angles.forEach((angle, row) =>
+    state_columns.forEach(
+      (_, column) => (states[row * state_width + column] = column === 0 ? angle : column * angle + 1),
+    ),
+  );
   const rows = [1, 3, 4, -1];
   return {
-    states, width: state_width, full_turn: false, limits: {low: null, high: "dead_point"}, task: [1, 4],
+    states,
+    width: state_width,
+    full_turn: false,
+    limits: {low: null, high: "dead_point"},
+    task: [1, 4],
     ticks: rows.map((state, i) => ({position: i + 1, state: reached[i] ? state : -1, reached: reached[i]})),
   };
 }
@@ -35,16 +43,26 @@ describe("a drive table", () => {
 });
 
 it("the hinges of a six-bar follow the columns of every state", () => {
-  const width = state_width + 4, states = new Float64Array(2 * width).fill(9);
+  const width = state_width + 4,
+    states = new Float64Array(2 * width).fill(9);
   states[0] = 0;
   states[width] = 10;
   states.set([1, 2, 3, 4], state_width);
   states.set([2, 2, 5, 0], width + state_width);
   const wide: Drive = {...drive(), states, width};
   expect(row_count(wide)).toBe(2);
-  expect(row_joints(wide, 1)).toEqual([[2, 2], [5, 0]]);
-  expect(joints_at(wide, 5)).toEqual([[1.5, 2], [4, 2]]);
-  expect(joints_at(wide, 10)).toEqual([[2, 2], [5, 0]]);
+  expect(row_joints(wide, 1)).toEqual([
+    [2, 2],
+    [5, 0],
+  ]);
+  expect(joints_at(wide, 5)).toEqual([
+    [1.5, 2],
+    [4, 2],
+  ]);
+  expect(joints_at(wide, 10)).toEqual([
+    [2, 2],
+    [5, 0],
+  ]);
 });
 
 describe("the stage", () => {
@@ -53,7 +71,8 @@ describe("the stage", () => {
     expect([0, 20, 30].map((angle) => stage_at_angle(drive(), angle))).toEqual([0, 1, 2]);
   });
   it("goes there and back", () => {
-    for (let angle = -10; angle <= 50; angle += 0.5) expect(angle_at_stage(drive(), stage_at_angle(drive(), angle))).toBeCloseTo(angle, 10);
+    for (let angle = -10; angle <= 50; angle += 0.5)
+      expect(angle_at_stage(drive(), stage_at_angle(drive(), angle))).toBeCloseTo(angle, 10);
   });
   it("runs on outside, to the ends of the travel", () => {
     expect(angle_at_stage(drive(), -0.2)).toBeCloseTo(-6, 12);

@@ -21,14 +21,16 @@ export function row_state(drive: Drive, row: number): State {
 /** All hinges of a six-bar. */
 export function row_joints(drive: Drive, row: number): Point[] {
   const found: Point[] = [];
-  for (let at = row * drive.width + state_width; at < (row + 1) * drive.width; at += 2) found.push([drive.states[at], drive.states[at + 1]]);
+  for (let at = row * drive.width + state_width; at < (row + 1) * drive.width; at += 2)
+    found.push([drive.states[at], drive.states[at + 1]]);
   return found;
 }
 
 /** The last row before a driver angle (degrees from position 1), and the share of the way to the next. */
 function row_at(drive: Drive, angle_deg: number): {row: number; share: number} {
   const last = row_count(drive) - 1;
-  let low = 0, high = last;
+  let low = 0,
+    high = last;
   const angle = Math.min(Math.max(angle_deg, angle_of_row(drive, 0)), angle_of_row(drive, last));
   while (high - low > 1) {
     const middle = (low + high) >> 1;
@@ -36,12 +38,14 @@ function row_at(drive: Drive, angle_deg: number): {row: number; share: number} {
     else high = middle;
   }
   if (angle_of_row(drive, high) === angle) return {row: high, share: 0};
-  const from = angle_of_row(drive, low), to = angle_of_row(drive, high);
+  const from = angle_of_row(drive, low),
+    to = angle_of_row(drive, high);
   return {row: low, share: to > from ? (angle - from) / (to - from) : 0};
 }
 /** The state at a driver angle, linear between the table's rows; rows themselves exactly. */
 export function state_at(drive: Drive, angle_deg: number): State {
-  const {row, share} = row_at(drive, angle_deg), state = row_state(drive, row);
+  const {row, share} = row_at(drive, angle_deg),
+    state = row_state(drive, row);
   if (share === 0) return state;
   const next = row_state(drive, row + 1);
   for (const name of state_columns) state[name] += share * (next[name] - state[name]);
@@ -49,7 +53,8 @@ export function state_at(drive: Drive, angle_deg: number): State {
 }
 
 export function joints_at(drive: Drive, angle_deg: number): Point[] {
-  const {row, share} = row_at(drive, angle_deg), joints = row_joints(drive, row);
+  const {row, share} = row_at(drive, angle_deg),
+    joints = row_joints(drive, row);
   if (share === 0) return joints;
   const next = row_joints(drive, row + 1);
   return joints.map(([x, y], i) => [x + share * (next[i][0] - x), y + share * (next[i][1] - y)]);
@@ -58,7 +63,10 @@ export function joints_at(drive: Drive, angle_deg: number): Point[] {
 const beyond_deg = 30; // outside the task, one unit of the stage is so many degrees
 
 function stops(drive: Drive): number[] {
-  return drive.ticks.filter((t) => t.reached).map((t) => angle_of_row(drive, t.state)).sort((a, b) => a - b);
+  return drive.ticks
+    .filter((t) => t.reached)
+    .map((t) => angle_of_row(drive, t.state))
+    .sort((a, b) => a - b);
 }
 
 /** Stage: a number that compares linkages: k between stop k + 1 and the next (0 the first position met), linear in the
@@ -69,9 +77,11 @@ export function angle_at_stage(drive: Drive, stage: number): number {
   const last = at.length - 1;
   const [low, high] = travel(drive);
   const angle =
-    stage < 0 ? at[0] + stage * beyond_deg
-    : stage >= last ? at[last] + (stage - last) * beyond_deg
-    : at[Math.floor(stage)] + (stage - Math.floor(stage)) * (at[Math.floor(stage) + 1] - at[Math.floor(stage)]);
+    stage < 0
+      ? at[0] + stage * beyond_deg
+      : stage >= last
+        ? at[last] + (stage - last) * beyond_deg
+        : at[Math.floor(stage)] + (stage - Math.floor(stage)) * (at[Math.floor(stage) + 1] - at[Math.floor(stage)]);
   return Math.min(Math.max(angle, low), high);
 }
 export function stage_at_angle(drive: Drive, angle_deg: number): number {

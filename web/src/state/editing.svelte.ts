@@ -67,12 +67,14 @@ export abstract class Editing {
     this.edit_document((document) => with_problem(document, change(document.problem)), merge);
   }
   edit_document(change: (document: Document) => Document, merge: string | null = null): void {
-    const before = this.document, after = change(before);
+    const before = this.document,
+      after = change(before);
     this.note_change(before, after);
     this.commit(after, merge);
   }
   private note_change(before: Document, after: Document): void {
-    if (after.picked !== before.picked) this.just_changed = false; // it is the user's own choice
+    if (after.picked !== before.picked)
+      this.just_changed = false; // it is the user's own choice
     else this.just_changed ||= !same_question(before.problem, after.problem);
   }
   undo(): void {

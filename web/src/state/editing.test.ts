@@ -11,7 +11,8 @@ class Bench extends Editing {
     this.shown.push(this.problem);
   }
 }
-const problem = new_problem(), mistakes = [{code: "repeated_pose"}] as unknown as Mistake[];
+const problem = new_problem(),
+  mistakes = [{code: "repeated_pose"}] as unknown as Mistake[];
 /** With a problem that the engine has read. */
 function bench(): Bench {
   const made = new Bench(problem, () => 0);

@@ -7,7 +7,8 @@ import {engine_text, type Problem} from "./problem";
 import type {Workbench} from "./workbench.svelte";
 import {most_of} from "./ends";
 
-const slow_ms = 100, at_rest_ms = 300; // after the last of several changes
+const slow_ms = 100,
+  at_rest_ms = 300; // after the last of several changes
 
 export class LinkageFollower {
   private verified_for = "";
@@ -29,7 +30,11 @@ export class LinkageFollower {
   hover(): void {
     const {hovered, picked, picked_linkage, problem} = this.workbench;
     if (hovered) void this.fetch_hand();
-    else if (picked_linkage && this.workbench.answers.picked_is_of(problem) && same_tau(picked_linkage.tau, picked?.tau)) {
+    else if (
+      picked_linkage &&
+      this.workbench.answers.picked_is_of(problem) &&
+      same_tau(picked_linkage.tau, picked?.tau)
+    ) {
       this.workbench.answers.take_hand(picked_linkage, problem);
       void this.fetch_live();
     } else this.follow();
@@ -40,7 +45,8 @@ export class LinkageFollower {
     if (this.workbench.task?.status === "solved") void this.fetch_hand();
   }
   private async fetch_hand(): Promise<void> {
-    const {workbench} = this, {tau_in_hand: tau, problem} = workbench;
+    const {workbench} = this,
+      {tau_in_hand: tau, problem} = workbench;
     if (!tau || !this.driver) return workbench.answers.take_hand(null, problem);
     try {
       const {linkage} = await this.driver.request("linkage", {problem: engine_text(problem), tau});
@@ -50,14 +56,16 @@ export class LinkageFollower {
       if (same_tau(tau, workbench.picked?.tau)) this.take_picked(linkage, problem);
     } catch (error) {
       if (error instanceof Crashed) setTimeout(() => this.follow(), 50);
-      else if (error instanceof Refusal && workbench.problem === problem && same_tau(workbench.tau_in_hand, tau)) workbench.answers.take_hand(null, problem);
+      else if (error instanceof Refusal && workbench.problem === problem && same_tau(workbench.tau_in_hand, tau))
+        workbench.answers.take_hand(null, problem);
     }
   }
   private async fetch_live(): Promise<void> {
     const {tau_in_hand: tau, problem, hovered, gesture} = this.workbench;
     if (!tau || !this.driver) return;
     if (this.live_ms > slow_ms && (hovered || gesture)) return this.workbench.answers.take_live(null); // the next linkage would wait for it
-    const start = performance.now(), reply = await this.driver.request("live", {problem: engine_text(problem), tau}).catch(() => null);
+    const start = performance.now(),
+      reply = await this.driver.request("live", {problem: engine_text(problem), tau}).catch(() => null);
     this.live_ms = performance.now() - start;
     if (reply) this.workbench.answers.take_live(reply);
   }
@@ -72,7 +80,8 @@ export class LinkageFollower {
     else void this.leave_what_fails();
   }
   private async fetch_verified(tau: TauPair, problem: Problem): Promise<void> {
-    const text = engine_text(problem), asked = text + tau.join();
+    const text = engine_text(problem),
+      asked = text + tau.join();
     if (asked === this.verified_for && this.workbench.verified) return;
     this.verified_for = asked;
     const reply = await this.driver!.request("verify", {problem: text, tau}).catch(() => null);
@@ -80,8 +89,13 @@ export class LinkageFollower {
   }
   /** After a change that has cost the picked linkage the best that is left takes its place, in the change's own step. */
   private async leave_what_fails(): Promise<void> {
-    const {workbench} = this, {problem, picked} = workbench;
-    const still = () => workbench.just_changed && !workbench.gesture && workbench.problem === problem && same_tau(workbench.picked?.tau, picked?.tau);
+    const {workbench} = this,
+      {problem, picked} = workbench;
+    const still = () =>
+      workbench.just_changed &&
+      !workbench.gesture &&
+      workbench.problem === problem &&
+      same_tau(workbench.picked?.tau, picked?.tau);
     await new Promise((resolve) => setTimeout(resolve, at_rest_ms));
     if (!still()) return;
     const reply = await this.driver!.request("best", {problem: engine_text(problem), most: 1}).catch(() => null);
@@ -107,7 +121,8 @@ export class LinkageFollower {
   }
   async pick_best(quietly = false): Promise<void> {
     if (!this.driver) return;
-    const {workbench} = this, {problem} = workbench;
+    const {workbench} = this,
+      {problem} = workbench;
     this.seeking_best = true;
     const reply = await this.driver.request("best", {problem: engine_text(problem), most: 1}).catch(() => null);
     this.seeking_best = false;
@@ -125,7 +140,8 @@ export class LinkageFollower {
     this.put(tau);
   }
   async pick_next_best(step: 1 | -1): Promise<void> {
-    const {workbench} = this, {problem, picked} = workbench;
+    const {workbench} = this,
+      {problem, picked} = workbench;
     const reply = await this.driver?.request("best", {problem: engine_text(problem), most: 20}).catch(() => null);
     if (!reply || reply.linkages.length === 0 || workbench.problem !== problem) return;
     const firsts = reply.linkages.filter((a, i, all) => all.findIndex((b) => b.type === a.type) === i);
@@ -134,10 +150,13 @@ export class LinkageFollower {
     if (!same_tau(picked?.tau, next.tau)) workbench.pick(next.tau);
   }
   async improve(): Promise<void> {
-    const {workbench} = this, {problem, picked} = workbench;
+    const {workbench} = this,
+      {problem, picked} = workbench;
     if (!picked || !this.driver) return;
     workbench.improving = true;
-    const reply = await this.driver.request("improve", {problem: engine_text(problem), tau: picked.tau}).catch(() => null);
+    const reply = await this.driver
+      .request("improve", {problem: engine_text(problem), tau: picked.tau})
+      .catch(() => null);
     workbench.improving = false;
     if (!reply || workbench.problem !== problem) return;
     if (reply.improved) workbench.pick(reply.tau);
@@ -159,10 +178,13 @@ export class LinkageFollower {
 
   /** Shows where that position may go which has the most room with linkages left: a newcomer is to drag it. */
   async offer_halo(poses: number, reach: number): Promise<void> {
-    const {workbench} = this, {problem} = workbench;
+    const {workbench} = this,
+      {problem} = workbench;
     let best: {room: number; halo: Workbench["halo"]} = {room: 0, halo: null};
     for (let pose = 0; pose < poses; ++pose) {
-      const reply = await this.driver?.request("halo", {problem: engine_text(problem), pose, mode: "move", reach, steps: 13, samples: 60}).catch(() => null);
+      const reply = await this.driver
+        ?.request("halo", {problem: engine_text(problem), pose, mode: "move", reach, steps: 13, samples: 60})
+        .catch(() => null);
       const room = reply ? roomy_squares(reply.counts) : 0;
       if (reply && room > best.room) best = {room, halo: {...reply, pose, mode: "move"}};
     }
@@ -170,9 +192,13 @@ export class LinkageFollower {
   }
   /** Steps² cells of a square, or steps of an arc. Closer where the room that is left is near, finer once the hand rests. */
   async fetch_halo(pose: number, mode: "move" | "turn", reach: number): Promise<void> {
-    const {workbench} = this, {problem} = workbench, held = () => workbench.gesture && workbench.held_pose === pose;
+    const {workbench} = this,
+      {problem} = workbench,
+      held = () => workbench.gesture && workbench.held_pose === pose;
     const ask = async (steps: number) => {
-      const reply = await this.driver?.request("halo", {problem: engine_text(problem), pose, mode, reach, steps, samples: 60}).catch(() => null);
+      const reply = await this.driver
+        ?.request("halo", {problem: engine_text(problem), pose, mode, reach, steps, samples: 60})
+        .catch(() => null);
       if (reply && held()) workbench.halo = {...reply, pose, mode};
       return reply;
     };
@@ -201,7 +227,8 @@ const few_cells = 16;
 /** Of a few linkages one is in hand even where none will do: the one with the least against it. */
 function least_bad({type, defects, fails, columns, input_tau, output_tau}: MapAnswer): TauPair | null {
   if (type.length > few_cells) return null;
-  const against = (cell: number) => (defects[cell] ? 100 : 0) + [...fails[cell].toString(2)].filter((bit) => bit === "1").length;
+  const against = (cell: number) =>
+    (defects[cell] ? 100 : 0) + [...fails[cell].toString(2)].filter((bit) => bit === "1").length;
   const [best] = [...type.keys()].filter((cell) => type[cell] < 9).sort((a, b) => against(a) - against(b));
   return best === undefined ? null : [input_tau[Math.floor(best / columns)], output_tau[best % columns]];
 }
@@ -209,7 +236,9 @@ function least_bad({type, defects, fails, columns, input_tau, output_tau}: MapAn
 /** Whether there is something, and nothing of it outside of the inner half of a square of steps² cells. */
 function in_inner_half(counts: ArrayLike<number>, steps: number): boolean {
   const middle = (steps - 1) / 2;
-  const distances = Array.from(counts, (count, i) => (count > 0 ? Math.max(Math.abs((i % steps) - middle), Math.abs(Math.floor(i / steps) - middle)) : -1));
+  const distances = Array.from(counts, (count, i) =>
+    count > 0 ? Math.max(Math.abs((i % steps) - middle), Math.abs(Math.floor(i / steps) - middle)) : -1,
+  );
   const farthest = most_of(distances);
   return farthest >= 0 && farthest <= middle / 2;
 }

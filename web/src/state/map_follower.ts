@@ -6,8 +6,12 @@ import {settled_on, type Document} from "./document";
 import {engine_text, same_question} from "./problem";
 import type {Workbench} from "./workbench.svelte";
 
-const even_samples = 400, quick_samples = 100, fine_samples = 1000;
-const slow_ms = 25, slow_often = 3, quick_often = 8; // so many 400² maps in a row that take longer make dragging fall back to so many of 100²
+const even_samples = 400,
+  quick_samples = 100,
+  fine_samples = 1000;
+const slow_ms = 25,
+  slow_often = 3,
+  quick_often = 8; // so many 400² maps in a row that take longer make dragging fall back to so many of 100²
 
 export class MapFollower {
   private asked = ""; // what the map on screen, or on its way, answers
@@ -74,14 +78,21 @@ export class MapFollower {
     if (this.slow_maps >= slow_often) this.quick_maps = quick_often;
   }
   private take(reply: Replies["explore"], document: Document, samples: number, window: Window): void {
-    const {workbench} = this, {task, gesture} = workbench, {input: axis} = reply.task.axes;
+    const {workbench} = this,
+      {task, gesture} = workbench,
+      {input: axis} = reply.task.axes;
     if (workbench.incomplete) return; // positions were removed meanwhile
     if (workbench.answers.map_is_of_present && !same_question(document.problem, workbench.problem)) return; // a drag was taken back meanwhile
     workbench.answers.take_map(reply.task, reply.map, document.problem);
     workbench.engine_ms = reply.engine_ms;
     workbench.accept(document);
-    if (reply.map && window === whole && samples !== fine_samples) workbench.answers.take_census(reply.map.census, document.problem);
-    const split = task !== null && gesture && axis.quantity === "curve_coordinate" && task.axes.input.branches.length !== axis.branches.length;
+    if (reply.map && window === whole && samples !== fine_samples)
+      workbench.answers.take_census(reply.map.census, document.problem);
+    const split =
+      task !== null &&
+      gesture &&
+      axis.quantity === "curve_coordinate" &&
+      task.axes.input.branches.length !== axis.branches.length;
     if (split) workbench.say(axis.branches.length > 1 ? "state.curve_split" : "state.curve_joined");
     if (gesture || workbench.problem === document.problem) this.settle();
     workbench.linkages.follow();
@@ -109,14 +120,22 @@ export class MapFollower {
       const {window, engine, driver_client} = this.workbench;
       const refined = () => void (this.fine && this.explore(fine_samples));
       const counted = window === whole ? null : this.count_whole();
-      if (counted && driver_client === engine) void counted.then(refined); // one worker: the later would replace the earlier
+      if (counted && driver_client === engine)
+        void counted.then(refined); // one worker: the later would replace the earlier
       else refined();
     }, 300);
   }
   /** Zoomed in, the counts are still of the whole region. */
   private async count_whole(): Promise<void> {
-    const {workbench} = this, {problem, order} = workbench.document;
-    const content = {problem: engine_text(problem), samples: even_samples, window: whole, property: "min_transmission_angle_deg" as const, order: order ?? ("fresh" as const)};
+    const {workbench} = this,
+      {problem, order} = workbench.document;
+    const content = {
+      problem: engine_text(problem),
+      samples: even_samples,
+      window: whole,
+      property: "min_transmission_angle_deg" as const,
+      order: order ?? ("fresh" as const),
+    };
     const reply = await workbench.driver_client?.request("explore", content).catch(() => null);
     if (reply?.map && workbench.problem === problem) workbench.answers.take_census(reply.map.census, problem);
   }

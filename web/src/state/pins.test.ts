@@ -15,7 +15,8 @@ describe("pins", () => {
     expect(free_name([...alphabet, named("A1")])).toBe("B1");
   });
   it("are found by their linkage, in their own task", () => {
-    const pins = [named("A")], other = with_pose(new_problem(), 0, {x: 1}).task;
+    const pins = [named("A")],
+      other = with_pose(new_problem(), 0, {x: 1}).task;
     expect(find_pin(pins, new_problem().task, [0.5, 0.75 + 1e-9])?.name).toBe("A");
     expect(find_pin(pins, task, [0.5, 0.76])).toBeUndefined();
     expect(find_pin(pins, other, [0.5, 0.75])).toBeUndefined();

@@ -15,7 +15,12 @@ export function new_pin(linkage: Linkage, problem: Problem, name: string, place:
     link_ratio: linkage.link_ratio,
     longest: linkage.longest,
     lengths: linkage.lengths,
-    pivots: {input_center: input.center, input_circle: input.circle, output_center: output.center, output_circle: output.circle},
+    pivots: {
+      input_center: input.center,
+      input_circle: input.circle,
+      output_center: output.center,
+      output_circle: output.circle,
+    },
   };
 }
 /** A … Z, A1 … Z1, A2 …: the first that no pin has. */

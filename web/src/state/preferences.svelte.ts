@@ -54,7 +54,8 @@ export class Preferences {
   }
   /** To be called in an effect: reads every preference. Writes those that have changed here: another tab may have changed others. */
   store(): void {
-    const all = this.all(), changed = Object.entries(all).filter(([name, value]) => value !== this.known[name]);
+    const all = this.all(),
+      changed = Object.entries(all).filter(([name, value]) => value !== this.known[name]);
     if (changed.length === 0) return;
     try {
       this.store_of()?.setItem(key, JSON.stringify({...this.stored(), ...Object.fromEntries(changed)}));
@@ -68,12 +69,28 @@ export class Preferences {
 type Name = keyof typeof checks;
 type Stored = Record<string, unknown>;
 const flag = (value: unknown) => typeof value === "boolean";
-const one_of = (...values: unknown[]) => (value: unknown) => values.includes(value);
+const one_of =
+  (...values: unknown[]) =>
+  (value: unknown) =>
+    values.includes(value);
 const width = (value: unknown) => is_number(value) && value >= 100 && value <= 10_000;
 const checks = {
-  language: one_of("en", "zh"), theme: one_of("light", "dark"), snap: flag, grid: flag, construction: flag, contours: flag, defect_kinds: flag,
-  only_meeting: flag, ridges: flag, colour_by: one_of("type", ...properties), speed: one_of(...speeds), repeat: one_of("reverse", "loop", "once"),
-  left_width: width, right_width: width, toured: flag, single_keys: flag,
+  language: one_of("en", "zh"),
+  theme: one_of("light", "dark"),
+  snap: flag,
+  grid: flag,
+  construction: flag,
+  contours: flag,
+  defect_kinds: flag,
+  only_meeting: flag,
+  ridges: flag,
+  colour_by: one_of("type", ...properties),
+  speed: one_of(...speeds),
+  repeat: one_of("reverse", "loop", "once"),
+  left_width: width,
+  right_width: width,
+  toured: flag,
+  single_keys: flag,
 } satisfies Record<string, (value: unknown) => boolean>;
 const names = Object.keys(checks) as Name[];
 

@@ -29,7 +29,12 @@ export interface Pin {
   link_ratio: number | null;
   longest: number | null;
   lengths: {ground: number; input: number; coupler: number; output: number} | null;
-  pivots: {input_center: Point | null; input_circle: Point | null; output_center: Point | null; output_circle: Point | null};
+  pivots: {
+    input_center: Point | null;
+    input_circle: Point | null;
+    output_center: Point | null;
+    output_circle: Point | null;
+  };
 }
 export interface Background {
   image: string; // data: URL
@@ -66,7 +71,8 @@ export function problem_text(problem: Problem, indent?: number): string {
 const engine_texts = new WeakMap<Problem, string>(); // problems are immutable, some are megabytes, and each is asked for often
 /** What the engine needs: without the view, so that pins and outline never make it compute. */
 export function engine_text(problem: Problem): string {
-  const {view: _, ...rest} = problem, text = engine_texts.get(problem) ?? JSON.stringify(rest);
+  const {view: _, ...rest} = problem,
+    text = engine_texts.get(problem) ?? JSON.stringify(rest);
   engine_texts.set(problem, text);
   return text;
 }
@@ -103,13 +109,18 @@ export function with_view(problem: Problem, change: Partial<View>): Problem {
 
 /** A body point's place in the fixed frame when the moving frame lies at `pose`. */
 export function placed(point: Point, pose: {x: number; y: number; theta_deg: number}): Point {
-  const angle = (pose.theta_deg * Math.PI) / 180, c = Math.cos(angle), s = Math.sin(angle);
+  const angle = (pose.theta_deg * Math.PI) / 180,
+    c = Math.cos(angle),
+    s = Math.sin(angle);
   return [pose.x + c * point[0] - s * point[1], pose.y + s * point[0] + c * point[1]];
 }
 /** The reverse: body coordinates of a fixed-frame point. */
 export function body_point(point: Point, pose: {x: number; y: number; theta_deg: number}): Point {
-  const angle = (pose.theta_deg * Math.PI) / 180, c = Math.cos(angle), s = Math.sin(angle);
-  const dx = point[0] - pose.x, dy = point[1] - pose.y;
+  const angle = (pose.theta_deg * Math.PI) / 180,
+    c = Math.cos(angle),
+    s = Math.sin(angle);
+  const dx = point[0] - pose.x,
+    dy = point[1] - pose.y;
   return [c * dx + s * dy, -s * dx + c * dy];
 }
 
@@ -129,6 +140,12 @@ export function round_step(value: number): number {
 export function outline_of(problem: Problem): readonly Point[] {
   if (problem.view?.outline && problem.view.outline.length >= 3) return problem.view.outline;
   const size = poses_extent(poses_of(problem.task));
-  const w = round_step(0.3 * size), h = round_step(0.1 * size);
-  return [[-w / 2, -h / 2], [w / 2, -h / 2], [w / 2, h / 2], [-w / 2, h / 2]];
+  const w = round_step(0.3 * size),
+    h = round_step(0.1 * size);
+  return [
+    [-w / 2, -h / 2],
+    [w / 2, -h / 2],
+    [w / 2, h / 2],
+    [-w / 2, h / 2],
+  ];
 }

@@ -6,7 +6,9 @@ import {unused_name} from "./pins";
 import {most_pins, objectives, type Background, type Pin, type Problem, type View} from "./problem";
 import {is_finite, is_number, is_object, is_pair, read_list, type Object} from "./shape";
 
-const most_points = 10_000, longest_name = 100, longest_text = 10_000;
+const most_points = 10_000,
+  longest_name = 100,
+  longest_text = 10_000;
 
 function pairs(value: unknown): Point[] | undefined {
   return read_list(value, (item) => (is_pair(item) ? item : null), most_points) ?? undefined;
@@ -14,7 +16,8 @@ function pairs(value: unknown): Point[] | undefined {
 
 /** A pin has the name that its user gave it; all its numbers are looked at, name and note are text. */
 function read_pin(value: unknown): Pin | null {
-  if (!is_object(value) || typeof value.name !== "string" || value.name.trim() === "" || !is_pair(value.tau)) return null;
+  if (!is_object(value) || typeof value.name !== "string" || value.name.trim() === "" || !is_pair(value.tau))
+    return null;
   const task = read_task(value.task ?? {kind: "motion", mechanism: "four_bar", poses: value.poses}); // pins used to have poses
   const type = linkage_types.find((name) => name === value.type);
   if (!task || !type) return null;
@@ -33,8 +36,10 @@ function read_pin(value: unknown): Pin | null {
     longest: number("longest"),
     lengths: read_lengths(value.lengths),
     pivots: {
-      input_center: read_pivot(pivots.input_center), input_circle: read_pivot(pivots.input_circle),
-      output_center: read_pivot(pivots.output_center), output_circle: read_pivot(pivots.output_circle),
+      input_center: read_pivot(pivots.input_center),
+      input_circle: read_pivot(pivots.input_circle),
+      output_center: read_pivot(pivots.output_center),
+      output_circle: read_pivot(pivots.output_circle),
     },
   };
 }
@@ -45,18 +50,27 @@ function read_pivot(value: unknown): Point | null {
 function read_lengths(value: unknown): Pin["lengths"] {
   if (!is_object(value)) return null;
   const {ground, input, coupler, output} = value;
-  return is_finite(ground) && is_finite(input) && is_finite(coupler) && is_finite(output) ? {ground, input, coupler, output} : null;
+  return is_finite(ground) && is_finite(input) && is_finite(coupler) && is_finite(output)
+    ? {ground, input, coupler, output}
+    : null;
 }
 function read_pins(value: unknown): Pin[] | undefined {
   if (!Array.isArray(value)) return undefined;
   const pins: Pin[] = [];
-  for (const pin of value.slice(0, most_pins).map(read_pin)) if (pin) pins.push({...pin, name: unused_name(pins, pin.name)});
+  for (const pin of value.slice(0, most_pins).map(read_pin))
+    if (pin) pins.push({...pin, name: unused_name(pins, pin.name)});
   return pins;
 }
 function read_background(value: unknown): Background | undefined {
-  if (!is_object(value) || typeof value.image !== "string" || !/^data:image\/(png|jpeg|webp|gif);base64,[A-Za-z0-9+/=]+$/.test(value.image)) return undefined;
+  if (
+    !is_object(value) ||
+    typeof value.image !== "string" ||
+    !/^data:image\/(png|jpeg|webp|gif);base64,[A-Za-z0-9+/=]+$/.test(value.image)
+  )
+    return undefined;
   const {image, x, y, width, aspect} = value;
-  if (!is_number(x) || !is_number(y) || !is_number(width) || !is_number(aspect) || width <= 0 || aspect <= 0) return undefined;
+  if (!is_number(x) || !is_number(y) || !is_number(width) || !is_number(aspect) || width <= 0 || aspect <= 0)
+    return undefined;
   const opacity = is_number(value.opacity) && value.opacity >= 0 && value.opacity <= 1 ? {opacity: value.opacity} : {};
   return {image, x, y, width, aspect, ...opacity};
 }
@@ -64,7 +78,8 @@ function read_background(value: unknown): Background | undefined {
 /** The workbench's part of a file, as far as it is one. */
 export function read_view(value: unknown): View {
   if (!is_object(value)) return {};
-  const outline = pairs(value.outline), background = read_background(value.background);
+  const outline = pairs(value.outline),
+    background = read_background(value.background);
   const view: {[K in keyof Required<View>]: View[K]} = {
     outline: outline && outline.length >= 3 ? outline : undefined,
     background,
@@ -80,10 +95,19 @@ export function read_view(value: unknown): View {
 
 type Check = (value: unknown) => boolean;
 const is_flag: Check = (value) => typeof value === "boolean";
-const is_one_of = (names: readonly string[]): Check => (value) => names.includes(value as string);
-const is_between = (low: number, high: number): Check => (value) => is_number(value) && value >= low && value <= high;
+const is_one_of =
+  (names: readonly string[]): Check =>
+  (value) =>
+    names.includes(value as string);
+const is_between =
+  (low: number, high: number): Check =>
+  (value) =>
+    is_number(value) && value >= low && value <= high;
 const is_box: Check = (value) => is_object(value) && is_pair(value.x) && is_pair(value.y);
-const or_null = (check: Check): Check => (value) => value === null || check(value);
+const or_null =
+  (check: Check): Check =>
+  (value) =>
+    value === null || check(value);
 
 const requirement_checks: Record<string, Check> = {
   types: or_null((value) => Array.isArray(value) && value.every(is_one_of(linkage_types))),
@@ -97,13 +121,21 @@ const requirement_checks: Record<string, Check> = {
   respect_direction: is_flag,
 };
 const option_checks: Record<string, Check> = {
-  region_samples: is_between(8, 20_000), spacing: is_one_of(["coordinate", "arc_length"]), objective: is_one_of(objectives),
-  best: is_between(0, 1000), window: or_null(Array.isArray), box: or_null(is_box), seed: is_between(0, 999_999_999), effort: is_between(1, 10_000_000),
+  region_samples: is_between(8, 20_000),
+  spacing: is_one_of(["coordinate", "arc_length"]),
+  objective: is_one_of(objectives),
+  best: is_between(0, 1000),
+  window: or_null(Array.isArray),
+  box: or_null(is_box),
+  seed: is_between(0, 999_999_999),
+  effort: is_between(1, 10_000_000),
 };
 /** The members that are right. One that is not known here belongs to a later version: the engine reads it. */
 function sound(value: unknown, checks: Record<string, Check>): Object | undefined {
   if (!is_object(value)) return undefined;
-  return Object.fromEntries(Object.entries(value).filter(([key, member]) => !Object.hasOwn(checks, key) || checks[key](member)));
+  return Object.fromEntries(
+    Object.entries(value).filter(([key, member]) => !Object.hasOwn(checks, key) || checks[key](member)),
+  );
 }
 
 /** A problem whose task the engine has read, or will: right in its outlines, its view in every part. */
@@ -111,11 +143,18 @@ export function read_problem(value: unknown): Problem | null {
   if (!is_object(value) || value.linkwright !== 1) return null;
   const task = read_task(value.task);
   if (!task) return null;
-  const text = (key: string) => (typeof value[key] === "string" ? {[key]: (value[key] as string).slice(0, longest_text)} : {});
-  const requirements = sound(value.requirements, requirement_checks), options = sound(value.options, option_checks);
+  const text = (key: string) =>
+    typeof value[key] === "string" ? {[key]: (value[key] as string).slice(0, longest_text)} : {};
+  const requirements = sound(value.requirements, requirement_checks),
+    options = sound(value.options, option_checks);
   const view = read_view(value.view);
   return {
-    linkwright: 1, ...text("title"), ...text("length_unit"), task,
-    ...(requirements ? {requirements} : {}), ...(options ? {options} : {}), ...(Object.keys(view).length ? {view} : {}),
+    linkwright: 1,
+    ...text("title"),
+    ...text("length_unit"),
+    task,
+    ...(requirements ? {requirements} : {}),
+    ...(options ? {options} : {}),
+    ...(Object.keys(view).length ? {view} : {}),
   };
 }

@@ -14,7 +14,9 @@ class ScreenSize {
   /** It changes without a resize where the window goes to another screen. */
   private watch_ratio(): void {
     this.ratio = globalThis.devicePixelRatio ?? 1;
-    globalThis.matchMedia?.(`(resolution: ${this.ratio}dppx)`).addEventListener("change", () => this.watch_ratio(), {once: true});
+    globalThis
+      .matchMedia?.(`(resolution: ${this.ratio}dppx)`)
+      .addEventListener("change", () => this.watch_ratio(), {once: true});
   }
   get kind(): "wide" | "laptop" | "phone" {
     if (this.width <= 700 || this.height < 500) return "phone";

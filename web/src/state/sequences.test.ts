@@ -13,12 +13,41 @@ import {Workbench} from "./workbench.svelte";
 
 // ---- an engine that is none -----------------------------------------------------------------------------------------
 
-const refused_x = 666, rest_ms = 5000;
-const axis: Axis = {quantity: "curve_coordinate", ticks: null, order: 3, branches: [{name: "odd", from: 0, to: 1}], blocks: [{branch: 0, from: 0, to: 1, knots: [[0, 0], [1, 1]]}]};
-const linkage = (tau: unknown) => ({tau, type: "crank_rocker", input: {center: [0, 0], circle: [1, 0]}, output: {center: [2, 0], circle: [1, 1]}, fails: 0, drive: null, lengths: null, link_ratio: 2, longest: 2, min_transmission_angle_deg: 40});
+const refused_x = 666,
+  rest_ms = 5000;
+const axis: Axis = {
+  quantity: "curve_coordinate",
+  ticks: null,
+  order: 3,
+  branches: [{name: "odd", from: 0, to: 1}],
+  blocks: [
+    {
+      branch: 0,
+      from: 0,
+      to: 1,
+      knots: [
+        [0, 0],
+        [1, 1],
+      ],
+    },
+  ],
+};
+const linkage = (tau: unknown) => ({
+  tau,
+  type: "crank_rocker",
+  input: {center: [0, 0], circle: [1, 0]},
+  output: {center: [2, 0], circle: [1, 1]},
+  fails: 0,
+  drive: null,
+  lengths: null,
+  link_ratio: 2,
+  longest: 2,
+  min_transmission_angle_deg: 40,
+});
 const replies: Partial<Record<Kind, (request: never) => object>> = {
   explore: ({samples, window, property}: {samples: number; window: object; property: string}) => ({
-    task: {status: "solved", axes: {input: axis, output: axis}}, engine_ms: 1,
+    task: {status: "solved", axes: {input: axis, output: axis}},
+    engine_ms: 1,
     map: {samples, window, property, type: {length: 100}, census: {meeting: 1}},
   }),
   linkage: ({tau}: {tau: unknown}) => ({linkage: linkage(tau), engine_ms: 1}),
@@ -38,9 +67,12 @@ class FakeWorker extends EventTarget {
     setTimeout(() => this.say({kind: "ready", version: "0"}));
   }
   postMessage(message: RequestMessage): void {
-    const {id, kind} = message, refused = "problem" in message && message.problem.includes(`"x":${refused_x},`);
+    const {id, kind} = message,
+      refused = "problem" in message && message.problem.includes(`"x":${refused_x},`);
     if (hangs) return void ++met.hung;
-    const reply = refused ? {refused: {mistakes: [{code: "refused", place: "task", message: "no"}]}} : {reply: replies[kind]?.(message as never) ?? {}};
+    const reply = refused
+      ? {refused: {mistakes: [{code: "refused", place: "task", message: "no"}]}}
+      : {reply: replies[kind]?.(message as never) ?? {}};
     setTimeout(() => this.say({id, kind, ...reply}), kind === "explore" ? 3 : 1);
   }
   terminate(): void {
@@ -56,8 +88,13 @@ class FakeWorker extends EventTarget {
 function store(): Store {
   const items = new Map<string, string>();
   return {
-    get length() { return items.size; }, key: (i) => [...items.keys()][i] ?? null, getItem: (key) => items.get(key) ?? null,
-    setItem: (key, text) => void items.set(key, text), removeItem: (key) => void items.delete(key),
+    get length() {
+      return items.size;
+    },
+    key: (i) => [...items.keys()][i] ?? null,
+    getItem: (key) => items.get(key) ?? null,
+    setItem: (key, text) => void items.set(key, text),
+    removeItem: (key) => void items.delete(key),
   };
 }
 beforeAll(() => {
@@ -82,7 +119,8 @@ class Page {
     this.open();
   }
   open(): void {
-    const slot = own_slot(this.local, this.session), kept = read_work(slot, this.local);
+    const slot = own_slot(this.local, this.session),
+      kept = read_work(slot, this.local);
     this.workbench = new Workbench(kept ?? new_problem());
     this.workbench.slot = slot;
     this.workbench.connect(() => new FakeWorker() as unknown as Worker, 2);
@@ -135,21 +173,35 @@ type Doing = (page: Page, model: Model, by: number) => void | Promise<unknown>;
 /** The same change here and there. */
 function edited(change: (problem: Problem, by: number) => Problem): Doing {
   return ({workbench}, model, by) => {
-    const before = workbench.problem, after = change(before, by);
+    const before = workbench.problem,
+      after = change(before, by);
     workbench.edit(() => after);
     if (!refused(after)) model.step({problem: after});
   };
 }
-const refused = (problem: Problem) => poses_of(problem.task).length >= 4 && JSON.stringify(problem.task).includes(`"x":${refused_x},`);
+const refused = (problem: Problem) =>
+  poses_of(problem.task).length >= 4 && JSON.stringify(problem.task).includes(`"x":${refused_x},`);
 const last = (problem: Problem) => Math.max(poses_of(problem.task).length - 1, 0);
 const doings: Record<string, Doing> = {
   move: edited((problem, by) => with_pose(problem, by % (last(problem) + 1), {x: by + 0.125, y: 1 - by})),
   refused: edited((problem) => with_pose(problem, last(problem), {x: refused_x})),
   limit: edited((problem, by) => with_requirements(problem, {max_link_ratio: by % 3 ? by + 2 : null})),
   title: edited((problem, by) => ({...problem, title: `task ${by} …`})),
-  outline: edited((problem, by) => with_view(problem, {outline: [[0, 0], [by + 1, 0], [0, 1]]})),
+  outline: edited((problem, by) =>
+    with_view(problem, {
+      outline: [
+        [0, 0],
+        [by + 1, 0],
+        [0, 1],
+      ],
+    }),
+  ),
   remove: edited((problem) => (last(problem) > 2 ? with_poses(problem, poses_of(problem.task).slice(0, -1)) : problem)),
-  add: edited((problem, by) => (last(problem) < 3 ? with_poses(problem, [...poses_of(problem.task), {x: 1000 + by, y: by, theta_deg: by}]) : problem)),
+  add: edited((problem, by) =>
+    last(problem) < 3
+      ? with_poses(problem, [...poses_of(problem.task), {x: 1000 + by, y: by, theta_deg: by}])
+      : problem,
+  ),
   drag: async ({workbench}, model, by) => {
     workbench.begin_gesture();
     for (let i = 0; i < 3; ++i) {
@@ -165,7 +217,13 @@ const doings: Record<string, Doing> = {
     const count = workbench.pins.length;
     const tau: TauPair = [(by % 50) / 100, 0.9];
     await Promise.all([workbench.pin_at(tau), vi.advanceTimersByTimeAsync(rest_ms)]);
-    if (workbench.pins.length > count) model.step({pins: [...model.now.pins, {name: workbench.pins.at(-1)!.name, note: undefined, shown: undefined, tau, task: model.now.problem.task}]});
+    if (workbench.pins.length > count)
+      model.step({
+        pins: [
+          ...model.now.pins,
+          {name: workbench.pins.at(-1)!.name, note: undefined, shown: undefined, tau, task: model.now.problem.task},
+        ],
+      });
   },
   /** The task changes before the engine has answered: there is nothing to pin. */
   pin_late: async (page, model, by) => {
@@ -174,7 +232,8 @@ const doings: Record<string, Doing> = {
     await Promise.all([asked, vi.advanceTimersByTimeAsync(rest_ms)]);
   },
   rename: ({workbench}, model, by) => {
-    const pin = workbench.pins[by % (workbench.pins.length || 1)], to = {name: `No. ${by}, lid…`, note: `noted ${by}`, shown: true};
+    const pin = workbench.pins[by % (workbench.pins.length || 1)],
+      to = {name: `No. ${by}, lid…`, note: `noted ${by}`, shown: true};
     if (!pin || workbench.pins.some(({name}) => name === to.name)) return;
     workbench.change_pin(pin.name, to);
     model.step({pins: model.now.pins.map((other) => (other.name === pin.name ? {...other, ...to} : other))});
@@ -217,14 +276,22 @@ const action: fc.Arbitrary<Action> = fc.record({name: fc.constantFrom(...Object.
 
 /** With reloads in between that wait for nothing. */
 async function followed(actions: readonly Action[]): Promise<void> {
-  const page = new Page(), model = new Model(page.workbench.problem);
+  const page = new Page(),
+    model = new Model(page.workbench.problem);
   await vi.advanceTimersByTimeAsync(rest_ms);
   for (const {name, by} of actions) {
     await doings[name](page, model, by);
     if (by % 5 === 0 && !refused(page.workbench.problem)) page.reload(); // before the engine has refused it, it is the work that there is
     await vi.advanceTimersByTimeAsync(rest_ms);
     const {problem, pins, can_undo, can_redo} = page.workbench;
-    expect({problem, pins: pins.map(({name, note, shown, tau, task}) => ({name, note, shown, tau, task})), can: [can_undo, can_redo]}, name).toEqual({...model.now, can: model.can});
+    expect(
+      {
+        problem,
+        pins: pins.map(({name, note, shown, tau, task}) => ({name, note, shown, tau, task})),
+        can: [can_undo, can_redo],
+      },
+      name,
+    ).toEqual({...model.now, can: model.can});
   }
   page.close();
 }
@@ -232,7 +299,11 @@ async function followed(actions: readonly Action[]): Promise<void> {
 const seed = Number(process.env.SEQUENCES_SEED ?? 1); // another seed, other sequences
 describe("1,000 sequences of actions, with reloads and with workers that die or hang", () => {
   it("lose nothing", async () => {
-    await fc.assert(fc.asyncProperty(fc.array(action, {minLength: 1, maxLength: 25}), followed), {numRuns: 1000, seed, endOnFailure: true});
+    await fc.assert(fc.asyncProperty(fc.array(action, {minLength: 1, maxLength: 25}), followed), {
+      numRuns: 1000,
+      seed,
+      endOnFailure: true,
+    });
     expect(met.hung).toBeGreaterThan(100);
     expect(met.killed_at_work).toBeGreaterThan(100);
   }, 120_000);

@@ -23,5 +23,7 @@ export function read_list<T>(value: unknown, read: (item: unknown) => T | null, 
 }
 /** The members that are there. */
 export function present<T extends object>(members: T): {[K in keyof T]?: NonNullable<T[K]>} {
-  return Object.fromEntries(Object.entries(members).filter(([, value]) => value !== undefined && value !== null)) as {[K in keyof T]?: NonNullable<T[K]>};
+  return Object.fromEntries(Object.entries(members).filter(([, value]) => value !== undefined && value !== null)) as {
+    [K in keyof T]?: NonNullable<T[K]>;
+  };
 }

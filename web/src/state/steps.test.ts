@@ -12,23 +12,32 @@ const written = <T>(value: T): T => JSON.parse(JSON.stringify(value));
 
 describe("every state", () => {
   it("comes back from a file as it was", () => {
-    fc.assert(fc.property(arbitrary.document, (document) => {
-      const file = written(to_problem(document)), again = from_problem(read_problem(file)!);
-      const placeless = {...document, picked: document.picked && {...document.picked, place: null}}; // it follows from τ
-      expect(written(again)).toEqual(written(placeless));
-      expect(written(to_problem(again))).toEqual(file);
-    }), {numRuns: 300, seed: 1});
+    fc.assert(
+      fc.property(arbitrary.document, (document) => {
+        const file = written(to_problem(document)),
+          again = from_problem(read_problem(file)!);
+        const placeless = {...document, picked: document.picked && {...document.picked, place: null}}; // it follows from τ
+        expect(written(again)).toEqual(written(placeless));
+        expect(written(to_problem(again))).toEqual(file);
+      }),
+      {numRuns: 300, seed: 1},
+    );
   });
   it("comes back from the browser's store with all its steps", () => {
-    fc.assert(fc.property(arbitrary.steps, (steps) => {
-      expect(written(read_steps(steps_text(steps, 7)))).toEqual(written({...steps, at: 7}));
-    }), {numRuns: 100, seed: 1});
+    fc.assert(
+      fc.property(arbitrary.steps, (steps) => {
+        expect(written(read_steps(steps_text(steps, 7)))).toEqual(written({...steps, at: 7}));
+      }),
+      {numRuns: 100, seed: 1},
+    );
   });
 });
 
 describe("what is stored", () => {
   const image = `data:image/png;base64,${"A".repeat(10_000)}`;
-  const document: Document = from_problem(with_view(new_problem(), {background: {image, x: 0, y: 0, width: 1, aspect: 1}}));
+  const document: Document = from_problem(
+    with_view(new_problem(), {background: {image, x: 0, y: 0, width: 1, aspect: 1}}),
+  );
   const step = (i: number): Document => ({...document, picked: {tau: [i, 0], place: null}});
   const steps = {past: Array.from({length: 700}, (_, i) => step(i)), present: step(700), future: [step(701)]};
 
@@ -36,7 +45,9 @@ describe("what is stored", () => {
     const text = steps_text(steps, 0);
     expect(text.length).toBeLessThan(130_000);
     const read = read_steps(text)!;
-    expect([read.past.length, read.past[0].picked!.tau[0], read.present.picked!.tau[0], read.future.length]).toEqual([500, 200, 700, 1]);
+    expect([read.past.length, read.past[0].picked!.tau[0], read.present.picked!.tau[0], read.future.length]).toEqual([
+      500, 200, 700, 1,
+    ]);
     expect(read.past[499].problem.view!.background!.image).toBe(image);
     expect(read.past[0].problem.task).toBe(read.past[499].problem.task); // and once in memory: a table may be long
   });
@@ -46,14 +57,28 @@ describe("what is stored", () => {
     value.past.push(null, 3, {problem: "x", view: 1, pins: {}});
     value.future = "none";
     const read = read_steps(JSON.stringify(value))!;
-    expect([read.past.map(({picked}) => picked!.tau[0]), read.present.picked!.tau[0], read.future]).toEqual([[697, 699], 700, []]);
+    expect([read.past.map(({picked}) => picked!.tau[0]), read.present.picked!.tau[0], read.future]).toEqual([
+      [697, 699],
+      700,
+      [],
+    ]);
   });
   it("is read where an older page has written it", () => {
-    expect(read_steps(JSON.stringify({version: 1, problem: new_problem()}))).toEqual({past: [], present: from_problem(new_problem()), future: [], at: 0});
+    expect(read_steps(JSON.stringify({version: 1, problem: new_problem()}))).toEqual({
+      past: [],
+      present: from_problem(new_problem()),
+      future: [],
+      at: 0,
+    });
   });
   it("keeps as many pins as can be made", () => {
-    const [pin] = fc.sample(arbitrary.pins.filter((pins) => pins.length > 0), {numRuns: 1, seed: 1})[0];
+    const [pin] = fc.sample(
+      arbitrary.pins.filter((pins) => pins.length > 0),
+      {numRuns: 1, seed: 1},
+    )[0];
     const pins = Array.from({length: most_pins}, (_, i) => ({...pin, name: `pin ${i}`}));
-    expect(read_steps(steps_text({past: [], present: {...document, pins}, future: []}, 0))!.present.pins).toHaveLength(most_pins);
+    expect(read_steps(steps_text({past: [], present: {...document, pins}, future: []}, 0))!.present.pins).toHaveLength(
+      most_pins,
+    );
   });
 });

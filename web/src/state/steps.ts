@@ -21,21 +21,26 @@ function text_of(part: unknown): string {
   return known;
 }
 function members_text(object: object): string {
-  return `{${Object.entries(object).flatMap(([key, part]) => (part === undefined ? [] : [`${JSON.stringify(key)}:${text_of(part)}`])).join(",")}}`;
+  return `{${Object.entries(object)
+    .flatMap(([key, part]) => (part === undefined ? [] : [`${JSON.stringify(key)}:${text_of(part)}`]))
+    .join(",")}}`;
 }
 class Parts {
   readonly list: string[] = [];
   private readonly index = new Map<string, number>();
 
   of(part: unknown): number {
-    const text = text_of(part), known = this.index.get(text);
+    const text = text_of(part),
+      known = this.index.get(text);
     if (known !== undefined) return known;
     this.index.set(text, this.list.length);
     return this.list.push(text) - 1;
   }
   /** Where its members stand. */
   members(object: object): Record<string, number> {
-    return Object.fromEntries(Object.entries(object).flatMap(([key, part]) => (part === undefined ? [] : [[key, this.of(part)]])));
+    return Object.fromEntries(
+      Object.entries(object).flatMap(([key, part]) => (part === undefined ? [] : [[key, this.of(part)]])),
+    );
   }
 }
 interface Packed {
@@ -45,25 +50,38 @@ interface Packed {
   place: unknown;
 }
 function packed(document: Document, parts: Parts): Packed {
-  const {view = {}, ...problem} = to_problem(document), {pins = [], ...rest} = view;
-  return {problem: parts.members(problem), view: parts.members(rest), pins: pins.map((pin) => parts.of(pin)), place: document.picked?.place ?? null};
+  const {view = {}, ...problem} = to_problem(document),
+    {pins = [], ...rest} = view;
+  return {
+    problem: parts.members(problem),
+    view: parts.members(rest),
+    pins: pins.map((pin) => parts.of(pin)),
+    place: document.picked?.place ?? null,
+  };
 }
 function unpacked(value: unknown, parts: readonly unknown[]): Document | null {
   if (!is_object(value)) return null;
-  const members = (of: unknown) => Object.fromEntries(Object.entries(is_object(of) ? of : {}).map(([key, at]) => [key, parts[at as number]]));
+  const members = (of: unknown) =>
+    Object.fromEntries(Object.entries(is_object(of) ? of : {}).map(([key, at]) => [key, parts[at as number]]));
   const pins = Array.isArray(value.pins) ? value.pins.map((at: number) => parts[at]) : [];
-  return read_document({...members(value.problem), view: {...members(value.view), ...(pins.length ? {pins} : {})}}, value.place);
+  return read_document(
+    {...members(value.problem), view: {...members(value.view), ...(pins.length ? {pins} : {})}},
+    value.place,
+  );
 }
 /** As the page has it: the place of what is picked is no part of a problem file. */
 function read_document(problem: unknown, place: unknown): Document | null {
-  const read = read_problem(problem), document = read && from_problem(read);
+  const read = read_problem(problem),
+    document = read && from_problem(read);
   return document?.picked && is_pair(place) ? {...document, picked: {...document.picked, place}} : document;
 }
 
 /** `problem` first, as it always was, so that an older page finds it. */
 export function steps_text({past, present, future}: Steps, at: number, most = most_steps): string {
-  const parts = new Parts(), pack = (document: Document) => packed(document, parts);
-  const before = past.slice(Math.max(past.length - most, 0)).map(pack), after = future.slice(Math.max(future.length - most, 0)).map(pack);
+  const parts = new Parts(),
+    pack = (document: Document) => packed(document, parts);
+  const before = past.slice(Math.max(past.length - most, 0)).map(pack),
+    after = future.slice(Math.max(future.length - most, 0)).map(pack);
   const rest = JSON.stringify({version: 1, at, place: present.picked?.place ?? null, past: before, future: after});
   return `${rest.slice(0, -1)},"problem":${members_text(to_problem(present))},"parts":[${parts.list.join(",")}]}`;
 }
@@ -71,9 +89,11 @@ export function steps_text({past, present, future}: Steps, at: number, most = mo
 export function read_steps(text: string | null): (Steps & {at: number}) | null {
   const value = parsed(text);
   if (!is_object(value) || value.version !== 1) return null;
-  const present = read_document(value.problem, value.place), parts = Array.isArray(value.parts) ? value.parts : [];
+  const present = read_document(value.problem, value.place),
+    parts = Array.isArray(value.parts) ? value.parts : [];
   if (!present) return null;
-  const list = (steps: unknown) => (Array.isArray(steps) ? steps : []).map((step) => unpacked(step, parts)).filter((step) => step !== null);
+  const list = (steps: unknown) =>
+    (Array.isArray(steps) ? steps : []).map((step) => unpacked(step, parts)).filter((step) => step !== null);
   return {past: list(value.past), present, future: list(value.future), at: typeof value.at === "number" ? value.at : 0};
 }
 function parsed(text: string | null): unknown {

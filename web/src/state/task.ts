@@ -71,7 +71,8 @@ export function poses_of(task: Task): readonly Pose[] {
 }
 /** Those that are passed exactly: moving pivots lie as in the first of them. */
 export function served_poses(task: Task): readonly Pose[] {
-  const poses = poses_of(task), freed = "freed_pose" in task ? task.freed_pose : undefined;
+  const poses = poses_of(task),
+    freed = "freed_pose" in task ? task.freed_pose : undefined;
   return freed === undefined ? poses : poses.filter((_, i) => i + 1 !== freed);
 }
 /** From 1: the position in which moving pivots are told, the first that is passed exactly. */
@@ -103,9 +104,12 @@ export function with_task_poses(task: Task, poses: readonly Pose[]): Task {
 export function same_value(a: unknown, b: unknown): boolean {
   if (a === b) return true;
   if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
-  if (Array.isArray(a) && Array.isArray(b)) return a.length === b.length && a.every((item, i) => same_value(item, b[i]));
+  if (Array.isArray(a) && Array.isArray(b))
+    return a.length === b.length && a.every((item, i) => same_value(item, b[i]));
   const keys = new Set([...Object.keys(a), ...Object.keys(b)]);
-  return Array.isArray(a) === Array.isArray(b) && [...keys].every((key) => same_value(a[key as never], b[key as never]));
+  return (
+    Array.isArray(a) === Array.isArray(b) && [...keys].every((key) => same_value(a[key as never], b[key as never]))
+  );
 }
 export function same_task(a: Task, b: Task): boolean {
   return same_value(a, b);
@@ -113,7 +117,8 @@ export function same_task(a: Task, b: Task): boolean {
 
 /** The box around points. */
 export function box_of(points: readonly Point[]): Box {
-  const xs = points.map((p) => p[0]), ys = points.map((p) => p[1]);
+  const xs = points.map((p) => p[0]),
+    ys = points.map((p) => p[1]);
   return {x: [least_of(xs), most_of(xs)], y: [least_of(ys), most_of(ys)]};
 }
 export function diagonal_of(points: readonly Point[]): number {

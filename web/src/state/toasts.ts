@@ -11,12 +11,28 @@ export interface Toast {
 type Subject = "linkage" | "curve" | "engine" | "link" | "file" | "saved";
 
 const subjects: Partial<Record<TextKey, Subject>> = {
-  "state.went_to_best": "linkage", "state.nothing_to_go_to": "linkage", "state.cannot_improve": "linkage", "state.pinned": "linkage", "state.already_pinned": "linkage",
-  "state.curve_split": "curve", "state.curve_joined": "curve",
-  "state.engine_stopped": "engine", "state.engine_gave_up": "engine",
-  "state.link_copied": "link", "state.link_copied_no_picture": "link", "state.link_in_address": "link", "state.link_too_long": "link",
-  "file.opened": "file", "state.bad_file": "file", "state.huge_file": "file", "state.newer_file": "file", "state.bad_link": "file", "state.huge_link": "file", "state.newer_link": "file",
-  "state.exported": "saved", "export.saved_mind": "saved",
+  "state.went_to_best": "linkage",
+  "state.nothing_to_go_to": "linkage",
+  "state.cannot_improve": "linkage",
+  "state.pinned": "linkage",
+  "state.already_pinned": "linkage",
+  "state.curve_split": "curve",
+  "state.curve_joined": "curve",
+  "state.engine_stopped": "engine",
+  "state.engine_gave_up": "engine",
+  "state.link_copied": "link",
+  "state.link_copied_no_picture": "link",
+  "state.link_in_address": "link",
+  "state.link_too_long": "link",
+  "file.opened": "file",
+  "state.bad_file": "file",
+  "state.huge_file": "file",
+  "state.newer_file": "file",
+  "state.bad_link": "file",
+  "state.huge_link": "file",
+  "state.newer_link": "file",
+  "state.exported": "saved",
+  "export.saved_mind": "saved",
 };
 const most_others = 2; // that stay beside a new one
 

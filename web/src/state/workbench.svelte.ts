@@ -2,7 +2,17 @@
 // (editing.svelte.ts); the rest is how it is being looked at and what the engine answers, for which two followers ask.
 import {EngineClient, no_answer, patience_ms} from "../engine/client";
 import {
-  whole, type Box, type Census, type Linkage, type MapAnswer, type Property, type Replies, type Side, type TaskAnswer, type TauPair, type Window,
+  whole,
+  type Box,
+  type Census,
+  type Linkage,
+  type MapAnswer,
+  type Property,
+  type Replies,
+  type Side,
+  type TaskAnswer,
+  type TauPair,
+  type Window,
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
 import {incompleteness, kind_of, map_of, properties_of, with_other_task} from "../tasks/kinds";
@@ -27,7 +37,10 @@ export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
 
 const measures: Record<Objective, Property> = {
-  min_transmission_angle: "min_transmission_angle_deg", link_ratio: "link_ratio", size: "longest_link", structural_error: "max_structural_error_deg",
+  min_transmission_angle: "min_transmission_angle_deg",
+  link_ratio: "link_ratio",
+  size: "longest_link",
+  structural_error: "max_structural_error_deg",
 };
 
 /** A task is shown between the last two positions. */
@@ -136,7 +149,8 @@ export class Workbench extends Editing {
   }
   /** What is asked of the engine with a map: behind the types, what the objective goes by. */
   get property(): Property {
-    const {coloring, problem} = this, wanted = measures[problem.options?.objective ?? "min_transmission_angle"];
+    const {coloring, problem} = this,
+      wanted = measures[problem.options?.objective ?? "min_transmission_angle"];
     if (coloring !== "type") return coloring;
     return properties_of(problem.task).includes(wanted) ? wanted : "min_transmission_angle_deg";
   }
@@ -168,7 +182,8 @@ export class Workbench extends Editing {
     };
     this.engine = new EngineClient(start, crashed, ready);
     this.driver_client = cores > 1 ? new EngineClient(start, died, () => this.linkages.follow()) : this.engine;
-    this.start_engine = (on_ready, on_crash) => new EngineClient(start, on_crash, on_ready, search_patience * patience_ms);
+    this.start_engine = (on_ready, on_crash) =>
+      new EngineClient(start, on_crash, on_ready, search_patience * patience_ms);
     this.on_commit(() => this.wake());
   }
   /** For tests and the Stop button. */
@@ -184,7 +199,12 @@ export class Workbench extends Editing {
     this.engine?.kill();
   }
   /** What the page shows before the engine has answered: a stored answer for the document in force. */
-  show_stored(task: TaskAnswer, map: MapAnswer | null, linkage: Linkage | null, live: Replies["live"] | null = null): void {
+  show_stored(
+    task: TaskAnswer,
+    map: MapAnswer | null,
+    linkage: Linkage | null,
+    live: Replies["live"] | null = null,
+  ): void {
     this.answers.take_map(task, map, this.problem);
     if (map) this.answers.take_census(map.census, this.problem);
     if (linkage && !this.picked) this.amend({picked: {tau: linkage.tau, place: this.place_of(linkage.tau)}});
@@ -291,7 +311,8 @@ export class Workbench extends Editing {
   // ---- pins ---------------------------------------------------------------------------------------------------
 
   pin(linkage: Linkage | null = this.hand): void {
-    if (linkage && linkage === this.hand && !this.answers.hand_is_of_present) return void this.pin_at(this.tau_in_hand ?? linkage.tau); // as the task is now
+    if (linkage && linkage === this.hand && !this.answers.hand_is_of_present)
+      return void this.pin_at(this.tau_in_hand ?? linkage.tau); // as the task is now
     if (!linkage) return;
     const known = find_pin(this.pins, this.problem.task, linkage.tau);
     if (known) return this.say("state.already_pinned", {name: known.name});
@@ -310,7 +331,10 @@ export class Workbench extends Editing {
     this.edit_document((document) => ({...document, pins: document.pins.filter((pin) => pin.name !== name)}));
   }
   change_pin(name: string, change: Partial<Pin>): void {
-    this.edit_document((document) => ({...document, pins: document.pins.map((pin) => (pin.name === name ? {...pin, ...change} : pin))}), `pin ${name}`);
+    this.edit_document(
+      (document) => ({...document, pins: document.pins.map((pin) => (pin.name === name ? {...pin, ...change} : pin))}),
+      `pin ${name}`,
+    );
   }
   /** Those that have a place on the map. */
   get pins_on_map(): Pin[] {
@@ -346,7 +370,10 @@ export class Workbench extends Editing {
     const toast = {id: ++this.toast_id, key, values, action};
     this.toasts = with_toast(this.toasts, toast);
     const long = action !== undefined || /bad|huge|newer|storage|hung|state\.is_/.test(key);
-    setTimeout(() => this.dismiss(toast.id), long ? 10_000 : key === "state.curve_split" || key === "state.curve_joined" ? 2000 : 5000);
+    setTimeout(
+      () => this.dismiss(toast.id),
+      long ? 10_000 : key === "state.curve_split" || key === "state.curve_joined" ? 2000 : 5000,
+    );
   }
   dismiss(id: number): void {
     this.toasts = this.toasts.filter((toast) => toast.id !== id);

@@ -16,7 +16,8 @@ import {Workbench} from "./workbench.svelte";
 import {poses_of} from "./task";
 
 const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
-const tailgate = first_example.problem, footrest = examples.find(({name}) => name === "footrest")!.problem;
+const tailgate = first_example.problem,
+  footrest = examples.find(({name}) => name === "footrest")!.problem;
 let servers: (() => Server)[];
 
 /** What the engine says a map took; null: the truth. */
@@ -31,12 +32,20 @@ interface Machine {
 class Thread {
   onmessage: ((event: MessageEvent<ReplyMessage>) => void) | null = null;
   dead = false;
-  constructor(private readonly server: Server, private readonly asked: RequestMessage[], private readonly machine: Machine) {
+  constructor(
+    private readonly server: Server,
+    private readonly asked: RequestMessage[],
+    private readonly machine: Machine,
+  ) {
     setTimeout(() => this.say({kind: "ready", version: "test"}));
   }
   postMessage(message: RequestMessage): void {
     this.asked.push(message);
-    if (!this.machine.mute) setTimeout(() => !this.dead && this.say(this.slowed(this.server.serve(message).message)), message.kind === "best" ? this.machine.best_ms : 0);
+    if (!this.machine.mute)
+      setTimeout(
+        () => !this.dead && this.say(this.slowed(this.server.serve(message).message)),
+        message.kind === "best" ? this.machine.best_ms : 0,
+      );
   }
   private slowed(reply: ReplyMessage): ReplyMessage {
     const answer = (reply as {reply?: {engine_ms?: number}}).reply;
@@ -64,7 +73,9 @@ interface Bench {
   machine: Machine;
 }
 function bench(problem: Problem, cores = 2): Bench {
-  const now = {time: 0}, asked: RequestMessage[] = [], machine: Machine = {map_ms: null, best_ms: 0, mute: false};
+  const now = {time: 0},
+    asked: RequestMessage[] = [],
+    machine: Machine = {map_ms: null, best_ms: 0, mute: false};
   const workbench = new Workbench(problem, () => now.time);
   let started = 0;
   workbench.connect(() => new Thread(servers[started++ % 2](), asked, machine) as unknown as Worker, cores);
@@ -79,11 +90,15 @@ async function until(what: () => unknown, ms = 8000): Promise<void> {
 }
 /** Until nothing more will come by itself but the fine map. */
 async function settled({workbench}: Bench): Promise<void> {
-  await until(() => workbench.is_current && workbench.picked !== null && workbench.picked_linkage !== null && workbench.hand !== null);
+  await until(
+    () =>
+      workbench.is_current && workbench.picked !== null && workbench.picked_linkage !== null && workbench.hand !== null,
+  );
   await until(() => workbench.picked_linkage!.tau.join() === workbench.picked!.tau.join());
   await new Promise((resolve) => setTimeout(resolve, 60));
 }
-const digest = ({workbench}: Bench) => JSON.stringify([workbench.document, workbench.picked_linkage, workbench.task!.axes.input]);
+const digest = ({workbench}: Bench) =>
+  JSON.stringify([workbench.document, workbench.picked_linkage, workbench.task!.axes.input]);
 
 describe("the workbench", () => {
   it("starts with the best linkage in hand", async () => {
@@ -96,7 +111,8 @@ describe("the workbench", () => {
   });
 
   it("starts with the best linkage of a task that came while the first one's was sought", async () => {
-    const b = bench(tailgate), other = examples.find(({name}) => name === "log_generator")!.problem;
+    const b = bench(tailgate),
+      other = examples.find(({name}) => name === "log_generator")!.problem;
     b.machine.best_ms = 1500; // later than any map
     await until(() => b.asked.some(({kind}) => kind === "best"));
     b.workbench.open(other);
@@ -106,7 +122,8 @@ describe("the workbench", () => {
   });
 
   it("says that the best is sought from the moment a map is there until it is picked", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     b.machine.best_ms = 200;
     await until(() => workbench.is_current);
     expect([workbench.linkages.seeking_best, workbench.picked]).toEqual([true, null]);
@@ -116,11 +133,15 @@ describe("the workbench", () => {
   });
 
   it("brings back a pin of pairs from a named function, whose objective pairs have not", async () => {
-    const pairs = function_kind.beginnings[0].make(), b = bench(pairs), {workbench} = b;
+    const pairs = function_kind.beginnings[0].make(),
+      b = bench(pairs),
+      {workbench} = b;
     await settled(b);
     workbench.pin();
     const [pin] = workbench.pins;
-    workbench.edit((problem) => with_options(with_named(problem, fresh_function(pairs_of(workbench))), {objective: "structural_error"}));
+    workbench.edit((problem) =>
+      with_options(with_named(problem, fresh_function(pairs_of(workbench))), {objective: "structural_error"}),
+    );
     await until(() => workbench.is_current);
     expect((await fetch_pin(workbench.driver_client!, workbench.problem, pin))?.lengths).toEqual(pin.lengths);
     const {problem} = targets(workbench).find((target) => target.pin === pin.name)!;
@@ -136,7 +157,8 @@ describe("the workbench", () => {
   });
 
   it("makes one step of a drag, and undo brings back everything to the last bit", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     const before = digest(b);
     workbench.begin_gesture();
@@ -159,7 +181,8 @@ describe("the workbench", () => {
   });
 
   it("leaves no step where a drag ends where it began, or is cancelled", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     const before = digest(b);
     workbench.begin_gesture();
@@ -175,7 +198,9 @@ describe("the workbench", () => {
   });
 
   it("keeps the last good state when a drag ends where the engine refuses", async () => {
-    const b = bench(tailgate), {workbench} = b, poses = poses_of(tailgate.task);
+    const b = bench(tailgate),
+      {workbench} = b,
+      poses = poses_of(tailgate.task);
     await settled(b);
     workbench.begin_gesture();
     workbench.drag((problem) => with_pose(problem, 2, {x: -222}));
@@ -194,7 +219,8 @@ describe("the workbench", () => {
   });
 
   it("takes back a typed value that the engine refuses, and only that", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     workbench.pin();
     expect(workbench.pins.length).toBe(1);
@@ -208,7 +234,8 @@ describe("the workbench", () => {
   });
 
   it("shows no map that comes late to a task without one", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     workbench.edit((problem) => with_pose(problem, 2, {x: -219}));
     workbench.edit((problem) => with_poses(problem, poses_of(problem.task).slice(1)));
@@ -221,10 +248,18 @@ describe("the workbench", () => {
   });
 
   it("shows nothing of a linkage beside a task that has none", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     await until(() => workbench.verified);
-    const shown = () => [workbench.map, workbench.census, workbench.hand, workbench.picked_linkage, workbench.live, workbench.verified];
+    const shown = () => [
+      workbench.map,
+      workbench.census,
+      workbench.hand,
+      workbench.picked_linkage,
+      workbench.live,
+      workbench.verified,
+    ];
     workbench.hover([1.3125, 1.1125]); // asked of the old task, answered after the new one
     workbench.edit((problem) => ({...problem, task: {...footrest.task, given: {side_length: 5}} as Problem["task"]}));
     await until(() => workbench.task?.reason?.code === "no_side_link_of_length");
@@ -240,7 +275,8 @@ describe("the workbench", () => {
   });
 
   it("never says that driving has checked what it has not: another linkage, another task", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     await until(() => workbench.verified?.verified);
     workbench.hover([1.3125, 1.1125]);
@@ -259,20 +295,27 @@ describe("the workbench", () => {
   });
 
   it("pins the linkage of the task as it is, not the one that is still on screen", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     const before = workbench.hand!;
     workbench.edit((problem) => with_pose(problem, 2, {x: -219}));
     workbench.pin();
     expect(workbench.pins).toEqual([]);
     await until(() => workbench.pins.length > 0);
-    const [pin] = workbench.pins, {linkage} = await workbench.driver_client!.request("linkage", {problem: engine_text(workbench.problem), tau: pin.tau});
+    const [pin] = workbench.pins,
+      {linkage} = await workbench.driver_client!.request("linkage", {
+        problem: engine_text(workbench.problem),
+        tau: pin.tau,
+      });
     expect([pin.task, pin.lengths]).toEqual([workbench.problem.task, linkage.lengths]);
     expect(pin.lengths).not.toEqual(before.lengths);
   });
 
   it("marks what is shown as outdated where no answer comes", async () => {
-    const b = bench(tailgate), {workbench} = b, {answers} = workbench;
+    const b = bench(tailgate),
+      {workbench} = b,
+      {answers} = workbench;
     await settled(b);
     const marks = () => [answers.map_outdated, answers.census_outdated, answers.hand_outdated];
     b.machine.mute = true;
@@ -295,9 +338,20 @@ describe("the workbench", () => {
   });
 
   it("lives with a task whose dyads are no curve", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
-    workbench.edit((problem) => with_poses(problem, [[200, 0], [0, 200], [-200, 0], [120, 160]].map(([x, y]) => ({x, y, theta_deg: 0}))));
+    workbench.edit((problem) =>
+      with_poses(
+        problem,
+        [
+          [200, 0],
+          [0, 200],
+          [-200, 0],
+          [120, 160],
+        ].map(([x, y]) => ({x, y, theta_deg: 0})),
+      ),
+    );
     await until(() => workbench.task?.status === "degenerate");
     expect(workbench.map).toBeNull();
     expect(workbench.task!.reason!.code).toBe("translations_on_circle");
@@ -307,7 +361,8 @@ describe("the workbench", () => {
   });
 
   it("follows the pointer and comes back to what is picked", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     const picked = workbench.picked!.tau;
     workbench.hover([1.3125, 1.1125]);
@@ -324,7 +379,8 @@ describe("the workbench", () => {
   });
 
   it("works with one worker as well, counts of the whole region included", async () => {
-    const b = bench(tailgate, 1), {workbench} = b;
+    const b = bench(tailgate, 1),
+      {workbench} = b;
     await settled(b);
     const {census} = workbench;
     workbench.zoom({input: [0.2, 0.4], output: [0.5, 0.7]});
@@ -335,9 +391,12 @@ describe("the workbench", () => {
   });
 
   it("leaves a linkage that a change has cost for the best, says so, and undo brings it back", async () => {
-    const b = bench(tailgate), {workbench} = b, keys = () => workbench.toasts.map(({key}) => key);
+    const b = bench(tailgate),
+      {workbench} = b,
+      keys = () => workbench.toasts.map(({key}) => key);
     await settled(b);
-    const picked = workbench.picked!.tau, longest = workbench.picked_linkage!.longest!;
+    const picked = workbench.picked!.tau,
+      longest = workbench.picked_linkage!.longest!;
     const limit = (max_length: number) => workbench.edit((problem) => with_requirements(problem, {max_length}));
     limit(Math.ceil(longest) + 1); // it still does
     await settled(b);
@@ -350,7 +409,10 @@ describe("the workbench", () => {
     const best = workbench.picked!.tau;
     workbench.undo(); // one step with the change
     await settled(b);
-    expect([workbench.picked!.tau, workbench.problem.requirements!.max_length]).toEqual([picked, Math.ceil(longest) + 1]);
+    expect([workbench.picked!.tau, workbench.problem.requirements!.max_length]).toEqual([
+      picked,
+      Math.ceil(longest) + 1,
+    ]);
     workbench.redo();
     await settled(b);
     expect(workbench.picked!.tau).toEqual(best);
@@ -369,9 +431,11 @@ describe("the workbench", () => {
   });
 
   it("stays with what it has where nothing is left, and after a step back", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
-    const picked = workbench.picked!.tau, limit = (max_length: number) => workbench.edit((problem) => with_requirements(problem, {max_length}));
+    const picked = workbench.picked!.tau,
+      limit = (max_length: number) => workbench.edit((problem) => with_requirements(problem, {max_length}));
     limit(1);
     await until(() => workbench.census!.meeting === 0);
     await new Promise((resolve) => setTimeout(resolve, 600));
@@ -385,7 +449,8 @@ describe("the workbench", () => {
   });
 
   it("opens another task as one step", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     const before = digest(b);
     workbench.open(new_problem());
@@ -397,14 +462,17 @@ describe("the workbench", () => {
   });
 
   it("opens what it saved as it was: pick, pins and the order of the map", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     workbench.pin();
     const saved = JSON.parse(JSON.stringify(workbench.whole_problem)) as Problem;
     const other = bench(saved);
     await settled(other);
     expect(other.workbench.picked!.tau).toEqual(workbench.picked!.tau);
-    expect(other.workbench.pins.map((pin) => [pin.name, pin.tau])).toEqual(workbench.pins.map((pin) => [pin.name, pin.tau]));
+    expect(other.workbench.pins.map((pin) => [pin.name, pin.tau])).toEqual(
+      workbench.pins.map((pin) => [pin.name, pin.tau]),
+    );
     expect(other.workbench.task!.axes.input).toEqual(workbench.task!.axes.input);
     expect(other.workbench.map!.type).toEqual(workbench.map!.type);
   });
@@ -414,7 +482,9 @@ describe("the workbench", () => {
     await settled(b);
     await until(() => b.workbench.map!.samples === 1000);
     await new Promise((resolve) => setTimeout(resolve, 400));
-    const maps = b.asked.filter((message) => message.kind === "explore").map((message) => (message as {samples: number}).samples);
+    const maps = b.asked
+      .filter((message) => message.kind === "explore")
+      .map((message) => (message as {samples: number}).samples);
     expect(maps).toEqual([400, 1000]);
     b.workbench.pin();
     b.workbench.pick([1.3125, 1.1025]);
@@ -425,7 +495,8 @@ describe("the workbench", () => {
   });
 
   it("shows where a held position may go, closer where that is near", async () => {
-    const b = bench(tailgate), {workbench} = b;
+    const b = bench(tailgate),
+      {workbench} = b;
     await settled(b);
     workbench.begin_gesture();
     workbench.held_pose = 2;
@@ -440,7 +511,8 @@ describe("the workbench", () => {
   });
 
   it("draws coarser maps in a drag when three in a row were slow, and tries again", async () => {
-    const b = bench(tailgate), {workbench, machine} = b;
+    const b = bench(tailgate),
+      {workbench, machine} = b;
     machine.map_ms = 5; // the first map, too
     await settled(b);
     const dragged = async (steps: number): Promise<number[]> => {

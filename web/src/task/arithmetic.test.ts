@@ -55,7 +55,22 @@ describe("arithmetic", () => {
   it("says what is wrong", () => {
     expect(value("")).toBe("empty");
     expect(value(" = ")).toBe("empty");
-    for (const text of ["abc", "1+", "1//2", "(1", "1)", "1 2", "0/0", "NaN", "1,2,3", "--", "1;2", "alert(1)", "__proto__", "5 constructor"]) {
+    for (const text of [
+      "abc",
+      "1+",
+      "1//2",
+      "(1",
+      "1)",
+      "1 2",
+      "0/0",
+      "NaN",
+      "1,2,3",
+      "--",
+      "1;2",
+      "alert(1)",
+      "__proto__",
+      "5 constructor",
+    ]) {
       expect(value(text, "angle"), text).toBe("not_a_number");
     }
     expect(value("1e10")).toBe("out_of_range");

@@ -7,7 +7,7 @@ export type Reading = {value: number} | {fault: Fault};
 /** Engine and files take no larger coordinates and angles. */
 export const largest_number = 1e9;
 
-const degrees_per: Record<string, number> = {deg: 1, "°": 1, "º": 1, rad: 180 / Math.PI};
+const degrees_per: Record<string, number> = {deg: 1, "°": 1, º: 1, rad: 180 / Math.PI};
 
 /** The value in degrees (angles) or in the user's unit (lengths). A comma is a decimal comma unless both comma and
  *  point occur: then the last of them is decimal and the others group. */
@@ -103,7 +103,8 @@ class Expression {
     return exponent === null ? null : base ** exponent;
   }
   private measured(): number | null {
-    const value = this.atom(), token = this.tokens[this.at];
+    const value = this.atom(),
+      token = this.tokens[this.at];
     if (value === null || !token || !("word" in token)) return value;
     ++this.at;
     if (this.quantity === "angle" && token.word in degrees_per) return value * degrees_per[token.word];

@@ -11,7 +11,8 @@ export function quotient(f: Derivatives, g: Derivatives): number[] {
 }
 export function square_root(f: Derivatives): number[] {
   const root: number[] = [];
-  for (let n = 0; n < f.length; ++n) root.push(n === 0 ? Math.sqrt(f[0]) : (f[n] - leibniz(root, root, n, 1, n - 1)) / (2 * root[0]));
+  for (let n = 0; n < f.length; ++n)
+    root.push(n === 0 ? Math.sqrt(f[0]) : (f[n] - leibniz(root, root, n, 1, n - 1)) / (2 * root[0]));
   return root;
 }
 /** Derivatives of f by s, the first onwards, from f', f'', … and s', s'', … by any parameter. */
@@ -24,6 +25,7 @@ export function by_parameter(f: Derivatives, s: Derivatives): number[] {
 /** Terms `from` … `to` of the n-th derivative of a product. */
 function leibniz(f: Derivatives, g: Derivatives, n: number, from: number, to: number): number {
   let sum = 0;
-  for (let k = 0, binomial = 1; k <= to; binomial = (binomial * (n - k)) / (k + 1), ++k) if (k >= from) sum += binomial * f[k] * g[n - k];
+  for (let k = 0, binomial = 1; k <= to; binomial = (binomial * (n - k)) / (k + 1), ++k)
+    if (k >= from) sum += binomial * f[k] * g[n - k];
   return sum;
 }

@@ -7,7 +7,8 @@ const worded: Record<string, TextKey> = {repeated_pose: "mistake.repeated_pose"}
 
 /** The sentence of a mistake, its positions counted from 1. */
 export function mistake_sentence(mistake: Mistake): string {
-  const {code, place} = mistake, words = mistake_text({...mistake, place: ""});
+  const {code, place} = mistake,
+    words = mistake_text({...mistake, place: ""});
   const position = place_of_pose(place)?.index;
   if (code in worded && position !== undefined) return t(worded[code], {j: position + 1});
   return position === undefined ? words : `${t("task.position")} ${position + 1}: ${words}`;

@@ -7,7 +7,10 @@ export const most_pasted_rows = 100;
 
 /** Cells of the text, by rows. Separators in order of certainty: tab, semicolon, comma with a space, space, comma. */
 export function cells_of(text: string): string[][] {
-  const lines = text.split(/\r\n|\r|\n/).map((line) => line.replace(/[ \u00a0]+$/, "")).filter((line) => line.trim() !== "");
+  const lines = text
+    .split(/\r\n|\r|\n/)
+    .map((line) => line.replace(/[ \u00a0]+$/, ""))
+    .filter((line) => line.trim() !== "");
   const separator = separator_of(lines);
   return lines.map((line) => (separator === "\t" ? line : line.trim()).split(separator).map((cell) => cell.trim()));
 }
@@ -50,6 +53,8 @@ export function block_of(text: string, from = 0, unit = ""): Block {
   return {rows};
 }
 function without_numbering(cells: string[][], wanted: number): string[][] {
-  const counts = cells.length > 0 && cells.every((row, i) => row.length === wanted + 1 && row[0].replace(/\D+/g, "") === String(i + 1));
+  const counts =
+    cells.length > 0 &&
+    cells.every((row, i) => row.length === wanted + 1 && row[0].replace(/\D+/g, "") === String(i + 1));
   return counts ? cells.map((row) => row.slice(1)) : cells;
 }

@@ -7,14 +7,19 @@ import {kind_of} from "../tasks/kinds";
 import {least_of, most_of} from "../state/ends";
 
 export function moved(poses: readonly Pose[], from: number, to: number): Pose[] {
-  const list = [...poses], [pose] = list.splice(from, 1);
+  const list = [...poses],
+    [pose] = list.splice(from, 1);
   list.splice(to, 0, pose);
   return list;
 }
 /** A copy beside it: a step further, since equal positions are refused. */
 export function duplicated(poses: readonly Pose[], index: number, step: number): Pose[] {
   const {x, y, theta_deg} = poses[index];
-  return [...poses.slice(0, index + 1), {x: tidy(x + 10 * step), y: tidy(y + 10 * step), theta_deg}, ...poses.slice(index + 1)];
+  return [
+    ...poses.slice(0, index + 1),
+    {x: tidy(x + 10 * step), y: tidy(y + 10 * step), theta_deg},
+    ...poses.slice(index + 1),
+  ];
 }
 function tidy(value: number): number {
   return Number(value.toPrecision(12));
@@ -22,10 +27,12 @@ function tidy(value: number): number {
 
 /** The next position: on from the last two, in whole steps. */
 export function proposed(poses: readonly Pose[], step: number): Pose {
-  const last = poses.at(-1), before = poses.at(-2);
+  const last = poses.at(-1),
+    before = poses.at(-2);
   if (!last) return {x: 0, y: 0, theta_deg: 0};
   if (!before) return {x: tidy(last.x + 100 * step), y: last.y, theta_deg: last.theta_deg};
-  const turn = last.theta_deg - before.theta_deg, wound = turn - 360 * Math.round(turn / 360);
+  const turn = last.theta_deg - before.theta_deg,
+    wound = turn - 360 * Math.round(turn / 360);
   const on = (a: number, b: number) => tidy(Math.round((2 * a - b) / step) * step);
   return {x: on(last.x, before.x), y: on(last.y, before.y), theta_deg: Math.round(last.theta_deg + wound)};
 }
@@ -38,54 +45,81 @@ export function length_step(points: readonly Point[]): number {
 }
 /** A value some steps on, without the dust of binary fractions. */
 export function stepped(value: number, steps: number, step: number): number {
-  const result = tidy(value + steps * step), decimals = Math.max(0, Math.min(12, 2 - Math.floor(Math.log10(step))));
+  const result = tidy(value + steps * step),
+    decimals = Math.max(0, Math.min(12, 2 - Math.floor(Math.log10(step))));
   return Math.abs(result - Number(result.toFixed(decimals))) < 1e-9 * step ? Number(result.toFixed(decimals)) : result;
 }
 
 /** Everything as seen from pose `index`: it becomes (0, 0, 0°). What stands in the fixed frame follows; outline and
  *  traced points belong to the body and stay as they are. */
 export function referred(document: Document, index: number): Document {
-  const {problem} = document, origin = poses_of(problem.task)[index];
+  const {problem} = document,
+    origin = poses_of(problem.task)[index];
   const pose = (p: Pose) => referred_pose(p, origin);
   const point = (p: Point) => body_point(p, origin);
   const task = referred_task(problem.task, pose, point, index);
   const pins = document.pins.map((pin) => (same_task(pin.task, problem.task) ? referred_pin(pin, task, point) : pin));
   const changed = with_task(problem, task);
   const {requirements, view} = changed;
-  if (requirements?.ground_pivots_within) changed.requirements = {...changed.requirements, ground_pivots_within: referred_box(requirements.ground_pivots_within, origin)};
-  if (requirements?.moving_pivots_within) changed.requirements = {...changed.requirements, moving_pivots_within: referred_box(requirements.moving_pivots_within, origin)};
+  if (requirements?.ground_pivots_within)
+    changed.requirements = {
+      ...changed.requirements,
+      ground_pivots_within: referred_box(requirements.ground_pivots_within, origin),
+    };
+  if (requirements?.moving_pivots_within)
+    changed.requirements = {
+      ...changed.requirements,
+      moving_pivots_within: referred_box(requirements.moving_pivots_within, origin),
+    };
   if (view?.background) {
     const {x, y, width, aspect} = view.background;
     const center = body_point([x + width / 2, y + (width * aspect) / 2], origin); // a picture cannot turn: it keeps its centre
-    changed.view = {...view, background: {...view.background, x: center[0] - width / 2, y: center[1] - (width * aspect) / 2}};
+    changed.view = {
+      ...view,
+      background: {...view.background, x: center[0] - width / 2, y: center[1] - (width * aspect) / 2},
+    };
   }
   return {...document, problem: changed, pins};
 }
 function referred_task(task: Task, pose: (p: Pose) => Pose, point: (p: Point) => Point, index: number): Task {
   const poses = poses_of(task).map((p, i) => (i === index ? {...pose(p), x: 0, y: 0, theta_deg: 0} : pose(p)));
-  return with_task_poses(kind_of(task).moved(task, ([x, y]) => point([x, y]).map(clean) as unknown as Point), poses);
+  return with_task_poses(
+    kind_of(task).moved(task, ([x, y]) => point([x, y]).map(clean) as unknown as Point),
+    poses,
+  );
 }
 function referred_pose(pose: Pose, origin: Pose): Pose {
   const [x, y] = body_point([pose.x, pose.y], origin);
   const turned = {...pose, x: clean(x), y: clean(y), theta_deg: clean(pose.theta_deg - origin.theta_deg)};
   if (!pose.derivatives) return turned;
   const turn = {x: 0, y: 0, theta_deg: origin.theta_deg};
-  return {...turned, derivatives: pose.derivatives.map((d) => {
-    const [dx, dy] = body_point([d.x, d.y], turn);
-    return {x: clean(dx), y: clean(dy), theta: d.theta};
-  })};
+  return {
+    ...turned,
+    derivatives: pose.derivatives.map((d) => {
+      const [dx, dy] = body_point([d.x, d.y], turn);
+      return {x: clean(dx), y: clean(dy), theta: d.theta};
+    }),
+  };
 }
 function referred_pin(pin: Pin, task: Task, point: (p: Point) => Point): Pin {
-  const {input_center, input_circle, output_center, output_circle} = pin.pivots, moved = (p: Point | null) => p && point(p);
-  return {...pin, task, pivots: {
-    input_center: moved(input_center), input_circle: moved(input_circle),
-    output_center: moved(output_center), output_circle: moved(output_circle),
-  }};
+  const {input_center, input_circle, output_center, output_circle} = pin.pivots,
+    moved = (p: Point | null) => p && point(p);
+  return {
+    ...pin,
+    task,
+    pivots: {
+      input_center: moved(input_center),
+      input_circle: moved(input_circle),
+      output_center: moved(output_center),
+      output_circle: moved(output_circle),
+    },
+  };
 }
 /** A turned box is no box: the smallest one around it. */
 function referred_box(box: Box, origin: Pose): Box {
   const corners = box.x.flatMap((x) => box.y.map((y) => body_point([x, y], origin)));
-  const xs = corners.map((c) => clean(c[0])), ys = corners.map((c) => clean(c[1]));
+  const xs = corners.map((c) => clean(c[0])),
+    ys = corners.map((c) => clean(c[1]));
   return {x: [least_of(xs), most_of(xs)], y: [least_of(ys), most_of(ys)]};
 }
 function clean(value: number): number {

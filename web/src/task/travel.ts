@@ -29,16 +29,36 @@ interface Course {
 
 /** Null where the origin stands still: then the body only turns about it, and there is no direction to show. */
 function course_of({derivatives = []}: Pose): Course | null {
-  const x = derivatives.map((d) => d.x), y = derivatives.map((d) => d.y);
+  const x = derivatives.map((d) => d.x),
+    y = derivatives.map((d) => d.y);
   if (derivatives.length === 0 || !(Math.hypot(x[0], y[0]) > 0)) return null;
-  const square = added(product(x, x), product(y, y)), speed = square_root(square);
-  const turning = quotient(added(product(x, y.slice(1)), product(y.map((value) => -value), x.slice(1))), square);
-  return {direction: Math.atan2(y[0], x[0]), curvatures: by_parameter(turning, speed), turns: by_parameter(derivatives.map((d) => d.theta), speed)};
+  const square = added(product(x, x), product(y, y)),
+    speed = square_root(square);
+  const turning = quotient(
+    added(
+      product(x, y.slice(1)),
+      product(
+        y.map((value) => -value),
+        x.slice(1),
+      ),
+    ),
+    square,
+  );
+  return {
+    direction: Math.atan2(y[0], x[0]),
+    curvatures: by_parameter(turning, speed),
+    turns: by_parameter(
+      derivatives.map((d) => d.theta),
+      speed,
+    ),
+  };
 }
 function with_course(pose: Pose, {direction, curvatures, turns}: Course): Pose {
-  const x = [Math.cos(direction)], y = [Math.sin(direction)];
+  const x = [Math.cos(direction)],
+    y = [Math.sin(direction)];
   for (const n of curvatures.keys()) {
-    const back = product(curvatures, y)[n], aside = product(curvatures, x)[n];
+    const back = product(curvatures, y)[n],
+      aside = product(curvatures, x)[n];
     x.push(-back);
     y.push(aside);
   }
@@ -66,9 +86,11 @@ export function with_travel(pose: Pose, change: Partial<Travel>): Pose {
   return with_course(pose, {direction: direction_deg * degree, curvatures, turns: turns.with(0, turn_deg * degree)});
 }
 export function with_bend(pose: Pose, change: Partial<Bend>, order = 2): Pose {
-  const course = course_of(pose) ?? standing, count = Math.max(order, course.turns.length);
+  const course = course_of(pose) ?? standing,
+    count = Math.max(order, course.turns.length);
   const filled = (list: readonly number[], length: number) => Array.from({length}, (_, n) => list[n] ?? 0);
-  const curvatures = filled(course.curvatures, count - 1), turns = filled(course.turns, count);
+  const curvatures = filled(course.curvatures, count - 1),
+    turns = filled(course.turns, count);
   if (change.curvature !== undefined) curvatures[order - 2] = change.curvature;
   if (change.turn_growth_deg !== undefined) turns[order - 1] = change.turn_growth_deg * degree;
   return with_course(pose, {...course, curvatures, turns});
@@ -81,24 +103,32 @@ export function without_derivative(pose: Pose, order: number): Pose {
 
 /** A pose with one derivative more, as a smooth motion through its neighbours has it there. */
 export function with_next_derivative(poses: readonly Pose[], index: number): Pose {
-  const pose = poses[index], order = (pose.derivatives?.length ?? 0) + 1;
+  const pose = poses[index],
+    order = (pose.derivatives?.length ?? 0) + 1;
   const smooth = {...pose, derivatives: [...smooth_derivatives(poses, index), still, still]};
   if (order === 1) return with_travel(pose, rounded_travel(travel_of(smooth)));
   if (!travel_of(pose)) return {...pose, derivatives: [...pose.derivatives!, still]};
   const bend = bend_of(smooth, order);
-  return with_bend(pose, bend ? {curvature: rounded(bend.curvature), turn_growth_deg: rounded(bend.turn_growth_deg)} : {}, order);
+  return with_bend(
+    pose,
+    bend ? {curvature: rounded(bend.curvature), turn_growth_deg: rounded(bend.turn_growth_deg)} : {},
+    order,
+  );
 }
 function rounded(value: number): number {
   return Number(value.toPrecision(3));
 }
 function rounded_travel(travel: Travel | null): Travel {
-  return travel ? {direction_deg: Math.round(travel.direction_deg), turn_deg: rounded(travel.turn_deg)} : {direction_deg: 0, turn_deg: 0};
+  return travel
+    ? {direction_deg: Math.round(travel.direction_deg), turn_deg: rounded(travel.turn_deg)}
+    : {direction_deg: 0, turn_deg: 0};
 }
 
 /** Of the parabola through the nearest three poses (chord lengths as parameter), of the chord of two. */
 function smooth_derivatives(poses: readonly Pose[], index: number): [Derivative, Derivative] {
   const first = Math.min(Math.max(index - 1, 0), Math.max(poses.length - 3, 0));
-  const near = unwound(poses.slice(first, first + 3)), at = index - first;
+  const near = unwound(poses.slice(first, first + 3)),
+    at = index - first;
   if (near.length < 2) return [{x: 1, y: 0, theta: 0}, still];
   const chords = near.slice(1).map((p, i) => Math.hypot(p.x - near[i].x, p.y - near[i].y) || 1);
   const slopes = chords.map((chord, i) => divided(near[i + 1], near[i], chord));
@@ -110,7 +140,8 @@ function smooth_derivatives(poses: readonly Pose[], index: number): [Derivative,
 function unwound(poses: readonly Pose[]): Derivative[] {
   const list: Derivative[] = [];
   for (const {x, y, theta_deg} of poses) {
-    const before = list.at(-1)?.theta ?? theta_deg * degree, theta = theta_deg * degree;
+    const before = list.at(-1)?.theta ?? theta_deg * degree,
+      theta = theta_deg * degree;
     list.push({x, y, theta: theta - 2 * Math.PI * Math.round((theta - before) / (2 * Math.PI))});
   }
   return list;

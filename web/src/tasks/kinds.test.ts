@@ -3,16 +3,30 @@ import {preferences} from "../state/preferences.svelte";
 import {with_poses, type Problem} from "../state/problem";
 import {read_problem} from "../state/problem_shape";
 import {poses_of, with_task_poses, type FunctionTask, type MotionTask} from "../state/task";
-import {anchors_of, default_max_length, extent_of, incompleteness, kind_of, map_of, read_task, task_kinds, told} from "./kinds";
+import {
+  anchors_of,
+  default_max_length,
+  extent_of,
+  incompleteness,
+  kind_of,
+  map_of,
+  read_task,
+  task_kinds,
+  told,
+} from "./kinds";
 import {new_problem} from "./motion/kind";
 
-const beginnings = task_kinds.flatMap((kind) => kind.beginnings.map((beginning) => ({kind, id: beginning.id, problem: beginning.make()})));
-const problem = new_problem(), poses = poses_of(problem.task);
+const beginnings = task_kinds.flatMap((kind) =>
+  kind.beginnings.map((beginning) => ({kind, id: beginning.id, problem: beginning.make()})),
+);
+const problem = new_problem(),
+  poses = poses_of(problem.task);
 const of = (task: unknown) => read_task({kind: "motion", mechanism: "four_bar", poses, ...(task as object)});
 
 describe("kinds of tasks", () => {
   it("call what was given by its name in the engine's sentences", () => {
-    const lock = {code: "branch_defect", message: "", values: {from: 1, to: 2}}, order = {code: "order_defect", message: "", values: {order: "1-3-2"}};
+    const lock = {code: "branch_defect", message: "", values: {from: 1, to: 2}},
+      order = {code: "order_defect", message: "", values: {order: "1-3-2"}};
     const pairs = {kind: "function", mechanism: "four_bar", pairs: []} as FunctionTask;
     expect(told(problem.task, lock)).toBe("Branch defect: it locks (dead point) between positions 1 and 2.");
     expect(told(pairs, lock)).toBe("Branch defect: it locks (dead point) between pairs 1 and 2.");
@@ -39,37 +53,101 @@ describe("kinds of tasks", () => {
     expect(read_task(null)).toBeNull();
   });
   it("leave out what is given in no known form, member by member", () => {
-    for (const given of [{side_lengths: [1]}, {side_lengths: [1, "2"]}, {side_angle_deg: null}, {instant_center: "x"}, [1, 2], "x", {}]) {
+    for (const given of [
+      {side_lengths: [1]},
+      {side_lengths: [1, "2"]},
+      {side_angle_deg: null},
+      {instant_center: "x"},
+      [1, 2],
+      "x",
+      {},
+    ]) {
       expect(of({given})).not.toHaveProperty("given");
     }
     const read = of({given: {side_angle_deg: 30, directed: "yes", input_length: NaN, more: 1}}) as MotionTask;
     expect(read.given).toEqual({side_angle_deg: 30});
-    expect((of({given: {instant_center: [1, 2], at_infinity: true}}) as MotionTask).given).toEqual({instant_center: [1, 2], at_infinity: true});
-    const pairs = read_task({kind: "function", mechanism: "four_bar", pairs: [{input_deg: 1, output_deg: 2, derivatives: "x"}], ground_pivots: {input: [0, 0]}, free: {number: "?"}});
+    expect((of({given: {instant_center: [1, 2], at_infinity: true}}) as MotionTask).given).toEqual({
+      instant_center: [1, 2],
+      at_infinity: true,
+    });
+    const pairs = read_task({
+      kind: "function",
+      mechanism: "four_bar",
+      pairs: [{input_deg: 1, output_deg: 2, derivatives: "x"}],
+      ground_pivots: {input: [0, 0]},
+      free: {number: "?"},
+    });
     expect(pairs).toEqual({kind: "function", mechanism: "four_bar", pairs: [{input_deg: 1, output_deg: 2}]});
-    const named = {expression: "x^2", x: [0, 1], input_range_deg: [0, 60], output_range_deg: [0, 90], spacing: [0, 0.3, 0.7, 1]};
-    expect(read_task({kind: "function", mechanism: "four_bar", function: {...named, points: "4", table: 3}})).toEqual({kind: "function", mechanism: "four_bar", function: named});
+    const named = {
+      expression: "x^2",
+      x: [0, 1],
+      input_range_deg: [0, 60],
+      output_range_deg: [0, 90],
+      spacing: [0, 0.3, 0.7, 1],
+    };
+    expect(read_task({kind: "function", mechanism: "four_bar", function: {...named, points: "4", table: 3}})).toEqual({
+      kind: "function",
+      mechanism: "four_bar",
+      function: named,
+    });
   });
   it("keep every row of a long table", () => {
-    const table = Array.from({length: 5000}, (_, i) => [i, i * i]), named = {table, input_range_deg: [0, 60], output_range_deg: [0, 90]};
-    expect(read_task({kind: "function", mechanism: "four_bar", function: named})).toEqual({kind: "function", mechanism: "four_bar", function: named});
+    const table = Array.from({length: 5000}, (_, i) => [i, i * i]),
+      named = {table, input_range_deg: [0, 60], output_range_deg: [0, 90]};
+    expect(read_task({kind: "function", mechanism: "four_bar", function: named})).toEqual({
+      kind: "function",
+      mechanism: "four_bar",
+      function: named,
+    });
   });
   it("know what is missing, derivatives counted", () => {
     const moving = {...poses[0], derivatives: [{x: 1, y: 0, theta: 0}]};
-    const states = [[], poses.slice(2), poses.slice(1), poses, [moving, ...poses.slice(1)], [moving, moving, ...poses.slice(1)]].map((list) => incompleteness(with_poses(problem, list))?.state ?? null);
+    const states = [
+      [],
+      poses.slice(2),
+      poses.slice(1),
+      poses,
+      [moving, ...poses.slice(1)],
+      [moving, moving, ...poses.slice(1)],
+    ].map((list) => incompleteness(with_poses(problem, list))?.state ?? null);
     expect(states).toEqual(["empty", "too_few", "no_given", null, null, "too_many"]);
-    const given: Problem = {...problem, task: {kind: "motion", mechanism: "four_bar", poses: poses.slice(1), given: {side_length: 5}}};
+    const given: Problem = {
+      ...problem,
+      task: {kind: "motion", mechanism: "four_bar", poses: poses.slice(1), given: {side_length: 5}},
+    };
     expect(incompleteness(given)).toBeNull();
-    const pairs = (n: number): Problem => ({...problem, task: {kind: "function", mechanism: "four_bar", pairs: Array.from({length: n}, (_, i) => ({input_deg: i, output_deg: i}))}});
-    expect([3, 4, 5, 6].map((n) => incompleteness(pairs(n))?.state ?? null)).toEqual(["too_few", null, null, "too_many"]);
+    const pairs = (n: number): Problem => ({
+      ...problem,
+      task: {
+        kind: "function",
+        mechanism: "four_bar",
+        pairs: Array.from({length: n}, (_, i) => ({input_deg: i, output_deg: i})),
+      },
+    });
+    expect([3, 4, 5, 6].map((n) => incompleteness(pairs(n))?.state ?? null)).toEqual([
+      "too_few",
+      null,
+      null,
+      "too_many",
+    ]);
   });
   it("tell maps of other things apart", () => {
     const maps = [
-      problem.task, with_task_poses(problem.task, poses.slice(1)), {...problem.task, poses: poses.slice(1), given: {side_lengths: [1, 2]}},
-      {...problem.task, poses: poses.slice(1), given: {side_angle_deg: 30}}, {...problem.task, poses: poses.slice(1), given: {instant_center: [0, 1]}},
+      problem.task,
+      with_task_poses(problem.task, poses.slice(1)),
+      {...problem.task, poses: poses.slice(1), given: {side_lengths: [1, 2]}},
+      {...problem.task, poses: poses.slice(1), given: {side_angle_deg: 30}},
+      {...problem.task, poses: poses.slice(1), given: {instant_center: [0, 1]}},
     ].map((task) => map_of(task as MotionTask));
     expect(new Set(maps).size).toBe(5);
-    expect(map_of(with_poses(problem, poses.map((p) => ({...p, x: 1}))).task)).toBe(maps[0]);
+    expect(
+      map_of(
+        with_poses(
+          problem,
+          poses.map((p) => ({...p, x: 1})),
+        ).task,
+      ),
+    ).toBe(maps[0]);
     const pairs: FunctionTask = {kind: "function", mechanism: "four_bar", pairs: []};
     expect(map_of({...pairs, free: {number: "output_scale"}})).not.toBe(map_of(pairs));
   });

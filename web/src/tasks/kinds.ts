@@ -12,7 +12,11 @@ import {six_bar_kind} from "./six_bar/kind";
 export const task_kinds = [motion_kind, function_kind, six_bar_kind] as unknown as readonly TaskKind[];
 
 const common_properties: readonly Property[] = [
-  "min_transmission_angle_deg", "link_ratio", "longest_link", "min_transmission_angle_full_turn_deg", "driver_sweep_deg",
+  "min_transmission_angle_deg",
+  "link_ratio",
+  "longest_link",
+  "min_transmission_angle_full_turn_deg",
+  "driver_sweep_deg",
 ];
 
 export function kind_of(task: Task): TaskKind {
@@ -49,9 +53,12 @@ export function properties_of(task: Task): Property[] {
 }
 /** The problem with another task; what linkages can be the best by only in the old one is no objective any more. */
 export function with_other_task(problem: Problem, task: Task): Problem {
-  const changed = with_task(problem, task), objectives = (of: Task) => kind_of(of).objectives?.(of) ?? [];
+  const changed = with_task(problem, task),
+    objectives = (of: Task) => kind_of(of).objectives?.(of) ?? [];
   const lost = objectives(problem.task).filter((objective) => !objectives(task).includes(objective));
-  return lost.some((objective) => objective === problem.options?.objective) ? with_options(changed, {objective: undefined}) : changed;
+  return lost.some((objective) => objective === problem.options?.objective)
+    ? with_options(changed, {objective: undefined})
+    : changed;
 }
 /** A text of the frame, as this kind of task says it. */
 export function text_for(task: Task, key: TextKey): TextKey {

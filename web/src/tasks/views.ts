@@ -9,7 +9,10 @@ import {six_bar_view} from "./six_bar/view";
 import type {TaskKind} from "./kind";
 import type {TaskView} from "./view";
 
-const views = new Map<unknown, TaskView>([[function_kind, function_view], [six_bar_kind, six_bar_view]]);
+const views = new Map<unknown, TaskView>([
+  [function_kind, function_view],
+  [six_bar_kind, six_bar_view],
+]);
 
 export function task_view(task: Task): TaskView {
   return views.get(kind_of(task) as TaskKind) ?? motion_view;

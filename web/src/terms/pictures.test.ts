@@ -19,7 +19,9 @@ describe("terms", () => {
       const strokes: readonly Stroke[] = pictures[name];
       expect(strokes.length, name).toBeGreaterThan(1);
       for (const [, d] of strokes) expect(d, name).toMatch(/^M-?\d/);
-      const corners = strokes.flatMap(([, d]) => [...d.matchAll(/[ML](-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)]));
+      const corners = strokes.flatMap(([, d]) =>
+        [...d.matchAll(/[ML](-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)]),
+      );
       for (const [x, y] of corners) expect(x >= -1 && x <= 97 && y >= -1 && y <= 65, `${name} ${x} ${y}`).toBe(true);
     }
   });

@@ -52,14 +52,30 @@ export function term_of_defects({order, branch, circuit}: Linkage["defects"]): T
 export const tip_id = "term_tip";
 
 /** Explains a word on a thing that has another use already: a button, a cell. Words alone take a Term. */
-export function explains(name: TermName | null, hint: () => string | null = () => null): Attachment<HTMLElement | SVGElement> {
+export function explains(
+  name: TermName | null,
+  hint: () => string | null = () => null,
+): Attachment<HTMLElement | SVGElement> {
   return (element: HTMLElement | SVGElement) => {
     if (!name) return;
-    const events = new AbortController(), {signal} = events;
-    element.addEventListener("pointerenter", (event) => { if ((event as PointerEvent).pointerType === "mouse") terms.show_soon(element, name, hint()); }, {signal});
+    const events = new AbortController(),
+      {signal} = events;
+    element.addEventListener(
+      "pointerenter",
+      (event) => {
+        if ((event as PointerEvent).pointerType === "mouse") terms.show_soon(element, name, hint());
+      },
+      {signal},
+    );
     element.addEventListener("pointerleave", () => terms.hide(element), {signal});
     element.addEventListener("pointerdown", () => terms.hide(element), {signal});
-    element.addEventListener("focus", () => { if (element.matches(":focus-visible")) terms.show(element, name, hint()); }, {signal});
+    element.addEventListener(
+      "focus",
+      () => {
+        if (element.matches(":focus-visible")) terms.show(element, name, hint());
+      },
+      {signal},
+    );
     element.addEventListener("blur", () => terms.hide(element), {signal});
     return () => {
       events.abort();

@@ -20,13 +20,17 @@ beforeAll(async () => {
 afterEach(() => void (preferences.language = "en"));
 
 /** Files that are text: others are refused before the engine sees them. */
-const files = readdirSync(folder).filter((name) => name !== "expected.json").flatMap((name) => {
-  try {
-    return [{name, text: new TextDecoder("utf-8", {fatal: true, ignoreBOM: true}).decode(readFileSync(folder + name))}];
-  } catch {
-    return [];
-  }
-});
+const files = readdirSync(folder)
+  .filter((name) => name !== "expected.json")
+  .flatMap((name) => {
+    try {
+      return [
+        {name, text: new TextDecoder("utf-8", {fatal: true, ignoreBOM: true}).decode(readFileSync(folder + name))},
+      ];
+    } catch {
+      return [];
+    }
+  });
 
 describe("the engine's sentences about files", () => {
   it("are the program's in English", () => {
@@ -48,11 +52,21 @@ describe("the engine's sentences about files", () => {
     for (const mistake of mistakes) {
       const said = mistake_text(mistake).slice(mistake.place.startsWith("line") ? 0 : mistake.place.length);
       expect(said).toMatch(/\p{Script=Han}/u);
-      expect(said.replace(/"[^"]*"|JSON|UTF|NaN|Infinity|null|true|false|Linkwright|no_defects|poses|(in|out)put_deg|MiB|theta|\b[xyτ]\b|\\[nt]/g, ""), mistake.message).not.toMatch(/[a-z]{3}/i);
+      expect(
+        said.replace(
+          /"[^"]*"|JSON|UTF|NaN|Infinity|null|true|false|Linkwright|no_defects|poses|(in|out)put_deg|MiB|theta|\b[xyτ]\b|\\[nt]/g,
+          "",
+        ),
+        mistake.message,
+      ).not.toMatch(/[a-z]{3}/i);
     }
   });
   it("are counted where there are many", () => {
-    const many: Mistake[] = Array.from({length: 7}, (_, i) => ({code: "missing_key", place: `task.poses[${i}].x`, message: "this is missing; add a number"}));
+    const many: Mistake[] = Array.from({length: 7}, (_, i) => ({
+      code: "missing_key",
+      place: `task.poses[${i}].x`,
+      message: "this is missing; add a number",
+    }));
     const told = mistakes_text(many);
     expect(told).toContain("task.poses[2].x: this is missing; add a number.");
     expect(told).not.toContain("task.poses[3]");

@@ -16,7 +16,10 @@ const readings: readonly (readonly [RegExp, TextKey])[] = [
   [/^(?<given>".*") is listed twice/, "mistake.repeated_type"],
   [/^(?<given>".*") is too large for a number/, "mistake.number_too_large"],
   [/is not available in this version|are not available in this version/, "mistake.not_available"],
-  [/^(?<count>\d+) (?:poses|positions) (?:were|was|are) given.* (?<least>\d) to \d are needed/, "mistake.too_few_poses"],
+  [
+    /^(?<count>\d+) (?:poses|positions) (?:were|was|are) given.* (?<least>\d) to \d are needed/,
+    "mistake.too_few_poses",
+  ],
   [/^(?<count>\d+) (?:poses|positions) (?:were|was|are) given/, "mistake.too_many_poses"],
   [/^(?<count>\d+) pairs? (?:were|was) given.* are needed/, "mistake.too_few_pairs"],
   [/^(?<count>\d+) pairs (?:were|are) given/, "mistake.too_many_pairs"],
@@ -79,14 +82,25 @@ const readings: readonly (readonly [RegExp, TextKey])[] = [
 ];
 
 const words: Record<string, TextKey> = {
-  "a number": "word.number", "a whole number": "word.whole_number", "a text": "word.text", "a text in double quotes": "word.text",
-  "a list": "word.list", "an object": "word.object", "an object { … }": "word.object", "true or false": "word.flag", "a list of poses": "word.poses", "a list of linkage types": "word.types",
+  "a number": "word.number",
+  "a whole number": "word.whole_number",
+  "a text": "word.text",
+  "a text in double quotes": "word.text",
+  "a list": "word.list",
+  "an object": "word.object",
+  "an object { … }": "word.object",
+  "true or false": "word.flag",
+  "a list of poses": "word.poses",
+  "a list of linkage types": "word.types",
   "two pairs of bodies": "word.bodies",
   "a pair of intervals [[low, high], [low, high]]": "word.intervals",
 };
 function in_words(values: Record<string, string>): Values {
-  const known = (text: string) => (text in words ? t(words[text]) : text.startsWith("a list of") ? t("word.list") : text);
-  return Object.fromEntries(Object.entries(values).map(([name, text]) => [name, name === "wanted" || name === "found" ? known(text) : text]));
+  const known = (text: string) =>
+    text in words ? t(words[text]) : text.startsWith("a list of") ? t("word.list") : text;
+  return Object.fromEntries(
+    Object.entries(values).map(([name, text]) => [name, name === "wanted" || name === "found" ? known(text) : text]),
+  );
 }
 
 /** "line 3, column 7" in the language in force; places in the file's own words stay. */
@@ -111,5 +125,7 @@ const most_told = 3;
 export function mistakes_text(mistakes: readonly Mistake[]): string {
   const told = mistakes.slice(0, most_told).map(mistake_text);
   if (mistakes.length > most_told) told.push(t("mistake.more", {count: mistakes.length - most_told}));
-  return told.map((text) => (/[.。…]$/.test(text) ? text : text + t("mistake.full_stop"))).join(preferences.language === "zh" ? "" : " ");
+  return told
+    .map((text) => (/[.。…]$/.test(text) ? text : text + t("mistake.full_stop")))
+    .join(preferences.language === "zh" ? "" : " ");
 }

@@ -23,19 +23,36 @@ export function known_text(key: string): string | null {
 }
 /** A sentence whose value the engine did not give is left out. */
 function as_far_as_known(text: string): string {
-  return text.split(/(?<=\. |。)/).filter((sentence) => !/\{\w+\}/.test(sentence)).join("").trimEnd();
+  return text
+    .split(/(?<=\. |。)/)
+    .filter((sentence) => !/\{\w+\}/.test(sentence))
+    .join("")
+    .trimEnd();
 }
 /** The engine's values for people: numbers at three digits, its lists in the language in force. */
 function told(values: Values): Values {
   const one = (value: string | number) =>
-    typeof value === "number" ? (Number.isInteger(value) ? value : Number(value.toPrecision(3)))
-    : known_text(`word.${value}`) ? known_text(`word.${value}`)!
-    : preferences.language === "zh" ? value.replace(/, | and /g, "、") : value;
+    typeof value === "number"
+      ? Number.isInteger(value)
+        ? value
+        : Number(value.toPrecision(3))
+      : known_text(`word.${value}`)
+        ? known_text(`word.${value}`)!
+        : preferences.language === "zh"
+          ? value.replace(/, | and /g, "、")
+          : value;
   return Object.fromEntries(Object.entries(values).map(([name, value]) => [name, one(value)]));
 }
 
 /** "{n} {n:four-bar|four-bars}": the first of two wordings where n is 1. */
 function filled(text: string, values: Values): string {
   return text.replace(/\{(\w+)(?::([^|}]*)\|([^}]*))?\}/g, (whole, name: string, one?: string, several?: string) =>
-    !(name in values) ? whole : one === undefined ? String(values[name]) : String(values[name]) === "1" ? one : several!);
+    !(name in values)
+      ? whole
+      : one === undefined
+        ? String(values[name])
+        : String(values[name]) === "1"
+          ? one
+          : several!,
+  );
 }

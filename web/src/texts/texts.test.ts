@@ -13,15 +13,23 @@ describe("a text with a number", () => {
 });
 
 describe("a notice", () => {
-  const length = {code: "no_side_link_of_length", message: "as the program says it", values: {side: "output", length: 12.3456, nearest: 40}};
+  const length = {
+    code: "no_side_link_of_length",
+    message: "as the program says it",
+    values: {side: "output", length: 12.3456, nearest: 40},
+  };
   it("is worded with its values", () => {
-    expect(notice_text(length)).toBe("No output side link of length 12.3 can be carried through the positions, in whatever direction. The nearest length that can is 40.");
+    expect(notice_text(length)).toBe(
+      "No output side link of length 12.3 can be carried through the positions, in whatever direction. The nearest length that can is 40.",
+    );
     preferences.language = "zh";
     expect(notice_text(length)).toBe("杆长 12.3 的输出连架杆在任何方向都无法通过各位置。最接近的可行杆长为 40。");
   });
   it("says nothing of what the engine did not give", () => {
     const {nearest: _, ...values} = length.values;
-    expect(notice_text({...length, values})).toBe("No output side link of length 12.3 can be carried through the positions, in whatever direction.");
+    expect(notice_text({...length, values})).toBe(
+      "No output side link of length 12.3 can be carried through the positions, in whatever direction.",
+    );
     preferences.language = "zh";
     expect(notice_text({...length, values})).toBe("杆长 12.3 的输出连架杆在任何方向都无法通过各位置。");
   });

@@ -26,7 +26,14 @@ export class Chart {
 
   constructor(private readonly host: HTMLElement) {
     this.colors = this.read_colors();
-    this.u = new UPlot(this.options(), [[0, 1], [null, null]], host);
+    this.u = new UPlot(
+      this.options(),
+      [
+        [0, 1],
+        [null, null],
+      ],
+      host,
+    );
     this.needle = this.mark("needle");
     this.bead = this.mark("bead");
   }
@@ -39,12 +46,14 @@ export class Chart {
   }
 
   show(input: ChartInput): void {
-    const {u} = this, resized = input.width !== u.width || input.height !== u.height;
+    const {u} = this,
+      resized = input.width !== u.width || input.height !== u.height;
     this.input = input;
-    const {plot} = input, is_path = plot.kind === "path";
+    const {plot} = input,
+      is_path = plot.kind === "path";
     u.batch(() => {
       if (resized) u.setSize({width: input.width, height: input.height});
-      u.setData(is_path ? [plot.x, [null, null]] : [plot.angles, plot.values[0]] as UPlot.AlignedData, false);
+      u.setData(is_path ? [plot.x, [null, null]] : ([plot.angles, plot.values[0]] as UPlot.AlignedData), false);
       u.setScale("x", {min: plot.x[0], max: plot.x[1]});
       u.setScale("y", {min: plot.y[0], max: plot.y[1]});
     });
@@ -58,10 +67,13 @@ export class Chart {
   point_at(angle: number, values: (number | null)[]): void {
     const plot = this.input?.plot;
     if (!plot) return;
-    const is_path = plot.kind === "path", y = values[is_path ? 1 : 0];
+    const is_path = plot.kind === "path",
+      y = values[is_path ? 1 : 0];
     const x = is_path ? values[0]! : angle;
-    const left = this.u.valToPos(x, "x"), top = y === null ? -99 : this.u.valToPos(y, "y");
-    const {width, height} = this.u.bbox, ratio = UPlot.pxRatio; // known without asking for the layout
+    const left = this.u.valToPos(x, "x"),
+      top = y === null ? -99 : this.u.valToPos(y, "y");
+    const {width, height} = this.u.bbox,
+      ratio = UPlot.pxRatio; // known without asking for the layout
     const inside = left >= -0.5 && left <= width / ratio + 0.5;
     this.needle.hidden = is_path || !inside;
     this.bead.hidden = !inside || !(top >= 0 && top <= height / ratio);
@@ -85,13 +97,36 @@ export class Chart {
   }
   private options(): UPlot.Options {
     const font = `11px ${getComputedStyle(this.host).fontFamily}`;
-    const axis = {font, stroke: () => this.colors.ink3, ticks: {show: false}, grid: {stroke: () => this.colors.line, width: 1}};
+    const axis = {
+      font,
+      stroke: () => this.colors.ink3,
+      ticks: {show: false},
+      grid: {stroke: () => this.colors.line, width: 1},
+    };
     return {
-      width: 300, height: 112, legend: {show: false}, cursor: {show: false}, padding: [8, 12, 0, 0],
+      width: 300,
+      height: 112,
+      legend: {show: false},
+      cursor: {show: false},
+      padding: [8, 12, 0, 0],
       scales: {x: {time: false, auto: false}, y: {auto: false}},
       axes: [
-        {...axis, size: 18, gap: 3, space: 56, grid: {show: false}, values: (_, splits) => splits.map((v) => this.x_label(v))},
-        {...axis, size: 46, gap: 5, space: 18, splits: (_, __, min, max) => this.y_splits(min, max), values: (_, splits) => splits.map((v) => this.y_label(v))},
+        {
+          ...axis,
+          size: 18,
+          gap: 3,
+          space: 56,
+          grid: {show: false},
+          values: (_, splits) => splits.map((v) => this.x_label(v)),
+        },
+        {
+          ...axis,
+          size: 46,
+          gap: 5,
+          space: 18,
+          splits: (_, __, min, max) => this.y_splits(min, max),
+          values: (_, splits) => splits.map((v) => this.y_label(v)),
+        },
       ],
       series: [{}, {stroke: () => this.colors.ink, width: 2, points: {show: false}}],
       hooks: {drawAxes: [() => this.draw_forbidden()], draw: [() => this.draw_path(), () => this.draw_dots()]},
@@ -116,7 +151,8 @@ export class Chart {
   private draw_forbidden(): void {
     const {u, input} = this;
     if (!input || input.least === null) return;
-    const {left, top, width, height} = u.bbox, y = u.valToPos(input.least, "y", true);
+    const {left, top, width, height} = u.bbox,
+      y = u.valToPos(input.least, "y", true);
     u.ctx.save();
     u.ctx.fillStyle = u.ctx.strokeStyle = this.colors.bad;
     u.ctx.globalAlpha = 0.07;
@@ -146,19 +182,25 @@ export class Chart {
   private draw_dots(): void {
     const {u, input} = this;
     if (!input) return;
-    const is_path = input.plot.kind === "path", {ctx} = u;
+    const is_path = input.plot.kind === "path",
+      {ctx} = u;
     ctx.save();
     ctx.font = `${11 * UPlot.pxRatio}px ${getComputedStyle(this.host).fontFamily}`;
     ctx.textAlign = "center";
     for (const dot of input.plot.dots) {
       const value = dot.values[is_path ? 1 : 0];
       if (value === null) continue;
-      this.draw_dot(u.valToPos(is_path ? dot.values[0]! : dot.angle, "x", true), u.valToPos(value, "y", true), String(dot.pose + 1));
+      this.draw_dot(
+        u.valToPos(is_path ? dot.values[0]! : dot.angle, "x", true),
+        u.valToPos(value, "y", true),
+        String(dot.pose + 1),
+      );
     }
     ctx.restore();
   }
   private draw_dot(x: number, y: number, name: string): void {
-    const {ctx, bbox} = this.u, r = dot_radius * UPlot.pxRatio;
+    const {ctx, bbox} = this.u,
+      r = dot_radius * UPlot.pxRatio;
     if (y < bbox.top - r || y > bbox.top + bbox.height + r) return;
     ctx.beginPath();
     ctx.arc(x, y, r, 0, 2 * Math.PI);

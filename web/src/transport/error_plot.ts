@@ -13,19 +13,39 @@ export function driver_angle({function: made, drive_sense}: Generator, input_deg
 export function error_plot(generator: Generator): Plot | null {
   const made = generator.function;
   if (!made || made.curve.length === 0) return null;
-  const rows = made.curve.map(([input, wanted, generated]) => ({angle: driver_angle(generator, input), error: generated === null ? null : generated - wanted}));
+  const rows = made.curve.map(([input, wanted, generated]) => ({
+    angle: driver_angle(generator, input),
+    error: generated === null ? null : generated - wanted,
+  }));
   rows.sort((a, b) => a.angle - b.angle);
   const errors = rows.map(({error}) => error);
-  const dots = made.pairs.map(([input, , error], pose) => ({pose, angle: driver_angle(generator, input), values: [error]}));
-  return {kind: "error", angles: rows.map(({angle}) => angle), values: [errors], dots, x: [rows[0].angle, rows[rows.length - 1].angle], y: extent([0, ...errors], 0.15)};
+  const dots = made.pairs.map(([input, , error], pose) => ({
+    pose,
+    angle: driver_angle(generator, input),
+    values: [error],
+  }));
+  return {
+    kind: "error",
+    angles: rows.map(({angle}) => angle),
+    values: [errors],
+    dots,
+    x: [rows[0].angle, rows[rows.length - 1].angle],
+    y: extent([0, ...errors], 0.15),
+  };
 }
 /** Between the samples, linear. */
 export function error_at(generator: Generator, angle: number): number | null {
   const plot = error_plot(generator);
   if (!plot) return null;
-  const {angles, values: [errors]} = plot, next = angles.findIndex((at) => at >= angle);
+  const {
+      angles,
+      values: [errors],
+    } = plot,
+    next = angles.findIndex((at) => at >= angle);
   if (next < 0 || angle < angles[0]) return null;
-  const after = errors[next], before = errors[Math.max(next - 1, 0)], width = angles[next] - angles[Math.max(next - 1, 0)];
+  const after = errors[next],
+    before = errors[Math.max(next - 1, 0)],
+    width = angles[next] - angles[Math.max(next - 1, 0)];
   if (after === null || before === null) return null;
   return width > 0 ? after + ((before - after) * (angles[next] - angle)) / width : after;
 }

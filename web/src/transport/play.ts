@@ -12,8 +12,10 @@ export interface Run {
   ended: boolean;
 }
 
-const task_ms = 2000, travel_ms = 4000; // one way at speed 1
-const lit_ms = 250, longest_frame_ms = 200;
+const task_ms = 2000,
+  travel_ms = 4000; // one way at speed 1
+const lit_ms = 250,
+  longest_frame_ms = 200;
 
 /** Driver angles of the prescribed stretch; nothing where a defect keeps its ends apart. */
 export function task_span(drive: Drive): Span | null {
@@ -52,7 +54,9 @@ export interface Stop {
 }
 /** The positions the drive reaches, in the order in which it meets them. */
 export function stops_of(drive: Drive): Stop[] {
-  const stops = drive.ticks.flatMap((tick) => (tick.reached && tick.state >= 0 ? [{pose: tick.position - 1, angle: angle_of_row(drive, tick.state)}] : []));
+  const stops = drive.ticks.flatMap((tick) =>
+    tick.reached && tick.state >= 0 ? [{pose: tick.position - 1, angle: angle_of_row(drive, tick.state)}] : [],
+  );
   return stops.sort((a, b) => a.angle - b.angle);
 }
 export function unreached_poses(drive: Drive): number[] {
@@ -97,14 +101,16 @@ export function step(workbench: Workbench, sense: 1 | -1): void {
 export function prefers_stillness(): boolean {
   return globalThis.matchMedia?.("(prefers-reduced-motion: reduce)").matches ?? false;
 }
-const opening_ms = 2000, resting_stage = 2.45;
+const opening_ms = 2000,
+  resting_stage = 2.45;
 /** The first start: the linkage opens once from its first position to its last and rests between 3 and 4. Whatever else
  *  moves the drive meanwhile ends it. */
 export function open_once(workbench: Workbench): void {
   const last = (workbench.hand?.drive && stops_of(workbench.hand.drive).length - 1) ?? 0;
   if (prefers_stillness() || workbench.playing || last < 1) return;
   const rest = Math.min(resting_stage, last - 0.55);
-  let began: number | null = null, set = workbench.stage;
+  let began: number | null = null,
+    set = workbench.stage;
   const frame = (now: number) => {
     if (workbench.playing || workbench.stage !== set) return;
     began ??= now;
@@ -118,7 +124,9 @@ export function open_once(workbench: Workbench): void {
 
 /** The loop behind ▶: runs until told to stop. Returns how to. */
 export function run(workbench: Workbench, speed: () => number, repeat: () => Repeat): () => void {
-  let sense: 1 | -1 = 1, before: number | null = null, handle = 0;
+  let sense: 1 | -1 = 1,
+    before: number | null = null,
+    handle = 0;
   const begin = workbench.hand?.drive;
   if (begin && repeat() === "once") {
     const [low, high] = played_span(begin, workbench.whole_travel);
@@ -127,8 +135,14 @@ export function run(workbench: Workbench, speed: () => number, repeat: () => Rep
   const advance = (ms: number) => {
     const drive = workbench.hand?.drive;
     if (!drive) return;
-    const whole = workbench.whole_travel, angle = workbench.angle;
-    const now = advanced({angle, sense, ended: false}, ms * degrees_per_ms(drive, whole, speed()), played_span(drive, whole), repeat());
+    const whole = workbench.whole_travel,
+      angle = workbench.angle;
+    const now = advanced(
+      {angle, sense, ended: false},
+      ms * degrees_per_ms(drive, whole, speed()),
+      played_span(drive, whole),
+      repeat(),
+    );
     sense = now.sense;
     move_to(workbench, now.angle);
     if (now.ended) workbench.playing = false;

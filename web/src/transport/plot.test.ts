@@ -3,7 +3,13 @@ import {nearest_on_path, plot_csv, plot_of} from "./plot";
 import {sample_drive} from "./sample_drive";
 
 const drive = sample_drive(
-  [-30, 0, 10, 20, 30, 90].map((input_deg, i) => ({input_deg, transmission_angle_deg: 40 + i, x: 10 * i, y: i * i, velocity_ratio: i === 2 ? 0 : i})),
+  [-30, 0, 10, 20, 30, 90].map((input_deg, i) => ({
+    input_deg,
+    transmission_angle_deg: 40 + i,
+    x: 10 * i,
+    y: i * i,
+    velocity_ratio: i === 2 ? 0 : i,
+  })),
   [1, 2, 3, 4],
 );
 
@@ -12,7 +18,12 @@ it("shows the task, and the travel on request", () => {
   expect(plot.angles).toEqual([0, 10, 20, 30]);
   expect(plot.values).toEqual([[41, 42, 43, 44]]);
   expect(plot.y).toEqual([0, 90]);
-  expect(plot.dots.map((d) => [d.pose, d.angle, d.values[0]])).toEqual([[0, 0, 41], [1, 10, 42], [2, 20, 43], [3, 30, 44]]);
+  expect(plot.dots.map((d) => [d.pose, d.angle, d.values[0]])).toEqual([
+    [0, 0, 41],
+    [1, 10, 42],
+    [2, 20, 43],
+    [3, 30, 44],
+  ]);
   expect(plot_of(drive, "transmission", true).angles).toEqual([-30, 0, 10, 20, 30, 90]);
 });
 it("leaves a gap at a dead point", () => {

@@ -35,9 +35,20 @@ export function plot_of(drive: Drive, kind: DriveKind, whole: boolean): Plot {
     return angle >= low && angle <= high;
   });
   const names = columns[kind];
-  const values = names.map((name) => rows.map((row) => shown(kind, drive.states[row * drive.width + state_columns.indexOf(name)])));
-  const dots = stops_of(drive).filter((s) => s.angle >= low && s.angle <= high).map((s) => ({...s, values: values_at(drive, kind, s.angle)}));
-  const plot: Plot = {kind, angles: rows.map((row) => drive.states[row * drive.width]), values, dots, x: [low, high], y: [0, 1]};
+  const values = names.map((name) =>
+    rows.map((row) => shown(kind, drive.states[row * drive.width + state_columns.indexOf(name)])),
+  );
+  const dots = stops_of(drive)
+    .filter((s) => s.angle >= low && s.angle <= high)
+    .map((s) => ({...s, values: values_at(drive, kind, s.angle)}));
+  const plot: Plot = {
+    kind,
+    angles: rows.map((row) => drive.states[row * drive.width]),
+    values,
+    dots,
+    x: [low, high],
+    y: [0, 1],
+  };
   if (kind === "path") plot.x = extent(values[0], 0.08);
   plot.y = value_range(kind, values[values.length - 1]);
   return plot;
@@ -60,7 +71,8 @@ function value_range(kind: DriveKind, values: (number | null)[]): [number, numbe
   return extent([0, ...trimmed], 0.15);
 }
 export function extent(values: (number | null)[], margin: number): [number, number] {
-  let low = Infinity, high = -Infinity;
+  let low = Infinity,
+    high = -Infinity;
   for (const value of values) {
     if (value === null) continue;
     low = Math.min(low, value);
@@ -74,7 +86,8 @@ export function extent(values: (number | null)[], margin: number): [number, numb
 /** Driver angle of the path's row nearest to a point. */
 export function nearest_on_path(plot: Plot, x: number, y: number): number {
   const [xs, ys] = plot.values;
-  let best = 0, best_distance = Infinity;
+  let best = 0,
+    best_distance = Infinity;
   xs.forEach((at, i) => {
     const distance = Math.hypot(at! - x, ys[i]! - y);
     if (distance < best_distance) [best, best_distance] = [i, distance];
@@ -85,5 +98,7 @@ export function nearest_on_path(plot: Plot, x: number, y: number): number {
 /** What is shown, as comma-separated values; where nothing is defined the field is empty. */
 export function plot_csv(plot: Plot): string {
   const lines = plot.angles.map((angle, row) => [angle, ...plot.values.map((column) => column[row] ?? "")].join(","));
-  return [["input_deg", ...(plot.kind === "error" ? ["error_deg"] : columns[plot.kind])].join(","), ...lines, ""].join("\n");
+  return [["input_deg", ...(plot.kind === "error" ? ["error_deg"] : columns[plot.kind])].join(","), ...lines, ""].join(
+    "\n",
+  );
 }

@@ -4,7 +4,9 @@ import type {State} from "../state/drive";
 /** For tests: a drive whose rows are given by some of their columns. */
 export function sample_drive(rows: Partial<State>[], ticks: number[], more: Partial<Drive> = {}): Drive {
   const states = new Float64Array(rows.length * state_width);
-  rows.forEach((row, i) => state_columns.forEach((name, column) => (states[i * state_width + column] = row[name] ?? 0)));
+  rows.forEach((row, i) =>
+    state_columns.forEach((name, column) => (states[i * state_width + column] = row[name] ?? 0)),
+  );
   return {
     states,
     width: state_width,

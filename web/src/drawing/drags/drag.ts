@@ -21,7 +21,13 @@ export interface Bench {
 export const align_px = 6;
 
 export function grid(scene: Scene, others: readonly {x: number; y: number}[] = []): Grid {
-  return {step: scene.step, xs: others.map((o) => o.x), ys: others.map((o) => o.y), near: align_px / scene.view.scale, on: preferences.snap};
+  return {
+    step: scene.step,
+    xs: others.map((o) => o.x),
+    ys: others.map((o) => o.y),
+    near: align_px / scene.view.scale,
+    on: preferences.snap,
+  };
 }
 export function pixel(view: Viewport): number {
   return 1 / view.scale;
@@ -39,7 +45,9 @@ export class Way {
     this.last = from;
   }
   to(at: Point, keys: Keys): this {
-    const a = to_user(this.scene.view, this.last), b = to_user(this.scene.view, at), share = keys.fine ? 0.1 : 1;
+    const a = to_user(this.scene.view, this.last),
+      b = to_user(this.scene.view, at),
+      share = keys.fine ? 0.1 : 1;
     this.x += (b[0] - a[0]) * share;
     this.y += (b[1] - a[1]) * share;
     this.last = at;

@@ -20,8 +20,10 @@ export function without_corner(outline: readonly Point[], index: number): readon
 }
 
 export function corner_drag(bench: Bench, target: Extract<Target, {kind: "corner" | "midpoint"}>): Drag {
-  const {workbench, scene} = bench, before = scene.outline;
-  const added = target.kind === "midpoint", index = added ? target.index + 1 : target.index;
+  const {workbench, scene} = bench,
+    before = scene.outline;
+  const added = target.kind === "midpoint",
+    index = added ? target.index + 1 : target.index;
   const start = added ? [...before.slice(0, index), before[index - 1], ...before.slice(index)] : before;
   workbench.begin_gesture();
   scene.held = {kind: "corner", index};
@@ -30,7 +32,12 @@ export function corner_drag(bench: Bench, target: Extract<Target, {kind: "corner
     cursor: "crosshair",
     move(at, keys) {
       const point = corner_at(bench, at, keys, start[index]);
-      workbench.drag((problem) => with_outline(problem, start.map((p, i) => (i === index ? point : p))));
+      workbench.drag((problem) =>
+        with_outline(
+          problem,
+          start.map((p, i) => (i === index ? point : p)),
+        ),
+      );
       scene.note = {at, text: point_note(point, scene.step, workbench.unit)};
     },
     end: () => finish(bench, true),
@@ -40,9 +47,15 @@ export function corner_drag(bench: Bench, target: Extract<Target, {kind: "corner
 /** A click on an edge's midpoint adds a corner there. */
 export function add_corner(bench: Bench, index: number): void {
   bench.workbench.edit((problem) => {
-    const outline = outline_of(problem), p = outline[index], q = outline[(index + 1) % outline.length];
+    const outline = outline_of(problem),
+      p = outline[index],
+      q = outline[(index + 1) % outline.length];
     const short = (value: number) => Number(value.toPrecision(9));
-    return with_outline(problem, [...outline.slice(0, index + 1), [short((p[0] + q[0]) / 2), short((p[1] + q[1]) / 2)], ...outline.slice(index + 1)]);
+    return with_outline(problem, [
+      ...outline.slice(0, index + 1),
+      [short((p[0] + q[0]) / 2), short((p[1] + q[1]) / 2)],
+      ...outline.slice(index + 1),
+    ]);
   });
   bench.scene.corner = index + 1;
 }

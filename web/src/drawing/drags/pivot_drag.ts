@@ -11,8 +11,13 @@ import {to_screen, to_user, type Viewport} from "../viewport";
 import {finish, type Bench, type Drag} from "./drag";
 
 /** `view` is what the pointer's pixels are of: the drawing's, or the 3-D view's. */
-export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}>, view: () => Viewport = () => bench.scene.view): Drag | null {
-  const {workbench, scene} = bench, {picked, task} = workbench;
+export function pivot_drag(
+  bench: Bench,
+  target: Extract<Target, {kind: "pivot"}>,
+  view: () => Viewport = () => bench.scene.view,
+): Drag | null {
+  const {workbench, scene} = bench,
+    {picked, task} = workbench;
   const samples = scene.samples[target.side];
   if (!picked || !samples || !task) return null;
   let spot: Spot | null = spot_of_tau(samples, target.end, coordinate_of(task, picked.tau, target.side));
@@ -20,7 +25,8 @@ export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}
   let beyond: Beyond | null = null;
   // A pivot that moves is taken where it is now; its curve lies in position 1.
   const carrier = target.home ? null : scene.carrier(target.side, target.end);
-  const on_curve = (at: Point): Point => (carrier ? to_screen(view(), placed(body_point(to_user(view(), at), carrier.now), carrier.first)) : at);
+  const on_curve = (at: Point): Point =>
+    carrier ? to_screen(view(), placed(body_point(to_user(view(), at), carrier.now), carrier.first)) : at;
   workbench.begin_gesture();
   scene.held = target;
   return {
@@ -31,7 +37,9 @@ export function pivot_drag(bench: Bench, target: Extract<Target, {kind: "pivot"}
       const over = overshoot(view(), at);
       if (over === 0) beyond = null;
       else beyond ??= beyond_edge(samples, target.end, view(), on_curve(at), spot);
-      spot = beyond ? beyond_spot(samples, target.end, beyond, over) : slid(samples, target.end, view(), on_curve(at), spot);
+      spot = beyond
+        ? beyond_spot(samples, target.end, beyond, over)
+        : slid(samples, target.end, view(), on_curve(at), spot);
       workbench.curve_hover = {sides: spot.sides, tau: spot.tau};
       workbench.slide(with_side(workbench.task ?? task, workbench.picked?.tau ?? picked.tau, target.side, spot.tau));
       scene.note = {at, text: `τ ${spot.tau.toFixed(4)}`, reason: reason_of(workbench)};

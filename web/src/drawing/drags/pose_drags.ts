@@ -15,13 +15,15 @@ const halo_turn_deg = 30;
 
 /** Thirteen squares side by side, of a round size, make about an eighth of the poses' extent to each side. */
 export function halo_reach(poses: readonly Pose[]): number {
-  const step = poses_extent(poses) / 48, up = round_step(step);
-  const down = round_step(step / 2.5 * 1.0001);
+  const step = poses_extent(poses) / 48,
+    up = round_step(step);
+  const down = round_step((step / 2.5) * 1.0001);
   return 6 * (up / step < step / down ? up : down);
 }
 
 function begin(bench: Bench, target: PoseTarget, halo: "move" | "turn" | null): Pose {
-  const {workbench, scene} = bench, pose = scene.poses[target.pose];
+  const {workbench, scene} = bench,
+    pose = scene.poses[target.pose];
   workbench.begin_gesture();
   workbench.held_pose = target.pose;
   scene.held = target;
@@ -37,16 +39,28 @@ function tell(bench: Bench, at: Point, text: string): void {
 }
 /** The same pose, however it was changed meanwhile. */
 function changed(problem: Problem, index: number, change: (pose: Pose) => Pose): Problem {
-  return with_poses(problem, poses_of(problem.task).map((pose, i) => (i === index ? change(pose) : pose)));
+  return with_poses(
+    problem,
+    poses_of(problem.task).map((pose, i) => (i === index ? change(pose) : pose)),
+  );
 }
 
 export function move_drag(bench: Bench, target: PoseTarget, from: Point): Drag {
-  const {workbench, scene} = bench, start = begin(bench, target, "move"), way = new Way(scene, from);
+  const {workbench, scene} = bench,
+    start = begin(bench, target, "move"),
+    way = new Way(scene, from);
   return {
     cursor: "move",
     move(at, keys) {
-      const others = scene.poses.filter((_, i) => i !== target.pose), {x, y} = way.to(at, keys);
-      const {point, guides} = snapped_point([start.x, start.y], [start.x + x, start.y + y], grid(scene, others), keys, pixel(scene.view));
+      const others = scene.poses.filter((_, i) => i !== target.pose),
+        {x, y} = way.to(at, keys);
+      const {point, guides} = snapped_point(
+        [start.x, start.y],
+        [start.x + x, start.y + y],
+        grid(scene, others),
+        keys,
+        pixel(scene.view),
+      );
       scene.guides = guides;
       workbench.drag((problem) => with_pose(problem, target.pose, {x: point[0], y: point[1]}));
       tell(bench, at, point_note(point, scene.step, workbench.unit));
@@ -84,13 +98,21 @@ function near_deg(length: number): number {
 }
 
 export function turn_drag({workbench, scene}: Bench, target: PoseTarget, from: Point): Drag {
-  const bench = {workbench, scene}, start = begin(bench, target, "turn");
+  const bench = {workbench, scene},
+    start = begin(bench, target, "turn");
   const turning = new Turning(to_screen(scene.view, [start.x, start.y]), from);
   return {
     cursor: "grabbing",
     move(at, keys) {
-      const others = scene.poses.filter((_, i) => i !== target.pose).map((p) => p.theta_deg), length = turning.length(at);
-      const {angle} = snapped_angle(start.theta_deg + turning.to(at, keys), others, near_deg(length), grid(scene).on, keys);
+      const others = scene.poses.filter((_, i) => i !== target.pose).map((p) => p.theta_deg),
+        length = turning.length(at);
+      const {angle} = snapped_angle(
+        start.theta_deg + turning.to(at, keys),
+        others,
+        near_deg(length),
+        grid(scene).on,
+        keys,
+      );
       scene.arm = length;
       workbench.drag((problem) => with_pose(problem, target.pose, {theta_deg: angle}));
       tell(bench, at, `θ ${angle_note(angle)}`);
@@ -101,7 +123,9 @@ export function turn_drag({workbench, scene}: Bench, target: PoseTarget, from: P
 }
 
 export function velocity_drag(bench: Bench, target: PoseTarget, from: Point): Drag {
-  const {workbench, scene} = bench, start = begin(bench, target, null), along = travel_direction(start) ?? [1, 0];
+  const {workbench, scene} = bench,
+    start = begin(bench, target, null),
+    along = travel_direction(start) ?? [1, 0];
   const turning = new Turning(to_screen(scene.view, [start.x, start.y]), from);
   const first = (Math.atan2(-along[1], along[0]) * 180) / Math.PI;
   return {
@@ -122,7 +146,9 @@ export function curvature_drag(bench: Bench, target: PoseTarget): Drag {
   return {
     cursor: "grabbing",
     move(at) {
-      const pose = scene.poses[target.pose], along = travel_direction(pose), origin = to_screen(scene.view, [pose.x, pose.y]);
+      const pose = scene.poses[target.pose],
+        along = travel_direction(pose),
+        origin = to_screen(scene.view, [pose.x, pose.y]);
       if (!along) return;
       const rise = (at[0] - origin[0]) * along[1] - (at[1] - origin[1]) * along[0];
       const raw = (2 * rise * scene.view.scale) / curvature_reach ** 2;

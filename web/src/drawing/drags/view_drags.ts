@@ -17,7 +17,9 @@ export function pan_drag({scene}: Bench, from: Point): Drag {
   };
 }
 export function picture_drag(bench: Bench, from: Point): Drag | null {
-  const {workbench, scene} = bench, background = workbench.problem.view?.background, way = new Way(scene, from);
+  const {workbench, scene} = bench,
+    background = workbench.problem.view?.background,
+    way = new Way(scene, from);
   if (!background) return null;
   workbench.begin_gesture();
   return {
@@ -25,7 +27,9 @@ export function picture_drag(bench: Bench, from: Point): Drag | null {
     move(at, keys) {
       const {x, y} = way.to(at, keys);
       scene.marks = [];
-      workbench.drag((problem) => with_view(problem, {background: {...background, x: background.x + x, y: background.y + y}}));
+      workbench.drag((problem) =>
+        with_view(problem, {background: {...background, x: background.x + x, y: background.y + y}}),
+      );
     },
     end: () => finish(bench, true),
     cancel: () => finish(bench, false),

@@ -18,7 +18,9 @@ export interface Dial {
   zero_deg: number; // direction of the dial's zero
   marks: Mark[];
 }
-const most_radius = 58, least_radius = 26, share = 0.42; // of the way between the pivots
+const most_radius = 58,
+  least_radius = 26,
+  share = 0.42; // of the way between the pivots
 const sides = ["input", "output"] as const;
 
 /** While a mark is dragged its dial keeps still. */
@@ -31,7 +33,9 @@ export function release_dials(scene: Scene): void {
 }
 
 function zero_of({workbench}: Scene, side: Side): number {
-  const {hand} = workbench, link = hand?.[side], first = hand?.function?.pairs[0]?.[side === "input" ? 0 : 1];
+  const {hand} = workbench,
+    link = hand?.[side],
+    first = hand?.function?.pairs[0]?.[side === "input" ? 0 : 1];
   if (!link?.center || !link.circle || first === undefined) return 0;
   return (Math.atan2(link.circle[1] - link.center[1], link.circle[0] - link.center[0]) * 180) / Math.PI - first;
 }
@@ -40,12 +44,15 @@ export function on_dial(center: Point, radius: number, direction_deg: number): P
   return [center[0] + radius * Math.cos(angle), center[1] - radius * Math.sin(angle)];
 }
 export function dials_of(scene: Scene): Dial[] {
-  const {workbench, view} = scene, pivots = ground_pivots_of(function_of(workbench.problem)), pairs = pairs_in_hand(workbench);
+  const {workbench, view} = scene,
+    pivots = ground_pivots_of(function_of(workbench.problem)),
+    pairs = pairs_in_hand(workbench);
   const at = {input: to_screen(view, pivots.input), output: to_screen(view, pivots.output)};
   const apart = Math.hypot(at.input[0] - at.output[0], at.input[1] - at.output[1]);
   const radius = Math.min(Math.max(share * apart, least_radius), most_radius);
   return sides.map((side) => {
-    const zero_deg = held_zeros.get(scene)?.[side] ?? zero_of(scene, side), center = at[side];
+    const zero_deg = held_zeros.get(scene)?.[side] ?? zero_of(scene, side),
+      center = at[side];
     const mark = (pair: DialPair, index: number): Mark => {
       const angle_deg = pair[side === "input" ? 0 : 1];
       return {pair: index, side, angle_deg, at: on_dial(center, radius, zero_deg + angle_deg)};

@@ -4,6 +4,7 @@
 export function wrong_from(message: string, formula: string): {right: string; rest: string} | null {
   const at = /from character (\d+) on/.exec(message);
   if (!at) return null;
-  const characters = [...formula], understood = Number(at[1]) - 1;
+  const characters = [...formula],
+    understood = Number(at[1]) - 1;
   return {right: characters.slice(0, understood).join(""), rest: characters.slice(understood).join("")};
 }

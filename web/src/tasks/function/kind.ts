@@ -2,7 +2,16 @@
 import type {Point} from "../../engine/protocol";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
-import {diagonal_of, pattern_of, position_count, type AnglePair, type FreeNumber, type FunctionTask, type NamedFunction, type Range} from "../../state/task";
+import {
+  diagonal_of,
+  pattern_of,
+  position_count,
+  type AnglePair,
+  type FreeNumber,
+  type FunctionTask,
+  type NamedFunction,
+  type Range,
+} from "../../state/task";
 import {significant} from "../../texts/numbers";
 import type {TaskKind} from "../kind";
 
@@ -11,7 +20,10 @@ const most_pairs = 10_000;
 function read_pair(value: unknown): AnglePair | null {
   if (!is_object(value) || !is_number(value.input_deg) || !is_number(value.output_deg)) return null;
   const {input_deg, output_deg} = value;
-  const rates = (item: unknown) => (is_object(item) && is_number(item.input) && is_number(item.output) ? {input: item.input, output: item.output} : null);
+  const rates = (item: unknown) =>
+    is_object(item) && is_number(item.input) && is_number(item.output)
+      ? {input: item.input, output: item.output}
+      : null;
   const derivatives = read_list(value.derivatives, rates, 4);
   return {input_deg, output_deg, ...(derivatives?.length ? {derivatives} : {})};
 }
@@ -20,31 +32,49 @@ function read_range(value: unknown): Range | null {
 }
 function read_function(value: unknown): NamedFunction | null {
   if (!is_object(value)) return null;
-  const input_range_deg = read_range(value.input_range_deg), output_range_deg = read_range(value.output_range_deg);
+  const input_range_deg = read_range(value.input_range_deg),
+    output_range_deg = read_range(value.output_range_deg);
   if (!input_range_deg || !output_range_deg) return null;
   const {interpolation, spacing} = value;
   return {
-    input_range_deg, output_range_deg,
+    input_range_deg,
+    output_range_deg,
     ...present({
       expression: typeof value.expression === "string" ? value.expression : null,
-      table: read_list(value.table, read_range, Infinity), x: read_range(value.x), y: read_range(value.y),
+      table: read_list(value.table, read_range, Infinity),
+      x: read_range(value.x),
+      y: read_range(value.y),
       interpolation: interpolation === "linear" || interpolation === "monotone_cubic" ? interpolation : null,
       points: is_number(value.points) ? value.points : null,
-      spacing: spacing === "chebyshev" || spacing === "even" ? spacing : read_list(spacing, (x) => (is_number(x) ? x : null), 5),
+      spacing:
+        spacing === "chebyshev" || spacing === "even"
+          ? spacing
+          : read_list(spacing, (x) => (is_number(x) ? x : null), 5),
     }),
   } as NamedFunction;
 }
 function read_free(value: unknown): FreeNumber | null {
   if (!is_object(value) || (value.number !== "output_scale" && value.number !== "pair_output")) return null;
-  return {number: value.number, ...present({pair: is_number(value.pair) ? value.pair : null, range: read_range(value.range)})} as FreeNumber;
+  return {
+    number: value.number,
+    ...present({pair: is_number(value.pair) ? value.pair : null, range: read_range(value.range)}),
+  } as FreeNumber;
 }
 function read(value: Object): FunctionTask | null {
   if (value.kind !== "function" || value.mechanism !== "four_bar") return null;
-  const pairs = read_list(value.pairs, read_pair, most_pairs), of = read_function(value.function);
+  const pairs = read_list(value.pairs, read_pair, most_pairs),
+    of = read_function(value.function);
   if (!pairs && !of) return null;
   const pivots = value.ground_pivots;
-  const ground_pivots = is_object(pivots) && is_pair(pivots.input) && is_pair(pivots.output) ? {input: pivots.input, output: pivots.output} : null;
-  return {kind: "function", mechanism: "four_bar", ...present({pairs: of ? null : pairs, function: of, ground_pivots, free: read_free(value.free)})} as FunctionTask;
+  const ground_pivots =
+    is_object(pivots) && is_pair(pivots.input) && is_pair(pivots.output)
+      ? {input: pivots.input, output: pivots.output}
+      : null;
+  return {
+    kind: "function",
+    mechanism: "four_bar",
+    ...present({pairs: of ? null : pairs, function: of, ground_pivots, free: read_free(value.free)}),
+  } as FunctionTask;
 }
 
 export function ground_pivots_of({ground_pivots}: FunctionTask): {input: Point; output: Point} {
@@ -59,8 +89,18 @@ export function x_range_of({x, table}: NamedFunction): Range | undefined {
 }
 /** A square over the angles of the pairs. */
 export function fresh_function(pairs: readonly AnglePair[]): NamedFunction {
-  const range = (key: "input_deg" | "output_deg"): Range => [pairs[0]?.[key] ?? 0, pairs.length > 1 ? pairs[pairs.length - 1][key] : 60];
-  return {expression: "x^2", x: [0, 1], input_range_deg: range("input_deg"), output_range_deg: range("output_deg"), points: Math.min(Math.max(pairs.length, 4), 5), spacing: "chebyshev"};
+  const range = (key: "input_deg" | "output_deg"): Range => [
+    pairs[0]?.[key] ?? 0,
+    pairs.length > 1 ? pairs[pairs.length - 1][key] : 60,
+  ];
+  return {
+    expression: "x^2",
+    x: [0, 1],
+    input_range_deg: range("input_deg"),
+    output_range_deg: range("output_deg"),
+    points: Math.min(Math.max(pairs.length, 4), 5),
+    spacing: "chebyshev",
+  };
 }
 function default_max_length({task}: Problem): number {
   const {input, output} = ground_pivots_of(task as FunctionTask);
@@ -68,8 +108,14 @@ function default_max_length({task}: Problem): number {
 }
 function new_problem(): Problem {
   const task: FunctionTask = {
-    kind: "function", mechanism: "four_bar",
-    pairs: [{input_deg: 0, output_deg: 0}, {input_deg: 20, output_deg: 12}, {input_deg: 40, output_deg: 31}, {input_deg: 60, output_deg: 60}],
+    kind: "function",
+    mechanism: "four_bar",
+    pairs: [
+      {input_deg: 0, output_deg: 0},
+      {input_deg: 20, output_deg: 12},
+      {input_deg: 40, output_deg: 31},
+      {input_deg: 60, output_deg: 60},
+    ],
     ground_pivots: {input: [0, 0], output: [100, 0]},
   };
   const problem: Problem = {linkwright: 1, title: "", length_unit: "mm", task};
@@ -90,24 +136,52 @@ export const function_kind: TaskKind<FunctionTask> = {
   is_mixed: ({pairs}) => (pairs ?? []).some((pair) => pair.derivatives?.length),
   anchors: (task) => Object.values(ground_pivots_of(task)),
   around(task) {
-    const pivots = Object.values(ground_pivots_of(task)), room = 0.5 * diagonal_of(pivots);
-    return pivots.flatMap(([x, y]): Point[] => [[x - room, y], [x + room, y], [x, y - room], [x, y + room]]);
+    const pivots = Object.values(ground_pivots_of(task)),
+      room = 0.5 * diagonal_of(pivots);
+    return pivots.flatMap(([x, y]): Point[] => [
+      [x - room, y],
+      [x + room, y],
+      [x, y - room],
+      [x, y + room],
+    ]);
   },
   default_max_length,
   map_of: (task) => `function ${position_count_of(task)} ${task.free?.number ?? ""}`,
-  moved: (task, point) => ({...task, ground_pivots: {input: point(ground_pivots_of(task).input), output: point(ground_pivots_of(task).output)}}),
+  moved: (task, point) => ({
+    ...task,
+    ground_pivots: {input: point(ground_pivots_of(task).input), output: point(ground_pivots_of(task).output)},
+  }),
   properties: ({function: named, free}) => (named && !free ? ["max_structural_error_deg"] : []),
   objectives: ({function: named}) => (named ? ["structural_error"] : []),
   table({pairs, function: named}) {
-    if (!named) return {head: ["φ °", "ψ °"], rows: (pairs ?? []).map((pair) => [significant(pair.input_deg, 7), significant(pair.output_deg, 7)])};
+    if (!named)
+      return {
+        head: ["φ °", "ψ °"],
+        rows: (pairs ?? []).map((pair) => [significant(pair.input_deg, 7), significant(pair.output_deg, 7)]),
+      };
     const range = (ends: Range | undefined) => ends?.map((end) => significant(end, 7)).join(" … ") ?? "";
-    return {head: ["y", "x", "φ °", "ψ °"], rows: [[named.expression ?? "y(x)", range(x_range_of(named)), range(named.input_range_deg), range(named.output_range_deg)]]};
+    return {
+      head: ["y", "x", "φ °", "ψ °"],
+      rows: [
+        [
+          named.expression ?? "y(x)",
+          range(x_range_of(named)),
+          range(named.input_range_deg),
+          range(named.output_range_deg),
+        ],
+      ],
+    };
   },
   texts: {
-    "notice.branch_defect": "function.branch_defect", "notice.change_point_defect": "function.change_point_defect",
-    "notice.circuit_defect": "function.circuit_defect", "notice.direction_defect": "function.direction_defect",
-    "notice.order_defect": "function.order_defect", "state.none_defect_free": "function.none_defect_free",
-    "notice.every_point": "function.every_point", "notice.dependent_rows": "function.dependent_rows", "notice.ill_conditioned": "function.ill_conditioned",
+    "notice.branch_defect": "function.branch_defect",
+    "notice.change_point_defect": "function.change_point_defect",
+    "notice.circuit_defect": "function.circuit_defect",
+    "notice.direction_defect": "function.direction_defect",
+    "notice.order_defect": "function.order_defect",
+    "state.none_defect_free": "function.none_defect_free",
+    "notice.every_point": "function.every_point",
+    "notice.dependent_rows": "function.dependent_rows",
+    "notice.ill_conditioned": "function.ill_conditioned",
   },
   beginnings: [{id: "function", name: "new.function", about: "new.function_about", make: new_problem}],
 };

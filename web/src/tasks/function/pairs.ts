@@ -16,12 +16,20 @@ export function function_of(problem: Problem): FunctionTask {
 }
 /** Given ones as they are; those of a named function as the engine has found them. */
 export function pairs_of({problem, task}: Workbench): readonly AnglePair[] {
-  return function_of(problem).pairs ?? (task?.function?.pairs ?? []).map(([input_deg, output_deg]) => ({input_deg, output_deg}));
+  return (
+    function_of(problem).pairs ??
+    (task?.function?.pairs ?? []).map(([input_deg, output_deg]) => ({input_deg, output_deg}))
+  );
 }
 /** With the free number as it is in the linkage in hand. */
 export function pairs_in_hand(workbench: Workbench): DialPair[] {
-  const own = pairs_of(workbench), made = workbench.hand?.function?.pairs, free = function_of(workbench.problem).free;
-  return own.map(({input_deg, output_deg}, j) => [input_deg, free && made?.length === own.length ? made[j][1] : output_deg]);
+  const own = pairs_of(workbench),
+    made = workbench.hand?.function?.pairs,
+    free = function_of(workbench.problem).free;
+  return own.map(({input_deg, output_deg}, j) => [
+    input_deg,
+    free && made?.length === own.length ? made[j][1] : output_deg,
+  ]);
 }
 
 /** Given pairs take the place of a named function. */
@@ -44,21 +52,45 @@ function without_foreign_free(task: FunctionTask): FunctionTask {
   return rest;
 }
 /** A step that says so where it leaves no room for the number that was free. */
-export function edit_angles(workbench: Workbench, change: (problem: Problem) => Problem, merge: string | null = null): void {
+export function edit_angles(
+  workbench: Workbench,
+  change: (problem: Problem) => Problem,
+  merge: string | null = null,
+): void {
   const had_free = function_of(workbench.problem).free !== undefined;
   workbench.edit(change, merge);
-  if (had_free && !function_of(workbench.problem).free) workbench.say("function.free_dropped", {}, {key: "edit.undo", run: () => workbench.undo()});
+  if (had_free && !function_of(workbench.problem).free)
+    workbench.say("function.free_dropped", {}, {key: "edit.undo", run: () => workbench.undo()});
 }
-export function with_pair(problem: Problem, pairs: readonly AnglePair[], index: number, change: Partial<AnglePair>): Problem {
-  return with_pairs(problem, pairs.map((pair, i) => (i === index ? {...pair, ...change} : pair)));
+export function with_pair(
+  problem: Problem,
+  pairs: readonly AnglePair[],
+  index: number,
+  change: Partial<AnglePair>,
+): Problem {
+  return with_pairs(
+    problem,
+    pairs.map((pair, i) => (i === index ? {...pair, ...change} : pair)),
+  );
 }
-export function with_ground_pivot(problem: Problem, pivots: {input: Point; output: Point}, side: Side, place: Point): Problem {
+export function with_ground_pivot(
+  problem: Problem,
+  pivots: {input: Point; output: Point},
+  side: Side,
+  place: Point,
+): Problem {
   return with_task(problem, {...function_of(problem), ground_pivots: {...pivots, [side]: place}});
 }
 
 /** Where the output's dial is stretched, what is read off it is the pair's angle stretched. */
-export function unstretched(own: readonly AnglePair[], shown: readonly DialPair[], index: number, value: number): number {
-  const first = own[0].output_deg, travel = shown[index][1] - first;
+export function unstretched(
+  own: readonly AnglePair[],
+  shown: readonly DialPair[],
+  index: number,
+  value: number,
+): number {
+  const first = own[0].output_deg,
+    travel = shown[index][1] - first;
   return Math.abs(travel) < 1e-9 ? value : first + ((value - first) * (own[index].output_deg - first)) / travel;
 }
 
@@ -67,10 +99,15 @@ export function unstretched(own: readonly AnglePair[], shown: readonly DialPair[
 /** dψ/dφ, d²ψ/dφ², … as derivatives by the input angle, as many as are given. */
 export function with_rates(pair: AnglePair, rates: readonly number[]): AnglePair {
   const {derivatives: _, ...plain} = pair;
-  return rates.length === 0 ? plain : {...plain, derivatives: rates.map((output, order) => ({input: order === 0 ? 1 : 0, output}))};
+  return rates.length === 0
+    ? plain
+    : {...plain, derivatives: rates.map((output, order) => ({input: order === 0 ? 1 : 0, output}))};
 }
 export function rates_of({derivatives = []}: AnglePair): number[] {
-  return by_parameter(derivatives.map((d) => d.output), derivatives.map((d) => d.input));
+  return by_parameter(
+    derivatives.map((d) => d.output),
+    derivatives.map((d) => d.input),
+  );
 }
 
 // ---- rows of two numbers -----------------------------------------------------------------------------------------
@@ -81,10 +118,13 @@ export function rows_of(text: string): Point[] | null {
 }
 /** Two numbers without any finesse in each line, as programs write them: 200,000 rows in the blink of an eye. */
 function plain_rows(text: string): Point[] | null {
-  const row = /[ \t]*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(?:[ \t]*[,;\t][ \t]*|[ \t]+)([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[ \t]*(?:[\r\n]+|$)/y;
+  const row =
+    /[ \t]*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(?:[ \t]*[,;\t][ \t]*|[ \t]+)([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[ \t]*(?:[\r\n]+|$)/y;
   const rows: Point[] = [];
   while (row.lastIndex < text.length) {
-    const found = row.exec(text), x = Number(found?.[1]), y = Number(found?.[2]);
+    const found = row.exec(text),
+      x = Number(found?.[1]),
+      y = Number(found?.[2]);
     if (!found || Math.abs(x) > largest_number || Math.abs(y) > largest_number) return null;
     rows.push([x === 0 ? 0 : x, y === 0 ? 0 : y]);
   }

@@ -6,6 +6,12 @@ import Editor from "./Editor.svelte";
 import FunctionNumbers from "./FunctionNumbers.svelte";
 
 export const function_view: TaskView = {
-  Editor, Layer: DialLayer, handles: dial_handles, Numbers: FunctionNumbers,
-  plots: (task) => ((task as FunctionTask).function ? ["error", "transmission", "output", "velocity", "advantage"] : ["output", "transmission", "velocity", "advantage"]),
+  Editor,
+  Layer: DialLayer,
+  handles: dial_handles,
+  Numbers: FunctionNumbers,
+  plots: (task) =>
+    (task as FunctionTask).function
+      ? ["error", "transmission", "output", "velocity", "advantage"]
+      : ["output", "transmission", "velocity", "advantage"],
 };

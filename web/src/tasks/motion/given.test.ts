@@ -3,11 +3,27 @@ import type {Linkage} from "../../engine/protocol";
 import {with_poses, type Problem} from "../../state/problem";
 import {poses_of, with_task_poses, type Given, type MotionTask} from "../../state/task";
 import {freeable, freed_of, with_freed} from "./freed";
-import {form_of, free_numbers, fresh_given, GivenMemory, given_forms, given_of, has_form, lengths_of, memory_of, takes_given, with_given, with_length} from "./given";
+import {
+  form_of,
+  free_numbers,
+  fresh_given,
+  GivenMemory,
+  given_forms,
+  given_of,
+  has_form,
+  lengths_of,
+  memory_of,
+  takes_given,
+  with_given,
+  with_length,
+} from "./given";
 import {motion_kind, new_problem} from "./kind";
 
-const four = new_problem(), three = with_poses(four, poses_of(four.task).slice(1));
-const [{problem: five}] = motion_kind.beginnings.filter(({id}) => id === "five_positions").map((beginning) => ({problem: beginning.make()}));
+const four = new_problem(),
+  three = with_poses(four, poses_of(four.task).slice(1));
+const [{problem: five}] = motion_kind.beginnings
+  .filter(({id}) => id === "five_positions")
+  .map((beginning) => ({problem: beginning.make()}));
 const travel = [{x: 1, y: 0, theta: 0}];
 
 describe("what is given beside three positions", () => {
@@ -28,26 +44,33 @@ describe("what is given beside three positions", () => {
     expect(fresh_given("side_lengths", three, hand)).toEqual({side_lengths: [12.3, 78.9]});
   });
   it("keeps its numbers to the last digit from two lengths to one and back, whatever the linkage in hand has", () => {
-    const memory = new GivenMemory(), hand = {input: {length: 12.3456}, output: {length: 313.4}} as Linkage;
-    const two = with_given(three, {side_lengths: [200.123456, 320]}), one = with_given(three, memory.chosen("side_length", two, hand));
+    const memory = new GivenMemory(),
+      hand = {input: {length: 12.3456}, output: {length: 313.4}} as Linkage;
+    const two = with_given(three, {side_lengths: [200.123456, 320]}),
+      one = with_given(three, memory.chosen("side_length", two, hand));
     expect(given_of(one)).toEqual({side_length: 200.123456});
     expect(memory.chosen("side_lengths", one, hand)).toEqual({side_lengths: [200.123456, 320]});
-    expect(memory.chosen("side_lengths", with_given(three, {side_length: 210}), hand)).toEqual({side_lengths: [210, 320]}); // R₁ was changed meanwhile
+    expect(memory.chosen("side_lengths", with_given(three, {side_length: 210}), hand)).toEqual({
+      side_lengths: [210, 320],
+    }); // R₁ was changed meanwhile
     expect(new GivenMemory().chosen("side_lengths", one, hand)).toEqual({side_lengths: [200.123456, 313]});
     const angle = with_given(three, memory.chosen("side_angle", one, hand));
     expect(given_of(angle)).toEqual({side_angle_deg: 60, directed: true});
     expect(memory.chosen("side_lengths", angle, hand)).toEqual({side_lengths: [200.123456, 320]});
   });
   it("is remembered as long as the task is open", () => {
-    const workbench = {opened: 1}, memory = memory_of(workbench);
+    const workbench = {opened: 1},
+      memory = memory_of(workbench);
     expect(memory_of(workbench)).toBe(memory);
     workbench.opened = 2;
     expect(memory_of(workbench)).not.toBe(memory);
   });
   it("leaves so many numbers free, and a length that is open can be set", () => {
     const all: [Given, number, Given][] = [
-      [{side_lengths: [1, 2]}, 2, {side_lengths: [1, 9]}], [{side_length: 1}, 3, {side_lengths: [1, 9]}],
-      [{side_angle_deg: 30}, 3, {side_angle_deg: 30}], [{side_angle_deg: 30, input_length: 4}, 2, {side_angle_deg: 30, input_length: 4}],
+      [{side_lengths: [1, 2]}, 2, {side_lengths: [1, 9]}],
+      [{side_length: 1}, 3, {side_lengths: [1, 9]}],
+      [{side_angle_deg: 30}, 3, {side_angle_deg: 30}],
+      [{side_angle_deg: 30, input_length: 4}, 2, {side_angle_deg: 30, input_length: 4}],
       [{instant_center: [0, 1]}, 2, {instant_center: [0, 1]}],
     ];
     for (const [given, free, longer] of all) {
@@ -69,9 +92,15 @@ describe("a freed position", () => {
     expect(motion_kind.stops(freed.task as MotionTask)).toBe(4);
   });
   it("goes with the fifth position", () => {
-    const poses = poses_of(five.task), freed = with_freed(five, 5) as Problem;
+    const poses = poses_of(five.task),
+      freed = with_freed(five, 5) as Problem;
     expect(with_task_poses(freed.task, poses.slice(1))).not.toHaveProperty("freed_pose");
-    expect(with_task_poses(freed.task, poses.map((p) => ({...p, x: p.x + 1})))).toHaveProperty("freed_pose", 5);
+    expect(
+      with_task_poses(
+        freed.task,
+        poses.map((p) => ({...p, x: p.x + 1})),
+      ),
+    ).toHaveProperty("freed_pose", 5);
     const mixed = poses.slice(1).map((p, i) => (i === 3 ? {...p, derivatives: travel} : p));
     expect(freeable(with_poses(five, mixed))).toEqual([1, 2, 3]);
     expect(with_task_poses({...freed.task, freed_pose: 4} as MotionTask, mixed)).not.toHaveProperty("freed_pose");

@@ -7,7 +7,13 @@ export const given_forms = ["side_lengths", "side_length", "side_angle", "instan
 export type GivenForm = (typeof given_forms)[number];
 
 export function form_of(given: Given): GivenForm {
-  return "side_lengths" in given ? "side_lengths" : "side_length" in given ? "side_length" : "side_angle_deg" in given ? "side_angle" : "instant_center";
+  return "side_lengths" in given
+    ? "side_lengths"
+    : "side_length" in given
+      ? "side_length"
+      : "side_angle_deg" in given
+        ? "side_angle"
+        : "instant_center";
 }
 export function given_of({task}: Problem): Given | null {
   return (task as MotionTask).given ?? null;
@@ -25,7 +31,11 @@ export function has_form({task}: Problem, form: GivenForm): boolean {
 
 /** A form to start from: what is given already, else as the linkage in hand has it, else of the task's size. */
 export function fresh_given(form: GivenForm, problem: Problem, hand: Linkage | null): Given {
-  const poses = poses_of(problem.task), size = poses_extent(poses), [{x, y}] = poses, given = given_of(problem), known = given ? lengths_of(given) : {};
+  const poses = poses_of(problem.task),
+    size = poses_extent(poses),
+    [{x, y}] = poses,
+    given = given_of(problem),
+    known = given ? lengths_of(given) : {};
   const length = (side: Side) => known[side] ?? Number((hand?.[side].length ?? round_step(0.5 * size)).toPrecision(3));
   if (form === "side_lengths") return {side_lengths: [length("input"), length("output")]};
   if (form === "side_length") return {side_length: length("input")};
@@ -40,8 +50,10 @@ export function lengths_of(given: Given): Partial<Record<Side, number | null>> {
   return "side_angle_deg" in given ? {input: given.input_length ?? null} : {};
 }
 export function with_length(given: Given, side: Side, length: number): Given {
-  if ("side_lengths" in given) return {side_lengths: side === "input" ? [length, given.side_lengths[1]] : [given.side_lengths[0], length]};
-  if ("side_length" in given) return side === "input" ? {side_length: length} : {side_lengths: [given.side_length, length]};
+  if ("side_lengths" in given)
+    return {side_lengths: side === "input" ? [length, given.side_lengths[1]] : [given.side_lengths[0], length]};
+  if ("side_length" in given)
+    return side === "input" ? {side_length: length} : {side_lengths: [given.side_length, length]};
   return "side_angle_deg" in given ? {...given, input_length: length} : given;
 }
 
@@ -52,16 +64,20 @@ export class GivenMemory {
   chosen(form: GivenForm, problem: Problem, hand: Linkage | null): Given {
     const now = given_of(problem);
     if (now) this.left.set(form_of(now), now);
-    const before = this.left.get(form), input = now ? lengths_of(now).input : null;
+    const before = this.left.get(form),
+      input = now ? lengths_of(now).input : null;
     if (!before) return fresh_given(form, problem, hand);
-    return typeof input === "number" && typeof lengths_of(before).input === "number" ? with_length(before, "input", input) : before;
+    return typeof input === "number" && typeof lengths_of(before).input === "number"
+      ? with_length(before, "input", input)
+      : before;
   }
 }
 
 const memories = new WeakMap<object, {opened: number; memory: GivenMemory}>();
 /** Of the task that is open: another begins with nothing. */
 export function memory_of(workbench: {opened: number}): GivenMemory {
-  const known = memories.get(workbench), {opened} = workbench;
+  const known = memories.get(workbench),
+    {opened} = workbench;
   if (known?.opened === opened) return known.memory;
   const memory = new GivenMemory();
   memories.set(workbench, {opened, memory});
@@ -70,7 +86,14 @@ export function memory_of(workbench: {opened: number}): GivenMemory {
 
 /** Three positions leave four numbers free. */
 export function free_numbers(given: Given): number {
-  const taken = "side_lengths" in given || "instant_center" in given ? 2 : "side_length" in given ? 1 : given.input_length === undefined ? 1 : 2;
+  const taken =
+    "side_lengths" in given || "instant_center" in given
+      ? 2
+      : "side_length" in given
+        ? 1
+        : given.input_length === undefined
+          ? 1
+          : 2;
   return 4 - taken;
 }
 

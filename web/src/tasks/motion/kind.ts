@@ -2,7 +2,15 @@
 import type {Point} from "../../engine/protocol";
 import {outline_of, placed, with_requirements, type Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
-import {diagonal_of, pattern_of, position_count, served_poses, type Given, type MotionTask, type Pose} from "../../state/task";
+import {
+  diagonal_of,
+  pattern_of,
+  position_count,
+  served_poses,
+  type Given,
+  type MotionTask,
+  type Pose,
+} from "../../state/task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
 import {form_of} from "./given";
@@ -12,8 +20,15 @@ const most_poses = 10_000; // the engine takes five; what was typed is kept unti
 export function read_pose(value: unknown): Pose | null {
   if (!is_object(value) || !is_number(value.x) || !is_number(value.y) || !is_number(value.theta_deg)) return null;
   const {x, y, theta_deg, derivatives} = value;
-  const known = Array.isArray(derivatives) ? derivatives.filter((d): d is {x: number; y: number; theta: number} => is_object(d) && is_number(d.x) && is_number(d.y) && is_number(d.theta)) : [];
-  return known.length ? {x, y, theta_deg, derivatives: known.map((d) => ({x: d.x, y: d.y, theta: d.theta}))} : {x, y, theta_deg};
+  const known = Array.isArray(derivatives)
+    ? derivatives.filter(
+        (d): d is {x: number; y: number; theta: number} =>
+          is_object(d) && is_number(d.x) && is_number(d.y) && is_number(d.theta),
+      )
+    : [];
+  return known.length
+    ? {x, y, theta_deg, derivatives: known.map((d) => ({x: d.x, y: d.y, theta: d.theta}))}
+    : {x, y, theta_deg};
 }
 export function read_poses(value: unknown): Pose[] | null {
   return read_list(value, read_pose, most_poses);
@@ -24,9 +39,13 @@ function read_given(value: unknown): Given | null {
   if (is_number(value.side_length)) return {side_length: value.side_length};
   if (is_number(value.side_angle_deg)) {
     const directed = typeof value.directed === "boolean" ? value.directed : null;
-    return {side_angle_deg: value.side_angle_deg, ...present({directed, input_length: is_number(value.input_length) ? value.input_length : null})};
+    return {
+      side_angle_deg: value.side_angle_deg,
+      ...present({directed, input_length: is_number(value.input_length) ? value.input_length : null}),
+    };
   }
-  if (is_pair(value.instant_center)) return {instant_center: value.instant_center, ...(value.at_infinity === true ? {at_infinity: true} : {})};
+  if (is_pair(value.instant_center))
+    return {instant_center: value.instant_center, ...(value.at_infinity === true ? {at_infinity: true} : {})};
   return null;
 }
 function read(value: Object): MotionTask | null {
@@ -37,7 +56,12 @@ function read(value: Object): MotionTask | null {
 }
 
 function motion_problem(poses: Pose[], given?: Given): Problem {
-  const problem: Problem = {linkwright: 1, title: "", length_unit: "mm", task: {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})}};
+  const problem: Problem = {
+    linkwright: 1,
+    title: "",
+    length_unit: "mm",
+    task: {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})},
+  };
   return with_requirements(problem, {min_transmission_angle_deg: 30, max_length: default_max_length(problem)});
 }
 export function default_max_length(problem: Problem): number {
@@ -47,7 +71,10 @@ export function default_max_length(problem: Problem): number {
 }
 
 const some_poses: Pose[] = [
-  {x: 0, y: 0, theta_deg: 0}, {x: -60, y: 80, theta_deg: 20}, {x: -80, y: 190, theta_deg: 50}, {x: -40, y: 300, theta_deg: 85},
+  {x: 0, y: 0, theta_deg: 0},
+  {x: -60, y: 80, theta_deg: 20},
+  {x: -80, y: 190, theta_deg: 50},
+  {x: -40, y: 300, theta_deg: 85},
 ];
 /** The best known: four positions. */
 export function new_problem(): Problem {
@@ -55,12 +82,25 @@ export function new_problem(): Problem {
 }
 const beginnings: Beginning[] = [
   {id: "four_positions", name: "new.four_positions", about: "new.four_positions_about", make: new_problem},
-  {id: "three_positions", name: "new.three_positions", about: "new.three_positions_about",
-    make: () => motion_problem([some_poses[0], some_poses[1], some_poses[3]], {side_lengths: [200, 250]})},
-  {id: "five_positions", name: "new.five_positions", about: "new.five_positions_about", make: () => motion_problem(five_poses)},
+  {
+    id: "three_positions",
+    name: "new.three_positions",
+    about: "new.three_positions_about",
+    make: () => motion_problem([some_poses[0], some_poses[1], some_poses[3]], {side_lengths: [200, 250]}),
+  },
+  {
+    id: "five_positions",
+    name: "new.five_positions",
+    about: "new.five_positions_about",
+    make: () => motion_problem(five_poses),
+  },
 ];
 const five_poses: Pose[] = [
-  {x: 0, y: 0, theta_deg: 0}, {x: -20, y: 70, theta_deg: 15}, {x: -60, y: 140, theta_deg: 32}, {x: -80, y: 220, theta_deg: 54}, {x: -40, y: 300, theta_deg: 85},
+  {x: 0, y: 0, theta_deg: 0},
+  {x: -20, y: 70, theta_deg: 15},
+  {x: -60, y: 140, theta_deg: 32},
+  {x: -80, y: 220, theta_deg: 54},
+  {x: -40, y: 300, theta_deg: 85},
 ];
 
 export const motion_kind: TaskKind<MotionTask> = {
@@ -79,9 +119,13 @@ export const motion_kind: TaskKind<MotionTask> = {
   is_mixed: ({poses}) => poses.some((pose) => pose.derivatives?.length),
   anchors: ({poses}) => poses.map((pose): Point => [pose.x, pose.y]),
   default_max_length,
-  map_of: ({poses, given, freed_pose}) => `motion ${freed_pose === undefined ? position_count(poses) : "freed"} ${given ? form_of(given) + ("directed" in given ? given.directed : "") : ""}`,
+  map_of: ({poses, given, freed_pose}) =>
+    `motion ${freed_pose === undefined ? position_count(poses) : "freed"} ${given ? form_of(given) + ("directed" in given ? given.directed : "") : ""}`,
   properties: ({freed_pose}) => (freed_pose === undefined ? [] : ["pose_miss"]),
-  moved: (task, point) => (task.given && "instant_center" in task.given ? {...task, given: {...task.given, instant_center: point(task.given.instant_center)}} : task),
+  moved: (task, point) =>
+    task.given && "instant_center" in task.given
+      ? {...task, given: {...task.given, instant_center: point(task.given.instant_center)}}
+      : task,
   table: ({poses}, unit) => pose_table(poses, unit),
   beginnings,
 };

@@ -4,7 +4,17 @@ import {carrier_of} from "../../drawing/carrier";
 import {body_point, placed} from "../../state/problem";
 import type {Problem} from "../../state/problem";
 import {incompleteness} from "../kinds";
-import {default_box, elbow_of, elbows, guided_hinges, row_of, rows, with_hinge, with_other_elbow, with_six_bar} from "./chain";
+import {
+  default_box,
+  elbow_of,
+  elbows,
+  guided_hinges,
+  row_of,
+  rows,
+  with_hinge,
+  with_other_elbow,
+  with_six_bar,
+} from "./chain";
 import {six_bar_kind} from "./kind";
 import {round_of, rounds_of} from "./search.svelte";
 
@@ -30,13 +40,22 @@ describe("the chain", () => {
     expect(with_hinge(chain, "b", [5, -5])).not.toHaveProperty("elbow");
   });
   it("has its last hinge on the body", () => {
-    const [first, second] = guided_hinges(with_six_bar(problem, {poses: [{x: 0, y: 0, theta_deg: 0}, {x: 1, y: 2, theta_deg: 90}], chain}));
+    const [first, second] = guided_hinges(
+      with_six_bar(problem, {
+        poses: [
+          {x: 0, y: 0, theta_deg: 0},
+          {x: 1, y: 2, theta_deg: 90},
+        ],
+        chain,
+      }),
+    );
     expect(first).toEqual([10, 0]);
     expect(second[0]).toBeCloseTo(1, 12);
     expect(second[1]).toBeCloseTo(12, 12);
   });
   it("is missing in a task that is searched, and needs four positions", () => {
-    const state = (change: Partial<Parameters<typeof with_six_bar>[1]>) => incompleteness(with_six_bar(problem, change))?.state ?? null;
+    const state = (change: Partial<Parameters<typeof with_six_bar>[1]>) =>
+      incompleteness(with_six_bar(problem, change))?.state ?? null;
     expect(state({})).toBeNull();
     expect(state({chain: undefined})).toBe("no_chain");
     expect(state({poses: problem.task.mechanism === "six_bar" ? problem.task.poses.slice(1) : []})).toBe("too_few");
@@ -47,7 +66,9 @@ describe("the chain", () => {
 describe("the added links", () => {
   it("are the eleven rows of four kinds of six-bars", () => {
     expect(new Set(rows.map(({added}) => added.join())).size).toBe(11);
-    expect(new Set(rows.map(({topology}) => topology))).toEqual(new Set(["watt_1", "stephenson_1", "stephenson_2", "stephenson_3"]));
+    expect(new Set(rows.map(({topology}) => topology))).toEqual(
+      new Set(["watt_1", "stephenson_1", "stephenson_2", "stephenson_3"]),
+    );
     expect(row_of(["2-0", "3-4"])).toBe(rows[2]);
     expect(row_of(["0-1", "0-3"])).toBeNull();
   });
@@ -55,15 +76,49 @@ describe("the added links", () => {
 
 describe("what carries an added link's end", () => {
   // Bodies: 2 has b, d and z4; link 4 is c4-z4 with c4 on the ground.
-  const at: Point[] = [[0, 0], [5, 5], [10, 0], [3, -4], [8, 8], [1, 1], [12, 3]];
-  const six_bar = {joints: at.map((point, i) => ({name: String(i), ground: i === 0 || i === 3, at: point})), bodies: [[0, 3], [0, 1, 5], [1, 2, 4], [2, 6], [3, 4], [5, 6]]} as unknown as SixBar;
+  const at: Point[] = [
+    [0, 0],
+    [5, 5],
+    [10, 0],
+    [3, -4],
+    [8, 8],
+    [1, 1],
+    [12, 3],
+  ];
+  const six_bar = {
+    joints: at.map((point, i) => ({name: String(i), ground: i === 0 || i === 3, at: point})),
+    bodies: [
+      [0, 3],
+      [0, 1, 5],
+      [1, 2, 4],
+      [2, 6],
+      [3, 4],
+      [5, 6],
+    ],
+  } as unknown as SixBar;
   const moved = (point: Point) => placed(body_point(point, {x: 0, y: 0, theta_deg: 0}), {x: 7, y: -2, theta_deg: 33});
   const carrier = (side: "input" | "output", end: "center" | "circle") =>
-    carrier_of({six_bar} as Linkage, side, end, {pose: {x: 0, y: 0, theta_deg: 0}, joints: at.map(moved), ends: {input: {center: null, circle: null}, output: {center: null, circle: null}}}, {x: 0, y: 0, theta_deg: 0});
+    carrier_of(
+      {six_bar} as Linkage,
+      side,
+      end,
+      {
+        pose: {x: 0, y: 0, theta_deg: 0},
+        joints: at.map(moved),
+        ends: {input: {center: null, circle: null}, output: {center: null, circle: null}},
+      },
+      {x: 0, y: 0, theta_deg: 0},
+    );
   it("is nothing on the ground", () => expect(carrier("input", "center")).toBeNull());
   it("is the other body of the hinge", () => {
-    for (const [side, end, joint] of [["input", "circle", 4], ["output", "center", 5], ["output", "circle", 6]] as const) {
-      const {first, now} = carrier(side, end)!, there = placed(body_point(at[joint], first), now), wanted = moved(at[joint]);
+    for (const [side, end, joint] of [
+      ["input", "circle", 4],
+      ["output", "center", 5],
+      ["output", "circle", 6],
+    ] as const) {
+      const {first, now} = carrier(side, end)!,
+        there = placed(body_point(at[joint], first), now),
+        wanted = moved(at[joint]);
       expect(there[0]).toBeCloseTo(wanted[0], 9);
       expect(there[1]).toBeCloseTo(wanted[1], 9);
     }

@@ -42,7 +42,9 @@ export function elbow_of({a, b, d}: Chain): 1 | -1 {
 /** A hinge elsewhere; where b changes sides, the elbows of all positions do. */
 export function with_hinge(chain: Chain, hinge: Hinge, at: Point): Chain {
   const moved = {...chain, [hinge]: at};
-  return chain.elbow && elbow_of(moved) !== elbow_of(chain) ? {...moved, elbow: chain.elbow.map((sign) => -sign)} : moved;
+  return chain.elbow && elbow_of(moved) !== elbow_of(chain)
+    ? {...moved, elbow: chain.elbow.map((sign) => -sign)}
+    : moved;
 }
 /** Of each position, the elbow: the file's, or that of position 1. */
 export function elbows(chain: Chain): number[] {
@@ -57,14 +59,23 @@ export function with_other_elbow(chain: Chain, position: number): Chain {
 
 /** The guided body's hinge in every position: it belongs to the body. */
 export function guided_hinges(problem: Problem): Point[] {
-  const poses = poses_of(problem.task), chain = six_bar_task(problem)?.chain;
+  const poses = poses_of(problem.task),
+    chain = six_bar_task(problem)?.chain;
   return chain ? poses.map((pose) => placed(body_point(chain.d, poses[0]), pose)) : [];
 }
 
 /** Where hinges are looked for if nothing is said: around the body's positions, with as much room again. */
 export function default_box(problem: Problem): Box {
   const corners = poses_of(problem.task).flatMap((pose) => outline_of(problem).map((p) => placed(p, pose)));
-  const {x, y} = box_of(corners.length ? corners : [[0, 0], [100, 100]]), room = Math.max(x[1] - x[0], y[1] - y[0]) / 2;
+  const {x, y} = box_of(
+      corners.length
+        ? corners
+        : [
+            [0, 0],
+            [100, 100],
+          ],
+    ),
+    room = Math.max(x[1] - x[0], y[1] - y[0]) / 2;
   const tidy = (value: number) => Number(value.toPrecision(2));
   return {x: [tidy(x[0] - room), tidy(x[1] + room)], y: [tidy(y[0] - room), tidy(y[1] + room)]};
 }

@@ -12,7 +12,11 @@ import {hinges, six_bar_task, with_hinge, with_six_bar, type Hinge} from "./chai
 
 export function chain_handles(scene: Scene): Handle[] {
   const chain = six_bar_task(scene.workbench.problem)?.chain;
-  return chain ? hinges.map((hinge) => task_handle(part_of(scene, hinge, chain[hinge]), to_screen(scene.view, chain[hinge]), "move")) : [];
+  return chain
+    ? hinges.map((hinge) =>
+        task_handle(part_of(scene, hinge, chain[hinge]), to_screen(scene.view, chain[hinge]), "move"),
+      )
+    : [];
 }
 export function held_hinge({held}: Scene): Hinge | null {
   return held?.kind === "task" ? (hinges.find((hinge) => held.part === `chain_${hinge}`) ?? null) : null;
@@ -25,7 +29,8 @@ function moved({workbench}: Bench, hinge: Hinge, at: Point): void {
   });
 }
 function part_of(scene: Scene, hinge: Hinge, start: Point): Omit<TaskPart, "kind"> {
-  const {workbench} = scene, part = `chain_${hinge}`;
+  const {workbench} = scene,
+    part = `chain_${hinge}`;
   return {
     part,
     label: () => t("six_bar.hinge", {name: hinge, place: point_note(start, scene.step, workbench.unit)}),
@@ -34,23 +39,40 @@ function part_of(scene: Scene, hinge: Hinge, start: Point): Omit<TaskPart, "kind
       const add = (value: number, by: number) => Number((value + by).toPrecision(12));
       workbench.edit((problem) => {
         const chain = six_bar_task(problem)?.chain;
-        return chain ? with_six_bar(problem, {chain: with_hinge(chain, hinge, [add(chain[hinge][0], dx * step), add(chain[hinge][1], dy * step)])}) : problem;
+        return chain
+          ? with_six_bar(problem, {
+              chain: with_hinge(chain, hinge, [add(chain[hinge][0], dx * step), add(chain[hinge][1], dy * step)]),
+            })
+          : problem;
       }, `nudge ${part}`);
     },
   };
 }
 function hinge_drag(bench: Bench, hinge: Hinge, start: Point, from: Point): Drag {
-  const {workbench, scene} = bench, way = new Way(scene, from);
+  const {workbench, scene} = bench,
+    way = new Way(scene, from);
   workbench.begin_gesture();
-  scene.held = scene.handles.find(({target}) => target.kind === "task" && target.part === `chain_${hinge}`)?.target ?? null;
+  scene.held =
+    scene.handles.find(({target}) => target.kind === "task" && target.part === `chain_${hinge}`)?.target ?? null;
   return {
     cursor: "move",
     move(at, keys) {
-      const {x, y} = way.to(at, keys), {point, guides} = snapped_point(start, [start[0] + x, start[1] + y], grid(scene, scene.poses), keys, pixel(scene.view));
+      const {x, y} = way.to(at, keys),
+        {point, guides} = snapped_point(
+          start,
+          [start[0] + x, start[1] + y],
+          grid(scene, scene.poses),
+          keys,
+          pixel(scene.view),
+        );
       scene.guides = guides;
       moved(bench, hinge, point);
       const [mistake] = workbench.refusal ?? [];
-      scene.note = {at, text: `${hinge}  ${point_note(point, scene.step, workbench.unit)}`, reason: mistake ? mistake_sentence(mistake) : null};
+      scene.note = {
+        at,
+        text: `${hinge}  ${point_note(point, scene.step, workbench.unit)}`,
+        reason: mistake ? mistake_sentence(mistake) : null,
+      };
     },
     end: () => finish(bench, true),
     cancel: () => finish(bench, false),

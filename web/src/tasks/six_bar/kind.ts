@@ -13,7 +13,8 @@ function read_chain(value: unknown): Chain | null {
   return {a: value.a, b: value.b, d: value.d, ...(elbow ? {elbow} : {})};
 }
 function read(value: Object): SixBarTask | null {
-  const poses = read_poses(value.poses), added = read_list(value.added, (bodies) => (typeof bodies === "string" ? bodies.slice(0, 10) : null), 2);
+  const poses = read_poses(value.poses),
+    added = read_list(value.added, (bodies) => (typeof bodies === "string" ? bodies.slice(0, 10) : null), 2);
   if (value.kind !== "motion" || value.mechanism !== "six_bar" || !poses || added?.length !== 2) return null;
   const chain = read_chain(value.chain);
   return {kind: "motion", mechanism: "six_bar", poses, added: [added[0], added[1]], ...(chain ? {chain} : {})};
@@ -22,8 +23,18 @@ function points_of(chain: Chain | undefined): Point[] {
   return chain ? [chain.a, chain.b, chain.d] : [];
 }
 function new_problem(): Problem {
-  const motion = new_motion(), poses = "poses" in motion.task ? motion.task.poses : [];
-  return {...motion, task: {kind: "motion", mechanism: "six_bar", poses, chain: {a: [-145, 268], b: [16, 205], d: [75, -71]}, added: ["0-2", "0-3"]}};
+  const motion = new_motion(),
+    poses = "poses" in motion.task ? motion.task.poses : [];
+  return {
+    ...motion,
+    task: {
+      kind: "motion",
+      mechanism: "six_bar",
+      poses,
+      chain: {a: [-145, 268], b: [16, 205], d: [75, -71]},
+      added: ["0-2", "0-3"],
+    },
+  };
 }
 
 export const six_bar_kind: TaskKind<SixBarTask> = {
@@ -41,7 +52,10 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
   anchors: ({poses, chain}) => [...poses.map((pose): Point => [pose.x, pose.y]), ...points_of(chain)],
   default_max_length,
   map_of: ({added}) => `six_bar ${added.join(" ")}`,
-  moved: (task, point) => (task.chain ? {...task, chain: {...task.chain, a: point(task.chain.a), b: point(task.chain.b), d: point(task.chain.d)}} : task),
+  moved: (task, point) =>
+    task.chain
+      ? {...task, chain: {...task.chain, a: point(task.chain.a), b: point(task.chain.b), d: point(task.chain.d)}}
+      : task,
   table: ({poses}, unit) => pose_table(poses, unit),
   beginnings: [{id: "six_bar", name: "new.six_bar", about: "new.six_bar_about", make: new_problem}],
   make_up({added}) {
@@ -49,7 +63,9 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
     return row && `six_bar.${row.topology}`;
   },
   texts: {
-    "chip.four_bars": "chip.six_bars", "state.none_defect_free": "six_bar.none_defect_free",
-    "region.driver_axis": "six_bar.axis_4", "region.other_axis": "six_bar.axis_5",
+    "chip.four_bars": "chip.six_bars",
+    "state.none_defect_free": "six_bar.none_defect_free",
+    "region.driver_axis": "six_bar.axis_4",
+    "region.other_axis": "six_bar.axis_5",
   },
 };

@@ -7,8 +7,12 @@ import {same_value, type Pose, type SixBarTask} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {default_box, six_bar_task, with_six_bar} from "./chain";
 
-export const default_effort = 20_000, most_effort = 1_000_000, most_seed = 999_999_999;
-const first_chains = 1000, times_as_many = 4, default_best = 10;
+export const default_effort = 20_000,
+  most_effort = 1_000_000,
+  most_seed = 999_999_999;
+const first_chains = 1000,
+  times_as_many = 4,
+  default_best = 10;
 
 export interface Found {
   chain: Chain;
@@ -57,14 +61,25 @@ export class ChainSearch {
   constructor(private readonly workbench: Workbench) {}
 
   async start(): Promise<void> {
-    const {problem, start_engine} = this.workbench, task = six_bar_task(problem);
+    const {problem, start_engine} = this.workbench,
+      task = six_bar_task(problem);
     if (this.running || !start_engine || !task) return;
-    const begin = performance.now(), rounds = rounds_of(problem);
+    const begin = performance.now(),
+      rounds = rounds_of(problem);
     this.found = [];
     this.poses = task.poses;
-    [this.running, this.seconds, this.tried, this.to_try, this.end] = [true, 0, 0, rounds.reduce((sum, chains) => sum + chains), null];
+    [this.running, this.seconds, this.tried, this.to_try, this.end] = [
+      true,
+      0,
+      0,
+      rounds.reduce((sum, chains) => sum + chains),
+      null,
+    ];
     this.timer = setInterval(() => (this.seconds = Math.round((performance.now() - begin) / 1000)), 250);
-    const client = (this.client = start_engine(() => {}, () => {}));
+    const client = (this.client = start_engine(
+      () => {},
+      () => {},
+    ));
     try {
       for (const chains of rounds) {
         if (this.client !== client || !this.is_for(this.workbench.problem)) break;
@@ -98,22 +113,36 @@ export class ChainSearch {
     client?.close();
   }
   private async try_round(client: EngineClient, asked: Problem, {added}: SixBarTask): Promise<void> {
-    const {linkages} = await client.request("best", {problem: engine_text(asked), most: asked.options?.best ?? default_best});
+    const {linkages} = await client.request("best", {
+      problem: engine_text(asked),
+      most: asked.options?.best ?? default_best,
+    });
     const entries = linkages.filter((entry): entry is Entry & {chain: Chain} => entry.chain !== undefined);
     const known = this.found;
     this.found = entries.map((entry) => {
       const one = {...entry, chain: plain(entry.chain), added};
-      return {...one, linkage: known.find((other) => same_value(other.chain, one.chain) && same_value(other.tau, one.tau))?.linkage ?? null};
+      return {
+        ...one,
+        linkage:
+          known.find((other) => same_value(other.chain, one.chain) && same_value(other.tau, one.tau))?.linkage ?? null,
+      };
     });
     for (const one of this.found.filter(({linkage}) => !linkage)) {
-      const {linkage} = await client.request("linkage", {problem: engine_text(with_six_bar(asked, {chain: one.chain})), tau: one.tau});
+      const {linkage} = await client.request("linkage", {
+        problem: engine_text(with_six_bar(asked, {chain: one.chain})),
+        tau: one.tau,
+      });
       this.found = this.found.map((other) => (other === one ? {...one, linkage} : other));
     }
   }
 
   /** Takes one in hand: its chain and its place on the map of that chain, one step. */
   take({chain, added, tau}: Found): void {
-    this.workbench.edit_document((document) => ({...document, problem: with_six_bar(document.problem, {chain, added}), picked: {tau, place: null}}));
+    this.workbench.edit_document((document) => ({
+      ...document,
+      problem: with_six_bar(document.problem, {chain, added}),
+      picked: {tau, place: null},
+    }));
   }
 }
 

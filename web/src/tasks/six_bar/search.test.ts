@@ -8,12 +8,26 @@ import {six_bar_kind} from "./kind";
 import {ChainSearch, default_effort, most_seed} from "./search.svelte";
 
 const problem = with_options(six_bar_kind.beginnings[0].make(), {effort: 1500});
-const entry = {tau: [0.25, 0.5], type: "double_crank", min_transmission_angle_deg: 40, link_ratio: 3, longest: 500, chain: {a: [0, 0], b: [1, 0], d: [3, 2]}};
+const entry = {
+  tau: [0.25, 0.5],
+  type: "double_crank",
+  min_transmission_angle_deg: 40,
+  link_ratio: 3,
+  longest: 500,
+  chain: {a: [0, 0], b: [1, 0], d: [3, 2]},
+};
 
 /** A search in an engine that answers so. */
 function search_with(answer: (kind: string) => unknown, of: Problem = problem) {
-  const workbench = new Workbench(of), asked: string[] = [];
-  const client = {close() {}, request: (kind: string, content: {problem: string}) => (asked.push(content.problem), Promise.resolve().then(() => answer(kind)))};
+  const workbench = new Workbench(of),
+    asked: string[] = [];
+  const client = {
+    close() {},
+    request: (kind: string, content: {problem: string}) => (
+      asked.push(content.problem),
+      Promise.resolve().then(() => answer(kind))
+    ),
+  };
   workbench.start_engine = () => client as unknown as EngineClient;
   return {workbench, search: new ChainSearch(workbench), asked};
 }

@@ -6,5 +6,9 @@ import SixBarLayer from "./SixBarLayer.svelte";
 import type {TaskView} from "../view";
 
 export const six_bar_view: TaskView = {
-  Editor, Linkage: SixBarLayer, Layer: ChainLayer, handles: chain_handles, plots: () => plot_kinds.slice(0, 3),
+  Editor,
+  Linkage: SixBarLayer,
+  Layer: ChainLayer,
+  handles: chain_handles,
+  plots: () => plot_kinds.slice(0, 3),
 };
