@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <filesystem>
 
-#include "linkwright/io/problem_file.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/planar/six_bar_family.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 

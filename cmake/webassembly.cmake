@@ -24,5 +24,5 @@ add_compile_options(-msimd128 -fno-slp-vectorize -fwasm-exceptions "-ffile-prefi
 add_link_options(-fwasm-exceptions)
 
 # Pictures with a PNG inside need zlib; the page paints the region itself.
-set(linkwright_not_in_webassembly src/io/png_image.cpp src/io/region_picture.cpp src/io/region_figure.cpp
-                                  src/io/solution_drawing.cpp)
+set(linkwright_not_in_webassembly src/drawing/png_image.cpp src/drawing/region_picture.cpp src/drawing/region_figure.cpp
+                                  src/drawing/solution_drawing.cpp)

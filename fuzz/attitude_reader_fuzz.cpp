@@ -7,11 +7,11 @@
 #include <string_view>
 
 #include "fuzz_support.hpp"
-#include "linkwright/io/angular_motion_file.hpp"
-#include "linkwright/io/attitude_drawing.hpp"
-#include "linkwright/io/displacement_file.hpp"
-#include "linkwright/io/link_chain_file.hpp"
-#include "linkwright/io/orientation_file.hpp"
+#include "linkwright/drawing/attitude_drawing.hpp"
+#include "linkwright/files/angular_motion_file.hpp"
+#include "linkwright/files/displacement_file.hpp"
+#include "linkwright/files/link_chain_file.hpp"
+#include "linkwright/files/orientation_file.hpp"
 
 namespace {
 

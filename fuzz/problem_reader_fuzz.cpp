@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "fuzz_support.hpp"
-#include "linkwright/io/linkage_file.hpp"
-#include "linkwright/io/problem_file.hpp"
-#include "linkwright/io/result_file.hpp"
-#include "linkwright/io/six_bar_file.hpp"
+#include "linkwright/files/linkage_file.hpp"
+#include "linkwright/files/problem_file.hpp"
+#include "linkwright/files/result_file.hpp"
+#include "linkwright/files/six_bar_file.hpp"
 
 namespace {
 

@@ -22,10 +22,11 @@ RANKS = (
     ("mechanism",),
     ("analysis",),
     ("region",),
-    ("planar", "spherical", "infinitesimal"),
+    ("planar", "spherical", "infinitesimal", "robust"),
     ("straight_line",),
-    ("robust",),
-    ("io",),
+    ("synthesis",),
+    ("files",),
+    ("drawing",),
 )
 RANK_OF = {folder: rank for rank, folders in enumerate(RANKS) for folder in folders}
 NAMED = ("include", "src", "apps", "bindings", "tests", "bench", "fuzz", "web/src", "web/tests", "web/e2e")
@@ -122,8 +123,8 @@ def self_test():
         ({"src/region/a.cpp": '\n #  include "linkwright/planar/b.hpp"\n'}, ["src/region/a.cpp:2: ", "stands above"]),
         ({"src/region/a.cpp": "#include <linkwright/planar/b.hpp>\n"}, ["region may not include planar"]),
         ({"src/planar/a.cpp": '#include "spherical/b.hpp"\n'}, ["planar may not include spherical, which stands beside"]),
-        ({"src/core/a.cpp": '// #include "io/b.hpp"\n'}, []),
-        ({"src/core/a.cpp": '#include "../io/b.hpp"\n'}, ["without .."]),
+        ({"src/core/a.cpp": '// #include "files/b.hpp"\n'}, []),
+        ({"src/core/a.cpp": '#include "../files/b.hpp"\n'}, ["without .."]),
         ({"src/core/a.cpp": '#include "apps/b.hpp"\n'}, ["no folder of the library is called apps"]),
         ({"src/utils/a.cpp": ""}, ["src/utils/a.cpp: the library has no folder utils"]),
         (tested | {header.format("core/angle"): "#include <Eigen/Core>\n"}, ["angle.hpp:1: <Eigen/Core>"]),

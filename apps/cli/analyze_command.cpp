@@ -2,11 +2,11 @@
 
 #include "commands.hpp"
 #include "linkage_words.hpp"
-#include "linkwright/io/analysis_file.hpp"
-#include "linkwright/io/csv_table.hpp"
-#include "linkwright/io/result_file.hpp"
-#include "linkwright/io/six_bar_file.hpp"
-#include "linkwright/io/text_file.hpp"
+#include "linkwright/files/analysis_file.hpp"
+#include "linkwright/files/csv_table.hpp"
+#include "linkwright/files/result_file.hpp"
+#include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/files/text_file.hpp"
 #include "six_bar_words.hpp"
 
 namespace linkwright::cli {

@@ -3,9 +3,9 @@
 #include "attitude_flags.hpp"
 #include "attitude_words.hpp"
 #include "commands.hpp"
-#include "linkwright/io/attitude_drawing.hpp"
-#include "linkwright/io/problem_file.hpp"
-#include "linkwright/io/text_file.hpp"
+#include "linkwright/drawing/attitude_drawing.hpp"
+#include "linkwright/files/problem_file.hpp"
+#include "linkwright/files/text_file.hpp"
 
 namespace linkwright::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/io/number_text.hpp"
+#include "linkwright/files/number_text.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {

@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "linkwright/io/angular_motion_file.hpp"
-#include "linkwright/io/displacement_file.hpp"
-#include "linkwright/io/link_chain_file.hpp"
-#include "linkwright/io/orientation_file.hpp"
+#include "linkwright/files/angular_motion_file.hpp"
+#include "linkwright/files/displacement_file.hpp"
+#include "linkwright/files/link_chain_file.hpp"
+#include "linkwright/files/orientation_file.hpp"
 
 namespace linkwright::cli {
 

@@ -9,7 +9,7 @@
 
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/result.hpp"
-#include "linkwright/io/text_file.hpp"
+#include "linkwright/files/text_file.hpp"
 
 namespace linkwright::cli {
 

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "linkwright/io/linkage_export.hpp"
-#include "linkwright/io/result_file.hpp"
-#include "linkwright/io/text_file.hpp"
+#include "linkwright/drawing/linkage_export.hpp"
+#include "linkwright/files/result_file.hpp"
+#include "linkwright/files/text_file.hpp"
 
 namespace linkwright::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/io/number_text.hpp"
+#include "linkwright/files/number_text.hpp"
 
 namespace linkwright::cli {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/io/number_text.hpp"
+#include "linkwright/files/number_text.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "linkwright/io/analysis_file.hpp"
+#include "linkwright/files/analysis_file.hpp"
 
 namespace linkwright::cli {
 

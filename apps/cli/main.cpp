@@ -9,7 +9,7 @@
 
 #include "attitude_flags.hpp"
 #include "commands.hpp"
-#include "linkwright/io/nearest_name.hpp"
+#include "linkwright/files/nearest_name.hpp"
 
 namespace linkwright::cli {
 namespace {

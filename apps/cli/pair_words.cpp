@@ -6,8 +6,8 @@
 
 #include "four_bar_columns.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/io/label.hpp"
-#include "linkwright/io/number_text.hpp"
+#include "linkwright/files/label.hpp"
+#include "linkwright/files/number_text.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {

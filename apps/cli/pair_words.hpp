@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "linkwright/io/problem_file.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright::cli {

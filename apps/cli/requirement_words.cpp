@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/io/label.hpp"
-#include "linkwright/io/number_text.hpp"
+#include "linkwright/files/label.hpp"
+#include "linkwright/files/number_text.hpp"
 
 namespace linkwright::cli {
 namespace {

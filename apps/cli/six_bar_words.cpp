@@ -8,9 +8,9 @@
 
 #include "four_bar_columns.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/io/label.hpp"
-#include "linkwright/io/number_text.hpp"
-#include "linkwright/io/task_label.hpp"
+#include "linkwright/files/label.hpp"
+#include "linkwright/files/number_text.hpp"
+#include "linkwright/files/task_label.hpp"
 #include "requirement_words.hpp"
 #include "text_table.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "linkwright/io/problem_file.hpp"
-#include "linkwright/io/six_bar_file.hpp"
+#include "linkwright/files/problem_file.hpp"
+#include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright::cli {

@@ -2,9 +2,9 @@
 
 #include "answer.hpp"
 #include "commands.hpp"
-#include "linkwright/io/problem_file.hpp"
-#include "linkwright/io/result_file.hpp"
-#include "linkwright/io/svg_drawing.hpp"
+#include "linkwright/drawing/svg_drawing.hpp"
+#include "linkwright/files/problem_file.hpp"
+#include "linkwright/files/result_file.hpp"
 
 namespace linkwright::cli {
 namespace {

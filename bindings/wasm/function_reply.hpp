@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/json_writer.hpp"
+#include "files/json/json_writer.hpp"
 #include "linkwright/planar/function_error.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_task.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/problem_writer.hpp"
 #include "function_reply.hpp"
-#include "io/problem_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "reply_json.hpp"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "io/problem_writer.hpp"
-#include "io/result_writer.hpp"
+#include "files/problem_writer.hpp"
+#include "files/result_writer.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/io/number_text.hpp"
+#include "linkwright/files/number_text.hpp"
 #include "linkwright/planar/freed_position.hpp"
 #include "linkwright/planar/function_error.hpp"
 #include "reply_json.hpp"

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "io/problem_writer.hpp"
-#include "linkwright/io/number_text.hpp"
+#include "files/problem_writer.hpp"
+#include "linkwright/files/number_text.hpp"
 
 namespace linkwright::wasm {
 namespace {

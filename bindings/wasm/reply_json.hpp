@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/json_writer.hpp"
+#include "files/json/json_writer.hpp"
 #include "linkwright/core/notice.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/planar/pose_conditions.hpp"

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <functional>
 
+#include "files/task_writer.hpp"
 #include "function_reply.hpp"
-#include "io/task_writer.hpp"
 #include "linkage_reply.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/io/linkage_export.hpp"
-#include "linkwright/io/result_file.hpp"
+#include "linkwright/drawing/linkage_export.hpp"
+#include "linkwright/files/result_file.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
 #include "linkwright/planar/improved_linkage.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "linkwright/io/problem_file.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/planar/display_order.hpp"
 #include "linkwright/planar/synthesis.hpp"
 #include "linkwright/planar/task_family.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/problem_writer.hpp"
+#include "files/problem_writer.hpp"
 #include "linkwright/analysis/six_bar_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "reply_json.hpp"

@@ -1,7 +1,7 @@
 #include "task_reply.hpp"
 
+#include "files/result_writer.hpp"
 #include "function_reply.hpp"
-#include "io/result_writer.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "linkwright/io/six_bar_file.hpp"
+#include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/planar/synthesis.hpp"
 #include "session.hpp"
 

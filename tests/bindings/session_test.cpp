@@ -9,7 +9,7 @@
 
 #include "linkage_reply.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/io/linkage_file.hpp"
+#include "linkwright/files/linkage_file.hpp"
 
 namespace linkwright::wasm {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/io/problem_file.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/planar/synthesis.hpp"
 
 namespace linkwright::soak {

@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "answer_check.hpp"
-#include "linkwright/io/problem_file.hpp"
-#include "linkwright/io/result_file.hpp"
-#include "linkwright/io/svg_drawing.hpp"
+#include "linkwright/drawing/svg_drawing.hpp"
+#include "linkwright/files/problem_file.hpp"
+#include "linkwright/files/result_file.hpp"
 
 namespace linkwright::soak {
 namespace {

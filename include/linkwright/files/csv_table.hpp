@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "linkwright/analysis/coupler_curve.hpp"
+#include "linkwright/analysis/task_cycle.hpp"
+#include "linkwright/files/linkage_file.hpp"
+
+namespace linkwright {
+
+/// The motion cycle from position 1 on (task_cycle, a row a degree of the input) as comma-separated values, one header
+/// line and one line a state: the input's turn from position 1; the directions of the links, from fixed to moving pivot
+/// and from the input's to the output's, against the x axis of the fixed frame; moving pivots; the body, which is the
+/// moving frame, in the fixed one; transmission angle; first and second derivatives of the coupler and output angles by
+/// the input angle, empty at dead points; the number of the position, empty between positions. Degrees, all angles
+/// counter-clockwise. Numbers read back bit-identical.
+[[nodiscard]] std::string motion_table(std::span<const CycleState> cycle);
+
+/// The cycle that motion_table() tells.
+[[nodiscard]] std::vector<CycleState> tabulated_cycle(const StoredLinkage& linkage);
+
+/// The poses of a linkage; where the file does not say, the one in which it lies, the frame at the input's moving
+/// pivot.
+[[nodiscard]] std::vector<PrescribedPose> framed_poses(const StoredLinkage& linkage);
+
+/// The whole motion cycle in 361 states: a state a degree for a crank; from dead point to dead point and back on the
+/// other assembly for all others.
+[[nodiscard]] std::vector<MotionState> tabulated_motion(const FourBar& four_bar, Point traced);
+
+/// The point of the coupler that is traced: the moving frame's origin where the poses are known, else the input's
+/// moving pivot. Fixed frame, position 1.
+[[nodiscard]] Point traced_point(const StoredLinkage& linkage);
+
+}  // namespace linkwright

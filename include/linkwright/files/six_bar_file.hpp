@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/analysis/six_bar_motion.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/files/linkage_file.hpp"
+#include "linkwright/mechanism/pose.hpp"
+#include "linkwright/mechanism/six_bar.hpp"
+#include "linkwright/planar/six_bar_solution.hpp"
+
+namespace linkwright {
+
+/// A six-bar as files carry it.
+struct StoredSixBar {
+  SixBar six_bar;                     ///< as it lies in position 1
+  SixBarRow row;                      ///< how it is put together
+  std::array<int, 4> elbow{};         ///< of the chain, as ThreeLinkChain::elbow
+  std::string title, length_unit;     ///< empty when the file does not say
+  std::vector<PrescribedPose> poses;  ///< empty when the file does not say
+  std::string record;                 ///< the element of a result's `linkages` it came from, JSON text; or empty
+};
+
+using AnyStoredLinkage = std::variant<StoredLinkage, StoredSixBar>;
+
+/// As read_linkage(), six-bars among them: an element of a result's `linkages`, or what write_linkage() wrote, or
+/// `{"mechanism": "six_bar", "chain": {"a": [x, y], "b": …, "d": …}, "added": [{"between": "0-2", "points": [[x, y],
+/// [x, y]]}, …]}`.
+[[nodiscard]] Result<AnyStoredLinkage> read_any_linkage(std::string_view text);
+
+/// As read_result_linkages(), six-bars among them.
+[[nodiscard]] Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view text);
+
+/// As JSON text that read_any_linkage() reads back bit-identical.
+[[nodiscard]] std::string write_linkage(const StoredSixBar& linkage);
+
+/// A motion as comma-separated values, one header line and one line a state: the driver's turn from position 1 in
+/// degrees, counter-clockwise positive; the seven hinges and the moving frame in the fixed frame; the transmission
+/// angle (asin of SixBarTransmission::sine) in degrees; the number of the pose that is met there, from 1, empty
+/// between. Numbers read back bit-identical.
+[[nodiscard]] std::string motion_table(const SixBarMotion& motion);
+
+/// The poses, or where the file has none a moving frame in hinge d.
+[[nodiscard]] std::vector<PrescribedPose> framed_poses(const StoredSixBar& linkage);
+
+/// The travel through all poses, states a degree of the driver apart or less; without such a travel all that the
+/// six-bar can do.
+[[nodiscard]] SixBarMotion tabulated_motion(const StoredSixBar& linkage);
+
+/// What can be said of one six-bar as it is, driven by body 1. Angles in radians.
+struct SixBarAnalysis {
+  StoredSixBar linkage;
+  SixBarShape shape;
+  std::vector<SixBarLength> lengths;
+  double transmission_angle = 0;  ///< as it lies
+  SixBarMotion travel;            ///< through all poses; no states where there are none, or no such travel
+  SixBarMotion motion;            ///< all that it can do: a full turn, or from dead point to dead point
+};
+[[nodiscard]] SixBarAnalysis analyze(const StoredSixBar& linkage);
+
+/// The analysis as JSON text: angles in degrees with `_deg`, columns of the motion by name.
+[[nodiscard]] std::string write_analysis(const SixBarAnalysis& analysis);
+
+}  // namespace linkwright

@@ -1,0 +1,60 @@
+#include "linkwright/drawing/dxf_drawing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "drawing/four_bar/linkage_positions.hpp"
+#include "dxf_parts.hpp"
+#include "dxf_writer.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/csv_table.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::string_view ground = "GROUND", input = "INPUT", coupler = "COUPLER", output = "OUTPUT",
+                           positions = "POSITIONS", coupler_curve = "COUPLER_CURVE";
+
+/// Radius of the pin holes: small against the shortest link, visible against the longest.
+double pin_radius(const LinkLengths& lengths) { return std::min(0.1 * lengths.shortest(), 0.015 * lengths.longest()); }
+
+void draw_ground(DxfWriter& dxf, const FourBar& bars, double radius) {
+  for (const Point pivot : {bars.input_center, bars.output_center}) draw_ground_pivot(dxf, ground, pivot, radius);
+  dxf.line(ground, bars.input_center, bars.output_center);
+}
+
+void draw_positions(DxfWriter& dxf, const StoredLinkage& linkage, double frame_size) {
+  for (std::size_t pose = 0; pose < linkage.poses.size(); ++pose) {
+    draw_frame(dxf, positions, linkage.poses[pose].pose, pose + 1, frame_size);
+    if (pose == 0) continue;
+    const FourBar bars = in_pose(linkage.four_bar, linkage.poses, pose);
+    const std::array<Point, 4> links = {bars.input_center, bars.input_circle, bars.output_circle, bars.output_center};
+    dxf.polyline(positions, links, false);
+  }
+}
+
+void draw_coupler_curve(DxfWriter& dxf, const StoredLinkage& linkage) {
+  std::vector<Point> path = path_of_cycle(linkage.four_bar, traced_point(linkage));
+  if (path.size() > 2) path.pop_back();  // the first point again
+  dxf.polyline(coupler_curve, path, true);
+}
+
+}  // namespace
+
+std::string draw_dxf(const StoredLinkage& linkage) {
+  DxfWriter dxf(insert_units(linkage.length_unit),
+                {{ground, 8}, {input, 5}, {coupler, 7}, {output, 30}, {positions, 9}, {coupler_curve, 3}});
+  const FourBar& bars = linkage.four_bar;
+  const LinkLengths lengths = bars.lengths();
+  const double radius = pin_radius(lengths);
+  draw_ground(dxf, bars, radius);
+  draw_link(dxf, input, bars.input_center, bars.input_circle, radius);
+  draw_link(dxf, coupler, bars.input_circle, bars.output_circle, radius);
+  draw_link(dxf, output, bars.output_center, bars.output_circle, radius);
+  draw_positions(dxf, linkage, 0.12 * lengths.longest());
+  draw_coupler_curve(dxf, linkage);
+  return dxf.file();
+}
+
+}  // namespace linkwright

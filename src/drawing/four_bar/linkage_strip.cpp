@@ -1,0 +1,198 @@
+#include "linkage_strip.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+
+#include "drawing/number_rows.hpp"
+#include "drawing/palette.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/label.hpp"
+#include "linkwright/files/number_text.hpp"
+
+namespace linkwright {
+namespace {
+
+void draw_type(SvgCanvas& svg, Point corner, const FourBarSolution& found) {
+  const std::uint32_t color = palette::types[static_cast<std::size_t>(found.report.type)];
+  svg.rectangle(corner + Point{0, 19}, 14, 14,
+                fmt::format("rx=\"3\" {} {}", fill(fmt::format("#{:06X}", color)),
+                            stroke("#000000", 0.8) + " stroke-opacity=\"0.35\""));
+  svg.text(corner + Point{22, 31}, label(found.report.type), {.size = 15, .weight = 650});
+  if (!found.report.defects.none()) {
+    svg.text(corner + Point{0, 70}, "has a defect", {.size = 18, .color = palette::bad, .weight = 650});
+    return;
+  }
+  const std::string angle = fmt::format("{}°", rounded_text(degrees(found.report.min_transmission_angle), 1));
+  svg.text(corner + Point{0, 70}, angle, {.size = 28, .weight = 650});
+  svg.text(corner + Point{text_width(angle, 28) + 16, 58}, "least transmission", {.size = 12, .color = palette::ink2});
+  svg.text(corner + Point{text_width(angle, 28) + 16, 73}, "angle over the task", {.size = 12, .color = palette::ink2});
+}
+
+std::string pivot_text(Point pivot, int decimals) {
+  return fmt::format("{}, {}", rounded_text(pivot.real(), decimals), rounded_text(pivot.imag(), decimals));
+}
+
+std::string drive_text(const DefectReport& report) {
+  if (report.sense == DriveSense::none) return "–";
+  return fmt::format("{}° {}", rounded_text(degrees(report.sweep), 1), label(report.sense));
+}
+
+}  // namespace
+
+void draw_card(SvgCanvas& svg, const PixelBox& card, std::string_view heading) {
+  svg.rectangle(card.corner(), card.width, card.height,
+                fmt::format("rx=\"10\" {} {}", fill(palette::paper), stroke(palette::line, 1)));
+  svg.text(card.corner() + Point{18, 29}, heading, {.size = 14, .weight = 650});
+}
+
+void draw_wrapped(SvgCanvas& svg, Point position, std::string_view text, double width, int lines, double size) {
+  const double leading = std::floor(1.5 * size);
+  for (int line = 0; line < lines && !text.empty(); ++line) {
+    std::size_t end = text.size();
+    const bool is_last = line + 1 == lines;
+    while (!is_last && text_width(text.substr(0, end), size) > width) {
+      const std::size_t space = text.substr(0, end).rfind(' ');
+      if (space == std::string_view::npos || space == 0) break;
+      end = space;
+    }
+    svg.text(position + Point{0, leading * line}, fitted(text.substr(0, end), size, width), {.size = size});
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+void draw_length_rows(SvgCanvas& svg, Point corner, double width, const LinkLengths& lengths, std::string_view unit) {
+  const int decimals = length_decimals(lengths.longest());
+  const auto length = [&](double value) { return fmt::format("{} {}", rounded_text(value, decimals), unit); };
+  NumberRows rows(svg, corner, width);
+  rows.row("ground", length(lengths.ground), palette::ink3);
+  rows.row("input", length(lengths.input), palette::input);
+  rows.row("coupler", length(lengths.coupler), palette::body);
+  rows.row("output", length(lengths.output), palette::output);
+}
+
+void draw_pivot_rows(SvgCanvas& svg, Point corner, double width, const FourBar& four_bar, int position) {
+  const int decimals = length_decimals(four_bar.lengths().longest());
+  const std::string moving = fmt::format("its moving pivot, position {}", position);
+  NumberRows rows(svg, corner, width);
+  rows.row("fixed pivot of the input", pivot_text(four_bar.input_center, decimals), palette::input);
+  rows.row(moving, pivot_text(four_bar.input_circle, decimals), palette::input);
+  rows.row("fixed pivot of the output", pivot_text(four_bar.output_center, decimals), palette::output);
+  rows.row(moving, pivot_text(four_bar.output_circle, decimals), palette::output);
+}
+
+namespace {
+
+std::string small_angle(double radians) { return fmt::format("{}°", significant_text(degrees(radians), 3)); }
+
+/// What is read at a coordinate of an axis: "β₁ = 258.5°", "number 3", or τ.
+std::string place_text(const LinkageFamily& family, LinkageFamily::Side side, double tau) {
+  switch (family.axis(side).quantity) {
+    case AxisQuantity::burmester_point:
+      return fmt::format("{}", static_cast<int>(std::floor(tau)) + 1);
+    case AxisQuantity::side_direction:
+    case AxisQuantity::pair_output:
+      return rounded_text(family.axis_value(side, tau), 2) + "°";
+    case AxisQuantity::side_length:
+    case AxisQuantity::output_scale:
+      return significant_text(family.axis_value(side, tau), 5);
+    default:
+      return rounded_text(tau, 4);
+  }
+}
+
+std::string_view place_name(const LinkageFamily& family) {
+  switch (family.axis(LinkageFamily::Side::output).quantity) {
+    case AxisQuantity::burmester_point:
+      return "side links, by their numbers";
+    case AxisQuantity::side_direction:
+      return "directions β₁ and β₂";
+    case AxisQuantity::side_length:
+      return "direction β₁ and length R₂";
+    case AxisQuantity::output_scale:
+      return "place τ and factor on the output";
+    case AxisQuantity::pair_output:
+      return "place τ and free output angle";
+    case AxisQuantity::nothing:
+      return family.axis(LinkageFamily::Side::input).is_discrete() ? "which of the linkages"
+                                                                   : "place of the coupler, τ";
+    default:
+      return "place on the curves, τ₁ and τ₂";
+  }
+}
+
+void add_place(NumberRows& checks, const Solution& solution) {
+  using Side = LinkageFamily::Side;
+  const LinkageFamily& family = *solution.given.family;
+  const FourBarSolution& found = solution.linkages.front();
+  std::string text = place_text(family, Side::input, found.input.coordinate);
+  if (family.axis(Side::output).quantity != AxisQuantity::nothing)
+    text += ", " + place_text(family, Side::output, found.output.coordinate);
+  checks.row(place_name(family), text);
+}
+
+void add_motion_checks(NumberRows& checks, const Solution& solution) {
+  const FourBarSolution& found = solution.linkages.front();
+  checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
+  checks.row("driver turns through the task", drive_text(found.report));
+  if (found.miss)
+    checks.row("misses the freed position by",
+               fmt::format("{} and {}", significant_text(found.miss->distance, 3), small_angle(found.miss->angle)));
+  else
+    add_place(checks, solution);
+  checks.row("relative error at the positions", fmt::format("{}{}", significant_text(found.residual, 2),
+                                                            found.verified_by_driving ? ", checked by driving" : ""));
+}
+
+void add_function_checks(NumberRows& checks, const Solution& solution, const FunctionError& error) {
+  const FourBarSolution& found = solution.linkages.front();
+  const bool has_function = !error.samples.empty();
+  if (error.max_structural_error)
+    checks.row("largest structural error", fmt::format("{} at input {}°", small_angle(*error.max_structural_error),
+                                                       rounded_text(degrees(error.worst_input), 1)));
+  else
+    checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
+  checks.row("driver turns through the task", drive_text(found.report));
+  add_place(checks, solution);
+  const std::string_view reach = !has_function || error.unreached.empty() ? "" : ", not the whole range";
+  checks.row("error at the pairs, by driving",
+             (error.reaches_pairs ? significant_text(degrees(error.precision_error), 2) + "°" : "not reached") +
+                 std::string(reach));
+}
+
+}  // namespace
+
+void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const Solution& solution, std::string_view unit) {
+  draw_card(svg, card, "No linkage to show");
+  const Point corner = card.corner() + Point{18, 54};
+  if (solution.freed.empty()) return draw_wrapped(svg, corner, solution.reason.message, card.width - 36, 2);
+  draw_wrapped(svg, corner - Point{0, 4}, solution.reason.message, card.width / 2 - 40, 4, 12.5);
+  const double left = card.left + card.width / 2, column = card.width / 2 - 18;
+  svg.text({left, card.top + 29}, "Ways out: what freeing one position comes to", {.size = 14, .weight = 650});
+  constexpr double leading = 14.5, first = 45;
+  for (std::size_t i = 0; i < solution.freed.size(); ++i) {
+    const FreedPosition& way = solution.freed[i];
+    const std::string words = way.linkage
+                                  ? fmt::format("missed by {}{}{} and {}", significant_text(way.miss.distance, 3),
+                                                unit.empty() ? "" : " ", unit, small_angle(way.miss.angle))
+                              : way.reason ? way.reason->message
+                                           : "nothing was found";
+    const Point at{left, card.top + first + leading * static_cast<double>(i)};
+    svg.text(at, fmt::format("position {}", way.pose + 1), {.size = 12, .color = palette::ink2});
+    svg.text(at + 76.0, fitted(words, 12, column - 76), {.size = 12});
+  }
+}
+
+void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const Solution& solution, std::string_view unit) {
+  const FourBarSolution& found = solution.linkages.front();
+  draw_card(svg, card, "");
+  const Point corner = card.corner() + Point{18, -7};
+  draw_type(svg, corner + Point{0, 11}, found);
+  draw_length_rows(svg, corner + Point{320, 0}, 176, found.lengths, unit);
+  draw_pivot_rows(svg, corner + Point{546, 0}, 344, found.four_bar, solution.given.told_position());
+
+  NumberRows checks(svg, corner + Point{940, 0}, 416);
+  found.function ? add_function_checks(checks, solution, *found.function) : add_motion_checks(checks, solution);
+}
+
+}  // namespace linkwright

@@ -1,0 +1,323 @@
+#include "region_figure.hpp"
+
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <optional>
+
+#include "axis_ticks.hpp"
+#include "drawing/six_bar/six_bar_figure.hpp"
+#include "files/axis_label.hpp"
+#include "files/json/base64.hpp"
+#include "files/six_bar/six_bar_axes.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/label.hpp"
+#include "linkwright/files/number_text.hpp"
+#include "palette.hpp"
+#include "region_picture.hpp"
+#include "region_scale.hpp"
+
+namespace linkwright {
+namespace {
+
+using Side = LinkageFamily::Side;
+
+constexpr int pixels_per_px = 2;
+// px from the map to the axis, to the middles of the ∞ marks, the branches' names and the axis's title
+constexpr double axis_distance = 8, mark_distance = 20, branch_distance = 35, title_distance = 54;
+
+std::string css(std::uint32_t color) { return fmt::format("#{:06X}", color); }
+
+/// A direction of the map: the other-side-link axis runs right below it, the driving one up at its left.
+struct AxisPlace {
+  Point start;  ///< px of the axis's zero
+  Point along;  ///< unit vector of rising samples
+  Point away;   ///< unit vector away from the map
+  double turn;  ///< of texts, degrees
+
+  [[nodiscard]] Point at(double px, double distance) const { return start + px * along + distance * away; }
+  /// From the middle of a text's height to its base line.
+  [[nodiscard]] Point to_baseline() const { return turn == 0 ? Point{0, 4} : Point{4, 0}; }
+};
+
+AxisPlace below(const PixelBox& map) { return {{map.left, map.bottom()}, {1, 0}, {0, 1}, 0}; }
+AxisPlace left_of(const PixelBox& map) { return {{map.left, map.bottom()}, {0, -1}, {-1, 0}, -90}; }
+
+/// One axis of the map.
+struct MapAxis {
+  const RegionScale& scale;
+  std::string title;
+  std::string_view color;
+  std::vector<AxisTick> ticks;
+};
+
+TextStyle axis_text(const AxisPlace& place, double size, std::string_view color, int weight = 400) {
+  return {.size = size, .color = color, .anchor = "middle", .weight = weight, .turn = place.turn};
+}
+
+void draw_blocks(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+  for (const RegionScale::Block& block : axis.scale.blocks()) {
+    svg.line(place.at(block.from_px, axis_distance), place.at(block.to_px, axis_distance), stroke(axis.color, 2));
+    const std::string_view words = branch_label(block.branch);
+    const double middle = (block.from_px + block.to_px) / 2;
+    if (words.empty() || text_width(words, 11) > block.to_px - block.from_px) continue;
+    svg.text(place.at(middle, branch_distance) + place.to_baseline(), words, axis_text(place, 11, palette::ink2));
+  }
+}
+
+/// Of a few side links: their numbers.
+void draw_numbers(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+  for (const RegionScale::Block& block : axis.scale.blocks()) {
+    svg.line(place.at(block.from_px, axis_distance), place.at(block.to_px, axis_distance), stroke(axis.color, 2));
+    const int number = static_cast<int>(std::floor(axis.scale.coordinates()[block.first])) + 1;
+    svg.text(place.at((block.from_px + block.to_px) / 2, mark_distance + 4) + Point{0, 4}, fmt::format("{}", number),
+             {.size = 14, .color = axis.color, .anchor = "middle", .weight = 650});
+  }
+}
+
+void draw_ticks(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+  for (const AxisTick& tick : axis.ticks) {
+    svg.line(place.at(tick.px, axis_distance), place.at(tick.px, axis_distance + 4), stroke(axis.color, 1.2));
+    svg.text(place.at(tick.px, mark_distance) + place.to_baseline(), tick.text, axis_text(place, 10.5, palette::ink2));
+  }
+}
+
+void draw_infinities(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+  double last = -100;
+  for (const double px : axis.scale.crossings_of_infinity()) {
+    svg.line(place.at(px, axis_distance - 4), place.at(px, axis_distance + 4), stroke(palette::ink, 1.4));
+    if (px - last < 14) continue;
+    svg.text(place.at(px, mark_distance) + Point{0, 4}, "∞", {.size = 13, .color = palette::ink, .anchor = "middle"});
+    last = px;
+  }
+}
+
+void draw_axis(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place, bool is_discrete = false) {
+  is_discrete ? draw_numbers(svg, axis, place) : draw_blocks(svg, axis, place);
+  svg.text(place.at(axis.scale.length() / 2, title_distance) + place.to_baseline(), axis.title,
+           axis_text(place, 12, axis.color, 650));
+  draw_ticks(svg, axis, place);
+  if (!is_discrete) draw_infinities(svg, axis, place);
+}
+
+/// Where a linkage lies on the map, counted from 0; nothing outside the window.
+using PlaceOnMap = std::function<std::optional<Point>(std::size_t linkage)>;
+
+/// Rings with numbers where the best linkages lie; dots where a ring would cover another.
+void draw_best(SvgCanvas& svg, std::size_t count, const PlaceOnMap& place_of) {
+  constexpr double ring = 9, closest = 2 * ring + 1;
+  std::vector<Point> rings;
+  std::vector<std::pair<Point, std::size_t>> dots;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto at = place_of(i);
+    if (!at) continue;
+    bool is_free = true;
+    for (const Point other : rings) is_free = is_free && std::abs(other - *at) >= closest;
+    is_free ? rings.push_back(*at) : void();
+    dots.emplace_back(*at, is_free ? i + 1 : 0);
+  }
+  for (const auto& [at, number] : dots) {
+    if (number == 0) svg.circle(at, 2.6, fill(palette::paper) + " " + stroke(palette::ink, 1.2));
+  }
+  for (const auto& [at, number] : dots) {
+    if (number == 0) continue;
+    svg.circle(at, ring, fill(palette::paper) + " " + stroke(palette::ink, 1.6));
+    svg.text(at + Point{0, 4}, fmt::format("{}", number), {.size = 11, .anchor = "middle", .weight = 650});
+  }
+}
+
+/// What a large cell says: its type above the middle, the transmission angle or the defect below.
+void draw_cell_text(SvgCanvas& svg, const RegionMap& region, std::size_t cell, Point middle, double width) {
+  constexpr double size = 11, leading = 13;
+  const LinkageType type = region.type(cell);
+  if (type == LinkageType::degenerate) return;
+  const TextStyle style{.size = size, .color = palette::ink, .anchor = "middle", .weight = 650, .halo = palette::paper};
+  std::string_view words = short_label(type);
+  const std::size_t comma = text_width(words, size) > width - 8 ? words.find(", ") : std::string_view::npos;
+  double y = comma == std::string_view::npos ? -16 : -16 - leading;
+  if (comma != std::string_view::npos) {
+    svg.text(middle + Point{0, y}, words.substr(0, comma + 1), style);
+    words.remove_prefix(comma + 2);
+    y += leading;
+  }
+  svg.text(middle + Point{0, y}, words, style);
+  const Defects defects = region.defects(cell);
+  const std::string verdict = defects.circuit()  ? "circuit defect"
+                              : defects.branch() ? "branch defect"
+                              : defects.order()
+                                  ? "order defect"
+                                  : fmt::format("γ {}°", rounded_text(degrees(region.min_transmission_angle(cell)), 1));
+  svg.text(middle + Point{0, 25}, verdict, style);
+}
+
+void draw_frames(SvgCanvas& svg, const RegionScale& up, const RegionScale& across, const PixelBox& map) {
+  for (const RegionScale::Block& row : up.blocks()) {
+    for (const RegionScale::Block& column : across.blocks()) {
+      svg.rectangle({map.left + column.from_px, map.bottom() - row.to_px}, column.to_px - column.from_px,
+                    row.to_px - row.from_px, "fill=\"none\" " + stroke(palette::line, 1));
+    }
+  }
+}
+
+void draw_cell_texts(SvgCanvas& svg, const RegionMap& region, const RegionScale& up, const RegionScale& across,
+                     const PixelBox& map, bool lies_on_its_side) {
+  for (const RegionScale::Block& row : up.blocks()) {
+    for (const RegionScale::Block& column : across.blocks()) {
+      const Point middle{map.left + (column.from_px + column.to_px) / 2, map.bottom() - (row.from_px + row.to_px) / 2};
+      const std::size_t cell =
+          lies_on_its_side ? region.index(column.first, row.first) : region.index(row.first, column.first);
+      draw_cell_text(svg, region, cell, middle, column.to_px - column.from_px);
+    }
+  }
+}
+
+void draw_swatch(SvgCanvas& svg, Point corner, std::string_view attributes) {
+  svg.rectangle(corner, 12, 12,
+                fmt::format("rx=\"2.5\" {} {}", attributes, stroke("#000000", 0.8) + " stroke-opacity=\"0.35\""));
+}
+
+void draw_hatched_swatch(SvgCanvas& svg, Point corner) {
+  draw_swatch(svg, corner, fill(css(palette::defect)));
+  for (const double shift : {4.0, 9.0, 14.0, 19.0}) {
+    const double over = std::max(0.0, shift - 12);
+    svg.line(corner + Point{over, shift - over}, corner + Point{shift - over, over}, stroke("#A9B3BD", 1));
+  }
+}
+
+/// Scales of the map's rows and columns over so many px.
+struct MapScales {
+  RegionScale input, output;
+};
+
+MapScales scales_of(const Solution& solution, double input_length, double output_length) {
+  const RegionMap& region = solution.region;
+  const LinkageFamily& family = *solution.given.family;
+  return {
+      RegionScale(family.axis(Side::input).branches, region.input_coordinates(), region.input_dyads(), input_length),
+      RegionScale(family.axis(Side::output).branches, region.output_coordinates(), region.output_dyads(),
+                  output_length)};
+}
+
+MapAxis axis_of(const Problem& problem, const LinkageFamily& family, const RegionScale& scale, Side side) {
+  return {scale, axis_label(family.axis(side), side, problem.task, problem.length_unit).title,
+          side == Side::input ? palette::input : palette::output, axis_ticks(scale, family, side)};
+}
+
+/// The picture of a map of one column, its rows from left to right.
+PngImage on_its_side(const PngImage& image) {
+  PngImage turned{image.height, image.width, image.colors, {}};
+  turned.pixels.reserve(image.pixels.size());
+  for (std::size_t y = 0; y < turned.height; ++y)
+    for (std::size_t x = 0; x < turned.width; ++x)
+      turned.pixels.push_back(image.pixels[(image.height - 1 - x) * image.width + y]);
+  return turned;
+}
+
+void draw_ribbon(SvgCanvas& svg, const Problem& problem, const Solution& solution, const PixelBox& map) {
+  const LinkageFamily& family = *solution.given.family;
+  const auto [along, thick] = scales_of(solution, map.width, map.height);
+  svg.png(map.corner(), map.width, map.height,
+          base64(on_its_side(region_picture(solution, along, thick, pixels_per_px)).file()));
+  draw_frames(svg, thick, along, map);
+  draw_axis(svg, axis_of(problem, family, along, Side::input), below(map), is_board(solution));
+  if (is_board(solution)) draw_cell_texts(svg, solution.region, thick, along, map, true);
+  draw_best(svg, solution.linkages.size(), [&, &scale = along](std::size_t i) -> std::optional<Point> {
+    const auto px = scale.position(solution.linkages[i].input.coordinate);
+    if (!px) return std::nullopt;
+    return Point{map.left + *px, map.top + map.height / 2};
+  });
+}
+
+}  // namespace
+
+bool is_ribbon(const Solution& solution) {
+  return solution.given.family && solution.given.family->axis(Side::output).quantity == AxisQuantity::nothing;
+}
+
+bool is_board(const Solution& solution) {
+  return solution.given.family && solution.given.family->axis(Side::input).is_discrete();
+}
+
+void draw_region(SvgCanvas& svg, const Problem& problem, const Solution& solution, const PixelBox& map) {
+  const RegionMap& region = solution.region;
+  if (region.rows() == 0) return;
+  if (is_ribbon(solution)) return draw_ribbon(svg, problem, solution, map);
+  const LinkageFamily& family = *solution.given.family;
+  const MapScales scales = scales_of(solution, map.height, map.width);
+  const auto file = region_picture(solution, scales.input, scales.output, pixels_per_px).file();
+  svg.png(map.corner(), map.width, map.height, base64(file));
+  draw_frames(svg, scales.input, scales.output, map);
+  const bool across_discrete = family.axis(Side::output).is_discrete();
+  draw_axis(svg, axis_of(problem, family, scales.input, Side::input), left_of(map), is_board(solution));
+  draw_axis(svg, axis_of(problem, family, scales.output, Side::output), below(map), across_discrete);
+  if (is_board(solution)) draw_cell_texts(svg, region, scales.input, scales.output, map, false);
+  draw_best(svg, solution.linkages.size(), [&](std::size_t i) -> std::optional<Point> {
+    const FourBarSolution& found = solution.linkages[i];
+    const auto across = scales.output.position(found.output.coordinate),
+               up = scales.input.position(found.input.coordinate);
+    if (!across || !up) return std::nullopt;
+    return Point{map.left + *across, map.bottom() - *up};
+  });
+}
+
+void draw_six_bar_region(SvgCanvas& svg, const SixBarTask& task, const Solution& solution, const PixelBox& map) {
+  const RegionMap& region = solution.region;
+  const auto family = six_bar_family(task);
+  if (region.rows() == 0 || !family) return;
+  const SixBarAxis first = six_bar_axis(task, Side::input), second = six_bar_axis(task, Side::output);
+  const RegionScale up(first.branches, region.input_coordinates(), {}, map.height);
+  const RegionScale across(second.branches, region.output_coordinates(), {}, map.width);
+  std::vector<std::uint8_t> failures(region.rows() * region.columns());
+  filter_of_six_bars(*family, region, solution.requirements).failures_of_all(failures);
+  const auto passes = [&](std::size_t row, std::size_t column) { return failures[region.index(row, column)] == 0; };
+  svg.png(map.corner(), map.width, map.height,
+          base64(region_picture(solution, passes, up, across, pixels_per_px).file()));
+  draw_frames(svg, up, across, map);
+  draw_axis(svg, {up, first.title, body_color(4), {}}, left_of(map));
+  draw_axis(svg, {across, second.title, body_color(5), {}}, below(map));
+  draw_best(svg, solution.six_bars.size(), [&](std::size_t i) -> std::optional<Point> {
+    const std::array<double, 2>& tau = solution.six_bars[i].member.coordinates;
+    const auto link_4 = family->with_first(tau[0]);
+    const auto x = link_4 ? across.position(family->second_coordinate(*link_4, tau[1])) : std::nullopt;
+    const auto y = up.position(tau[0]);
+    if (!x || !y) return std::nullopt;
+    return Point{map.left + *x, map.bottom() - *y};
+  });
+}
+
+std::int64_t four_bars_in(const RegionCounts& counts) {
+  return counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+}
+
+void draw_region_legend(SvgCanvas& svg, const Solution& solution, Point corner, double width) {
+  constexpr double line = 19, size = 12, swatch = 18;
+  const double column = width / 2, number = column - 20;
+  const auto entry = [&](std::size_t index) {
+    return corner + Point{index < 5 ? 0 : column, line * static_cast<double>(index % 5)};
+  };
+  constexpr std::array<LinkageType, 8> shown = {LinkageType::crank_rocker,          LinkageType::rocker_crank,
+                                                LinkageType::double_crank,          LinkageType::double_rocker,
+                                                LinkageType::triple_rocker_ground,  LinkageType::triple_rocker_input,
+                                                LinkageType::triple_rocker_coupler, LinkageType::triple_rocker_output};
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const auto type = static_cast<std::size_t>(shown[i]);
+    draw_swatch(svg, entry(i), fill(css(palette::types[type])));
+    svg.text(entry(i) + Point{swatch, 10.5}, label(shown[i]), {.size = size, .color = palette::ink});
+    svg.text(entry(i) + Point{number, 10.5}, grouped_text(solution.counts.types[type]),
+             {.size = size, .color = palette::ink2, .anchor = "end"});
+  }
+  const std::uint32_t washed = palette::mixed(palette::types[2], palette::white, 0.3);
+  draw_swatch(svg, entry(8), fill(css(washed)));
+  svg.text(entry(8) + Point{swatch, 10.5}, "Pale: requirement fails", {.size = size, .color = palette::ink});
+  if (solution.requirements.no_defects) {
+    svg.text(entry(8) + Point{number, 10.5}, grouped_text(solution.counts.defect_free - solution.meeting_requirements),
+             {.size = size, .color = palette::ink2, .anchor = "end"});
+  }
+  draw_hatched_swatch(svg, entry(9));
+  svg.text(entry(9) + Point{swatch, 10.5}, "Has a defect", {.size = size, .color = palette::ink});
+  svg.text(entry(9) + Point{number, 10.5}, grouped_text(four_bars_in(solution.counts) - solution.counts.defect_free),
+           {.size = size, .color = palette::ink2, .anchor = "end"});
+}
+
+}  // namespace linkwright

@@ -1,0 +1,284 @@
+#include "task_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "curve_path.hpp"
+#include "drawing/four_bar/bead_figure.hpp"
+#include "drawing/four_bar/dial_figure.hpp"
+#include "drawing/four_bar/linkage_figure.hpp"
+#include "drawing/four_bar/linkage_positions.hpp"
+#include "drawing/four_bar/linkage_strip.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/task_label.hpp"
+#include "linkwright/planar/function_couplers.hpp"
+#include "linkwright/planar/function_family.hpp"
+#include "palette.hpp"
+
+namespace linkwright {
+namespace {
+
+using Side = LinkageFamily::Side;
+
+RegionPlace place_of(const FourBarSolution& found) { return {found.input.coordinate, found.output.coordinate}; }
+
+/// Side links between the last one of an arc of directions and the arc's end, half a step on, where two sheets meet:
+/// closer and closer, as the pivots run faster and faster.
+void add_end_of_arc(std::vector<Dyad>& links, const ProductFamily& family, Side side, double last, double half_step) {
+  constexpr int looks = 9;
+  for (int k = 1; k <= looks; ++k)
+    if (const auto dyad = family.dyad(side, last + half_step * (1 - std::pow(0.5, k)))) links.push_back(*dyad);
+}
+
+/// The family's polygon with the ends of its arcs.
+std::vector<Dyad> with_ends(const std::vector<Dyad>& polygon, const ProductFamily& family, Side side) {
+  double step = 1;
+  for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
+    step = std::min(step, std::abs(polygon[i + 1].coordinate - polygon[i].coordinate));
+  const auto follows = [&](std::size_t i) {
+    return i > 0 && i < polygon.size() && polygon[i].coordinate - polygon[i - 1].coordinate < 1.5 * step &&
+           std::floor(polygon[i].coordinate) == std::floor(polygon[i - 1].coordinate);
+  };
+  std::vector<Dyad> links;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (!follows(i)) {
+      std::vector<Dyad> before;
+      add_end_of_arc(before, family, side, polygon[i].coordinate, -step / 2);
+      links.insert(links.end(), before.rbegin(), before.rend());
+    }
+    links.push_back(polygon[i]);
+    if (!follows(i + 1)) add_end_of_arc(links, family, side, polygon[i].coordinate, step / 2);
+  }
+  return links;
+}
+
+/// So many that curves look smooth in the picture, however fast the pivots run.
+std::vector<Dyad> fine_polygon(const ProductFamily& family, Side side) {
+  constexpr int corners_of_a_branch = 4096;
+  const int corners = corners_of_a_branch * static_cast<int>(family.axis(side).branches.size());
+  std::vector<Dyad> polygon;
+  for (const double tau : family.samples(side, corners, Spacing::coordinate))
+    if (const auto dyad = family.dyad(side, tau)) polygon.push_back(*dyad);
+  return with_ends(polygon, family, side);
+}
+
+std::vector<Dyad> links_along(const LinkageFamily& family, Side side) {
+  const auto* product = dynamic_cast<const ProductFamily*>(&family);
+  std::vector<Dyad> polygon = product ? fine_polygon(*product, side) : family.polygon(side);
+  for (Dyad& dyad : polygon) {
+    const double coordinate = dyad.coordinate;
+    dyad = family.frame().to_user(dyad);
+    dyad.coordinate = coordinate;
+  }
+  return polygon;
+}
+
+/// The nearest that keeps away from dead points, or the nearest.
+const FreedPosition* way_to_show(const Solution& solution) {
+  constexpr double least_angle = radians(10);
+  const FreedPosition* nearest = nullptr;
+  for (const FreedPosition& way : solution.freed) {
+    if (!way.linkage) continue;
+    if (way.linkage->report.min_transmission_angle > least_angle) return &way;
+    if (nearest == nullptr) nearest = &way;
+  }
+  return nearest;
+}
+
+void add_motion(TaskScene& scene, const MotionTask& task, const Solution& solution) {
+  scene.frames = task.poses;
+  const TaskFamily& given = solution.given;
+  if (!given.curve)
+    for (const BurmesterPoint& point : given.points) scene.beads.push_back(given.frame().to_user(point.dyad));
+  if (given.family && !given.curve && given.points.empty()) {
+    scene.input_links = links_along(*given.family, Side::input);
+    if (!given.family->is_symmetric()) scene.output_links = links_along(*given.family, Side::output);
+  }
+  if (scene.linkage != nullptr) {
+    scene.served = task.freed ? freed_task(task, *task.freed).task.poses : task.poses;
+  } else if (const FreedPosition* way_out = way_to_show(solution); way_out != nullptr && way_out->linkage) {
+    scene.linkage = &*way_out->linkage;
+    scene.served = freed_task(task, way_out->pose).task.poses;
+    scene.heading = fmt::format("A way out: without position {}", way_out->pose + 1);
+  }
+  if (!scene.served.empty()) scene.traced = scene.served.front().pose.origin;
+}
+
+void add_function(TaskScene& scene, const FunctionTask& task, const Solution& solution) {
+  const auto family = std::dynamic_pointer_cast<const FunctionFamily>(solution.given.family);
+  if (!family) return;
+  if (scene.linkage == nullptr && !solution.pairs.empty()) {
+    scene.linkage = &solution.pairs.front();
+    scene.heading = "The linkage through all pairs, which has a defect";
+  }
+  scene.function = scene.linkage ? family->task_at(place_of(*scene.linkage)) : task;
+  if (scene.linkage != nullptr) scene.served = family->user_poses(place_of(*scene.linkage), scene.linkage->four_bar);
+  if (!task.free) return;
+  const FunctionCouplers couplers = function_couplers(*scene.function);
+  scene.curve = couplers.curve;
+  scene.curve_frame = couplers.frame();
+}
+
+/// What the window must hold: the poses with their arms' room, and the linkage in all its positions. `size`: of what
+/// there is to see about a single pose.
+std::vector<Point> points_of_interest(const TaskScene& scene, double size) {
+  std::vector<Point> points;
+  for (const PrescribedPose& pose : scene.frames) points.push_back(pose.pose.origin);
+  if (scene.linkage == nullptr && points.size() == 1) points = {points[0] - size, points[0] + size};
+  if (scene.linkage == nullptr) {
+    if (scene.function) points = {scene.function->input_pivot, scene.function->output_pivot};
+    return points;
+  }
+  const FourBar& best = scene.linkage->four_bar;
+  for (std::size_t pose = 0; pose < scene.served.size(); ++pose) {
+    const FourBar bars = in_pose(best, scene.served, pose);
+    points.insert(points.end(), {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle});
+  }
+  if (scene.traced)
+    for (const Point p : path_of_task(best, scene.served, *scene.traced)) points.push_back(p);
+  if (scene.function)
+    for (const Point p : dial_points(best, *scene.function)) points.push_back(p);
+  return points;
+}
+
+/// Beads that do not make all else small.
+void add_near_beads(std::vector<Point>& points, const TaskScene& scene, const WorkingFrame& frame) {
+  constexpr double reach = 2;  // of what else there is to see
+  if (points.empty()) return;
+  Point low = points.front(), high = low;
+  for (const Point p : points) {
+    low = {std::min(low.real(), p.real()), std::min(low.imag(), p.imag())};
+    high = {std::max(high.real(), p.real()), std::max(high.imag(), p.imag())};
+  }
+  const Point middle = (low + high) / 2.0;
+  const double farthest = reach * std::max(std::abs(high - low), frame.scale) / 2;
+  for (const Dyad& bead : scene.beads)
+    for (const Point p : finite_pivots(bead, frame))
+      if (std::abs(p - middle) <= farthest) points.push_back(p);
+}
+
+/// Without a linkage the poses alone leave no room to see the curves.
+double window_margin(const TaskScene& scene) {
+  if (scene.linkage != nullptr) return 76;
+  return scene.beads.empty() ? 170 : 100;
+}
+
+void draw_paths(SvgCanvas& svg, const CurvePaths& paths, std::string_view color, double width) {
+  for (const auto& path : paths.centers) svg.polyline(path, stroke(color, width));
+  for (const auto& path : paths.circles) svg.polyline(path, stroke(color, width, "5 4"));
+}
+
+void draw_curves(SvgCanvas& svg, const TaskScene& scene, const PlaneWindow& window) {
+  if (scene.curve) draw_paths(svg, visible_curves(*scene.curve, scene.curve_frame, window), palette::curve, 1.5);
+  draw_paths(svg, visible_polygon(scene.input_links, window), palette::input, 1.1);
+  draw_paths(svg, visible_polygon(scene.output_links, window), palette::output, 1.1);
+}
+
+void draw_motion(SvgCanvas& svg, const TaskScene& scene, const PlaneWindow& window) {
+  const FourBar& best = scene.linkage->four_bar;
+  if (scene.traced) draw_traced_path(svg, window, path_of_cycle(best, *scene.traced), false);
+  for (std::size_t pose = scene.served.size(); --pose > 0;) draw_ghost(svg, window, in_pose(best, scene.served, pose));
+  if (!scene.traced) return;
+  draw_traced_path(svg, window, path_of_task(best, scene.served, *scene.traced), true);
+  draw_body(svg, window, best, *scene.traced);
+}
+
+void draw_frames(SvgCanvas& svg, const TaskScene& scene, const PlaneWindow& window) {
+  for (std::size_t pose = scene.frames.size(); pose-- > 0;) {
+    draw_direction(svg, window, scene.frames[pose]);
+    draw_pose(svg, window, scene.frames[pose].pose, pose + 1, pose == 0);
+  }
+}
+
+/// The keys of the lines, as far right as they fit.
+class Keys {
+ public:
+  Keys(SvgCanvas& svg, const PixelBox& card) : svg_(svg), card_(card) {}
+
+  void line(std::string attributes, std::string_view name) {
+    entries_.push_back({std::move(attributes), std::string(name)});
+    width_ += line_key_width(name);
+  }
+  void beads() {
+    has_beads_ = true;
+    width_ += bead_key_width();
+  }
+  /// From `left` on, or with nothing to spare at the right.
+  void draw(std::optional<double> left) const {
+    const double y = card_.top + 24;
+    double x = left.value_or(card_.right() - width_);
+    if (has_beads_) x = draw_bead_key(svg_, {x, y});
+    for (const Entry& entry : entries_) x = draw_line_key(svg_, {x, y}, entry.attributes, entry.name);
+  }
+
+ private:
+  struct Entry {
+    std::string attributes, name;
+  };
+  SvgCanvas& svg_;
+  PixelBox card_;
+  std::vector<Entry> entries_;
+  bool has_beads_ = false;
+  double width_ = 0;
+};
+
+void draw_keys(SvgCanvas& svg, const TaskScene& scene, const PixelBox& card) {
+  const std::string dotted = stroke(palette::accent, 2, "0.1 4.5") + " stroke-linecap=\"round\"";
+  const bool of_couplers = scene.function.has_value();
+  Keys keys(svg, card);
+  if (!scene.beads.empty()) keys.beads();
+  if (scene.curve) {
+    keys.line(stroke(palette::curve, 1.5), of_couplers ? "output's moving pivot" : "centre-point curve");
+    keys.line(stroke(palette::curve, 1.5, "5 4"), of_couplers ? "input's moving pivot" : "circle-point curve");
+  } else if (!scene.input_links.empty()) {
+    keys.line(stroke(palette::ink2, 1.2), "fixed pivots");
+    keys.line(stroke(palette::ink2, 1.2, "5 4"), "moving pivots, position 1");
+  }
+  if (scene.traced) keys.line(dotted, "path of the frame's origin");
+  const bool are_usual = scene.curve && !of_couplers && scene.linkage != nullptr;
+  keys.draw(are_usual ? std::optional(card.left + 190) : std::nullopt);
+}
+
+}  // namespace
+
+TaskScene task_scene(const Problem& problem, const Solution& solution) {
+  TaskScene scene;
+  scene.curve = solution.given.curve;
+  scene.curve_frame = solution.given.frame();
+  if (!solution.linkages.empty()) scene.linkage = &solution.linkages.front();
+  scene.heading = scene.linkage != nullptr ? "Best linkage" : "The " + short_task_label(problem.task);
+  if (const auto* motion = std::get_if<MotionTask>(&problem.task)) add_motion(scene, *motion, solution);
+  if (const auto* function = std::get_if<FunctionTask>(&problem.task)) add_function(scene, *function, solution);
+  return scene;
+}
+
+void draw_task_scene(SvgCanvas& svg, const TaskScene& scene, const Problem& problem, const Solution& solution,
+                     const PixelBox& card) {
+  draw_card(svg, card, scene.heading);
+  const PixelBox box{card.left + 1, card.top + 44, card.width - 2, card.height - 45};
+  const WorkingFrame& frame = solution.given.frame();
+  std::vector<Point> points = points_of_interest(scene, frame.scale);
+  add_near_beads(points, scene, frame);
+  const PlaneWindow window(box, points, window_margin(scene));
+  svg.begin_clip(box.corner(), box.width, box.height);
+  draw_grid(svg, window);
+  const Requirements& requirements = solution.requirements;
+  if (requirements.ground_pivots_within) draw_box(svg, window, *requirements.ground_pivots_within, "fixed pivots");
+  if (requirements.moving_pivots_within) draw_box(svg, window, *requirements.moving_pivots_within, "moving pivots");
+  draw_curves(svg, scene, window);
+  draw_bead_links(svg, window, frame, scene.beads);
+  if (scene.linkage != nullptr) draw_motion(svg, scene, window);
+  if (scene.linkage != nullptr) draw_bars(svg, window, scene.linkage->four_bar);
+  if (scene.linkage != nullptr && scene.function) draw_dials(svg, window, scene.linkage->four_bar, *scene.function);
+  draw_frames(svg, scene, window);
+  std::vector<Point> origins;
+  for (const PrescribedPose& pose : scene.frames) origins.push_back(window.to_px(pose.pose.origin));
+  draw_beads(svg, window, frame, scene.beads, std::move(origins));
+  if (scene.linkage != nullptr) draw_pins(svg, window, scene.linkage->four_bar);
+  draw_scale_bar(svg, window, {box.left + 22, box.bottom() - 20}, problem.length_unit);
+  svg.end_group();
+  draw_keys(svg, scene, card);
+}
+
+}  // namespace linkwright

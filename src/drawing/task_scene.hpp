@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwright/files/problem_file.hpp"
+#include "linkwright/planar/synthesis.hpp"
+#include "plane_window.hpp"
+#include "svg_canvas.hpp"
+
+namespace linkwright {
+
+/// What the large card of a solution's picture shows, fixed frame.
+struct TaskScene {
+  std::string heading;
+  std::vector<PrescribedPose> frames;           ///< drawn with their numbers
+  const FourBarSolution* linkage = nullptr;     ///< the best one, or the nearest way out
+  std::vector<PrescribedPose> served;           ///< what its coupler visits; it lies in the first
+  std::optional<Point> traced;                  ///< point of the coupler there whose path is drawn
+  std::vector<Dyad> beads;                      ///< a few side links
+  std::optional<FunctionTask> function;         ///< the linkage's own, its free number fixed
+  std::shared_ptr<const BurmesterCurve> curve;  ///< of side links, or of couplers
+  WorkingFrame curve_frame;                     ///< its frame
+  std::vector<Dyad> input_links, output_links;  ///< along the axes of the map, where there is no curve
+};
+
+/// `problem` and `solution` must outlive it.
+[[nodiscard]] TaskScene task_scene(const Problem& problem, const Solution& solution);
+
+/// Draws it in a card.
+void draw_task_scene(SvgCanvas& svg, const TaskScene& scene, const Problem& problem, const Solution& solution,
+                     const PixelBox& card);
+
+}  // namespace linkwright

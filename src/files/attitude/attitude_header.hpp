@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "files/file_header.hpp"
+#include "files/json/json_document.hpp"
+#include "files/json/json_object.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/files/problem_file.hpp"
+
+namespace linkwright {
+
+/// What all files of `linkwright attitude` have in common: a JSON object with the version and known keys, of which
+/// `members` reads what it knows. Nothing but the mistakes where there are any.
+template <class Task>
+[[nodiscard]] Result<Task> read_attitude_task(std::string_view text, std::initializer_list<std::string_view> known,
+                                              const std::function<Task(const JsonObject&, Mistakes&)>& members) {
+  const auto tree = parse_json(text, {.most_bytes = most_file_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
+  if (!tree) return tree.errors();
+  Mistakes mistakes;
+  const JsonValue root(*tree, "", mistakes);
+  if (const auto refusal = refuse_version(root)) return *refusal;
+  const JsonObject file(root, mistakes, known);
+  Task task;
+  if (root.is_object()) {
+    check_version(file);
+    if (const auto title = file.find("title")) static_cast<void>(title->as_text());  // for the reader of the file only
+    task = members(file, mistakes);
+  }
+  if (!mistakes.empty()) return mistakes.take();
+  return task;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,31 @@
+#include "file_header.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "linkwright/files/problem_file.hpp"
+
+namespace linkwright {
+
+std::optional<Error> refuse_version(const JsonValue& root) {
+  if (!root.is_object()) return std::nullopt;
+  const auto found = root.json().find("linkwright");
+  if (found == root.json().end() || !found->is_number()) return std::nullopt;
+  const double version = found->get<double>();
+  if (!(version > file_version)) return std::nullopt;
+  return Error{
+      "newer_version", "linkwright",
+      fmt::format("this file was written by a newer Linkwright (version {}; this is {}); use the newer program",
+                  version, file_version)};
+}
+
+void check_version(const JsonObject& file) {
+  const auto version =
+      file.require("linkwright", fmt::format("the version of the file: \"linkwright\": {}", file_version));
+  const auto number = version ? version->as_number() : std::nullopt;
+  if (number && *number != file_version) {
+    version->mistake("unknown_version", fmt::format("there is no version {}; this is {}", *number, file_version));
+  }
+}
+
+}  // namespace linkwright

@@ -1,0 +1,183 @@
+#include "four_bar_writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "files/problem_writer.hpp"
+#include "files/task_writer.hpp"
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+/// The finite point, or null where it is at infinity by the measure of the working frame.
+void write_point_or_null(JsonWriter& json, Homogeneous point, const WorkingFrame& frame) {
+  if (is_at_infinity(frame.to_working(point))) return json.null();
+  write_point(json, Point{point.x / point.w, point.y / point.w});
+}
+
+void write_dyad(JsonWriter& json, const Dyad& dyad, double residual, const WorkingFrame& frame) {
+  json.begin_object();
+  write_dyad_members(json, dyad, residual, frame);
+  json.end_object();
+}
+
+/// Over the task; null where a defect leaves it undefined.
+void write_task_transmission(JsonWriter& json, const DefectReport& report) {
+  json.key("min_transmission_angle_deg");
+  if (!report.defects.none()) return json.null();
+  json.value(degrees(report.min_transmission_angle));
+}
+
+void write_swapped(JsonWriter& json, const DefectReport& report) {
+  json.begin_object();
+  json.member("type", name(report.type));
+  json.key("defects");
+  write_defects(json, report.defects);
+  write_task_transmission(json, report);
+  json.end_object();
+}
+
+void write_drive(JsonWriter& json, const DefectReport& report) {
+  json.key("drive");
+  report.sense == DriveSense::none ? json.null() : json.value(name(report.sense));
+  json.key("driver_sweep_deg");
+  report.defects.none() ? json.value(degrees(report.sweep)) : json.null();
+}
+
+void write_degrees_or_null(JsonWriter& json, std::optional<double> angle) {
+  angle ? json.value(degrees(*angle)) : json.null();
+}
+
+/// For a plot: columns by rising input.
+void write_error_curve(JsonWriter& json, const std::vector<ErrorSample>& samples) {
+  json.begin_object();
+  const auto column = [&](std::string_view key, auto&& value_of) {
+    json.key(key);
+    json.begin_list(Layout::one_line);
+    for (const ErrorSample& sample : samples) write_degrees_or_null(json, value_of(sample));
+    json.end_list();
+  };
+  column("input_deg", [](const ErrorSample& sample) { return std::optional(sample.input); });
+  column("wanted_output_deg", [](const ErrorSample& sample) { return std::optional(sample.wanted); });
+  column("error_deg", [](const ErrorSample& sample) {
+    return sample.generated ? std::optional(*sample.generated - sample.wanted) : std::nullopt;
+  });
+  json.end_object();
+}
+
+void write_function_error(JsonWriter& json, const FunctionError& error) {
+  json.member("precision_error_deg", degrees(error.precision_error));
+  json.key("errors_at_pairs_deg");
+  json.begin_list(Layout::one_line);
+  for (const auto& at_pair : error.at_pairs) write_degrees_or_null(json, at_pair);
+  json.end_list();
+  json.key("max_structural_error_deg");
+  write_degrees_or_null(json, error.max_structural_error);
+  if (error.max_structural_error) json.member("worst_input_deg", degrees(error.worst_input));
+  json.key("unreached_deg");
+  json.begin_list(Layout::one_line);
+  for (const AngleRange& gap : error.unreached) write_interval(json, degrees(gap.from), degrees(gap.to));
+  json.end_list();
+  if (error.samples.empty()) return;
+  json.key("error_curve");
+  write_error_curve(json, error.samples);
+}
+
+void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses) {
+  json.key("poses");
+  json.begin_list();
+  for (const PrescribedPose& pose : poses) write_pose(json, pose);
+  json.end_list();
+}
+
+}  // namespace
+
+void write_miss(JsonWriter& json, const PoseMiss& miss, double size) {
+  json.begin_object(Layout::one_line);
+  json.member("distance", miss.distance);
+  json.member("angle_deg", degrees(miss.angle));
+  json.member("combined", miss.combined(size));
+  json.end_object();
+}
+
+namespace {
+
+void write_notes(JsonWriter& json, const FourBarNotes& notes) {
+  if (notes.defect) json.member("reason", std::string_view(notes.defect->message));
+  if (notes.free_value) json.member("free_value", *notes.free_value);
+  if (!notes.poses.empty()) write_poses(json, notes.poses);
+}
+
+}  // namespace
+
+FourBarNotes notes_on(const FourBarSolution& found, const TaskFamily& given) {
+  const LinkageFamily& family = *given.family;
+  FourBarNotes notes;
+  notes.defect = defect_notice(found, given);
+  if (given.freed) notes.miss_size = given.freed->size;
+  if (found.function || given.freed)
+    notes.poses = family.user_poses({found.input.coordinate, found.output.coordinate}, found.four_bar);
+  const AxisQuantity quantity = family.axis(LinkageFamily::Side::output).quantity;
+  if (quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output)
+    notes.free_value = family.axis_value(LinkageFamily::Side::output, found.output.coordinate);
+  return notes;
+}
+
+void write_homogeneous(JsonWriter& json, Homogeneous point) {
+  json.begin_list(Layout::one_line);
+  json.value(point.w);
+  json.value(point.x);
+  json.value(point.y);
+  json.end_list();
+}
+
+void write_dyad_members(JsonWriter& json, const Dyad& dyad, double residual, const WorkingFrame& frame) {
+  json.key("center_point");
+  write_point_or_null(json, dyad.center, frame);
+  json.key("circle_point");
+  write_point_or_null(json, dyad.circle, frame);
+  json.member("coordinate", dyad.coordinate);
+  json.key("center_homogeneous");
+  write_homogeneous(json, dyad.center);
+  json.key("circle_homogeneous");
+  write_homogeneous(json, dyad.circle);
+  json.member("residual", residual);
+}
+
+void write_four_bar(JsonWriter& json, const FourBarSolution& found, const WorkingFrame& frame,
+                    const FourBarNotes& notes) {
+  json.begin_object();
+  json.member("mechanism", "four_bar");
+  json.key("input");
+  write_dyad(json, found.input, found.input_residual, frame);
+  json.key("output");
+  write_dyad(json, found.output, found.output_residual, frame);
+  json.key("lengths");
+  write_lengths(json, found.lengths);
+  json.member("link_ratio", found.lengths.longest() / found.lengths.shortest());
+  json.member("type", name(found.report.type));
+  json.key("defects");
+  write_defects(json, found.report.defects);
+  write_drive(json, found.report);
+  write_task_transmission(json, found.report);
+  json.key("min_transmission_angle_full_turn_deg");
+  input_is_crank(found.report.type) ? json.value(degrees(found.report.min_transmission_angle_full_turn)) : json.null();
+  json.member("residual", found.residual);
+  if (found.residual_derivatives) json.member("residual_derivatives", *found.residual_derivatives);
+  if (found.function) write_function_error(json, *found.function);
+  if (found.miss) {
+    json.key("miss");
+    write_miss(json, *found.miss, notes.miss_size);
+  }
+  json.member("local_optimum", found.local_optimum);
+  json.member("verified_by_driving", found.verified_by_driving);
+  write_notes(json, notes);
+  json.key("swapped");
+  write_swapped(json, found.swapped);
+  json.end_object();
+}
+
+}  // namespace linkwright

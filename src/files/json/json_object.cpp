@@ -1,0 +1,142 @@
+#include "json_object.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "linkwright/files/nearest_name.hpp"
+
+namespace linkwright {
+namespace {
+
+std::string_view type_words(const nlohmann::json& value) {
+  if (value.is_number()) return "a number";
+  if (value.is_string()) return "a text";
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+  if (value.is_array()) return "a list";
+  return value.is_object() ? "an object" : "null";
+}
+
+std::string member_place(const std::string& place, std::string_view key) {
+  return place.empty() ? presentable(key) : place + "." + presentable(key);
+}
+
+}  // namespace
+
+bool JsonValue::is_null() const { return value_->is_null(); }
+bool JsonValue::is_object() const { return value_->is_object(); }
+
+void JsonValue::mistake(std::string code, std::string message) const {
+  mistakes_->add(std::move(code), place_, std::move(message));
+}
+
+void JsonValue::wrong_type(std::string_view wanted) const {
+  mistake("wrong_type", fmt::format("{} belongs here, not {}", wanted, type_words(*value_)));
+}
+
+std::optional<double> JsonValue::as_number() const {
+  if (value_->is_number()) return value_->get<double>();
+  wrong_type("a number");
+  return std::nullopt;
+}
+
+std::optional<int> JsonValue::as_whole_number() const {
+  constexpr double most = 1e9;
+  if (!value_->is_number()) {
+    wrong_type("a whole number");
+    return std::nullopt;
+  }
+  const double number = value_->get<double>();
+  if (number == std::floor(number)) return static_cast<int>(std::clamp(number, -most, most));
+  mistake("wrong_type", fmt::format("a whole number belongs here, not {}", number));
+  return std::nullopt;
+}
+
+std::optional<bool> JsonValue::as_flag() const {
+  if (value_->is_boolean()) return value_->get<bool>();
+  wrong_type("true or false");
+  return std::nullopt;
+}
+
+std::optional<std::string> JsonValue::as_text() const {
+  if (value_->is_string()) return value_->get<std::string>();
+  wrong_type("a text in double quotes");
+  return std::nullopt;
+}
+
+std::optional<std::string_view> JsonValue::as_one_of(std::span<const std::string_view> names) const {
+  const auto text = as_text();
+  if (!text) return std::nullopt;
+  const auto found = std::find(names.begin(), names.end(), *text);
+  if (found != names.end()) return *found;
+  mistake("unknown_name", fmt::format("{} is not known here; the nearest known name is \"{}\"", in_quotes(*text),
+                                      nearest_name(*text, names)));
+  return std::nullopt;
+}
+
+bool JsonValue::for_each(std::string_view what, const std::function<void(const JsonValue&)>& element) const {
+  if (!value_->is_array()) {
+    wrong_type(what);
+    return false;
+  }
+  std::size_t index = 0;
+  for (const nlohmann::json& item : *value_) element({item, fmt::format("{}[{}]", place_, index++), *mistakes_});
+  return true;
+}
+
+std::optional<Point> JsonValue::as_pair(std::string_view what) const {
+  if (!value_->is_array() || value_->size() != 2) {
+    mistake("wrong_type", fmt::format("two numbers {} belong here", what));
+    return std::nullopt;
+  }
+  std::vector<double> numbers;
+  for_each(what, [&](const JsonValue& item) {
+    if (const auto number = item.as_number()) numbers.push_back(*number);
+  });
+  if (numbers.size() != 2) return std::nullopt;
+  return Point{numbers[0], numbers[1]};
+}
+
+JsonObject::JsonObject(const JsonValue& value, Mistakes& mistakes, std::initializer_list<std::string_view> known)
+    : value_(value), mistakes_(&mistakes) {
+  if (!value.is_object()) {
+    value.wrong_type("an object { … }");
+    return;
+  }
+  if (known.size() == 0) return;
+  for (const auto& member : value.json().items()) {
+    if (std::find(known.begin(), known.end(), member.key()) != known.end()) continue;
+    mistakes.add("unknown_key", member_place(value.place(), member.key()),
+                 fmt::format("this key is not known here; the nearest known one is \"{}\"",
+                             nearest_name(member.key(), {known.begin(), known.size()})));
+  }
+}
+
+std::optional<JsonValue> JsonObject::find(std::string_view key) const {
+  if (!value_.is_object()) return std::nullopt;
+  const auto found = value_.json().find(std::string(key));
+  if (found == value_.json().end()) return std::nullopt;
+  return JsonValue(*found, member_place(value_.place(), key), *mistakes_);
+}
+
+std::optional<JsonValue> JsonObject::require(std::string_view key, std::string_view what) const {
+  auto found = find(key);
+  if (!found && value_.is_object()) {
+    mistakes_->add("missing_key", member_place(value_.place(), key), fmt::format("this is missing; add {}", what));
+  }
+  return found;
+}
+
+std::optional<double> JsonObject::require_number(std::string_view key) const {
+  const auto found = require(key, "a number");
+  return found ? found->as_number() : std::nullopt;
+}
+
+std::optional<Point> JsonObject::require_point(std::string_view key) const {
+  const auto found = require(key, "two numbers [x, y]");
+  return found ? found->as_pair("[x, y]") : std::nullopt;
+}
+
+}  // namespace linkwright

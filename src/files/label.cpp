@@ -1,0 +1,83 @@
+#include "linkwright/files/label.hpp"
+
+#include <array>
+#include <utility>
+
+namespace linkwright {
+namespace {
+
+constexpr std::array<std::string_view, 10> type_labels = {"Crank-rocker",
+                                                          "Rocker-crank",
+                                                          "Double crank",
+                                                          "Double rocker",
+                                                          "Triple rocker, ground longest",
+                                                          "Triple rocker, input longest",
+                                                          "Triple rocker, coupler longest",
+                                                          "Triple rocker, output longest",
+                                                          "Change point",
+                                                          "Slider or zero link"};
+
+constexpr std::array<std::string_view, 10> short_type_labels = {
+    "Crank-rocker",         "Rocker-crank",           "Double crank",          "Double rocker", "Triple rocker, ground",
+    "Triple rocker, input", "Triple rocker, coupler", "Triple rocker, output", "Change point",  "Slider or zero link"};
+
+constexpr std::array<std::string_view, 4> sense_labels = {"", "counter-clockwise", "clockwise", "either way"};
+
+constexpr std::array<std::string_view, 4> topology_labels = {"Watt I", "Stephenson I", "Stephenson II",
+                                                             "Stephenson III"};
+
+constexpr std::array<std::string_view, 9> cubic_labels = {"one branch",
+                                                          "two branches",
+                                                          "one branch with a node",
+                                                          "a line and a circle",
+                                                          "a line and an isolated point",
+                                                          "the line at infinity and a conic",
+                                                          "the line at infinity and two lines",
+                                                          "a line",
+                                                          "every point"};
+
+constexpr std::array<std::string_view, 7> change_point_labels = {"",
+                                                                 "crank-rocker at its limit (input shortest)",
+                                                                 "rocker-crank at its limit (output shortest)",
+                                                                 "double crank at its limit (ground shortest)",
+                                                                 "double rocker at its limit (coupler shortest)",
+                                                                 "parallelogram or kite",
+                                                                 "rhombus"};
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> branch_labels = {{
+    {"odd", "branch through infinity"},
+    {"oval", "closed branch"},
+    {"nodal", "branch with a node"},
+    {"line", "line"},
+    {"circle", "circle"},
+    {"conic", "conic"},
+    {"line_at_infinity", "line at infinity"},
+    {"center_line", "line of centre points"},
+    {"sheet_1", "sheet 1"},
+    {"sheet_2", "sheet 2"},
+    {"sheet_1_opposite", "sheet 1, opposite"},
+    {"sheet_2_opposite", "sheet 2, opposite"},
+    {"direction_1", "direction 1"},
+    {"direction_2", "direction 2"},
+    {"direct", "as given"},
+    {"opposite", "opposite"},
+    {"range", ""},
+}};
+
+}  // namespace
+
+std::string_view label(LinkageType type) { return type_labels[static_cast<std::size_t>(type)]; }
+std::string_view short_label(LinkageType type) { return short_type_labels[static_cast<std::size_t>(type)]; }
+std::string_view label(DriveSense sense) { return sense_labels[static_cast<std::size_t>(sense)]; }
+std::string_view label(CubicKind kind) { return cubic_labels[static_cast<std::size_t>(kind)]; }
+std::string_view label(SixBarTopology topology) { return topology_labels[static_cast<std::size_t>(topology)]; }
+std::string_view label(ChangePointKind kind) { return change_point_labels[static_cast<std::size_t>(kind)]; }
+
+std::string_view branch_label(std::string_view name) {
+  for (const auto& [known, words] : branch_labels) {
+    if (known == name) return words;
+  }
+  return name;
+}
+
+}  // namespace linkwright

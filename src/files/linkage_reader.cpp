@@ -1,0 +1,272 @@
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "file_header.hpp"
+#include "files/four_bar/pose_reader.hpp"
+#include "files/json/json_document.hpp"
+#include "files/json/json_object.hpp"
+#include "files/json/mistakes.hpp"
+#include "files/six_bar/six_bar_reader.hpp"
+#include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/analysis/position.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
+#include "linkwright/files/linkage_file.hpp"
+#include "linkwright/files/nearest_name.hpp"
+#include "linkwright/files/problem_file.hpp"
+#include "linkwright/files/result_file.hpp"
+#include "linkwright/files/six_bar_file.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr double largest_number = 1e12;  // lengths and coordinates; their squares and products stay far from overflow
+constexpr std::size_t most_poses = 5;    // what find_defects judges
+
+bool in_range(Point point) {
+  return std::abs(point.real()) <= largest_number && std::abs(point.imag()) <= largest_number;
+}
+
+/// A linkage whose four pivots are known: in range, no link without length.
+std::optional<FourBar> checked(const FourBar& four_bar, const JsonValue& value) {
+  for (const Point pivot :
+       {four_bar.input_center, four_bar.input_circle, four_bar.output_center, four_bar.output_circle}) {
+    if (in_range(pivot)) continue;
+    value.mistake("out_of_range",
+                  fmt::format("the coordinates of a pivot lie between ±{}", limit_text(largest_number)));
+    return std::nullopt;
+  }
+  if (linkage_type(four_bar.lengths()) != LinkageType::degenerate) return four_bar;
+  value.mistake("degenerate_linkage", "two pivots joined by a link coincide; every link of a four-bar has a length");
+  return std::nullopt;
+}
+
+std::optional<FourBar> read_pivots(const JsonValue& value, Mistakes& mistakes) {
+  const JsonObject object(value, mistakes, {"input_center", "input_circle", "output_center", "output_circle"});
+  const auto input_center = object.require_point("input_center");
+  const auto input_circle = object.require_point("input_circle");
+  const auto output_center = object.require_point("output_center");
+  const auto output_circle = object.require_point("output_circle");
+  if (!input_center || !input_circle || !output_center || !output_circle) return std::nullopt;
+  return checked({*input_center, *input_circle, *output_center, *output_circle}, value);
+}
+
+/// Input angle in the middle of its first range, at right angles to the ground link where it turns fully.
+FourBar laid_out(const LinkLengths& lengths, const AngleRange& range) {
+  const double input_angle = range.is_full_turn() ? pi / 2 : (range.from + range.to) / 2;
+  const FourBar frame{0, lengths.input, lengths.ground, lengths.ground + lengths.output};
+  const auto configuration = assemble(lengths, input_angle, Assembly::positive);
+  if (!configuration) return frame;  // does not happen inside a range; pivots in one line otherwise
+  return {0, std::polar(lengths.input, configuration->input_angle), lengths.ground,
+          lengths.ground + std::polar(lengths.output, configuration->output_angle)};
+}
+
+std::optional<FourBar> read_lengths(const JsonValue& value, Mistakes& mistakes) {
+  const JsonObject object(value, mistakes, {"ground", "input", "coupler", "output"});
+  const auto length = [&](std::string_view key) -> std::optional<double> {
+    const auto found = object.require(key, "a length");
+    const auto number = found ? found->as_number() : std::nullopt;
+    if (!number || (*number > 0 && *number <= largest_number)) return number;
+    found->mistake("out_of_range",
+                   fmt::format("a length is greater than 0 and at most {}", limit_text(largest_number)));
+    return std::nullopt;
+  };
+  const auto ground = length("ground"), input = length("input"), coupler = length("coupler"), output = length("output");
+  if (!ground || !input || !coupler || !output) return std::nullopt;
+  const LinkLengths lengths{*ground, *input, *coupler, *output};
+  const auto ranges = input_ranges(lengths);
+  if (ranges.empty()) {
+    value.mistake("cannot_be_assembled",
+                  fmt::format("the longest link ({:g}) is longer than the other three together ({:g}), so "
+                              "they do not close; shorten it or lengthen another",
+                              lengths.longest(), lengths.perimeter() - lengths.longest()));
+    return std::nullopt;
+  }
+  return checked(laid_out(lengths, ranges.front()), value);
+}
+
+std::optional<Point> read_dyad_point(const JsonObject& dyad, std::string_view key) {
+  const auto found = dyad.require(key, "two numbers [x, y]");
+  if (!found) return std::nullopt;
+  if (!found->is_null()) return found->as_pair("[x, y]");
+  found->mistake("slider",
+                 "this pivot lies at infinity (a slider); only linkages with four pivots can be drawn or analysed");
+  return std::nullopt;
+}
+
+std::optional<FourBar> read_dyads(const JsonObject& element, const JsonValue& value, Mistakes& mistakes) {
+  std::vector<Point> points;
+  for (const std::string_view side : {"input", "output"}) {
+    const auto found = element.require(side, "a side link {\"center_point\": [x, y], \"circle_point\": [x, y]}");
+    if (!found) continue;
+    const JsonObject dyad(*found, mistakes, {});
+    for (const std::string_view key : {"center_point", "circle_point"}) {
+      if (const auto point = read_dyad_point(dyad, key)) points.push_back(*point);
+    }
+  }
+  if (points.size() != 4) return std::nullopt;
+  return checked({points[0], points[1], points[2], points[3]}, value);
+}
+
+/// An element of `linkages`, or pivots, or lengths.
+std::optional<FourBar> read_four_bar(const JsonValue& value, Mistakes& mistakes) {
+  const JsonObject element(value, mistakes, {});
+  if (!value.is_object()) return std::nullopt;
+  if (const auto mechanism = element.find("mechanism")) {
+    const auto name = mechanism->as_text();
+    if (name && *name != "four_bar") {
+      mechanism->mistake("not_available",
+                         fmt::format("only a \"four_bar\" and a \"six_bar\" can be analysed and exported; this is a "
+                                     "\"{}\", whose pivots stand in the result file",
+                                     presentable(*name)));
+      return std::nullopt;
+    }
+  }
+  if (const auto pivots = element.find("pivots")) return read_pivots(*pivots, mistakes);
+  if (element.find("input") || element.find("output")) return read_dyads(element, value, mistakes);
+  if (const auto lengths = element.find("lengths")) return read_lengths(*lengths, mistakes);
+  value.mistake("no_linkage", "no linkage is given here; add \"pivots\", \"lengths\", or the linkage of a result file");
+  return std::nullopt;
+}
+
+void read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
+  if (value.json().is_array() && value.json().size() > most_poses) {
+    value.mistake("pose_count", fmt::format("at most {} poses are read; remove the others", most_poses));
+    return;
+  }
+  value.for_each("a list of poses", [&](const JsonValue& item) {
+    if (auto pose = read_pose(item, mistakes, OtherMembers::ignored)) poses.push_back(*std::move(pose));
+  });
+}
+
+/// The poses that a linkage brings along: of functions, and of what passes a part of the task, they are not the task's.
+void read_own_poses(const JsonValue& element, Mistakes& mistakes, StoredLinkage& linkage) {
+  const auto own = element.is_object() ? JsonObject(element, mistakes, {}).find("poses") : std::nullopt;
+  if (!own) return;
+  linkage.poses.clear();
+  read_poses(*own, mistakes, linkage.poses);
+}
+
+/// Title, unit and poses from beside a linkage or from a result's problem.
+void read_surroundings(const JsonObject& object, Mistakes& mistakes, StoredLinkage& linkage) {
+  if (const auto title = object.find("title")) linkage.title = title->as_text().value_or("");
+  if (const auto unit = object.find("length_unit")) linkage.length_unit = unit->as_text().value_or("");
+  if (const auto poses = object.find("poses")) read_poses(*poses, mistakes, linkage.poses);
+}
+
+StoredLinkage read_problem_echo(const JsonObject& file, Mistakes& mistakes) {
+  StoredLinkage surroundings;
+  const auto problem = file.find("problem");
+  if (!problem) return surroundings;
+  const JsonObject object(*problem, mistakes, {});
+  read_surroundings(object, mistakes, surroundings);
+  const auto task = object.find("task");
+  if (task && task->is_object()) {
+    const auto poses = JsonObject(*task, mistakes, {}).find("poses");
+    if (poses) read_poses(*poses, mistakes, surroundings.poses);
+  }
+  return surroundings;
+}
+
+/// What `element` holds, with its surroundings.
+std::optional<AnyStoredLinkage> read_element(const JsonValue& element, const StoredLinkage& surroundings,
+                                             Mistakes& mistakes) {
+  if (says_six_bar(element)) {
+    auto six_bar = read_six_bar(element, mistakes);
+    if (!six_bar) return std::nullopt;
+    six_bar->title = surroundings.title;
+    six_bar->length_unit = surroundings.length_unit;
+    six_bar->poses = surroundings.poses;
+    six_bar->record = element.json().dump();
+    return *std::move(six_bar);
+  }
+  const auto four_bar = read_four_bar(element, mistakes);
+  if (!four_bar) return std::nullopt;
+  StoredLinkage linkage = surroundings;
+  linkage.four_bar = *four_bar;
+  if (!element.json().contains("pivots")) linkage.record = element.json().dump();
+  return linkage;
+}
+
+/// The four-bar among all linkages; nothing where it is another one.
+Result<StoredLinkage> as_four_bar(AnyStoredLinkage linkage) {
+  if (auto* four_bar = std::get_if<StoredLinkage>(&linkage)) return std::move(*four_bar);
+  return Error{"not_a_four_bar", "mechanism", "this is a six-bar; only a \"four_bar\" belongs here"};
+}
+
+}  // namespace
+
+Result<AnyStoredLinkage> read_any_linkage(std::string_view text) {
+  const auto tree = parse_json(text, {.most_bytes = most_result_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
+  if (!tree) return tree.errors();
+  Mistakes mistakes;
+  const JsonValue root(*tree, "", mistakes);
+  if (const auto refusal = refuse_version(root)) return *refusal;
+  const JsonObject file(root, mistakes, {});
+  AnyStoredLinkage linkage;
+  if (const auto list = file.find("linkages")) {
+    list->mistake("result_file",
+                  "this is a result file with many linkages; take one out with: linkwright export RESULT.json "
+                  "--linkage 1 --format json -o LINKAGE.json");
+  } else if (root.is_object()) {
+    StoredLinkage surroundings;
+    read_surroundings(file, mistakes, surroundings);
+    const auto held = file.find("linkage");
+    if (held) read_own_poses(*held, mistakes, surroundings);
+    if (auto found = read_element(held.value_or(root), surroundings, mistakes)) linkage = *std::move(found);
+    if (!held) std::visit([](auto& of_kind) { of_kind.record.clear(); }, linkage);
+  }
+  if (!mistakes.empty()) return mistakes.take();
+  return linkage;
+}
+
+Result<StoredLinkage> read_linkage(std::string_view text) {
+  auto linkage = read_any_linkage(text);
+  return linkage ? as_four_bar(std::move(*linkage)) : Result<StoredLinkage>(linkage.errors());
+}
+
+Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view text) {
+  const auto tree = parse_json(text, {.most_bytes = most_result_bytes,
+                                      .deepest_nesting = deepest_nesting,
+                                      .kept = {"linkwright", "problem", "linkages", "task", "lengths", "pivots"}});
+  if (!tree) return tree.errors();
+  Mistakes mistakes;
+  const JsonValue root(*tree, "", mistakes);
+  if (const auto refusal = refuse_version(root)) return *refusal;
+  const JsonObject file(root, mistakes, {});
+  if (file.find("task")) {
+    return Error{"problem_file", "task",
+                 "this is a problem file, not a result; solve it first: linkwright solve PROBLEM.json -o RESULT.json"};
+  }
+  std::vector<AnyStoredLinkage> linkages;
+  const auto list = file.require("linkages", "the list of linkages of a result file");
+  if (list) {
+    const StoredLinkage of_the_problem = read_problem_echo(file, mistakes);
+    list->for_each("a list of linkages", [&](const JsonValue& item) {
+      StoredLinkage surroundings = of_the_problem;
+      read_own_poses(item, mistakes, surroundings);
+      auto linkage = read_element(item, surroundings, mistakes);
+      if (!linkage) return;
+      std::visit([&](auto& of_kind) { of_kind.record = item.json().dump(); }, *linkage);
+      linkages.push_back(*std::move(linkage));
+    });
+  }
+  if (!mistakes.empty()) return mistakes.take();
+  return linkages;
+}
+
+Result<std::vector<StoredLinkage>> read_result_linkages(std::string_view text) {
+  auto linkages = read_any_result_linkages(text);
+  if (!linkages) return linkages.errors();
+  std::vector<StoredLinkage> four_bars;
+  for (AnyStoredLinkage& linkage : *linkages) {
+    auto four_bar = as_four_bar(std::move(linkage));
+    if (!four_bar) return four_bar.errors();
+    four_bars.push_back(*std::move(four_bar));
+  }
+  return four_bars;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "file_header.hpp"
+#include "files/json/json_document.hpp"
+#include "files/json/json_object.hpp"
+#include "files/json/mistakes.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/problem_file.hpp"
+#include "linkwright/files/text_file.hpp"
+#include "task_reader.hpp"
+
+namespace linkwright {
+namespace {
+
+/// A limit that is a number, or null for none.
+void read_limit(const JsonObject& object, std::string_view key, double off, const std::function<void(double)>& set) {
+  const auto found = object.find(key);
+  if (!found) return;
+  if (found->is_null()) return set(off);
+  if (const auto number = found->as_number()) set(*number);
+}
+
+void read_flag(const JsonObject& object, std::string_view key, bool& flag) {
+  const auto found = object.find(key);
+  if (!found) return;
+  if (const auto read = found->as_flag()) flag = *read;
+}
+
+void read_text(const JsonObject& object, std::string_view key, std::string& text) {
+  const auto found = object.find(key);
+  if (!found) return;
+  if (auto read = found->as_text()) text = *std::move(read);
+}
+
+void read_whole_number(const JsonObject& object, std::string_view key, int& number) {
+  const auto found = object.find(key);
+  if (!found) return;
+  if (const auto read = found->as_whole_number()) number = *read;
+}
+
+void read_box(const JsonObject& object, std::string_view key, Mistakes& mistakes, std::optional<Box>& box) {
+  const auto found = object.find(key);
+  if (!found) return;
+  box = found->is_null() ? std::nullopt : read_box(*found, mistakes);
+}
+
+void read_types(const JsonObject& object, std::vector<LinkageType>& types) {
+  const auto found = object.find("types");
+  if (!found || found->is_null()) return;
+  found->for_each("a list of linkage types", [&](const JsonValue& item) {
+    const auto written = item.as_one_of(linkage_type_names);
+    if (!written) return;
+    const LinkageType type = *linkage_type_named(*written);
+    if (std::find(types.begin(), types.end(), type) != types.end()) {
+      item.mistake("repeated_type", fmt::format("\"{}\" is listed twice; keep one", *written));
+    } else {
+      types.push_back(type);
+    }
+  });
+}
+
+void read_requirements(const JsonValue& value, Mistakes& mistakes, Requirements& requirements) {
+  const std::size_t before = mistakes.size();
+  const JsonObject object(value, mistakes,
+                          {"types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length",
+                           "min_length", "ground_pivots_within", "moving_pivots_within", "respect_direction"});
+  read_types(object, requirements.types);
+  read_flag(object, "no_defects", requirements.no_defects);
+  read_limit(object, "min_transmission_angle_deg", 0,
+             [&](double limit) { requirements.min_transmission_angle = radians(limit); });
+  read_limit(object, "max_link_ratio", Requirements::unlimited,
+             [&](double limit) { requirements.max_link_ratio = limit; });
+  read_limit(object, "max_length", Requirements::unlimited, [&](double limit) { requirements.max_length = limit; });
+  read_limit(object, "min_length", 0, [&](double limit) { requirements.min_length = limit; });
+  read_box(object, "ground_pivots_within", mistakes, requirements.ground_pivots_within);
+  read_box(object, "moving_pivots_within", mistakes, requirements.moving_pivots_within);
+  read_flag(object, "respect_direction", requirements.respect_direction);
+  if (mistakes.size() == before) mistakes.add(mistakes_in(requirements));
+}
+
+/// One of the enumerators by its name.
+template <class Enumerator>
+void read_name(const JsonObject& object, std::string_view key, std::initializer_list<Enumerator> choices,
+               Enumerator& target) {
+  const auto found = object.find(key);
+  if (!found) return;
+  std::vector<std::string_view> names;
+  for (const Enumerator choice : choices) names.push_back(name(choice));
+  const auto written = found->as_one_of(names);
+  for (const Enumerator choice : choices) {
+    if (written && *written == name(choice)) target = choice;
+  }
+}
+
+std::optional<RegionWindow> read_window(const JsonValue& value) {
+  std::vector<Point> intervals;
+  if (!value.json().is_array() || value.json().size() != 2) {
+    value.wrong_type("a pair of intervals [[low, high], [low, high]]");
+    return std::nullopt;
+  }
+  value.for_each("a pair of intervals", [&](const JsonValue& item) {
+    if (const auto interval = item.as_pair("[low, high]")) intervals.push_back(*interval);
+  });
+  if (intervals.size() != 2) return std::nullopt;
+  return RegionWindow{{intervals[0].real(), intervals[0].imag()}, {intervals[1].real(), intervals[1].imag()}};
+}
+
+void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& options) {
+  const std::size_t before = mistakes.size();
+  const JsonObject object(value, mistakes,
+                          {"region_samples", "spacing", "objective", "best", "window", "box", "seed", "effort"});
+  read_whole_number(object, "region_samples", options.region_samples);
+  read_name(object, "spacing", {Spacing::coordinate, Spacing::arc_length}, options.spacing);
+  read_name(object, "objective",
+            {Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error},
+            options.objective);
+  read_whole_number(object, "best", options.best);
+  read_box(object, "box", mistakes, options.box);
+  read_whole_number(object, "seed", options.seed);
+  read_whole_number(object, "effort", options.effort);
+  const auto window = object.find("window");
+  if (window && !window->is_null()) options.window = read_window(*window);
+  if (mistakes.size() == before) mistakes.add(mistakes_in(options));
+}
+
+void read_view(const JsonValue& value, std::string& view) {
+  if (value.is_object()) {
+    view = value.json().dump();
+  } else {
+    value.wrong_type("an object { … }");
+  }
+}
+
+void read_members(const JsonObject& file, Mistakes& mistakes, Problem& problem) {
+  read_text(file, "title", problem.title);
+  read_text(file, "length_unit", problem.length_unit);
+  if (const auto requirements = file.find("requirements")) {
+    read_requirements(*requirements, mistakes, problem.requirements);
+  }
+  if (const auto options = file.find("options")) read_options(*options, mistakes, problem.options);
+  if (const auto task = file.require("task", "the task: \"task\": {\"kind\": \"motion\", …}"))
+    problem.task = read_task(*task, problem.options.box, mistakes);
+  if (mistakes.empty()) mistakes.add(mistakes_in(problem.task, problem.options));
+  if (const auto view = file.find("view")) read_view(*view, problem.view);
+}
+
+}  // namespace
+
+Result<Problem> read_problem(std::string_view text) {
+  const auto tree = parse_json(text, {.most_bytes = most_file_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
+  if (!tree) return tree.errors();
+
+  Mistakes mistakes;
+  const JsonValue root(*tree, "", mistakes);
+  if (const auto refusal = refuse_version(root)) return *refusal;
+  Problem problem;
+  const JsonObject file(root, mistakes,
+                        {"linkwright", "title", "length_unit", "task", "requirements", "options", "view"});
+  if (root.is_object()) {
+    check_version(file);
+    read_members(file, mistakes, problem);
+  }
+  if (!mistakes.empty()) return mistakes.take();
+  return problem;
+}
+
+Result<Problem> read_problem_file(const std::filesystem::path& path) {
+  const auto text = read_text_file(path, most_file_bytes);
+  return text ? read_problem(*text) : Result<Problem>(text.errors());
+}
+
+}  // namespace linkwright

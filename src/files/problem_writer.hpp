@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string_view>
+
+#include "files/json/json_writer.hpp"
+#include "linkwright/analysis/defects.hpp"
+#include "linkwright/files/problem_file.hpp"
+#include "task_writer.hpp"
+
+namespace linkwright {
+
+/// The problem as one JSON object, every default written out.
+void write_problem(JsonWriter& json, const Problem& problem);
+
+/// `{"x": [low, high], "y": [low, high]}`.
+void write_box(JsonWriter& json, const Box& box);
+
+/// `{"ground": …, "input": …, "coupler": …, "output": …}`.
+void write_lengths(JsonWriter& json, const LinkLengths& lengths);
+
+/// `{"order": …, "branch": …, "circuit": …}`.
+void write_defects(JsonWriter& json, Defects defects);
+
+/// `{"input_center": [x, y], "input_circle": …, "output_center": …, "output_circle": …}`.
+void write_pivots(JsonWriter& json, const FourBar& four_bar);
+
+}  // namespace linkwright

@@ -1,0 +1,65 @@
+#include "region_arrays.hpp"
+
+#include <cstring>
+
+#include "files/json/base64.hpp"
+#include "linkwright/region/cell_property.hpp"
+
+namespace linkwright {
+namespace {
+
+void write_bytes(JsonWriter& json, std::string_view key, const RegionMap& region, std::span<const std::uint8_t> cells) {
+  json.key(key);
+  json.begin_text();
+  Base64Encoder encoder;
+  std::string text;
+  for (std::size_t row = 0; row < region.rows(); ++row) {
+    text.clear();
+    encoder.encode(cells.subspan(row * region.columns(), region.columns()), text);
+    json.text_piece(text);
+  }
+  text.clear();
+  encoder.finish(text);
+  json.text_piece(text);
+  json.end_text();
+}
+
+void put_little_endian(float number, std::uint8_t* bytes) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &number, sizeof bits);
+  for (int i = 0; i < 4; ++i) bytes[i] = static_cast<std::uint8_t>(bits >> 8 * i);
+}
+
+void write_property(JsonWriter& json, const RegionMap& region, CellProperty property) {
+  json.key(key(property));
+  json.begin_text();
+  Base64Encoder encoder;
+  std::string text;
+  std::vector<float> values(region.columns());
+  std::vector<std::uint8_t> bytes(4 * region.columns());
+  for (std::size_t row = 0; row < region.rows(); ++row) {
+    row_values(region, property, row, values);
+    for (std::size_t column = 0; column < region.columns(); ++column)
+      put_little_endian(values[column], &bytes[4 * column]);
+    text.clear();
+    encoder.encode(bytes, text);
+    json.text_piece(text);
+  }
+  text.clear();
+  encoder.finish(text);
+  json.text_piece(text);
+  json.end_text();
+}
+
+}  // namespace
+
+void write_region_arrays(JsonWriter& json, const RegionMap& region) {
+  write_bytes(json, "type", region, region.types());
+  write_bytes(json, "defects", region, region.defects());
+  json.key("properties");
+  json.begin_object();
+  for (std::size_t p = 0; p < cell_properties; ++p) write_property(json, region, static_cast<CellProperty>(p));
+  json.end_object();
+}
+
+}  // namespace linkwright

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "files/json/json_writer.hpp"
+#include "linkwright/planar/burmester_curve.hpp"
+#include "linkwright/region/requirement_filter.hpp"
+
+namespace linkwright {
+
+/// `[{"name": …, "from": τ, "to": τ}, …]`.
+void write_branches(JsonWriter& json, const std::vector<CurveBranch>& branches);
+
+/// `"value": …`, as a problem file wants it: a number, a box or null.
+void write_relaxed_value(JsonWriter& json, const Relaxation& relaxation);
+/// `{"requirements": […], "leaves": …}`.
+void write_joint_relaxation(JsonWriter& json, const JointRelaxation& joint);
+
+}  // namespace linkwright

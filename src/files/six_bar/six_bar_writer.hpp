@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "files/json/json_writer.hpp"
+#include "linkwright/mechanism/six_bar.hpp"
+#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/synthesis.hpp"
+
+namespace linkwright {
+
+/// Members `topology`, `chain`, `added` and `joints` of an object that is open. `coordinates`: τ of the added links, or
+/// none.
+void write_make_up(JsonWriter& json, const SixBar& six_bar, const std::array<int, 4>& elbow,
+                   std::span<const double> coordinates);
+
+/// `{"1:a-b": …}`.
+void write_lengths(JsonWriter& json, std::span<const SixBarLength> lengths);
+
+/// An element of a result's `linkages`.
+void write_six_bar(JsonWriter& json, const SixBarSolution& found);
+
+/// An element of a region's `axes`: link 4 to the rows, link 5 to the columns.
+void write_six_bar_axis(JsonWriter& json, const SixBarTask& task, LinkageFamily::Side side);
+
+/// How a search went: the object `search`.
+void write_search(JsonWriter& json, const SixBarSearchResult& search, const SynthesisOptions& options);
+
+}  // namespace linkwright

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "files/json/json_writer.hpp"
+#include "linkwright/mechanism/pose.hpp"
+#include "linkwright/planar/task.hpp"
+
+namespace linkwright {
+
+/// The object `task` of a problem file, every default written out.
+void write_task(JsonWriter& json, const Task& task);
+/// A pose as problem files hold it.
+void write_pose(JsonWriter& json, const PrescribedPose& pose);
+/// The object `chain` of a six-bar's task.
+void write_chain(JsonWriter& json, const ThreeLinkChain& chain);
+/// `[x, y]`, on one line.
+void write_point(JsonWriter& json, Point point);
+/// `[low, high]`, on one line.
+void write_interval(JsonWriter& json, double low, double high);
+
+}  // namespace linkwright

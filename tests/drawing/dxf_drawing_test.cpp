@@ -1,0 +1,99 @@
+#include "linkwright/drawing/dxf_drawing.hpp"
+
+#include <gtest/gtest.h>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "support/file_support.hpp"
+
+namespace linkwright {
+namespace {
+
+using testing::motion;
+
+struct Pair {
+  int code = 0;
+  std::string value;
+};
+
+std::vector<Pair> pairs_of(const std::string& text) {
+  std::vector<Pair> pairs;
+  std::istringstream lines(text);
+  for (std::string code, value; std::getline(lines, code) && std::getline(lines, value);) {
+    pairs.push_back({std::stoi(code), value});
+  }
+  return pairs;
+}
+
+StoredLinkage best_tailgate(const std::string& unit) {
+  StoredLinkage linkage;
+  linkage.four_bar = testing::solved_tailgate().linkages.front().four_bar;
+  linkage.length_unit = unit;
+  linkage.poses = motion(testing::tailgate()).poses;
+  return linkage;
+}
+
+std::string value_after(const std::vector<Pair>& pairs, const std::string& variable) {
+  for (std::size_t i = 0; i + 1 < pairs.size(); ++i) {
+    if (pairs[i].code == 9 && pairs[i].value == variable) return pairs[i + 1].value;
+  }
+  return "";
+}
+
+TEST(DxfDrawing, TellsItsUnit) {
+  const std::pair<std::string, std::string> units[] = {{"mm", "4"}, {"cm", "5"}, {"m", "6"},     {"in", "1"},
+                                                       {"ft", "2"}, {"", "0"},   {"parsec", "0"}};
+  for (const auto& [unit, code] : units) {
+    EXPECT_EQ(value_after(pairs_of(draw_dxf(best_tailgate(unit))), "$INSUNITS"), code) << unit;
+  }
+}
+
+TEST(DxfDrawing, HasTheLayersOfTheLinks) {
+  std::map<std::string, int> entities;
+  for (const Pair& pair : pairs_of(draw_dxf(best_tailgate("mm")))) {
+    if (pair.code == 8) ++entities[pair.value];
+  }
+  for (const char* layer : {"GROUND", "INPUT", "COUPLER", "OUTPUT", "POSITIONS", "COUPLER_CURVE"}) {
+    EXPECT_GT(entities[layer], 0) << layer;
+  }
+  EXPECT_EQ(entities["INPUT"], 6);  // two sides, two ends, two holes
+}
+
+TEST(DxfDrawing, PinsLieAtThePivots) {
+  const StoredLinkage linkage = best_tailgate("mm");
+  const auto pairs = pairs_of(draw_dxf(linkage));
+  std::vector<Point> centers;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (pairs[i].code != 0 || pairs[i].value != "CIRCLE") continue;
+    Point center;
+    for (++i; pairs[i].code != 0; ++i) {
+      if (pairs[i].code == 10) center.real(std::stod(pairs[i].value));
+      if (pairs[i].code == 20) center.imag(std::stod(pairs[i].value));
+    }
+    centers.push_back(center);
+    --i;
+  }
+  const FourBar& bars = linkage.four_bar;
+  EXPECT_EQ(centers.size(), 8u);
+  for (const Point pivot : {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle}) {
+    EXPECT_GE(std::count(centers.begin(), centers.end(), pivot), 2);
+  }
+}
+
+TEST(DxfDrawing, HandlesAreUnique) {
+  std::set<std::string> handles;
+  for (const Pair& pair : pairs_of(draw_dxf(best_tailgate("mm")))) {
+    const bool is_handle = (pair.code == 5 || pair.code == 105) && !pair.value.empty();
+    EXPECT_TRUE(!is_handle || handles.insert(pair.value).second) << pair.value;
+  }
+}
+
+TEST(DxfDrawing, WorksWithoutPoses) {
+  StoredLinkage linkage;
+  linkage.four_bar = {{0, 0}, {0, 2}, {4, 0}, {3, 3.5}};
+  EXPECT_NE(draw_dxf(linkage).find("LWPOLYLINE"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace linkwright

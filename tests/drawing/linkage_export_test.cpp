@@ -1,0 +1,35 @@
+#include "linkwright/drawing/linkage_export.hpp"
+
+#include <gtest/gtest.h>
+
+#include "linkwright/drawing/dxf_drawing.hpp"
+#include "linkwright/drawing/svg_drawing.hpp"
+#include "linkwright/files/csv_table.hpp"
+#include "support/file_support.hpp"
+
+namespace linkwright {
+namespace {
+
+TEST(LinkageExport, OfAFourBar) {
+  StoredLinkage linkage;
+  linkage.four_bar = testing::solved_tailgate().linkages.front().four_bar;
+  linkage.poses = testing::motion(testing::tailgate()).poses;
+  EXPECT_EQ(exported(linkage, "svg"), draw_linkage(linkage));
+  EXPECT_EQ(exported(linkage, "dxf"), draw_dxf(linkage));
+  EXPECT_EQ(exported(linkage, "csv"), motion_table(tabulated_cycle(linkage)));
+  EXPECT_EQ(exported(linkage, "json"), write_linkage(linkage));
+}
+
+TEST(LinkageExport, OfASixBar) {
+  StoredSixBar linkage;
+  linkage.row = *six_bar_row({BodyPair{0, 2}, BodyPair{0, 3}});
+  linkage.six_bar = SixBar::of({Point{0, 0}, Point{1, 0}, Point{3, 2}}, linkage.row.added, {Point{5, 0}, Point{4, 3}},
+                               {Point{6, -4}, Point{8, 3}});
+  EXPECT_EQ(exported(linkage, "svg"), draw_linkage(linkage));
+  EXPECT_EQ(exported(linkage, "dxf"), draw_dxf(linkage));
+  EXPECT_EQ(exported(linkage, "csv"), motion_table(tabulated_motion(linkage)));
+  EXPECT_EQ(exported(linkage, "json"), write_linkage(linkage));
+}
+
+}  // namespace
+}  // namespace linkwright

@@ -1,0 +1,124 @@
+#include "linkwright/files/csv_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <map>
+#include <sstream>
+
+#include "linkwright/core/angle.hpp"
+#include "support/file_support.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr FourBar crank_rocker{{0, 0}, {0, 2}, {4, 0}, {3, 3.5}};
+constexpr FourBar triple_rocker{{0, 0}, {0, 5}, {4, 0}, {2, 6}};
+
+std::vector<std::vector<std::string>> cells_of(const std::string& table) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+    if (line.back() == ',') rows.back().emplace_back();
+  }
+  return rows;
+}
+
+StoredLinkage stored(const FourBar& bars) {
+  StoredLinkage linkage;
+  linkage.four_bar = bars;
+  return linkage;
+}
+
+std::map<std::string, std::vector<std::string>> columns_of(const StoredLinkage& linkage) {
+  const auto rows = cells_of(motion_table(tabulated_cycle(linkage)));
+  std::map<std::string, std::vector<std::string>> columns;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < rows[0].size(); ++k) columns[rows[0][k]].push_back(rows[i].at(k));
+  return columns;
+}
+
+double number(const std::string& cell) { return std::strtod(cell.c_str(), nullptr); }
+
+TEST(CsvTable, SaysAgainstWhatEachAngleIsMeasured) {
+  // As it lies, the ground link points 40 degrees up.
+  const Point turn = std::polar(1.0, radians(40));
+  const FourBar turned{crank_rocker.input_center * turn, crank_rocker.input_circle * turn,
+                       crank_rocker.output_center * turn, crank_rocker.output_circle * turn};
+  auto columns = columns_of(stored(turned));
+  EXPECT_EQ(columns.size(), 17u);
+  const auto direction_of = [](Point from, Point to) { return degrees(std::arg(to - from)); };
+  EXPECT_EQ(columns["driver_turn_from_position_1_deg"].front(), "0");
+  EXPECT_NEAR(number(columns["input_angle_from_x_deg"].front()), direction_of(turned.input_center, turned.input_circle),
+              1e-12);
+  EXPECT_NEAR(number(columns["coupler_angle_from_x_deg"].front()),
+              direction_of(turned.input_circle, turned.output_circle), 1e-12);
+  EXPECT_NEAR(number(columns["output_angle_from_x_deg"].front()),
+              direction_of(turned.output_center, turned.output_circle), 1e-12);
+}
+
+TEST(CsvTable, OfACrankHasARowADegree) {
+  auto columns = columns_of(stored(crank_rocker));
+  const auto& turns = columns["driver_turn_from_position_1_deg"];
+  ASSERT_EQ(turns.size(), 361u);
+  for (std::size_t i = 0; i < turns.size(); ++i) EXPECT_NEAR(number(turns[i]), static_cast<double>(i), 1e-9);
+}
+
+TEST(CsvTable, NumbersReadBackBitIdentical) {
+  const StoredLinkage linkage = stored(crank_rocker);
+  const auto cycle = tabulated_cycle(linkage);
+  auto columns = columns_of(linkage);
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    EXPECT_EQ(number(columns["body_x"][i]), cycle[i].body.origin.real());
+    EXPECT_EQ(number(columns["output_rate"][i]), cycle[i].rates->output);
+  }
+}
+
+TEST(CsvTable, RatesAreEmptyAtDeadPoints) {
+  auto columns = columns_of(stored(triple_rocker));
+  const auto& rates = columns["output_rate"];
+  EXPECT_EQ(std::count(rates.begin(), rates.end(), ""), 2);
+  EXPECT_NE(rates.front(), "");
+}
+
+TEST(CsvTable, BeginsAtPositionOneAndHasARowAtEachPosition) {
+  StoredLinkage linkage = stored(testing::solved_tailgate().linkages.front().four_bar);
+  linkage.poses = testing::motion(testing::tailgate()).poses;
+  auto columns = columns_of(linkage);
+  std::vector<std::string> met;
+  for (std::size_t i = 0; i < columns["position"].size(); ++i) {
+    if (columns["position"][i].empty()) continue;
+    met.push_back(columns["position"][i]);
+    const Pose& pose = linkage.poses[met.size() - 1].pose;
+    EXPECT_EQ(number(columns["body_x"][i]), pose.origin.real());
+    EXPECT_EQ(number(columns["body_y"][i]), pose.origin.imag());
+    EXPECT_NEAR(number(columns["body_theta_deg"][i]), degrees(pose.angle), 1e-12);
+  }
+  EXPECT_EQ(met, (std::vector<std::string>{"1", "2", "3", "4"}));
+  EXPECT_EQ(columns["position"].front(), "1");
+}
+
+TEST(CsvTable, PivotsKeepTheirDistances) {
+  const LinkLengths lengths = triple_rocker.lengths();
+  for (const MotionState& state : tabulated_motion(triple_rocker, {1, 1})) {
+    EXPECT_NEAR(state.four_bar.lengths().coupler, lengths.coupler, 1e-9);
+    EXPECT_NEAR(state.four_bar.lengths().output, lengths.output, 1e-9);
+    EXPECT_NEAR(std::abs(state.coupler_point - state.four_bar.input_circle),
+                std::abs(Point(1, 1) - triple_rocker.input_circle), 1e-9);
+  }
+}
+
+TEST(CsvTable, TracesTheMovingFramesOrigin) {
+  StoredLinkage linkage;
+  linkage.four_bar = crank_rocker;
+  EXPECT_EQ(traced_point(linkage), crank_rocker.input_circle);
+  linkage.poses.push_back({{{7, 8}, 0}, {}});
+  EXPECT_EQ(traced_point(linkage), Point(7, 8));
+}
+
+}  // namespace
+}  // namespace linkwright
