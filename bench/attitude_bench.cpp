@@ -18,7 +18,7 @@
 #include "linkwright/attitude/rodrigues.hpp"
 #include "linkwright/attitude/rotation_vector.hpp"
 
-namespace linkwright::bench {
+namespace linkwright::bench::attitude_bench {
 namespace {
 
 std::vector<Rotation> random_rotations(int count) {
@@ -157,4 +157,4 @@ void add_peers() {
 }();
 
 }  // namespace
-}  // namespace linkwright::bench
+}  // namespace linkwright::bench::attitude_bench

@@ -8,7 +8,7 @@
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 
-namespace linkwright::bench {
+namespace linkwright::bench::region_bench {
 namespace {
 
 constexpr int some_samples = 1000;
@@ -77,4 +77,4 @@ bool register_all() {
 [[maybe_unused]] const bool registered = register_all();
 
 }  // namespace
-}  // namespace linkwright::bench
+}  // namespace linkwright::bench::region_bench

@@ -12,7 +12,7 @@
 #include <immintrin.h>
 #endif
 
-namespace linkwright::bench {
+namespace linkwright::bench::roofline_bench {
 namespace {
 
 constexpr int chains = 12;  // independent, to hide the latency of each
@@ -81,4 +81,4 @@ void write(benchmark::State& state) {
 BENCHMARK(write)->Arg(180'000)->Arg(18'000'000)->Arg(180'000'000);
 
 }  // namespace
-}  // namespace linkwright::bench
+}  // namespace linkwright::bench::roofline_bench

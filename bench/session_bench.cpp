@@ -8,7 +8,7 @@
 
 #include "session.hpp"
 
-namespace linkwright::bench {
+namespace linkwright::bench::session_bench {
 namespace {
 
 using wasm::ExploreRequest, wasm::HaloRequest, wasm::Session;
@@ -94,4 +94,4 @@ BENCHMARK(session_best)->Name("session/best")->Unit(benchmark::kMillisecond)->Us
 BENCHMARK(session_improve)->Name("session/improve")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
-}  // namespace linkwright::bench
+}  // namespace linkwright::bench::session_bench

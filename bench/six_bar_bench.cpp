@@ -7,7 +7,7 @@
 #include "linkwright/planar/six_bar_family.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 
-namespace linkwright::bench {
+namespace linkwright::bench::six_bar_bench {
 namespace {
 
 Problem example(const char* name) {
@@ -48,4 +48,4 @@ void search_chains(benchmark::State& state) {
 BENCHMARK(search_chains)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
-}  // namespace linkwright::bench
+}  // namespace linkwright::bench::six_bar_bench

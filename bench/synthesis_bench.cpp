@@ -5,7 +5,7 @@
 #include "bench_task.hpp"
 #include "linkwright/planar/synthesis.hpp"
 
-namespace linkwright::bench {
+namespace linkwright::bench::synthesis_bench {
 namespace {
 
 void dyads(benchmark::State& state, std::string_view name) {
@@ -29,4 +29,4 @@ BENCHMARK_CAPTURE(solve, drawer_hinge, "drawer_hinge")->Unit(benchmark::kMillise
 BENCHMARK_CAPTURE(solve, tailgate, "tailgate")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
-}  // namespace linkwright::bench
+}  // namespace linkwright::bench::synthesis_bench

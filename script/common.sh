@@ -16,14 +16,15 @@ use_kept_node() {
 }
 use_kept_node
 
-# Configures and builds a preset, quietly: one line, or the log of what went wrong.
+# Configures a preset and builds targets of it (all), quietly: one line, or the log of what went wrong.
 build_preset() {
   local preset=$1 start=$SECONDS log
+  local targets=("${@:2}")
   log="build/$preset.log"
   command -v cmake >/dev/null || fail "cmake is missing: run script/bootstrap first"
   mkdir -p build
   printf 'build/%s: ' "$preset"
-  if ! { cmake --preset "$preset" && cmake --build --preset "$preset" --parallel "$(nproc)" -- -k 0; } >"$log" 2>&1; then
+  if ! { cmake --preset "$preset" && cmake --build --preset "$preset" --parallel "$(nproc)" ${targets:+--target "${targets[@]}"} -- -k 0; } >"$log" 2>&1; then
     printf 'failed\n'
     cut -c1-1000 "$log"
     return 1

@@ -12,8 +12,6 @@
 namespace linkwright::cli {
 namespace {
 
-constexpr int mistake = static_cast<int>(Status::mistake), failure = static_cast<int>(Status::failure);
-
 bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }

@@ -10,8 +10,6 @@
 namespace linkwright::cli {
 namespace {
 
-constexpr int mistake = static_cast<int>(Status::mistake), failure = static_cast<int>(Status::failure);
-
 /// Where the task comes from, and how its mistakes are told.
 class Source {
  public:

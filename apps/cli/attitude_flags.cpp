@@ -88,7 +88,7 @@ std::vector<AttitudeFlag> dh_flags() {
   };
 }
 
-Error mistake(const AttitudeFlag& flag, std::string message) {
+Error flag_mistake(const AttitudeFlag& flag, std::string message) {
   return {"wrong_type", std::string(flag.name), std::move(message)};
 }
 
@@ -135,8 +135,8 @@ Result<std::vector<double>> read_numbers(const AttitudeFlag& flag, const std::st
   const std::string shape =
       count == 1 ? "a number belongs here"
                  : fmt::format("{} numbers belong here, like {}", count, count > 4 ? "1,0,0,0,…" : flag.shape);
-  return mistake(flag, numbers ? fmt::format("{}, not {}", shape, numbers->size())
-                               : fmt::format("{}, not \"{}\"", shape, text.substr(0, 40)));
+  return flag_mistake(flag, numbers ? fmt::format("{}, not {}", shape, numbers->size())
+                                    : fmt::format("{}, not \"{}\"", shape, text.substr(0, 40)));
 }
 
 nlohmann::json& at(nlohmann::json& file, std::string_view place) {

@@ -15,6 +15,7 @@ namespace linkwright::cli {
 
 /// Exit statuses.
 enum class Status : int { done = 0, failure = 1, mistake = 2 };
+inline constexpr int mistake = static_cast<int>(Status::mistake), failure = static_cast<int>(Status::failure);
 
 /// A line for each mistake on standard error: "file: place: message".
 void print_mistakes(std::string_view file, const std::vector<Error>& mistakes);

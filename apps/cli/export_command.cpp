@@ -17,7 +17,6 @@ Result<std::vector<AnyStoredLinkage>> read_linkages(const std::string& path) {
 
 int export_linkage(const ExportArguments& arguments) {
   const Interruption interruption(Interruption::Answer::at_once);
-  constexpr int mistake = static_cast<int>(Status::mistake);
   const auto linkages = read_linkages(arguments.result);
   if (!linkages) {
     print_mistakes(arguments.result, linkages.errors());

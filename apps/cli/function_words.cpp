@@ -14,7 +14,6 @@ constexpr int digits = 3;
 
 using Side = LinkageFamily::Side;
 
-std::string angle(double radians) { return rounded_text(degrees(radians), 2) + "°"; }
 std::string small_angle(double radians) { return significant_text(degrees(radians), digits) + "°"; }
 
 std::string precision_text(const FunctionError& error) {
@@ -25,7 +24,7 @@ std::string reach_text(const FunctionError& error) {
   if (error.samples.empty()) return "–";  // only pairs are given
   if (error.unreached.empty()) return "whole range";
   std::string text = "not";
-  for (const AngleRange& gap : error.unreached) text += fmt::format(" {}…{}", angle(gap.from), angle(gap.to));
+  for (const AngleRange& gap : error.unreached) text += fmt::format(" {}…{}", angle_text(gap.from), angle_text(gap.to));
   return text;
 }
 
@@ -57,7 +56,8 @@ std::string function_error_words(const Solution& solution) {
     const FunctionError& error = *found.function;
     std::vector<std::string> cells = {fmt::format("{}", i + 1), precision_text(error),
                                       error.max_structural_error ? small_angle(*error.max_structural_error) : "–",
-                                      error.max_structural_error ? angle(error.worst_input) : "–", reach_text(error)};
+                                      error.max_structural_error ? angle_text(error.worst_input) : "–",
+                                      reach_text(error)};
     if (with_free) cells.insert(cells.begin() + 1, free_text(solution, found));
     table.add_row(std::move(cells));
   }

@@ -12,8 +12,6 @@
 namespace linkwright::cli {
 namespace {
 
-std::string angle(double radians) { return rounded_text(degrees(radians), 2) + "°"; }
-
 std::string lengths_words(const LinkageAnalysis& analysis) {
   const LinkLengths& lengths = analysis.lengths;
   const int decimals = std::min(length_decimals(lengths.longest()) + 1, 12);
@@ -45,7 +43,7 @@ std::string range_words(const LinkageAnalysis& analysis) {
   for (std::size_t i = 0; i < analysis.input_ranges.size(); ++i) {
     const AngleRange& range = analysis.input_ranges[i];
     text += fmt::format("{} from {} to {} ({})", i == 0 ? "" : ", or when put together the other way,",
-                        angle(range.from), angle(range.to), angle(range.to - range.from));
+                        angle_text(range.from), angle_text(range.to), angle_text(range.to - range.from));
   }
   return wrapped(text + ", measured from the ground link.");
 }
@@ -55,22 +53,22 @@ std::string dead_point_words(const LinkageAnalysis& analysis) {
   TextTable table({"dead point:", "input", "coupler", "output", "<coupler and output link"});
   for (const DeadPoint& dead_point : analysis.dead_points) {
     const Configuration& at = dead_point.configuration;
-    table.add_row({"", angle(wrap_signed(at.input_angle)), angle(wrap_signed(at.coupler_angle)),
-                   angle(wrap_signed(at.output_angle)), dead_point.extended ? "stretched" : "folded"});
+    table.add_row({"", angle_text(wrap_signed(at.input_angle)), angle_text(wrap_signed(at.coupler_angle)),
+                   angle_text(wrap_signed(at.output_angle)), dead_point.extended ? "stretched" : "folded"});
   }
   return table.text();
 }
 
 std::string transmission_words(const LinkageAnalysis& analysis) {
-  std::string text = fmt::format("Transmission angle as it lies: {}", angle(analysis.transmission_angle));
+  std::string text = fmt::format("Transmission angle as it lies: {}", angle_text(analysis.transmission_angle));
   if (input_is_crank(analysis.type)) {
-    text += fmt::format("; least over a full turn: {}", angle(analysis.min_transmission_angle_full_turn));
+    text += fmt::format("; least over a full turn: {}", angle_text(analysis.min_transmission_angle_full_turn));
   } else if (!analysis.motion.empty()) {
     const auto best =
         std::max_element(analysis.motion.begin(), analysis.motion.end(),
                          [](const auto& a, const auto& b) { return a.transmission_angle < b.transmission_angle; });
     text += fmt::format("; it is 0 at the dead points and largest, {}, at input angle {}",
-                        angle(best->transmission_angle), angle(wrap_signed(best->configuration.input_angle)));
+                        angle_text(best->transmission_angle), angle_text(wrap_signed(best->configuration.input_angle)));
   }
   return wrapped(text + ".");
 }

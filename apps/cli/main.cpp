@@ -14,8 +14,6 @@
 namespace linkwright::cli {
 namespace {
 
-constexpr int mistake = static_cast<int>(Status::mistake), failure = static_cast<int>(Status::failure);
-
 /// Of a command and those below it: an empty text is neither a number nor the name of a file.
 void refuse_empty_texts(CLI::App& command) {
   const CLI::Validator not_empty(

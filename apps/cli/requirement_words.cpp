@@ -10,20 +10,15 @@
 namespace linkwright::cli {
 namespace {
 
-constexpr int digits = 6;           // of a limit in words
+constexpr int limit_digits = 6;     // of a limit in words
 constexpr double touching = 0.005;  // of the limit, or of a box's side
 
-std::string length_words(double length, std::string_view unit) {
-  const std::string number = significant_text(length, digits);
+std::string limit_words(double length, std::string_view unit) {
+  const std::string number = significant_text(length, limit_digits);
   return unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
-std::string angle_words(double angle) { return significant_text(degrees(angle), digits) + "°"; }
-
-std::string box_words(const Box& box) {
-  return fmt::format("x {}…{}, y {}…{}", significant_text(box.x_low, digits), significant_text(box.x_high, digits),
-                     significant_text(box.y_low, digits), significant_text(box.y_high, digits));
-}
+std::string angle_words(double angle) { return significant_text(degrees(angle), limit_digits) + "°"; }
 
 std::string type_list(const std::vector<LinkageType>& types) {
   std::string text;
@@ -41,7 +36,8 @@ void add_border(std::vector<std::string>& touched, const std::optional<Box>& box
     const double room = touching * (high - low);
     if (value - low > room && high - value > room) return;
     const double border = value - low <= room ? low : high;
-    touched.push_back(fmt::format("{} at the border {} = {} of {}", which, axis, significant_text(border, digits), of));
+    touched.push_back(
+        fmt::format("{} at the border {} = {} of {}", which, axis, significant_text(border, limit_digits), of));
   };
   check(pivot.real(), box->x_low, box->x_high, 'x');
   check(pivot.imag(), box->y_low, box->y_high, 'y');
@@ -58,18 +54,24 @@ std::vector<std::string> limits_of_size(const Requirements& requirements, double
   if (least_gamma == 0 && gamma < radians(1))
     touched.push_back("the edge of locking, its transmission angle all but 0");
   if (ratio >= (1 - touching) * requirements.max_link_ratio) {
-    touched.push_back("link ratio at most " + significant_text(requirements.max_link_ratio, digits));
+    touched.push_back("link ratio at most " + significant_text(requirements.max_link_ratio, limit_digits));
   }
   if (requirements.max_length && longest >= (1 - touching) * *requirements.max_length) {
-    touched.push_back("longest link at most " + length_words(*requirements.max_length, unit));
+    touched.push_back("longest link at most " + limit_words(*requirements.max_length, unit));
   }
   if (requirements.min_length && longest <= (1 + touching) * *requirements.min_length * ratio) {
-    touched.push_back("shortest link at least " + length_words(*requirements.min_length, unit));
+    touched.push_back("shortest link at least " + limit_words(*requirements.min_length, unit));
   }
   return touched;
 }
 
 }  // namespace
+
+std::string box_words(const Box& box) {
+  return fmt::format("x {}…{}, y {}…{}", significant_text(box.x_low, limit_digits),
+                     significant_text(box.x_high, limit_digits), significant_text(box.y_low, limit_digits),
+                     significant_text(box.y_high, limit_digits));
+}
 
 std::string requirement_words(const Requirements& requirements, std::string_view unit, int position) {
   std::string text = requirements.no_defects ? "no defects" : "defects allowed";
@@ -79,13 +81,13 @@ std::string requirement_words(const Requirements& requirements, std::string_view
     add("transmission angle over the task at least " + angle_words(requirements.min_transmission_angle));
   }
   if (std::isfinite(requirements.max_link_ratio)) {
-    add("link ratio at most " + significant_text(requirements.max_link_ratio, digits));
+    add("link ratio at most " + significant_text(requirements.max_link_ratio, limit_digits));
   }
   if (requirements.max_length && std::isfinite(*requirements.max_length)) {
-    add("longest link at most " + length_words(*requirements.max_length, unit));
+    add("longest link at most " + limit_words(*requirements.max_length, unit));
   }
   if (requirements.min_length && *requirements.min_length > 0) {
-    add("shortest link at least " + length_words(*requirements.min_length, unit));
+    add("shortest link at least " + limit_words(*requirements.min_length, unit));
   }
   if (requirements.ground_pivots_within) add("fixed pivots in " + box_words(*requirements.ground_pivots_within));
   if (requirements.moving_pivots_within) {
@@ -136,18 +138,18 @@ std::string relaxation_words(const Relaxation& relaxation, std::string_view unit
     case RequirementKind::min_transmission_angle:
       return fmt::format("A transmission angle of at least {} would leave {}.", angle_words(*relaxation.value), leaves);
     case RequirementKind::max_link_ratio:
-      return fmt::format("A link ratio of at most {} would leave {}.", significant_text(*relaxation.value, digits),
-                         leaves);
+      return fmt::format("A link ratio of at most {} would leave {}.",
+                         significant_text(*relaxation.value, limit_digits), leaves);
     case RequirementKind::max_length:
-      return fmt::format("A longest link of at most {} would leave {}.", length_words(*relaxation.value, unit), leaves);
+      return fmt::format("A longest link of at most {} would leave {}.", limit_words(*relaxation.value, unit), leaves);
     case RequirementKind::min_length:
-      return fmt::format("A shortest link of at least {} would leave {}.", length_words(*relaxation.value, unit),
+      return fmt::format("A shortest link of at least {} would leave {}.", limit_words(*relaxation.value, unit),
                          leaves);
     default:
       break;
   }
   return fmt::format("{} = {} would leave {}.", key(relaxation.requirement),
-                     significant_text(*relaxation.value, digits), leaves);
+                     significant_text(*relaxation.value, limit_digits), leaves);
 }
 
 }  // namespace linkwright::cli

@@ -9,6 +9,9 @@
 
 namespace linkwright::cli {
 
+/// "x −450…60, y −220…−30".
+[[nodiscard]] std::string box_words(const Box& box);
+
 /// The requirements in plain words, "no defects, transmission angle at least 30°, …". `position`: in which the moving
 /// pivots are told, from 1.
 [[nodiscard]] std::string requirement_words(const Requirements& requirements, std::string_view unit, int position = 1);

@@ -19,19 +19,12 @@ namespace {
 
 using Solutions = std::vector<SixBarSolution>;
 
-std::string angle(double radians, int decimals = 1) { return rounded_text(degrees(radians), decimals) + "°"; }
-std::string angle_of(double sine) { return angle(std::asin(std::min(sine, 1.0)), 2); }
+std::string angle_of(double sine) { return angle_text(std::asin(std::min(sine, 1.0))); }
 
 bool is_driven(const SixBarRating& rating) { return rating.drive.completed && rating.drive.defects.none(); }
 
 std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", grouped_text(count), count == 1 ? one : many);
-}
-
-std::string box_words(const Box& box) {
-  constexpr int digits = 6;
-  return fmt::format("x {}…{}, y {}…{}", significant_text(box.x_low, digits), significant_text(box.x_high, digits),
-                     significant_text(box.y_low, digits), significant_text(box.y_high, digits));
 }
 
 std::string search_words(const Problem& problem, const Solution& solution, const SixBarSearchResult& search) {
@@ -52,7 +45,7 @@ std::string search_words(const Problem& problem, const Solution& solution, const
   return text;
 }
 
-std::string map_words(const Problem& problem, const Solution& solution) {
+std::string six_bar_map_words(const Problem& problem, const Solution& solution) {
   const RegionCounts& counts = solution.counts;
   const std::int64_t degenerate = counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   std::string text = fmt::format("The map of {} × {} pairs of added links holds {}", solution.region.rows(),
@@ -84,7 +77,8 @@ std::string dimension_table(const Solutions& found, int decimals) {
     const bool driven = is_driven(rating);
     table.add_row({fmt::format("{}", i + 1), std::string(label(found[i].row.topology)),
                    std::string(short_label(rating.shape.type)), drive_cell(rating.drive),
-                   driven ? angle(rating.drive.sweep) : "–", driven ? angle(rating.min_transmission_angle()) : "–",
+                   driven ? angle_text(rating.drive.sweep, 1) : "–",
+                   driven ? angle_text(rating.min_transmission_angle(), 1) : "–",
                    rounded_text(rating.shape.link_ratio, 2), rounded_text(rating.shape.longest, decimals)});
   }
   return table.text();
@@ -153,7 +147,7 @@ std::string check_words(const Solutions& all) {
                 : "driving did not confirm every six-bar listed, which is our mistake: please report it"));
 }
 
-std::string nothing_words(const Problem& problem, const Solution& solution) {
+std::string no_six_bar_words(const Problem& problem, const Solution& solution) {
   if (solution.options.best == 0 || (solution.search && solution.search->interrupted)) return "";
   std::string text = "\n" + wrapped(solution.reason.message);
   for (const Relaxation& relaxation : solution.relax)
@@ -176,8 +170,8 @@ std::string range_words(const SixBarMotion& motion) {
   return wrapped(
       fmt::format("The driver swings from {} to {} ({} in all) about position 1, counter-clockwise "
                   "positive, between two dead points.",
-                  angle(motion.states.front().place.turn, 2), angle(motion.states.back().place.turn, 2),
-                  angle(motion.states.back().place.turn - motion.states.front().place.turn, 2)));
+                  angle_text(motion.states.front().place.turn, 2), angle_text(motion.states.back().place.turn, 2),
+                  angle_text(motion.states.back().place.turn - motion.states.front().place.turn, 2)));
 }
 
 std::string travel_words(const SixBarAnalysis& analysis) {
@@ -188,8 +182,8 @@ std::string travel_words(const SixBarAnalysis& analysis) {
   return wrapped(
       fmt::format("Through all {} poses of the file the driver turns {} {}; the least transmission angle on "
                   "the way is {}.",
-                  analysis.linkage.poses.size(), angle(std::abs(turn), 2), turn < 0 ? "clockwise" : "counter-clockwise",
-                  angle_of(analysis.travel.least_sine())));
+                  analysis.linkage.poses.size(), angle_text(std::abs(turn), 2),
+                  turn < 0 ? "clockwise" : "counter-clockwise", angle_of(analysis.travel.least_sine())));
 }
 
 std::string transmission_words(const SixBarAnalysis& analysis) {
@@ -197,7 +191,7 @@ std::string transmission_words(const SixBarAnalysis& analysis) {
       analysis.motion.dyadic
           ? "Transmission angle (the smaller of its two dyads)"
           : "Transmission measure (its bodies move all together: asin √(|det| / Π|columns|) of the loops)";
-  std::string text = fmt::format("{} as it lies: {}", what, angle(analysis.transmission_angle, 2));
+  std::string text = fmt::format("{} as it lies: {}", what, angle_text(analysis.transmission_angle, 2));
   text += analysis.motion.full_turn
               ? fmt::format("; least over the full turn: {}.", angle_of(analysis.motion.least_sine()))
               : "; it is 0 at the dead points.";
@@ -208,8 +202,9 @@ std::string transmission_words(const SixBarAnalysis& analysis) {
 
 std::string six_bar_answer(const Problem& problem, const Solution& solution) {
   const Solutions& found = solution.six_bars;
-  std::string text = solution.search ? search_words(problem, solution, *solution.search) : map_words(problem, solution);
-  if (found.empty()) return text + nothing_words(problem, solution);
+  std::string text =
+      solution.search ? search_words(problem, solution, *solution.search) : six_bar_map_words(problem, solution);
+  if (found.empty()) return text + no_six_bar_words(problem, solution);
   double longest = 0;
   for (const SixBarSolution& one : found) longest = std::max(longest, one.rating.shape.longest);
   const int decimals = std::min(length_decimals(longest), 9);

@@ -9,8 +9,6 @@
 namespace linkwright::cli {
 namespace {
 
-constexpr int mistake = static_cast<int>(Status::mistake), failure = static_cast<int>(Status::failure);
-
 int stopped() {
   print_failure(Interruption::words());
   return Interruption::exit_status();

@@ -9,7 +9,6 @@
 namespace linkwright::cli {
 namespace {
 
-constexpr int mistake = static_cast<int>(Status::mistake), failure = static_cast<int>(Status::failure);
 constexpr int preferred_port = 4180;
 
 std::optional<WebFolder> find_workbench() {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/number_text.hpp"
+
 namespace linkwright::cli {
 namespace {
 
@@ -86,5 +89,7 @@ std::string printable(std::string_view text) {
   }
   return shown;
 }
+
+std::string angle_text(double radians, int decimals) { return rounded_text(degrees(radians), decimals) + "°"; }
 
 }  // namespace linkwright::cli

@@ -23,6 +23,9 @@ class TextTable {
 /// keeps the spaces that it starts with.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent = 0);
 
+/// "43.27°".
+[[nodiscard]] std::string angle_text(double radians, int decimals = 2);
+
 /// A title or unit from a file, without the control characters that could play tricks on a terminal.
 [[nodiscard]] std::string printable(std::string_view text);
 

@@ -5,9 +5,6 @@
 namespace linkwright::wasm {
 namespace {
 
-// Short enough for a curve that looks smooth at some zoom.
-constexpr double longest_side = 0.025;
-
 std::unique_ptr<const SixBarFamily> family_of(const SixBarTask& task) {
   if (!task.chain) return nullptr;
   const auto bodies = chain_positions(task.poses, *task.chain);
@@ -17,7 +14,7 @@ std::unique_ptr<const SixBarFamily> family_of(const SixBarTask& task) {
 
 DrawnCurves drawn_links(const AddedLinks& links) {
   if (links.curve->coordinate_length() == 0) return {};
-  return drawn_dyads(links.curve->polygon(longest_side), links.curve->branches(), links.conditions.frame);
+  return drawn_dyads(links.curve->polygon(drawn_side), links.curve->branches(), links.conditions.frame);
 }
 
 }  // namespace

@@ -42,8 +42,6 @@ std::vector<CurveBranch> unit_branches(std::initializer_list<std::string_view> n
 // An isolated point has one coordinate: a branch without length.
 CurveBranch isolated_point(double at) { return {"point", at, at}; }
 
-double great_circle(Homogeneous a, Homogeneous b) { return std::atan2(norm(cross(a, b)), std::abs(dot(a, b))); }
-
 // Two unit vectors that span the points of a line; the first at infinity.
 std::array<Homogeneous, 2> points_spanning(Homogeneous line) {
   const double direction = std::hypot(line.x, line.y);

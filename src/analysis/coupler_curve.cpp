@@ -12,9 +12,9 @@ namespace linkwright {
 namespace {
 
 /// Makes states of one four-bar and strings them together.
-class Recorder {
+class CycleRecorder {
  public:
-  Recorder(const FourBar& four_bar, Point traced)
+  CycleRecorder(const FourBar& four_bar, Point traced)
       : reference_(four_bar), lengths_(four_bar.lengths()), start_(configuration_of(four_bar)) {
     traced_ = traced - four_bar.input_circle;
   }
@@ -51,8 +51,6 @@ class Recorder {
   std::vector<MotionState> states_;
 };
 
-Assembly other(Assembly assembly) { return assembly == Assembly::positive ? Assembly::negative : Assembly::positive; }
-
 bool can_be_driven(const FourBar& four_bar, Point traced, int samples) {
   return samples >= 2 && is_finite(traced) && are_links(four_bar.lengths());
 }
@@ -66,12 +64,12 @@ std::vector<MotionState> motion_cycle(const FourBar& four_bar, Point traced, int
   const double start = configuration_of(four_bar).input_angle;
   const AngleRange range = range_around(ranges, start);
   const Assembly assembly = assembly_of(four_bar);
-  Recorder recorder(four_bar, traced);
+  CycleRecorder recorder(four_bar, traced);
   if (range.is_full_turn()) {
     recorder.drive(start, start + two_pi, assembly, samples);
   } else {
     recorder.drive(range.from, range.to, assembly, samples);
-    recorder.drive(range.to, range.from, other(assembly), samples);
+    recorder.drive(range.to, range.from, opposite(assembly), samples);
   }
   return recorder.take();
 }
@@ -84,7 +82,7 @@ std::vector<MotionState> motion_sweep(const FourBar& four_bar, Point traced, dou
   const AngleRange range = range_around(ranges, start);
   double end = start + sweep;
   if (!range.is_full_turn()) end = std::clamp(end, range.from, range.to);
-  Recorder recorder(four_bar, traced);
+  CycleRecorder recorder(four_bar, traced);
   recorder.drive(start, end, assembly_of(four_bar), samples);
   return recorder.take();
 }

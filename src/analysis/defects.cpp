@@ -48,8 +48,6 @@ void place(Side& side, const SideLink& link) {
   }
 }
 
-double acute(double angle) { return std::min(angle, pi - angle); }
-
 // From the vectors themselves: near a dead point a cosine has lost half the digits of its angle.
 double angle_at_ends(const SideLink& input, const SideLink& output) {
   const auto angle_at = [&](std::size_t j) {

@@ -36,9 +36,9 @@ std::vector<Stop> stops_of(const PoseVisits& visits, int samples) {
 }
 
 /// Makes states of one four-bar and strings them together, angles running on without jumps.
-class Recorder {
+class DriveRecorder {
  public:
-  Recorder(const PoseVisits& visits, std::span<const PrescribedPose> poses)
+  DriveRecorder(const PoseVisits& visits, std::span<const PrescribedPose> poses)
       : visits_(visits),
         poses_(poses),
         reference_(visits.four_bars.front()),
@@ -101,7 +101,7 @@ DriveTable drive_table(const PoseVisits& visits, std::span<const PrescribedPose>
   if (visits.four_bars.empty()) return table;
   table.full_turn = visits.full_turn;
   table.state_of_pose.assign(poses.size(), -1);
-  Recorder recorder(visits, poses);
+  DriveRecorder recorder(visits, poses);
   for (const Stop& stop : stops_of(visits, samples)) {
     const auto state = recorder.state(stop);
     if (!state) continue;

@@ -19,10 +19,10 @@ struct PivotRates {
   Point input_circle, output_circle;
 };
 
-double dot(const PivotRates& a, const PivotRates& b) {
-  return linkwright::dot(a.input_circle, b.input_circle) + linkwright::dot(a.output_circle, b.output_circle);
+double rates_dot(const PivotRates& a, const PivotRates& b) {
+  return dot(a.input_circle, b.input_circle) + dot(a.output_circle, b.output_circle);
 }
-double norm(const PivotRates& a) { return std::hypot(std::abs(a.input_circle), std::abs(a.output_circle)); }
+double rates_norm(const PivotRates& a) { return std::hypot(std::abs(a.input_circle), std::abs(a.output_circle)); }
 
 /// Where the poses want the moving pivots, how to move there, and the configuration that puts them there; the
 /// four-bar's own frame.
@@ -188,11 +188,11 @@ class Tracer {
 
   void compare_directions(const PivotRates& wanted, const Strand& at, Meeting& meeting) {
     const PivotRates found = rates_at(at);
-    const double along = dot(wanted, found), lengths = norm(wanted) * norm(found);
+    const double along = rates_dot(wanted, found), lengths = rates_norm(wanted) * rates_norm(found);
     const double share = along / lengths;  // not a number where nothing moves
-    const PivotRates aside{wanted.input_circle / norm(wanted) - share * found.input_circle / norm(found),
-                           wanted.output_circle / norm(wanted) - share * found.output_circle / norm(found)};
-    const double error = lengths > 0 ? std::atan2(norm(aside), std::abs(share)) : pi / 2;
+    const PivotRates aside{wanted.input_circle / rates_norm(wanted) - share * found.input_circle / rates_norm(found),
+                           wanted.output_circle / rates_norm(wanted) - share * found.output_circle / rates_norm(found)};
+    const double error = lengths > 0 ? std::atan2(rates_norm(aside), std::abs(share)) : pi / 2;
     circuit_.worst_direction_error = std::max(circuit_.worst_direction_error, error);
     meeting.forwards = error <= options_.miss && way_ * along > 0;
     meeting.backwards = error <= options_.miss && way_ * along < 0;

@@ -154,7 +154,7 @@ double largest_move(const Joints& from, const Joints& to) {
 }
 
 /// Hinges of the guided body where a pose wants them.
-struct Target {
+struct HingeTarget {
   std::array<Point, 2> hinges{};
   bool met = false;
 };
@@ -235,7 +235,7 @@ class Drive {
     return {joints[guided_[0]], joints[guided_[1]]};
   }
 
-  [[nodiscard]] bool is_near(const Joints& end, const Target& target) const {
+  [[nodiscard]] bool is_near(const Joints& end, const HingeTarget& target) const {
     const auto from = body(joints_), to = body(end);
     double way = 0, off = 0;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -247,7 +247,7 @@ class Drive {
 
   /// Turns the driver, from here on and at most half a step beyond the step, to where the guided body is nearest to the
   /// target (Gauss–Newton): is it there?
-  bool comes_to(const Target& target, double step) {
+  bool comes_to(const HingeTarget& target, double step) {
     constexpr int most_corrections = 30;
     constexpr double beyond = 0.5;
     Joints at = joints_;
@@ -302,7 +302,7 @@ class Drive {
   int sense_;
   SixBarCheckOptions options_;
   std::array<std::size_t, 2> guided_{};
-  std::vector<Target> targets_;
+  std::vector<HingeTarget> targets_;
   Joints joints_{};
   double turn_ = 0, body_turn_ = 0;
   SixBarCheck check_;

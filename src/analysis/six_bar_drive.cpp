@@ -22,18 +22,18 @@ struct Sample {
 };
 
 /// A configuration met: how far the walk had come, and how far the driver had turned.
-struct Meeting {
+struct PositionMet {
   double arc = 0, turn = 0;
 };
 
 /// What a walk from position 1 in one sense of the driver met.
 struct Walk {
-  std::vector<std::optional<Meeting>> meetings;
+  std::vector<std::optional<PositionMet>> meetings;
   double length = 0, turn = 0;
   std::vector<Sample> samples;
   int steps = 0;
 
-  explicit Walk(std::size_t wanted) : meetings(wanted) { meetings.front() = Meeting{}; }
+  explicit Walk(std::size_t wanted) : meetings(wanted) { meetings.front() = PositionMet{}; }
   [[nodiscard]] bool met_all() const {
     return std::all_of(meetings.begin(), meetings.end(), [](const auto& meeting) { return meeting.has_value(); });
   }
@@ -131,7 +131,7 @@ void Walker::meet(const SixBarStrand& here, const TurnVector& ahead, double leng
     const auto point = corrected(loops_, stepped(here.turns, times(*along, ahead)), accuracy);
     if (!point) continue;
     if (!(norm(shortest_way(point->turns, wanted_[j])) <= std::min(options_.miss, here.reach / 4))) continue;
-    walk.meetings[j] = Meeting{walk.length + *along, walk.turn + turn_between(here.turns, wanted_[j])};
+    walk.meetings[j] = PositionMet{walk.length + *along, walk.turn + turn_between(here.turns, wanted_[j])};
   }
 }
 
@@ -171,7 +171,7 @@ int likelier_sense(std::span<const SixBarTurns> wanted) {
 }
 
 SixBarDriveReport free_of_defects(const Walker& walker, const Walk& walk, int sense) {
-  const Meeting last = walk.meetings.back().value_or(Meeting{});
+  const PositionMet last = walk.meetings.back().value_or(PositionMet{});
   SixBarDriveReport report;
   report.completed = true;
   report.sense = sense > 0 ? DriveSense::ccw : DriveSense::cw;

@@ -12,7 +12,7 @@ namespace linkwright {
 namespace {
 
 /// A place of the cycle: a pose, or any other.
-struct Stop {
+struct CycleStop {
   double turn = 0;
   int pose = -1;
 };
@@ -22,8 +22,6 @@ struct Leg {
   double from = 0, to = 0;
   Assembly assembly{};
 };
-
-Assembly other(Assembly assembly) { return assembly == Assembly::positive ? Assembly::negative : Assembly::positive; }
 
 class Cycle {
  public:
@@ -41,7 +39,7 @@ class Cycle {
     if (visits_.four_bars.empty()) return {};
     record({0, 0}, visits_.assembly.front());
     for (const Leg& leg : legs())
-      for (const Stop& stop : stops_of(leg)) record(stop, leg.assembly);
+      for (const CycleStop& stop : stops_of(leg)) record(stop, leg.assembly);
     return std::move(states_);
   }
 
@@ -52,7 +50,7 @@ class Cycle {
     if (visits_.full_turn) return {{0, sense * two_pi, here}};
     const double ahead = visits_.counter_clockwise ? range_.to : range_.from;
     const double behind = visits_.counter_clockwise ? range_.from : range_.to;
-    return {{0, ahead, here}, {ahead, behind, other(here)}, {behind, 0, here}};
+    return {{0, ahead, here}, {ahead, behind, opposite(here)}, {behind, 0, here}};
   }
 
   /// The turn at a pose, within the reach of a leg.
@@ -64,14 +62,14 @@ class Cycle {
   }
 
   /// Where the leg begins is told by the leg before.
-  [[nodiscard]] std::vector<Stop> stops_of(const Leg& leg) const {
+  [[nodiscard]] std::vector<CycleStop> stops_of(const Leg& leg) const {
     const double low = std::min(leg.from, leg.to), high = std::max(leg.from, leg.to), too_near = 0.01 * step_;
-    std::vector<Stop> stops = poses_on(leg);
+    std::vector<CycleStop> stops = poses_on(leg);
     const std::size_t met = stops.size();
     const auto add = [&](double turn) {
       const bool taken = std::abs(turn - leg.from) < too_near ||
                          std::any_of(stops.begin(), stops.begin() + static_cast<std::ptrdiff_t>(met),
-                                     [&](const Stop& stop) { return std::abs(stop.turn - turn) < too_near; });
+                                     [&](const CycleStop& stop) { return std::abs(stop.turn - turn) < too_near; });
       if (!taken) stops.push_back({turn, -1});
     };
     for (double k = std::ceil(low / step_); k * step_ <= high; ++k)
@@ -79,12 +77,12 @@ class Cycle {
     add(leg.to);
     const bool rises = leg.to > leg.from;
     std::stable_sort(stops.begin(), stops.end(),
-                     [&](const Stop& a, const Stop& b) { return rises ? a.turn < b.turn : a.turn > b.turn; });
+                     [&](const CycleStop& a, const CycleStop& b) { return rises ? a.turn < b.turn : a.turn > b.turn; });
     return stops;
   }
 
-  [[nodiscard]] std::vector<Stop> poses_on(const Leg& leg) const {
-    std::vector<Stop> stops;
+  [[nodiscard]] std::vector<CycleStop> poses_on(const Leg& leg) const {
+    std::vector<CycleStop> stops;
     for (std::size_t pose = 1; pose < poses_.size(); ++pose) {
       if (!visits_.on_circuit[pose] || visits_.assembly[pose] != leg.assembly) continue;
       const double turn = turn_at(pose, {range_.from, range_.to, leg.assembly});
@@ -94,7 +92,7 @@ class Cycle {
     return stops;
   }
 
-  void record(const Stop& stop, Assembly assembly) {
+  void record(const CycleStop& stop, Assembly assembly) {
     if (stop.pose >= 0) {
       const FourBar& here = visits_.four_bars[static_cast<std::size_t>(stop.pose)];
       return record(stop, configuration_of(here), here);
@@ -103,7 +101,7 @@ class Cycle {
       record(stop, *found, placed(visits_.four_bars.front(), *found));
   }
 
-  void record(const Stop& stop, Configuration c, const FourBar& bars) {
+  void record(const CycleStop& stop, Configuration c, const FourBar& bars) {
     c.coupler_angle = last_.coupler_angle + wrap_signed(c.coupler_angle - last_.coupler_angle);
     c.output_angle = last_.output_angle + wrap_signed(c.output_angle - last_.output_angle);
     last_ = c;
@@ -113,7 +111,7 @@ class Cycle {
                        angle_rates(lengths_, c), stop.pose});
   }
 
-  [[nodiscard]] Pose body_at(const Stop& stop, const FourBar& bars, double coupler_turn) const {
+  [[nodiscard]] Pose body_at(const CycleStop& stop, const FourBar& bars, double coupler_turn) const {
     const Pose& first = poses_.front().pose;
     const double angle = first.angle + coupler_turn;
     if (stop.pose >= 0) {

@@ -9,8 +9,6 @@
 namespace linkwright {
 namespace {
 
-double acute(double angle) { return std::min(angle, pi - angle); }
-
 /// True where the closed interval holds `angle` or an angle that differs from it by whole turns.
 bool holds(double from, double to, double angle) {
   return std::floor((to - angle) / two_pi) >= std::ceil((from - angle) / two_pi);

@@ -25,6 +25,9 @@ namespace linkwright {
   return {(l.input - l.ground) - 2 * l.input * half_sine * half_sine, l.input * std::sin(input_angle)};
 }
 
+/// Of two lines that enclose this angle, in [0, π].
+[[nodiscard]] inline double acute(double angle) { return std::min(angle, pi - angle); }
+
 /// x + y − z, exact to rounding of the result where z is near the larger of x and y.
 [[nodiscard]] inline double excess(double x, double y, double z) { return std::min(x, y) - (z - std::max(x, y)); }
 

@@ -7,7 +7,7 @@ namespace {
 
 bool is_finite(const QuaternionRate& rate) { return std::isfinite(rate.w) && linkwright::is_finite(rate.v); }
 
-Error not_finite() {
+Error not_finite_rate() {
   return {"not_finite", "quaternion_rate", "a component is not a number or infinite: give four finite numbers"};
 }
 
@@ -32,14 +32,14 @@ QuaternionRate quaternion_acceleration(const UnitQuaternion& q_ij, const Angular
 }
 
 Result<QuaternionRateFit> angular_velocity(const UnitQuaternion& q_ij, const QuaternionRate& first) {
-  if (!is_finite(first)) return not_finite();
+  if (!is_finite(first)) return not_finite_rate();
   const QuaternionRate omega = twice_quotient(first, q_ij);
   return QuaternionRateFit{.in_i = {omega.v, {}}, .velocity_defect = std::fabs(omega.w)};
 }
 
 Result<QuaternionRateFit> angular_motion(const UnitQuaternion& q_ij, const QuaternionRate& first,
                                          const QuaternionRate& second) {
-  if (!is_finite(second)) return not_finite();
+  if (!is_finite(second)) return not_finite_rate();
   Result<QuaternionRateFit> fit = angular_velocity(q_ij, first);
   if (!fit) return fit;
   const QuaternionRate epsilon = twice_quotient(second, q_ij);

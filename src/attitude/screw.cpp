@@ -8,7 +8,7 @@
 namespace linkwright {
 namespace {
 
-Error not_finite() { return {"not_finite", "screw", "a number is missing or infinite: give finite numbers"}; }
+Error not_finite_screw() { return {"not_finite", "screw", "a number is missing or infinite: give finite numbers"}; }
 
 /// No turn: along the translation, or nothing at all.
 Screw sliding(Vector3 d) {
@@ -29,7 +29,7 @@ std::optional<double> Screw::pitch() const {
 
 Result<Screw> screw_of(const Displacement& displacement, double no_turn) {
   const Vector3 d = displacement.translation;
-  if (!is_finite(d) || !is_finite(displacement.rotation.matrix())) return not_finite();
+  if (!is_finite(d) || !is_finite(displacement.rotation.matrix())) return not_finite_screw();
   const UnitQuaternion q = displacement.rotation.quaternion();
   const double sine = norm(q.v());  // of half the angle
   const double angle = 2 * std::atan2(sine, q.w());
@@ -53,12 +53,12 @@ Result<Screw> screw_of(const Displacement& displacement, double no_turn) {
 
 Result<Displacement> screw_displacement(Vector3 direction, Vector3 point, double angle, double translation) {
   if (!is_finite(direction) || !is_finite(point) || !std::isfinite(angle) || !std::isfinite(translation))
-    return not_finite();
+    return not_finite_screw();
   const Result<AxisAngle> turn = AxisAngle::of(direction, angle);
   if (!turn) return turn.errors();
   const UnitQuaternion q = turn->quaternion();
   const Vector3 d = translation * turn->axis() - q.matrix_minus_identity() * point;
-  if (!is_finite(d)) return not_finite();
+  if (!is_finite(d)) return not_finite_screw();
   return Displacement{Rotation(q), d};
 }
 

@@ -9,17 +9,15 @@
 #include "linkwright/files/task_label.hpp"
 #include "palette.hpp"
 #include "region_figure.hpp"
+#include "sheet.hpp"
 #include "svg_canvas.hpp"
 #include "task_scene.hpp"
 
 namespace linkwright {
 namespace {
 
-constexpr double width = 1440, height = 900, border = 24;
-constexpr std::string_view separator = "   ·   ";
-constexpr PixelBox task_card{border, 84, 796, 664};
+using namespace solution_sheet;
 constexpr PixelBox region_card{836, 84, 580, 664};
-constexpr PixelBox strip_card{border, 764, width - 2 * border, 112};
 
 std::string_view region_heading(const Solution& solution) {
   if (is_board(solution))
@@ -87,13 +85,6 @@ std::string subtitle(const Problem& problem, const Solution& solution) {
                             solution.meeting_requirements == 1 ? "meets" : "meet");
 }
 
-void draw_header(SvgCanvas& svg, const Problem& problem, const Solution& solution) {
-  const std::string title = problem.title.empty() ? sentence_case(short_task_label(problem.task)) : problem.title;
-  svg.text({border, 42}, fitted(title, 24, 0.92 * (width - 2 * border)), {.size = 24, .weight = 650});
-  svg.text({border, 66}, fitted(subtitle(problem, solution), 14, 1.04 * (width - 2 * border)),
-           {.size = 14, .color = palette::ink2});
-}
-
 void draw_strip(SvgCanvas& svg, const Problem& problem, const Solution& solution) {
   solution.linkages.empty() ? draw_reason_strip(svg, strip_card, solution, problem.length_unit)
                             : draw_linkage_strip(svg, strip_card, solution, problem.length_unit);
@@ -104,9 +95,7 @@ void draw_strip(SvgCanvas& svg, const Problem& problem, const Solution& solution
 std::string draw_solution(const Problem& problem, const Solution& solution) {
   if (const auto* six_bar = std::get_if<SixBarTask>(&problem.task))
     return draw_six_bar_solution(problem, *six_bar, solution);
-  SvgCanvas svg(width, height, problem.title.empty() ? "Linkwright solution" : problem.title);
-  svg.rectangle({0, 0}, width, height, fill(palette::page));
-  draw_header(svg, problem, solution);
+  SvgCanvas svg = solution_sheet::begin(problem, subtitle(problem, solution));
   const TaskScene scene = task_scene(problem, solution);
   draw_task_scene(svg, scene, problem, solution, task_card);
   draw_region_card(svg, problem, solution, scene);

@@ -18,12 +18,12 @@
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "vocabulary.hpp"
 
 namespace linkwright {
 namespace {
 
-constexpr double largest_number = 1e12;  // lengths and coordinates; their squares and products stay far from overflow
-constexpr std::size_t most_poses = 5;    // what find_defects judges
+constexpr std::size_t most_poses = 5;  // what find_defects judges
 
 bool in_range(Point point) {
   return std::abs(point.real()) <= largest_number && std::abs(point.imag()) <= largest_number;
@@ -131,7 +131,7 @@ std::optional<FourBar> read_four_bar(const JsonValue& value, Mistakes& mistakes)
   return std::nullopt;
 }
 
-void read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
+void read_linkage_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
   if (value.json().is_array() && value.json().size() > most_poses) {
     value.mistake("pose_count", fmt::format("at most {} poses are read; remove the others", most_poses));
     return;
@@ -146,14 +146,14 @@ void read_own_poses(const JsonValue& element, Mistakes& mistakes, StoredLinkage&
   const auto own = element.is_object() ? JsonObject(element, mistakes, {}).find("poses") : std::nullopt;
   if (!own) return;
   linkage.poses.clear();
-  read_poses(*own, mistakes, linkage.poses);
+  read_linkage_poses(*own, mistakes, linkage.poses);
 }
 
 /// Title, unit and poses from beside a linkage or from a result's problem.
 void read_surroundings(const JsonObject& object, Mistakes& mistakes, StoredLinkage& linkage) {
   if (const auto title = object.find("title")) linkage.title = title->as_text().value_or("");
   if (const auto unit = object.find("length_unit")) linkage.length_unit = unit->as_text().value_or("");
-  if (const auto poses = object.find("poses")) read_poses(*poses, mistakes, linkage.poses);
+  if (const auto poses = object.find("poses")) read_linkage_poses(*poses, mistakes, linkage.poses);
 }
 
 StoredLinkage read_problem_echo(const JsonObject& file, Mistakes& mistakes) {
@@ -165,7 +165,7 @@ StoredLinkage read_problem_echo(const JsonObject& file, Mistakes& mistakes) {
   const auto task = object.find("task");
   if (task && task->is_object()) {
     const auto poses = JsonObject(*task, mistakes, {}).find("poses");
-    if (poses) read_poses(*poses, mistakes, surroundings.poses);
+    if (poses) read_linkage_poses(*poses, mistakes, surroundings.poses);
   }
   return surroundings;
 }

@@ -136,7 +136,7 @@ void read_view(const JsonValue& value, std::string& view) {
   }
 }
 
-void read_members(const JsonObject& file, Mistakes& mistakes, Problem& problem) {
+void read_problem_members(const JsonObject& file, Mistakes& mistakes, Problem& problem) {
   read_text(file, "title", problem.title);
   read_text(file, "length_unit", problem.length_unit);
   if (const auto requirements = file.find("requirements")) {
@@ -163,7 +163,7 @@ Result<Problem> read_problem(std::string_view text) {
                         {"linkwright", "title", "length_unit", "task", "requirements", "options", "view"});
   if (root.is_object()) {
     check_version(file);
-    read_members(file, mistakes, problem);
+    read_problem_members(file, mistakes, problem);
   }
   if (!mistakes.empty()) return mistakes.take();
   return problem;

@@ -62,7 +62,7 @@ bool read_number(const JsonObject& object, std::string_view key, std::optional<d
   return number.has_value();
 }
 
-bool read_flag(const JsonObject& object, std::string_view key, bool& flag) {
+bool read_task_flag(const JsonObject& object, std::string_view key, bool& flag) {
   const auto found = object.find(key);
   if (!found) return true;
   const auto read = found->as_flag();
@@ -73,7 +73,7 @@ bool read_flag(const JsonObject& object, std::string_view key, bool& flag) {
 std::optional<ThreePoseGiven> read_side_angle(const JsonObject& object) {
   const auto angle = object.require_number("side_angle_deg");
   SideAngle given;
-  if (!read_flag(object, "directed", given.directed) || !read_number(object, "input_length", given.input_length) ||
+  if (!read_task_flag(object, "directed", given.directed) || !read_number(object, "input_length", given.input_length) ||
       !angle)
     return std::nullopt;
   given.angle = radians(*angle);
@@ -83,7 +83,7 @@ std::optional<ThreePoseGiven> read_side_angle(const JsonObject& object) {
 std::optional<ThreePoseGiven> read_instant_center(const JsonObject& object) {
   const auto point = object.require_point("instant_center");
   InstantCenter given;
-  if (!read_flag(object, "at_infinity", given.at_infinity) || !point) return std::nullopt;
+  if (!read_task_flag(object, "at_infinity", given.at_infinity) || !point) return std::nullopt;
   given.point = *point;
   return given;
 }

@@ -21,13 +21,6 @@ void write_derivatives(JsonWriter& json, const std::vector<PoseDerivative>& deri
   json.end_list();
 }
 
-void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses) {
-  json.key("poses");
-  json.begin_list();
-  for (const PrescribedPose& pose : poses) write_pose(json, pose);
-  json.end_list();
-}
-
 void write_given(JsonWriter& json, const SideLengths& given) {
   if (!given.output) return json.member("side_length", given.input);
   json.key("side_lengths");
@@ -161,6 +154,13 @@ void write_of_kind(JsonWriter& json, const SixBarTask& task) {
 }
 
 }  // namespace
+
+void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses) {
+  json.key("poses");
+  json.begin_list();
+  for (const PrescribedPose& pose : poses) write_pose(json, pose);
+  json.end_list();
+}
 
 void write_task(JsonWriter& json, const Task& task) {
   json.begin_object();

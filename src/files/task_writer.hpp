@@ -10,6 +10,8 @@ namespace linkwright {
 void write_task(JsonWriter& json, const Task& task);
 /// A pose as problem files hold it.
 void write_pose(JsonWriter& json, const PrescribedPose& pose);
+/// The member `poses`.
+void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses);
 /// The object `chain` of a six-bar's task.
 void write_chain(JsonWriter& json, const ThreeLinkChain& chain);
 /// `[x, y]`, on one line.

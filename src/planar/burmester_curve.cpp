@@ -72,14 +72,14 @@ bool newton_step(const std::array<HomogeneousMatrix, 3>& conditions, Homogeneous
   return true;
 }
 
-double great_circle(Homogeneous a, Homogeneous b) { return std::atan2(norm(cross(a, b)), std::abs(dot(a, b))); }
-
 // Length run by both unit vectors together.
 double run_between(const Dyad& a, const Dyad& b) {
   return great_circle(a.circle, b.circle) + great_circle(a.center, b.center);
 }
 
 }  // namespace
+
+std::string_view name(Spacing spacing) { return spacing == Spacing::coordinate ? "coordinate" : "arc_length"; }
 
 BurmesterCurve::Seen::Seen(const PoseConditions& asked, const std::vector<HomogeneousMatrix>& rows)
     : conditions(first_three(rows)),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <numbers>
 
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -15,10 +16,14 @@
 namespace linkwright {
 namespace {
 
-constexpr double root_two = 1.4142135623730951;
-
 ConditionRow row_of(const HomogeneousMatrix& m) {
-  return {root_two * m.row[1].x, root_two * m.row[2].x, m.row[1].w, m.row[2].w, m.row[0].x, m.row[0].y, m.row[0].w};
+  return {std::numbers::sqrt2 * m.row[1].x,
+          std::numbers::sqrt2 * m.row[2].x,
+          m.row[1].w,
+          m.row[2].w,
+          m.row[0].x,
+          m.row[0].y,
+          m.row[0].w};
 }
 
 ConditionRows rows_of(const PoseConditions& conditions) {
@@ -128,7 +133,7 @@ Notice common_component() {
           {}};
 }
 
-Notice double_point(std::size_t index, int multiplicity) {
+Notice double_side_link(std::size_t index, int multiplicity) {
   return {"double_point",
           fmt::format("Side link {} counts {} times: solutions have run together there, and a small change of a pose "
                       "moves it far, parts it, or makes it vanish.",
@@ -155,7 +160,8 @@ BurmesterPoints burmester_points(const PoseConditions& conditions) {
             [](const BurmesterPoint& a, const BurmesterPoint& b) { return comes_before(a.dyad, b.dyad); });
   for (std::size_t i = 0; i < result.points.size(); ++i) {
     result.points[i].dyad.coordinate = static_cast<double>(i) + 0.5;
-    if (result.points[i].multiplicity > 1) result.warnings.push_back(double_point(i, result.points[i].multiplicity));
+    if (result.points[i].multiplicity > 1)
+      result.warnings.push_back(double_side_link(i, result.points[i].multiplicity));
   }
   return result;
 }

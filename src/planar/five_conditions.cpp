@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "linkwright/algebra/point.hpp"
 
 namespace linkwright {
 namespace {
-
-constexpr double root_two = 1.4142135623730951;
 
 // Symmetric matrix of the product of two linear forms.
 void add_product(HomogeneousMatrix& sum, Homogeneous u, Homogeneous v, double factor) {
@@ -77,10 +76,10 @@ DyadSpace dyad_space(const ConditionRows& rows) {
 ConicMeeting dyads_in(const DyadSpace& space) {
   const auto& [p, q, x, y, u, v, w] = space;
   HomogeneousMatrix real{}, imaginary{};
-  add_product(real, p, w, root_two);
+  add_product(real, p, w, std::numbers::sqrt2);
   add_product(real, x, u, -1);
   add_product(real, y, v, -1);
-  add_product(imaginary, q, w, root_two);
+  add_product(imaginary, q, w, std::numbers::sqrt2);
   add_product(imaginary, y, u, -1);
   add_product(imaginary, x, v, 1);
   return meeting_of(real, imaginary);
@@ -91,7 +90,7 @@ Dyad factors_of(const DyadSpace& space, Homogeneous parameters) {
   for (std::size_t i = 0; i < 7; ++i) n[i] = dot(space[i], parameters);
   // [[W, ῡ], [ξ, p]] is the product of the columns (w, z) and (w′, C̄): every row and column of it names a point, the
   // longer the better, but the turn of a point is told by its w alone.
-  const Point p{root_two * n[0], root_two * n[1]}, xi{n[2], n[3]}, upsilon{n[4], n[5]};
+  const Point p{std::numbers::sqrt2 * n[0], std::numbers::sqrt2 * n[1]}, xi{n[2], n[3]}, upsilon{n[4], n[5]};
   const double w = n[6];
   const double finite_center = w * w + std::norm(xi), far_center = std::norm(upsilon);
   const double finite_circle = w * w + std::norm(upsilon), far_circle = std::norm(xi);

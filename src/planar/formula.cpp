@@ -16,7 +16,7 @@ namespace {
 
 using Kind = Formula::Kind;
 
-constexpr double degree = pi / 180;
+constexpr double one_degree = pi / 180;
 
 const std::array<std::pair<std::string_view, Formula>, 12> known = {{{"x", {Kind::power, 1, 1}},
                                                                      {"sqrt", {Kind::power, 0.5, 1}},
@@ -27,9 +27,9 @@ const std::array<std::pair<std::string_view, Formula>, 12> known = {{{"x", {Kind
                                                                      {"sin", {Kind::sine, 1, 1}},
                                                                      {"cos", {Kind::cosine, 1, 1}},
                                                                      {"tan", {Kind::tangent, 1, 1}},
-                                                                     {"sin_deg", {Kind::sine, 1, degree}},
-                                                                     {"cos_deg", {Kind::cosine, 1, degree}},
-                                                                     {"tan_deg", {Kind::tangent, 1, degree}}}};
+                                                                     {"sin_deg", {Kind::sine, 1, one_degree}},
+                                                                     {"cos_deg", {Kind::cosine, 1, one_degree}},
+                                                                     {"tan_deg", {Kind::tangent, 1, one_degree}}}};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || c == '_'; }

@@ -29,8 +29,6 @@ PrescribedPose pose_at(const AnglePair& first, const AnglePair& pair, Point grou
   return pose;
 }
 
-double great_circle(Homogeneous a, Homogeneous b) { return std::atan2(norm(cross(a, b)), std::abs(dot(a, b))); }
-
 // Every point of the input link keeps its distance from the one that lies a ground link's length along.
 bool is_parallelogram(const FunctionConditions& given) {
   constexpr std::array<Point, 3> probes = {Point{0.3, 0.7}, Point{-1.1, 0.4}, Point{0.6, -0.9}};

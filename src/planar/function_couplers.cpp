@@ -10,7 +10,7 @@
 namespace linkwright {
 namespace {
 
-Notice double_point(std::size_t number, int multiplicity) {
+Notice double_linkage(std::size_t number, int multiplicity) {
   return {"double_point",
           fmt::format("Linkage {} counts {} times: solutions have run together there, and a small change of an angle "
                       "moves it far, parts it, or makes it vanish.",
@@ -40,7 +40,7 @@ void take_points(FunctionCouplers& couplers) {
   for (const BurmesterPoint& point : found.points) {
     couplers.points.push_back(point.dyad);
     couplers.points.back().coordinate = static_cast<double>(couplers.points.size()) - 0.5;
-    if (point.multiplicity > 1) couplers.warnings.push_back(double_point(couplers.points.size(), point.multiplicity));
+    if (point.multiplicity > 1) couplers.warnings.push_back(double_linkage(couplers.points.size(), point.multiplicity));
   }
 }
 

@@ -14,9 +14,6 @@
 namespace linkwright {
 namespace {
 
-// Short enough for a curve that looks smooth at some zoom, as along any Burmester curve.
-constexpr double longest_side = 0.025;
-
 // Values of the free number at which the branches of its curves are counted.
 constexpr int looks_along_the_range = 33;
 
@@ -203,7 +200,7 @@ std::vector<double> FunctionFamily::samples(Side side, int count, Spacing spacin
 std::vector<Dyad> FunctionFamily::polygon(Side side) const {
   std::vector<Dyad> links;
   if (task_.free || (couplers_->curve && couplers_->curve->coordinate_length() == 0)) return links;
-  const std::vector<Dyad> couplers = couplers_->curve ? couplers_->curve->polygon(longest_side) : couplers_->points;
+  const std::vector<Dyad> couplers = couplers_->curve ? couplers_->curve->polygon(drawn_side) : couplers_->points;
   for (const Dyad& coupler : couplers)
     links.push_back(side == Side::input ? Dyad{Homogeneous::of(0), coupler.circle, coupler.coordinate}
                                         : Dyad{Homogeneous::of(ground_), coupler.center, coupler.coordinate});

@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "algebra/binomial.hpp"
 #include "linkwright/core/angle.hpp"
 
 namespace linkwright {
 namespace {
-
-constexpr std::array<std::array<double, 4>, 4> binomial = {{{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}}};
 
 // An arm turned, and its derivatives: v = e^{iα} arm, v′ = iα′v and so on.
 std::vector<Point> turned(Point arm, double angle, const std::vector<AngleDerivative>& derivatives,

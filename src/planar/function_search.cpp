@@ -107,7 +107,7 @@ class GeneratorSearch {
   std::vector<double> inputs_, values_;
 };
 
-bool better(const Generator& a, const Generator& b) {
+bool more_precise(const Generator& a, const Generator& b) {
   if (a.error() != b.error()) return a.error() < b.error();
   const RegionPlace &x = a.ranked.place, &y = b.ranked.place;
   return x.input != y.input ? x.input < y.input : x.output < y.output;
@@ -120,7 +120,7 @@ bool are_alike(const FourBar& a, const FourBar& b) {
 
 /// The best of them, no two alike.
 std::vector<Generator> distinct(std::vector<Generator> generators, std::size_t most) {
-  std::sort(generators.begin(), generators.end(), better);
+  std::sort(generators.begin(), generators.end(), more_precise);
   std::vector<Generator> held;
   for (const Generator& generator : generators) {
     const bool known = std::any_of(held.begin(), held.end(), [&](const Generator& other) {
@@ -132,7 +132,7 @@ std::vector<Generator> distinct(std::vector<Generator> generators, std::size_t m
 }
 
 // Resolution of a climb that tells which hill is the lower, and of the one that makes the numbers exact.
-constexpr double coarse = 1e-2, fine = 1e-7;
+constexpr double coarse_resolution = 1e-2, fine_resolution = 1e-7;
 
 }  // namespace
 
@@ -148,11 +148,11 @@ std::vector<RankedGenerator> best_generators(const FunctionFamily& family, const
     });
     return distinct(std::move(hills), most);
   };
-  std::vector<Generator> best = climbed(climbed(search.hills(progress), coarse), fine);
+  std::vector<Generator> best = climbed(climbed(search.hills(progress), coarse_resolution), fine_resolution);
   if (progress.is_cancelled()) return {};
   for (Generator& generator : best)
     if (const auto exact = search.at(generator.ranked.place, last_word)) generator = *exact;
-  std::sort(best.begin(), best.end(), better);
+  std::sort(best.begin(), best.end(), more_precise);
   std::vector<RankedGenerator> ranked;
   for (const Generator& generator : best) ranked.push_back(generator.ranked);
   return ranked;
@@ -163,7 +163,7 @@ std::optional<RegionPlace> improved_generator(const FunctionFamily& family, cons
   const GeneratorSearch search(family, requirements, {});
   const auto foot = search.at(start, GeneratorSearchOptions{}.error_samples);
   if (!foot) return std::nullopt;
-  const Generator top = search.climbed(*foot, fine, {});
+  const Generator top = search.climbed(*foot, fine_resolution, {});
   return top.error() < foot->error() ? std::optional(top.ranked.place) : std::nullopt;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> free_names = {"output_scale", "pair_output"};
 
-std::string place_of(std::size_t pair) { return fmt::format("task.pairs[{}]", pair); }
+std::string place_of_pair(std::size_t pair) { return fmt::format("task.pairs[{}]", pair); }
 
 void check_number(double value, std::string_view what, const std::string& place, std::vector<Error>& found) {
   if (std::abs(value) <= largest_coordinate) return;
@@ -39,15 +39,15 @@ void check_numbers(const FunctionTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.pairs.size(); ++i) {
     const AnglePair& pair = task.pairs[i];
     const std::size_t before = found.size();
-    check_number(degrees(pair.input), "input_deg", place_of(i) + ".input_deg", found);
-    check_number(degrees(pair.output), "output_deg", place_of(i) + ".output_deg", found);
+    check_number(degrees(pair.input), "input_deg", place_of_pair(i) + ".input_deg", found);
+    check_number(degrees(pair.output), "output_deg", place_of_pair(i) + ".output_deg", found);
     for (std::size_t m = 0; m < pair.derivatives.size(); ++m) {
-      const std::string here = fmt::format("{}.derivatives[{}]", place_of(i), m);
+      const std::string here = fmt::format("{}.derivatives[{}]", place_of_pair(i), m);
       check_number(pair.derivatives[m].input, "input", here + ".input", found);
       check_number(pair.derivatives[m].output, "output", here + ".output", found);
     }
     if (found.size() == before && !pair.derivatives.empty())
-      check_first_derivative(pair.derivatives.front(), place_of(i) + ".derivatives[0]", found);
+      check_first_derivative(pair.derivatives.front(), place_of_pair(i) + ".derivatives[0]", found);
   }
 }
 
@@ -87,7 +87,7 @@ void check_repetitions(const FunctionTask& task, std::vector<Error>& found) {
   for (std::size_t j = 1; j < task.pairs.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (std::abs(wrap_signed(task.pairs[j].input - task.pairs[i].input)) < repeated_input_angle) {
-        found.push_back({"repeated_input", place_of(j) + ".input_deg",
+        found.push_back({"repeated_input", place_of_pair(j) + ".input_deg",
                          fmt::format("pairs[{}] and pairs[{}] have the same input angle, and one input has one output; "
                                      "change one of them, or give rates (\"derivatives\") at one pair instead",
                                      i, j)});

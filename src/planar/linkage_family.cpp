@@ -13,9 +13,6 @@ namespace {
 constexpr std::array<std::string_view, 7> quantity_names = {
     "curve_coordinate", "burmester_point", "side_direction", "side_length", "output_scale", "pair_output", "nothing"};
 
-// Short enough for a curve that looks smooth at some zoom: a side this long is a hundredth of a task's size.
-constexpr double longest_side = 0.025;
-
 FamilyAxis curve_axis(const BurmesterCurve& curve) { return {AxisQuantity::curve_coordinate, curve.branches()}; }
 
 FamilyAxis point_axis(std::size_t count) {
@@ -24,9 +21,6 @@ FamilyAxis point_axis(std::size_t count) {
     axis.branches.push_back({"point", static_cast<double>(i), static_cast<double>(i + 1)});
   return axis;
 }
-
-// What stands on an axis where the family has no dyad: neither point exists, so that its pairs are degenerate.
-Dyad no_dyad(double tau) { return {{}, {}, tau}; }
 
 }  // namespace
 
@@ -161,7 +155,7 @@ std::vector<double> CurveFamily::samples(Side /*side*/, int count, Spacing spaci
 }
 
 std::vector<Dyad> CurveFamily::polygon(Side /*side*/) const {
-  return curve_->coordinate_length() == 0 ? std::vector<Dyad>{} : curve_->polygon(longest_side);
+  return curve_->coordinate_length() == 0 ? std::vector<Dyad>{} : curve_->polygon(drawn_side);
 }
 
 PointFamily::PointFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses, std::vector<Dyad> dyads)

@@ -11,7 +11,7 @@
 namespace linkwright {
 namespace {
 
-std::string place_of(std::size_t pose) { return fmt::format("task.poses[{}]", pose); }
+std::string place_of_pose(std::size_t pose) { return fmt::format("task.poses[{}]", pose); }
 
 void check_number(double value, double limit, const char* what, const std::string& place, std::vector<Error>& found) {
   if (std::abs(value) <= limit) return;
@@ -40,10 +40,10 @@ void check_derivatives(const std::vector<PoseDerivative>& derivatives, const std
 void check_numbers(const MotionTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.poses.size(); ++i) {
     const Pose& pose = task.poses[i].pose;
-    check_number(pose.origin.real(), largest_coordinate, "x", place_of(i) + ".x", found);
-    check_number(pose.origin.imag(), largest_coordinate, "y", place_of(i) + ".y", found);
-    check_number(degrees(pose.angle), largest_coordinate, "theta_deg", place_of(i) + ".theta_deg", found);
-    check_derivatives(task.poses[i].derivatives, place_of(i) + ".derivatives", found);
+    check_number(pose.origin.real(), largest_coordinate, "x", place_of_pose(i) + ".x", found);
+    check_number(pose.origin.imag(), largest_coordinate, "y", place_of_pose(i) + ".y", found);
+    check_number(degrees(pose.angle), largest_coordinate, "theta_deg", place_of_pose(i) + ".theta_deg", found);
+    check_derivatives(task.poses[i].derivatives, place_of_pose(i) + ".derivatives", found);
   }
 }
 
@@ -115,7 +115,7 @@ void check_repetitions(const MotionTask& task, std::vector<Error>& found) {
   for (std::size_t j = 1; j < task.poses.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (same_pose(task.poses[i].pose, task.poses[j].pose, extent)) {
-        found.push_back({"repeated_pose", place_of(j),
+        found.push_back({"repeated_pose", place_of_pose(j),
                          fmt::format("poses[{}] and poses[{}] are the same; move one of them, or give a direction of "
                                      "travel at one pose instead of repeating it",
                                      i, j)});

@@ -5,14 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "algebra/binomial.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
-
-constexpr std::array<std::array<double, 5>, 5> binomial = {
-    {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}}};
 
 // 1 − e^{iφ} through the half angle: exact for small turns.
 Point one_minus_direction(double phi) { return Point{0, -2 * std::sin(phi / 2)} * direction(phi / 2); }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int samples = 16;                  // along each curve of a chain
 constexpr std::int64_t draws_a_chain = 200;  // drawn for each that is to be tried, at most
-constexpr double different_design = 0.05;    // share of the box
+constexpr double different_chain = 0.05;     // share of the box
 
 bool contains_all(const Box& box, std::span<const Point> points) {
   return std::all_of(points.begin(), points.end(), [&](Point p) { return box.contains(p); });
@@ -246,7 +246,7 @@ SixBarSearchResult search_six_bars(const SixBarTask& task, const Requirements& r
   if (!row || !task.box) return result;
   const Box box = *task.box;
   const Search search(task, *row, box, requirements, choice.objective);
-  const double least = different_design * std::hypot(box.x_high - box.x_low, box.y_high - box.y_low);
+  const double least = different_chain * std::hypot(box.x_high - box.x_low, box.y_high - box.y_low);
   const std::size_t kept = 2 * static_cast<std::size_t>(std::max(choice.best, 0)) + 4;
   const auto effort = static_cast<std::int64_t>(std::max(options.effort, 0));
 

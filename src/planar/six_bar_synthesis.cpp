@@ -14,7 +14,7 @@ namespace linkwright {
 namespace {
 
 /// Two six-bars count as different designs when a hinge differs by this share of the chain.
-constexpr double different_design = 0.02;
+constexpr double different_links = 0.02;
 
 struct DriverTravel {
   DriveSense sense = DriveSense::none;
@@ -163,7 +163,7 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLin
     }
   });
   std::sort(tops.begin(), tops.end(), is_better);
-  return driven_exactly(distinct(tops, wanted, different_design * chain.size()), task, *row, requirements,
+  return driven_exactly(distinct(tops, wanted, different_links * chain.size()), task, *row, requirements,
                         choice.objective);
 }
 

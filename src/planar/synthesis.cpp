@@ -17,7 +17,6 @@ namespace linkwright {
 namespace {
 
 constexpr std::array<std::string_view, 3> status_names = {"solved", "no_solution", "degenerate"};
-constexpr std::array<std::string_view, 2> spacing_names = {"coordinate", "arc_length"};
 
 void append(std::vector<Error>& all, std::vector<Error> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
@@ -273,7 +272,6 @@ void judge(Solution& solution, const TaskWords& words) {
 }  // namespace
 
 std::string_view name(SolutionStatus status) { return status_names[static_cast<std::size_t>(status)]; }
-std::string_view name(Spacing spacing) { return spacing_names[static_cast<std::size_t>(spacing)]; }
 
 std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   std::vector<Error> found;

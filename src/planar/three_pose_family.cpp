@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/dyad.hpp"
 
 namespace linkwright {
 namespace {
@@ -50,8 +51,6 @@ double place_after(const std::vector<std::array<double, 2>>& intervals, double r
   }
   return std::nextafter(intervals.back()[1], 0.0);
 }
-
-Dyad no_dyad(double tau) { return {{}, {}, tau}; }
 
 std::vector<double> evenly(const FamilyAxis& axis, int count) {
   std::vector<double> coordinates;

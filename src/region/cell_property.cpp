@@ -9,9 +9,9 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, cell_properties> keys = {"min_transmission_angle_deg",
-                                                                "min_transmission_angle_full_turn_deg", "link_ratio",
-                                                                "longest_link", "driver_sweep_deg"};
+constexpr std::array<std::string_view, cell_properties> property_keys = {
+    "min_transmission_angle_deg", "min_transmission_angle_full_turn_deg", "link_ratio", "longest_link",
+    "driver_sweep_deg"};
 
 void angles_in_degrees(std::span<const float> versines, std::span<float> values) {
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -30,12 +30,12 @@ void sweeps_in_degrees(const RegionMap& map, std::size_t row, std::span<float> v
 
 }  // namespace
 
-std::string_view key(CellProperty property) { return keys[static_cast<std::size_t>(property)]; }
+std::string_view key(CellProperty property) { return property_keys[static_cast<std::size_t>(property)]; }
 
 std::optional<CellProperty> cell_property_named(std::string_view key) {
-  const auto found = std::find(keys.begin(), keys.end(), key);
-  if (found == keys.end()) return std::nullopt;
-  return static_cast<CellProperty>(found - keys.begin());
+  const auto found = std::find(property_keys.begin(), property_keys.end(), key);
+  if (found == property_keys.end()) return std::nullopt;
+  return static_cast<CellProperty>(found - property_keys.begin());
 }
 
 bool larger_is_better(CellProperty property) {

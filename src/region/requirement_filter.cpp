@@ -14,7 +14,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, requirement_kinds> keys = {
+constexpr std::array<std::string_view, requirement_kinds> requirement_keys = {
     "types",      "no_defects", "min_transmission_angle_deg", "max_link_ratio",
     "max_length", "min_length", "ground_pivots_within",       "moving_pivots_within"};
 
@@ -68,7 +68,7 @@ double rounded(double exact, bool upwards) {
 
 }  // namespace
 
-std::string_view key(RequirementKind kind) { return keys[static_cast<std::size_t>(kind)]; }
+std::string_view key(RequirementKind kind) { return requirement_keys[static_cast<std::size_t>(kind)]; }
 
 RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit,
                                      PivotsAt pivots_at)

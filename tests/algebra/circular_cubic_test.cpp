@@ -6,7 +6,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::circular_cubic_test {
 namespace {
 
 // (x + a)(x² + y²) + dx + ey with the focus and the axis anywhere.
@@ -31,8 +31,6 @@ PlaneCubic focal_cubic(double a, double d, double e, Point focus, double axis) {
          f * f * g * shifted[7] - f * g * g * shifted[8] - g * g * g * shifted[9];
   return cubic;
 }
-
-double great_circle(Homogeneous a, Homogeneous b) { return std::atan2(norm(cross(a, b)), std::abs(dot(a, b))); }
 
 void expect_on_curve(const PlaneCubic& cubic, const CircularCubic& curve, double tau) {
   const Homogeneous p = curve.point(tau);
@@ -198,4 +196,4 @@ TEST(CircularCubic, ItsAsymptoteIsTheTangentAtItsPointAtInfinity) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::circular_cubic_test

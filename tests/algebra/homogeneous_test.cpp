@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::homogeneous_test {
 namespace {
 
 constexpr Homogeneous a{1, 2, -3}, b{-0.5, 4, 1}, c{2, 0, 7};
@@ -60,4 +60,4 @@ TEST(HomogeneousMatrix, ProductFromTheLeftIsThatOfTheTransposed) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::homogeneous_test

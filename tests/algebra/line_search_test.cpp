@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace linkwright {
+namespace linkwright::line_search_test {
 namespace {
 
 struct Value {
@@ -81,4 +81,4 @@ TEST(LineSearch, LooksNowhereElseOnAPlain) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::line_search_test

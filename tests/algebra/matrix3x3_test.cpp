@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::matrix3x3_test {
 namespace {
 
 // Small whole numbers: every result below is exact.
@@ -53,4 +53,4 @@ TEST(Matrix3x3, ElementsSumsAndNorms) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::matrix3x3_test

@@ -6,7 +6,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::point_test {
 namespace {
 
 TEST(Point, ProductsAreRealAndImaginaryPartOfConjugateTimes) {
@@ -16,9 +16,9 @@ TEST(Point, ProductsAreRealAndImaginaryPartOfConjugateTimes) {
 }
 
 TEST(Point, CrossIsPositiveCounterClockwise) {
-  EXPECT_GT(cross({1, 0}, {1, 0.1}), 0);
-  EXPECT_LT(cross({1, 0}, {1, -0.1}), 0);
-  EXPECT_EQ(cross({2, 3}, {-4, -6}), 0);
+  EXPECT_GT(cross(Point{1, 0}, Point{1, 0.1}), 0);
+  EXPECT_LT(cross(Point{1, 0}, Point{1, -0.1}), 0);
+  EXPECT_EQ(cross(Point{2, 3}, Point{-4, -6}), 0);
 }
 
 TEST(Point, DirectionTurnsCounterClockwise) {
@@ -28,10 +28,10 @@ TEST(Point, DirectionTurnsCounterClockwise) {
 
 TEST(Point, IsFiniteOnlyInBothCoordinates) {
   const double infinite = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(is_finite({1e300, -1e300}));
-  EXPECT_FALSE(is_finite({0, infinite}));
-  EXPECT_FALSE(is_finite({std::nan(""), 0}));
+  EXPECT_TRUE(is_finite(Point{1e300, -1e300}));
+  EXPECT_FALSE(is_finite(Point{0, infinite}));
+  EXPECT_FALSE(is_finite(Point{std::nan(""), 0}));
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::point_test

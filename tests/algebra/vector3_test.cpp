@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-namespace linkwright {
+namespace linkwright::vector3_test {
 namespace {
 
 constexpr Vector3 a{1, 2, -3}, b{-0.5, 4, 1}, c{2, 0, 7};
@@ -48,9 +48,9 @@ TEST(Vector3, NormNeitherOverflowsNorUnderflows) {
 
 TEST(Vector3, NormOfNoNumberIsNone) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(std::isnan(norm({nan, 0, 0})));
-  EXPECT_TRUE(std::isnan(norm({0, nan, 0})));
-  EXPECT_TRUE(std::isnan(norm({1, 0, nan})));
+  EXPECT_TRUE(std::isnan(norm(Vector3{nan, 0, 0})));
+  EXPECT_TRUE(std::isnan(norm(Vector3{0, nan, 0})));
+  EXPECT_TRUE(std::isnan(norm(Vector3{1, 0, nan})));
 }
 
 TEST(Vector3, AngleIsExactNearNothingAndNearAHalfTurn) {
@@ -69,4 +69,4 @@ TEST(Vector3, KnowsWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::vector3_test

@@ -10,7 +10,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_four_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::coupler_curve_test {
 namespace {
 
 using testing::four_bar_at;
@@ -162,4 +162,4 @@ TEST(Motion, OfHostileInputIsEmpty) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::coupler_curve_test

@@ -9,7 +9,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_four_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::defects_test {
 namespace {
 
 using testing::coupler_pose;
@@ -190,4 +190,4 @@ TEST(DriveSense, HasNames) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::defects_test

@@ -10,7 +10,7 @@
 #include "support/random_four_bar.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::drive_table_test {
 namespace {
 
 using testing::tailgate_task;
@@ -124,4 +124,4 @@ TEST(DriveTable, IsEmptyWithoutALinkage) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::drive_table_test

@@ -12,7 +12,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_four_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::drive_through_test {
 namespace {
 
 using testing::coupler_pose;
@@ -430,4 +430,4 @@ TEST(DriveThrough, MeetsNoPoseBeyondTheLinkage) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::drive_through_test

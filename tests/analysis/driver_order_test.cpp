@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::driver_order_test {
 namespace {
 
 // A body that turns about the origin: a circle point on it meets the poses where they are.
@@ -68,4 +68,4 @@ TEST(DriverOrder, DirectionOfTravelCounts) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::driver_order_test

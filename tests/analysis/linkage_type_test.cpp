@@ -7,7 +7,7 @@
 #include "linkwright/analysis/position.hpp"
 #include "support/random_four_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::linkage_type_test {
 namespace {
 
 TEST(LinkageType, TextbookLinkages) {
@@ -90,4 +90,4 @@ TEST(ChangePointKind, BarkersSixKinds) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::linkage_type_test

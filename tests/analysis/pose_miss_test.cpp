@@ -11,7 +11,7 @@
 #include "support/random_four_bar.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::pose_miss_test {
 namespace {
 
 using testing::coupler_pose;
@@ -147,4 +147,4 @@ TEST(PoseMiss, NeedsALinkage) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::pose_miss_test

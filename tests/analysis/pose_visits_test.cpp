@@ -9,7 +9,7 @@
 #include "support/planar_case.hpp"
 #include "support/random_four_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::pose_visits_test {
 namespace {
 
 using testing::coupler_pose;
@@ -127,4 +127,4 @@ TEST(PoseVisits, AreEmptyWhereThereIsNoLinkage) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::pose_visits_test

@@ -11,7 +11,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_four_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::position_test {
 namespace {
 
 using testing::four_bar_at;
@@ -298,4 +298,4 @@ TEST(DeadPoints, OfAChangePointAreWhereItLiesFlat) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::position_test

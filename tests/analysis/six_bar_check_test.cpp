@@ -8,7 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_six_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::six_bar_check_test {
 namespace {
 
 /// A crank of 1 with all other links long: turns fully. The guided body 3 is a link of the second dyad.
@@ -91,4 +91,4 @@ TEST(SixBarCheck, FollowsTheBodyWithoutJumps) {
 TEST(SixBarCheck, OfNoPosesIsEmpty) { EXPECT_TRUE(check_by_driving(with_crank(), {}, 1).states.empty()); }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::six_bar_check_test

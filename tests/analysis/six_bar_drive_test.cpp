@@ -10,7 +10,7 @@
 #include "support/random_six_bar.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::six_bar_drive_test {
 namespace {
 
 using testing::RandomSixBar;
@@ -167,4 +167,4 @@ TEST(SixBarDrive, HasNoVerdictOverNothing) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::six_bar_drive_test

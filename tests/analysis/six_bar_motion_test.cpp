@@ -9,7 +9,7 @@
 #include "linkwright/planar/six_bar_solution.hpp"
 #include "support/random_six_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::six_bar_motion_test {
 namespace {
 
 constexpr double step = radians(1);
@@ -88,4 +88,4 @@ TEST(SixBarMotion, TravelsAsTheDriveReportSays) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::six_bar_motion_test

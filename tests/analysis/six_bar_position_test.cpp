@@ -9,7 +9,7 @@
 #include "support/random_six_bar.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::six_bar_position_test {
 namespace {
 
 using nlohmann::json;
@@ -112,4 +112,4 @@ TEST(SixBarPosition, GivesUpWhereNothingCloses) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::six_bar_position_test

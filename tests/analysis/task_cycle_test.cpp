@@ -6,7 +6,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::task_cycle_test {
 namespace {
 
 constexpr double step = radians(1);
@@ -86,4 +86,4 @@ TEST(TaskCycle, OfALinkWithoutLengthIsEmpty) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::task_cycle_test

@@ -8,7 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_four_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::transmission_angle_test {
 namespace {
 
 using testing::RandomFourBars;
@@ -127,4 +127,4 @@ TEST(TransmissionAngle, OfHostileInputIsZero) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::transmission_angle_test

@@ -6,7 +6,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_four_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::velocity_test {
 namespace {
 
 using testing::RandomFourBars;
@@ -90,4 +90,4 @@ TEST(AngleRates, OfHostileInputDoNotExist) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::velocity_test

@@ -6,7 +6,7 @@
 
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::angular_motion_test {
 namespace {
 
 using testing::random_direction;
@@ -116,4 +116,4 @@ TEST(AngularMotion, OfACarriedFrameIsThatOfTheProductOfTheMatrices) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::angular_motion_test

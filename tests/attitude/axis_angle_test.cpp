@@ -9,7 +9,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::axis_angle_test {
 namespace {
 
 using testing::attitude_cases;
@@ -96,4 +96,4 @@ TEST(AxisAngle, RefusesNoAxisAndWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::axis_angle_test

@@ -8,7 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::common_normal_test {
 namespace {
 
 using testing::random_direction;
@@ -90,4 +90,4 @@ TEST(CommonNormal, RefusesWhatIsNoLine) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::common_normal_test

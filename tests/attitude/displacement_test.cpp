@@ -12,7 +12,7 @@
 #include "support/attitude_case.hpp"
 #include "support/group_laws.hpp"
 
-namespace linkwright {
+namespace linkwright::displacement_test {
 namespace {
 
 using testing::ulps_between;
@@ -123,4 +123,4 @@ TEST(Displacement, MatrixOfColumnsIsRefusedByItsLastRow) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::displacement_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::dyadic_test {
 namespace {
 
 // Small whole numbers: every result below is exact.
@@ -54,4 +54,4 @@ TEST(Dyadic, ConjugateScalarAndVector) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::dyadic_test

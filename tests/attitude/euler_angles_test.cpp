@@ -10,7 +10,7 @@
 #include "support/attitude_case.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::euler_angles_test {
 namespace {
 
 using testing::attitude_cases;
@@ -217,4 +217,4 @@ TEST(EulerAngles, CardanAreTheTurnsOfTheThreeRings) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::euler_angles_test

@@ -12,7 +12,7 @@
 #include "support/attitude_case.hpp"
 #include "support/central_difference.hpp"
 
-namespace linkwright {
+namespace linkwright::euler_rates_test {
 namespace {
 
 using testing::random_direction;
@@ -215,4 +215,4 @@ TEST(EulerRates, RefuseWhatIsNotANumberOrGrowsBeyondNumbers) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::euler_rates_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace linkwright {
+namespace linkwright::euler_sequence_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -52,4 +52,4 @@ TEST(EulerSequence, ReversedIsOfTheOtherKind) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::euler_sequence_test

@@ -9,7 +9,7 @@
 #include "support/attitude_case.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::finite_rotation_test {
 namespace {
 
 using testing::attitude_cases;
@@ -87,4 +87,4 @@ TEST(FiniteRotation, SecondOrderKeepsItsDigitsInTheMatrix) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::finite_rotation_test

@@ -11,7 +11,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::hartenberg_denavit_test {
 namespace {
 
 using testing::ulps_between;
@@ -261,4 +261,4 @@ TEST(HartenbergDenavit, NamesTheParameterThatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::hartenberg_denavit_test

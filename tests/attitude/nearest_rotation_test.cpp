@@ -9,7 +9,7 @@
 #include "support/attitude_case.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::nearest_rotation_test {
 namespace {
 
 using testing::random_direction;
@@ -91,4 +91,4 @@ TEST(NearestRotation, RefusesWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::nearest_rotation_test

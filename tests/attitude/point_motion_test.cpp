@@ -10,7 +10,7 @@
 #include "support/central_difference.hpp"
 #include "support/group_laws.hpp"
 
-namespace linkwright {
+namespace linkwright::point_motion_test {
 namespace {
 
 using testing::random_direction;
@@ -96,4 +96,4 @@ TEST(PointMotion, MotionsOfBodiesAreAGroup) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::point_motion_test

@@ -9,7 +9,7 @@
 #include "support/attitude_case.hpp"
 #include "support/central_difference.hpp"
 
-namespace linkwright {
+namespace linkwright::quaternion_rate_test {
 namespace {
 
 using testing::random_direction;
@@ -75,4 +75,4 @@ TEST(QuaternionRate, RefusesWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::quaternion_rate_test

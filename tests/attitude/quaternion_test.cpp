@@ -7,7 +7,7 @@
 
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::quaternion_test {
 namespace {
 
 using testing::attitude_cases;
@@ -117,4 +117,4 @@ TEST(UnitQuaternion, AboutAnAxisIsThatOfItsComponents) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::quaternion_test

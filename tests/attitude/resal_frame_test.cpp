@@ -7,7 +7,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::resal_frame_test {
 namespace {
 
 using testing::random_rotation;
@@ -47,4 +47,4 @@ TEST(ResalFrame, CountsAllAsPrecessionAtALock) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::resal_frame_test

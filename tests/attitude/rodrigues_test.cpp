@@ -9,7 +9,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::rodrigues_test {
 namespace {
 
 using testing::attitude_cases;
@@ -100,4 +100,4 @@ TEST(ModifiedRodriguesVector, RefusesWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::rodrigues_test

@@ -9,7 +9,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::rotation_properties_test {
 namespace {
 
 using testing::attitude_cases;
@@ -91,4 +91,4 @@ TEST(RotationProperties, IdentityHasNoAxis) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::rotation_properties_test

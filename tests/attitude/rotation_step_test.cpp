@@ -9,7 +9,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::rotation_step_test {
 namespace {
 
 constexpr int million = 1000000;
@@ -102,4 +102,4 @@ TEST(RotationStep, RefusesWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::rotation_step_test

@@ -10,7 +10,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::rotation_test {
 namespace {
 
 using testing::attitude_cases;
@@ -146,4 +146,4 @@ TEST(Rotation, AngleBetweenTwoAttitudes) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::rotation_test

@@ -8,7 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::rotation_vector_test {
 namespace {
 
 using testing::attitude_cases;
@@ -78,4 +78,4 @@ TEST(RotationVector, RefusesWhatIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::rotation_vector_test

@@ -12,7 +12,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::screw_test {
 namespace {
 
 using testing::random_direction;
@@ -268,4 +268,4 @@ TEST(Screw, RefusesWhatIsNoScrew) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::screw_test

@@ -9,7 +9,7 @@
 #include "linkwright/planar/synthesis.hpp"
 #include "session.hpp"
 
-namespace linkwright::wasm {
+namespace linkwright::wasm::session_kinds_test {
 namespace {
 
 using nlohmann::json;
@@ -271,4 +271,4 @@ TEST(SessionOfASixBar, WithoutAChainAsksForOne) {
 }
 
 }  // namespace
-}  // namespace linkwright::wasm
+}  // namespace linkwright::wasm::session_kinds_test

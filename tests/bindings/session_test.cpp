@@ -11,7 +11,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/linkage_file.hpp"
 
-namespace linkwright::wasm {
+namespace linkwright::wasm::session_test {
 namespace {
 
 using nlohmann::json;
@@ -210,4 +210,4 @@ TEST_F(SessionTest, WritesEveryFormat) {
 }
 
 }  // namespace
-}  // namespace linkwright::wasm
+}  // namespace linkwright::wasm::session_test

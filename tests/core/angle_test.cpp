@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::angle_test {
 namespace {
 
 TEST(Angle, DegreesAndRadiansAreInverse) {
@@ -44,4 +44,4 @@ TEST(Angle, WrapPeriodRunsRound) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::angle_test

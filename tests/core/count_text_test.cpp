@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::count_text_test {
 namespace {
 
 TEST(CountText, IsGroupedInThrees) {
@@ -21,4 +21,4 @@ TEST(CountText, LimitsAreWrittenAsPeopleReadThem) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::count_text_test

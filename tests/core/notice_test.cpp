@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::notice_test {
 namespace {
 
 TEST(Notice, HoldsNumbersAndWordsByName) {
@@ -12,4 +12,4 @@ TEST(Notice, HoldsNumbersAndWordsByName) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::notice_test

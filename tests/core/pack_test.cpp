@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace linkwright::isa_pack_test {
+namespace linkwright::isa_pack_test::pack_test {
 namespace {
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();
@@ -43,4 +43,4 @@ TEST(Pack, SignsAreTakenFromTheBit) {
 }
 
 }  // namespace
-}  // namespace linkwright::isa_pack_test
+}  // namespace linkwright::isa_pack_test::pack_test

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace linkwright {
+namespace linkwright::parallel_test {
 namespace {
 
 TEST(ParallelFor, CoversEveryIndexOnce) {
@@ -81,4 +81,4 @@ TEST(ParallelFor, DoesNotWaitForHelpersThatDoNotCome) {
 TEST(ParallelFor, KnowsOfAtLeastOneThread) { EXPECT_GE(available_threads(), 1); }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::parallel_test

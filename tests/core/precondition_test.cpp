@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::precondition_test {
 namespace {
 
 TEST(Precondition, ThatHoldsIsNotNoticed) { require(true, "never said"); }
@@ -12,4 +12,4 @@ TEST(PreconditionDeathTest, ThatIsBrokenIsSaidAndEndsTheProgram) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::precondition_test

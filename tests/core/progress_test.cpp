@@ -3,7 +3,7 @@
 #include <atomic>
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::progress_test {
 namespace {
 
 TEST(Progress, NeedsNobodyToListen) {
@@ -28,4 +28,4 @@ TEST(Progress, LearnsThatItShouldStop) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::progress_test

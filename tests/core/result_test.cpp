@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace linkwright {
+namespace linkwright::result_test {
 namespace {
 
 Result<int> half(int number) {
@@ -56,4 +56,4 @@ TEST(ResultDeathTest, AsksOfTheCallerToLookFirst) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::result_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::simd_test {
 namespace {
 
 TEST(Simd, AutomaticIsTheBestThereIs) {
@@ -12,4 +12,4 @@ TEST(Simd, AutomaticIsTheBestThereIs) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::simd_test

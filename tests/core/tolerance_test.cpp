@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace linkwright {
+namespace linkwright::tolerance_test {
 namespace {
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
@@ -42,4 +42,4 @@ TEST(Tolerance, OfRepeatedPosesIsAboveThatOfDependentRows) {
 TEST(Tolerance, OfConditionLeavesSevenDigits) { EXPECT_LE(tolerance::ill_conditioned * rounding, 1e-6); }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::tolerance_test

@@ -4,7 +4,7 @@
 
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::attitude_drawing_test {
 namespace {
 
 using testing::attitude_cases;
@@ -62,4 +62,4 @@ TEST(AttitudeDrawing, ScrewsOfAllKindsAndSizes) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::attitude_drawing_test

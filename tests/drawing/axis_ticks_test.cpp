@@ -4,7 +4,7 @@
 
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::axis_ticks_test {
 namespace {
 
 using Side = LinkageFamily::Side;
@@ -77,4 +77,4 @@ TEST(AxisTicks, OfAFactorAreSpacedByItsLogarithm) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::axis_ticks_test

@@ -5,7 +5,7 @@
 
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::curve_path_test {
 namespace {
 
 constexpr PixelBox box{0, 0, 800, 600};
@@ -96,4 +96,4 @@ TEST(CurvePath, OfAPolygonJoinsTheEndsOfSheetsThatMeet) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::curve_path_test

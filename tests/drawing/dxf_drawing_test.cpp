@@ -7,7 +7,7 @@
 
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::dxf_drawing_test {
 namespace {
 
 using testing::motion;
@@ -96,4 +96,4 @@ TEST(DxfDrawing, WorksWithoutPoses) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::dxf_drawing_test

@@ -7,7 +7,7 @@
 #include "linkwright/files/csv_table.hpp"
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::linkage_export_test {
 namespace {
 
 TEST(LinkageExport, OfAFourBar) {
@@ -32,4 +32,4 @@ TEST(LinkageExport, OfASixBar) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::linkage_export_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace linkwright {
+namespace linkwright::plane_window_test {
 namespace {
 
 constexpr PixelBox box{100, 50, 400, 300};
@@ -70,4 +70,4 @@ TEST(PlaneWindow, RoundLengthsAreOneTwoFive) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::plane_window_test

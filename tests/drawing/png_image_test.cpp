@@ -5,7 +5,7 @@
 #include <string>
 #include <zlib.h>
 
-namespace linkwright {
+namespace linkwright::png_image_test {
 namespace {
 
 struct Chunk {
@@ -51,4 +51,4 @@ TEST(PngImage, HoldsItsPixels) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::png_image_test

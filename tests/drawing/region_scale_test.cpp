@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::region_scale_test {
 namespace {
 
 using Samples = std::vector<double>;
@@ -57,4 +57,4 @@ TEST(RegionScale, ABlockOfOneSampleIsOneCell) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::region_scale_test

@@ -8,7 +8,7 @@
 #include "drawing/svg_canvas.hpp"
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::svg_drawing_test {
 namespace {
 
 using testing::motion;
@@ -248,4 +248,4 @@ TEST(SvgDrawing, OfALinkageShowsItsDimensions) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::svg_drawing_test

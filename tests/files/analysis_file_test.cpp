@@ -5,7 +5,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::analysis_file_test {
 namespace {
 
 using nlohmann::json;
@@ -45,4 +45,4 @@ TEST(AnalysisFile, NamesChangePoints) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::analysis_file_test

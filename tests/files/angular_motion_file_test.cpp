@@ -5,7 +5,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::angular_motion_file_test {
 namespace {
 
 Result<AngularMotionTask> read(const std::string& motion, const std::string& more = "") {
@@ -69,4 +69,4 @@ TEST(AngularMotionFile, MistakesNameTheirPlace) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::angular_motion_file_test

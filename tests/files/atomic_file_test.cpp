@@ -8,7 +8,7 @@
 
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::atomic_file_test {
 namespace {
 
 using testing::Folder;
@@ -84,4 +84,4 @@ TEST(AtomicFile, TellsTheSystemsReason) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::atomic_file_test

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace linkwright {
+namespace linkwright::base64_test {
 namespace {
 
 std::vector<std::uint8_t> bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
@@ -34,4 +34,4 @@ TEST(Base64, PiecesMakeTheSameTextAsTheWhole) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::base64_test

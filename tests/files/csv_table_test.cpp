@@ -10,7 +10,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::csv_table_test {
 namespace {
 
 constexpr FourBar crank_rocker{{0, 0}, {0, 2}, {4, 0}, {3, 3.5}};
@@ -121,4 +121,4 @@ TEST(CsvTable, TracesTheMovingFramesOrigin) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::csv_table_test

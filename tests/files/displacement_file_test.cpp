@@ -5,7 +5,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::displacement_file_test {
 namespace {
 
 Result<DisplacementTask> read(const std::string& displacement) {
@@ -63,4 +63,4 @@ TEST(DisplacementFile, MistakesNameTheirPlace) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::displacement_file_test

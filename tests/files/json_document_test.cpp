@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace linkwright {
+namespace linkwright::json_document_test {
 namespace {
 
 TEST(JsonDocument, IsReadAsTheLibraryReadsIt) {
@@ -50,4 +50,4 @@ TEST(JsonDocument, ColumnsCountCharacters) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::json_document_test

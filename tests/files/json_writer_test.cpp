@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace linkwright {
+namespace linkwright::json_writer_test {
 namespace {
 
 template <class Body>
@@ -52,4 +52,4 @@ TEST(JsonWriter, TextsAreEscapedAndMadeValid) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::json_writer_test

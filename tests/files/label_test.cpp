@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace linkwright {
+namespace linkwright::label_test {
 namespace {
 
 TEST(Label, EveryTypeHasItsOwn) {
@@ -35,4 +35,4 @@ TEST(Label, OfAnUnknownBranchIsItsName) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::label_test

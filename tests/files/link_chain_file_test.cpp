@@ -5,7 +5,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::link_chain_file_test {
 namespace {
 
 Result<LinkChainTask> read(const std::string& members) {
@@ -60,4 +60,4 @@ TEST(LinkChainFile, MistakesNameTheirPlace) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::link_chain_file_test

@@ -9,7 +9,7 @@
 #include "linkwright/files/result_file.hpp"
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::linkage_file_test {
 namespace {
 
 using testing::motion;
@@ -147,4 +147,4 @@ TEST(LinkageFile, OfAResultKeepsItsRecord) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::linkage_file_test

@@ -3,7 +3,7 @@
 #include <array>
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::nearest_name_test {
 namespace {
 
 TEST(NearestName, EditDistanceCountsEditsAndExchanges) {
@@ -28,4 +28,4 @@ TEST(NearestName, StrangeNamesArePresentable) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::nearest_name_test

@@ -9,7 +9,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::number_text_test {
 namespace {
 
 std::uint64_t bits(double value) {
@@ -85,4 +85,4 @@ TEST(NumberText, DegreesForFilesReadBackAsTheSameRadians) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::number_text_test

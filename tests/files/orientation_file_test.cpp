@@ -6,7 +6,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
-namespace linkwright {
+namespace linkwright::orientation_file_test {
 namespace {
 
 using testing::attitude_cases;
@@ -84,4 +84,4 @@ TEST(OrientationFile, EveryMistakeIsTold) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::orientation_file_test

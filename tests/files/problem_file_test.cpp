@@ -8,7 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::problem_file_test {
 namespace {
 
 using testing::motion;
@@ -376,4 +376,4 @@ TEST(ProblemFile, EveryCutOfAFileIsRefused) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::problem_file_test

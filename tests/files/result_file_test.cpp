@@ -10,7 +10,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::result_file_test {
 namespace {
 
 using testing::motion;
@@ -492,4 +492,4 @@ TEST(ResultFile, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::result_file_test

@@ -12,7 +12,7 @@
 #include "linkwright/files/result_file.hpp"
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::six_bar_file_test {
 namespace {
 
 Problem example(const std::string& name) {
@@ -302,4 +302,4 @@ TEST(SixBarFile, DxfHasALayerABody) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::six_bar_file_test

@@ -5,7 +5,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::task_label_test {
 namespace {
 
 using testing::motion;
@@ -58,4 +58,4 @@ TEST(TaskLabel, StartsASentence) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::task_label_test

@@ -6,7 +6,7 @@
 
 #include "support/file_support.hpp"
 
-namespace linkwright {
+namespace linkwright::text_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -48,4 +48,4 @@ TEST(TextFile, WithoutEndIsReadNoFurtherThanAllowed) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::text_file_test

@@ -11,7 +11,7 @@
 #include "support/dyad_measures.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::five_positions_law_test {
 namespace {
 
 using testing::apart;
@@ -207,4 +207,4 @@ TEST(FivePositionsLaw, FinitePositionsThatApproachEachOtherHaveTheirDyadsInTheLi
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::five_positions_law_test

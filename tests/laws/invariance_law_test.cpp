@@ -10,7 +10,7 @@
 #include "support/draws.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::invariance_law_test {
 namespace {
 
 SynthesisOptions small() {
@@ -169,4 +169,4 @@ TEST(InvarianceLaw, WhereTheBodysFrameLiesDoesNotChangeTheListOfLinkages) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::invariance_law_test

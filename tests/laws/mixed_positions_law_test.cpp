@@ -12,7 +12,7 @@
 #include "support/dyad_measures.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::mixed_positions_law_test {
 namespace {
 
 using testing::mixed_patterns;
@@ -133,8 +133,6 @@ std::vector<PrescribedPose> apart_on(const Motion& motion, const std::vector<int
   return poses;
 }
 
-double great_circle(Homogeneous a, Homogeneous b) { return std::atan2(norm(cross(a, b)), std::abs(dot(a, b))); }
-
 // How far, by the sum of the angles between the unit vectors, the dyads of one curve lie from the other's: the median.
 double median_distance(const PoseConditions& from, const PoseConditions& to) {
   const BurmesterCurve here(from), there(to);
@@ -210,4 +208,4 @@ TEST(MixedPositionsLaw, AnyParameterThatIncreasesGivesTheSameDyads) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::mixed_positions_law_test

@@ -17,7 +17,7 @@
 #include "support/attitude_case.hpp"
 #include "support/draws.hpp"
 
-namespace linkwright {
+namespace linkwright::rotation_law_test {
 namespace {
 
 using testing::random_direction;
@@ -220,4 +220,4 @@ TEST_P(RotationLaw, NeighboursStayNeighbours) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::rotation_law_test

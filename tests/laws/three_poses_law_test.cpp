@@ -9,7 +9,7 @@
 #include "linkwright/planar/synthesis.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::three_poses_law_test {
 namespace {
 
 using testing::uniform;
@@ -150,4 +150,4 @@ TEST(ThreePosesLaw, BothLengthsTheOtherWayRoundAreTheSameBarsDrivenFromTheOtherS
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::three_poses_law_test

@@ -12,7 +12,7 @@
 #include "support/draws.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::verdict_law_test {
 namespace {
 
 using testing::draws;
@@ -133,4 +133,4 @@ TEST(VerdictLaw, MixedPairsDriveAsTheSignsSayWithAndWithoutTheirDirections) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::verdict_law_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::dyad_test {
 namespace {
 
 TEST(Dyad, IsASideLinkOrASliderByWhichPivotIsAtInfinity) {
@@ -16,4 +16,4 @@ TEST(Dyad, IsASideLinkOrASliderByWhichPivotIsAtInfinity) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::dyad_test

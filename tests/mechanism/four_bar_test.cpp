@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::four_bar_test {
 namespace {
 
 // Pivots on a grid of 3-4-5 triangles.
@@ -31,4 +31,4 @@ TEST(FourBar, DrivenFromTheOtherSideHasInputAndOutputSwapped) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::four_bar_test

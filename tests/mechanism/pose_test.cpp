@@ -4,7 +4,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::pose_test {
 namespace {
 
 PrescribedPose with_derivatives(std::size_t count) { return {{}, std::vector<PoseDerivative>(count)}; }
@@ -41,4 +41,4 @@ TEST(Pose, PositionsCountWithTheirMultiplicity) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::pose_test

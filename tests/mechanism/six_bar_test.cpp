@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::six_bar_test {
 namespace {
 
 SixBar with_links(BodyPair link_4, BodyPair link_5) {
@@ -52,4 +52,4 @@ TEST(SixBar, ReadsAndWritesItsNames) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::six_bar_test

@@ -7,10 +7,12 @@ right source must agree with driving everywhere, each mutant must not.
 usage: classifier_mutants.py SOURCE_DIR LIBRARY CXX [FLAG...]   (linker flags among them)
 """
 
+import os
 import pathlib
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 
 MUTANTS = [
     ("joint sign at the output", "(driver.arm_y[j] - d.frame_y)", "(driver.arm_y[j] + d.frame_y)"),
@@ -37,16 +39,32 @@ MUTANTS = [
 ]
 
 
-def build_and_run(source_dir, library, compiler, flags, header, source, folder):
-    (folder / "analysis").mkdir(parents=True)
-    (folder / "analysis" / "pair_verdict.hpp").write_text(header)
-    (folder / "defects.cpp").write_text(source)
-    program = folder / "check"
-    command = [compiler, "-std=c++20", "-O1", "-w", f"-I{folder}", f"-I{source_dir}/include", f"-I{source_dir}/src",
-               f"-I{source_dir}/tests", str(source_dir / "tests/mutants/classifier_check.cpp"), str(folder / "defects.cpp"),
-               str(source_dir / "tests/support/random_four_bar.cpp"), library, "-o", str(program), *flags]
-    subprocess.run(command, check=True)
-    return subprocess.run([str(program)], capture_output=True, text=True, check=False)
+class Workshop:
+    """Compiles what every mutant shares once; a mutant is one unit and a link."""
+
+    def __init__(self, source_dir, library, compiler, flags, scratch):
+        self.source_dir, self.library, self.compiler, self.flags, self.scratch = source_dir, library, compiler, flags, scratch
+        shared = ("tests/mutants/classifier_check.cpp", "tests/support/random_four_bar.cpp")
+        self.shared = [scratch / (pathlib.Path(path).stem + ".o") for path in shared]
+        for path, target in zip(shared, self.shared):
+            self.compile(source_dir / path, target, [])
+
+    def compile(self, source, target, before):
+        command = [self.compiler, "-std=c++20", "-O1", "-w", *before, f"-I{self.source_dir}/include", f"-I{self.source_dir}/src",
+                   f"-I{self.source_dir}/tests", "-c", str(source), "-o", str(target)]
+        subprocess.run(command, check=True)
+
+    def run(self, name, header, source):
+        """The check's result with these two files in place of the library's."""
+        folder = self.scratch / name
+        (folder / "analysis").mkdir(parents=True)
+        (folder / "analysis" / "pair_verdict.hpp").write_text(header)
+        (folder / "defects.cpp").write_text(source)
+        self.compile(folder / "defects.cpp", folder / "defects.o", [f"-I{folder}"])
+        program = folder / "check"
+        subprocess.run([self.compiler, *map(str, self.shared), str(folder / "defects.o"), self.library, "-o", str(program),
+                        *self.flags], check=True)
+        return subprocess.run([str(program)], capture_output=True, text=True, check=False)
 
 
 def main():
@@ -55,20 +73,23 @@ def main():
     header = (source_dir / "src/analysis/pair_verdict.hpp").read_text()
     source = (source_dir / "src/analysis/defects.cpp").read_text()
     failures = []
-    with tempfile.TemporaryDirectory() as scratch:
-        run = lambda name, *texts: build_and_run(source_dir, library, compiler, flags, *texts, pathlib.Path(scratch) / name)
-        right = run("right", header, source)
-        print("as it is:", right.stdout.strip())
-        if right.returncode != 0:
+    wanted = []
+    for name, before, after in MUTANTS:
+        found = header.count(before) + source.count(before)
+        if found == 1:
+            wanted.append((name, header.replace(before, after), source.replace(before, after)))
+        else:
+            failures.append(f"'{before}' stands {found} times in pair_verdict.hpp and defects.cpp: mend this list")
+    with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(os.cpu_count()) as pool:
+        workshop = Workshop(source_dir, library, compiler, flags, pathlib.Path(scratch))
+        right = pool.submit(workshop.run, "right", header, source)
+        results = [(name, pool.submit(workshop.run, str(number), *texts)) for number, (name, *texts) in enumerate(wanted)]
+        print("as it is:", right.result().stdout.strip())
+        if right.result().returncode != 0:
             failures.append("the classifier itself disagrees with driving")
-        for number, (name, before, after) in enumerate(MUTANTS):
-            found = header.count(before) + source.count(before)
-            if found != 1:
-                failures.append(f"'{before}' stands {found} times in pair_verdict.hpp and defects.cpp: mend this list")
-                continue
-            result = run(str(number), header.replace(before, after), source.replace(before, after))
-            print(f"{name}: {result.stdout.strip()}")
-            if result.returncode == 0:
+        for name, result in results:
+            print(f"{name}: {result.result().stdout.strip()}")
+            if result.result().returncode == 0:
                 failures.append(f"not caught: {name}")
     for failure in failures:
         print("FAILED:", failure)

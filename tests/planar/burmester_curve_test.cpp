@@ -10,10 +10,9 @@
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::burmester_curve_test {
 namespace {
 
-using testing::great_circle;
 using testing::planar_case;
 using testing::planar_cases;
 
@@ -315,4 +314,4 @@ TEST(BurmesterCurve, ItsRunGrowsWithTheCoordinate) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::burmester_curve_test

@@ -16,7 +16,7 @@
 #include "support/random_four_bar.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::burmester_points_test {
 namespace {
 
 using testing::apart;
@@ -429,4 +429,4 @@ TEST(BurmesterPoints, OfManyTasksAtOnceGoTheCarefulWayInTime) {
 TEST(BurmesterPoints, OfNoTasksAreNone) { burmester_points_of_all({}, {}); }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::burmester_points_test

@@ -7,7 +7,7 @@
 #include "linkwright/planar/three_pose_family.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::chosen_length_test {
 namespace {
 
 const std::vector<PrescribedPose> poses = {{{{0, 0}, 0}, {}}, {{{1.5, 0.6}, 0.5}, {}}, {{{2.6, 1.9}, 1.2}, {}}};
@@ -76,4 +76,4 @@ TEST(ChosenLength, IsALengthEvenWhereNothingMeetsTheRequirements) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::chosen_length_test

@@ -9,7 +9,7 @@
 #include "support/planar_case.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::curve_marks_test {
 namespace {
 
 struct Marked {
@@ -72,4 +72,4 @@ TEST(CurveMarks, PolesOfParallelPosesAreAtInfinity) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::curve_marks_test

@@ -11,7 +11,7 @@
 #include "support/random_task.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::display_order_test {
 namespace {
 
 using testing::planar_cases;
@@ -196,4 +196,4 @@ TEST(DisplayOrder, SamplesTakeTheirRoomAndGapsNone) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::display_order_test

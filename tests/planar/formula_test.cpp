@@ -6,7 +6,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::formula_test {
 namespace {
 
 TEST(Formula, IsAFunctionTimesANumberPlusANumber) {
@@ -42,4 +42,4 @@ TEST(Formula, TellsFromWhichCharacterOnItIsNotUnderstood) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::formula_test

@@ -5,7 +5,7 @@
 #include "support/planar_case.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::four_bar_solution_test {
 namespace {
 
 TEST(MakeFourBar, SlidersAndTheSameDyadTwiceAreNoFourBar) {
@@ -30,4 +30,4 @@ TEST(MakeFourBar, IsMeasuredInTheUsersCoordinates) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::four_bar_solution_test

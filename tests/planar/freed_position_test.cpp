@@ -8,7 +8,7 @@
 #include "linkwright/planar/synthesis.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::freed_position_test {
 namespace {
 
 using testing::motion_task;
@@ -157,4 +157,4 @@ TEST(FreedPosition, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::freed_position_test

@@ -13,7 +13,7 @@
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::function_conditions_test {
 namespace {
 
 using testing::uniform;
@@ -225,4 +225,4 @@ TEST(FunctionConditions, TheInverseFunctionHasTheSameLinkages) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::function_conditions_test

@@ -14,7 +14,7 @@
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::function_couplers_test {
 namespace {
 
 using testing::uniform;
@@ -193,4 +193,4 @@ TEST(FunctionCouplers, PublishedFivePairs) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::function_couplers_test

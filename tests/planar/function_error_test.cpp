@@ -16,7 +16,7 @@
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::function_error_test {
 namespace {
 
 using testing::named_task;
@@ -347,4 +347,4 @@ TEST(FunctionError, PublishedFourPairs) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::function_error_test

@@ -12,7 +12,7 @@
 #include "linkwright/planar/synthesis.hpp"
 #include "support/random_function.hpp"
 
-namespace linkwright {
+namespace linkwright::function_family_test {
 namespace {
 
 using Side = LinkageFamily::Side;
@@ -244,4 +244,4 @@ TEST(FunctionFamily, AParallelogramIsNoFamily) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::function_family_test

@@ -14,7 +14,7 @@
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::function_linkage_test {
 namespace {
 
 using testing::uniform;
@@ -109,4 +109,4 @@ TEST(FunctionLinkage, DefectsAreConfirmedByDriving) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::function_linkage_test

@@ -11,7 +11,7 @@
 #include "linkwright/planar/synthesis.hpp"
 #include "support/random_function.hpp"
 
-namespace linkwright {
+namespace linkwright::function_search_test {
 namespace {
 
 using Side = LinkageFamily::Side;
@@ -184,4 +184,4 @@ TEST(SolveFunction, FivePrecisionPointsListEveryLinkageWhateverItsDefects) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::function_search_test

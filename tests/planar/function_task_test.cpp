@@ -7,7 +7,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_function.hpp"
 
-namespace linkwright {
+namespace linkwright::function_task_test {
 namespace {
 
 FunctionTask four_pairs() {
@@ -142,4 +142,4 @@ TEST(FunctionTask, AFreeNumberIsChecked) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::function_task_test

@@ -6,7 +6,7 @@
 #include "linkwright/planar/synthesis.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::improved_linkage_test {
 namespace {
 
 TaskFamily given_by(const MotionTask& task) { return task_family(task, {}, Objective::min_transmission_angle); }
@@ -38,4 +38,4 @@ TEST(ImprovedLinkage, DoesNotStartOutsideTheRequirements) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::improved_linkage_test

@@ -9,7 +9,7 @@
 #include "linkwright/planar/three_pose_dyads.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::instant_center_test {
 namespace {
 
 using testing::uniform;
@@ -109,4 +109,4 @@ TEST(InstantCenter, NeitherUnitNorPlaceMatters) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::instant_center_test

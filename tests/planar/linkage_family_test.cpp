@@ -6,7 +6,7 @@
 #include "linkwright/planar/task_curve.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::linkage_family_test {
 namespace {
 
 using Side = LinkageFamily::Side;
@@ -80,4 +80,4 @@ TEST_F(LinkageFamilyTest, AFilterJudgesTheSameByDyadsAndByCells) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::linkage_family_test

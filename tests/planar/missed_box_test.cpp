@@ -7,7 +7,7 @@
 #include "linkwright/planar/task_family.hpp"
 #include "support/planar_case.hpp"
 
-namespace linkwright {
+namespace linkwright::missed_box_test {
 namespace {
 
 class MissedBoxes : public ::testing::Test {
@@ -71,4 +71,4 @@ TEST(MissedBox, IsToldInWords) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::missed_box_test

@@ -6,7 +6,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::motion_task_test {
 namespace {
 
 using testing::motion_task;
@@ -141,4 +141,4 @@ TEST(MotionTask, ADirectionDoesNotMakeAPoseAnother) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::motion_task_test

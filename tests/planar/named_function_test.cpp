@@ -6,7 +6,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::named_function_test {
 namespace {
 
 NamedFunction function(const std::string& expression, double low, double high) {
@@ -206,4 +206,4 @@ TEST(NamedFunction, NamesReadBack) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::named_function_test

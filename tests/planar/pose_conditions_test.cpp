@@ -7,7 +7,7 @@
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::pose_conditions_test {
 namespace {
 
 using testing::planar_case;
@@ -144,4 +144,4 @@ TEST(WorkingFrame, RoundTripsPointsDyadsAndPoses) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::pose_conditions_test

@@ -6,7 +6,7 @@
 #include "linkwright/planar/synthesis.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::pose_halo_test {
 namespace {
 
 using testing::tailgate_requirements;
@@ -53,4 +53,4 @@ TEST(PoseHalo, RefusedAndDegenerateTasksCountNothing) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::pose_halo_test

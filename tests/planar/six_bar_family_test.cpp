@@ -10,7 +10,7 @@
 #include "support/random_six_bar.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::six_bar_family_test {
 namespace {
 
 using nlohmann::json;
@@ -171,4 +171,4 @@ TEST(SixBarFamily, TakesTheElbowsThatItIsGiven) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::six_bar_family_test

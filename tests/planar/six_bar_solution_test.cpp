@@ -6,7 +6,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_six_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::six_bar_solution_test {
 namespace {
 
 TEST(SixBarSolution, IsCheckedInTheUsersCoordinates) {
@@ -94,4 +94,4 @@ TEST(SixBarSolution, TakesItsLongestLinkFromTheChain) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::six_bar_solution_test

@@ -8,7 +8,7 @@
 #include "linkwright/planar/synthesis.hpp"
 #include "support/random_six_bar.hpp"
 
-namespace linkwright {
+namespace linkwright::six_bar_synthesis_test {
 namespace {
 
 SixBarTask task_with_chain(std::size_t row) {
@@ -249,4 +249,4 @@ TEST(SixBarSynthesis, SaysWhyNothingIsFound) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::six_bar_synthesis_test

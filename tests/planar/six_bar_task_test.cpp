@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace linkwright {
+namespace linkwright::six_bar_task_test {
 namespace {
 
 SixBarTask sound_task() {
@@ -13,10 +13,10 @@ SixBarTask sound_task() {
   return task;
 }
 
-testing::AssertionResult has(const SixBarTask& task, const std::string& code, const std::string& place) {
-  auto failure = testing::AssertionFailure() << "no " << code << " at " << place << ", but:";
+::testing::AssertionResult has(const SixBarTask& task, const std::string& code, const std::string& place) {
+  auto failure = ::testing::AssertionFailure() << "no " << code << " at " << place << ", but:";
   for (const Error& error : mistakes_in(task)) {
-    if (error.code == code && error.place == place) return testing::AssertionSuccess();
+    if (error.code == code && error.place == place) return ::testing::AssertionSuccess();
     failure << " " << error.code << " at " << error.place;
   }
   return failure;
@@ -104,4 +104,4 @@ TEST(SixBarTask, AsksForABoxWhereThereIsNoChain) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::six_bar_task_test

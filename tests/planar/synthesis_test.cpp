@@ -12,7 +12,7 @@
 #include "support/random_task.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::synthesis_test {
 namespace {
 
 using testing::nearly_common_pole, testing::nearly_mirrored;
@@ -439,4 +439,4 @@ TEST(SolveMotion, NamesTheDegeneracyOfMixedPositions) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::synthesis_test

@@ -6,7 +6,7 @@
 #include "support/random_task.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::task_curve_test {
 namespace {
 
 using testing::motion_task;
@@ -55,4 +55,4 @@ TEST(TaskCurve, WarnsWithTheNumbersOfItsSentences) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::task_curve_test

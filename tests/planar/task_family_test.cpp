@@ -7,7 +7,7 @@
 #include "support/random_task.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::task_family_test {
 namespace {
 
 TaskFamily given_by(const MotionTask& task) { return task_family(task, {}, Objective::min_transmission_angle); }
@@ -63,4 +63,4 @@ TEST(TaskFamily, DefaultsOfRequirementsFollowTheFrame) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::task_family_test

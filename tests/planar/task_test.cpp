@@ -4,7 +4,7 @@
 
 #include "support/tailgate.hpp"
 
-namespace linkwright {
+namespace linkwright::task_test {
 namespace {
 
 TEST(Task, MistakesAreThoseOfItsKind) {
@@ -19,4 +19,4 @@ TEST(Task, MistakesAreThoseOfItsKind) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::task_test

@@ -10,7 +10,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::three_pose_dyads_test {
 namespace {
 
 using testing::random_poses;
@@ -403,4 +403,4 @@ TEST(ThreePoseDyads, MoveWithTheDrawing) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::three_pose_dyads_test

@@ -8,7 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::three_pose_family_test {
 namespace {
 
 using Side = LinkageFamily::Side;
@@ -224,4 +224,4 @@ TEST(SideAngleFamily, DrawsTheInputsCurveOnly) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::three_pose_family_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace linkwright {
+namespace linkwright::three_pose_given_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -41,4 +41,4 @@ TEST(ThreePoseGiven, NamesThePlaceOfEachMistake) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::three_pose_given_test

@@ -4,7 +4,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::three_pose_opening_test {
 namespace {
 
 using Side = LinkageFamily::Side;
@@ -104,4 +104,4 @@ TEST(ThreePoseOpening, IsTheSameEveryTime) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::three_pose_opening_test

@@ -7,7 +7,7 @@
 #include "support/case_region.hpp"
 #include "support/planar_case.hpp"
 
-namespace linkwright {
+namespace linkwright::best_cells_test {
 namespace {
 
 class BestCells : public ::testing::Test {
@@ -77,4 +77,4 @@ TEST_F(BestCells, NothingPassesNothingIsFound) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::best_cells_test

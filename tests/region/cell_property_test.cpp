@@ -6,7 +6,7 @@
 #include "support/case_region.hpp"
 #include "support/planar_case.hpp"
 
-namespace linkwright {
+namespace linkwright::cell_property_test {
 namespace {
 
 TEST(CellProperty, IsWhatTheMapSaysOfEachCell) {
@@ -42,4 +42,4 @@ TEST(CellProperty, IsNamedAsInFiles) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::cell_property_test

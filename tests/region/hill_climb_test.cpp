@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace linkwright {
+namespace linkwright::hill_climb_test {
 namespace {
 
 constexpr HillClimbOptions usual = {{0.01, 0.01}, 1e-6};
@@ -82,4 +82,4 @@ TEST(HillClimb, CancelledEndsAtOnceWithTheBestSoFar) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::hill_climb_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace linkwright {
+namespace linkwright::hill_tops_test {
 namespace {
 
 TEST(HillTops, AreThoseThatNoneWithinReachBetters) {
@@ -33,4 +33,4 @@ TEST(HillTops, AreThoseThatNoneWithinReachBetters) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::hill_tops_test

@@ -17,7 +17,7 @@
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"
 
-namespace linkwright {
+namespace linkwright::region_map_test {
 namespace {
 
 using testing::planar_case;
@@ -51,8 +51,7 @@ std::vector<Dyad> case_dyads(const testing::PlanarCase& c, const BurmesterCurve&
     dyads.push_back(curve.dyad(ours[i]));
     for (const Homogeneous p : curve.circle_curve().double_points())
       for (const auto& sample : c.json["circle_point_curve"]["samples_homogeneous_working_frame"])
-        if (testing::great_circle(p, dyads.back().circle) < 1e-9 &&
-            std::abs(sample["tau"].get<double>() - theirs[i]) < 1e-12)
+        if (great_circle(p, dyads.back().circle) < 1e-9 && std::abs(sample["tau"].get<double>() - theirs[i]) < 1e-12)
           dyads.back().center = {sample["C"][0], sample["C"][1], sample["C"][2]};
   }
   return dyads;
@@ -261,4 +260,4 @@ TEST(RegionAxisDeathTest, TakesNoMoreThanFivePoses) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::region_map_test

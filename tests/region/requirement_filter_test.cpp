@@ -11,7 +11,7 @@
 #include "support/case_region.hpp"
 #include "support/planar_case.hpp"
 
-namespace linkwright {
+namespace linkwright::requirement_filter_test {
 namespace {
 
 class LandingGearFilter : public ::testing::Test {
@@ -239,4 +239,4 @@ TEST(RequirementKind, HasTheKeyOfTheProblemFile) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::requirement_filter_test

@@ -5,7 +5,7 @@
 
 #include "linkwright/core/angle.hpp"
 
-namespace linkwright {
+namespace linkwright::requirements_test {
 namespace {
 
 std::string place_of_only_mistake(const Requirements& wanted) {
@@ -79,4 +79,4 @@ TEST(Box, ContainsItsBorder) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::requirements_test

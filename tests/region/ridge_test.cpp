@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace linkwright {
+namespace linkwright::ridge_test {
 namespace {
 
 const std::vector<float> values = {1, 5, 3,  //
@@ -31,4 +31,4 @@ TEST(Ridges, AreZeroWhereNothingPasses) {
 }
 
 }  // namespace
-}  // namespace linkwright
+}  // namespace linkwright::ridge_test

@@ -40,8 +40,6 @@ BranchMap fitted(const BurmesterCurve& curve, const std::vector<nlohmann::json>&
 
 }  // namespace
 
-double great_circle(Homogeneous a, Homogeneous b) { return std::atan2(norm(cross(a, b)), std::abs(dot(a, b))); }
-
 std::vector<double> our_coordinates(const PlanarCase& c, const BurmesterCurve& curve,
                                     const std::vector<double>& theirs) {
   if (curve.kappa()) return theirs;

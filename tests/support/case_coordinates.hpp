@@ -13,6 +13,4 @@ namespace linkwright::testing {
 [[nodiscard]] std::vector<double> our_coordinates(const PlanarCase& c, const BurmesterCurve& curve,
                                                   const std::vector<double>& theirs);
 
-[[nodiscard]] double great_circle(Homogeneous a, Homogeneous b);
-
 }  // namespace linkwright::testing

@@ -31,6 +31,11 @@ struct Homogeneous {
   return {a.x * b.y - a.y * b.x, a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w};
 }
 
+/// Angle between two lines through the origin of the model space, in [0, π/2].
+[[nodiscard]] inline double great_circle(Homogeneous a, Homogeneous b) {
+  return std::atan2(norm(cross(a, b)), std::abs(dot(a, b)));
+}
+
 /// Unit length; the null vector stays null.
 [[nodiscard]] inline Homogeneous normalized(Homogeneous a) {
   const double length = norm(a);

@@ -13,6 +13,9 @@ struct Dyad {
   double coordinate = 0;  ///< τ, the place on the curve of dyads (identity of the dyad)
 };
 
+/// What stands at a coordinate that has no dyad: neither point exists, so that every pair with it is degenerate.
+[[nodiscard]] inline Dyad no_dyad(double coordinate) { return {{}, {}, coordinate}; }
+
 /// The same two points, to the last bit.
 [[nodiscard]] inline bool same_points(const Dyad& a, const Dyad& b) {
   const auto same = [](Homogeneous p, Homogeneous q) { return p.w == q.w && p.x == q.x && p.y == q.y; };

@@ -13,6 +13,10 @@ namespace linkwright {
 /// How samples are laid along the curve: equal steps of τ, or equal steps of the sum of the great-circle lengths
 /// run by the unit vectors of circle point and centre point.
 enum class Spacing { coordinate, arc_length };
+[[nodiscard]] std::string_view name(Spacing spacing);
+
+/// Longest side of a polygon that looks smooth at some zoom, in characteristic lengths of a task.
+inline constexpr double drawn_side = 0.025;
 
 /// All dyads that satisfy three pose conditions, in order: the circle-point curve with, to each of its points,
 /// the partner on the centre-point curve (L. Burmester, Lehrbuch der Kinematik, 1888). Working frame throughout.

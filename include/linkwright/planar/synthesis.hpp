@@ -51,7 +51,6 @@ struct SynthesisOptions {
 
 enum class SolutionStatus { solved, no_solution, degenerate };
 [[nodiscard]] std::string_view name(SolutionStatus status);
-[[nodiscard]] std::string_view name(Spacing spacing);
 
 /// Everything found for a task.
 struct Solution {

@@ -11,13 +11,12 @@
 namespace linkwright {
 namespace {
 
-constexpr double width = 640, panel_width = 320, panel_height = 292, top = 44, height = top + 2 * panel_height + 34;
+constexpr double euler_width = 640, panel_width = 320, panel_height = 292, top = 44,
+                 euler_height = top + 2 * panel_height + 34;
 constexpr std::array<std::string_view, 4> frame_colors = {palette::ink3, palette::input, palette::good,
                                                           palette::output};
 constexpr std::array<std::string_view, 4> subscripts = {"₀", "₁", "₂", "₃"};
 constexpr double length = 1, past = 1.32;  // of the axes of triads, and of the axes of turns
-
-std::string degrees_text(double angle) { return significant_text(degrees(angle), 5) + "°"; }
 
 /// Three turns about carried axes, and what stands between them.
 struct ThreeTurns {
@@ -233,14 +232,14 @@ std::string draw_euler_angles(const EulerAngles& angles) {
     title += fmt::format("{} {} = {} about {}", k == 0 ? ":" : ",", turns.names[k], degrees_text(turns.angles[k]),
                          axis_name(turns.axes[k], k));
   }
-  SvgCanvas svg(width, height, title);
-  svg.rectangle({0, 0}, width, height, fill(palette::paper));
-  svg.text({16, 28}, fitted(title, 15, width - 28), {.size = 15, .weight = 650});
-  svg.line({16, top + panel_height}, {width - 16, top + panel_height}, stroke(palette::line, 1));
+  SvgCanvas svg(euler_width, euler_height, title);
+  svg.rectangle({0, 0}, euler_width, euler_height, fill(palette::paper));
+  svg.text({16, 28}, fitted(title, 15, euler_width - 28), {.size = 15, .weight = 650});
+  svg.line({16, top + panel_height}, {euler_width - 16, top + panel_height}, stroke(palette::line, 1));
   svg.line({panel_width, top + 4}, {panel_width, top + 2 * panel_height - 4}, stroke(palette::line, 1));
   for (std::size_t k = 0; k < 3; ++k) draw_one_turn(svg, turns, k);
   draw_together(svg, turns);
-  svg.text({16, height - 12}, foot_note(turns), {.size = 13, .color = palette::ink2});
+  svg.text({16, euler_height - 12}, foot_note(turns), {.size = 13, .color = palette::ink2});
   return svg.file();
 }
 

@@ -13,11 +13,9 @@
 namespace linkwright {
 namespace {
 
-constexpr double width = 640, height = 560;
+constexpr double rotation_width = 640, rotation_height = 560;
 constexpr std::string_view before = palette::ink3, after = palette::input, turn_color = palette::output,
                            vector_color = palette::good;
-
-std::string degrees_text(double angle) { return significant_text(degrees(angle), 5) + "°"; }
 
 std::string vector_text(Vector3 v) {
   return fmt::format("({}, {}, {})", significant_text(v.x, 3), significant_text(v.y, 3), significant_text(v.z, 3));
@@ -111,16 +109,17 @@ std::string draw_finite_rotation(const OrientationReport& report) {
     points.push_back(1.15 * unit_vector(axis));
     points.push_back(1.15 * report.task.orientation.rotation.apply(unit_vector(axis)));
   }
-  SvgCanvas svg(width, height, title);
-  svg.rectangle({0, 0}, width, height, fill(palette::paper));
-  svg.text({20, 32}, fitted(title, 17, width - 40), {.size = 17, .weight = 650});
-  SpaceFigure figure(svg, {10, 44, width - 20, height - 84}, points, 34);
+  SvgCanvas svg(rotation_width, rotation_height, title);
+  svg.rectangle({0, 0}, rotation_width, rotation_height, fill(palette::paper));
+  svg.text({20, 32}, fitted(title, 17, rotation_width - 40), {.size = 17, .weight = 650});
+  SpaceFigure figure(svg, {10, 44, rotation_width - 20, rotation_height - 84}, points, 34);
   figure.triad({}, 1.15, before, 1.6, {"x₀", "y₀", "z₀"});
   figure.triad({report.task.orientation.rotation, {}}, 1.15, after, 2.2, {"x₁", "y₁", "z₁"});
   if (turn.axis_defined()) draw_turn(figure, turn, a0);
   figure.dot({}, palette::ink);
   figure.finish();
-  svg.text({20, height - 16}, "grey: frame 0, before; blue: frame 1, after the turn; a = A·a₀ runs on a cone about p",
+  svg.text({20, rotation_height - 16},
+           "grey: frame 0, before; blue: frame 1, after the turn; a = A·a₀ runs on a cone about p",
            {.size = 13, .color = palette::ink2});
   return svg.file();
 }

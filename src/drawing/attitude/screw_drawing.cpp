@@ -11,11 +11,9 @@
 namespace linkwright {
 namespace {
 
-constexpr double width = 640, height = 600;
+constexpr double screw_width = 640, screw_height = 600;
 constexpr double most_turns_drawn = 20;
 constexpr double farthest_axis = 12;  // in lengths of the origin's way: farther, the picture would show nothing else
-
-std::string degrees_text(double angle) { return significant_text(degrees(angle), 5) + "°"; }
 
 /// What is drawn of a displacement.
 struct Scene {
@@ -114,10 +112,10 @@ std::string draw_displacement(const DisplacementReport& report) {
   const Scene scene = scene_of(report);
   const std::vector<Vector3> way = way_of(scene);
   const std::string title = title_of(report, scene);
-  SvgCanvas svg(width, height, title);
-  svg.rectangle({0, 0}, width, height, fill(palette::paper));
-  svg.text({20, 32}, fitted(title, 17, width - 40), {.size = 17, .weight = 650});
-  SpaceFigure figure(svg, {10, 44, width - 20, height - 84}, extents(scene, way), 36);
+  SvgCanvas svg(screw_width, screw_height, title);
+  svg.rectangle({0, 0}, screw_width, screw_height, fill(palette::paper));
+  svg.text({20, 32}, fitted(title, 17, screw_width - 40), {.size = 17, .weight = 650});
+  SpaceFigure figure(svg, {10, 44, screw_width - 20, screw_height - 84}, extents(scene, way), 36);
   if (scene.near_axis) draw_axis(figure, scene, way);
   figure.triad({}, scene.arm, palette::ink3, 1.6, {"x₁", "y₁", "z₁"});
   figure.triad(scene.body, scene.arm, palette::input, 2.2, {"x₂", "y₂", "z₂"});
@@ -125,7 +123,7 @@ std::string draw_displacement(const DisplacementReport& report) {
   figure.dot(way.front(), palette::ink);
   if (scene.start == Vector3{}) figure.label({}, "O", palette::ink, scene.arm * Vector3{1, 1, 1});
   figure.finish();
-  svg.text({20, height - 16},
+  svg.text({20, screw_height - 16},
            scene.turns && !scene.near_axis ? "grey: before; blue: after; the axis lies too far away to be shown"
                                            : "grey: before; blue: after; black: the way of a point of the body",
            {.size = 13, .color = palette::ink2});

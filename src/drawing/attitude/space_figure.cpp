@@ -7,6 +7,7 @@
 #include "drawing/palette.hpp"
 #include "linkwright/attitude/axis_angle.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/number_text.hpp"
 
 namespace linkwright {
 namespace {
@@ -173,5 +174,7 @@ void SpaceFigure::finish() {
                {.size = label.size, .color = label.color, .anchor = "middle", .weight = 600, .halo = palette::paper});
   }
 }
+
+std::string degrees_text(double angle) { return significant_text(degrees(angle), 5) + "°"; }
 
 }  // namespace linkwright

@@ -65,6 +65,9 @@ class SpaceFigure {
   std::vector<Label> labels_;
 };
 
+/// An angle in degrees, as captions have it.
+[[nodiscard]] std::string degrees_text(double angle);
+
 /// Points of the arc that `from` (a point relative to `center`) describes about the unit axis by the angle, with a
 /// slide along the axis; ends included.
 [[nodiscard]] std::vector<Vector3> helix(Vector3 center, Vector3 axis, Vector3 from, double angle, double slide = 0);

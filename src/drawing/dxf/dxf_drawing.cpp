@@ -17,7 +17,9 @@ constexpr std::string_view ground = "GROUND", input = "INPUT", coupler = "COUPLE
                            positions = "POSITIONS", coupler_curve = "COUPLER_CURVE";
 
 /// Radius of the pin holes: small against the shortest link, visible against the longest.
-double pin_radius(const LinkLengths& lengths) { return std::min(0.1 * lengths.shortest(), 0.015 * lengths.longest()); }
+double drawn_pin_radius(const LinkLengths& lengths) {
+  return std::min(0.1 * lengths.shortest(), 0.015 * lengths.longest());
+}
 
 void draw_ground(DxfWriter& dxf, const FourBar& bars, double radius) {
   for (const Point pivot : {bars.input_center, bars.output_center}) draw_ground_pivot(dxf, ground, pivot, radius);
@@ -47,7 +49,7 @@ std::string draw_dxf(const StoredLinkage& linkage) {
                 {{ground, 8}, {input, 5}, {coupler, 7}, {output, 30}, {positions, 9}, {coupler_curve, 3}});
   const FourBar& bars = linkage.four_bar;
   const LinkLengths lengths = bars.lengths();
-  const double radius = pin_radius(lengths);
+  const double radius = drawn_pin_radius(lengths);
   draw_ground(dxf, bars, radius);
   draw_link(dxf, input, bars.input_center, bars.input_circle, radius);
   draw_link(dxf, coupler, bars.input_circle, bars.output_circle, radius);

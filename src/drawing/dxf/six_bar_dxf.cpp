@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, SixBar::bodies> layers = {"GROUND", "BODY_1", "BODY_2",
                                                                  "BODY_3", "BODY_4", "BODY_5"};
-constexpr std::string_view positions = "POSITIONS", body_path = "BODY_PATH";
+constexpr std::string_view body_path = "BODY_PATH";
 
 std::vector<Point> corners(const SixBar& six_bar, const SixBarScene::Hinges& hinges, int body) {
   std::vector<Point> found;

@@ -10,7 +10,7 @@
 namespace linkwright {
 namespace {
 
-constexpr double radius = 4.5, name_size = 12, key_gap = 6, key_space = 16;
+constexpr double radius = 4.5, name_size = 12, bead_key_gap = 6, bead_key_space = 16;
 constexpr std::array<std::string_view, 2> key_names = {"fixed pivot", "moving pivot"};
 
 void draw_open(SvgCanvas& svg, Point at) {
@@ -98,7 +98,8 @@ void draw_beads(SvgCanvas& svg, const PlaneWindow& window, const WorkingFrame& f
 
 double bead_key_width() {
   double width = 0;
-  for (const std::string_view name : key_names) width += 2 * radius + key_gap + text_width(name, name_size) + key_space;
+  for (const std::string_view name : key_names)
+    width += 2 * radius + bead_key_gap + text_width(name, name_size) + bead_key_space;
   return width;
 }
 
@@ -106,8 +107,8 @@ double draw_bead_key(SvgCanvas& svg, Point left) {
   Point at = left;
   for (const std::string_view name : key_names) {
     name == key_names.front() ? draw_open(svg, at + radius) : draw_full(svg, at + radius);
-    svg.text(at + Point{2 * radius + key_gap, 4}, name, {.size = name_size, .color = palette::ink2});
-    at += 2 * radius + key_gap + text_width(name, name_size) + key_space;
+    svg.text(at + Point{2 * radius + bead_key_gap, 4}, name, {.size = name_size, .color = palette::ink2});
+    at += 2 * radius + bead_key_gap + text_width(name, name_size) + bead_key_space;
   }
   return at.real();
 }

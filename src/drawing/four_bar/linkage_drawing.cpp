@@ -1,5 +1,6 @@
 #include "dimension_figure.hpp"
 #include "drawing/palette.hpp"
+#include "drawing/sheet.hpp"
 #include "drawing/svg_canvas.hpp"
 #include "linkage_figure.hpp"
 #include "linkage_positions.hpp"
@@ -12,9 +13,8 @@
 namespace linkwright {
 namespace {
 
-constexpr double width = 1000, height = 800, border = 20;
-constexpr PixelBox card{border, 64, width - 2 * border, 592};
-constexpr PixelBox strip{border, 672, width - 2 * border, 108};
+constexpr PixelBox card{linkage_sheet::border, 64, linkage_sheet::width - 2 * linkage_sheet::border, 592};
+constexpr PixelBox strip{linkage_sheet::border, 672, linkage_sheet::width - 2 * linkage_sheet::border, 108};
 
 std::vector<Point> points_of_interest(const StoredLinkage& linkage) {
   const FourBar& bars = linkage.four_bar;
@@ -67,12 +67,8 @@ void draw_scene(SvgCanvas& svg, const StoredLinkage& linkage) {
 
 std::string draw_linkage(const StoredLinkage& linkage) {
   const FourBar& bars = linkage.four_bar;
-  const std::string title = linkage.title.empty() ? "Four-bar linkage" : linkage.title;
-  SvgCanvas svg(width, height, title);
-  svg.rectangle({0, 0}, width, height, fill(palette::page));
-  svg.text({border, 42}, fitted(title, 22, 600), {.size = 22, .weight = 650});
-  svg.text({width - border, 42}, label(linkage_type(bars.lengths())),
-           {.size = 15, .color = palette::ink2, .anchor = "end"});
+  SvgCanvas svg = linkage_sheet::begin(linkage.title.empty() ? "Four-bar linkage" : linkage.title,
+                                       label(linkage_type(bars.lengths())));
   draw_card(svg, card, "");
   draw_scene(svg, linkage);
   draw_card(svg, strip, "");

@@ -12,7 +12,7 @@ constexpr int fine_samples = 7201;         // near change points a coupler whips
 constexpr double path_resolution = 0.002;  // of the path's extent: finer than a drawing shows
 
 /// The path without points that lie closer to the last one than can be seen; the ends stay.
-std::vector<Point> thinned(const std::vector<Point>& path) {
+std::vector<Point> thinned_path(const std::vector<Point>& path) {
   double extent = 0;
   for (const Point p : path) extent = std::max(extent, std::abs(p - path.front()));
   std::vector<Point> kept;
@@ -47,11 +47,11 @@ std::vector<Point> path_of_task(const FourBar& four_bar, std::span<const Prescri
   if (report.sense == DriveSense::none) report = find_defects(four_bar, poses, false);
   if (report.sense == DriveSense::none) return {};
   const double sweep = report.sense == DriveSense::cw ? -report.sweep : report.sweep;
-  return thinned(traced_points(motion_sweep(four_bar, traced, sweep, fine_samples)));
+  return thinned_path(traced_points(motion_sweep(four_bar, traced, sweep, fine_samples)));
 }
 
 std::vector<Point> path_of_cycle(const FourBar& four_bar, Point traced) {
-  return thinned(traced_points(motion_cycle(four_bar, traced, fine_samples)));
+  return thinned_path(traced_points(motion_cycle(four_bar, traced, fine_samples)));
 }
 
 }  // namespace linkwright

@@ -9,6 +9,7 @@
 #include "drawing/number_rows.hpp"
 #include "drawing/palette.hpp"
 #include "drawing/region_figure.hpp"
+#include "drawing/sheet.hpp"
 #include "drawing/svg_canvas.hpp"
 #include "files/six_bar/six_bar_axes.hpp"
 #include "linkwright/core/angle.hpp"
@@ -24,13 +25,8 @@ namespace {
 
 constexpr double margin = 76;
 
-// ---- A solution, 1440 × 900
-
-constexpr double width = 1440, height = 900, border = 24;
-constexpr PixelBox task_card{border, 84, 796, 664};
+using namespace solution_sheet;
 constexpr PixelBox side_card{836, 84, 580, 664};
-constexpr PixelBox strip_card{border, 764, width - 2 * border, 112};
-constexpr std::string_view separator = "   ·   ";
 
 std::string search_words(const SixBarSearchResult& search, int effort) {
   const std::string tried = search.interrupted ? fmt::format("stopped after {} of {} chains",
@@ -40,19 +36,12 @@ std::string search_words(const SixBarSearchResult& search, int effort) {
                      grouped_text(search.six_bars), grouped_text(search.driven), grouped_text(search.defect_free));
 }
 
-std::string subtitle(const Problem& problem, const Solution& solution) {
+std::string six_bar_subtitle(const Problem& problem, const Solution& solution) {
   const std::string text = sentence_case(task_label(problem.task)) + std::string(separator);
   if (solution.search) return text + search_words(*solution.search, solution.options.effort);
   return text + fmt::format("{0} six-bars sampled{3}{1} free of defects{3}{2} meet the requirements",
                             grouped_text(four_bars_in(solution.counts)), grouped_text(solution.counts.defect_free),
                             grouped_text(solution.meeting_requirements), separator);
-}
-
-void draw_header(SvgCanvas& svg, const Problem& problem, const Solution& solution) {
-  const std::string title = problem.title.empty() ? sentence_case(short_task_label(problem.task)) : problem.title;
-  svg.text({border, 42}, fitted(title, 24, 0.92 * (width - 2 * border)), {.size = 24, .weight = 650});
-  svg.text({border, 66}, fitted(subtitle(problem, solution), 14, 1.04 * (width - 2 * border)),
-           {.size = 14, .color = palette::ink2});
 }
 
 /// What is seen where there is no six-bar: poses, the chain, the box.
@@ -167,11 +156,10 @@ void draw_strip(SvgCanvas& svg, const Solution& solution) {
   checks.row("relative error", significant_text(best.residual, 2));
 }
 
-// ---- One six-bar, 1000 × 800
+// ---- One six-bar
 
-constexpr double sheet_width = 1000, sheet_height = 800, sheet_border = 20;
-constexpr PixelBox sheet_card{sheet_border, 64, sheet_width - 2 * sheet_border, 516};
-constexpr PixelBox sheet_strip{sheet_border, 596, sheet_width - 2 * sheet_border, 184};
+constexpr PixelBox sheet_card{linkage_sheet::border, 64, linkage_sheet::width - 2 * linkage_sheet::border, 516};
+constexpr PixelBox sheet_strip{linkage_sheet::border, 596, linkage_sheet::width - 2 * linkage_sheet::border, 184};
 
 void draw_sheet_strip(SvgCanvas& svg, const SixBar& six_bar) {
   draw_card(svg, sheet_strip, "");
@@ -185,9 +173,7 @@ void draw_sheet_strip(SvgCanvas& svg, const SixBar& six_bar) {
 }  // namespace
 
 std::string draw_six_bar_solution(const Problem& problem, const SixBarTask& task, const Solution& solution) {
-  SvgCanvas svg(width, height, problem.title.empty() ? "Linkwright solution" : problem.title);
-  svg.rectangle({0, 0}, width, height, fill(palette::page));
-  draw_header(svg, problem, solution);
+  SvgCanvas svg = solution_sheet::begin(problem, six_bar_subtitle(problem, solution));
   draw_task_card(svg, problem, task, solution);
   solution.search ? draw_search_card(svg, solution) : draw_map_card(svg, task, solution);
   draw_strip(svg, solution);
@@ -195,12 +181,8 @@ std::string draw_six_bar_solution(const Problem& problem, const SixBarTask& task
 }
 
 std::string draw_linkage(const StoredSixBar& linkage) {
-  const std::string title = linkage.title.empty() ? "Six-bar linkage" : linkage.title;
-  SvgCanvas svg(sheet_width, sheet_height, title);
-  svg.rectangle({0, 0}, sheet_width, sheet_height, fill(palette::page));
-  svg.text({sheet_border, 42}, fitted(title, 22, 600), {.size = 22, .weight = 650});
-  svg.text({sheet_width - sheet_border, 42}, row_label(linkage.row),
-           {.size = 15, .color = palette::ink2, .anchor = "end"});
+  SvgCanvas svg =
+      linkage_sheet::begin(linkage.title.empty() ? "Six-bar linkage" : linkage.title, row_label(linkage.row));
   draw_card(svg, sheet_card, "");
   const SixBarScene scene = scene_of(linkage);
   const PixelBox inside{sheet_card.left + 1, sheet_card.top + 1, sheet_card.width - 2, sheet_card.height - 2};

@@ -147,7 +147,7 @@ void read_motion(const JsonValue& value, Mistakes& mistakes, AngularMotionTask& 
   if (angles) read_euler_rates(any, value, task);
 }
 
-AngularMotionTask read_members(const JsonObject& file, Mistakes& mistakes) {
+AngularMotionTask read_motion_members(const JsonObject& file, Mistakes& mistakes) {
   AngularMotionTask task;
   const auto orientation =
       file.require("orientation", "the orientation: \"orientation\": {\"axis\": …, \"angle_deg\": …}");
@@ -166,7 +166,7 @@ AngularMotionTask read_members(const JsonObject& file, Mistakes& mistakes) {
 
 Result<AngularMotionTask> read_angular_motion_task(std::string_view text) {
   return read_attitude_task<AngularMotionTask>(
-      text, {"linkwright", "title", "orientation", "motion", "origin", "points", "step"}, read_members);
+      text, {"linkwright", "title", "orientation", "motion", "origin", "points", "step"}, read_motion_members);
 }
 
 }  // namespace linkwright

@@ -63,7 +63,7 @@ bool read_screw(const JsonValue& value, Mistakes& mistakes, DisplacementTask& ta
 }
 
 /// `from` and `to`: T_02 T_01⁻¹.
-bool read_poses(const JsonObject& object, Mistakes& mistakes, DisplacementTask& task) {
+bool read_displacement_poses(const JsonObject& object, Mistakes& mistakes, DisplacementTask& task) {
   DisplacementTask first, second;
   const auto from = object.require("from", "the first pose, a displacement");
   const auto to = object.require("to", "the second pose, a displacement");
@@ -98,7 +98,7 @@ bool read_displacement(const JsonValue& value, Mistakes& mistakes, DisplacementT
   if (!is_one_form(value, (matrix ? 1 : 0) + (screw ? 1 : 0) + (parts ? 1 : 0) + (poses ? 1 : 0))) return false;
   if (matrix) return read_matrix(*matrix, task);
   if (screw) return read_screw(*screw, mistakes, task);
-  return parts ? read_parts(object, mistakes, task) : read_poses(object, mistakes, task);
+  return parts ? read_parts(object, mistakes, task) : read_displacement_poses(object, mistakes, task);
 }
 
 Result<DisplacementTask> read_displacement_task(std::string_view text) {

@@ -44,7 +44,7 @@ HartenbergDenavitForm read_form(const JsonValue& value) {
   return form && *form == "modified" ? HartenbergDenavitForm::modified : HartenbergDenavitForm::classic;
 }
 
-LinkChainTask read_members(const JsonObject& file, Mistakes& mistakes) {
+LinkChainTask read_chain_members(const JsonObject& file, Mistakes& mistakes) {
   LinkChainTask task;
   const auto form = file.find("form"), points = file.find("points"), unit = file.find("length_unit");
   const auto displacement = file.find("displacement");
@@ -70,7 +70,7 @@ LinkChainTask read_members(const JsonObject& file, Mistakes& mistakes) {
 
 Result<LinkChainTask> read_link_chain_task(std::string_view text) {
   return read_attitude_task<LinkChainTask>(
-      text, {"linkwright", "title", "length_unit", "form", "links", "points", "displacement"}, read_members);
+      text, {"linkwright", "title", "length_unit", "form", "links", "points", "displacement"}, read_chain_members);
 }
 
 }  // namespace linkwright

@@ -86,13 +86,6 @@ void write_function_error(JsonWriter& json, const FunctionError& error) {
   write_error_curve(json, error.samples);
 }
 
-void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses) {
-  json.key("poses");
-  json.begin_list();
-  for (const PrescribedPose& pose : poses) write_pose(json, pose);
-  json.end_list();
-}
-
 }  // namespace
 
 void write_miss(JsonWriter& json, const PoseMiss& miss, double size) {

@@ -13,11 +13,9 @@ namespace linkwright {
 namespace {
 
 using Layout = JsonWriter::Layout;
-using Quantity = std::function<void(JsonWriter&, const SixBarMotionState&)>;
+using StateWriter = std::function<void(JsonWriter&, const SixBarMotionState&)>;
 
-double angle_deg(double sine) { return degrees(std::asin(std::min(sine, 1.0))); }
-
-void write_column(JsonWriter& json, std::string_view key, const SixBarMotion& motion, const Quantity& write) {
+void write_column(JsonWriter& json, std::string_view key, const SixBarMotion& motion, const StateWriter& write) {
   json.key(key);
   json.begin_list(Layout::one_line);
   for (const SixBarMotionState& state : motion.states) write(json, state);
@@ -39,7 +37,8 @@ void write_motion(JsonWriter& json, const SixBarMotion& motion) {
                [](JsonWriter& to, const auto& state) { write_point(to, state.place.body.origin); });
   write_number_column(json, "body_theta_deg", motion,
                       [](const auto& state) { return degrees(state.place.body.angle); });
-  write_number_column(json, "transmission_angle_deg", motion, [](const auto& state) { return angle_deg(state.sine); });
+  write_number_column(json, "transmission_angle_deg", motion,
+                      [](const auto& state) { return angle_of_sine_deg(state.sine); });
   write_column(json, "position", motion, [](JsonWriter& to, const auto& state) {
     state.place.pose < 0 ? to.null() : to.value(state.place.pose + 1);
   });
@@ -75,8 +74,8 @@ std::string write_analysis(const SixBarAnalysis& analysis) {
     json.member("in_dyads", analysis.motion.dyadic);
     json.member("transmission_angle_deg", degrees(analysis.transmission_angle));
     json.key("min_transmission_angle_deg");
-    analysis.travel.states.empty() ? json.null() : json.value(angle_deg(analysis.travel.least_sine()));
-    json.member("min_transmission_angle_whole_motion_deg", angle_deg(analysis.motion.least_sine()));
+    analysis.travel.states.empty() ? json.null() : json.value(angle_of_sine_deg(analysis.travel.least_sine()));
+    json.member("min_transmission_angle_whole_motion_deg", angle_of_sine_deg(analysis.motion.least_sine()));
     json.key("motion");
     write_motion(json, analysis.motion);
     json.end_object();

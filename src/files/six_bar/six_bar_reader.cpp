@@ -6,13 +6,12 @@
 #include <vector>
 
 #include "files/task_reader.hpp"
+#include "files/vocabulary.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/files/nearest_name.hpp"
 
 namespace linkwright {
 namespace {
-
-constexpr double largest_number = 1e12;  // as of the pivots of four-bars
 
 /// An added link as it is written: the hinge on the body named first comes first.
 struct WrittenLink {

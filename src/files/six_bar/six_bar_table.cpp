@@ -9,9 +9,9 @@
 namespace linkwright {
 namespace {
 
-constexpr double row_step = radians(1);
+constexpr double six_bar_row_step = radians(1);
 
-std::string header() {
+std::string six_bar_header() {
   std::string text = "driver_turn_from_position_1_deg";
   for (std::size_t joint = 0; joint < SixBar::joint_count; ++joint)
     text += fmt::format(",{0}_x,{0}_y", joint_name(joint));
@@ -36,7 +36,7 @@ std::string table_line(const SixBarMotionState& state) {
 }  // namespace
 
 std::string motion_table(const SixBarMotion& motion) {
-  std::string table = header();
+  std::string table = six_bar_header();
   for (const SixBarMotionState& state : motion.states) table += table_line(state);
   return table;
 }
@@ -49,8 +49,8 @@ std::vector<PrescribedPose> framed_poses(const StoredSixBar& linkage) {
 SixBarMotion tabulated_motion(const StoredSixBar& linkage) {
   const std::vector<PrescribedPose> poses = framed_poses(linkage);
   SixBarMotion travel;
-  if (poses.size() > 1) travel = travel_through(linkage.six_bar, poses, row_step);
-  return travel.states.empty() ? six_bar_motion(linkage.six_bar, poses, row_step) : travel;
+  if (poses.size() > 1) travel = travel_through(linkage.six_bar, poses, six_bar_row_step);
+  return travel.states.empty() ? six_bar_motion(linkage.six_bar, poses, six_bar_row_step) : travel;
 }
 
 SixBarAnalysis analyze(const StoredSixBar& linkage) {
@@ -58,8 +58,8 @@ SixBarAnalysis analyze(const StoredSixBar& linkage) {
   const std::vector<PrescribedPose> poses = framed_poses(linkage);
   const SixBarTransmission as_it_lies = six_bar_transmission(linkage.six_bar, {1, 1, 1, 1, 1, 1});
   analysis.transmission_angle = std::asin(std::min(as_it_lies.sine, 1.0));
-  if (poses.size() > 1) analysis.travel = travel_through(linkage.six_bar, poses, row_step);
-  analysis.motion = six_bar_motion(linkage.six_bar, poses, row_step);
+  if (poses.size() > 1) analysis.travel = travel_through(linkage.six_bar, poses, six_bar_row_step);
+  analysis.motion = six_bar_motion(linkage.six_bar, poses, six_bar_row_step);
   return analysis;
 }
 

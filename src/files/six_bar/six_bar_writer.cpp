@@ -31,13 +31,11 @@ void write_added(JsonWriter& json, const SixBar& six_bar, std::span<const double
   json.end_list();
 }
 
-double angle_deg(double sine) { return degrees(std::asin(std::min(sine, 1.0))); }
-
 /// Of the dyad that follows the driver, and of the one that follows that; null where all hang together.
 void write_dyad_angles(JsonWriter& json, const SixBar& six_bar, const SixBarDriveReport& drive) {
   json.key("min_transmission_angles_of_dyads_deg");
   if (!six_bar_transmission(six_bar, {1, 1, 1, 1, 1, 1}).dyadic) return json.null();
-  write_interval(json, angle_deg(drive.least_sines[0]), angle_deg(drive.least_sines[1]));
+  write_interval(json, angle_of_sine_deg(drive.least_sines[0]), angle_of_sine_deg(drive.least_sines[1]));
 }
 
 void write_drive(JsonWriter& json, const SixBar& six_bar, const SixBarRating& rating) {
@@ -62,6 +60,8 @@ std::array<int, 4> elbows(const ThreeLinkChain& chain) {
 }
 
 }  // namespace
+
+double angle_of_sine_deg(double sine) { return degrees(std::asin(std::min(sine, 1.0))); }
 
 void write_make_up(JsonWriter& json, const SixBar& six_bar, const std::array<int, 4>& elbow,
                    std::span<const double> coordinates) {

@@ -10,6 +10,9 @@
 
 namespace linkwright {
 
+/// Degrees; a sine that rounding has put above 1 counts as 1.
+[[nodiscard]] double angle_of_sine_deg(double sine);
+
 /// Members `topology`, `chain`, `added` and `joints` of an object that is open. `coordinates`: τ of the added links, or
 /// none.
 void write_make_up(JsonWriter& json, const SixBar& six_bar, const std::array<int, 4>& elbow,

@@ -11,7 +11,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::size_t buffer_bytes = 1 << 20;
+constexpr std::size_t file_buffer_bytes = 1 << 20;
 constexpr int usual_mode = 0666;  // less the umask
 
 Error not_regular(std::string_view kind) {
@@ -88,7 +88,7 @@ void AtomicFile::abandon() {
 void AtomicFile::write(std::string_view text) {
   if (failure_) return;
   buffer_ += text;
-  if (buffer_.size() >= buffer_bytes) flush_buffer();
+  if (buffer_.size() >= file_buffer_bytes) flush_buffer();
 }
 
 void AtomicFile::flush_buffer() {

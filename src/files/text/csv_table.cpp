@@ -11,7 +11,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::string_view header =
+constexpr std::string_view four_bar_header =
     "driver_turn_from_position_1_deg,input_angle_from_x_deg,coupler_angle_from_x_deg,output_angle_from_x_deg,"
     "input_circle_x,input_circle_y,output_circle_x,output_circle_y,body_x,body_y,body_theta_deg,transmission_angle_deg,"
     "coupler_rate,output_rate,coupler_acceleration,output_acceleration,position\n";
@@ -43,7 +43,7 @@ std::string table_line(const CycleState& state) {
 }  // namespace
 
 std::string motion_table(std::span<const CycleState> cycle) {
-  std::string table(header);
+  std::string table(four_bar_header);
   for (const CycleState& state : cycle) table += table_line(state);
   return table;
 }
