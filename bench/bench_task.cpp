@@ -39,12 +39,14 @@ SampledTask sampled(std::string_view name, int samples) {
   const BurmesterCurve curve(conditions);
   std::vector<Dyad> dyads;
   for (const double tau : curve.samples(samples, Spacing::coordinate)) dyads.push_back(curve.dyad(tau));
-  return {RegionAxis(std::move(dyads), conditions.frame.to_working(task.poses)), conditions.frame.scale};
+  return {DyadAxis(std::move(dyads), conditions.frame.to_working(task.poses)), conditions.frame.scale};
 }
 
 std::string dump(std::string_view name, int samples) {
   const auto [axis, unit] = sampled(name, samples);
-  const RegionCounts counts = RegionMap(axis, axis, unit).counts();
+  RegionMap map;
+  classify_pairs(map, axis, axis, unit);
+  const RegionCounts counts = map.counts();
   const nlohmann::json json = {
       {"task", name},
       {"unit", unit},

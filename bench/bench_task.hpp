@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "linkwright/planar/four_bar_map.hpp"
 #include "linkwright/planar/motion_task.hpp"
-#include "linkwright/region/region_map.hpp"
 
 namespace linkwright::bench {
 
@@ -16,7 +16,7 @@ inline constexpr std::array<std::string_view, 3> task_names = {"landing_gear", "
 
 /// A task's Burmester curve, sampled: both axes of its region.
 struct SampledTask {
-  RegionAxis axis;
+  DyadAxis axis;
   double unit;  ///< characteristic length, user's unit
 };
 [[nodiscard]] SampledTask sampled(std::string_view name, int samples);

@@ -53,9 +53,9 @@ std::string curve_words(const Problem& problem, const Solution& solution) {
 /// Where the four-bars lie that are counted.
 std::string map_words(const Problem& problem, const Solution& solution) {
   const std::size_t rows = solution.region.rows(), columns = solution.region.columns();
-  const FamilyAxis& across = solution.given.family->axis(LinkageFamily::Side::output);
+  const MapAxis& across = solution.given.family->axis(Side::output);
   if (std::holds_alternative<FunctionTask>(problem.task)) {
-    if (solution.given.family->axis(LinkageFamily::Side::input).is_discrete()) return "The map of all linkages";
+    if (solution.given.family->axis(Side::input).is_discrete()) return "The map of all linkages";
     return across.is_discrete()
                ? fmt::format("The curve of couplers at {} places", rows)
                : fmt::format("The map of {} places of the coupler × {} values of the free number", rows, columns);
@@ -65,7 +65,7 @@ std::string map_words(const Problem& problem, const Solution& solution) {
 }
 
 /// Pairs of one curve always make something; elsewhere a place may have no side links at all.
-std::string degenerate_words(const LinkageFamily& family, std::int64_t count) {
+std::string degenerate_words(const FourBarFamily& family, std::int64_t count) {
   if (count == 0) return "";
   if (family.is_symmetric()) return fmt::format(" and {} sliders or zero links", grouped_text(count));
   return fmt::format(", and none at {} {}", grouped_text(count), count == 1 ? "place" : "places");

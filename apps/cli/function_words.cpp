@@ -12,8 +12,6 @@ namespace {
 
 constexpr int digits = 3;
 
-using Side = LinkageFamily::Side;
-
 std::string small_angle(double radians) { return significant_text(degrees(radians), digits) + "°"; }
 
 std::string precision_text(const FunctionError& error) {
@@ -34,7 +32,7 @@ bool has_free_number(const Solution& solution) {
 }
 
 std::string free_text(const Solution& solution, const FourBarSolution& found) {
-  const LinkageFamily& family = *solution.given.family;
+  const FourBarFamily& family = *solution.given.family;
   const std::string value = significant_text(family.axis_value(Side::output, found.output.coordinate), 5);
   return family.axis(Side::output).quantity == AxisQuantity::pair_output ? value + "°" : "× " + value;
 }

@@ -67,11 +67,10 @@ class BoundSession : public Session {
   }
   val explore_reply(int samples, double input_from, double input_to, double output_from, double output_to,
                     const std::string& property, int order) {
-    const CellProperty shown = cell_property_named(property).value_or(CellProperty{});
     const ExploreReply reply = explore({samples,
                                         {input_from, input_to},
                                         {output_from, output_to},
-                                        shown,
+                                        property,
                                         property == "pose_miss",
                                         property == "max_structural_error_deg",
                                         order});

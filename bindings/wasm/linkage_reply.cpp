@@ -169,7 +169,7 @@ void write_drive(JsonWriter& json, const PickedLinkage& picked) {
 
 }  // namespace
 
-PickedLinkage picked_linkage(const TaskFamily& given, RegionPlace place, bool respect_direction) {
+PickedLinkage picked_linkage(const TaskFamily& given, MapPoint place, bool respect_direction) {
   const WorkingFrame& frame = given.frame();
   const SideLinks none{{{}, {}, place.input}, {{}, {}, place.output}};
   const SideLinks links = given.family->side_links(place).value_or(none);

@@ -24,7 +24,7 @@ struct PickedLinkage {
 };
 
 /// `given` with a family.
-[[nodiscard]] PickedLinkage picked_linkage(const TaskFamily& given, RegionPlace place, bool respect_direction);
+[[nodiscard]] PickedLinkage picked_linkage(const TaskFamily& given, MapPoint place, bool respect_direction);
 
 /// Linkage without the drive's states.
 [[nodiscard]] std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame);

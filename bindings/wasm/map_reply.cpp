@@ -64,14 +64,17 @@ void JudgedMap::judge(const RequirementFilter& filter) {
   missed_boxes_.clear();
 }
 
-void JudgedMap::measure(CellProperty property) {
+void JudgedMap::measure(std::string_view key) {
+  const std::vector<Measure> told = map_.told_measures();
+  const auto named = std::find(told.begin(), told.end(), Measure{key});
+  const Measure& shown = named == told.end() ? told.front() : *named;
   values_.resize(map_.rows() * map_.columns());
   for (std::size_t row = 0; row < map_.rows(); ++row)
-    row_values(map_, property, row, std::span(values_).subspan(map_.index(row, 0), map_.columns()));
-  ridges_ = linkwright::ridges(values_, fails_, map_.columns(), larger_is_better(property));
+    row_values(map_, shown, row, std::span(values_).subspan(map_.index(row, 0), map_.columns()));
+  ridges_ = linkwright::ridges(values_, fails_, map_.columns(), shown.larger_is_better);
 }
 
-void JudgedMap::measure_miss(const LinkageFamily& family, const FreedPose& freed) {
+void JudgedMap::measure_miss(const FourBarFamily& family, const FreedPose& freed) {
   values_.resize(map_.rows() * map_.columns());
   pose_misses(family, map_, fails_, freed, values_);
   for (float& value : values_) value = std::max(value, 0.0F);
@@ -84,7 +87,7 @@ void JudgedMap::measure_error(const FunctionFamily& family) {
     for (std::size_t column = 0; column < map_.columns(); ++column) {
       const std::size_t cell = map_.index(row, column);
       if (map_.defects()[cell] != 0) continue;
-      const RegionPlace place{map_.input_coordinates()[row], map_.output_coordinates()[column]};
+      const MapPoint place{map_.input_coordinates()[row], map_.output_coordinates()[column]};
       const auto links = family.side_links(place);
       const auto bars = links ? four_bar_of(*links) : std::nullopt;
       if (!bars) continue;

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "linkwright/analysis/pose_miss.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/function_family.hpp"
-#include "linkwright/planar/linkage_family.hpp"
 #include "linkwright/planar/missed_box.hpp"
-#include "linkwright/region/cell_property.hpp"
+#include "linkwright/region/measure.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/region/ridge.hpp"
@@ -25,9 +25,10 @@ class JudgedMap {
   void judge(const RequirementFilter& filter);
   /// Told where nothing is left.
   void note_missed_boxes(std::vector<MissedBox> missed) { missed_boxes_ = std::move(missed); }
-  void measure(CellProperty property);
+  /// One of the map's measures, or the first where it has no such.
+  void measure(std::string_view key);
   /// By how much each cell that passes misses a freed pose; 0 of the others.
-  void measure_miss(const LinkageFamily& family, const FreedPose& freed);
+  void measure_miss(const FourBarFamily& family, const FreedPose& freed);
   /// Largest structural error of each cell without defects that reaches the whole range, degrees; 0 of the others.
   void measure_error(const FunctionFamily& family);
 

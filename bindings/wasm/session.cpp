@@ -38,9 +38,9 @@ TaskFamily family_of(const Problem& problem) {
 }
 
 // With a free number the curve is another at each value of it.
-bool lies_along_its_curve(const TaskFamily& task, LinkageFamily::Side side) {
+bool lies_along_its_curve(const TaskFamily& task, Side side) {
   if (!task.curve || !task.family) return task.curve != nullptr;
-  const FamilyAxis& axis = task.family->axis(side);
+  const MapAxis& axis = task.family->axis(side);
   return axis.quantity == AxisQuantity::curve_coordinate && axis.branches.size() == task.curve->branches().size();
 }
 
@@ -114,7 +114,7 @@ RequirementFilter Session::filter(const RegionMap& map) const {
   return filter_of(*given().family, map, requirements_);
 }
 
-const MapAxes& Session::axes() const {
+const ShownAxes& Session::axes() const {
   if (!axes_) std::abort();  // the axes are ordered before a map is made
   return *axes_;
 }
@@ -129,9 +129,9 @@ const Session::Drawn& Session::drawn() {
   return *drawn_;
 }
 
-MapAxis Session::ordered(const ExploreRequest& request, Side side) const {
+ShownAxis Session::ordered(const ExploreRequest& request, Side side) const {
   const TaskFamily& task = given();
-  MapAxis ordered;
+  ShownAxis ordered;
   if (task.family) {
     ordered.axis = task.family->axis(side);
     ordered.ticks = axis_ticks(*task.family, side);
@@ -155,15 +155,15 @@ void Session::order_axes(const ExploreRequest& request) {
     axes_ = six_bars_->axes();
     return;
   }
-  MapAxis input = ordered(request, Side::input);
+  ShownAxis input = ordered(request, Side::input);
   const bool same = !given().family || given().family->is_symmetric();
-  MapAxis output = same ? input : ordered(request, Side::output);
-  axes_ = MapAxes{std::move(input), std::move(output), same};
+  ShownAxis output = same ? input : ordered(request, Side::output);
+  axes_ = ShownAxes{std::move(input), std::move(output), same};
 }
 
 std::vector<double> Session::coordinates(const ExploreRequest& request, Side side) const {
   const auto& [from, to] = side == Side::input ? request.input : request.output;
-  const MapAxis& axis = axes().of(side);
+  const ShownAxis& axis = axes().of(side);
   const DisplayOrder& order = axis.order;
   const int samples = map_samples(request);
   if (six_bars_) return order.samples(samples, from, to);
@@ -370,11 +370,11 @@ std::string Session::improve(double input_tau, double output_tau) const {
   });
 }
 
-std::optional<RegionPlace> Session::improved(RegionPlace place) const {
+std::optional<MapPoint> Session::improved(MapPoint place) const {
   const Objective objective = problem_.options.objective;
   if (six_bars_) {
     const auto better = six_bars_->improved({place.input, place.output}, requirements_, objective);
-    return better ? std::optional(RegionPlace{(*better)[0], (*better)[1]}) : std::nullopt;
+    return better ? std::optional(MapPoint{(*better)[0], (*better)[1]}) : std::nullopt;
   }
   const FunctionFamily* family = function_family(given());
   if (family && objective == Objective::structural_error) return improved_generator(*family, requirements_, place);

@@ -23,9 +23,9 @@ struct ExploreRequest {
   static constexpr int nearest_order = -1;
 
   int samples = 400;
-  std::array<double, 2> input = {0, 1}, output = {0, 1};  ///< places
-  CellProperty property = CellProperty::min_transmission_angle;
-  bool pose_miss = false;         ///< instead of the property, where a pose is freed
+  std::array<double, 2> input = {0, 1}, output = {0, 1};             ///< places
+  std::string_view property = measures::min_transmission_angle.key;  ///< key of a measure
+  bool pose_miss = false;                                            ///< instead of the property, where a pose is freed
   bool structural_error = false;  ///< instead of the property, where a named function leaves no number free
   int order = 0;                  ///< code of a display order, or nearest_order: to the last one
 };
@@ -78,7 +78,6 @@ class Session {
   [[nodiscard]] std::string exported(double input_tau, double output_tau, std::string_view format) const;
 
  private:
-  using Side = LinkageFamily::Side;
   struct Drawn {
     DrawnCurves input;
     std::optional<DrawnCurves> output;  ///< nothing: the same
@@ -88,7 +87,7 @@ class Session {
   void classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const;
   [[nodiscard]] RequirementFilter filter(const RegionMap& map) const;
   void order_axes(const ExploreRequest& request);
-  [[nodiscard]] MapAxis ordered(const ExploreRequest& request, Side side) const;
+  [[nodiscard]] ShownAxis ordered(const ExploreRequest& request, Side side) const;
   [[nodiscard]] std::vector<double> coordinates(const ExploreRequest& request, Side side) const;
   /// As many as are asked for, where so many are soon computed.
   [[nodiscard]] int map_samples(const ExploreRequest& request) const;
@@ -96,9 +95,9 @@ class Session {
   [[nodiscard]] const TaskFamily& given() const;
   /// Of a motion task; otherwise none.
   [[nodiscard]] const std::vector<PrescribedPose>& poses() const;
-  [[nodiscard]] const MapAxes& axes() const;
+  [[nodiscard]] const ShownAxes& axes() const;
   [[nodiscard]] const Drawn& drawn();
-  [[nodiscard]] std::optional<RegionPlace> improved(RegionPlace place) const;
+  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place) const;
   /// One that holds the linkage there, as a result does; nothing where there is none.
   [[nodiscard]] std::optional<Solution> solution_at(double input_tau, double output_tau) const;
   /// Requirements failed by each cell of a map.
@@ -111,7 +110,7 @@ class Session {
   std::optional<TaskFamily> given_;
   std::optional<SixBarMap> six_bars_;  ///< of six-bar tasks, whose given_ has no family
   std::optional<Drawn> drawn_;
-  std::optional<MapAxes> axes_;
+  std::optional<ShownAxes> axes_;
 
   struct MapKey {
     int samples = 0, order = 0;

@@ -32,8 +32,8 @@ TaskFamily SixBarMap::given() const {
   return given;
 }
 
-MapAxes SixBarMap::axes() const {
-  MapAxes axes;
+ShownAxes SixBarMap::axes() const {
+  ShownAxes axes;
   axes.symmetric = false;
   if (!family_) return axes;
   axes.input.axis.branches = family_->first().curve->branches();
@@ -45,9 +45,9 @@ MapAxes SixBarMap::axes() const {
   return axes;
 }
 
-DrawnCurves SixBarMap::drawn(LinkageFamily::Side side) const {
+DrawnCurves SixBarMap::drawn(Side side) const {
   if (!family_) return {};
-  if (side == LinkageFamily::Side::input) return drawn_links(family_->first());
+  if (side == Side::input) return drawn_links(family_->first());
   const auto first = family_->second_depends_on_first() ? std::nullopt : family_->with_first(0.1);
   return first ? drawn_links(*first->second) : DrawnCurves{};
 }

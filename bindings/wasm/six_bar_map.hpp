@@ -22,8 +22,8 @@ class SixBarMap {
   [[nodiscard]] const SixBarTask& task() const { return task_; }
   /// A family without four-bars: pattern, conditions, size; and why there is no map.
   [[nodiscard]] TaskFamily given() const;
-  [[nodiscard]] MapAxes axes() const;
-  [[nodiscard]] DrawnCurves drawn(LinkageFamily::Side side) const;
+  [[nodiscard]] ShownAxes axes() const;
+  [[nodiscard]] DrawnCurves drawn(Side side) const;
 
   void classify(RegionMap& map, std::span<const double> first, std::span<const double> second) const;
   [[nodiscard]] RequirementFilter filter(const RegionMap& map, const Requirements& wanted) const;

@@ -9,8 +9,6 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-using Side = LinkageFamily::Side;
-
 constexpr int ticks_of_a_branch = 12;
 
 void append(std::vector<double>& numbers, Homogeneous point) {
@@ -37,7 +35,7 @@ void write_block(JsonWriter& json, const OrderBlock& block) {
   json.end_object();
 }
 
-void write_axis(JsonWriter& json, const MapAxis& axis) {
+void write_axis(JsonWriter& json, const ShownAxis& axis) {
   json.begin_object();
   json.member("quantity", name(axis.axis.quantity));
   json.member("order", axis.order.code());
@@ -139,9 +137,9 @@ DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFam
   return drawn;
 }
 
-std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, Side side) {
+std::vector<std::array<double, 2>> axis_ticks(const FourBarFamily& family, Side side) {
   std::vector<std::array<double, 2>> ticks;
-  const FamilyAxis& axis = family.axis(side);
+  const MapAxis& axis = family.axis(side);
   if (axis.quantity == AxisQuantity::curve_coordinate || axis.is_discrete()) return ticks;
   for (const CurveBranch& branch : axis.branches)
     for (int i = 0; i < ticks_of_a_branch; ++i) {
@@ -151,7 +149,7 @@ std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, Side 
   return ticks;
 }
 
-std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapAxes& axes,
+std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const ShownAxes& axes,
                       const Requirements& requirements, std::string_view status, const Notice* reason,
                       const FunctionTask* function) {
   return json_of([&](JsonWriter& json) {

@@ -20,30 +20,27 @@ struct DrawnCurves {
   std::vector<std::uint8_t> branch;
   std::vector<CurveMark> marks;
 };
-[[nodiscard]] DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFamily& given,
-                                       LinkageFamily::Side side);
+[[nodiscard]] DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFamily& given, Side side);
 /// Of dyads by rising τ, working frame.
 [[nodiscard]] DrawnCurves drawn_dyads(std::span<const Dyad> polygon, const std::vector<CurveBranch>& branches,
                                       const WorkingFrame& frame);
 
 /// An axis of a map in its display order, and what people read along it, (τ, value); none: nothing but τ.
-struct MapAxis {
-  FamilyAxis axis;
+struct ShownAxis {
+  MapAxis axis;
   DisplayOrder order;
   std::vector<std::array<double, 2>> ticks;
 };
-struct MapAxes {
-  MapAxis input, output;
+struct ShownAxes {
+  ShownAxis input, output;
   bool symmetric = true;
-  [[nodiscard]] const MapAxis& of(LinkageFamily::Side side) const {
-    return side == LinkageFamily::Side::input ? input : output;
-  }
+  [[nodiscard]] const ShownAxis& of(Side side) const { return side == Side::input ? input : output; }
 };
 /// Twelve to a branch where the axis has numbers of its own.
-[[nodiscard]] std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, LinkageFamily::Side side);
+[[nodiscard]] std::vector<std::array<double, 2>> axis_ticks(const FourBarFamily& family, Side side);
 
 /// TaskAnswer without its arrays. `reason`: null when solved; `function`: null for tasks of another kind.
-[[nodiscard]] std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const MapAxes& axes,
+[[nodiscard]] std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const ShownAxes& axes,
                                     const Requirements& requirements, std::string_view status, const Notice* reason,
                                     const FunctionTask* function);
 

@@ -23,8 +23,8 @@ struct Readings {
   [[nodiscard]] double covered() const { return usual_step * static_cast<double>(values.size()); }
 };
 
-Readings readings_of(const RegionScale& scale, const RegionScale::Block& block, const LinkageFamily& family,
-                     LinkageFamily::Side side) {
+Readings readings_of(const RegionScale& scale, const RegionScale::Block& block, const FourBarFamily& family,
+                     Side side) {
   Readings readings;
   std::vector<double> steps;
   for (std::size_t i = block.first; i < block.last; ++i) {
@@ -106,7 +106,7 @@ std::vector<double> even_ticks(double low, double high, double length, double sp
   return ticks;
 }
 
-std::vector<AxisTick> axis_ticks(const RegionScale& scale, const LinkageFamily& family, LinkageFamily::Side side) {
+std::vector<AxisTick> axis_ticks(const RegionScale& scale, const FourBarFamily& family, Side side) {
   std::vector<AxisTick> ticks;
   const AxisQuantity quantity = family.axis(side).quantity;
   if (!has_values(quantity)) return ticks;

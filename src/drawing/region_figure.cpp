@@ -21,8 +21,6 @@
 namespace linkwright {
 namespace {
 
-using Side = LinkageFamily::Side;
-
 constexpr int pixels_per_px = 2;
 // px from the map to the axis, to the middles of the ∞ marks, the branches' names and the axis's title
 constexpr double axis_distance = 8, mark_distance = 20, branch_distance = 35, title_distance = 54;
@@ -45,7 +43,7 @@ AxisPlace below(const PixelBox& map) { return {{map.left, map.bottom()}, {1, 0},
 AxisPlace left_of(const PixelBox& map) { return {{map.left, map.bottom()}, {0, -1}, {-1, 0}, -90}; }
 
 /// One axis of the map.
-struct MapAxis {
+struct DrawnAxis {
   const RegionScale& scale;
   std::string title;
   std::string_view color;
@@ -56,7 +54,7 @@ TextStyle axis_text(const AxisPlace& place, double size, std::string_view color,
   return {.size = size, .color = color, .anchor = "middle", .weight = weight, .turn = place.turn};
 }
 
-void draw_blocks(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+void draw_blocks(SvgCanvas& svg, const DrawnAxis& axis, const AxisPlace& place) {
   for (const RegionScale::Block& block : axis.scale.blocks()) {
     svg.line(place.at(block.from_px, axis_distance), place.at(block.to_px, axis_distance), stroke(axis.color, 2));
     const std::string_view words = branch_label(block.branch);
@@ -67,7 +65,7 @@ void draw_blocks(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
 }
 
 /// Of a few side links: their numbers.
-void draw_numbers(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+void draw_numbers(SvgCanvas& svg, const DrawnAxis& axis, const AxisPlace& place) {
   for (const RegionScale::Block& block : axis.scale.blocks()) {
     svg.line(place.at(block.from_px, axis_distance), place.at(block.to_px, axis_distance), stroke(axis.color, 2));
     const int number = static_cast<int>(std::floor(axis.scale.coordinates()[block.first])) + 1;
@@ -76,14 +74,14 @@ void draw_numbers(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
   }
 }
 
-void draw_ticks(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+void draw_ticks(SvgCanvas& svg, const DrawnAxis& axis, const AxisPlace& place) {
   for (const AxisTick& tick : axis.ticks) {
     svg.line(place.at(tick.px, axis_distance), place.at(tick.px, axis_distance + 4), stroke(axis.color, 1.2));
     svg.text(place.at(tick.px, mark_distance) + place.to_baseline(), tick.text, axis_text(place, 10.5, palette::ink2));
   }
 }
 
-void draw_infinities(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place) {
+void draw_infinities(SvgCanvas& svg, const DrawnAxis& axis, const AxisPlace& place) {
   double last = -100;
   for (const double px : axis.scale.crossings_of_infinity()) {
     svg.line(place.at(px, axis_distance - 4), place.at(px, axis_distance + 4), stroke(palette::ink, 1.4));
@@ -93,7 +91,7 @@ void draw_infinities(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place
   }
 }
 
-void draw_axis(SvgCanvas& svg, const MapAxis& axis, const AxisPlace& place, bool is_discrete = false) {
+void draw_axis(SvgCanvas& svg, const DrawnAxis& axis, const AxisPlace& place, bool is_discrete = false) {
   is_discrete ? draw_numbers(svg, axis, place) : draw_blocks(svg, axis, place);
   svg.text(place.at(axis.scale.length() / 2, title_distance) + place.to_baseline(), axis.title,
            axis_text(place, 12, axis.color, 650));
@@ -192,14 +190,14 @@ struct MapScales {
 
 MapScales scales_of(const Solution& solution, double input_length, double output_length) {
   const RegionMap& region = solution.region;
-  const LinkageFamily& family = *solution.given.family;
-  return {
-      RegionScale(family.axis(Side::input).branches, region.input_coordinates(), region.input_dyads(), input_length),
-      RegionScale(family.axis(Side::output).branches, region.output_coordinates(), region.output_dyads(),
-                  output_length)};
+  const FourBarFamily& family = *solution.given.family;
+  return {RegionScale(family.axis(Side::input).branches, region.input_coordinates(),
+                      family.dyads(Side::input, region.input_coordinates()), input_length),
+          RegionScale(family.axis(Side::output).branches, region.output_coordinates(),
+                      family.dyads(Side::output, region.output_coordinates()), output_length)};
 }
 
-MapAxis axis_of(const Problem& problem, const LinkageFamily& family, const RegionScale& scale, Side side) {
+DrawnAxis axis_of(const Problem& problem, const FourBarFamily& family, const RegionScale& scale, Side side) {
   return {scale, axis_label(family.axis(side), side, problem.task, problem.length_unit).title,
           side == Side::input ? palette::input : palette::output, axis_ticks(scale, family, side)};
 }
@@ -215,7 +213,7 @@ PngImage on_its_side(const PngImage& image) {
 }
 
 void draw_ribbon(SvgCanvas& svg, const Problem& problem, const Solution& solution, const PixelBox& map) {
-  const LinkageFamily& family = *solution.given.family;
+  const FourBarFamily& family = *solution.given.family;
   const auto [along, thick] = scales_of(solution, map.width, map.height);
   svg.png(map.corner(), map.width, map.height,
           base64(on_its_side(region_picture(solution, along, thick, pixels_per_px)).file()));
@@ -243,7 +241,7 @@ void draw_region(SvgCanvas& svg, const Problem& problem, const Solution& solutio
   const RegionMap& region = solution.region;
   if (region.rows() == 0) return;
   if (is_ribbon(solution)) return draw_ribbon(svg, problem, solution, map);
-  const LinkageFamily& family = *solution.given.family;
+  const FourBarFamily& family = *solution.given.family;
   const MapScales scales = scales_of(solution, map.height, map.width);
   const auto file = region_picture(solution, scales.input, scales.output, pixels_per_px).file();
   svg.png(map.corner(), map.width, map.height, base64(file));

@@ -12,7 +12,7 @@ namespace linkwright {
 /// last sample.
 [[nodiscard]] PngImage region_picture(const Solution& solution, const RegionScale& input, const RegionScale& output,
                                       int pixels_per_px);
-/// The same of a map that has no LinkageFamily; `passes`: a cell meets all requirements. Asked once a pixel.
+/// The same of a map that has no FourBarFamily; `passes`: a cell meets all requirements. Asked once a pixel.
 using CellPasses = std::function<bool(std::size_t row, std::size_t column)>;
 [[nodiscard]] PngImage region_picture(const Solution& solution, const CellPasses& passes, const RegionScale& input,
                                       const RegionScale& output, int pixels_per_px);

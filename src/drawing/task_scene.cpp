@@ -19,9 +19,7 @@
 namespace linkwright {
 namespace {
 
-using Side = LinkageFamily::Side;
-
-RegionPlace place_of(const FourBarSolution& found) { return {found.input.coordinate, found.output.coordinate}; }
+MapPoint place_of(const FourBarSolution& found) { return {found.input.coordinate, found.output.coordinate}; }
 
 /// Side links between the last one of an arc of directions and the arc's end, half a step on, where two sheets meet:
 /// closer and closer, as the pivots run faster and faster.
@@ -63,7 +61,7 @@ std::vector<Dyad> fine_polygon(const ProductFamily& family, Side side) {
   return with_ends(polygon, family, side);
 }
 
-std::vector<Dyad> links_along(const LinkageFamily& family, Side side) {
+std::vector<Dyad> links_along(const FourBarFamily& family, Side side) {
   const auto* product = dynamic_cast<const ProductFamily*>(&family);
   std::vector<Dyad> polygon = product ? fine_polygon(*product, side) : family.polygon(side);
   for (Dyad& dyad : polygon) {

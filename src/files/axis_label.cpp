@@ -5,14 +5,12 @@
 namespace linkwright {
 namespace {
 
-using Side = LinkageFamily::Side;
-
 std::string titled(std::string_view title, std::string_view unit) {
   return unit.empty() ? std::string(title) : fmt::format("{}, {}", title, unit);
 }
 
 /// Of three positions between some of which the body only shifts: the branches run round a circle.
-bool runs_round_a_circle(const FamilyAxis& axis) {
+bool runs_round_a_circle(const MapAxis& axis) {
   if (axis.branches.empty()) return false;
   const std::string& name = axis.branches.front().name;
   return name.rfind("direct", 0) == 0;
@@ -31,7 +29,7 @@ AxisLabel free_label(AxisQuantity quantity, const FunctionTask& task) {
   return {name, "O" + name.substr(1) + ", degrees", "deg"};
 }
 
-AxisLabel side_link_label(const FamilyAxis& axis, Side side, std::string_view length_unit) {
+AxisLabel side_link_label(const MapAxis& axis, Side side, std::string_view length_unit) {
   const bool drives = side == Side::input;
   const std::string link = drives ? "input side link, " : "output side link, ";
   const std::string_view title = drives ? "Driving side link" : "Other side link", index = drives ? "₁" : "₂";
@@ -54,7 +52,7 @@ AxisLabel side_link_label(const FamilyAxis& axis, Side side, std::string_view le
 
 }  // namespace
 
-AxisLabel axis_label(const FamilyAxis& axis, Side side, const Task& task, std::string_view length_unit) {
+AxisLabel axis_label(const MapAxis& axis, Side side, const Task& task, std::string_view length_unit) {
   const auto* function = std::get_if<FunctionTask>(&task);
   if (function == nullptr) return side_link_label(axis, side, length_unit);
   return side == Side::input ? coupler_label(axis.quantity) : free_label(axis.quantity, *function);

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/task.hpp"
 
 namespace linkwright {
@@ -14,8 +14,7 @@ struct AxisLabel {
   std::string title;  ///< at the axis of a drawing: "Driving side link, τ₁"
   std::string unit;   ///< tau, deg, the user's unit of length, or 1
 };
-[[nodiscard]] AxisLabel axis_label(const FamilyAxis& axis, LinkageFamily::Side side, const Task& task,
-                                   std::string_view length_unit);
+[[nodiscard]] AxisLabel axis_label(const MapAxis& axis, Side side, const Task& task, std::string_view length_unit);
 
 /// The numbers along the axis are read, not τ itself.
 [[nodiscard]] bool has_values(AxisQuantity quantity);

@@ -97,7 +97,7 @@ void read_name(const JsonObject& object, std::string_view key, std::initializer_
   }
 }
 
-std::optional<RegionWindow> read_window(const JsonValue& value) {
+std::optional<MapWindow> read_window(const JsonValue& value) {
   std::vector<Point> intervals;
   if (!value.json().is_array() || value.json().size() != 2) {
     value.wrong_type("a pair of intervals [[low, high], [low, high]]");
@@ -107,7 +107,7 @@ std::optional<RegionWindow> read_window(const JsonValue& value) {
     if (const auto interval = item.as_pair("[low, high]")) intervals.push_back(*interval);
   });
   if (intervals.size() != 2) return std::nullopt;
-  return RegionWindow{{intervals[0].real(), intervals[0].imag()}, {intervals[1].real(), intervals[1].imag()}};
+  return MapWindow{{intervals[0].real(), intervals[0].imag()}, {intervals[1].real(), intervals[1].imag()}};
 }
 
 void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& options) {

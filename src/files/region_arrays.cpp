@@ -3,7 +3,8 @@
 #include <cstring>
 
 #include "files/json/base64.hpp"
-#include "linkwright/region/cell_property.hpp"
+#include "linkwright/planar/four_bar_map.hpp"
+#include "linkwright/region/measure.hpp"
 
 namespace linkwright {
 namespace {
@@ -30,15 +31,15 @@ void put_little_endian(float number, std::uint8_t* bytes) {
   for (int i = 0; i < 4; ++i) bytes[i] = static_cast<std::uint8_t>(bits >> 8 * i);
 }
 
-void write_property(JsonWriter& json, const RegionMap& region, CellProperty property) {
-  json.key(key(property));
+void write_property(JsonWriter& json, const RegionMap& region, const Measure& measure) {
+  json.key(measure.key);
   json.begin_text();
   Base64Encoder encoder;
   std::string text;
   std::vector<float> values(region.columns());
   std::vector<std::uint8_t> bytes(4 * region.columns());
   for (std::size_t row = 0; row < region.rows(); ++row) {
-    row_values(region, property, row, values);
+    row_values(region, measure, row, values);
     for (std::size_t column = 0; column < region.columns(); ++column)
       put_little_endian(values[column], &bytes[4 * column]);
     text.clear();
@@ -58,7 +59,10 @@ void write_region_arrays(JsonWriter& json, const RegionMap& region) {
   write_bytes(json, "defects", region, region.defects());
   json.key("properties");
   json.begin_object();
-  for (std::size_t p = 0; p < cell_properties; ++p) write_property(json, region, static_cast<CellProperty>(p));
+  RegionMap empty;  // of a task without a map, whose columns are there all the same
+  if (region.measures().empty()) empty.lay({}, {}, planar_measures, false, {});
+  const RegionMap& shown = region.measures().empty() ? empty : region;
+  for (const Measure& measure : shown.told_measures()) write_property(json, shown, measure);
   json.end_object();
 }
 

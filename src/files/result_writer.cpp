@@ -105,10 +105,10 @@ void write_counts(JsonWriter& json, const RegionCounts& counts) {
   json.end_object();
 }
 
-void write_axis(JsonWriter& json, const Problem& problem, const Solution& solution, LinkageFamily::Side side) {
+void write_axis(JsonWriter& json, const Problem& problem, const Solution& solution, Side side) {
   if (const auto* six_bar = std::get_if<SixBarTask>(&problem.task)) return write_six_bar_axis(json, *six_bar, side);
-  const LinkageFamily* family = solution.given.family.get();
-  const FamilyAxis axis = family ? family->axis(side) : FamilyAxis{};
+  const FourBarFamily* family = solution.given.family.get();
+  const MapAxis axis = family ? family->axis(side) : MapAxis{};
   const AxisLabel label = axis_label(axis, side, problem.task, problem.length_unit);
   json.begin_object();
   json.member("name", std::string_view(label.name));
@@ -120,8 +120,7 @@ void write_axis(JsonWriter& json, const Problem& problem, const Solution& soluti
     const RegionMap& region = solution.region;
     json.key("values");
     json.begin_list(Layout::one_line);
-    for (const double tau :
-         side == LinkageFamily::Side::input ? region.input_coordinates() : region.output_coordinates())
+    for (const double tau : side == Side::input ? region.input_coordinates() : region.output_coordinates())
       json.value(family->axis_value(side, tau));
     json.end_list();
   }
@@ -137,8 +136,7 @@ void write_region(JsonWriter& json, const Problem& problem, const Solution& solu
   write_numbers(json, "output_coordinate", region.output_coordinates());
   json.key("axes");
   json.begin_list();
-  for (const auto side : {LinkageFamily::Side::input, LinkageFamily::Side::output})
-    write_axis(json, problem, solution, side);
+  for (const auto side : {Side::input, Side::output}) write_axis(json, problem, solution, side);
   json.end_list();
   json.key("counts");
   write_counts(json, solution.counts);

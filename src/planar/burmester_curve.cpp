@@ -79,8 +79,6 @@ double run_between(const Dyad& a, const Dyad& b) {
 
 }  // namespace
 
-std::string_view name(Spacing spacing) { return spacing == Spacing::coordinate ? "coordinate" : "arc_length"; }
-
 BurmesterCurve::Seen::Seen(const PoseConditions& asked, const std::vector<HomogeneousMatrix>& rows)
     : conditions(first_three(rows)),
       circle_curve(cubic_of(asked, rows, false)),

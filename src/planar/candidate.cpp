@@ -12,21 +12,20 @@ bool is_locked(const DefectReport& report) { return report.min_transmission_angl
 }  // namespace
 
 double Judge::largest_coordinate() const {
-  return std::max(family_.axis(LinkageFamily::Side::input).coordinate_length(),
-                  family_.axis(LinkageFamily::Side::output).coordinate_length());
+  return std::max(family_.axis(Side::input).coordinate_length(), family_.axis(Side::output).coordinate_length());
 }
 
-std::optional<Candidate> Judge::candidate(RegionPlace place) const {
+std::optional<Candidate> Judge::candidate(MapPoint place) const {
   const auto links = family_.side_links(place);
   return links ? judged(place, *links) : std::nullopt;
 }
 
-std::optional<Candidate> Judge::candidate(RegionPlace place, const SideLinks& known) const {
+std::optional<Candidate> Judge::candidate(MapPoint place, const SideLinks& known) const {
   const auto links = family_.side_links_beside(place, known);
   return links ? judged(place, *links) : std::nullopt;
 }
 
-std::optional<Candidate> Judge::judged(RegionPlace place, const SideLinks& links) const {
+std::optional<Candidate> Judge::judged(MapPoint place, const SideLinks& links) const {
   const Requirements& wanted = requirements_;
   const auto four_bar = four_bar_of(links);
   if (!four_bar || !is_within(family_, window_, place)) return std::nullopt;

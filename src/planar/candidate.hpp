@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/synthesis.hpp"
 #include "linkwright/region/hill_climb.hpp"
 
@@ -14,7 +14,7 @@ namespace linkwright {
 
 /// A linkage that meets the requirements. Working frame.
 struct Candidate {
-  RegionPlace place;
+  MapPoint place;
   SideLinks links;
   FourBar bars;
   DefectReport report;
@@ -26,30 +26,30 @@ struct Candidate {
 class Judge {
  public:
   /// `requirements` with both lengths set. Places outside `window` are refused; nothing: none.
-  Judge(const LinkageFamily& family, const Requirements& requirements, Objective objective,
-        std::optional<RegionWindow> window = {})
+  Judge(const FourBarFamily& family, const Requirements& requirements, Objective objective,
+        std::optional<MapWindow> window = {})
       : family_(family), requirements_(requirements), objective_(objective), window_(window) {}
 
-  [[nodiscard]] const LinkageFamily& family() const { return family_; }
+  [[nodiscard]] const FourBarFamily& family() const { return family_; }
   [[nodiscard]] double largest_coordinate() const;
 
   /// The linkage at a place, or nothing where it does not meet the requirements or lies outside the window.
-  [[nodiscard]] std::optional<Candidate> candidate(RegionPlace place) const;
+  [[nodiscard]] std::optional<Candidate> candidate(MapPoint place) const;
   /// The same; of side links known already those serve again whose coordinates are the place's.
-  [[nodiscard]] std::optional<Candidate> candidate(RegionPlace place, const SideLinks& known) const;
+  [[nodiscard]] std::optional<Candidate> candidate(MapPoint place, const SideLinks& known) const;
 
   /// The same bars driven from the better side that meets the requirements: no defects, score, transmission angle,
   /// smaller coordinate; as they are where the family names the input.
   [[nodiscard]] Candidate from_better_side(const Candidate& here) const;
 
  private:
-  [[nodiscard]] std::optional<Candidate> judged(RegionPlace place, const SideLinks& links) const;
+  [[nodiscard]] std::optional<Candidate> judged(MapPoint place, const SideLinks& links) const;
   [[nodiscard]] bool inside(const std::optional<Box>& box, Point p, Point q) const;
 
-  const LinkageFamily& family_;
+  const FourBarFamily& family_;
   Requirements requirements_;
   Objective objective_;
-  std::optional<RegionWindow> window_;
+  std::optional<MapWindow> window_;
 };
 
 /// A search stops where the type would hang on this share of the perimeter: near a change point the numbers look best
@@ -62,21 +62,20 @@ inline constexpr double buildable_margin = 1e-3;
 /// The two axes of a family, the one whose coordinate is dearer to change first, as a climb takes them.
 class OrderedAxes {
  public:
-  explicit OrderedAxes(const LinkageFamily& family)
-      : family_(family), swapped_(family.dearer_side() == LinkageFamily::Side::output) {}
+  explicit OrderedAxes(const FourBarFamily& family) : family_(family), swapped_(family.dearer_side() == Side::output) {}
 
   [[nodiscard]] std::array<double, 2> both(double of_input, double of_output) const {
     return swapped_ ? std::array{of_output, of_input} : std::array{of_input, of_output};
   }
-  [[nodiscard]] std::array<double, 2> coordinates(RegionPlace place) const { return both(place.input, place.output); }
-  [[nodiscard]] RegionPlace place(std::array<double, 2> coordinates) const {
-    return swapped_ ? RegionPlace{coordinates[1], coordinates[0]} : RegionPlace{coordinates[0], coordinates[1]};
+  [[nodiscard]] std::array<double, 2> coordinates(MapPoint place) const { return both(place.input, place.output); }
+  [[nodiscard]] MapPoint place(std::array<double, 2> coordinates) const {
+    return swapped_ ? MapPoint{coordinates[1], coordinates[0]} : MapPoint{coordinates[0], coordinates[1]};
   }
   /// Around a place, its scores by the ordered coordinates.
-  [[nodiscard]] Hill hill(std::function<std::optional<double>(double, double)> score_at, RegionPlace around) const;
+  [[nodiscard]] Hill hill(std::function<std::optional<double>(double, double)> score_at, MapPoint around) const;
 
  private:
-  const LinkageFamily& family_;
+  const FourBarFamily& family_;
   bool swapped_;
 };
 

@@ -22,8 +22,7 @@ struct Offer {
   }
 };
 
-Offer offer_of(const LinkageFamily& family, const Requirements& requirements, Objective objective, RegionMap& map) {
-  using Side = LinkageFamily::Side;
+Offer offer_of(const FourBarFamily& family, const Requirements& requirements, Objective objective, RegionMap& map) {
   const std::vector<double> input = family.samples(Side::input, ChosenLength::samples, Spacing::coordinate),
                             output = family.samples(Side::output, ChosenLength::samples, Spacing::coordinate);
   if (input.empty() || output.empty()) return {};

@@ -11,26 +11,24 @@ double change_point_margin(const FourBar& bars) {
   return std::min({std::abs(t.t1), std::abs(t.t2), std::abs(t.t3)}) / bars.lengths().perimeter();
 }
 
-Hill OrderedAxes::hill(std::function<std::optional<double>(double, double)> score_at, RegionPlace around) const {
-  using Side = LinkageFamily::Side;
-  AxisStretch first = stretch_around(family_.axis(Side::input), around.input),
-              second = stretch_around(family_.axis(Side::output), around.output);
+Hill OrderedAxes::hill(std::function<std::optional<double>(double, double)> score_at, MapPoint around) const {
+  AxisStretch first = family_.axis(Side::input).stretch_around(around.input),
+              second = family_.axis(Side::output).stretch_around(around.output);
   if (swapped_) std::swap(first, second);
   return {std::move(score_at), first, second};
 }
 
 Candidate climbed(const Judge& judge, const Candidate& start, const Ascent& ascent, const Progress& progress) {
-  using Side = LinkageFamily::Side;
   const double least_margin = std::min(buildable_margin, change_point_margin(start.bars));
   SideLinks known = start.links;
-  const auto allowed = [&](RegionPlace place) -> std::optional<Candidate> {
+  const auto allowed = [&](MapPoint place) -> std::optional<Candidate> {
     const auto found = judge.candidate(place, known);
     if (found) known = found->links;
     if (!found || found->report.type != start.report.type) return std::nullopt;
     if (change_point_margin(found->bars) < least_margin) return std::nullopt;
     return found;
   };
-  const LinkageFamily& family = judge.family();
+  const FourBarFamily& family = judge.family();
   const OrderedAxes axes(family);
   const auto score_at = [&](double first, double second) -> std::optional<double> {
     const auto found = allowed(axes.place({first, second}));

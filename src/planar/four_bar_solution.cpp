@@ -31,7 +31,7 @@ std::optional<FourBar> user_four_bar(const SideLinks& links, const WorkingFrame&
 
 }  // namespace
 
-std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlace place, bool respect_direction,
+std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, MapPoint place, bool respect_direction,
                                              bool verify) {
   const auto links = given.family ? given.family->side_links(place) : std::nullopt;
   const WorkingFrame& frame = given.frame();

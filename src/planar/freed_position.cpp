@@ -29,7 +29,7 @@ struct Approach {
 /// Looks for the least miss among the linkages that meet the requirements, from cells of a map on.
 class Lessening {
  public:
-  Lessening(const LinkageFamily& family, const Requirements& requirements, const FreedPose& freed,
+  Lessening(const FourBarFamily& family, const Requirements& requirements, const FreedPose& freed,
             const Progress& progress)
       : family_(family),
         judge_(family, requirements, Objective::min_transmission_angle),
@@ -37,7 +37,7 @@ class Lessening {
         progress_(progress) {}
 
   /// Nothing where the linkage does not meet the requirements.
-  [[nodiscard]] std::optional<Approach> at(RegionPlace place) const {
+  [[nodiscard]] std::optional<Approach> at(MapPoint place) const {
     const auto candidate = judge_.candidate(place);
     const auto miss = candidate ? miss_of(*candidate) : std::nullopt;
     return miss ? std::optional(Approach{*candidate, *miss}) : std::nullopt;
@@ -59,22 +59,22 @@ class Lessening {
     return miss ? std::optional(miss->combined(freed_.size)) : std::nullopt;
   }
 
-  const LinkageFamily& family_;
+  const FourBarFamily& family_;
   Judge judge_;
   FreedPose freed_;
   const Progress& progress_;
 };
 
 /// Cells of least miss, none with a lesser one near.
-std::vector<RegionPlace> low_cells(const RegionMap& map, const std::vector<float>& misses,
-                                   const FreedPositionOptions& options) {
+std::vector<MapPoint> low_cells(const RegionMap& map, const std::vector<float>& misses,
+                                const FreedPositionOptions& options) {
   const auto score = [&](std::size_t row, std::size_t column) {
     const float miss = misses[map.index(row, column)];
     return miss >= 0 ? -static_cast<double>(miss) : no_score;
   };
   const auto any = [](std::size_t, std::size_t, std::size_t, std::size_t) { return true; };
   const HillTopOptions tops = {map.rows() / 20 + 1, static_cast<std::size_t>(options.starts), options.region.threads};
-  std::vector<RegionPlace> places;
+  std::vector<MapPoint> places;
   for (const RankedCell& cell : hill_tops(map.rows(), map.columns(), tops, score, any))
     places.push_back({map.input_coordinates()[cell.row], map.output_coordinates()[cell.column]});
   return places;
@@ -101,7 +101,7 @@ Notice nothing_meets(const RegionMap& map, const Requirements& requirements) {
 
 // Where the pairs of side links through all five positions lie on the map that is left: there nothing is missed. Their
 // circle points lie as in the whole task's first pose.
-std::vector<RegionPlace> exact_places(const MotionTask& whole, const TaskFamily& given, const FreedTask& freed) {
+std::vector<MapPoint> exact_places(const MotionTask& whole, const TaskFamily& given, const FreedTask& freed) {
   if (!given.curve) return {};
   const PoseConditions conditions = pose_conditions(whole.poses);
   const Pose &from = whole.poses.front().pose, &to = freed.task.poses.front().pose;
@@ -113,7 +113,7 @@ std::vector<RegionPlace> exact_places(const MotionTask& whole, const TaskFamily&
     const Homogeneous moved{circle.w, there.real(), there.imag()};
     if (const auto tau = given.curve->coordinate_of(given.frame().to_working(moved))) coordinates.push_back(*tau);
   }
-  std::vector<RegionPlace> places;
+  std::vector<MapPoint> places;
   for (const double input : coordinates)
     for (const double output : coordinates)
       if (input != output) places.push_back({input, output});
@@ -123,7 +123,7 @@ std::vector<RegionPlace> exact_places(const MotionTask& whole, const TaskFamily&
 /// The map of the family that is left, and where on it the miss is least.
 class Relaxing {
  public:
-  Relaxing(const TaskFamily& given, const FreedTask& freed, std::vector<RegionPlace> exact,
+  Relaxing(const TaskFamily& given, const FreedTask& freed, std::vector<MapPoint> exact,
            const FreedPositionOptions& options, bool respect_direction, const Progress& progress)
       : given_(given),
         freed_(freed),
@@ -131,11 +131,11 @@ class Relaxing {
         options_(options),
         respect_direction_(respect_direction),
         progress_(progress) {
-    const auto samples = [&](LinkageFamily::Side side) {
+    const auto samples = [&](Side side) {
       return given.family->samples(side, options.region_samples, Spacing::coordinate);
     };
-    given.family->classify(map_, samples(LinkageFamily::Side::input), samples(LinkageFamily::Side::output),
-                           respect_direction, options.region, progress);
+    given.family->classify(map_, samples(Side::input), samples(Side::output), respect_direction, options.region,
+                           progress);
     failures_.resize(map_.rows() * map_.columns());
     misses_.resize(failures_.size());
   }
@@ -167,12 +167,11 @@ class Relaxing {
   [[nodiscard]] std::optional<Approach> least(const Requirements& requirements) const {
     constexpr double coarse = 1e-2, fine = 1e-9;
     const Lessening lessening(*given_.family, requirements, freed_.freed, progress_);
-    const double first_step =
-        given_.family->axis(LinkageFamily::Side::input).coordinate_length() / options_.region_samples;
+    const double first_step = given_.family->axis(Side::input).coordinate_length() / options_.region_samples;
     std::optional<Approach> best;
-    std::vector<RegionPlace> starts = low_cells(map_, misses_, options_);
+    std::vector<MapPoint> starts = low_cells(map_, misses_, options_);
     starts.insert(starts.end(), exact_.begin(), exact_.end());
-    for (const RegionPlace place : starts) {
+    for (const MapPoint place : starts) {
       // The map's numbers are single: a cell on the very edge of a requirement may fail here.
       const auto start = lessening.at(place);
       if (!start) continue;
@@ -184,7 +183,7 @@ class Relaxing {
 
   const TaskFamily& given_;
   const FreedTask& freed_;
-  std::vector<RegionPlace> exact_;
+  std::vector<MapPoint> exact_;
   FreedPositionOptions options_;
   bool respect_direction_;
   const Progress& progress_;
@@ -215,19 +214,20 @@ FreedTask freed_task(const MotionTask& task, std::size_t pose) {
   return result;
 }
 
-void pose_misses(const LinkageFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
+void pose_misses(const FourBarFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
                  const FreedPose& freed, std::span<float> values, int threads, const Progress& progress) {
-  require(values.size() == failures.size() && !map.input_dyads().empty(),
-          "there is a place for each cell of a map of side links");
+  require(values.size() == failures.size(), "there is a place for each cell");
+  const auto links_at = family.links_of_cells(map.input_coordinates(), map.output_coordinates());
   const FreedPose working = in_working_frame(freed, family.frame());
   parallel_for(map.rows(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = map.index(begin, 0); cell < map.index(end, 0); ++cell) {
       values[cell] = does_not_pass;
       if (failures[cell] != 0 || progress.is_cancelled()) continue;
       const std::size_t row = cell / map.columns(), column = cell % map.columns();
-      const auto bars = four_bar_of({map.input_dyads()[row], map.output_dyads()[column]});
+      const auto links = links_at(row, column);
+      const auto bars = links ? four_bar_of(*links) : std::nullopt;
       if (!bars) continue;
-      const RegionPlace place{map.input_coordinates()[row], map.output_coordinates()[column]};
+      const MapPoint place{map.input_coordinates()[row], map.output_coordinates()[column]};
       const auto miss = pose_miss(*bars, family.working_poses(place, *bars), working);
       if (miss) values[cell] = static_cast<float>(family.frame().scale * miss->combined(working.size));
     }

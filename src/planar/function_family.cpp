@@ -24,9 +24,9 @@ std::vector<CurveBranch> point_branches(std::size_t count) {
   return branches;
 }
 
-FamilyAxis coupler_axis(const FunctionTask& task, const FunctionCouplers& couplers) {
+MapAxis coupler_axis(const FunctionTask& task, const FunctionCouplers& couplers) {
   if (!couplers.curve) return {AxisQuantity::burmester_point, point_branches(couplers.points.size())};
-  FamilyAxis axis{AxisQuantity::curve_coordinate, couplers.curve->branches()};
+  MapAxis axis{AxisQuantity::curve_coordinate, couplers.curve->branches()};
   for (int i = 0; task.free && i < looks_along_the_range; ++i) {
     const double t = (i + 0.5) / looks_along_the_range;
     const auto there = function_couplers(task_at(task, task.free->at(t)));
@@ -36,7 +36,7 @@ FamilyAxis coupler_axis(const FunctionTask& task, const FunctionCouplers& couple
   return axis;
 }
 
-FamilyAxis free_axis(const FunctionTask& task) {
+MapAxis free_axis(const FunctionTask& task) {
   if (!task.free) return {AxisQuantity::nothing, {{"point", 0, 1}}};
   const bool scale = task.free->kind == FreeNumber::Kind::output_scale;
   return {scale ? AxisQuantity::output_scale : AxisQuantity::pair_output, {{"range", 0, 1}}};
@@ -53,8 +53,8 @@ std::vector<PrescribedPose> input_turns(const std::vector<AnglePair>& pairs) {
   return poses;
 }
 
-RegionAxis empty_axis(std::size_t size, const std::vector<PrescribedPose>& poses) {
-  RegionAxis axis({}, poses);
+DyadAxis empty_axis(std::size_t size, const std::vector<PrescribedPose>& poses) {
+  DyadAxis axis({}, poses);
   axis.dyads.resize(size);
   for (auto* values : {&axis.center_x, &axis.center_y, &axis.circle_x, &axis.circle_y, &axis.length})
     values->resize(size);
@@ -67,7 +67,7 @@ RegionAxis empty_axis(std::size_t size, const std::vector<PrescribedPose>& poses
 }
 
 // Puts an output link on a place of the axis, and how it turns.
-void put(RegionAxis& axis, std::size_t at, Point center, Point circle, const std::vector<AnglePair>& pairs) {
+void put(DyadAxis& axis, std::size_t at, Point center, Point circle, const std::vector<AnglePair>& pairs) {
   axis.center_x[at] = center.real();
   axis.center_y[at] = center.imag();
   axis.circle_x[at] = circle.real();
@@ -110,7 +110,7 @@ class FunctionFamily::RecentColumns {
 FunctionFamily::~FunctionFamily() = default;
 
 FunctionFamily::FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers)
-    : LinkageFamily(couplers->frame(), coupler_axis(without_function(task), *couplers), free_axis(task)),
+    : FourBarFamily(couplers->frame(), coupler_axis(without_function(task), *couplers), free_axis(task)),
       task_(std::move(task)),
       bare_(without_function(task_)),
       dial_(task_.function ? std::optional(DialFunction(*task_.function)) : std::nullopt),
@@ -118,7 +118,7 @@ FunctionFamily::FunctionFamily(FunctionTask task, std::shared_ptr<const Function
       recent_(std::make_unique<RecentColumns>()),
       ground_((task_.output_pivot - task_.input_pivot) / frame().scale) {}
 
-FunctionTask FunctionFamily::task_at(RegionPlace place) const {
+FunctionTask FunctionFamily::task_at(MapPoint place) const {
   return task_.free ? linkwright::task_at(task_, task_.free->at(wrap_period(place.output, 1))) : task_;
 }
 
@@ -126,7 +126,7 @@ std::vector<AnglePair> FunctionFamily::pairs_at(double tau) const {
   return task_.free ? linkwright::task_at(bare_, task_.free->at(wrap_period(tau, 1))).pairs : task_.pairs;
 }
 
-FunctionError FunctionFamily::error_of(const FourBar& bars, RegionPlace place, const ErrorSampling& sampling) const {
+FunctionError FunctionFamily::error_of(const FourBar& bars, MapPoint place, const ErrorSampling& sampling) const {
   const std::vector<AnglePair> pairs = pairs_at(place.output);
   if (!dial_ || !task_.free || task_.free->kind != FreeNumber::Kind::output_scale)
     return function_error(bars, pairs, dial_ ? &*dial_ : nullptr, sampling);
@@ -158,11 +158,11 @@ std::optional<Dyad> FunctionFamily::coupler(const Column& column, double tau) co
   return found;
 }
 
-std::optional<SideLinks> FunctionFamily::side_links(RegionPlace place) const {
+std::optional<SideLinks> FunctionFamily::side_links(MapPoint place) const {
   return side_links(recent_column_at(place.output), place);
 }
 
-LinkageFamily::LinksOfCells FunctionFamily::links_of_cells(std::span<const double> input,
+FourBarFamily::LinksOfCells FunctionFamily::links_of_cells(std::span<const double> input,
                                                            std::span<const double> output) const {
   constexpr int any_threads = 0;
   const auto columns = std::make_shared<const std::vector<Column>>(columns_at(output, any_threads));
@@ -171,18 +171,18 @@ LinkageFamily::LinksOfCells FunctionFamily::links_of_cells(std::span<const doubl
   };
 }
 
-std::optional<SideLinks> FunctionFamily::side_links(const Column& column, RegionPlace place) const {
+std::optional<SideLinks> FunctionFamily::side_links(const Column& column, MapPoint place) const {
   const auto found = coupler(column, place.input);
   if (!found) return std::nullopt;
   return SideLinks{{Homogeneous::of(0), found->circle, place.input},
                    {Homogeneous::of(ground_), found->center, place.output}};
 }
 
-std::vector<PrescribedPose> FunctionFamily::user_poses(RegionPlace place, const FourBar& bars) const {
+std::vector<PrescribedPose> FunctionFamily::user_poses(MapPoint place, const FourBar& bars) const {
   return coupler_poses(bars, pairs_at(place.output));
 }
 
-std::vector<PrescribedPose> FunctionFamily::working_poses(RegionPlace place, const FourBar& bars) const {
+std::vector<PrescribedPose> FunctionFamily::working_poses(MapPoint place, const FourBar& bars) const {
   return coupler_poses(bars, pairs_at(place.output));
 }
 
@@ -194,7 +194,7 @@ double FunctionFamily::axis_value(Side side, double tau) const {
 
 std::vector<double> FunctionFamily::samples(Side side, int count, Spacing spacing) const {
   if (side == Side::input && !task_.free && couplers_->curve) return couplers_->curve->samples(count, spacing);
-  return LinkageFamily::samples(side, count, spacing);
+  return FourBarFamily::samples(side, count, spacing);
 }
 
 std::vector<Dyad> FunctionFamily::polygon(Side side) const {
@@ -209,11 +209,11 @@ std::vector<Dyad> FunctionFamily::polygon(Side side) const {
 
 // Verdicts do not change with size and attitude: every linkage is laid with its input link from 0 to 1 in the first
 // pair, so that one driver stands for the whole row.
-RegionRow FunctionFamily::row_at(double tau, std::span<const Column> columns, std::span<const double> coordinates,
-                                 bool respect_direction) const {
+FourBarRow FunctionFamily::row_at(double tau, std::span<const Column> columns, std::span<const double> coordinates,
+                                  bool respect_direction) const {
   const std::vector<PrescribedPose> turns = input_turns(task_.pairs);
-  RegionRow row{RegionAxis({{Homogeneous::of(0), Homogeneous::of(1), tau}}, turns, respect_direction),
-                empty_axis(columns.size(), turns), std::vector<float>(columns.size(), 0)};
+  FourBarRow row{DyadAxis({{Homogeneous::of(0), Homogeneous::of(1), tau}}, turns, respect_direction),
+                 empty_axis(columns.size(), turns), std::vector<float>(columns.size(), 0)};
   for (std::size_t k = 0; k < columns.size(); ++k) {
     row.output.dyads[k].coordinate = coordinates[k];
     const auto found = coupler(columns[k], tau);
@@ -238,8 +238,8 @@ void FunctionFamily::fill(RegionMap& map, std::span<const double> input, std::sp
                           bool respect_direction, const RegionOptions& options, const Progress& progress) const {
   std::vector<Column> columns = columns_at(output, options.threads, progress);
   if (progress.is_cancelled()) columns.assign(output.size(), {task_.pairs, couplers_});
-  map.recompute_rows(
-      input, output, [&](std::size_t row) { return row_at(input[row], columns, output, respect_direction); },
+  classify_rows(
+      map, input, output, [&](std::size_t row) { return row_at(input[row], columns, output, respect_direction); },
       frame().scale, options, progress);
 }
 

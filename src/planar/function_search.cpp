@@ -14,8 +14,6 @@
 namespace linkwright {
 namespace {
 
-using Side = LinkageFamily::Side;
-
 // Two linkages are alike when no pivot differs by more than this share of the ground link.
 constexpr double alike = 0.02;
 
@@ -47,7 +45,7 @@ class GeneratorSearch {
         inputs_(samples_within(family, Side::input, options.window, options.input_samples, Spacing::coordinate)),
         values_(samples_within(family, Side::output, options.window, options.free_samples, Spacing::coordinate)) {}
 
-  [[nodiscard]] std::optional<Generator> at(RegionPlace place, int error_samples) const {
+  [[nodiscard]] std::optional<Generator> at(MapPoint place, int error_samples) const {
     const auto candidate = judge_.candidate(place);
     if (!candidate) return std::nullopt;
     const FourBar bars = to_user(family_.frame(), candidate->bars);
@@ -88,7 +86,7 @@ class GeneratorSearch {
       const auto there = at(axes.place({first, second}), options_.error_samples);
       return there && there->type == start.type ? std::optional(-there->error()) : std::nullopt;
     };
-    const RegionPlace from = start.ranked.place;
+    const MapPoint from = start.ranked.place;
     const std::array<double, 2> steps = axes.both(step(Side::input, inputs_), step(Side::output, values_));
     const HillTop top =
         climb_hill(axes.hill(score_at, from), axes.coordinates(from), -start.error(), {steps, resolution}, progress);
@@ -97,7 +95,7 @@ class GeneratorSearch {
 
  private:
   [[nodiscard]] double step(Side side, const std::vector<double>& samples) const {
-    const FamilyAxis& axis = family_.axis(side);
+    const MapAxis& axis = family_.axis(side);
     return axis.is_discrete() ? 0 : axis.coordinate_length() / static_cast<double>(samples.size());
   }
 
@@ -109,7 +107,7 @@ class GeneratorSearch {
 
 bool more_precise(const Generator& a, const Generator& b) {
   if (a.error() != b.error()) return a.error() < b.error();
-  const RegionPlace &x = a.ranked.place, &y = b.ranked.place;
+  const MapPoint &x = a.ranked.place, &y = b.ranked.place;
   return x.input != y.input ? x.input < y.input : x.output < y.output;
 }
 
@@ -158,8 +156,8 @@ std::vector<RankedGenerator> best_generators(const FunctionFamily& family, const
   return ranked;
 }
 
-std::optional<RegionPlace> improved_generator(const FunctionFamily& family, const Requirements& requirements,
-                                              RegionPlace start) {
+std::optional<MapPoint> improved_generator(const FunctionFamily& family, const Requirements& requirements,
+                                           MapPoint start) {
   const GeneratorSearch search(family, requirements, {});
   const auto foot = search.at(start, GeneratorSearchOptions{}.error_samples);
   if (!foot) return std::nullopt;

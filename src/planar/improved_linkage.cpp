@@ -4,8 +4,8 @@
 
 namespace linkwright {
 
-std::optional<RegionPlace> improved_linkage(const LinkageFamily& family, const Requirements& requirements,
-                                            Objective objective, RegionPlace start) {
+std::optional<MapPoint> improved_linkage(const FourBarFamily& family, const Requirements& requirements,
+                                         Objective objective, MapPoint start) {
   constexpr double first_step_share = 1.0 / 400;  // a cell of the usual map
   constexpr double fine = 1e-8;
   const Judge judge(family, requirements, objective);

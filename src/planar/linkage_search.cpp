@@ -97,7 +97,7 @@ class LinkageSearch {
       if (const auto candidate = judge_.candidate(place_of(cell))) found.push_back(*candidate);
     return found;
   }
-  [[nodiscard]] RegionPlace place_of(const RankedCell& cell) const {
+  [[nodiscard]] MapPoint place_of(const RankedCell& cell) const {
     return {map_.input_coordinates()[cell.row], map_.output_coordinates()[cell.column]};
   }
 

@@ -8,7 +8,7 @@
 namespace linkwright {
 namespace {
 
-constexpr auto input = LinkageFamily::Side::input;
+constexpr auto input = Side::input;
 
 Point nearest_in(const Box& box, Point p) {
   return {std::clamp(p.real(), box.x_low, box.x_high), std::clamp(p.imag(), box.y_low, box.y_high)};
@@ -117,7 +117,7 @@ std::string way_text(Point beyond) {
 
 }  // namespace
 
-std::vector<MissedBox> missed_boxes(const LinkageFamily& family, const Requirements& wanted) {
+std::vector<MissedBox> missed_boxes(const FourBarFamily& family, const Requirements& wanted) {
   const auto* product = dynamic_cast<const ProductFamily*>(&family);
   if (!product || !family.is_symmetric() || family.axis(input).quantity != AxisQuantity::curve_coordinate) return {};
   if (!wanted.ground_pivots_within && !wanted.moving_pivots_within) return {};

@@ -20,13 +20,12 @@ class CellCounter {
     if (!mistakes_in(task).empty()) return 0;
     const TaskFamily given = task_family(task, wanted_, Objective::min_transmission_angle);
     if (!given.family) return 0;
-    const LinkageFamily& family = *given.family;
+    const FourBarFamily& family = *given.family;
     const Requirements wanted = with_defaults(wanted_, given);
-    const auto samples = [&](LinkageFamily::Side side) { return family.samples(side, samples_, spacing_); };
+    const auto samples = [&](Side side) { return family.samples(side, samples_, spacing_); };
     RegionOptions one_thread;
     one_thread.threads = 1;
-    family.classify(map_, samples(LinkageFamily::Side::input), samples(LinkageFamily::Side::output),
-                    wanted.respect_direction, one_thread);
+    family.classify(map_, samples(Side::input), samples(Side::output), wanted.respect_direction, one_thread);
     const RequirementFilter filter = filter_of(family, map_, wanted);
     std::uint32_t passing = 0;
     for (std::size_t row = 0; row < map_.rows(); ++row)

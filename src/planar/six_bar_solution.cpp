@@ -71,14 +71,13 @@ double SixBarRating::versine() const {
 
 double SixBarRating::min_transmission_angle() const { return std::asin(std::min(1.0, drive.least_sine)); }
 
-RegionCell SixBarRating::cell() const {
+MapCell SixBarRating::cell() const {
   if (shape.type == LinkageType::degenerate) return {};
-  RegionCell cell;
+  MapCell cell;
   cell.type = shape.type;
   cell.defects = drive.defects;
-  cell.versine = static_cast<float>(versine());
-  cell.ratio = static_cast<float>(shape.link_ratio);
-  cell.longest = static_cast<float>(shape.longest);
+  cell.values = {static_cast<float>(versine()), 0, static_cast<float>(shape.link_ratio),
+                 static_cast<float>(shape.longest)};  // planar_measures
   return cell;
 }
 

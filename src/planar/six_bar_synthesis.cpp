@@ -7,6 +7,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "linkwright/planar/four_bar_map.hpp"
 #include "linkwright/region/hill_climb.hpp"
 #include "planar/six_bar_prospect.hpp"
 
@@ -15,11 +16,6 @@ namespace {
 
 /// Two six-bars count as different designs when a hinge differs by this share of the chain.
 constexpr double different_links = 0.02;
-
-struct DriverTravel {
-  DriveSense sense = DriveSense::none;
-  double sweep_ccw = 0;
-};
 
 /// The chain prescribes how the driver turns, whatever the added links are.
 DriverTravel driver_travel(const SixBarFamily& family) {
@@ -31,7 +27,7 @@ DriverTravel driver_travel(const SixBarFamily& family) {
     cw += turn > 0 ? two_pi - turn : 0;
   }
   const double from_first_to_last = wrap_positive(std::arg(driver.at.back().turn));
-  return {ccw < cw ? DriveSense::ccw : DriveSense::cw, from_first_to_last};
+  return {ccw < cw ? DriverTravel::ccw : DriverTravel::cw, static_cast<float>(from_first_to_last)};
 }
 
 std::vector<std::optional<SixBarFamily::WithFirst>> first_links(const SixBarFamily& family,
@@ -129,14 +125,13 @@ void classify_six_bars(RegionMap& map, const SixBarFamily& family, std::span<con
                        std::span<const double> second, bool circuits, const RegionOptions& options,
                        const Progress& progress) {
   const auto links = first_links(family, first, options.threads);
-  const DriverTravel travel = driver_travel(family);
-  const auto cell_at = [&](std::size_t row, std::size_t column) -> RegionCell {
+  const auto cell_at = [&](std::size_t row, std::size_t column) -> MapCell {
     const auto& link = links[row];
     if (!link) return {};
     const auto member = family.member(*link, family.second_tau(*link, second[column]));
-    return member ? rating_of(*member, circuits).cell() : RegionCell{};
+    return member ? rating_of(*member, circuits).cell() : MapCell{};
   };
-  map.recompute_cells(first, second, travel.sense, travel.sweep_ccw, cell_at, options, progress);
+  map.judge_cells(first, second, planar_measures, driver_travel(family), cell_at, options, progress);
 }
 
 std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLinkChain& chain,
@@ -185,18 +180,17 @@ RequirementFilter filter_of_six_bars(const SixBarFamily& family, const RegionMap
   const bool asks_where = requirements.ground_pivots_within || requirements.moving_pivots_within;
   const auto links =
       std::make_shared<const Links>(asks_where ? first_links(family, map.input_coordinates(), 0) : Links{});
-  const auto pivots_at = [&family, &map, links](std::size_t row,
-                                                std::size_t column) -> std::optional<RequirementFilter::Pivots> {
+  const auto pivots_at = [&family, &map, links](std::size_t row, std::size_t column) -> std::optional<Pivots> {
     const auto& first = (*links)[row];
     const auto member =
         first ? family.member(*first, family.second_tau(*first, map.output_coordinates()[column])) : std::nullopt;
     if (!member) return std::nullopt;
-    RequirementFilter::Pivots pivots;
+    Pivots pivots;
     for (const SixBarJoint& joint : member->six_bar.joints)
       (is_on_ground(joint) ? pivots.ground : pivots.moving).push_back(joint.point);
     return pivots;
   };
-  return {map, requirements, Point{}, 1, pivots_at};
+  return {map, requirements, [&] { return MapPivots{{}, {}, pivots_at}; }};
 }
 
 }  // namespace linkwright

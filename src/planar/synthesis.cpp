@@ -31,13 +31,13 @@ void append_new(std::vector<Error>& all, const std::vector<Error>& more) {
 }
 
 void map_region(Solution& solution, const Progress& progress) {
-  const LinkageFamily& family = *solution.given.family;
+  const FourBarFamily& family = *solution.given.family;
   const SynthesisOptions& options = solution.options;
-  const auto samples = [&](LinkageFamily::Side side) {
+  const auto samples = [&](Side side) {
     return samples_within(family, side, options.window, options.region_samples, options.spacing);
   };
-  family.classify(solution.region, samples(LinkageFamily::Side::input), samples(LinkageFamily::Side::output),
-                  solution.requirements.respect_direction, options.region, progress);
+  family.classify(solution.region, samples(Side::input), samples(Side::output), solution.requirements.respect_direction,
+                  options.region, progress);
   solution.counts = solution.region.counts();
 }
 
@@ -51,7 +51,7 @@ std::vector<Dyad> curve_samples(const TaskFamily& given, const SynthesisOptions&
 
 // Side links of the map that rounding keeps from being any.
 std::vector<Notice> left_out_warning(const Solution& solution) {
-  const LinkageFamily& family = *solution.given.family;
+  const FourBarFamily& family = *solution.given.family;
   const std::span<const double> looked_at = solution.region.input_coordinates();
   if (!solution.given.curve || !family.is_symmetric()) return {};
   const auto count = std::count_if(looked_at.begin(), looked_at.end(), [&](double tau) {
@@ -98,8 +98,8 @@ std::vector<Notice> locking_warning(const Solution& solution, const Progress& pr
   constexpr double edge = radians(1), best_of_all = radians(40), step = radians(5);
   const Requirements& asked = solution.requirements;
   if (solution.linkages.empty() || asked.min_transmission_angle > 0 || !asked.no_defects) return {};
-  const auto is_discrete = [&](LinkageFamily::Side side) { return solution.given.family->axis(side).is_discrete(); };
-  if (is_discrete(LinkageFamily::Side::input) && is_discrete(LinkageFamily::Side::output)) return {};
+  const auto is_discrete = [&](Side side) { return solution.given.family->axis(side).is_discrete(); };
+  if (is_discrete(Side::input) && is_discrete(Side::output)) return {};
   const double angle = solution.linkages.front().report.min_transmission_angle;
   if (solution.options.objective == Objective::min_transmission_angle || angle >= edge) return {};
   Requirements wanted = asked;
@@ -323,7 +323,7 @@ void advise(Solution& solution, const RequirementFilter& filter, const Requireme
 std::vector<FourBarSolution> all_pairs(const Solution& solution) {
   constexpr bool verify = true;
   const Requirements& wanted = solution.requirements;
-  const std::vector<double> places = solution.given.family->samples(LinkageFamily::Side::input, 0, Spacing::coordinate);
+  const std::vector<double> places = solution.given.family->samples(Side::input, 0, Spacing::coordinate);
   std::vector<FourBarSolution> pairs;
   for (std::size_t i = 0; i < places.size(); ++i)
     for (std::size_t j = i + 1; j < places.size(); ++j) {
@@ -425,11 +425,11 @@ void measure_function(FourBarSolution& found, const FunctionFamily& family) {
 // Five precision points: the few linkages there are, whatever their defects.
 std::vector<FourBarSolution> all_generators(const Solution& solution) {
   constexpr bool verify = true;
-  const LinkageFamily& family = *solution.given.family;
+  const FourBarFamily& family = *solution.given.family;
   std::vector<FourBarSolution> found;
-  if (family.axis(LinkageFamily::Side::input).quantity != AxisQuantity::burmester_point) return found;
-  const double only = family.samples(LinkageFamily::Side::output, 0, Spacing::coordinate).front();
-  for (const double place : family.samples(LinkageFamily::Side::input, 0, Spacing::coordinate))
+  if (family.axis(Side::input).quantity != AxisQuantity::burmester_point) return found;
+  const double only = family.samples(Side::output, 0, Spacing::coordinate).front();
+  for (const double place : family.samples(Side::input, 0, Spacing::coordinate))
     if (auto made = make_four_bar(solution.given, {place, only}, solution.requirements.respect_direction, verify))
       found.push_back(*std::move(made));
   std::sort(found.begin(), found.end(), is_better);

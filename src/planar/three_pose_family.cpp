@@ -11,20 +11,20 @@ namespace {
 
 double place_in_branch(double tau) { return tau - std::floor(tau); }
 
-FamilyAxis axis_of(AxisQuantity quantity, const std::vector<std::string>& names) {
-  FamilyAxis axis{quantity, {}};
+MapAxis axis_of(AxisQuantity quantity, const std::vector<std::string>& names) {
+  MapAxis axis{quantity, {}};
   for (std::size_t i = 0; i < names.size(); ++i)
     axis.branches.push_back({names[i], static_cast<double>(i), static_cast<double>(i + 1)});
   return axis;
 }
 
-FamilyAxis axis_of_length(DirectionFreedom freedom, std::size_t directions) {
+MapAxis axis_of_length(DirectionFreedom freedom, std::size_t directions) {
   if (freedom == DirectionFreedom::free) return axis_of(AxisQuantity::side_direction, {"sheet_1", "sheet_2"});
   if (directions == 2) return axis_of(AxisQuantity::curve_coordinate, {"direction_1", "direction_2"});
   return axis_of(AxisQuantity::curve_coordinate, {"direction_1"});
 }
 
-FamilyAxis axis_at_angle(DirectionFreedom freedom, bool directed) {
+MapAxis axis_at_angle(DirectionFreedom freedom, bool directed) {
   if (freedom == DirectionFreedom::free && directed) return axis_of(AxisQuantity::side_length, {"sheet_1", "sheet_2"});
   if (freedom == DirectionFreedom::free)
     return axis_of(AxisQuantity::side_length, {"sheet_1", "sheet_2", "sheet_1_opposite", "sheet_2_opposite"});
@@ -52,7 +52,7 @@ double place_after(const std::vector<std::array<double, 2>>& intervals, double r
   return std::nextafter(intervals.back()[1], 0.0);
 }
 
-std::vector<double> evenly(const FamilyAxis& axis, int count) {
+std::vector<double> evenly(const MapAxis& axis, int count) {
   std::vector<double> coordinates;
   for (int i = 0; i < count; ++i) coordinates.push_back(axis.coordinate_length() * (i + 0.5) / count);
   return coordinates;
@@ -170,7 +170,7 @@ std::optional<Dyad> SideAngleFamily::output_at(double input_direction, double ta
   return found;
 }
 
-std::optional<SideLinks> SideAngleFamily::side_links(RegionPlace place) const {
+std::optional<SideLinks> SideAngleFamily::side_links(MapPoint place) const {
   const auto input = input_.dyad(place.input);
   if (!input) return std::nullopt;
   const auto output = output_at(input_.side_direction(place.input), place.output);
@@ -199,11 +199,11 @@ void SideAngleFamily::fill(RegionMap& map, std::span<const double> input, std::s
     std::vector<Dyad> driven;
     driven.reserve(output.size());
     for (const double tau : output) driven.push_back(output_at(beta, tau).value_or(no_dyad(tau)));
-    return RegionRow{RegionAxis({driver}, working_poses(), respect_direction),
-                     RegionAxis(std::move(driven), working_poses(), respect_direction, RegionAxis::Role::driven),
-                     {}};
+    return FourBarRow{DyadAxis({driver}, working_poses(), respect_direction),
+                      DyadAxis(std::move(driven), working_poses(), respect_direction, DyadAxis::Role::driven),
+                      {}};
   };
-  map.recompute_rows(input, output, row_at, frame().scale, options, progress);
+  classify_rows(map, input, output, row_at, frame().scale, options, progress);
 }
 
 }  // namespace linkwright

@@ -89,7 +89,7 @@ Notice fixed_direction_notice(const ThreePoseDyads& dyads) {
       {}};
 }
 
-ThreePoseOpening opened(const Start& start, std::shared_ptr<const LinkageFamily> family) {
+ThreePoseOpening opened(const Start& start, std::shared_ptr<const FourBarFamily> family) {
   ThreePoseOpening opening;
   opening.family = std::move(family);
   if (start.dyads->freedom() == DirectionFreedom::of_length)

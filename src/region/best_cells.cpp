@@ -12,8 +12,9 @@ constexpr std::array<std::string_view, 4> objective_names = {"min_transmission_a
                                                              "structural_error"};
 
 double score(const RegionMap& map, Objective objective, std::size_t cell) {
-  return score_of(objective, static_cast<double>(map.transmission_versines()[cell]),
-                  static_cast<double>(map.link_ratios()[cell]), static_cast<double>(map.longest_links()[cell]));
+  return score_of(objective, static_cast<double>(map.values(measures::min_transmission_angle)[cell]),
+                  static_cast<double>(map.values(measures::link_ratio)[cell]),
+                  static_cast<double>(map.values(measures::longest_link)[cell]));
 }
 
 bool same_branch(double tau, double other) { return std::floor(tau) == std::floor(other); }

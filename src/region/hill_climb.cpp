@@ -108,11 +108,6 @@ class Climb {
 
 }  // namespace
 
-double AxisStretch::onto(double coordinate) const {
-  if (closed) return from + wrap_period(coordinate - from, to - from);
-  return std::clamp(coordinate, from, std::max(from, std::nextafter(to, from)));
-}
-
 HillTop climb_hill(const Hill& hill, std::array<double, 2> start, double score, const HillClimbOptions& options,
                    const Progress& progress) {
   return Climb(hill, options, progress).top(start, score);

@@ -70,41 +70,39 @@ double rounded(double exact, bool upwards) {
 
 std::string_view key(RequirementKind kind) { return requirement_keys[static_cast<std::size_t>(kind)]; }
 
-RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit,
-                                     PivotsAt pivots_at)
+RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements,
+                                     const std::function<MapPivots()>& pivots)
     : map_(&map),
       requirements_(requirements),
-      origin_(origin),
-      unit_(unit),
-      verdict_failures_(verdict_failures(requirements)) {
+      verdict_failures_(verdict_failures(requirements)),
+      versines_(map.values(measures::min_transmission_angle)),
+      ratios_(map.values(measures::link_ratio)),
+      longest_(map.values(measures::longest_link)) {
   require(requirements.max_length.has_value(), "max_length is set");
   least_versine_ = static_cast<float>(versine_of_angle(requirements.min_transmission_angle));
   largest_ratio_ = static_cast<float>(requirements.max_link_ratio);
   largest_length_ = static_cast<float>(*requirements.max_length);
   smallest_length_ = static_cast<float>(requirements.min_length.value_or(0));
-  const auto of_dyads = [&](std::span<const Dyad> dyads) {
-    std::vector<std::uint8_t> failures;
-    const auto user = [&](Homogeneous point) {
-      const auto p = finite_point(point);
-      return p ? std::optional(origin + unit * *p) : std::nullopt;
-    };
-    for (const Dyad& dyad : dyads) failures.push_back(box_failures(user(dyad.center), user(dyad.circle), requirements));
-    return failures;
-  };
-  input_box_failures_ = of_dyads(map.input_dyads());
-  output_box_failures_ = of_dyads(map.output_dyads());
-  if (map.input_dyads().empty() && (requirements.ground_pivots_within || requirements.moving_pivots_within))
-    pivots_at_ = std::move(pivots_at);
+  if (!pivots || !(requirements.ground_pivots_within || requirements.moving_pivots_within)) return;
+  pivots_ = pivots();
+  for (const GroundedLinkPivots& link : pivots_.rows)
+    input_box_failures_.push_back(box_failures(link.ground, link.moving, requirements));
+  for (const GroundedLinkPivots& link : pivots_.columns)
+    output_box_failures_.push_back(box_failures(link.ground, link.moving, requirements));
+}
+
+RequirementFilter filter_of(const LinkageFamily& family, const RegionMap& map, const Requirements& requirements) {
+  return {map, requirements, [&] { return family.pivots(map); }};
 }
 
 unsigned RequirementFilter::box_failures_at(std::size_t row, std::size_t column) const {
   if (!input_box_failures_.empty()) return input_box_failures_[row] | output_box_failures_[column];
-  if (!pivots_at_ || map_->type(map_->index(row, column)) == LinkageType::degenerate) return 0;
-  const auto pivots = pivots_at_(row, column);
+  if (!pivots_.of_cell || map_->type(map_->index(row, column)) == LinkageType::degenerate) return 0;
+  const auto found = pivots_.of_cell(row, column);
   const auto outside = [&](const std::optional<Box>& box, std::vector<Point> Pivots::*of_kind) {
     if (!box) return false;
-    return !pivots || !std::all_of(((*pivots).*of_kind).begin(), ((*pivots).*of_kind).end(),
-                                   [&](Point p) { return box->contains(p); });
+    return !found || !std::all_of(((*found).*of_kind).begin(), ((*found).*of_kind).end(),
+                                  [&](Point p) { return box->contains(p); });
   };
   return (outside(requirements_.ground_pivots_within, &Pivots::ground) ? bit(RequirementKind::ground_pivots_within)
                                                                        : 0u) |
@@ -148,12 +146,13 @@ std::uint8_t RequirementFilter::failures(std::size_t row, std::size_t column) co
   const std::size_t cell = map_->index(row, column);
   unsigned failed = verdict_failures_[static_cast<std::size_t>(map_->types()[cell] * 8 + map_->defects()[cell])];
   failed |= box_failures_at(row, column);
-  failed |= map_->transmission_versines()[cell] < least_versine_ ? bit(RequirementKind::min_transmission_angle) : 0u;
-  failed |= map_->link_ratios()[cell] > largest_ratio_ ? bit(RequirementKind::max_link_ratio) : 0u;
-  failed |= map_->longest_links()[cell] > largest_length_ ? bit(RequirementKind::max_length) : 0u;
-  failed |= map_->longest_links()[cell] < smallest_length_ * map_->link_ratios()[cell]
-                ? bit(RequirementKind::min_length)
-                : 0u;
+  if (!versines_.empty())
+    failed |= versines_[cell] < least_versine_ ? bit(RequirementKind::min_transmission_angle) : 0u;
+  if (!longest_.empty()) {
+    failed |= ratios_[cell] > largest_ratio_ ? bit(RequirementKind::max_link_ratio) : 0u;
+    failed |= longest_[cell] > largest_length_ ? bit(RequirementKind::max_length) : 0u;
+    failed |= longest_[cell] < smallest_length_ * ratios_[cell] ? bit(RequirementKind::min_length) : 0u;
+  }
   return static_cast<std::uint8_t>(failed);
 }
 
@@ -245,11 +244,11 @@ double RequirementFilter::violated_value(RequirementKind kind, std::size_t cell)
     case RequirementKind::min_transmission_angle:
       return degrees(map_->min_transmission_angle(cell));
     case RequirementKind::max_link_ratio:
-      return static_cast<double>(map_->link_ratios()[cell]);
+      return static_cast<double>(ratios_[cell]);
     case RequirementKind::max_length:
-      return static_cast<double>(map_->longest_links()[cell]);
+      return static_cast<double>(longest_[cell]);
     case RequirementKind::min_length:
-      return static_cast<double>(map_->longest_links()[cell] / map_->link_ratios()[cell]);
+      return static_cast<double>(longest_[cell] / ratios_[cell]);
     default:
       return 0;
   }
@@ -277,14 +276,12 @@ void RequirementFilter::put_value(Relaxation& relaxation, const Cells& cells, st
   }
 }
 
-std::optional<RequirementFilter::Pivots> RequirementFilter::pivots(std::size_t cell) const {
+std::optional<Pivots> RequirementFilter::pivots(std::size_t cell) const {
   const std::size_t row = cell / map_->columns(), column = cell % map_->columns();
-  if (pivots_at_) return pivots_at_(row, column);
-  const Dyad &input = map_->input_dyads()[row], &output = map_->output_dyads()[column];
-  const auto user = [&](Homogeneous point) { return origin_ + unit_ * finite_point(point).value_or(Point{}); };
-  for (const Homogeneous point : {input.center, input.circle, output.center, output.circle})
-    if (!finite_point(point)) return std::nullopt;
-  return Pivots{{user(input.center), user(output.center)}, {user(input.circle), user(output.circle)}};
+  if (pivots_.of_cell) return pivots_.of_cell(row, column);
+  const GroundedLinkPivots &input = pivots_.rows[row], &output = pivots_.columns[column];
+  if (!input.ground || !input.moving || !output.ground || !output.moving) return std::nullopt;
+  return Pivots{{*input.ground, *output.ground}, {*input.moving, *output.moving}};
 }
 
 namespace {

@@ -76,7 +76,7 @@ TEST_F(SessionTest, SaysWhichValueWouldLeaveSomething) {
 TEST_F(SessionTest, PropertiesAndRidgesFollowTheRequest) {
   ExploreRequest request;
   request.samples = 60;
-  request.property = CellProperty::longest_link;
+  request.property = measures::longest_link.key;
   const ExploreReply reply = session.explore(request);
   const auto& map = *reply.map;
   for (std::size_t row = 0; row < 60; ++row) {

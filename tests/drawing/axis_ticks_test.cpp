@@ -7,7 +7,6 @@
 namespace linkwright::axis_ticks_test {
 namespace {
 
-using Side = LinkageFamily::Side;
 using Ticks = std::vector<double>;
 
 TEST(AxisTicks, AreRoundAndFarEnoughApart) {
@@ -27,12 +26,12 @@ TEST(AxisTicks, AreFewWhereverTheAxisLies) {
   EXPECT_LT(even_ticks(-1e300, 1e300, 444, 27, false).size(), 20u);
 }
 
-RegionScale scale_of(const LinkageFamily& family, Side side, int count) {
+RegionScale scale_of(const FourBarFamily& family, Side side, int count) {
   return {family.axis(side).branches, family.samples(side, count, Spacing::coordinate), {}, 444};
 }
 
 TEST(AxisTicks, StandWhereTheirValuesAreRead) {
-  const LinkageFamily& family = *testing::three_positions().solution.given.family;
+  const FourBarFamily& family = *testing::three_positions().solution.given.family;
   const RegionScale scale = scale_of(family, Side::output, 400);
   const std::vector<AxisTick> ticks = axis_ticks(scale, family, Side::output);
   ASSERT_GT(ticks.size(), 6u);
@@ -47,7 +46,7 @@ TEST(AxisTicks, StandWhereTheirValuesAreRead) {
 
 TEST(AxisTicks, KeepApartAcrossSheets) {
   const Solution solution = testing::solution_of(testing::example("footrest.json", 60));
-  const LinkageFamily& family = *solution.given.family;
+  const FourBarFamily& family = *solution.given.family;
   for (const Side side : {Side::input, Side::output}) {
     const RegionScale scale = scale_of(family, side, 400);
     const std::vector<AxisTick> ticks = axis_ticks(scale, family, side);
@@ -57,9 +56,9 @@ TEST(AxisTicks, KeepApartAcrossSheets) {
 }
 
 TEST(AxisTicks, OfCurvesAndOfFewSideLinksAreNone) {
-  const LinkageFamily& curve = *testing::solved_tailgate().given.family;
+  const FourBarFamily& curve = *testing::solved_tailgate().given.family;
   EXPECT_TRUE(axis_ticks(scale_of(curve, Side::input, 100), curve, Side::input).empty());
-  const LinkageFamily& points = *testing::five_positions().solution.given.family;
+  const FourBarFamily& points = *testing::five_positions().solution.given.family;
   EXPECT_TRUE(axis_ticks(scale_of(points, Side::input, 100), points, Side::input).empty());
 }
 
@@ -69,7 +68,7 @@ TEST(AxisTicks, OfAFactorAreSpacedByItsLogarithm) {
     {"input_deg": 30, "output_deg": 10}, {"input_deg": 50, "output_deg": 30}, {"input_deg": 70, "output_deg": 70}],
     "free": {"number": "output_scale", "range": [0.1, 10]}}})");
   const Solution solution = testing::solution_of(problem);
-  const LinkageFamily& family = *solution.given.family;
+  const FourBarFamily& family = *solution.given.family;
   const auto ticks = axis_ticks(scale_of(family, Side::output, 100), family, Side::output);
   const auto one = std::find_if(ticks.begin(), ticks.end(), [](const AxisTick& tick) { return tick.text == "1"; });
   ASSERT_NE(one, ticks.end());

@@ -87,7 +87,7 @@ TEST(ResultFile, NumbersReadBackBitIdentical) {
     EXPECT_EQ(circle[0].get<double>(), solution.samples[i].circle.w);
     EXPECT_EQ(circle[1].get<double>(), solution.samples[i].circle.x);
     EXPECT_EQ(circle[2].get<double>(), solution.samples[i].circle.y);
-    EXPECT_EQ(result["region"]["input_coordinate"][i].get<double>(), solution.region.input_dyads()[i].coordinate);
+    EXPECT_EQ(result["region"]["input_coordinate"][i].get<double>(), solution.region.input_coordinates()[i]);
   }
 }
 
@@ -259,8 +259,8 @@ TEST(ResultFile, OfThreePositionsHasNoCurveButDirections) {
   EXPECT_EQ(result["pattern"], "P-P-P");
   EXPECT_EQ(result["dyads"].size() + result["pairs"].size() + result["freed"].size(), 0u);
   ASSERT_EQ(result["region"]["axes"].size(), 2u);
-  for (const auto side : {LinkageFamily::Side::input, LinkageFamily::Side::output}) {
-    const bool is_input = side == LinkageFamily::Side::input;
+  for (const auto side : {Side::input, Side::output}) {
+    const bool is_input = side == Side::input;
     const json& axis = result["region"]["axes"][is_input ? 0 : 1];
     EXPECT_EQ(axis["quantity"], "side_direction");
     EXPECT_EQ(axis["unit"], "deg");

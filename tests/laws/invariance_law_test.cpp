@@ -94,8 +94,8 @@ TEST(InvarianceLaw, ACellAndItsMirrorAreTheSameBarsDrivenFromTheOtherSide) {
         const std::size_t cell = map.index(row, column), mirror = map.index(column, row);
         EXPECT_EQ(map.type(cell), swapped(map.type(mirror)));
         EXPECT_EQ(map.defects(cell).circuit(), map.defects(mirror).circuit());
-        EXPECT_EQ(map.link_ratios()[cell], map.link_ratios()[mirror]);
-        EXPECT_EQ(map.longest_links()[cell], map.longest_links()[mirror]);
+        EXPECT_EQ(map.values(measures::link_ratio)[cell], map.values(measures::link_ratio)[mirror]);
+        EXPECT_EQ(map.values(measures::longest_link)[cell], map.values(measures::longest_link)[mirror]);
       }
   }
 }

@@ -25,7 +25,6 @@ struct Given {
   }
   // The best score of a length's map, seen from outside.
   [[nodiscard]] double best(double input, double output) const {
-    using Side = LinkageFamily::Side;
     const auto family = family_of(input)(output);
     RegionMap map;
     family->classify(map, family->samples(Side::input, 100, Spacing::coordinate),

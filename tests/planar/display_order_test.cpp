@@ -131,8 +131,8 @@ Frame frame_at(Point offset, const DisplayOrder* before) {
                        : DisplayOrder(curve, Spacing::coordinate, working);
   std::vector<Dyad> dyads;
   for (const double tau : frame.order.samples(curve, samples)) dyads.push_back(curve.dyad(tau));
-  const RegionAxis axis(std::move(dyads), working.to_working(task.poses));
-  frame.map.recompute(axis, axis, working.scale);
+  const DyadAxis axis(std::move(dyads), working.to_working(task.poses));
+  classify_pairs(frame.map, axis, axis, working.scale);
   return frame;
 }
 

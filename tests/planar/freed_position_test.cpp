@@ -81,7 +81,7 @@ TEST(FreedPosition, NoCellOfTheMapComesNearer) {
   for (const FreedPosition& freed : nearest_relaxations(task, requirements, coarse())) {
     const FreedTask left = freed_task(task, freed.pose);
     const TaskFamily given = task_family(left.task, requirements, Objective::min_transmission_angle);
-    const auto tau = given.family->samples(LinkageFamily::Side::input, 60, Spacing::coordinate);
+    const auto tau = given.family->samples(Side::input, 60, Spacing::coordinate);
     RegionMap map;
     given.family->classify(map, tau, tau, true);
     std::vector<std::uint8_t> failures(map.rows() * map.columns());

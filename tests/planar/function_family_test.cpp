@@ -15,8 +15,6 @@
 namespace linkwright::function_family_test {
 namespace {
 
-using Side = LinkageFamily::Side;
-
 FunctionTask squares(int points = 4) {
   FunctionTask task = testing::named_task("x^2", {0, 1}, 60, 90);
   task.function->points = points;
@@ -29,7 +27,7 @@ FunctionTask squares(int points = 4) {
 const FunctionFamily& family_of(const TaskFamily& given) { return dynamic_cast<const FunctionFamily&>(*given.family); }
 
 // Each cell of the map beside the verdict over its linkage alone.
-void expect_map_of_verdicts(const LinkageFamily& family, int count, bool respect_direction) {
+void expect_map_of_verdicts(const FourBarFamily& family, int count, bool respect_direction) {
   const auto input = family.samples(Side::input, count, Spacing::coordinate);
   const auto output = family.samples(Side::output, count, Spacing::coordinate);
   RegionMap map;
@@ -39,7 +37,7 @@ void expect_map_of_verdicts(const LinkageFamily& family, int count, bool respect
   int differences = 0, linkages = 0;
   for (std::size_t row = 0; row < map.rows(); ++row)
     for (std::size_t column = 0; column < map.columns(); ++column) {
-      const RegionPlace place{input[row], output[column]};
+      const MapPoint place{input[row], output[column]};
       const auto links = family.side_links(place);
       const auto bars = links ? four_bar_of(*links) : std::nullopt;
       const std::size_t cell = map.index(row, column);
@@ -56,12 +54,13 @@ void expect_map_of_verdicts(const LinkageFamily& family, int count, bool respect
       if (report.type == LinkageType::degenerate) continue;
       ++linkages;
       const LinkLengths lengths = bars->lengths();
-      EXPECT_NEAR(map.longest_links()[cell], family.frame().scale * lengths.longest(),
+      EXPECT_NEAR(map.values(measures::longest_link)[cell], family.frame().scale * lengths.longest(),
                   1e-5 * family.frame().scale * lengths.longest());
-      EXPECT_NEAR(map.link_ratios()[cell], lengths.longest() / lengths.shortest(),
+      EXPECT_NEAR(map.values(measures::link_ratio)[cell], lengths.longest() / lengths.shortest(),
                   1e-5 * lengths.longest() / lengths.shortest());
       if (report.defects.none()) {
-        EXPECT_NEAR(map.transmission_versines()[cell], versine_of_angle(report.min_transmission_angle), 1e-5);
+        EXPECT_NEAR(map.values(measures::min_transmission_angle)[cell], versine_of_angle(report.min_transmission_angle),
+                    1e-5);
         EXPECT_EQ(map.drive_sense(row, column), report.sense);
         EXPECT_NEAR(map.driver_sweep(row, column), report.sweep, 1e-5);
       }
@@ -136,7 +135,7 @@ TEST(FunctionFamily, LinkagesFoundStandOnTheGroundPivotsAndGenerateThePairs) {
     const TaskFamily given = task_family(task);
     int checked = 0;
     for (double tau = 0.05; tau < 1; tau += 0.1) {
-      const RegionPlace place{tau, free ? 0.3 : 0.5};
+      const MapPoint place{tau, free ? 0.3 : 0.5};
       const auto found = make_four_bar(given, place, true, true);
       if (!found || found->lengths.longest() > 30 * found->lengths.shortest()) continue;
       EXPECT_NEAR(std::abs(found->four_bar.input_center - task.input_pivot), 0, 1e-12);
@@ -158,7 +157,7 @@ TEST(FunctionFamily, HasTheLinksOfEachCellOfAMap) {
   FunctionTask task = squares();
   task.free = FreeNumber{};
   const TaskFamily given = task_family(task);
-  const LinkageFamily& family = *given.family;
+  const FourBarFamily& family = *given.family;
   const auto input = family.samples(Side::input, 20, Spacing::coordinate),
              output = family.samples(Side::output, 9, Spacing::coordinate);
   const auto links_at = family.links_of_cells(input, output);
@@ -182,7 +181,7 @@ TEST(FunctionFamily, MeasuresTheErrorOfTheTaskAtEachPlace) {
     const TaskFamily given = task_family(task);
     int compared = 0;
     for (double tau = 0.05; tau < 1; tau += 0.1) {
-      const RegionPlace place{tau, 0.7};
+      const MapPoint place{tau, 0.7};
       const auto found = make_four_bar(given, place, true, false);
       if (!found) continue;
       const FunctionError error = family_of(given).error_of(found->four_bar, place);

@@ -14,7 +14,6 @@
 namespace linkwright::function_search_test {
 namespace {
 
-using Side = LinkageFamily::Side;
 using testing::named_task;
 
 Requirements usual() {
@@ -138,7 +137,7 @@ FunctionTask squares() {
 
 TEST(SolveFunction, AnAxisOfOnePlaceIsWithinAnyWindow) {
   SynthesisOptions options;
-  options.window = RegionWindow{{0, 2}, {0.6, 0.9}};
+  options.window = MapWindow{{0, 2}, {0.6, 0.9}};
   const Solution solution = solved_function(squares(), options);
   EXPECT_GT(solution.meeting_requirements, 0);
   EXPECT_FALSE(solution.linkages.empty());
@@ -150,7 +149,7 @@ TEST(SolveFunction, TheLeastStructuralErrorIsSoughtWithinTheWindow) {
   const Solution whole = solved_function(squares(), options);
   ASSERT_GT(whole.linkages.size(), 1u);
   const double best = whole.linkages[0].input.coordinate, other = whole.linkages[1].input.coordinate;
-  options.window = RegionWindow{{other - 1e-3, other + 1e-3}, {0, 1}};
+  options.window = MapWindow{{other - 1e-3, other + 1e-3}, {0, 1}};
   ASSERT_GT(std::abs(best - other), 1e-3);
   const Solution part = solved_function(squares(), options);
   ASSERT_FALSE(part.linkages.empty());

@@ -11,13 +11,13 @@ namespace {
 
 TaskFamily given_by(const MotionTask& task) { return task_family(task, {}, Objective::min_transmission_angle); }
 
-FourBarSolution at(const TaskFamily& given, RegionPlace place) { return *make_four_bar(given, place, true, false); }
+FourBarSolution at(const TaskFamily& given, MapPoint place) { return *make_four_bar(given, place, true, false); }
 
 TEST(ImprovedLinkage, ClimbsToABetterOneOfTheSameType) {
   const MotionTask task = testing::tailgate_task();
   const TaskFamily given = given_by(task);
   const Requirements wanted = testing::tailgate_requirements();
-  const RegionPlace start{1.3125, 1.1125};
+  const MapPoint start{1.3125, 1.1125};
   const auto top = improved_linkage(*given.family, wanted, Objective::min_transmission_angle, start);
   ASSERT_TRUE(top);
   const FourBarSolution before = at(given, start), after = at(given, *top);

@@ -13,11 +13,11 @@ namespace {
 class MissedBoxes : public ::testing::Test {
  protected:
   TaskFamily task = task_family(MotionTask{testing::planar_case("landing_gear").poses}, {}, {});
-  const LinkageFamily& family = *task.family;
+  const FourBarFamily& family = *task.family;
 
   [[nodiscard]] std::vector<Point> curve(Homogeneous Dyad::*end) const {
     std::vector<Point> points;
-    for (const double tau : family.samples(LinkageFamily::Side::input, 20'000, Spacing::arc_length))
+    for (const double tau : family.samples(Side::input, 20'000, Spacing::arc_length))
       if (const auto links = family.side_links({tau, tau}))
         if (const auto p = finite_point(links->input.*end)) points.push_back(family.frame().to_user(*p));
     return points;

@@ -52,7 +52,7 @@ TEST(SixBarSynthesis, MapsWhatEachCellIs) {
         const SixBarRating rating = rating_of(*member, false);
         EXPECT_EQ(mapped.map.type(cell), rating.shape.type);
         EXPECT_EQ(mapped.map.defects(cell), rating.drive.defects);
-        EXPECT_FLOAT_EQ(mapped.map.longest_links()[cell], static_cast<float>(rating.shape.longest));
+        EXPECT_FLOAT_EQ(mapped.map.values(measures::longest_link)[cell], static_cast<float>(rating.shape.longest));
         EXPECT_NEAR(mapped.map.min_transmission_angle(cell), rating.min_transmission_angle(), 1e-3);
       }
   }
@@ -88,8 +88,8 @@ TEST(SixBarSynthesis, RefinesTheBest) {
     const Mapped mapped(row, 12, false);
     float best_cell = 0;
     for (std::size_t cell = 0; cell < 144; ++cell)
-      if (mapped.map.link_ratios()[cell] < 20)
-        best_cell = std::max(best_cell, mapped.map.transmission_versines()[cell]);
+      if (mapped.map.values(measures::link_ratio)[cell] < 20)
+        best_cell = std::max(best_cell, mapped.map.values(measures::min_transmission_angle)[cell]);
     const Requirements wanted = with_defaults(Requirements{}, mapped.chain);
     const auto found = best_six_bars(mapped.task, mapped.chain, mapped.family, mapped.map, wanted, {.best = 2});
     ASSERT_FALSE(found.empty());

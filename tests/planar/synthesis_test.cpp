@@ -88,8 +88,7 @@ TEST(SolveMotion, BestIsAtLeastAsGoodAsTheBestCellAndAFinerMap) {
   fine.region_samples = 1600;
   const Solution finer = solved(tailgate_task(), tailgate_requirements(), fine);
   const auto best_cell = [](const Solution& s) {
-    const RequirementFilter filter(s.region, s.requirements, s.given.conditions.frame.origin,
-                                   s.given.conditions.frame.scale);
+    const RequirementFilter filter = filter_of(*s.given.family, s.region, s.requirements);
     return angle_of_versine(hill_tops(s.region, filter, Objective::min_transmission_angle, 1)[0].score);
   };
   EXPECT_GE(transmission_angle(coarse.linkages[0]), best_cell(coarse) - 1e-6);
@@ -267,17 +266,17 @@ TEST(SolveMotion, ReportsMistakesOfAllThreeParts) {
 
 TEST(SolveMotion, WindowSamplesAPartOfTheMap) {
   SynthesisOptions options;
-  options.window = RegionWindow{{1.2, 1.4}, {1.0, 1.2}};
+  options.window = MapWindow{{1.2, 1.4}, {1.0, 1.2}};
   options.region_samples = 50;
   const Solution solution = solved(tailgate_task(), {}, options);
-  EXPECT_NEAR(solution.region.input_dyads()[0].coordinate, 1.202, 1e-12);
-  EXPECT_NEAR(solution.region.output_dyads()[49].coordinate, 1.198, 1e-12);
+  EXPECT_NEAR(solution.region.input_coordinates()[0], 1.202, 1e-12);
+  EXPECT_NEAR(solution.region.output_coordinates()[49], 1.198, 1e-12);
   EXPECT_FALSE(solution.linkages.empty());
   for (const FourBarSolution& linkage : solution.linkages) {
     EXPECT_TRUE(linkage.input.coordinate >= 1.2 && linkage.input.coordinate <= 1.4);
     EXPECT_TRUE(linkage.output.coordinate >= 1.0 && linkage.output.coordinate <= 1.2);
   }
-  options.window = RegionWindow{{0.2, 0.1}, {0, 1}};
+  options.window = MapWindow{{0.2, 0.1}, {0, 1}};
   EXPECT_FALSE(solve(tailgate_task(), {}, options).ok());
 }
 

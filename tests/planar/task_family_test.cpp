@@ -18,7 +18,7 @@ TEST(TaskFamily, FourPositionsAreACurve) {
   ASSERT_TRUE(given.curve);
   EXPECT_EQ(given.pattern, "P-P-P-P");
   EXPECT_TRUE(given.family->is_symmetric());
-  EXPECT_EQ(given.family->axis(LinkageFamily::Side::input).quantity, AxisQuantity::curve_coordinate);
+  EXPECT_EQ(given.family->axis(Side::input).quantity, AxisQuantity::curve_coordinate);
   EXPECT_TRUE(given.derivative_rows.empty());
 }
 

@@ -11,7 +11,6 @@
 namespace linkwright::three_pose_family_test {
 namespace {
 
-using Side = LinkageFamily::Side;
 using testing::uniform;
 
 const std::vector<PrescribedPose> general_poses = {{{{0, 0}, 0}, {}}, {{{1.5, 0.6}, 0.5}, {}}, {{{2.6, 1.9}, 1.2}, {}}};
@@ -31,7 +30,7 @@ SideAngleFamily angle_family(const std::vector<PrescribedPose>& poses, double an
   return {conditions.frame, poses, dyads_of(conditions), angle, directed, input};
 }
 
-FourBar user_bars(const LinkageFamily& family, const SideLinks& links) {
+FourBar user_bars(const FourBarFamily& family, const SideLinks& links) {
   const FourBar bars = four_bar_of(links).value();
   const WorkingFrame& frame = family.frame();
   return {frame.to_user(bars.input_center), frame.to_user(bars.input_circle), frame.to_user(bars.output_center),

@@ -7,8 +7,6 @@
 namespace linkwright::three_pose_opening_test {
 namespace {
 
-using Side = LinkageFamily::Side;
-
 const std::vector<PrescribedPose> general_poses = {{{{0, 0}, 0}, {}}, {{{1.5, 0.6}, 0.5}, {}}, {{{2.6, 1.9}, 1.2}, {}}};
 const std::vector<PrescribedPose> shifted_poses = {{{{0, 0}, 0}, {}}, {{{1.5, 0.6}, 0}, {}}, {{{2.6, 1.9}, 1.2}, {}}};
 

@@ -14,8 +14,9 @@ class BestCells : public ::testing::Test {
  protected:
   BestCells() { wanted.max_length = 5000; }
   [[nodiscard]] double score(Objective objective, std::size_t cell) const {
-    return score_of(objective, static_cast<double>(map.transmission_versines()[cell]),
-                    static_cast<double>(map.link_ratios()[cell]), static_cast<double>(map.longest_links()[cell]));
+    return score_of(objective, static_cast<double>(map.values(measures::min_transmission_angle)[cell]),
+                    static_cast<double>(map.values(measures::link_ratio)[cell]),
+                    static_cast<double>(map.values(measures::longest_link)[cell]));
   }
 
   std::vector<PrescribedPose> poses = testing::planar_case("landing_gear").poses;
@@ -28,7 +29,7 @@ constexpr std::array<Objective, 3> objectives = {Objective::min_transmission_ang
                                                  Objective::size};
 
 TEST_F(BestCells, FirstHillTopIsTheBestCellOfAll) {
-  const RequirementFilter filter(map, wanted, frame.origin, frame.scale);
+  const RequirementFilter filter(map, wanted);
   for (const Objective objective : objectives) {
     double best = -1e300;
     for (std::size_t row = 0; row < map.rows(); ++row)
@@ -42,13 +43,12 @@ TEST_F(BestCells, FirstHillTopIsTheBestCellOfAll) {
 }
 
 TEST_F(BestCells, NoNeighbourOfTheSameTypeIsBetter) {
-  const RequirementFilter filter(map, wanted, frame.origin, frame.scale);
+  const RequirementFilter filter(map, wanted);
   for (const RankedCell& top : hill_tops(map, filter, Objective::min_transmission_angle, 1000)) {
     EXPECT_TRUE(filter.passes(top.row, top.column));
     for (std::size_t row = top.row - (top.row > 0); row <= std::min(top.row + 1, map.rows() - 1); ++row) {
       const std::size_t other = map.index(row, top.column);
-      const bool same_branch =
-          std::floor(map.input_dyads()[row].coordinate) == std::floor(map.input_dyads()[top.row].coordinate);
+      const bool same_branch = std::floor(map.input_coordinates()[row]) == std::floor(map.input_coordinates()[top.row]);
       if (!same_branch || !filter.passes(row, top.column)) continue;
       if (map.type(other) != map.type(map.index(top.row, top.column))) continue;
       EXPECT_LE(score(Objective::min_transmission_angle, other), top.score);
@@ -57,12 +57,12 @@ TEST_F(BestCells, NoNeighbourOfTheSameTypeIsBetter) {
 }
 
 TEST_F(BestCells, AreAtMostAsManyAsAsked) {
-  const RequirementFilter filter(map, wanted, frame.origin, frame.scale);
+  const RequirementFilter filter(map, wanted);
   EXPECT_EQ(hill_tops(map, filter, Objective::size, 1).size(), 1u);
 }
 
 TEST_F(BestCells, TilesHoldOneCellEach) {
-  const RequirementFilter filter(map, wanted, frame.origin, frame.scale);
+  const RequirementFilter filter(map, wanted);
   const auto cells = tile_bests(map, filter, Objective::link_ratio, 10);
   EXPECT_LE(cells.size(), 100u);
   EXPECT_EQ(cells[0].score, hill_tops(map, filter, Objective::link_ratio, 1)[0].score);
@@ -71,7 +71,7 @@ TEST_F(BestCells, TilesHoldOneCellEach) {
 
 TEST_F(BestCells, NothingPassesNothingIsFound) {
   wanted.max_length = 1e-3;
-  const RequirementFilter filter(map, wanted, frame.origin, frame.scale);
+  const RequirementFilter filter(map, wanted);
   EXPECT_TRUE(hill_tops(map, filter, Objective::size, 10).empty());
   EXPECT_TRUE(tile_bests(map, filter, Objective::size, 10).empty());
 }

@@ -1,263 +1,82 @@
 #include "linkwright/region/region_map.hpp"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <gtest/gtest.h>
-#include <map>
 #include <new>
-#include <random>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/burmester_curve.hpp"
-#include "linkwright/planar/linkage_family.hpp"
-#include "support/case_coordinates.hpp"
-#include "support/case_region.hpp"
-#include "support/draws.hpp"
-#include "support/planar_case.hpp"
-#include "support/random_task.hpp"
 
+// A kind of linkage that has no geometry: what a map does for any kind.
 namespace linkwright::region_map_test {
 namespace {
 
-using testing::planar_case;
-using testing::planar_cases;
-using testing::region_of;
+constexpr std::array<Measure, 2> kept = {measures::min_transmission_angle,
+                                         Measure{"reach", Measure::Stored::as_it_is, true}};
+const std::vector<double> rows = {0.25, 0.75}, columns = {0.25, 0.5, 0.75};
 
-const std::map<std::string, LinkageType> case_types = {
-    {"GCRR", LinkageType::crank_rocker},          {"GRRC", LinkageType::rocker_crank},
-    {"GCCC", LinkageType::double_crank},          {"GRCR", LinkageType::double_rocker},
-    {"RRR1", LinkageType::triple_rocker_ground},  {"RRR2", LinkageType::triple_rocker_input},
-    {"RRR3", LinkageType::triple_rocker_coupler}, {"RRR4", LinkageType::triple_rocker_output},
-    {"change-point", LinkageType::change_point}};
-
-// An independent count of the same cells, driven from either side; cells that rounding decides may differ.
-void expect_counts(const nlohmann::json& theirs, const RegionCounts& ours, const std::string& name) {
-  const std::int64_t slack = theirs["borderline_type"];
-  for (const auto& [key, type] : case_types)
-    EXPECT_LE(std::abs(theirs["types"][key].get<std::int64_t>() - ours.types[static_cast<std::size_t>(type)]), slack)
-        << name << " " << key;
-  EXPECT_LE(std::abs(theirs["circuit_defect"].get<std::int64_t>() - ours.circuit), slack) << name;
-  EXPECT_LE(std::abs(theirs["branch_defect"].get<std::int64_t>() - ours.branch), slack) << name;
-  EXPECT_LE(std::abs(theirs["defect_free"].get<std::int64_t>() - ours.defect_free), slack) << name;
+MapCell cell_at(std::size_t row, std::size_t column) {
+  if (row == 1 && column == 2) return {};
+  Defects defects;
+  if (column == 1) defects.bits = 2;
+  return {LinkageType::crank_rocker, defects, {1.0F, static_cast<float>(10 * row + column)}};
 }
 
-// The dyads of a case's region. Where a circle point has a whole line of centres, the case's own choice among them.
-std::vector<Dyad> case_dyads(const testing::PlanarCase& c, const BurmesterCurve& curve,
-                             const std::vector<double>& theirs) {
-  const std::vector<double> ours = our_coordinates(c, curve, theirs);
-  std::vector<Dyad> dyads;
-  for (std::size_t i = 0; i < ours.size(); ++i) {
-    dyads.push_back(curve.dyad(ours[i]));
-    for (const Homogeneous p : curve.circle_curve().double_points())
-      for (const auto& sample : c.json["circle_point_curve"]["samples_homogeneous_working_frame"])
-        if (great_circle(p, dyads.back().circle) < 1e-9 && std::abs(sample["tau"].get<double>() - theirs[i]) < 1e-12)
-          dyads.back().center = {sample["C"][0], sample["C"][1], sample["C"][2]};
-  }
-  return dyads;
+RegionMap judged(const RegionOptions& options = {}, const Progress& progress = {}) {
+  RegionMap map;
+  map.judge_cells(rows, columns, kept, {DriverTravel::cw, 1.0F}, cell_at, options, progress);
+  return map;
 }
 
-TEST(RegionMap, CasesAgreeInEveryCountAndInTheBestTransmissionAngle) {
-  int compared = 0;
-  for (const auto& c : planar_cases()) {
-    const auto region = c.json.value("solution_region", nlohmann::json::object());
-    if (!region.contains("driver_A") || c.name == "tiny_1e-6") continue;
-    const BurmesterCurve curve(pose_conditions(c.poses));
-    std::vector<double> theirs;
-    const int n = region["N"];
-    const double branches = c.json["circle_point_curve"]["branches"];
-    for (int i = 0; i < n; ++i) theirs.push_back(branches * (i + 0.5) / n);
-    const RegionMap map = region_of(c.poses, testing::axis_of(c.poses, case_dyads(c, curve, theirs)));
-    expect_counts(region["driver_A"], map.counts(), c.name);
-    ++compared;
-    const bool has_best = region["driver_A"].contains("best_gamma_task");
-    double best = 0;
-    for (std::size_t cell = 0; cell < map.types().size(); ++cell)
-      if (has_best || map.defects(cell).none()) best = std::max(best, map.min_transmission_angle(cell));
-    if (!has_best || c.name == "tiny_1e-2") continue;
-    EXPECT_NEAR(degrees(best), region["driver_A"]["best_gamma_task"]["gamma_deg"].get<double>(), 1e-4) << c.name;
-  }
-  EXPECT_GE(compared, 18);
+TEST(RegionMap, KeepsVerdictAndMeasuresOfEachCell) {
+  const RegionMap map = judged();
+  ASSERT_EQ(map.rows(), 2u);
+  ASSERT_EQ(map.columns(), 3u);
+  EXPECT_EQ(map.type(map.index(0, 0)), LinkageType::crank_rocker);
+  EXPECT_EQ(map.type(map.index(1, 2)), LinkageType::degenerate);
+  EXPECT_EQ(map.defects(map.index(1, 1)).bits, 2);
+  EXPECT_EQ(map.values(kept[1])[map.index(1, 1)], 11.0F);
+  EXPECT_NEAR(map.min_transmission_angle(map.index(0, 0)), pi / 2, 1e-7);
+  EXPECT_TRUE(map.values(measures::link_ratio).empty());
+  EXPECT_EQ(map.told_measures().back(), measures::driver_sweep);
 }
 
-TEST(RegionMap, EveryInstructionSetGivesTheSameBits) {
-  for (const char* name : {"landing_gear", "drawer_hinge", "cardan", "mixed_PP-PP", "mixed_PPPP", "mixed_P-PPP"})
-    for (const int samples : {8, 9, 101, 333}) {
-      const RegionMap scalar = region_of(planar_case(name).poses, samples, {1, Simd::scalar});
-      for (const Simd simd : {Simd::baseline, Simd::avx2, Simd::avx512}) {
-        if (!is_supported(simd)) continue;
-        const RegionMap other = region_of(planar_case(name).poses, samples, {1, simd});
-        EXPECT_TRUE(std::ranges::equal(scalar.types(), other.types())) << name << samples << linkwright::name(simd);
-        EXPECT_TRUE(std::ranges::equal(scalar.defects(), other.defects()));
-        EXPECT_TRUE(std::ranges::equal(scalar.transmission_versines(), other.transmission_versines()));
-        EXPECT_TRUE(std::ranges::equal(scalar.full_turn_versines(), other.full_turn_versines()));
-        EXPECT_TRUE(std::ranges::equal(scalar.link_ratios(), other.link_ratios()));
-        EXPECT_TRUE(std::ranges::equal(scalar.longest_links(), other.longest_links()));
-      }
-    }
+TEST(RegionMap, TurnsTheDriverAsItsRowsSay) {
+  const RegionMap map = judged();
+  EXPECT_EQ(map.drive_sense(0, 0), DriveSense::cw);
+  EXPECT_NEAR(map.driver_sweep(0, 0), two_pi - 1, 1e-6);
+  EXPECT_EQ(map.drive_sense(0, 1), DriveSense::none);  // a defect
+  EXPECT_EQ(map.driver_sweep(1, 2), 0);                // degenerate
 }
 
-TEST(RegionMap, ThreadsDoNotShowInTheResult) {
-  const RegionMap one = region_of(planar_case("landing_gear").poses, 301, {1, Simd::automatic});
-  const RegionMap many = region_of(planar_case("landing_gear").poses, 301, {0, Simd::automatic});
-  EXPECT_TRUE(std::ranges::equal(one.types(), many.types()));
-  EXPECT_TRUE(std::ranges::equal(one.defects(), many.defects()));
-  EXPECT_TRUE(std::ranges::equal(one.transmission_versines(), many.transmission_versines()));
-}
-
-TEST(RegionMap, CellsAgreeWithTheSingleLinkage) {
-  const auto& poses = planar_case("landing_gear").poses;
-  const PoseConditions conditions = pose_conditions(poses);
-  const auto working = conditions.frame.to_working(poses);
-  const RegionMap map = region_of(poses, 120);
-  for (std::size_t row = 0; row < map.rows(); row += 3)
-    for (std::size_t column = 0; column < map.columns(); ++column) {
-      if (row == column) continue;
-      const Dyad a = map.input_dyads()[row], b = map.output_dyads()[column];
-      const FourBar bars{*finite_point(a.center), *finite_point(a.circle), *finite_point(b.center),
-                         *finite_point(b.circle)};
-      const DefectReport report = find_defects(bars, working);
-      const std::size_t cell = map.index(row, column);
-      ASSERT_EQ(map.type(cell), report.type);
-      ASSERT_EQ(map.defects(cell), report.defects);
-      ASSERT_EQ(map.drive_sense(row, column), report.sense);
-      EXPECT_NEAR(map.min_transmission_angle(cell), report.min_transmission_angle, 1e-6);
-      EXPECT_NEAR(map.driver_sweep(row, column), report.sweep, 1e-6);
-      const LinkLengths lengths = bars.lengths();
-      EXPECT_NEAR(static_cast<double>(map.link_ratios()[cell]) / (lengths.longest() / lengths.shortest()), 1, 1e-6);
-      EXPECT_NEAR(static_cast<double>(map.longest_links()[cell]) / (lengths.longest() * conditions.frame.scale), 1,
-                  1e-6);
-    }
-}
-
-// Beside find_defects without respect for directions; counts the senses that were met.
-void expect_senses_of_pairs(const RegionMap& map, const RegionAxis& axis, const std::vector<PrescribedPose>& working,
-                            std::array<int, 4>& met) {
-  for (std::size_t row = 0; row < map.rows(); ++row)
-    for (std::size_t column = 0; column < map.columns(); ++column) {
-      const auto bars = four_bar_of({axis.dyads[row], axis.dyads[column]});
-      if (row == column || !bars) continue;
-      const DefectReport report = find_defects(*bars, working, false);
-      ASSERT_EQ(map.drive_sense(row, column), report.sense) << row << " " << column;
-      ASSERT_NEAR(map.driver_sweep(row, column), report.sweep, 1e-6);
-      ++met[static_cast<std::size_t>(report.sense)];
-    }
-}
-
-// Two poses come in order whichever way the driver turns; which ways it can go is for the pair to say.
-TEST(RegionMap, TwoPosesArePassedInTheSenseThatThePairAllows) {
-  std::array<int, 4> met{};
-  std::mt19937_64 random(17);
-  for (int trial = 0; trial < 6; ++trial)
-    for (const Simd simd : {Simd::scalar, Simd::automatic}) {
-      const auto poses = testing::random_poses(random, trial % 2 == 0 ? std::vector{2, 2} : std::vector{3, 1});
-      const auto working = pose_conditions(poses).frame.to_working(poses);
-      const RegionAxis axis(testing::axis_of(poses, 61).dyads, working, false);
-      expect_senses_of_pairs(RegionMap(axis, axis, 1, {1, simd}), axis, working, met);
-      RegionMap by_rows;
-      const std::vector<double> places(axis.size(), 0.5);
-      by_rows.recompute_rows(places, places,
-                             [&](std::size_t row) {
-                               return RegionRow{RegionAxis({axis.dyads[row]}, working, false), axis, {}};
-                             },
-                             1, {1, simd});
-      expect_senses_of_pairs(by_rows, axis, working, met);
-    }
-  for (const int count : met) EXPECT_GT(count, 0);
-}
-
-TEST(RegionMap, DiagonalAndSlidersAreDegenerate) {
-  const RegionMap map = region_of(planar_case("cardan").poses, 101);
-  const RegionCounts counts = map.counts();
-  EXPECT_EQ(counts.pairs, 101 * 100);
-  for (std::size_t i = 0; i < map.rows(); ++i) {
-    EXPECT_EQ(map.type(map.index(i, i)), LinkageType::degenerate);
-    const bool slider = is_at_infinity(map.input_dyads()[i].center);
-    for (std::size_t k = 0; slider && k < map.columns(); ++k) {
-      EXPECT_EQ(map.type(map.index(i, k)), LinkageType::degenerate);
-      EXPECT_EQ(map.link_ratios()[map.index(i, k)], 0.0F);
-      EXPECT_EQ(map.driver_sweep(i, k), 0);
-    }
-  }
-  EXPECT_GT(counts.types[static_cast<std::size_t>(LinkageType::degenerate)], 0);
-}
-
-TEST(RegionMap, NoNumberIsEverNotANumber) {
-  for (const auto& c : planar_cases()) {
-    if (c.name == "translations_on_circle") continue;
-    const RegionMap map = region_of(c.poses, 64);
-    for (const auto column :
-         {map.transmission_versines(), map.full_turn_versines(), map.link_ratios(), map.longest_links()})
-      for (const float value : column) ASSERT_TRUE(std::isfinite(value) && value >= 0) << c.name;
-  }
-}
-
-TEST(RegionMap, RectangularMapsTakeTheirOwnAxes) {
-  const auto& poses = planar_case("landing_gear").poses;
-  const RegionMap map(testing::axis_at(poses, {0.1, 0.3}), testing::axis_at(poses, {0.3, 0.7, 1.1}), 1);
-  EXPECT_EQ(map.rows(), 2u);
-  EXPECT_EQ(map.columns(), 3u);
-  EXPECT_TRUE(map.is_diagonal(1, 0));
-  EXPECT_EQ(map.type(map.index(1, 0)), LinkageType::degenerate);
+TEST(RegionMap, CountsItsCellsWithoutTheDiagonal) {
+  RegionMap map = judged();
+  EXPECT_EQ(map.counts().pairs, 6);
+  EXPECT_EQ(map.counts().defect_free, 3);
+  map.set_diagonal({RegionMap::no_diagonal, 2});
+  EXPECT_TRUE(map.is_diagonal(1, 2));
+  EXPECT_FALSE(map.is_diagonal(0, 0));
   EXPECT_EQ(map.counts().pairs, 5);
+  EXPECT_EQ(map.counts().types[static_cast<std::size_t>(LinkageType::degenerate)], 0);
 }
 
-TEST(RegionMap, CancelledWorkLeavesDegenerateCells) {
+TEST(RegionMap, RowsLeftOutAreDegenerate) {
   std::atomic<bool> stop{true};
   Progress progress;
   progress.cancelled = &stop;
-  const RegionAxis axis = testing::axis_of(planar_case("landing_gear").poses, 40);
-  const RegionMap map(axis, axis, 1, {}, progress);
+  const RegionMap map = judged({.threads = 1}, progress);
   for (const std::uint8_t type : map.types()) EXPECT_EQ(type, static_cast<std::uint8_t>(LinkageType::degenerate));
-}
-
-TEST(RegionMap, RecomputingGivesTheSameAsANewMap) {
-  const auto& poses = planar_case("landing_gear").poses;
-  RegionMap map = region_of(planar_case("drawer_hinge").poses, 50);
-  const RegionMap fresh = region_of(poses, 50);
-  const RegionAxis axis = testing::axis_of(poses, 50);
-  map.recompute(axis, axis, pose_conditions(poses).frame.scale);
-  EXPECT_TRUE(std::ranges::equal(map.types(), fresh.types()));
-  EXPECT_TRUE(std::ranges::equal(map.longest_links(), fresh.longest_links()));
-}
-
-TEST(RegionMap, TakesLessThan64BytesACell) { EXPECT_LE(RegionMap::bytes_per_cell, 64u); }
-
-TEST(AngleOfVersine, IsPreciseAtBothEnds) {
-  EXPECT_NEAR(angle_of_versine(1 - std::cos(1e-4)), 1e-4, 1e-10);
-  EXPECT_NEAR(angle_of_versine(1), pi / 2, 1e-15);
-  EXPECT_EQ(angle_of_versine(0), 0);
-}
-
-TEST(RegionMap, RemembersItsThreads) {
-  const auto task = testing::motion_task({{{0, 0}, 0}, {{1, 0.2}, 0.4}, {{1.9, 0.8}, 0.9}});
-  const RegionAxis axis({{Homogeneous::of(Point{0, -2}), Homogeneous::of(Point{0.3, 0.4}), 0.5}}, task.poses);
-  RegionMap map(axis, axis, 1, {.threads = 1});
   EXPECT_EQ(map.threads(), 1);
-  map.recompute(axis, axis, 1);
-  EXPECT_EQ(map.threads(), 0);
 }
 
 #ifndef LINKWRIGHT_SANITIZED  // sanitizers end the program where there is no memory
 // More cells than there is memory: the last map is gone, and none takes its place.
 TEST(RegionMap, IsEmptyWhereTheCellsDoNotFit) {
-  const auto task = testing::motion_task({{{0, 0}, 0}, {{1, 0.2}, 0.4}, {{1.9, 0.8}, 0.9}});
-  const RegionAxis axis({{Homogeneous::of(Point{0, -2}), Homogeneous::of(Point{0.3, 0.4}), 0.5}}, task.poses);
-  RegionMap map(axis, axis, 1);
-  ASSERT_EQ(map.rows(), 1u);
+  RegionMap map = judged();
   const std::vector<double> many(std::size_t{1} << 24, 0.5);
-  EXPECT_THROW(
-      map.recompute_cells(many, many, DriveSense::ccw, 1, [](std::size_t, std::size_t) { return RegionCell{}; }),
-      std::bad_alloc);
+  EXPECT_THROW(map.judge_cells(many, many, kept, {}, cell_at), std::bad_alloc);
   EXPECT_EQ(map.rows() * map.columns(), 0u);
 }
 #endif
-
-TEST(RegionAxisDeathTest, TakesNoMoreThanFivePoses) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
-  const std::vector<PrescribedPose> six(6);
-  EXPECT_DEATH(RegionAxis({}, six), "one to five poses are judged");
-}
 
 }  // namespace
 }  // namespace linkwright::region_map_test

@@ -23,12 +23,14 @@ class LandingGearFilter : public ::testing::Test {
     wanted.min_length = 150;
     wanted.ground_pivots_within = Box{-2000, 2000, -2000, 2000};
   }
-  [[nodiscard]] RequirementFilter filter() const { return {map, wanted, frame.origin, frame.scale}; }
+  [[nodiscard]] RequirementFilter filter() const {
+    return {map, wanted, [this] { return testing::pivots_of(axis, axis, frame); }};
+  }
   [[nodiscard]] std::int64_t meeting() const { return filter().census().meeting; }
 
   // Slowly and from the pivots.
   [[nodiscard]] bool meets(std::size_t row, std::size_t column) const {
-    const Dyad a = map.input_dyads()[row], b = map.output_dyads()[column];
+    const Dyad a = axis.dyads[row], b = axis.dyads[column];
     const auto p = finite_point(a.center), q = finite_point(a.circle), r = finite_point(b.center),
                s = finite_point(b.circle);
     if (row == column || !p || !q || !r || !s) return false;
@@ -43,7 +45,8 @@ class LandingGearFilter : public ::testing::Test {
 
   std::vector<PrescribedPose> poses = testing::planar_case("landing_gear").poses;
   WorkingFrame frame = pose_conditions(poses).frame;
-  RegionMap map = testing::region_of(poses, 150);
+  DyadAxis axis = testing::axis_of(poses, 150);
+  RegionMap map = testing::region_of(poses, axis);
   Requirements wanted;
 };
 

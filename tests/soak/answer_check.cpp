@@ -8,7 +8,7 @@
 #include <set>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/region/cell_property.hpp"
+#include "linkwright/region/measure.hpp"
 
 namespace linkwright::soak {
 namespace {
@@ -67,11 +67,11 @@ void look_for_nulls(const json& value, const std::string& key, Wrongs& wrongs) {
 
 void check_region_values(const RegionMap& map, Wrongs& wrongs) {
   std::vector<float> values(map.columns());
-  for (std::size_t property = 0; property < cell_properties; ++property)
+  for (const Measure& measure : map.told_measures())
     for (std::size_t row = 0; row < map.rows(); ++row) {
-      row_values(map, static_cast<CellProperty>(property), row, values);
+      row_values(map, measure, row, values);
       if (std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); })) continue;
-      wrongs.push_back(fmt::format("{} of the region is no number", key(static_cast<CellProperty>(property))));
+      wrongs.push_back(fmt::format("{} of the region is no number", measure.key));
       break;
     }
 }

@@ -7,13 +7,9 @@
 #include "linkwright/algebra/circular_cubic.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
+#include "linkwright/region/map_axis.hpp"
 
 namespace linkwright {
-
-/// How samples are laid along the curve: equal steps of τ, or equal steps of the sum of the great-circle lengths
-/// run by the unit vectors of circle point and centre point.
-enum class Spacing { coordinate, arc_length };
-[[nodiscard]] std::string_view name(Spacing spacing);
 
 /// Longest side of a polygon that looks smooth at some zoom, in characteristic lengths of a task.
 inline constexpr double drawn_side = 0.025;

@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -22,7 +22,7 @@ struct ChosenLength {
 };
 
 /// The family that goes with a length (user's unit).
-using FamilyOfLength = std::function<std::unique_ptr<const LinkageFamily>(double length)>;
+using FamilyOfLength = std::function<std::unique_ptr<const FourBarFamily>(double length)>;
 
 /// Of all rungs the one whose best cell is best by the objective; among equals the one with most cells that meet the
 /// requirements, then the shortest. Where nothing meets them: most cells free of defects, then most four-bars.

@@ -6,8 +6,8 @@
 #include "linkwright/core/notice.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/function_error.hpp"
-#include "linkwright/planar/linkage_family.hpp"
 #include "linkwright/planar/task_family.hpp"
 
 namespace linkwright {
@@ -34,7 +34,7 @@ struct FourBarSolution {
 
 /// The four-bar at a place of a task's map, analysed, its residuals in user coordinates; with `verify`, driven through
 /// as well. Nothing where the task has none there, a pivot is at infinity or a link has no length.
-[[nodiscard]] std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, RegionPlace place,
+[[nodiscard]] std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, MapPoint place,
                                                            bool respect_direction, bool verify);
 
 /// Free of defects by the sign tests, and driving does not confirm it, or a side link that rounding keeps from being

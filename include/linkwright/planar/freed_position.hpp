@@ -28,7 +28,7 @@ struct FreedTask {
 /// others. `family` of the task without the freed pose, `map` over two axes of dyads; `values` has a place for each
 /// cell. About 3 µs a passing cell and thread; 0 threads: as many as the machine has. Cells left out because `progress`
 /// was cancelled are −1 too.
-void pose_misses(const LinkageFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
+void pose_misses(const FourBarFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
                  const FreedPose& freed, std::span<float> values, int threads = 0, const Progress& progress = {});
 
 /// What a five-position task comes to if one of its poses is given up.
@@ -38,10 +38,10 @@ struct FreedPosition {
   /// first of the poses that are left. Nothing: `reason` tells.
   std::optional<FourBarSolution> linkage;
   PoseMiss miss;
-  double combined = 0;       ///< PoseMiss::combined with the characteristic length of the whole task, user's unit
-  std::int64_t meeting = 0;  ///< four-bars of the map that meet the requirements
-  std::optional<RegionPlace> place;  ///< of the linkage on the map of the task without the pose
-  std::optional<Notice> reason;      ///< degeneracy of the task that is left, no_pair, none_defect_free, none_left
+  double combined = 0;            ///< PoseMiss::combined with the characteristic length of the whole task, user's unit
+  std::int64_t meeting = 0;       ///< four-bars of the map that meet the requirements
+  std::optional<MapPoint> place;  ///< of the linkage on the map of the task without the pose
+  std::optional<Notice> reason;   ///< degeneracy of the task that is left, no_pair, none_defect_free, none_left
 };
 
 struct FreedPositionOptions {

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/function_couplers.hpp"
 #include "linkwright/planar/function_error.hpp"
 #include "linkwright/planar/function_task.hpp"
-#include "linkwright/planar/linkage_family.hpp"
 #include "linkwright/planar/task_family.hpp"
 
 namespace linkwright {
@@ -19,7 +19,7 @@ namespace linkwright {
 ///
 /// Where the free number changes the number of the curve's branches, the axis has the most that occur, and the cells
 /// beyond are empty.
-class FunctionFamily : public LinkageFamily {
+class FunctionFamily : public FourBarFamily {
  public:
   /// `task` without mistakes, `couplers` its own, with a curve or points.
   FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers);
@@ -28,18 +28,17 @@ class FunctionFamily : public LinkageFamily {
   [[nodiscard]] Side dearer_side() const override { return Side::output; }
 
   /// The task at a place: its free number fixed.
-  [[nodiscard]] FunctionTask task_at(RegionPlace place) const;
+  [[nodiscard]] FunctionTask task_at(MapPoint place) const;
 
   /// How well a linkage from there, user's frame, generates the task's pairs and its named function.
-  [[nodiscard]] FunctionError error_of(const FourBar& bars, RegionPlace place,
-                                       const ErrorSampling& sampling = {}) const;
+  [[nodiscard]] FunctionError error_of(const FourBar& bars, MapPoint place, const ErrorSampling& sampling = {}) const;
 
   /// Input: ground pivot and moving pivot of the input link; output likewise; both carry their axis' coordinate.
-  [[nodiscard]] std::optional<SideLinks> side_links(RegionPlace place) const override;
+  [[nodiscard]] std::optional<SideLinks> side_links(MapPoint place) const override;
   [[nodiscard]] LinksOfCells links_of_cells(std::span<const double> input,
                                             std::span<const double> output) const override;
-  [[nodiscard]] std::vector<PrescribedPose> user_poses(RegionPlace place, const FourBar& bars) const override;
-  [[nodiscard]] std::vector<PrescribedPose> working_poses(RegionPlace place, const FourBar& bars) const override;
+  [[nodiscard]] std::vector<PrescribedPose> user_poses(MapPoint place, const FourBar& bars) const override;
+  [[nodiscard]] std::vector<PrescribedPose> working_poses(MapPoint place, const FourBar& bars) const override;
   [[nodiscard]] double axis_value(Side side, double tau) const override;
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
 
@@ -60,10 +59,10 @@ class FunctionFamily : public LinkageFamily {
   [[nodiscard]] Column recent_column_at(double tau) const;
   [[nodiscard]] std::vector<Column> columns_at(std::span<const double> output, int threads,
                                                const Progress& progress = {}) const;
-  [[nodiscard]] std::optional<SideLinks> side_links(const Column& column, RegionPlace place) const;
+  [[nodiscard]] std::optional<SideLinks> side_links(const Column& column, MapPoint place) const;
   [[nodiscard]] std::optional<Dyad> coupler(const Column& column, double tau) const;
-  [[nodiscard]] RegionRow row_at(double tau, std::span<const Column> columns, std::span<const double> coordinates,
-                                 bool respect_direction) const;
+  [[nodiscard]] FourBarRow row_at(double tau, std::span<const Column> columns, std::span<const double> coordinates,
+                                  bool respect_direction) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 

@@ -4,26 +4,26 @@
 #include <vector>
 
 #include "linkwright/core/progress.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/function_family.hpp"
-#include "linkwright/planar/linkage_family.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
 
 /// A linkage that generates a named function, and how well.
 struct RankedGenerator {
-  RegionPlace place;
+  MapPoint place;
   FourBar four_bar;                 ///< user's frame
   double max_structural_error = 0;  ///< over the whole range, radians; with a free scale, of the output as scaled
 };
 
 struct GeneratorSearchOptions {
-  int input_samples = 400;             ///< along the curve of couplers
-  int free_samples = 40;               ///< along the free number, where there is one
-  int error_samples = 61;              ///< of each error curve while searching; the last word has 181
-  int most = 10;                       ///< how many, best first
-  std::optional<RegionWindow> window;  ///< nothing: the whole map
-  int threads = 0;                     ///< 0: as many as the machine has
+  int input_samples = 400;          ///< along the curve of couplers
+  int free_samples = 40;            ///< along the free number, where there is one
+  int error_samples = 61;           ///< of each error curve while searching; the last word has 181
+  int most = 10;                    ///< how many, best first
+  std::optional<MapWindow> window;  ///< nothing: the whole map
+  int threads = 0;                  ///< 0: as many as the machine has
 };
 
 /// The linkages of a family with a named function whose largest structural error is least: hills of a grid over the
@@ -37,7 +37,7 @@ struct GeneratorSearchOptions {
 
 /// The place that is reached from `start` by climbing to a lesser structural error, the type kept; nothing where
 /// `start` is none that best_generators() would list, or nothing near it is better.
-[[nodiscard]] std::optional<RegionPlace> improved_generator(const FunctionFamily& family,
-                                                            const Requirements& requirements, RegionPlace start);
+[[nodiscard]] std::optional<MapPoint> improved_generator(const FunctionFamily& family, const Requirements& requirements,
+                                                         MapPoint start);
 
 }  // namespace linkwright

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "linkwright/algebra/point.hpp"
-#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -21,7 +21,7 @@ struct MissedBox {
 
 /// The boxes asked for that the curve of four positions misses: ground pivots on the centre-point curve, moving pivots
 /// on the circle-point curve in position 1. None for tasks of other kinds, whose side links have no curve in common.
-[[nodiscard]] std::vector<MissedBox> missed_boxes(const LinkageFamily& family, const Requirements& wanted);
+[[nodiscard]] std::vector<MissedBox> missed_boxes(const FourBarFamily& family, const Requirements& wanted);
 
 /// "The centre-point curve does not enter ground_pivots_within; nearest is (250, 210), 60 below it."
 [[nodiscard]] std::string missed_box_text(const MissedBox& missed);

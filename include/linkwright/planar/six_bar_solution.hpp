@@ -33,7 +33,7 @@ struct SixBarRating {
   [[nodiscard]] double versine() const;
   [[nodiscard]] double min_transmission_angle() const;  ///< γ, radians
   /// As a cell of a region. The type is degenerate where links have no length.
-  [[nodiscard]] RegionCell cell() const;
+  [[nodiscard]] MapCell cell() const;
 };
 
 /// `circuits` as SixBarDriveOptions::circuits.

@@ -32,8 +32,8 @@ struct SynthesisOptions {
   int region_samples = 400;               ///< N of the N×N region
   Spacing spacing = Spacing::coordinate;  ///< of the samples along the curve
   Objective objective = Objective::min_transmission_angle;
-  int best = 10;                       ///< how many linkages, ≥ 0
-  std::optional<RegionWindow> window;  ///< of four-bars; nothing: the whole region
+  int best = 10;                    ///< how many linkages, ≥ 0
+  std::optional<MapWindow> window;  ///< of four-bars; nothing: the whole region
 
   // Six-bars without a given chain, which is searched for.
   std::optional<Box> box;       ///< for all pivots in position 1, user's unit

@@ -9,7 +9,7 @@
 #include "linkwright/core/notice.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/burmester_points.hpp"
-#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "linkwright/planar/task.hpp"
 #include "linkwright/region/best_cells.hpp"
@@ -30,7 +30,7 @@ struct TaskFamily {
   std::optional<FreedPose> freed;               ///< the pose of a five-position task that need not be passed, user's
                                                 ///< frame
   bool has_no_dyads = false;                    ///< because no two side links do the task
-  std::shared_ptr<const LinkageFamily> family;  ///< none where degenerate
+  std::shared_ptr<const FourBarFamily> family;  ///< none where degenerate
 
   /// What a long link is measured by, user's unit: the characteristic length, for functions the ground link.
   double size = 1;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/three_pose_dyads.hpp"
 
 namespace linkwright {
@@ -19,7 +19,7 @@ class SideLinksOfLength {
   SideLinksOfLength(std::shared_ptr<const ThreePoseDyads> dyads, double length);
 
   [[nodiscard]] double length() const { return length_; }
-  [[nodiscard]] const FamilyAxis& axis() const { return axis_; }
+  [[nodiscard]] const MapAxis& axis() const { return axis_; }
   /// There is no dyad of this length at all.
   [[nodiscard]] bool is_empty() const { return arcs_.empty(); }
 
@@ -38,7 +38,7 @@ class SideLinksOfLength {
   std::shared_ptr<const ThreePoseDyads> dyads_;
   double length_;
   std::vector<DirectionArc> arcs_;
-  FamilyAxis axis_;
+  MapAxis axis_;
 };
 
 /// Three positions and the lengths of both side links: all four-bars over the two directions β₁, β₂; up to four to a
@@ -74,7 +74,7 @@ class SideAngleFamily : public MotionFamily {
   SideAngleFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
                   const std::shared_ptr<const ThreePoseDyads>& dyads, double angle, bool directed, double input_length);
 
-  [[nodiscard]] std::optional<SideLinks> side_links(RegionPlace place) const override;
+  [[nodiscard]] std::optional<SideLinks> side_links(MapPoint place) const override;
   [[nodiscard]] double axis_value(Side side, double tau) const override;
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;

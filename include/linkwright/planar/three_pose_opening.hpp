@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "linkwright/core/notice.hpp"
-#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "linkwright/planar/three_pose_given.hpp"
 #include "linkwright/region/best_cells.hpp"
@@ -15,7 +15,7 @@ namespace linkwright {
 
 /// What three positions and their given number or two open.
 struct ThreePoseOpening {
-  std::shared_ptr<const LinkageFamily> family;  ///< none where degenerate
+  std::shared_ptr<const FourBarFamily> family;  ///< none where degenerate
   std::vector<Notice> notices;                  ///< chosen_length {side, length}, fixed_direction
   /// Why there is no family: common_pole {x, y}, translations_on_circle {x, y}, only_translations,
   /// no_side_link_of_length {side, length, nearest}, no_side_link_at_angle.

@@ -6,17 +6,9 @@
 
 #include "linkwright/algebra/line_search.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/region/map_axis.hpp"
 
 namespace linkwright {
-
-/// The stretch of an axis of a map that a climb keeps to: a branch of a curve.
-struct AxisStretch {
-  double from = 0, to = 1;
-  bool closed = false;  ///< its end is its beginning
-
-  /// The coordinate on the stretch: wrapped where it is closed, otherwise the nearest one.
-  [[nodiscard]] double onto(double coordinate) const;
-};
 
 /// How a map is climbed: what stands at each place of it, and over which stretch.
 struct Hill {

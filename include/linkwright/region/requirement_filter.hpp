@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "linkwright/core/progress.hpp"
+#include "linkwright/region/linkage_family.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -70,16 +71,9 @@ struct RequirementCensus {
 /// A region under requirements whose max_length is set; no min_length: any. Refers to the map, which must outlive it.
 class RequirementFilter {
  public:
-  /// The pivots of a cell, user's frame; nothing where one is at infinity.
-  struct Pivots {
-    std::vector<Point> ground, moving;
-  };
-  using PivotsAt = std::function<std::optional<Pivots>(std::size_t row, std::size_t column)>;
-
-  /// `origin`, `unit`: the axes' frame in the user's, for the boxes. `pivots_at`: for maps whose side links belong to
-  /// the cells; asked only where there is a box; called from several threads.
-  RequirementFilter(const RegionMap& map, const Requirements& requirements, Point origin, double unit,
-                    PivotsAt pivots_at = {});
+  /// `pivots`: of the map's linkages, asked only where there is a box.
+  RequirementFilter(const RegionMap& map, const Requirements& requirements,
+                    const std::function<MapPivots()>& pivots = {});
 
   /// Bits of the requirements that a cell fails; all of them for a degenerate cell.
   [[nodiscard]] std::uint8_t failures(std::size_t row, std::size_t column) const;
@@ -111,14 +105,17 @@ class RequirementFilter {
 
   const RegionMap* map_;
   Requirements requirements_;
-  Point origin_;
-  double unit_;
   void failures_of_row(std::size_t row, std::uint8_t* failures) const;
 
   std::array<std::uint8_t, 80> verdict_failures_{};  ///< by type · 8 + defects
   float least_versine_ = 0, largest_ratio_ = 0, largest_length_ = 0, smallest_length_ = 0;
+  std::span<const float> versines_, ratios_, longest_;  ///< empty where the map has no such measure
+  MapPivots pivots_;
   std::vector<std::uint8_t> input_box_failures_, output_box_failures_;
-  PivotsAt pivots_at_;
 };
+
+/// A map of the family under requirements whose lengths are set. Refers to both, which must outlive it.
+[[nodiscard]] RequirementFilter filter_of(const LinkageFamily& family, const RegionMap& map,
+                                          const Requirements& requirements);
 
 }  // namespace linkwright

@@ -86,7 +86,7 @@ namespace {
 std::string small_angle(double radians) { return fmt::format("{}°", significant_text(degrees(radians), 3)); }
 
 /// What is read at a coordinate of an axis: "β₁ = 258.5°", "number 3", or τ.
-std::string place_text(const LinkageFamily& family, LinkageFamily::Side side, double tau) {
+std::string place_text(const FourBarFamily& family, Side side, double tau) {
   switch (family.axis(side).quantity) {
     case AxisQuantity::burmester_point:
       return fmt::format("{}", static_cast<int>(std::floor(tau)) + 1);
@@ -101,8 +101,8 @@ std::string place_text(const LinkageFamily& family, LinkageFamily::Side side, do
   }
 }
 
-std::string_view place_name(const LinkageFamily& family) {
-  switch (family.axis(LinkageFamily::Side::output).quantity) {
+std::string_view place_name(const FourBarFamily& family) {
+  switch (family.axis(Side::output).quantity) {
     case AxisQuantity::burmester_point:
       return "side links, by their numbers";
     case AxisQuantity::side_direction:
@@ -114,16 +114,14 @@ std::string_view place_name(const LinkageFamily& family) {
     case AxisQuantity::pair_output:
       return "place τ and free output angle";
     case AxisQuantity::nothing:
-      return family.axis(LinkageFamily::Side::input).is_discrete() ? "which of the linkages"
-                                                                   : "place of the coupler, τ";
+      return family.axis(Side::input).is_discrete() ? "which of the linkages" : "place of the coupler, τ";
     default:
       return "place on the curves, τ₁ and τ₂";
   }
 }
 
 void add_place(NumberRows& checks, const Solution& solution) {
-  using Side = LinkageFamily::Side;
-  const LinkageFamily& family = *solution.given.family;
+  const FourBarFamily& family = *solution.given.family;
   const FourBarSolution& found = solution.linkages.front();
   std::string text = place_text(family, Side::input, found.input.coordinate);
   if (family.axis(Side::output).quantity != AxisQuantity::nothing)

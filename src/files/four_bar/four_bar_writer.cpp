@@ -107,15 +107,15 @@ void write_notes(JsonWriter& json, const FourBarNotes& notes) {
 }  // namespace
 
 FourBarNotes notes_on(const FourBarSolution& found, const TaskFamily& given) {
-  const LinkageFamily& family = *given.family;
+  const FourBarFamily& family = *given.family;
   FourBarNotes notes;
   notes.defect = defect_notice(found, given);
   if (given.freed) notes.miss_size = given.freed->size;
   if (found.function || given.freed)
     notes.poses = family.user_poses({found.input.coordinate, found.output.coordinate}, found.four_bar);
-  const AxisQuantity quantity = family.axis(LinkageFamily::Side::output).quantity;
+  const AxisQuantity quantity = family.axis(Side::output).quantity;
   if (quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output)
-    notes.free_value = family.axis_value(LinkageFamily::Side::output, found.output.coordinate);
+    notes.free_value = family.axis_value(Side::output, found.output.coordinate);
   return notes;
 }
 

@@ -10,8 +10,8 @@ std::optional<SixBarFamily> six_bar_family(const SixBarTask& task) {
   return SixBarFamily(*task.chain, task.added, *bodies);
 }
 
-SixBarAxis six_bar_axis(const SixBarTask& task, LinkageFamily::Side side) {
-  const bool is_first = side == LinkageFamily::Side::input;
+SixBarAxis six_bar_axis(const SixBarTask& task, Side side) {
+  const bool is_first = side == Side::input;
   const BodyPair between = task.added[is_first ? 0 : 1];
   const std::string link = fmt::format("link {}", is_first ? 4 : 5);
   const auto family = six_bar_family(task);

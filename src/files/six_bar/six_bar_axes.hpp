@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "linkwright/algebra/circular_cubic.hpp"
-#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/six_bar_family.hpp"
 #include "linkwright/planar/six_bar_task.hpp"
 
@@ -21,6 +21,6 @@ struct SixBarAxis {
   bool is_share = false;              ///< a share of the curve, which is another for each link 4, instead of τ
   std::vector<CurveBranch> branches;  ///< of the curve; of shares one from 0 to 1
 };
-[[nodiscard]] SixBarAxis six_bar_axis(const SixBarTask& task, LinkageFamily::Side side);
+[[nodiscard]] SixBarAxis six_bar_axis(const SixBarTask& task, Side side);
 
 }  // namespace linkwright

@@ -103,7 +103,7 @@ void write_six_bar(JsonWriter& json, const SixBarSolution& found) {
   json.end_object();
 }
 
-void write_six_bar_axis(JsonWriter& json, const SixBarTask& task, LinkageFamily::Side side) {
+void write_six_bar_axis(JsonWriter& json, const SixBarTask& task, Side side) {
   const SixBarAxis axis = six_bar_axis(task, side);
   json.begin_object();
   json.member("name", std::string_view(axis.name));

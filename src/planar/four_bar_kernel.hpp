@@ -14,7 +14,7 @@ struct KernelAxis {
   const double *center_x, *center_y, *circle_x, *circle_y, *length;
   const double* arm_x[most_poses];
   const double* arm_y[most_poses];
-  const std::uint8_t *senses, *wide;  ///< as in RegionAxis
+  const std::uint8_t *senses, *wide;  ///< as in DyadAxis
 };
 
 /// Where cells go, row-major.
@@ -34,6 +34,6 @@ struct KernelTask {
   KernelCells cells;
 };
 
-LINKWRIGHT_DECLARE_KERNELS(region_kernel, const KernelTask&);
+LINKWRIGHT_DECLARE_KERNELS(four_bar_kernel, const KernelTask&);
 
 }  // namespace linkwright

@@ -1,4 +1,4 @@
-#include "linkwright/planar/linkage_family.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -6,19 +6,17 @@
 #include "linkwright/planar/task_curve.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright::linkage_family_test {
+namespace linkwright::four_bar_family_test {
 namespace {
 
-using Side = LinkageFamily::Side;
-
-class LinkageFamilyTest : public ::testing::Test {
+class FourBarFamilyTest : public ::testing::Test {
  protected:
   const MotionTask task = testing::tailgate_task();
   const TaskCurve given = task_curve(task);
   const CurveFamily curve{given.conditions.frame, task.poses, given.curve};
 };
 
-TEST_F(LinkageFamilyTest, CurvePairsAreItsDyads) {
+TEST_F(FourBarFamilyTest, CurvePairsAreItsDyads) {
   const auto links = curve.side_links({1.3125, 1.1125});
   ASSERT_TRUE(links);
   EXPECT_TRUE(same_points(links->input, given.curve->dyad(1.3125)));
@@ -29,12 +27,13 @@ TEST_F(LinkageFamilyTest, CurvePairsAreItsDyads) {
   EXPECT_FALSE(curve.polygon(Side::input).empty());
 }
 
-TEST_F(LinkageFamilyTest, ItsMapIsThatOfItsAxes) {
+TEST_F(FourBarFamilyTest, ItsMapIsThatOfItsAxes) {
   const auto tau = curve.samples(Side::input, 50, Spacing::coordinate);
   std::vector<Dyad> dyads;
   for (const double t : tau) dyads.push_back(given.curve->dyad(t));
-  const RegionAxis axis(dyads, given.conditions.frame.to_working(task.poses));
-  const RegionMap wanted(axis, axis, given.conditions.frame.scale);
+  const DyadAxis axis(dyads, given.conditions.frame.to_working(task.poses));
+  RegionMap wanted;
+  classify_pairs(wanted, axis, axis, given.conditions.frame.scale);
   RegionMap map;
   curve.classify(map, tau, tau, true);
   EXPECT_TRUE(std::equal(map.types().begin(), map.types().end(), wanted.types().begin(), wanted.types().end()));
@@ -42,7 +41,7 @@ TEST_F(LinkageFamilyTest, ItsMapIsThatOfItsAxes) {
   EXPECT_EQ(map.counts().pairs, 50 * 49);
 }
 
-TEST_F(LinkageFamilyTest, PointsFillTheirBranches) {
+TEST_F(FourBarFamilyTest, PointsFillTheirBranches) {
   const PointFamily points(given.conditions.frame, task.poses,
                            {given.curve->dyad(1.3125), given.curve->dyad(1.1125), given.curve->dyad(0.2)});
   EXPECT_EQ(points.samples(Side::input, 400, Spacing::coordinate), (std::vector{0.5, 1.5, 2.5}));
@@ -59,17 +58,17 @@ TEST_F(LinkageFamilyTest, PointsFillTheirBranches) {
   EXPECT_EQ(map.type(map.index(0, 1)), LinkageType::triple_rocker_output);
 }
 
-TEST_F(LinkageFamilyTest, AFilterJudgesTheSameByDyadsAndByCells) {
+TEST_F(FourBarFamilyTest, AFilterJudgesTheSameByDyadsAndByCells) {
   const auto tau = curve.samples(Side::input, 60, Spacing::coordinate);
   RegionMap by_dyads, by_rows;
   curve.classify(by_dyads, tau, tau, true);
   const auto poses = given.conditions.frame.to_working(task.poses);
   std::vector<Dyad> dyads;
   for (const double t : tau) dyads.push_back(given.curve->dyad(t));
-  by_rows.recompute_rows(
-      tau, tau,
+  classify_rows(
+      by_rows, tau, tau,
       [&](std::size_t row) {
-        return RegionRow{RegionAxis({dyads[row]}, poses), RegionAxis(dyads, poses), {}};
+        return FourBarRow{DyadAxis({dyads[row]}, poses), DyadAxis(dyads, poses), {}};
       },
       given.conditions.frame.scale);
   const Requirements wanted = testing::tailgate_requirements();
@@ -80,4 +79,4 @@ TEST_F(LinkageFamilyTest, AFilterJudgesTheSameByDyadsAndByCells) {
 }
 
 }  // namespace
-}  // namespace linkwright::linkage_family_test
+}  // namespace linkwright::four_bar_family_test

@@ -3,7 +3,7 @@
 // The rows of a region, for one pack width. Included by the kernel_*.cpp files, one for each instruction set.
 
 #include "analysis/pair_verdict.hpp"
-#include "region/kernel.hpp"
+#include "planar/four_bar_kernel.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA {
 
@@ -109,7 +109,7 @@ LINKWRIGHT_INLINE void expect(const KernelCells& cells, std::size_t cell) {
 }
 
 template <int Width, int Poses>
-void region_rows(const KernelTask& task) {
+void four_bar_rows(const KernelTask& task) {
   alignas(64) Block<Poses> driven;
   const auto unit = static_cast<float>(task.unit);
   for (std::size_t column = 0; column < task.columns; column += block) {
@@ -139,18 +139,18 @@ void region_rows(const KernelTask& task) {
 }
 
 template <int Width>
-void region_kernel(const KernelTask& task) {
+void four_bar_kernel(const KernelTask& task) {
   switch (task.poses) {
     case 1:
-      return region_rows<Width, 1>(task);
+      return four_bar_rows<Width, 1>(task);
     case 2:
-      return region_rows<Width, 2>(task);
+      return four_bar_rows<Width, 2>(task);
     case 3:
-      return region_rows<Width, 3>(task);
+      return four_bar_rows<Width, 3>(task);
     case 4:
-      return region_rows<Width, 4>(task);
+      return four_bar_rows<Width, 4>(task);
     case 5:
-      return region_rows<Width, 5>(task);
+      return four_bar_rows<Width, 5>(task);
     default:
       __builtin_unreachable();
   }

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/mechanism/pose.hpp"
+#include "linkwright/planar/burmester_curve.hpp"
+#include "linkwright/planar/four_bar_map.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
+#include "linkwright/region/linkage_family.hpp"
+
+namespace linkwright {
+
+class LengthCheck;
+
+struct SideLinks {
+  Dyad input, output;
+};
+
+/// The four-bars that a task leaves open, over two coordinates: what the map shows, the search climbs over and the
+/// pointer picks from. The dyads are in the working frame, their circle points in position 1.
+class FourBarFamily : public LinkageFamily {
+ public:
+  FourBarFamily(WorkingFrame frame, MapAxis input, MapAxis output)
+      : LinkageFamily(std::move(input), std::move(output)), frame_(frame) {}
+
+  [[nodiscard]] const WorkingFrame& frame() const { return frame_; }
+
+  /// The side links at a place; nothing where the family has none there. They may be sliders.
+  [[nodiscard]] virtual std::optional<SideLinks> side_links(MapPoint place) const = 0;
+  /// The same; of side links known already those serve again whose coordinates are the place's.
+  [[nodiscard]] virtual std::optional<SideLinks> side_links_beside(MapPoint place, const SideLinks& /*known*/) const {
+    return side_links(place);
+  }
+
+  /// The same at each cell of a map over these coordinates, which it outlives no more than the family: what the cells
+  /// of a row or a column share is worked out once. May be called from several threads.
+  using LinksOfCells = std::function<std::optional<SideLinks>(std::size_t row, std::size_t column)>;
+  [[nodiscard]] virtual LinksOfCells links_of_cells(std::span<const double> input,
+                                                    std::span<const double> output) const;
+
+  /// What the coupler of `bars`, those at a place, is to visit, position 1 being the one in which they lie; user's
+  /// frame or working frame, as the bars are.
+  [[nodiscard]] virtual std::vector<PrescribedPose> user_poses(MapPoint place, const FourBar& bars) const = 0;
+  [[nodiscard]] virtual std::vector<PrescribedPose> working_poses(MapPoint place, const FourBar& bars) const = 0;
+
+  /// The side links at coordinates of an axis, no_dyad() where there is none; empty where they depend on the other
+  /// coordinate.
+  [[nodiscard]] virtual std::vector<Dyad> dyads(Side /*side*/, std::span<const double> /*coordinates*/) const {
+    return {};
+  }
+
+  /// Dyads along the axis close enough to draw their points as curves, by rising τ; none where they depend on the other
+  /// coordinate.
+  [[nodiscard]] virtual std::vector<Dyad> polygon(Side side) const = 0;
+
+  [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
+
+ private:
+  WorkingFrame frame_;
+};
+
+/// The four-bar of a pair of side links; nothing where a pivot is at infinity.
+[[nodiscard]] std::optional<FourBar> four_bar_of(const SideLinks& links);
+
+/// The family of a motion task: every four-bar is to visit the same poses.
+class MotionFamily : public FourBarFamily {
+ public:
+  /// `poses`: the task's, user's frame.
+  MotionFamily(WorkingFrame frame, std::vector<PrescribedPose> poses, MapAxis input, MapAxis output);
+
+  [[nodiscard]] std::vector<PrescribedPose> user_poses(MapPoint /*place*/, const FourBar& /*bars*/) const override {
+    return user_poses_;
+  }
+  [[nodiscard]] std::vector<PrescribedPose> working_poses(MapPoint /*place*/, const FourBar& /*bars*/) const override {
+    return working_poses_;
+  }
+
+ protected:
+  [[nodiscard]] std::span<const PrescribedPose> working_poses() const { return working_poses_; }
+
+ private:
+  std::vector<PrescribedPose> user_poses_, working_poses_;
+};
+
+/// Each side link depends on its own coordinate alone.
+class ProductFamily : public MotionFamily {
+ public:
+  using MotionFamily::MotionFamily;
+
+  /// Nothing where the axis has no dyad there.
+  [[nodiscard]] virtual std::optional<Dyad> dyad(Side side, double tau) const = 0;
+
+  [[nodiscard]] std::optional<SideLinks> side_links(MapPoint place) const override;
+  [[nodiscard]] std::optional<SideLinks> side_links_beside(MapPoint place, const SideLinks& known) const override;
+  [[nodiscard]] std::vector<Dyad> dyads(Side side, std::span<const double> coordinates) const override;
+  [[nodiscard]] LinksOfCells links_of_cells(std::span<const double> input,
+                                            std::span<const double> output) const override;
+  [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
+  /// Evenly in τ; a place without a dyad is left out.
+  [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
+
+ private:
+  void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
+            const RegionOptions& options, const Progress& progress) const override;
+};
+
+/// Four positions: both side links from the same Burmester curve.
+class CurveFamily : public ProductFamily {
+ public:
+  CurveFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
+              std::shared_ptr<const BurmesterCurve> curve);
+
+  [[nodiscard]] bool is_symmetric() const override { return true; }
+  [[nodiscard]] std::optional<Dyad> dyad(Side side, double tau) const override;
+  [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
+  [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
+
+ private:
+  std::shared_ptr<const BurmesterCurve> curve_;
+  std::shared_ptr<const LengthCheck> lengths_;
+};
+
+/// A few dyads, any two of which make a four-bar: the i-th fills the branch [i, i + 1).
+class PointFamily : public ProductFamily {
+ public:
+  PointFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses, std::vector<Dyad> dyads);
+
+  [[nodiscard]] bool is_symmetric() const override { return true; }
+  [[nodiscard]] std::optional<Dyad> dyad(Side side, double tau) const override;
+
+ private:
+  std::vector<Dyad> dyads_;
+};
+
+}  // namespace linkwright

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "linkwright/algebra/point.hpp"
+#include "linkwright/core/progress.hpp"
+#include "linkwright/region/map_axis.hpp"
+#include "linkwright/region/region_map.hpp"
+
+namespace linkwright {
+
+/// The hinges of a linkage in position 1, user's frame: those on the ground, and all others.
+struct Pivots {
+  std::vector<Point> ground, moving;
+};
+
+/// The pivots of one grounded link; nothing at infinity.
+struct GroundedLinkPivots {
+  std::optional<Point> ground, moving;
+};
+
+/// The pivots of a map's linkages: of its rows and its columns, where each grounded link depends on its own coordinate
+/// alone, otherwise of its cells.
+struct MapPivots {
+  std::vector<GroundedLinkPivots> rows, columns;
+  /// Nothing where a pivot is at infinity; called from several threads.
+  std::function<std::optional<Pivots>(std::size_t row, std::size_t column)> of_cell;
+};
+
+/// What a task leaves open: linkages over two coordinates. Map, filter, census and search ask it for nothing else, so
+/// that they do not know what kind of linkage they are about.
+class LinkageFamily {
+ public:
+  LinkageFamily(MapAxis input, MapAxis output) : input_axis_(std::move(input)), output_axis_(std::move(output)) {}
+  LinkageFamily(const LinkageFamily&) = delete;
+  LinkageFamily& operator=(const LinkageFamily&) = delete;
+  virtual ~LinkageFamily() = default;
+
+  [[nodiscard]] const MapAxis& axis(Side side) const { return side == Side::input ? input_axis_ : output_axis_; }
+
+  /// Both axes carry the same grounded links: (u, v) and (v, u) are the same bars, driven from the other side.
+  [[nodiscard]] virtual bool is_symmetric() const { return false; }
+
+  /// The side whose coordinate takes longer to change: a search over both changes it the less often.
+  [[nodiscard]] virtual Side dearer_side() const { return Side::input; }
+
+  /// What people read at a coordinate (degrees, user's length, …): the coordinate unless the quantity is another.
+  [[nodiscard]] virtual double axis_value(Side side, double coordinate) const;
+
+  /// `count` coordinates along an axis; a discrete one has one to each branch, whatever is asked.
+  [[nodiscard]] virtual std::vector<double> samples(Side side, int count, Spacing spacing) const;
+
+  /// The map over these coordinates. Rows left out because `progress` was cancelled are degenerate. Throws
+  /// std::bad_alloc.
+  void classify(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
+                const RegionOptions& options = {}, const Progress& progress = {}) const {
+    fill(map, input, output, respect_direction, options, progress);
+  }
+
+  /// Where the hinges of a map of this family lie. Refers to the family and the map, which must outlive it.
+  [[nodiscard]] virtual MapPivots pivots(const RegionMap& map) const = 0;
+
+ private:
+  virtual void fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                    bool respect_direction, const RegionOptions& options, const Progress& progress) const = 0;
+
+  MapAxis input_axis_, output_axis_;
+};
+
+/// Coordinates along an axis: family.samples(), within a window evenly.
+[[nodiscard]] std::vector<double> samples_within(const LinkageFamily& family, Side side,
+                                                 const std::optional<MapWindow>& window, int count, Spacing spacing);
+
+/// True where no window leaves the point out.
+[[nodiscard]] bool is_within(const LinkageFamily& family, const std::optional<MapWindow>& window, MapPoint point);
+
+}  // namespace linkwright

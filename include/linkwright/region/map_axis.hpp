@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "linkwright/algebra/circular_cubic.hpp"
+
+namespace linkwright {
+
+/// The two grounded links of a linkage, and the axes of a map that they have.
+enum class Side { input, output };
+
+/// A point of a map: the coordinates of one linkage.
+struct MapPoint {
+  double input = 0, output = 0;  ///< of the driving link and of the other, where each has an axis of its own
+};
+
+/// Part of a map: intervals of both coordinates. A discrete axis has no parts: its interval is ignored.
+struct MapWindow {
+  std::array<double, 2> input{}, output{};
+};
+
+/// What the coordinate along an axis of a map stands for.
+enum class AxisQuantity {
+  curve_coordinate,  ///< place on a Burmester curve
+  burmester_point,   ///< one of a few dyads; each fills a branch
+  side_direction,    ///< direction of the side link in position 1, degrees
+  side_length,       ///< length of the side link, user's unit
+  output_scale,      ///< factor on the output's travel
+  pair_output,       ///< output angle of one pair, degrees
+  nothing,           ///< one place only
+};
+[[nodiscard]] std::string_view name(AxisQuantity quantity);
+
+/// How samples are laid along an axis: equal steps of its coordinate, or equal steps of the sum of the great-circle
+/// lengths run by the unit vectors of circle point and centre point.
+enum class Spacing { coordinate, arc_length };
+[[nodiscard]] std::string_view name(Spacing spacing);
+
+/// The stretch of an axis of a map that a climb keeps to: a branch of a curve.
+struct AxisStretch {
+  double from = 0, to = 1;
+  bool closed = false;  ///< its end is its beginning
+
+  /// The coordinate on the stretch: wrapped where it is closed, otherwise the nearest one.
+  [[nodiscard]] double onto(double coordinate) const;
+};
+
+/// An axis of a map: branches by rising coordinate, each of length 1, or 0 where it is a single point.
+struct MapAxis {
+  AxisQuantity quantity = AxisQuantity::curve_coordinate;
+  std::vector<CurveBranch> branches;
+
+  [[nodiscard]] double coordinate_length() const { return branches.empty() ? 0 : branches.back().to; }
+  /// The end of a branch is its beginning.
+  [[nodiscard]] bool is_closed() const {
+    return quantity == AxisQuantity::curve_coordinate || quantity == AxisQuantity::side_direction;
+  }
+  /// Every place of a branch is the same.
+  [[nodiscard]] bool is_discrete() const {
+    return quantity == AxisQuantity::burmester_point || quantity == AxisQuantity::nothing;
+  }
+  /// The branch on which a coordinate lies.
+  [[nodiscard]] AxisStretch stretch_around(double coordinate) const;
+};
+
+}  // namespace linkwright

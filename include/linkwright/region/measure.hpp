@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace linkwright {
+
+class RegionMap;
+
+/// A number that each cell of a map has. A family says which ones its maps hold; each keeps a column.
+struct Measure {
+  enum class Stored : std::uint8_t {
+    as_it_is,   ///< a number, user's unit
+    as_versine  ///< of an angle γ as 1 − cos γ, which keeps its digits at both ends
+  };
+
+  std::string_view key;  ///< in result files; measures of the same key are the same
+  Stored stored = Stored::as_it_is;
+  bool larger_is_better = false;
+
+  friend bool operator==(const Measure& a, const Measure& b) { return a.key == b.key; }
+};
+
+namespace measures {
+/// Least transmission angle over the task, radians; 0 where a defect or degenerate.
+inline constexpr Measure min_transmission_angle{"min_transmission_angle_deg", Measure::Stored::as_versine, true};
+/// The same over the full turn of a crank; 0 for other types.
+inline constexpr Measure min_transmission_angle_full_turn{"min_transmission_angle_full_turn_deg",
+                                                          Measure::Stored::as_versine, true};
+/// Longest over shortest link; 0 degenerate.
+inline constexpr Measure link_ratio{"link_ratio"};
+/// User's unit; 0 degenerate.
+inline constexpr Measure longest_link{"longest_link"};
+/// Angle that the driver turns from the first to the last position; every map tells it, none keeps it.
+inline constexpr Measure driver_sweep{"driver_sweep_deg"};
+}  // namespace measures
+
+/// The measure of each cell of a row as files and pages have it: angles in degrees, 0 where it is not defined, never
+/// NaN or infinite. `values` has a place for each column; `measure` is one of told_measures(map).
+void row_values(const RegionMap& map, const Measure& measure, std::size_t row, std::span<float> values);
+
+/// γ from 1 − cos γ, radians.
+[[nodiscard]] double angle_of_versine(double versine);
+/// 1 − cos γ.
+[[nodiscard]] double versine_of_angle(double angle);
+
+}  // namespace linkwright

@@ -1,0 +1,149 @@
+#include "linkwright/planar/four_bar_family.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "linkwright/core/tolerance.hpp"
+#include "linkwright/planar/four_bar_map.hpp"
+#include "planar/side_link.hpp"
+
+namespace linkwright {
+namespace {
+
+MapAxis curve_axis(const BurmesterCurve& curve) { return {AxisQuantity::curve_coordinate, curve.branches()}; }
+
+MapAxis point_axis(std::size_t count) {
+  MapAxis axis{AxisQuantity::burmester_point, {}};
+  for (std::size_t i = 0; i < count; ++i)
+    axis.branches.push_back({"point", static_cast<double>(i), static_cast<double>(i + 1)});
+  return axis;
+}
+
+}  // namespace
+
+std::optional<FourBar> four_bar_of(const SideLinks& links) {
+  const auto a = finite_point(links.input.center), b = finite_point(links.input.circle);
+  const auto c = finite_point(links.output.center), d = finite_point(links.output.circle);
+  if (!a || !b || !c || !d) return std::nullopt;
+  return FourBar{*a, *b, *c, *d};
+}
+
+MapPivots FourBarFamily::pivots(const RegionMap& map) const {
+  const auto links_at = links_of_cells(map.input_coordinates(), map.output_coordinates());
+  const auto of_cell = [this, links_at](std::size_t row, std::size_t column) -> std::optional<Pivots> {
+    const auto links = links_at(row, column);
+    const auto bars = links ? four_bar_of(*links) : std::nullopt;
+    if (!bars) return std::nullopt;
+    const auto user = [&](Point p) { return frame().to_user(p); };
+    return Pivots{{user(bars->input_center), user(bars->output_center)},
+                  {user(bars->input_circle), user(bars->output_circle)}};
+  };
+  return {{}, {}, of_cell};
+}
+
+FourBarFamily::LinksOfCells FourBarFamily::links_of_cells(std::span<const double> input,
+                                                          std::span<const double> output) const {
+  return [this, input, output](std::size_t row, std::size_t column) {
+    return side_links({input[row], output[column]});
+  };
+}
+
+MotionFamily::MotionFamily(WorkingFrame frame, std::vector<PrescribedPose> poses, MapAxis input, MapAxis output)
+    : FourBarFamily(frame, std::move(input), std::move(output)),
+      user_poses_(std::move(poses)),
+      working_poses_(frame.to_working(user_poses_)) {}
+
+std::optional<SideLinks> ProductFamily::side_links(MapPoint place) const {
+  const auto input = dyad(Side::input, place.input), output = dyad(Side::output, place.output);
+  if (!input || !output) return std::nullopt;
+  return SideLinks{*input, *output};
+}
+
+std::optional<SideLinks> ProductFamily::side_links_beside(MapPoint place, const SideLinks& known) const {
+  const auto input = known.input.coordinate == place.input ? known.input : dyad(Side::input, place.input);
+  if (!input) return std::nullopt;
+  const auto output = known.output.coordinate == place.output ? known.output : dyad(Side::output, place.output);
+  return output ? std::optional(SideLinks{*input, *output}) : std::nullopt;
+}
+
+MapPivots ProductFamily::pivots(const RegionMap& map) const {
+  const auto user = [&](Homogeneous point) {
+    const auto p = finite_point(point);
+    return p ? std::optional(frame().to_user(*p)) : std::nullopt;
+  };
+  const auto along = [&](Side side, std::span<const double> coordinates) {
+    std::vector<GroundedLinkPivots> found;
+    for (const Dyad& link : dyads(side, coordinates)) found.push_back({user(link.center), user(link.circle)});
+    return found;
+  };
+  return {along(Side::input, map.input_coordinates()), along(Side::output, map.output_coordinates()), {}};
+}
+
+std::vector<Dyad> ProductFamily::polygon(Side side) const {
+  constexpr int corners_of_a_branch = 512;
+  const int branches = static_cast<int>(axis(side).branches.size());
+  std::vector<Dyad> corners;
+  for (const double tau : samples(side, corners_of_a_branch * branches, Spacing::coordinate))
+    if (const auto corner = dyad(side, tau)) corners.push_back(*corner);
+  return corners;
+}
+
+std::vector<Dyad> ProductFamily::dyads(Side side, std::span<const double> coordinates) const {
+  std::vector<Dyad> found;
+  found.reserve(coordinates.size());
+  for (const double tau : coordinates) found.push_back(dyad(side, tau).value_or(no_dyad(tau)));
+  return found;
+}
+
+FourBarFamily::LinksOfCells ProductFamily::links_of_cells(std::span<const double> input,
+                                                          std::span<const double> output) const {
+  return [rows = dyads(Side::input, input), columns = dyads(Side::output, output)](
+             std::size_t row, std::size_t column) -> std::optional<SideLinks> {
+    return SideLinks{rows[row], columns[column]};
+  };
+}
+
+void ProductFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                         bool respect_direction, const RegionOptions& options, const Progress& progress) const {
+  const DyadAxis rows(dyads(Side::input, input), working_poses(), respect_direction);
+  if (is_symmetric() && std::equal(input.begin(), input.end(), output.begin(), output.end()))
+    return classify_pairs(map, rows, rows, frame().scale, options, progress);
+  const DyadAxis columns(dyads(Side::output, output), working_poses(), respect_direction);
+  classify_pairs(map, rows, columns, frame().scale, options, progress);
+}
+
+CurveFamily::CurveFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
+                         std::shared_ptr<const BurmesterCurve> curve)
+    : ProductFamily(frame, std::move(poses), curve_axis(*curve), curve_axis(*curve)),
+      curve_(std::move(curve)),
+      lengths_(std::make_shared<const LengthCheck>(working_poses())) {}
+
+// Sliders have no length to keep.
+std::optional<Dyad> CurveFamily::dyad(Side /*side*/, double tau) const {
+  const Dyad found = curve_->dyad(tau);
+  const auto center = finite_point(found.center), circle = finite_point(found.circle);
+  if (!center || !circle || lengths_->residual(*center, *circle) <= tolerance::side_link_length) return found;
+  return std::nullopt;
+}
+
+std::vector<double> CurveFamily::samples(Side /*side*/, int count, Spacing spacing) const {
+  return curve_->samples(count, spacing);
+}
+
+std::vector<Dyad> CurveFamily::polygon(Side /*side*/) const {
+  return curve_->coordinate_length() == 0 ? std::vector<Dyad>{} : curve_->polygon(drawn_side);
+}
+
+PointFamily::PointFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses, std::vector<Dyad> dyads)
+    : ProductFamily(frame, std::move(poses), point_axis(dyads.size()), point_axis(dyads.size())),
+      dyads_(std::move(dyads)) {}
+
+std::optional<Dyad> PointFamily::dyad(Side /*side*/, double tau) const {
+  if (!(tau >= 0 && tau < static_cast<double>(dyads_.size()))) return std::nullopt;
+  Dyad found = dyads_[static_cast<std::size_t>(tau)];
+  found.coordinate = std::floor(tau) + 0.5;
+  return found;
+}
+
+}  // namespace linkwright

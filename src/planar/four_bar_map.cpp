@@ -1,0 +1,171 @@
+#include "linkwright/planar/four_bar_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "linkwright/algebra/homogeneous.hpp"
+#include "linkwright/analysis/driver_order.hpp"
+#include "linkwright/core/parallel.hpp"
+#include "linkwright/core/precondition.hpp"
+#include "linkwright/core/tolerance.hpp"
+#include "planar/four_bar_kernel.hpp"
+
+namespace linkwright {
+namespace {
+
+KernelAxis plain_arrays(const DyadAxis& axis) {
+  KernelAxis plain{axis.center_x.data(),
+                   axis.center_y.data(),
+                   axis.circle_x.data(),
+                   axis.circle_y.data(),
+                   axis.length.data(),
+                   {},
+                   {},
+                   axis.senses.data(),
+                   axis.wide.data()};
+  for (std::size_t j = 0; j < axis.pose_count(); ++j) {
+    plain.arm_x[j] = axis.arm_x[j].data();
+    plain.arm_y[j] = axis.arm_y[j].data();
+  }
+  return plain;
+}
+
+std::uint8_t bits(bool ccw, bool cw) { return static_cast<std::uint8_t>((ccw ? 1 : 0) | (cw ? 2 : 0)); }
+
+std::vector<double> coordinates_of(const std::vector<Dyad>& dyads) {
+  std::vector<double> coordinates;
+  coordinates.reserve(dyads.size());
+  for (const Dyad& dyad : dyads) coordinates.push_back(dyad.coordinate);
+  return coordinates;
+}
+
+DriverTravel travel_of(const DyadAxis& axis, std::size_t sample) {
+  return {axis.senses[sample], axis.sweep_ccw[sample]};
+}
+
+KernelCells kernel_cells(const RegionMap::Cells& cells) {
+  return {cells.type,        cells.defects,     cells.measures[0], cells.measures[1],
+          cells.measures[2], cells.measures[3], cells.senses};
+}
+
+std::vector<std::uint32_t> diagonal_of(const DyadAxis& input, const DyadAxis& output) {
+  std::vector<std::pair<double, std::uint32_t>> columns;
+  for (std::size_t k = 0; k < output.size(); ++k)
+    columns.emplace_back(output.dyads[k].coordinate, static_cast<std::uint32_t>(k));
+  std::sort(columns.begin(), columns.end());
+  std::vector<std::uint32_t> column_of_row(input.size(), RegionMap::no_diagonal);
+  for (std::size_t row = 0; row < input.size(); ++row) {
+    const Dyad& dyad = input.dyads[row];
+    const auto found = std::lower_bound(columns.begin(), columns.end(), std::pair(dyad.coordinate, std::uint32_t{0}));
+    if (found != columns.end() && found->first == dyad.coordinate && same_points(dyad, output.dyads[found->second]))
+      column_of_row[row] = found->second;
+  }
+  return column_of_row;
+}
+
+// Which way a driver may turn depends on its partner.
+bool pairs_decide(const DyadAxis& input) {
+  if (input.pose_count() != 2) return false;
+  for (std::size_t i = 0; i < input.size(); ++i)
+    if (input.senses[i] == (DriverTravel::ccw | DriverTravel::cw) && input.sweep_ccw[i] > 0) return true;
+  return false;
+}
+
+// Rows that a thread takes before it looks whether to stop.
+constexpr std::size_t rows_at_once = 16;
+
+// A smaller map is ready before a second thread is awake.
+constexpr std::size_t cells_worth_a_thread = 30'000;
+
+// The kernel's own way, for the one driver of a row.
+void classify_row(RegionMap& map, std::size_t row, const FourBarRow& sides, double unit, Simd simd) {
+  require(sides.input.size() == 1 && sides.output.size() == map.columns(),
+          "a row has one driver, and a partner a column");
+  const KernelCells cells = kernel_cells(map.cells(row));
+  four_bar_kernel.for_simd(simd)({plain_arrays(sides.input), plain_arrays(sides.output), 0, 1, map.columns(),
+                                  static_cast<int>(sides.input.pose_count()), unit, tolerance::change_point, cells});
+  for (std::size_t column = 0; column < sides.enlarge.size(); ++column) cells.longest[column] *= sides.enlarge[column];
+  const DriverTravel travel = travel_of(sides.input, 0);
+  map.set_driver(row, travel);
+  if (sides.input.pose_count() != 2) std::fill_n(cells.senses, map.columns(), travel.senses);
+}
+
+}  // namespace
+
+DyadAxis::DyadAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> poses, bool respect_direction, Role role)
+    : dyads(std::move(samples)) {
+  require(!poses.empty() && poses.size() <= most_poses, "one to five poses are judged");
+  const std::size_t count = dyads.size();
+  for (std::vector<double>* column : {&center_x, &center_y, &circle_x, &circle_y, &length}) column->assign(count, 0);
+  arm_x.assign(poses.size(), std::vector<double>(count, 0));
+  arm_y.assign(poses.size(), std::vector<double>(count, 0));
+  senses.assign(count, 0);
+  wide.assign(count, 0);
+  sweep_ccw.assign(count, 0);
+  const Pose& first = poses.front().pose;
+  std::vector<Point> turns;
+  for (const PrescribedPose& pose : poses) turns.push_back(direction(pose.pose.angle - first.angle));
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto center = finite_point(dyads[i].center), circle = finite_point(dyads[i].circle);
+    if (!center || !circle) continue;  // a slider: length 0 makes its pairs degenerate
+    center_x[i] = center->real();
+    center_y[i] = center->imag();
+    circle_x[i] = circle->real();
+    circle_y[i] = circle->imag();
+    length[i] = std::abs(*circle - *center);
+    for (std::size_t j = 0; j < poses.size(); ++j) {
+      const Point arm = poses[j].pose.origin + turns[j] * (*circle - first.origin) - *center;
+      arm_x[j][i] = arm.real();
+      arm_y[j][i] = arm.imag();
+    }
+    if (role == Role::driven) continue;
+    const DriverOrder order = driver_order(*center, *circle, poses, respect_direction);
+    senses[i] = bits(order.ccw, order.cw);
+    wide[i] = bits(order.is_wide_ccw(), order.is_wide_cw());
+    sweep_ccw[i] = static_cast<float>(order.sweep_ccw);
+  }
+}
+
+void classify_pairs(RegionMap& map, const DyadAxis& input, const DyadAxis& output, double unit,
+                    const RegionOptions& options, const Progress& progress) {
+  require(input.pose_count() == output.pose_count(), "both axes are of one task");
+  map.lay(coordinates_of(input.dyads), coordinates_of(output.dyads), planar_measures, pairs_decide(input), options);
+  map.set_diagonal(diagonal_of(input, output));
+  const std::size_t rows = map.rows(), columns = map.columns();
+  for (std::size_t row = 0; row < rows; ++row) map.set_driver(row, travel_of(input, row));
+  const KernelTask task{
+      plain_arrays(input),     plain_arrays(output),      0, rows, columns, static_cast<int>(input.pose_count()), unit,
+      tolerance::change_point, kernel_cells(map.cells(0))};
+  const auto kernel = four_bar_kernel.for_simd(options.simd);
+  const int threads = rows * columns < cells_worth_a_thread ? 1 : options.threads;
+  parallel_for((rows + rows_at_once - 1) / rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t chunk = begin; chunk < end; ++chunk) {
+      KernelTask part = task;
+      part.row_begin = chunk * rows_at_once;
+      part.row_end = std::min(part.row_begin + rows_at_once, rows);
+      if (progress.is_cancelled())
+        map.leave_empty(part.row_begin, part.row_end);
+      else
+        kernel(part);
+    }
+  });
+}
+
+void classify_rows(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                   const std::function<FourBarRow(std::size_t row)>& row_at, double unit, const RegionOptions& options,
+                   const Progress& progress) {
+  constexpr bool of_pairs = true;
+  map.lay(input, output, planar_measures, of_pairs, options);
+  parallel_for(map.rows(), options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      if (progress.is_cancelled())
+        map.leave_empty(row, row + 1);
+      else
+        classify_row(map, row, row_at(row), unit, options.simd);
+    }
+  });
+}
+
+}  // namespace linkwright

@@ -1,0 +1,29 @@
+#include "linkwright/region/map_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::array<std::string_view, 7> quantity_names = {
+    "curve_coordinate", "burmester_point", "side_direction", "side_length", "output_scale", "pair_output", "nothing"};
+
+}  // namespace
+
+std::string_view name(AxisQuantity quantity) { return quantity_names[static_cast<std::size_t>(quantity)]; }
+std::string_view name(Spacing spacing) { return spacing == Spacing::coordinate ? "coordinate" : "arc_length"; }
+
+double AxisStretch::onto(double coordinate) const {
+  if (closed) return from + wrap_period(coordinate - from, to - from);
+  return std::clamp(coordinate, from, std::max(from, std::nextafter(to, from)));
+}
+
+AxisStretch MapAxis::stretch_around(double coordinate) const {
+  const double branch = std::floor(coordinate);
+  return {branch, branch + 1, is_closed()};
+}
+
+}  // namespace linkwright
