@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_task.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright::bench::synthesis_bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "linkwright/files/problem_file.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright::cli {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright::cli {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright::cli {
 

@@ -7,8 +7,8 @@
 #include "linkwright/analysis/drive_table.hpp"
 #include "linkwright/analysis/pose_visits.hpp"
 #include "linkwright/planar/function_task.hpp"
-#include "linkwright/planar/synthesis.hpp"
 #include "linkwright/planar/task_family.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright::wasm {
 

@@ -10,8 +10,8 @@
 
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/planar/display_order.hpp"
-#include "linkwright/planar/synthesis.hpp"
 #include "linkwright/planar/task_family.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "map_reply.hpp"
 #include "six_bar_map.hpp"
 #include "task_reply.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "linkwright/files/problem_file.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "plane_window.hpp"
 #include "svg_canvas.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "png_image.hpp"
 #include "region_scale.hpp"
 

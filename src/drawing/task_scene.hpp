@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "linkwright/files/problem_file.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "plane_window.hpp"
 #include "svg_canvas.hpp"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "linkwright/planar/four_bar_family.hpp"
-#include "linkwright/planar/task.hpp"
+#include "linkwright/synthesis/task.hpp"
 
 namespace linkwright {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "files/json/json_object.hpp"
-#include "linkwright/planar/task.hpp"
+#include "linkwright/synthesis/task.hpp"
 
 namespace linkwright {
 

@@ -2,7 +2,7 @@
 
 #include "files/json/json_writer.hpp"
 #include "linkwright/mechanism/pose.hpp"
-#include "linkwright/planar/task.hpp"
+#include "linkwright/synthesis/task.hpp"
 
 namespace linkwright {
 

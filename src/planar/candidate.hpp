@@ -6,9 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "linkwright/analysis/defects.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/hill_climb.hpp"
+#include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
 

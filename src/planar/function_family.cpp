@@ -247,6 +247,8 @@ TaskFamily task_family(const FunctionTask& task) {
   auto couplers = std::make_shared<const FunctionCouplers>(function_couplers(task));
   TaskFamily given;
   given.pattern = pattern(task.pairs);
+  given.has_directions =
+      std::any_of(task.pairs.begin(), task.pairs.end(), [](const AnglePair& pair) { return pair.multiplicity() > 1; });
   given.conditions = couplers->given.conditions;
   given.size = std::abs(task.output_pivot - task.input_pivot);
   given.curve = couplers->curve;

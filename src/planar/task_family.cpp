@@ -1,5 +1,6 @@
 #include "linkwright/planar/task_family.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "linkwright/planar/freed_position.hpp"
@@ -113,6 +114,8 @@ TaskFamily task_family(const MotionTask& task, const Requirements& requirements,
   TaskFamily given = positions == 3   ? family_of_three(task, requirements, objective)
                      : positions == 4 ? family_of_curve(task)
                                       : family_of_points(task);
+  given.has_directions = std::any_of(task.poses.begin(), task.poses.end(),
+                                     [](const PrescribedPose& pose) { return !pose.derivatives.empty(); });
   given.size = given.frame().scale;
   return given;
 }

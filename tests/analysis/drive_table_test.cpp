@@ -5,8 +5,8 @@
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/synthesis.hpp"
 #include "linkwright/planar/task_family.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/tailgate.hpp"
 

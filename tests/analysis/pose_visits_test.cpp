@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/synthesis.hpp"
 #include "linkwright/planar/task_family.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_four_bar.hpp"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "linkwright/files/six_bar_file.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "session.hpp"
 
 namespace linkwright::wasm::session_kinds_test {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "support/case_region.hpp"
 #include "support/draws.hpp"
 #include "support/random_task.hpp"

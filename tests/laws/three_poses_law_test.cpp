@@ -6,7 +6,7 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright::three_poses_law_test {

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 int main() {
   const auto type = linkwright::linkage_type({.ground = 4, .input = 1, .coupler = 3, .output = 3});

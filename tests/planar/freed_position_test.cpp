@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright::freed_position_test {

@@ -9,7 +9,7 @@
 #include "linkwright/planar/function_error.hpp"
 #include "linkwright/planar/function_linkage.hpp"
 #include "linkwright/planar/improved_linkage.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "support/random_function.hpp"
 
 namespace linkwright::function_family_test {

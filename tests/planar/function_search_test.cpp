@@ -8,7 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/function_error.hpp"
 #include "linkwright/planar/function_linkage.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "support/random_function.hpp"
 
 namespace linkwright::function_search_test {

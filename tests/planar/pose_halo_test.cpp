@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "support/tailgate.hpp"
 
 namespace linkwright::pose_halo_test {

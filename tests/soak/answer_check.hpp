@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "linkwright/files/problem_file.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright::soak {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "linkwright/files/problem_file.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright::testing {
 

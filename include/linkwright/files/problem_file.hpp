@@ -5,20 +5,9 @@
 #include <string_view>
 
 #include "linkwright/core/result.hpp"
-#include "linkwright/planar/synthesis.hpp"
-#include "linkwright/planar/task.hpp"
+#include "linkwright/synthesis/problem.hpp"
 
 namespace linkwright {
-
-/// A problem file, read and validated. Angles in radians here, degrees in the file.
-struct Problem {
-  std::string title;
-  std::string length_unit;  ///< echoed, never converted
-  Task task;
-  Requirements requirements;
-  SynthesisOptions options;
-  std::string view;  ///< the workbench's own object, kept as JSON text on one line and never read; empty when absent
-};
 
 inline constexpr int file_version = 1;
 inline constexpr std::size_t most_file_bytes = 16u << 20;

@@ -8,7 +8,7 @@
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/text_file.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

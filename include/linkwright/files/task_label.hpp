@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "linkwright/planar/task.hpp"
+#include "linkwright/synthesis/task.hpp"
 
 namespace linkwright {
 

@@ -10,8 +10,8 @@
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
+#include "linkwright/planar/motion_task.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
-#include "linkwright/planar/task.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -29,6 +29,7 @@ struct TaskFamily {
   std::optional<Notice> degeneracy;             ///< why there is no family
   std::optional<FreedPose> freed;               ///< the pose of a five-position task that need not be passed, user's
                                                 ///< frame
+  bool has_directions = false;                  ///< some position prescribes how it is passed (derivatives)
   bool has_no_dyads = false;                    ///< because no two side links do the task
   std::shared_ptr<const FourBarFamily> family;  ///< none where degenerate
 

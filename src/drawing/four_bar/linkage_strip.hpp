@@ -4,7 +4,7 @@
 
 #include "drawing/plane_window.hpp"
 #include "drawing/svg_canvas.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

@@ -5,7 +5,7 @@
 
 #include "drawing/svg_canvas.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

@@ -6,7 +6,7 @@
 #include "files/json/json_writer.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

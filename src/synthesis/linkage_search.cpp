@@ -1,4 +1,4 @@
-#include "planar/linkage_search.hpp"
+#include "linkage_search.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

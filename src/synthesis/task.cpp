@@ -1,4 +1,4 @@
-#include "linkwright/planar/task.hpp"
+#include "linkwright/synthesis/task.hpp"
 
 namespace linkwright {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

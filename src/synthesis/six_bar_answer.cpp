@@ -1,4 +1,4 @@
-#include "planar/six_bar_answer.hpp"
+#include "six_bar_answer.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "linkwright/planar/synthesis.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -12,7 +12,7 @@
 #include "support/random_task.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright::synthesis_test {
+namespace linkwright::solve_test {
 namespace {
 
 using testing::nearly_common_pole, testing::nearly_mirrored;
@@ -438,4 +438,4 @@ TEST(SolveMotion, NamesTheDegeneracyOfMixedPositions) {
 }
 
 }  // namespace
-}  // namespace linkwright::synthesis_test
+}  // namespace linkwright::solve_test

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "linkwright/core/result.hpp"
+#include "linkwright/planar/six_bar_synthesis.hpp"
+#include "linkwright/region/best_cells.hpp"
+#include "linkwright/region/map_axis.hpp"
+#include "linkwright/region/region_map.hpp"
+#include "linkwright/region/requirements.hpp"
+#include "linkwright/synthesis/task.hpp"
+
+namespace linkwright {
+
+struct SynthesisOptions {
+  static constexpr int least_samples = 8, most_samples = 20'000, most_best = 1000;
+  static constexpr int most_seed = 999'999'999, most_effort = 10'000'000;
+
+  int region_samples = 400;               ///< N of the N×N region
+  Spacing spacing = Spacing::coordinate;  ///< of the samples along the curve
+  Objective objective = Objective::min_transmission_angle;
+  int best = 10;                    ///< how many linkages, ≥ 0
+  std::optional<MapWindow> window;  ///< of four-bars; nothing: the whole region
+
+  // Six-bars without a given chain, which is searched for.
+  std::optional<Box> box;       ///< for all pivots in position 1, user's unit
+  int seed = 1;                 ///< of the chains tried, ≥ 0
+  int effort = default_effort;  ///< how many chains are tried, ≥ 1
+
+  RegionOptions region;
+};
+
+/// The caller's mistakes. Places are `options.…`.
+[[nodiscard]] std::vector<Error> mistakes_in(const SynthesisOptions& options);
+
+/// What of the options does not go with the task: an objective that it cannot be measured by.
+[[nodiscard]] std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options);
+
+}  // namespace linkwright

@@ -1,0 +1,127 @@
+#include "warnings.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <span>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
+
+namespace linkwright {
+namespace {
+
+// Side links of the map that rounding keeps from being any.
+std::vector<Notice> left_out_warning(Solution& solution) {
+  const FourBarFamily& family = *solution.given.family;
+  const std::span<const double> looked_at = solution.region.input_coordinates();
+  if (!solution.given.curve || !family.is_symmetric()) return {};
+  const auto count = std::count_if(looked_at.begin(), looked_at.end(), [&](double tau) {
+    return !family.side_links({tau, tau}).has_value();
+  });
+  if (count == 0) return {};
+  solution.dyads_left_out = count;
+  return {{"side_links_left_out",
+           fmt::format(
+               "Left out are {} of the {} side links looked at, so short or so far away that rounding changes their "
+               "lengths over the positions by more than a millionth. Set the positions further "
+               "off a turn about one pole, or off a mere shift.",
+               grouped_text(count), grouped_text(static_cast<std::int64_t>(looked_at.size()))),
+           {{"count", static_cast<double>(count)}, {"of", static_cast<double>(looked_at.size())}}}};
+}
+
+// Where the best by another measure stand at the edge of locking: what keeps them away from it, and what that leaves.
+std::vector<Notice> locking_warning(const Solution& solution, const Progress& progress) {
+  constexpr double edge = radians(1), best_of_all = radians(40), step = radians(5);
+  const Requirements& asked = solution.requirements;
+  if (solution.linkages.empty() || asked.min_transmission_angle > 0 || !asked.no_defects) return {};
+  const auto is_discrete = [&](Side side) { return solution.given.family->axis(side).is_discrete(); };
+  if (is_discrete(Side::input) && is_discrete(Side::output)) return {};
+  const double angle = solution.linkages.front().report.min_transmission_angle;
+  if (solution.options.objective == Objective::min_transmission_angle || angle >= edge) return {};
+  Requirements wanted = asked;
+  std::int64_t left = 0;
+  for (wanted.min_transmission_angle = best_of_all; left == 0 && wanted.min_transmission_angle > edge;) {
+    left = filter_of(*solution.given.family, solution.region, wanted).census(progress).meeting;
+    if (progress.is_cancelled()) return {};
+    if (left == 0) wanted.min_transmission_angle -= step;
+  }
+  Notice notice{
+      "held_by_locking",
+      fmt::format("The best linkage stands at the edge of locking: its transmission angle is {:.2g}°.", degrees(angle)),
+      {{"angle", degrees(angle)}}};
+  if (left > 0) {
+    const double proposed = degrees(wanted.min_transmission_angle);
+    notice.message += fmt::format(" Ask for a transmission angle of at least {:.0f}°: {} four-bars have it.", proposed,
+                                  grouped_text(left));
+    notice.values.push_back({"proposed", proposed});
+    notice.values.push_back({"leaves", static_cast<double>(left)});
+  }
+  return {notice};
+}
+
+// The longest way along the curve from one of the rising coordinates to the next.
+double longest_step(const BurmesterCurve::Run& run, std::span<const double> coordinates) {
+  double longest = 0, before = 0;
+  for (std::size_t i = 0, corner = 0; i < coordinates.size(); ++i) {
+    while (corner + 1 < run.tau.size() && run.tau[corner] < coordinates[i]) ++corner;
+    if (i > 0) longest = std::max(longest, run.length[corner] - before);
+    before = run.length[corner];
+  }
+  return longest;
+}
+
+// What the map skips where a long stretch of the curve lies between two of its samples.
+std::vector<Notice> skipped_stretch_warning(const Solution& solution) {
+  // Radians run by both points together: a whole way to infinity and back is π. Evenly drawn tasks stay below 2.4.
+  constexpr double long_stretch = 3, long_beside_others = 20, short_side = 0.1;
+  const BurmesterCurve* curve = solution.given.curve.get();
+  const std::span<const double> looked_at = solution.region.input_coordinates();
+  if (curve == nullptr || solution.options.window || solution.options.spacing == Spacing::arc_length) return {};
+  const BurmesterCurve::Run run = curve->run(short_side);
+  if (run.tau.empty()) return {};
+  const double usual = run.length.back() / static_cast<double>(looked_at.size());
+  const double longest = longest_step(run, looked_at);
+  if (!(longest > long_stretch && longest > long_beside_others * usual)) return {};
+  return {{"stretch_between_samples",
+           "A long stretch of the curve of side links lies between two of its samples: the map does not show it, and "
+           "good linkages may lie there. Choose \"spacing\": \"arc_length\" to see it.",
+           {}}};
+}
+
+}  // namespace
+
+void warn_of_map(Solution& solution) {
+  for (const auto& found : {left_out_warning(solution), skipped_stretch_warning(solution)})
+    solution.given.warnings.insert(solution.given.warnings.end(), found.begin(), found.end());
+}
+
+void leave_out_unconfirmed(Solution& solution) {
+  std::int64_t& count = solution.left_out;
+  if (!solution.pairs.empty()) {  // all there are, those of the list among them
+    count = static_cast<std::int64_t>(std::erase_if(solution.pairs, is_unconfirmed));
+    std::erase_if(solution.linkages, is_unconfirmed);
+  }
+  if (solution.requirements.no_defects)  // none in the working frame, where they were judged
+    count += static_cast<std::int64_t>(
+        std::erase_if(solution.linkages, [](const FourBarSolution& found) { return !found.report.defects.none(); }));
+  count += static_cast<std::int64_t>(std::erase_if(solution.linkages, is_unconfirmed));
+  count += static_cast<std::int64_t>(std::erase_if(solution.six_bars, [](const SixBarSolution& found) {
+    return found.rating.drive.defects.none() && !found.verified_by_driving;
+  }));
+  if (count == 0) return;
+  solution.given.warnings.push_back(
+      {"linkages_left_out",
+       fmt::format("Left out {} of the best: so near a change point, a dead point{}, or with so short a link, that "
+                   "rounding decides "
+                   "what they do, and driving them through the task confirmed no more.{}",
+                   count == 1 ? "is one" : fmt::format("are {}", count),
+                   solution.given.conditions.near_pole ? " or the positions' common pole" : "",
+                   solution.given.conditions.near_pole ? " Set the positions further off a turn about one pole." : ""),
+       {{"count", static_cast<double>(count)}}});
+}
+
+void warn_of_locking(Solution& solution, const Progress& progress) {
+  for (Notice& warning : locking_warning(solution, progress)) solution.given.warnings.push_back(std::move(warning));
+}
+
+}  // namespace linkwright
