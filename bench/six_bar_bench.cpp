@@ -19,10 +19,11 @@ void map_of_chain(benchmark::State& state, BodyPair link_4, BodyPair link_5) {
   constexpr int samples = 50;
   SixBarTask task = std::get<SixBarTask>(example("loader_bucket_chain").task);
   task.added = {link_4, link_5};
-  const SixBarFamily family(*task.chain, task.added, *chain_positions(task.poses, *task.chain));
-  const auto [first, second] = six_bar_axes(family, samples);
+  const auto family = ChainFamily::of(task);
+  const auto first = family->samples(Side::input, samples, Spacing::coordinate),
+             second = family->samples(Side::output, samples, Spacing::coordinate);
   RegionMap map;
-  for (auto _ : state) classify_six_bars(map, family, first, second, false);
+  for (auto _ : state) family->classify(map, first, second, true);
   state.SetItemsProcessed(state.iterations() * samples * samples);
 }
 BENCHMARK_CAPTURE(map_of_chain, watt_1_by_0_2_and_1_3, BodyPair{0, 2}, BodyPair{1, 3})

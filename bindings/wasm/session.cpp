@@ -102,17 +102,17 @@ const std::vector<PrescribedPose>& Session::poses() const {
   return motion ? motion->poses : none;
 }
 
-bool Session::has_map() const { return given().family || (six_bars_ && six_bars_->has_chain()); }
+const LinkageFamily* Session::family() const {
+  return six_bars_ ? static_cast<const LinkageFamily*>(six_bars_->family().get()) : given().family.get();
+}
+
+bool Session::has_map() const { return family() != nullptr; }
 
 void Session::classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const {
-  if (six_bars_) return six_bars_->classify(map, input, output);
-  given().family->classify(map, input, output, requirements_.respect_direction);
+  family()->classify(map, input, output, requirements_.respect_direction);
 }
 
-RequirementFilter Session::filter(const RegionMap& map) const {
-  if (six_bars_) return six_bars_->filter(map, requirements_);
-  return filter_of(*given().family, map, requirements_);
-}
+RequirementFilter Session::filter(const RegionMap& map) const { return filter_of(*family(), map, requirements_); }
 
 const ShownAxes& Session::axes() const {
   if (!axes_) std::abort();  // the axes are ordered before a map is made
@@ -234,7 +234,8 @@ LinkageReply Session::linkage(double input_tau, double output_tau) {
   if (!has_map()) return reply;
   if (six_bars_) {
     const std::uint8_t fails = failures(cell_, std::array{input_tau}, std::array{output_tau}).front();
-    SixBarReply six_bar = six_bar_reply(poses(), six_bars_->at(input_tau, output_tau), {input_tau, output_tau}, fails);
+    SixBarReply six_bar =
+        six_bar_reply(poses(), six_bars_->at({input_tau, output_tau}), {input_tau, output_tau}, fails);
     return {std::move(six_bar.linkage), std::move(six_bar.states)};
   }
   PickedLinkage picked = picked_linkage(given(), {input_tau, output_tau}, requirements_.respect_direction);
@@ -294,7 +295,9 @@ void write_six_bars(JsonWriter& json, const SixBarTask& task, const Solution& so
   for (const SixBarSolution& found : solution.six_bars) {
     json.begin_object(JsonWriter::Layout::one_line);
     json.key("tau");
-    write_numbers(json, SixBarMap(with_chain(task, found.chain)).place_of(found));
+    const auto family = ChainFamily::of(with_chain(task, found.chain));
+    const MapPoint point = family->point_of(found.member);
+    write_numbers(json, std::array{point.input, point.output});
     json.member("type", name(found.rating.shape.type));
     json.member("min_transmission_angle_deg", degrees(found.rating.min_transmission_angle()));
     json.member("link_ratio", found.rating.shape.link_ratio);
@@ -372,10 +375,9 @@ std::string Session::improve(double input_tau, double output_tau) const {
 
 std::optional<MapPoint> Session::improved(MapPoint place) const {
   const Objective objective = problem_.options.objective;
-  if (six_bars_) {
-    const auto better = six_bars_->improved({place.input, place.output}, requirements_, objective);
-    return better ? std::optional(MapPoint{(*better)[0], (*better)[1]}) : std::nullopt;
-  }
+  if (six_bars_)
+    return six_bars_->has_chain() ? improved_six_bar(*six_bars_->family(), requirements_, objective, place)
+                                  : std::nullopt;
   const FunctionFamily* family = function_family(given());
   if (family && objective == Objective::structural_error) return improved_generator(*family, requirements_, place);
   if (!given().family) return std::nullopt;
@@ -384,7 +386,7 @@ std::optional<MapPoint> Session::improved(MapPoint place) const {
 
 std::string Session::verify(double input_tau, double output_tau) {
   if (six_bars_) {
-    const auto found = six_bars_->at(input_tau, output_tau);
+    const auto found = six_bars_->at({input_tau, output_tau});
     return json_of([&](JsonWriter& json) {
       json.begin_object();
       json.member("verified", found && found->verified_by_driving);
@@ -406,7 +408,7 @@ std::string Session::verify(double input_tau, double output_tau) {
 
 std::vector<double> Session::trace(double input_tau, double output_tau, Point traced) {
   std::vector<double> path;
-  if (six_bars_) return six_bar_trace(poses(), six_bars_->at(input_tau, output_tau), traced);
+  if (six_bars_) return six_bar_trace(poses(), six_bars_->at({input_tau, output_tau}), traced);
   if (!given().family) return path;
   const PickedLinkage picked = picked_linkage(given(), {input_tau, output_tau}, requirements_.respect_direction);
   if (!picked.bars) return path;
@@ -421,8 +423,9 @@ std::vector<double> Session::trace(double input_tau, double output_tau, Point tr
 std::optional<Solution> Session::solution_at(double input_tau, double output_tau) const {
   Solution solution;
   if (six_bars_) {
-    const auto found = six_bars_->at(input_tau, output_tau);
+    const auto found = six_bars_->at({input_tau, output_tau});
     if (!found) return std::nullopt;
+    solution.chain = six_bars_->family();
     solution.six_bars = {*found};
   } else {
     constexpr bool verify = true;

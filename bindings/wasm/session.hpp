@@ -83,6 +83,8 @@ class Session {
     std::optional<DrawnCurves> output;  ///< nothing: the same
   };
 
+  /// Null where there is no map.
+  [[nodiscard]] const LinkageFamily* family() const;
   [[nodiscard]] bool has_map() const;
   void classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const;
   [[nodiscard]] RequirementFilter filter(const RegionMap& map) const;

@@ -222,17 +222,17 @@ std::vector<double> six_bar_trace(const std::vector<PrescribedPose>& poses, cons
 }
 
 SixBarReply six_bar_reply(const std::vector<PrescribedPose>& poses, const std::optional<SixBarSolution>& found,
-                          std::array<double, 2> coordinates, std::uint8_t fails) {
+                          MapPoint point, std::uint8_t fails) {
   SixBarReply reply;
   const SixBarCheck check = found ? driven(*found, poses) : SixBarCheck{};
   reply.linkage = json_of([&](JsonWriter& json) {
     json.begin_object();
     json.member("mechanism", "six_bar");
     json.key("tau");
-    write_numbers(json, coordinates);
+    write_numbers(json, std::array{point.input, point.output});
     json.member("fails", int{fails});
-    write_added_link(json, "input", coordinates[0], {SixBar::c4, SixBar::z4}, found);
-    write_added_link(json, "output", coordinates[1], {SixBar::c5, SixBar::z5}, found);
+    write_added_link(json, "input", point.input, {SixBar::c4, SixBar::z4}, found);
+    write_added_link(json, "output", point.output, {SixBar::c5, SixBar::z5}, found);
     write_absent(json);
     if (found) {
       write_verdict(json, *found);

@@ -261,13 +261,13 @@ void draw_region(SvgCanvas& svg, const Problem& problem, const Solution& solutio
 
 void draw_six_bar_region(SvgCanvas& svg, const SixBarTask& task, const Solution& solution, const PixelBox& map) {
   const RegionMap& region = solution.region;
-  const auto family = six_bar_family(task);
+  const ChainFamily* family = solution.chain.get();
   if (region.rows() == 0 || !family) return;
-  const SixBarAxis first = six_bar_axis(task, Side::input), second = six_bar_axis(task, Side::output);
+  const SixBarAxis first = six_bar_axis(task, family, Side::input), second = six_bar_axis(task, family, Side::output);
   const RegionScale up(first.branches, region.input_coordinates(), {}, map.height);
   const RegionScale across(second.branches, region.output_coordinates(), {}, map.width);
   std::vector<std::uint8_t> failures(region.rows() * region.columns());
-  filter_of_six_bars(*family, region, solution.requirements).failures_of_all(failures);
+  filter_of(*family, region, solution.requirements).failures_of_all(failures);
   const auto passes = [&](std::size_t row, std::size_t column) { return failures[region.index(row, column)] == 0; };
   svg.png(map.corner(), map.width, map.height,
           base64(region_picture(solution, passes, up, across, pixels_per_px).file()));
@@ -275,10 +275,8 @@ void draw_six_bar_region(SvgCanvas& svg, const SixBarTask& task, const Solution&
   draw_axis(svg, {up, first.title, body_color(4), {}}, left_of(map));
   draw_axis(svg, {across, second.title, body_color(5), {}}, below(map));
   draw_best(svg, solution.six_bars.size(), [&](std::size_t i) -> std::optional<Point> {
-    const std::array<double, 2>& tau = solution.six_bars[i].member.coordinates;
-    const auto link_4 = family->with_first(tau[0]);
-    const auto x = link_4 ? across.position(family->second_coordinate(*link_4, tau[1])) : std::nullopt;
-    const auto y = up.position(tau[0]);
+    const MapPoint point = family->point_of(solution.six_bars[i].member);
+    const auto x = across.position(point.output), y = up.position(point.input);
     if (!x || !y) return std::nullopt;
     return Point{map.left + *x, map.bottom() - *y};
   });

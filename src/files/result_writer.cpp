@@ -106,7 +106,8 @@ void write_counts(JsonWriter& json, const RegionCounts& counts) {
 }
 
 void write_axis(JsonWriter& json, const Problem& problem, const Solution& solution, Side side) {
-  if (const auto* six_bar = std::get_if<SixBarTask>(&problem.task)) return write_six_bar_axis(json, *six_bar, side);
+  if (const auto* six_bar = std::get_if<SixBarTask>(&problem.task))
+    return write_six_bar_axis(json, *six_bar, solution.chain.get(), side);
   const FourBarFamily* family = solution.given.family.get();
   const MapAxis axis = family ? family->axis(side) : MapAxis{};
   const AxisLabel label = axis_label(axis, side, problem.task, problem.length_unit);

@@ -108,11 +108,13 @@ std::optional<Search::Bounded> Search::bounded(const SixBarMember& member, const
 std::vector<Search::Bounded> Search::sampled(const SixBarFamily& family, const Requirements& wanted,
                                              Trial& trial) const {
   std::vector<Bounded> found;
-  const SixBarAxes axes = six_bar_axes(family, samples);
-  for (const double tau_4 : axes.first) {
+  const auto evenly = [](double length, int i) { return length * (i + 0.5) / samples; };
+  for (int row = 0; row < samples && family.first().curve->coordinate_length() > 0; ++row) {
+    const double tau_4 = evenly(family.first().curve->coordinate_length(), row);
     const auto first = family.with_first(tau_4);
     if (!first || !contains_all(box_, first->hinges)) continue;
-    for (const double place : axes.second) {
+    for (int column = 0; column < samples; ++column) {
+      const double place = evenly(family.second_axis_length(), column);
       const auto member = family.member(*first, family.second_tau(*first, place));
       if (!member || !box_.contains(member->six_bar.at(SixBar::c5)) || !box_.contains(member->six_bar.at(SixBar::z5)))
         continue;

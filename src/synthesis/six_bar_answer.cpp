@@ -56,24 +56,23 @@ void judge(Solution& solution) {
        {"meeting", static_cast<double>(solution.meeting_requirements)}}};
 }
 
-Result<Solution> solve_chain(const SixBarTask& task, const ThreeLinkChain& chain, Solution solution,
-                             const Progress& progress) {
-  const auto bodies = chain_positions(task.poses, chain);
-  if (!bodies) return Error{"out_of_reach", "task.chain", "the chain does not reach all poses"};
-  const SixBarFamily family(chain, task.added, *bodies);
-  const auto [first, second] = six_bar_axes(family, samples_of(solution.options));
-  constexpr bool circuits = false;
-  classify_six_bars(solution.region, family, first, second, circuits, solution.options.region, progress);
+Result<Solution> solve_chain(const SixBarTask& task, Solution solution, const Progress& progress) {
+  solution.chain = ChainFamily::of(task);
+  if (!solution.chain) return Error{"out_of_reach", "task.chain", "the chain does not reach all poses"};
+  const ChainFamily& family = *solution.chain;
+  const SynthesisOptions& options = solution.options;
+  const auto samples = [&](Side side) { return family.samples(side, samples_of(options), options.spacing); };
+  family.classify(solution.region, samples(Side::input), samples(Side::output), solution.requirements.respect_direction,
+                  options.region, progress);
   if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
   solution.counts = solution.region.counts();
-  const RequirementFilter filter = filter_of_six_bars(family, solution.region, solution.requirements);
+  const RequirementFilter filter = filter_of(family, solution.region, solution.requirements);
   const RequirementCensus census = filter.census(progress);
   solution.meeting_requirements = census.meeting;
   if (census.meeting == 0) solution.relax = filter.relaxations(census, progress);
   if (solution.relax.empty()) solution.relax_together = census.joint_relaxation();
-  solution.six_bars =
-      best_six_bars(task, chain, family, solution.region, solution.requirements,
-                    {solution.options.objective, solution.options.best, solution.options.region.threads}, progress);
+  solution.six_bars = best_six_bars(task, family, solution.region, solution.requirements,
+                                    {options.objective, options.best, options.region.threads}, progress);
   if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
   judge(solution);
   return solution;
@@ -106,7 +105,7 @@ Result<Solution> solve_six_bars(const SixBarTask& task, const Requirements& requ
   }
   solution.given.size = task.chain->size();
   solution.requirements = with_defaults(requirements, *task.chain);
-  return solve_chain(task, *task.chain, std::move(solution), progress);
+  return solve_chain(task, std::move(solution), progress);
 }
 
 }  // namespace linkwright

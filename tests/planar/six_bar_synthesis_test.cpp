@@ -21,29 +21,28 @@ SixBarTask task_with_chain(std::size_t row) {
 
 struct Mapped {
   SixBarTask task;
-  ThreeLinkChain chain;
-  SixBarFamily family;
-  SixBarAxes axes;
+  std::shared_ptr<const ChainFamily> family;
+  std::vector<double> rows, columns;
   RegionMap map;
 
-  explicit Mapped(std::size_t row, int samples, bool circuits)
+  Mapped(std::size_t row, int samples)
       : task(task_with_chain(row)),
-        chain(task.chain.value_or(ThreeLinkChain{})),
-        family(chain, task.added, chain_positions(task.poses, chain).value_or(std::array<BodyPositions, 4>{})),
-        axes(six_bar_axes(family, samples)) {
-    classify_six_bars(map, family, axes.first, axes.second, circuits);
+        family(ChainFamily::of(task)),
+        rows(family->samples(Side::input, samples, Spacing::coordinate)),
+        columns(family->samples(Side::output, samples, Spacing::coordinate)) {
+    family->classify(map, rows, columns, true);
+  }
+  [[nodiscard]] Requirements with_defaults() const {
+    return linkwright::with_defaults(Requirements{}, family->chain());
   }
 };
 
 TEST(SixBarSynthesis, MapsWhatEachCellIs) {
   for (std::size_t row = 0; row < six_bar_rows().size(); ++row) {
-    const Mapped mapped(row, 6, false);
+    const Mapped mapped(row, 6);
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t k = 0; k < 6; ++k) {
-        const auto first = mapped.family.with_first(mapped.axes.first[i]);
-        const auto member = first
-                                ? mapped.family.member(*first, mapped.family.second_tau(*first, mapped.axes.second[k]))
-                                : std::nullopt;
+        const auto member = mapped.family->member({mapped.rows[i], mapped.columns[k]});
         const std::size_t cell = mapped.map.index(i, k);
         if (!member) {
           EXPECT_EQ(mapped.map.type(cell), LinkageType::degenerate);
@@ -59,23 +58,25 @@ TEST(SixBarSynthesis, MapsWhatEachCellIs) {
 }
 
 TEST(SixBarSynthesis, SetsTheCircuitBitOnlyBesideTheBranchBit) {
-  const Mapped without(1, 12, false), with(1, 12, true);
+  const Mapped mapped(1, 12);
   std::int64_t circuits = 0;
-  for (std::size_t cell = 0; cell < 144; ++cell) {
-    EXPECT_FALSE(without.map.defects(cell).circuit());
-    EXPECT_EQ(without.map.defects(cell).branch(), with.map.defects(cell).branch());
-    EXPECT_EQ(without.map.defects(cell).order(), with.map.defects(cell).order());
-    if (with.map.defects(cell).circuit()) {
-      EXPECT_TRUE(with.map.defects(cell).branch());
+  for (const double u : mapped.rows)
+    for (const double v : mapped.columns) {
+      const auto member = mapped.family->member({u, v});
+      if (!member) continue;
+      const Defects without = rating_of(*member, false).drive.defects, with = rating_of(*member, true).drive.defects;
+      EXPECT_FALSE(without.circuit());
+      EXPECT_EQ(without.branch(), with.branch());
+      EXPECT_EQ(without.order(), with.order());
+      EXPECT_TRUE(with.branch() || !with.circuit());
+      circuits += with.circuit();
     }
-    circuits += with.map.defects(cell).circuit();
-  }
   EXPECT_GT(circuits, 0);
 }
 
 TEST(SixBarSynthesis, TwoWaysRoundAreTheSameMap) {
   // Links 4 and 5 between the same bodies in the other order: the map is transposed.
-  const Mapped one(0, 10, false), other(6, 10, false);
+  const Mapped one(0, 10), other(6, 10);
   for (std::size_t i = 0; i < 10; ++i)
     for (std::size_t k = 0; k < 10; ++k) {
       EXPECT_EQ(one.map.type(one.map.index(i, k)), other.map.type(other.map.index(k, i)));
@@ -85,13 +86,13 @@ TEST(SixBarSynthesis, TwoWaysRoundAreTheSameMap) {
 
 TEST(SixBarSynthesis, RefinesTheBest) {
   for (const std::size_t row : {std::size_t{1}, std::size_t{5}, std::size_t{9}}) {
-    const Mapped mapped(row, 12, false);
+    const Mapped mapped(row, 12);
     float best_cell = 0;
     for (std::size_t cell = 0; cell < 144; ++cell)
       if (mapped.map.values(measures::link_ratio)[cell] < 20)
         best_cell = std::max(best_cell, mapped.map.values(measures::min_transmission_angle)[cell]);
-    const Requirements wanted = with_defaults(Requirements{}, mapped.chain);
-    const auto found = best_six_bars(mapped.task, mapped.chain, mapped.family, mapped.map, wanted, {.best = 2});
+    const Requirements wanted = mapped.with_defaults();
+    const auto found = best_six_bars(mapped.task, *mapped.family, mapped.map, wanted, {.best = 2});
     ASSERT_FALSE(found.empty());
     EXPECT_LE(found.size(), 2u);
     EXPECT_GE(found[0].rating.versine(), 0.99 * best_cell);
@@ -110,28 +111,25 @@ TEST(SixBarSynthesis, RefinesTheBest) {
 
 TEST(SixBarSynthesis, ImprovesASixBarUpToTheTopOfItsHill) {
   for (const std::size_t row : {std::size_t{1}, std::size_t{5}}) {
-    const Mapped mapped(row, 12, false);
-    const Requirements wanted = with_defaults(Requirements{}, mapped.chain);
-    const RequirementFilter filter = filter_of_six_bars(mapped.family, mapped.map, wanted);
-    const auto versine = [&](std::array<double, 2> place) {
-      const auto first = mapped.family.with_first(place[0]);
-      return rating_of(*mapped.family.member(*first, mapped.family.second_tau(*first, place[1])), false).versine();
-    };
-    const auto better_than = [&](std::array<double, 2> place) {
-      return improved_six_bar(mapped.chain, mapped.family, wanted, Objective::min_transmission_angle, place);
+    const Mapped mapped(row, 12);
+    const Requirements wanted = mapped.with_defaults();
+    const RequirementFilter filter = filter_of(*mapped.family, mapped.map, wanted);
+    const auto versine = [&](MapPoint point) { return rating_of(*mapped.family->member(point), false).versine(); };
+    const auto better_than = [&](MapPoint point) {
+      return improved_six_bar(*mapped.family, wanted, Objective::min_transmission_angle, point);
     };
     int improved = 0;
     for (std::size_t cell = 0; cell < 144; cell += 5) {
-      const std::array<double, 2> place = {mapped.axes.first[cell / 12], mapped.axes.second[cell % 12]};
+      const MapPoint place = {mapped.rows[cell / 12], mapped.columns[cell % 12]};
       const auto better = better_than(place);
       if (!filter.passes(cell / 12, cell % 12)) {
         EXPECT_FALSE(better);
       } else if (better) {
         ++improved;
         EXPECT_GT(versine(*better), versine(place));
-        EXPECT_LT((*better)[0], mapped.family.first().curve->coordinate_length());
-        EXPECT_LT((*better)[1], mapped.family.second_axis_length());
-        EXPECT_GE(std::min((*better)[0], (*better)[1]), 0);
+        EXPECT_LT(better->input, mapped.family->axis(Side::input).coordinate_length());
+        EXPECT_LT(better->output, mapped.family->axis(Side::output).coordinate_length());
+        EXPECT_GE(std::min(better->input, better->output), 0);
         const auto again = better_than(*better);
         EXPECT_LT(again ? versine(*again) - versine(*better) : 0, 0.02);
       }
@@ -143,12 +141,12 @@ TEST(SixBarSynthesis, ImprovesASixBarUpToTheTopOfItsHill) {
 TEST(SixBarSynthesis, FindsWhatPassesBesideATopThatDoesNot) {
   int tried = 0;
   for (const std::size_t row : {std::size_t{1}, std::size_t{5}}) {
-    const Mapped mapped(row, 12, false);
+    const Mapped mapped(row, 12);
     for (const double ratio : {12.0, 8.0, 6.0, 5.0, 4.0}) {
-      Requirements wanted = with_defaults(Requirements{}, mapped.chain);
+      Requirements wanted = mapped.with_defaults();
       wanted.max_link_ratio = ratio;
-      const RequirementFilter filter = filter_of_six_bars(mapped.family, mapped.map, wanted);
-      const auto found = best_six_bars(mapped.task, mapped.chain, mapped.family, mapped.map, wanted, {.best = 1});
+      const RequirementFilter filter = filter_of(*mapped.family, mapped.map, wanted);
+      const auto found = best_six_bars(mapped.task, *mapped.family, mapped.map, wanted, {.best = 1});
       EXPECT_EQ(found.empty(), filter.census().meeting == 0) << row << " " << ratio;
       tried += found.empty() ? 0 : 1;
     }

@@ -8,30 +8,13 @@
 
 #include "linkwright/core/notice.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/planar/chain_family.hpp"
 #include "linkwright/planar/six_bar_solution.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 
 namespace linkwright {
-
-/// The map of a chain's six-bars: row τ of link 4, column τ of link 5, the latter as a share of its curve in [0, 1)
-/// where that curve depends on link 4. Each cell is shape and verdict of one six-bar (SixBarRating::cell);
-/// `circuits` as SixBarDriveOptions::circuits. A cell without a link 4 or 5, or whose new link is one that is there
-/// already, is degenerate.
-void classify_six_bars(RegionMap& map, const SixBarFamily& family, std::span<const double> first,
-                       std::span<const double> second, bool circuits, const RegionOptions& options = {},
-                       const Progress& progress = {});
-
-/// `count` coordinates along each axis of that map: τᵢ = length · (i + ½)/count.
-struct SixBarAxes {
-  std::vector<double> first, second;
-};
-[[nodiscard]] SixBarAxes six_bar_axes(const SixBarFamily& family, int count);
-
-/// The map under requirements whose lengths are set. Refers to both, which must outlive it.
-[[nodiscard]] RequirementFilter filter_of_six_bars(const SixBarFamily& family, const RegionMap& map,
-                                                   const Requirements& requirements);
 
 /// How many six-bars are wanted, and by what.
 struct SixBarChoice {
@@ -43,17 +26,14 @@ struct SixBarChoice {
 /// The best six-bars of a map that meet requirements whose lengths are set, refined along both coordinates to the
 /// tops of their hills, checked and driven, best first, no two alike. What was found by then where `progress` is
 /// cancelled.
-[[nodiscard]] std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ThreeLinkChain& chain,
-                                                        const SixBarFamily& family, const RegionMap& map,
-                                                        const Requirements& requirements, const SixBarChoice& choice,
-                                                        const Progress& progress = {});
+[[nodiscard]] std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ChainFamily& family,
+                                                        const RegionMap& map, const Requirements& requirements,
+                                                        const SixBarChoice& choice, const Progress& progress = {});
 
-/// The top of the hill of that map on which a six-bar stands, as improved_linkage(): coordinates of the map. Nothing
-/// where the six-bar does not meet the requirements or is at the top already.
-[[nodiscard]] std::optional<std::array<double, 2>> improved_six_bar(const ThreeLinkChain& chain,
-                                                                    const SixBarFamily& family,
-                                                                    const Requirements& requirements,
-                                                                    Objective objective, std::array<double, 2> start);
+/// The top of the hill of that map on which a six-bar stands, as improved_linkage(). Nothing where the six-bar does not
+/// meet the requirements or is at the top already.
+[[nodiscard]] std::optional<MapPoint> improved_six_bar(const ChainFamily& family, const Requirements& requirements,
+                                                       Objective objective, MapPoint start);
 
 /// How many chains are tried where nobody says: enough for most tasks, in some seconds.
 inline constexpr int default_effort = 20'000;

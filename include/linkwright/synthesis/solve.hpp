@@ -12,6 +12,7 @@
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
+#include "linkwright/planar/chain_family.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/planar/freed_position.hpp"
 #include "linkwright/planar/missed_box.hpp"
@@ -46,6 +47,7 @@ struct Solution {
   /// Five positions: every pair of dyads, whatever its defects, best first; five precision points: every linkage.
   std::vector<FourBarSolution> pairs;
   std::vector<FreedPosition> freed;          ///< five positions, no linkage that meets the requirements: the ways out
+  std::shared_ptr<const ChainFamily> chain;  ///< six-bars of a given chain
   std::vector<SixBarSolution> six_bars;      ///< six-bar tasks, best first
   std::optional<SixBarSearchResult> search;  ///< six-bars without a given chain: how it went, its linkages moved out
   std::vector<Relaxation> relax;             ///< when no linkage meets the requirements, dearest first

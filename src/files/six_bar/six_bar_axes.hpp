@@ -1,18 +1,13 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "linkwright/algebra/circular_cubic.hpp"
-#include "linkwright/planar/four_bar_family.hpp"
-#include "linkwright/planar/six_bar_family.hpp"
+#include "linkwright/planar/chain_family.hpp"
 #include "linkwright/planar/six_bar_task.hpp"
 
 namespace linkwright {
-
-/// The family of a task's chain; nothing without a chain, or with one that does not reach all poses.
-[[nodiscard]] std::optional<SixBarFamily> six_bar_family(const SixBarTask& task);
 
 /// How an axis of a chain's map is spoken of.
 struct SixBarAxis {
@@ -21,6 +16,7 @@ struct SixBarAxis {
   bool is_share = false;              ///< a share of the curve, which is another for each link 4, instead of τ
   std::vector<CurveBranch> branches;  ///< of the curve; of shares one from 0 to 1
 };
-[[nodiscard]] SixBarAxis six_bar_axis(const SixBarTask& task, Side side);
+/// `family` of the task's chain; null without one.
+[[nodiscard]] SixBarAxis six_bar_axis(const SixBarTask& task, const ChainFamily* family, Side side);
 
 }  // namespace linkwright

@@ -103,8 +103,8 @@ void write_six_bar(JsonWriter& json, const SixBarSolution& found) {
   json.end_object();
 }
 
-void write_six_bar_axis(JsonWriter& json, const SixBarTask& task, Side side) {
-  const SixBarAxis axis = six_bar_axis(task, side);
+void write_six_bar_axis(JsonWriter& json, const SixBarTask& task, const ChainFamily* family, Side side) {
+  const SixBarAxis axis = six_bar_axis(task, family, side);
   json.begin_object();
   json.member("name", std::string_view(axis.name));
   json.member("quantity", axis.is_share ? "curve_share" : "curve_coordinate");

@@ -25,7 +25,7 @@ void write_lengths(JsonWriter& json, std::span<const SixBarLength> lengths);
 void write_six_bar(JsonWriter& json, const SixBarSolution& found);
 
 /// An element of a region's `axes`: link 4 to the rows, link 5 to the columns.
-void write_six_bar_axis(JsonWriter& json, const SixBarTask& task, Side side);
+void write_six_bar_axis(JsonWriter& json, const SixBarTask& task, const ChainFamily* family, Side side);
 
 /// How a search went: the object `search`.
 void write_search(JsonWriter& json, const SixBarSearchResult& search, const SynthesisOptions& options);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "linkwright/planar/six_bar_family.hpp"
+#include "linkwright/planar/six_bar_task.hpp"
+#include "linkwright/region/linkage_family.hpp"
+
+namespace linkwright {
+
+/// The six-bars of a given chain as a family over two coordinates: row τ of link 4, column τ of link 5, the latter as a
+/// share of its curve in [0, 1) where that curve depends on link 4. A cell without a link 4 or 5, or whose new link is
+/// one that is there already, is degenerate. Each cell is driven through, but not round its whole circuit.
+class ChainFamily : public LinkageFamily {
+ public:
+  ChainFamily(const ThreeLinkChain& chain, std::array<BodyPair, 2> added, std::array<BodyPositions, 4> bodies);
+  /// Of a task; nothing without a chain, or with one that does not reach all poses.
+  [[nodiscard]] static std::shared_ptr<const ChainFamily> of(const SixBarTask& task);
+
+  [[nodiscard]] const ThreeLinkChain& chain() const { return chain_; }
+  [[nodiscard]] const SixBarFamily& six_bars() const { return six_bars_; }
+  /// The links of an axis; null where they are others for each link 4.
+  [[nodiscard]] const AddedLinks* links(Side side) const;
+  /// The second coordinate is a share of a curve.
+  [[nodiscard]] bool second_is_share() const { return six_bars_.second_depends_on_first(); }
+
+  /// Nothing where there is no six-bar.
+  [[nodiscard]] std::optional<SixBarMember> member(MapPoint point) const;
+  [[nodiscard]] MapPoint point_of(const SixBarMember& member) const;
+
+  [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
+
+ private:
+  ChainFamily(const ThreeLinkChain& chain, SixBarFamily six_bars);
+  void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
+            const RegionOptions& options, const Progress& progress) const override;
+
+  ThreeLinkChain chain_;
+  SixBarFamily six_bars_;
+};
+
+}  // namespace linkwright

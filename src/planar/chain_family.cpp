@@ -1,0 +1,101 @@
+#include "linkwright/planar/chain_family.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/parallel.hpp"
+#include "linkwright/planar/four_bar_map.hpp"
+#include "linkwright/planar/six_bar_solution.hpp"
+
+namespace linkwright {
+namespace {
+
+MapAxis second_axis(const SixBarFamily& six_bars) {
+  if (const AddedLinks* links = six_bars.independent_second())
+    return {AxisQuantity::curve_coordinate, links->curve->branches()};
+  return {AxisQuantity::curve_coordinate, {{"link_5", 0, 1}}};
+}
+
+/// The chain prescribes how the driver turns, whatever the added links are.
+DriverTravel driver_travel(const SixBarFamily& family) {
+  const BodyPositions& driver = family.bodies()[SixBar::driver];
+  double ccw = 0, cw = 0;
+  for (std::size_t j = 1; j < driver.at.size(); ++j) {
+    const double turn = wrap_positive(std::arg(std::conj(driver.at[j - 1].turn) * driver.at[j].turn));
+    ccw += turn;
+    cw += turn > 0 ? two_pi - turn : 0;
+  }
+  const double from_first_to_last = wrap_positive(std::arg(driver.at.back().turn));
+  return {ccw < cw ? DriverTravel::ccw : DriverTravel::cw, static_cast<float>(from_first_to_last)};
+}
+
+std::vector<std::optional<SixBarFamily::WithFirst>> first_links(const SixBarFamily& family,
+                                                                std::span<const double> coordinates, int threads) {
+  std::vector<std::optional<SixBarFamily::WithFirst>> links(coordinates.size());
+  parallel_for(links.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) links[i] = family.with_first(coordinates[i]);
+  });
+  return links;
+}
+
+}  // namespace
+
+ChainFamily::ChainFamily(const ThreeLinkChain& chain, std::array<BodyPair, 2> added,
+                         std::array<BodyPositions, 4> bodies)
+    : ChainFamily(chain, SixBarFamily(chain, added, bodies)) {}
+
+ChainFamily::ChainFamily(const ThreeLinkChain& chain, SixBarFamily six_bars)
+    : LinkageFamily({AxisQuantity::curve_coordinate, six_bars.first().curve->branches()}, second_axis(six_bars)),
+      chain_(chain),
+      six_bars_(std::move(six_bars)) {}
+
+std::shared_ptr<const ChainFamily> ChainFamily::of(const SixBarTask& task) {
+  const auto bodies = task.chain ? chain_positions(task.poses, *task.chain) : std::nullopt;
+  return bodies ? std::make_shared<ChainFamily>(*task.chain, task.added, *bodies) : nullptr;
+}
+
+const AddedLinks* ChainFamily::links(Side side) const {
+  return side == Side::input ? &six_bars_.first() : six_bars_.independent_second();
+}
+
+std::optional<SixBarMember> ChainFamily::member(MapPoint point) const {
+  const auto first = six_bars_.with_first(point.input);
+  return first ? six_bars_.member(*first, six_bars_.second_tau(*first, point.output)) : std::nullopt;
+}
+
+MapPoint ChainFamily::point_of(const SixBarMember& member) const {
+  const auto [tau_4, tau_5] = member.coordinates;
+  const auto first = six_bars_.with_first(tau_4);
+  return {tau_4, first ? six_bars_.second_coordinate(*first, tau_5) : tau_5};
+}
+
+MapPivots ChainFamily::pivots(const RegionMap& map) const {
+  const auto of_cell = [this, &map, links = first_links(six_bars_, map.input_coordinates(), map.threads())](
+                           std::size_t row, std::size_t column) -> std::optional<Pivots> {
+    const auto& first = links[row];
+    const auto member =
+        first ? six_bars_.member(*first, six_bars_.second_tau(*first, map.output_coordinates()[column])) : std::nullopt;
+    if (!member) return std::nullopt;
+    Pivots pivots;
+    for (const SixBarJoint& joint : member->six_bar.joints)
+      (is_on_ground(joint) ? pivots.ground : pivots.moving).push_back(joint.point);
+    return pivots;
+  };
+  return {{}, {}, of_cell};
+}
+
+void ChainFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                       bool /*respect_direction*/, const RegionOptions& options, const Progress& progress) const {
+  constexpr bool circuits = false;  // takes a walk round the whole circuit
+  const auto links = first_links(six_bars_, input, options.threads);
+  const auto cell_at = [&](std::size_t row, std::size_t column) -> MapCell {
+    const auto& first = links[row];
+    if (!first) return {};
+    const auto found = six_bars_.member(*first, six_bars_.second_tau(*first, output[column]));
+    return found ? rating_of(*found, circuits).cell() : MapCell{};
+  };
+  map.judge_cells(input, output, planar_measures, driver_travel(six_bars_), cell_at, options, progress);
+}
+
+}  // namespace linkwright
