@@ -67,17 +67,17 @@ std::optional<SideLinks> ProductFamily::side_links_beside(MapPoint place, const 
   return output ? std::optional(SideLinks{*input, *output}) : std::nullopt;
 }
 
-MapPivots ProductFamily::pivots(const RegionMap& map) const {
+MapPivots ProductFamily::pivots(const RegionMap& map) const { return {map.row_pivots(), map.column_pivots(), {}}; }
+
+std::vector<GroundedLinkPivots> ProductFamily::pivots_of(const std::vector<Dyad>& links) const {
   const auto user = [&](Homogeneous point) {
     const auto p = finite_point(point);
     return p ? std::optional(frame().to_user(*p)) : std::nullopt;
   };
-  const auto along = [&](Side side, std::span<const double> coordinates) {
-    std::vector<GroundedLinkPivots> found;
-    for (const Dyad& link : dyads(side, coordinates)) found.push_back({user(link.center), user(link.circle)});
-    return found;
-  };
-  return {along(Side::input, map.input_coordinates()), along(Side::output, map.output_coordinates()), {}};
+  std::vector<GroundedLinkPivots> found;
+  found.reserve(links.size());
+  for (const Dyad& link : links) found.push_back({user(link.center), user(link.circle)});
+  return found;
 }
 
 std::vector<Dyad> ProductFamily::polygon(Side side) const {
@@ -107,10 +107,13 @@ FourBarFamily::LinksOfCells ProductFamily::links_of_cells(std::span<const double
 void ProductFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                          bool respect_direction, const RegionOptions& options, const Progress& progress) const {
   const DyadAxis rows(dyads(Side::input, input), working_poses(), respect_direction);
-  if (is_symmetric() && std::equal(input.begin(), input.end(), output.begin(), output.end()))
-    return classify_pairs(map, rows, rows, frame().scale, options, progress);
+  if (is_symmetric() && std::equal(input.begin(), input.end(), output.begin(), output.end())) {
+    classify_pairs(map, rows, rows, frame().scale, options, progress);
+    return map.set_pivots(pivots_of(rows.dyads), pivots_of(rows.dyads));
+  }
   const DyadAxis columns(dyads(Side::output, output), working_poses(), respect_direction);
   classify_pairs(map, rows, columns, frame().scale, options, progress);
+  map.set_pivots(pivots_of(rows.dyads), pivots_of(columns.dyads));
 }
 
 CurveFamily::CurveFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,

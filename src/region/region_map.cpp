@@ -26,6 +26,8 @@ void RegionMap::lay(std::span<const double> input, std::span<const double> outpu
   output_.assign(output.begin(), output.end());
   drivers_.assign(input.size(), {});
   diagonal_.clear();
+  row_pivots_.clear();
+  column_pivots_.clear();
   threads_ = options.threads;
   rows_ = input.size();
   columns_ = output.size();

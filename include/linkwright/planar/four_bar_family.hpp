@@ -108,6 +108,7 @@ class ProductFamily : public MotionFamily {
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
 
  private:
+  [[nodiscard]] std::vector<GroundedLinkPivots> pivots_of(const std::vector<Dyad>& links) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 };

@@ -17,11 +17,6 @@ struct Pivots {
   std::vector<Point> ground, moving;
 };
 
-/// The pivots of one grounded link; nothing at infinity.
-struct GroundedLinkPivots {
-  std::optional<Point> ground, moving;
-};
-
 /// The pivots of a map's linkages: of its rows and its columns, where each grounded link depends on its own coordinate
 /// alone, otherwise of its cells.
 struct MapPivots {

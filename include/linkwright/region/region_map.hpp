@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "linkwright/algebra/point.hpp"
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/simd.hpp"
@@ -25,6 +27,11 @@ struct RegionOptions {
 struct RegionCounts {
   std::array<std::int64_t, 10> types{};  ///< by LinkageType
   std::int64_t order = 0, branch = 0, circuit = 0, defect_free = 0, pairs = 0;
+};
+
+/// The pivots of one grounded link in position 1, user's frame; nothing at infinity.
+struct GroundedLinkPivots {
+  std::optional<Point> ground, moving;
 };
 
 /// How the driving link of a row passes the positions.
@@ -65,6 +72,11 @@ class RegionMap {
   /// For each row, the column in which the same grounded link stands a second time; none: no such.
   static constexpr std::uint32_t no_diagonal = 0xFFFFFFFF;
   void set_diagonal(std::vector<std::uint32_t> column_of_row) { diagonal_ = std::move(column_of_row); }
+  /// Where the pivots of its rows and columns lie, where each grounded link depends on its own coordinate alone.
+  void set_pivots(std::vector<GroundedLinkPivots> rows, std::vector<GroundedLinkPivots> columns) {
+    row_pivots_ = std::move(rows);
+    column_pivots_ = std::move(columns);
+  }
   /// Degenerate cells, for rows that are not judged.
   void leave_empty(std::size_t row_begin, std::size_t row_end);
 
@@ -106,6 +118,10 @@ class RegionMap {
     return row < diagonal_.size() && diagonal_[row] == column;
   }
 
+  /// As set; none where they belong to the cells.
+  [[nodiscard]] const std::vector<GroundedLinkPivots>& row_pivots() const { return row_pivots_; }
+  [[nodiscard]] const std::vector<GroundedLinkPivots>& column_pivots() const { return column_pivots_; }
+
   /// The coordinates of the samples.
   [[nodiscard]] std::span<const double> input_coordinates() const { return input_; }
   [[nodiscard]] std::span<const double> output_coordinates() const { return output_; }
@@ -120,6 +136,7 @@ class RegionMap {
   std::vector<double> input_, output_;
   std::vector<DriverTravel> drivers_;
   std::vector<std::uint32_t> diagonal_;
+  std::vector<GroundedLinkPivots> row_pivots_, column_pivots_;
   Column<std::uint8_t> type_, defects_;
   std::vector<Measure> measures_;
   std::vector<Column<float>> values_;
