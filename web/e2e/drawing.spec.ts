@@ -154,7 +154,7 @@ test("a box is drawn where the ground pivots must lie, resized, and both agree w
         bad = [];
       for (const cell of chosen) {
         const tau: [number, number] = [map!.input_tau[Math.floor(cell / n)], map!.output_tau[cell % n]];
-        const {linkage} = await workbench.driver_client!.request("linkage", {
+        const {linkage} = await workbench.driver_client!.follow("linkage", {
           problem: JSON.stringify({...workbench.problem, view: undefined}),
           tau,
         });

@@ -24,7 +24,7 @@ import {Server} from "../src/engine/serve";
 import {stored_start, thumbnail} from "../src/engine/stored";
 import {halo_reach} from "../src/drawing/drags/pose_drags";
 import {first_example} from "../src/gallery/gallery";
-import {roomy_squares} from "../src/state/linkage_follower";
+import {roomy_squares} from "../src/state/halo_follower";
 import {engine_text} from "../src/state/problem";
 import {read_problem} from "../src/state/problem_shape";
 import {poses_of} from "../src/state/task";
@@ -46,7 +46,7 @@ beforeAll(async () => {
 
 function reply<K extends Kind>(kind: K, content: Requests[K]): Replies[K] | {refused: Mistake[]} {
   const {message} = server.serve({id: 1, kind, ...content} as unknown as RequestMessage);
-  const answer = message as Extract<ReplyMessage, {id: number}>;
+  const answer = message as Exclude<Extract<ReplyMessage, {id: number}>, {tidings: unknown}>;
   return "refused" in answer ? {refused: answer.refused.mistakes} : (answer.reply as Replies[K]);
 }
 function ask<K extends Kind>(kind: K, content: Requests[K]): Replies[K] {

@@ -1,5 +1,5 @@
 import {afterEach, beforeEach, describe, expect, it, vi} from "vitest";
-import {Crashed, EngineClient, no_answer, patience_ms, Refusal, Superseded} from "./client";
+import {Cancelled, Crashed, EngineClient, no_answer, patience_ms, Refusal, Superseded} from "./client";
 import type {ReplyMessage, RequestMessage} from "./protocol";
 
 /** A worker that answers when it is told to. */
@@ -79,8 +79,8 @@ afterEach(() => {
 describe("one engine worker", () => {
   it("is asked nothing before it is ready, and one thing at a time", async () => {
     const engine = client();
-    const first = engine.request("linkage", {problem, tau}),
-      second = engine.request("live", {problem, tau});
+    const first = engine.follow("linkage", {problem, tau}),
+      second = engine.follow("live", {problem, tau});
     expect(Puppet.last.asked).toEqual([]);
     Puppet.last.ready();
     expect(readies).toBe(1);
@@ -95,9 +95,9 @@ describe("one engine worker", () => {
   it("answers the last of each kind that waits", async () => {
     const engine = client();
     Puppet.last.ready();
-    const running = engine.request("linkage", {problem, tau: [0, 0]});
-    const lost = expect(engine.request("linkage", {problem, tau: [1, 1]})).rejects.toBeInstanceOf(Superseded);
-    const last = engine.request("linkage", {problem, tau: [2, 2]});
+    const running = engine.follow("linkage", {problem, tau: [0, 0]});
+    const lost = expect(engine.follow("linkage", {problem, tau: [1, 1]})).rejects.toBeInstanceOf(Superseded);
+    const last = engine.follow("linkage", {problem, tau: [2, 2]});
     await lost;
     Puppet.last.answer({n: 0});
     expect(await running).toEqual({n: 0});
@@ -108,9 +108,9 @@ describe("one engine worker", () => {
   it("lets a map wait for all others", () => {
     const engine = client();
     Puppet.last.ready();
-    void engine.request("live", {problem, tau});
-    void engine.request("explore", explore);
-    void engine.request("linkage", {problem, tau});
+    void engine.follow("live", {problem, tau});
+    void engine.follow("explore", explore);
+    void engine.follow("linkage", {problem, tau});
     Puppet.last.answer();
     expect(Puppet.last.asked.map((m) => m.kind)).toEqual(["live", "linkage"]);
     Puppet.last.answer();
@@ -119,7 +119,7 @@ describe("one engine worker", () => {
   it("drops what is not wanted any more", async () => {
     const engine = client();
     const lost = expect(
-      engine.request("halo", {problem, pose: 0, mode: "move", reach: 1, steps: 3, samples: 8}),
+      engine.follow("halo", {problem, pose: 0, mode: "move", reach: 1, steps: 3, samples: 8}),
     ).rejects.toBeInstanceOf(Superseded);
     engine.cancel("halo");
     await lost;
@@ -129,7 +129,7 @@ describe("one engine worker", () => {
   it("hands on the caller's mistakes", async () => {
     const engine = client();
     Puppet.last.ready();
-    const read = engine.request("read", {text: "{"});
+    const read = engine.follow("read", {text: "{"});
     Puppet.last.say({
       id: Puppet.last.asked[0].id,
       kind: "read",
@@ -142,7 +142,7 @@ describe("one engine worker", () => {
   it("takes no notice of answers to what it did not ask", async () => {
     const engine = client();
     Puppet.last.ready();
-    const reply = engine.request("verify", {problem, tau});
+    const reply = engine.follow("verify", {problem, tau});
     Puppet.last.say({id: 999, kind: "verify", reply: {verified: false}});
     expect(engine.busy).toBe(true);
     Puppet.last.answer({verified: true});
@@ -155,8 +155,8 @@ describe("a worker that dies", () => {
     const engine = client(),
       first = Puppet.last;
     first.ready();
-    const lost = expect(engine.request("explore", explore)).rejects.toBeInstanceOf(Crashed);
-    const waits = engine.request("linkage", {problem, tau});
+    const lost = expect(engine.follow("explore", explore)).rejects.toBeInstanceOf(Crashed);
+    const waits = engine.follow("linkage", {problem, tau});
     engine.kill();
     await lost;
     expect(first.dead).toBe(true);
@@ -190,7 +190,7 @@ describe("a worker that dies", () => {
     expect(engine.resting).toBe(true);
     vi.advanceTimersByTime(1e6);
     expect(Puppet.all.length).toBe(4);
-    const waits = engine.request("linkage", {problem, tau});
+    const waits = engine.follow("linkage", {problem, tau});
     engine.restart();
     expect(engine.resting).toBe(false);
     expect(Puppet.all.length).toBe(5);
@@ -201,7 +201,7 @@ describe("a worker that dies", () => {
   /** Answers well, then dies. */
   async function dies_after_an_answer(engine: EngineClient): Promise<void> {
     Puppet.last.ready();
-    const reply = engine.request("linkage", {problem, tau});
+    const reply = engine.follow("linkage", {problem, tau});
     Puppet.last.answer({});
     await reply;
     Puppet.last.say({kind: "crashed", message: "again"});
@@ -222,12 +222,12 @@ describe("a worker that dies", () => {
       vi.advanceTimersByTime(4000);
     }
     const before = Puppet.all.length,
-      answered = engine.run("linkage", {problem, tau});
+      answered = engine.run({kind: "linkage", problem, tau});
     expect(Puppet.all.length).toBe(before + 1);
     Puppet.last.ready();
     Puppet.last.answer({linkage: 3});
     expect(await answered).toEqual({linkage: 3});
-    const lost = expect(engine.run("linkage", {problem, tau})).rejects.toThrow(Crashed);
+    const lost = expect(engine.run({kind: "linkage", problem, tau})).rejects.toThrow(Crashed);
     while (!engine.resting) {
       Puppet.last.say({kind: "crashed", message: "again"});
       vi.advanceTimersByTime(4000);
@@ -247,8 +247,8 @@ describe("a worker that dies", () => {
     const engine = client(),
       first = Puppet.last;
     first.ready();
-    const lost = expect(engine.request("verify", {problem, tau})).rejects.toBeInstanceOf(Crashed);
-    const waits = engine.request("linkage", {problem, tau});
+    const lost = expect(engine.follow("verify", {problem, tau})).rejects.toBeInstanceOf(Crashed);
+    const waits = engine.follow("linkage", {problem, tau});
     vi.advanceTimersByTime(patience_ms - 1);
     expect(first.dead).toBe(false);
     vi.advanceTimersByTime(1);
@@ -264,13 +264,13 @@ describe("a worker that dies", () => {
 });
 
 describe("what is run", () => {
-  const dxf = {problem, tau, format: "dxf"} as const,
-    svg = {problem, tau, format: "svg"} as const;
+  const dxf = {kind: "export", problem, tau, format: "dxf"} as const,
+    svg = {kind: "export", problem, tau, format: "svg"} as const;
   it("is answered whatever else is asked meanwhile, of its own kind too", async () => {
     const engine = client();
-    const first = engine.run("export", dxf),
-      second = engine.run("export", svg);
-    const followed = engine.request("export", {problem, tau, format: "csv"});
+    const first = engine.run(dxf),
+      second = engine.run(svg);
+    const followed = engine.follow("export", {problem, tau, format: "csv"});
     Puppet.last.ready();
     for (let i = 0; i < 3; ++i) {
       const {format} = Puppet.last.asked.at(-1) as unknown as {format: string};
@@ -281,23 +281,23 @@ describe("what is run", () => {
   });
   it("takes turns with what follows the pointer", () => {
     const engine = client();
-    for (let i = 0; i < 3; ++i) void engine.run("export", dxf);
+    for (let i = 0; i < 3; ++i) void engine.run(dxf);
     Puppet.last.ready();
     for (let i = 0; i < 4; ++i) {
-      void engine.request("linkage", {problem, tau: [i, i]}).catch(() => {}); // superseded by the next
+      void engine.follow("linkage", {problem, tau: [i, i]}).catch(() => {}); // superseded by the next
       Puppet.last.answer();
     }
     expect(Puppet.last.asked.map(({kind}) => kind)).toEqual(["export", "linkage", "export", "linkage", "export"]);
   });
   it("outlives a worker's death once: it may be what it dies of", async () => {
     const engine = client(),
-      made = engine.run("export", dxf);
+      made = engine.run(dxf);
     Puppet.last.ready();
     engine.kill();
     Puppet.last.ready();
     Puppet.last.answer({text: "x"});
     expect(await made).toEqual({text: "x"});
-    const deadly = expect(engine.run("export", svg)).rejects.toBeInstanceOf(Crashed);
+    const deadly = expect(engine.run(svg)).rejects.toBeInstanceOf(Crashed);
     for (let i = 0; i < 2; ++i) {
       engine.kill();
       vi.advanceTimersByTime(4000);
@@ -305,5 +305,64 @@ describe("what is run", () => {
     }
     await deadly;
     expect(engine.busy).toBe(false);
+  });
+  it("leaves the queue when it is cancelled, and what was cancelled before is not asked", async () => {
+    const engine = client(),
+      stop = new AbortController();
+    Puppet.last.ready();
+    void engine.run(dxf);
+    const cancelled = expect(engine.run(svg, {signal: stop.signal})).rejects.toBeInstanceOf(Cancelled);
+    stop.abort();
+    await cancelled;
+    await expect(engine.run(svg, {signal: stop.signal})).rejects.toBeInstanceOf(Cancelled);
+    Puppet.last.answer({text: "x"});
+    expect(Puppet.last.asked.map((message) => "format" in message && message.format)).toEqual(["dxf"]);
+    expect(engine.busy).toBe(false);
+  });
+  it("that is cancelled at work ends its worker after a moment, without a death being told", async () => {
+    const engine = client(),
+      first = Puppet.last,
+      stop = new AbortController();
+    first.ready();
+    const cancelled = expect(engine.run(dxf, {signal: stop.signal})).rejects.toBeInstanceOf(Cancelled);
+    const waits = engine.run(svg);
+    stop.abort();
+    await cancelled;
+    expect(first.dead).toBe(false);
+    vi.advanceTimersByTime(1000);
+    expect(first.dead).toBe(true);
+    expect(crashes).toEqual([]);
+    Puppet.last.ready();
+    Puppet.last.answer({text: "x"});
+    expect(await waits).toEqual({text: "x"});
+  });
+  it("that ends soon after it was cancelled keeps its worker", () => {
+    const engine = client(),
+      stop = new AbortController();
+    Puppet.last.ready();
+    engine.run(dxf, {signal: stop.signal}).catch(() => {});
+    stop.abort();
+    Puppet.last.answer({text: "x"});
+    vi.advanceTimersByTime(10_000);
+    expect(Puppet.all.length).toBe(1);
+  });
+  it("tells how far it is, and is waited for as long as it does", async () => {
+    const engine = client(),
+      heard: number[] = [];
+    Puppet.last.ready();
+    const found = engine.run(
+      {kind: "search", rounds: ["{}", "{}"], most: 1},
+      {progress: ({rounds}) => heard.push(rounds)},
+    );
+    const [{id, kind}] = Puppet.last.asked;
+    for (const rounds of [1, 2]) {
+      vi.advanceTimersByTime(patience_ms - 1);
+      Puppet.last.say({id, kind, tidings: {rounds, found: {}}});
+    }
+    vi.advanceTimersByTime(patience_ms - 1);
+    Puppet.last.answer({linkages: []});
+    expect(await found).toEqual({linkages: []});
+    expect(heard).toEqual([1, 2]);
+    expect(crashes).toEqual([]);
   });
 });

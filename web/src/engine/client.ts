@@ -1,4 +1,4 @@
-import type {Kind, Mistake, RequestMessage, ReplyMessage, Replies, Requests} from "./protocol";
+import type {Kind, Mistake, RequestMessage, ReplyMessage, Replies, Requests, TidingsOf} from "./protocol";
 
 /** The engine refused: the caller's mistakes, each with its place. */
 export class Refusal extends Error {
@@ -8,13 +8,24 @@ export class Refusal extends Error {
 }
 /** A newer request of the same kind took this one's place. */
 export class Superseded extends Error {}
+/** It was wanted no longer. */
+export class Cancelled extends Error {}
 /** The worker died while it had this request, or was ended because it did not answer. */
 export class Crashed extends Error {}
 
-interface Job {
+/** A request by its kind. */
+export type Job<K extends Kind> = {kind: K} & Requests[K];
+export interface Run<K extends Kind> {
+  /** Ends it: it leaves the queue at once, and a worker that is still at it after a moment is ended. */
+  signal?: AbortSignal;
+  /** Hears what the job tells on its way. */
+  progress?: (tidings: TidingsOf<K>) => void;
+}
+interface Asked {
   message: RequestMessage;
   resolve(reply: never): void;
   reject(reason: Error): void;
+  progress?(tidings: never): void;
   /** Never superseded; asked once more where a worker died with it. */
   kept: boolean;
   asked: number;
@@ -29,17 +40,18 @@ const most_in_a_row = 3,
   remembered_ms = 300_000;
 const first_delay_ms = 250,
   longest_delay_ms = 4000; // doubled from death to death
+const grace_ms = 1000; // a new worker takes longer to load than most jobs to end
 
-/** One engine worker. At most one request is with the worker. Of the waiting ones that follow something the last of each
+/** One engine worker. At most one request is with the worker. Of the waiting ones that `follow` something the last of each
  *  kind wins, and a map waits for all others; those that are `run` are all answered, in turn with the former. A worker that
- *  dies, or gives no answer for `patience` ms, is started again, ever later, and what waits goes on; one that dies time after
+ *  dies, or says nothing for `patience` ms, is started again, ever later, and what waits goes on; one that dies time after
  *  time is let rest until `restart`. */
 export class EngineClient {
   private worker: Worker | null = null;
   private next_id = 1;
-  private running: Job | null = null;
-  private readonly waiting = new Map<Kind, Job>();
-  private kept: Job[] = [];
+  private running: Asked | null = null;
+  private readonly waiting = new Map<Kind, Asked>();
+  private kept: Asked[] = [];
   private kept_next = true;
   private ready = false;
   private deaths: number[] = []; // when, of late
@@ -58,30 +70,33 @@ export class EngineClient {
   }
 
   /** What follows the task or the pointer: a newer request of the same kind takes its place. */
-  request<K extends Kind>(kind: K, content: Requests[K]): Promise<Replies[K]> {
+  follow<K extends Kind>(kind: K, request: Requests[K]): Promise<Replies[K]> {
     return new Promise<Replies[K]>((resolve, reject) => {
       this.cancel(kind); // and the newer request goes to the end of the queue
-      this.waiting.set(kind, this.job(kind, content, resolve, reject, false));
+      this.waiting.set(kind, {...this.asked({kind, ...request}), resolve, reject, kept: false});
       this.pump();
     });
   }
-  /** What is wanted whatever else is asked: exports, the linkages of pins. */
-  run<K extends Kind>(kind: K, content: Requests[K]): Promise<Replies[K]> {
+  /** What is wanted whatever else is asked, until `signal` says otherwise: searches, exports, the linkages of pins. */
+  run<K extends Kind>(job: Job<K>, {signal, progress}: Run<K> = {}): Promise<Replies[K]> {
     return new Promise<Replies[K]>((resolve, reject) => {
-      this.kept.push(this.job(kind, content, resolve, reject, true));
+      if (signal?.aborted) return reject(new Cancelled());
+      const asked: Asked = {...this.asked(job), resolve, reject, progress, kept: true};
+      signal?.addEventListener("abort", () => this.drop(asked), {once: true});
+      this.kept.push(asked);
       if (this.resting) this.wake();
       else this.pump();
     });
   }
-  private job<K extends Kind>(
-    kind: K,
-    content: Requests[K],
-    resolve: (reply: Replies[K]) => void,
-    reject: Job["reject"],
-    kept: boolean,
-  ): Job {
-    const message = {id: this.next_id++, kind, ...content} as unknown as RequestMessage;
-    return {message, resolve: resolve as Job["resolve"], reject, kept, asked: 0};
+  private asked<K extends Kind>(job: Job<K>): Pick<Asked, "message" | "asked"> {
+    return {message: {id: this.next_id++, ...job} as unknown as RequestMessage, asked: 0};
+  }
+  private drop(job: Asked): void {
+    job.kept = false;
+    job.progress = undefined;
+    job.reject(new Cancelled());
+    this.kept = this.kept.filter((other) => other !== job);
+    if (this.running === job) setTimeout(() => this.running === job && this.renew(), grace_ms);
   }
 
   /** Nothing of this kind is wanted any more. */
@@ -104,6 +119,12 @@ export class EngineClient {
     this.in_a_row = 0;
     this.crashed(message);
   }
+  /** Another worker in place of one that is at work in vain. */
+  private renew(): void {
+    this.end_worker();
+    this.running = null;
+    this.launch();
+  }
   /** Somebody waits for an answer: once more. */
   private wake(): void {
     this.deaths = [];
@@ -113,7 +134,8 @@ export class EngineClient {
   /** It is not needed any more; what it has under way is not answered. */
   close(): void {
     this.end_worker();
-    for (const job of [this.running, ...this.waiting.values(), ...this.kept]) job?.reject(new Superseded());
+    for (const job of [this.running, ...this.waiting.values(), ...this.kept])
+      job?.reject(job.kept ? new Cancelled() : new Superseded());
     this.running = null;
     this.waiting.clear();
     this.kept = [];
@@ -150,10 +172,14 @@ export class EngineClient {
     if (!next) return;
     this.running = next;
     ++next.asked;
-    this.watch = setTimeout(() => this.crashed(no_answer), this.patience);
+    this.await_word();
     this.worker!.postMessage(next.message);
   }
-  private next(): Job | undefined {
+  private await_word(): void {
+    clearTimeout(this.watch);
+    this.watch = setTimeout(() => this.crashed(no_answer), this.patience);
+  }
+  private next(): Asked | undefined {
     const following = [...this.waiting.values()],
       quick = following.find((job) => job.message.kind !== "explore");
     const kept = this.kept.length > 0 && (this.kept_next || !quick);
@@ -173,6 +199,11 @@ export class EngineClient {
       return;
     } else if (this.running?.message.id === message.id) {
       const job = this.running;
+      if ("tidings" in message) {
+        this.await_word();
+        job.progress?.(message.tidings as never);
+        return;
+      }
       this.running = null;
       this.in_a_row = 0;
       clearTimeout(this.watch);

@@ -354,6 +354,8 @@ export interface Requests {
    *  turned up to ± reach_deg. */
   halo: {problem: string; pose: number; mode: "move" | "turn"; reach: number; steps: number; samples: number};
   best: {problem: string; most: number};
+  /** The best of several problems one after the other, the answer that of the last; each is told as it comes. */
+  search: {rounds: readonly string[]; most: number};
   improve: {problem: string; tau: TauPair};
   verify: {problem: string; tau: TauPair};
   trace: {problem: string; tau: TauPair; point: Point}; // path of a body point (position 1 coordinates)
@@ -361,24 +363,27 @@ export interface Requests {
   /** Reads a problem file: its normal form or its mistakes. */
   read: {text: string};
 }
+/** One of the best. */
+export interface Ranked {
+  tau: TauPair;
+  type: LinkageType;
+  min_transmission_angle_deg: number;
+  link_ratio: number;
+  longest: number;
+  /** Of a four-bar both ends of input and output, of a longer linkage all its hinges. */
+  pivots: Point[];
+  /** Of a generator. */
+  max_structural_error_deg?: number | null;
+  /** Where that is searched for. */
+  chain?: Chain;
+}
 export interface Replies {
   explore: {task: TaskAnswer; map: MapAnswer | null; engine_ms: number};
   linkage: {linkage: Linkage; engine_ms: number};
   live: Record<Side, Uint8Array>; // by the index of that side's curve samples: that side link there, the other held
   halo: {offsets: Float64Array; counts: Uint32Array; steps: number; reach: number; engine_ms: number}; // counts: row-major [dy][dx] (steps²) or [turn] (steps)
-  best: {
-    linkages: {
-      tau: TauPair;
-      type: LinkageType;
-      min_transmission_angle_deg: number;
-      link_ratio: number;
-      longest: number;
-      max_structural_error_deg?: number | null;
-      pivots: Point[];
-      chain?: Chain;
-    }[];
-    notices: Notice[];
-  }; // pivots: of a four-bar both ends of input and output, of a six-bar its seven hinges; each with its chain where that is searched for
+  best: {linkages: Ranked[]; notices: Notice[]};
+  search: Replies["best"];
   improve: {tau: TauPair; improved: boolean};
   verify: {verified: boolean; residual: number};
   trace: {points: Float64Array}; // 2K, one per drive state
@@ -386,6 +391,12 @@ export interface Replies {
   read: {problem: string};
 }
 export type Kind = keyof Requests;
+
+/** What a job tells on its way, of those that do. */
+export interface Tidings {
+  search: {rounds: number; found: Replies["best"]}; // rounds that are through, and what the last of them found
+}
+export type TidingsOf<K extends Kind> = K extends keyof Tidings ? Tidings[K] : never;
 
 /** A reply that is not one: the caller's mistakes. */
 export interface Refused {
@@ -395,6 +406,7 @@ export interface Refused {
 export type RequestMessage = {[K in Kind]: {id: number; kind: K} & Requests[K]}[Kind];
 export type ReplyMessage =
   | {[K in Kind]: {id: number; kind: K; reply: Replies[K]}}[Kind]
+  | {[K in keyof Tidings]: {id: number; kind: K; tidings: Tidings[K]}}[keyof Tidings]
   | {id: number; kind: Kind; refused: Refused}
   | {kind: "ready"; version: string}
   | {kind: "crashed"; message: string};

@@ -13,6 +13,7 @@ import type {
   RequestMessage,
   Requests,
   TaskAnswer,
+  Tidings,
 } from "./protocol";
 
 class Mistaken extends Error {
@@ -35,19 +36,22 @@ function copied<A extends {slice(): A}>(view: A): A {
   return view.slice();
 }
 
-/** Every request's answer, and the buffers to be moved rather than copied. */
+/** Every request's answer, and the buffers to be moved rather than copied. `tell` takes what long jobs say on their way. */
 export class Server {
   private readonly session: Session;
   private problem: string | null = null;
 
-  constructor(module: LinkwrightModule) {
+  constructor(
+    module: LinkwrightModule,
+    private readonly tell: (message: ReplyMessage) => void = () => {},
+  ) {
     this.session = new module.Session();
   }
 
   serve(message: RequestMessage): {message: ReplyMessage; transfer: ArrayBuffer[]} {
     const {id, kind} = message;
     try {
-      const reply = this.answer(kind, message as never);
+      const reply = this.answer(kind, message as never, (tidings) => this.tell({id, kind, tidings} as ReplyMessage));
       return {message: {id, kind, reply} as ReplyMessage, transfer: buffers_of(reply)};
     } catch (error) {
       if (!(error instanceof Mistaken)) throw error;
@@ -55,13 +59,14 @@ export class Server {
     }
   }
 
-  private answer<K extends Kind>(kind: K, request: Requests[K]): Replies[K] {
+  private answer<K extends Kind>(kind: K, request: Requests[K], tell: (tidings: object) => void): Replies[K] {
     const answers: {[Q in Kind]: (request: Requests[Q]) => Replies[Q]} = {
       explore: (r) => this.explore(r),
       linkage: (r) => this.linkage(r),
       live: (r) => this.live(r),
       halo: (r) => this.halo(r),
       best: (r) => JSON.parse(this.holding(r.problem).best(r.most)),
+      search: (r) => this.search(r, tell),
       improve: (r) => JSON.parse(this.holding(r.problem).improve(...r.tau)),
       verify: (r) => JSON.parse(this.holding(r.problem).verify(...r.tau)),
       trace: (r) => ({points: copied(this.holding(r.problem).trace(...r.tau, ...r.point))}),
@@ -116,6 +121,15 @@ export class Server {
       steps === 1 ? 0 : reach * ((2 * i) / (steps - 1) - 1),
     );
     return {offsets, counts, steps, reach, engine_ms: now() - start};
+  }
+
+  private search({rounds, most}: Requests["search"], tell: (tidings: Tidings["search"]) => void): Replies["search"] {
+    let found: Replies["search"] = {linkages: [], notices: []};
+    for (const [round, problem] of rounds.entries()) {
+      found = JSON.parse(this.holding(problem).best(most));
+      tell({rounds: round + 1, found});
+    }
+    return found;
   }
 
   private exported({problem, tau, format}: Requests["export"]): Replies["export"] {

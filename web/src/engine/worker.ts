@@ -14,7 +14,7 @@ function crashed(error: unknown): void {
 
 try {
   const module = await create_linkwright();
-  const server = new Server(module);
+  const server = new Server(module, (message) => scope.postMessage(message));
   scope.onmessage = (event) => {
     try {
       const {message, transfer} = server.serve(event.data);

@@ -72,7 +72,7 @@ export function from_engine(
   {problem, tau}: Target,
   format: ExportFormat,
 ): Promise<{text: string; extension: string}> {
-  return workbench.driver_client!.run("export", {problem: engine_text(problem), tau, format});
+  return workbench.driver_client!.run({kind: "export", problem: engine_text(problem), tau, format});
 }
 export async function svg_of(workbench: Workbench, target: Target): Promise<string> {
   return (await from_engine(workbench, target, "svg")).text;
@@ -86,7 +86,7 @@ async function png(workbench: Workbench, target: Target): Promise<Blob> {
 async function linkage_of(workbench: Workbench, {pin, problem, tau}: Target): Promise<Linkage> {
   if (pin === null && workbench.picked_linkage && workbench.answers.picked_is_of(problem))
     return workbench.picked_linkage;
-  return (await workbench.driver_client!.run("linkage", {problem: engine_text(problem), tau})).linkage;
+  return (await workbench.driver_client!.run({kind: "linkage", problem: engine_text(problem), tau})).linkage;
 }
 async function animation(
   workbench: Workbench,

@@ -18,7 +18,7 @@ export async function read_text(workbench: Workbench, text: string): Promise<Pro
   const engine = workbench.driver_client;
   if (!engine) return [{code: "no_engine", place: "", message: t("state.engine_missing")}];
   try {
-    const {problem} = await engine.request("read", {text});
+    const {problem} = await engine.follow("read", {text});
     return (
       read_problem(JSON.parse(problem)) ?? [{code: "not_available", place: "task", message: t("mistake.not_available")}]
     );

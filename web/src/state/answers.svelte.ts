@@ -12,6 +12,8 @@ interface Answer<T> {
   of: Problem;
 }
 type Verdict = Replies["verify"];
+/** Where a position may go with linkages left. */
+export type Halo = Replies["halo"] & {pose: number; mode: "move" | "turn"};
 
 /** Whether the answer on screen has been waiting for its successor for too long. */
 class Wait {
@@ -47,6 +49,12 @@ export class Answers {
   private picked = $state.raw<Answer<Linkage> | null>(null);
   private along = $state.raw<Replies["live"] | null>(null);
   private driven = $state.raw<Answer<Verdict & {tau: TauPair}> | null>(null);
+
+  halo = $state.raw<Halo | null>(null);
+  /** A better linkage nearby is being looked for. */
+  improving = $state(false);
+  /** What the last map took the engine. */
+  engine_ms = $state(0);
 
   private readonly map_wait: Wait;
   private readonly census_wait: Wait;

@@ -1,34 +1,49 @@
 import {expect, it, vi} from "vitest";
-import type {EngineClient} from "../engine/client";
+import {Cancelled, Crashed, type EngineClient, type Job, type Run} from "../engine/client";
 import type {Replies} from "../engine/protocol";
 import {first_example} from "../gallery/gallery";
 import {Workbench} from "./workbench.svelte";
 
 const list = (type: string) => ({linkages: [{type}]}) as unknown as Replies["best"];
 
-it("lists the ten best of the task on screen, asking once for each task, and again where the engine drops it", async () => {
-  vi.useFakeTimers();
+it("lists the ten best of the task on screen, asking once for each task, and again where the engine has failed", async () => {
   const workbench = new Workbench(first_example.problem),
     {best_list} = workbench;
   const replies: (() => Promise<Replies["best"]>)[] = [
     () => Promise.resolve(list("crank_rocker")),
-    () => Promise.reject(new Error("superseded")),
+    () => Promise.reject(new Crashed("killed")),
     () => Promise.resolve(list("double_crank")),
   ];
-  const request = vi.fn((_kind: string, _content: object) => replies.shift()!());
-  workbench.engine = {request} as unknown as EngineClient;
+  const run = vi.fn((_job: Job<"best">, _run: Run<"best">) => replies.shift()!());
+  workbench.engine = {run} as unknown as EngineClient;
   await Promise.all([best_list.fetch(), best_list.fetch()]);
-  expect(request).toHaveBeenCalledTimes(1);
-  expect(request.mock.calls[0]).toMatchObject(["best", {most: 10}]);
+  expect(run).toHaveBeenCalledTimes(1);
+  expect(run.mock.calls[0]).toMatchObject([{kind: "best", most: 10}, {}]);
   expect(best_list.is_current).toBe(true);
 
   workbench.document = {...workbench.document, problem: {...workbench.problem, requirements: {max_length: 300}}};
   expect(best_list.is_current).toBe(false); // what is listed is of another task, and says so
-  const fetched = best_list.fetch();
-  await vi.runAllTimersAsync();
-  await fetched;
-  expect(request).toHaveBeenCalledTimes(3);
+  await best_list.fetch();
+  expect(best_list.is_current).toBe(false);
+  await best_list.fetch();
+  expect(run).toHaveBeenCalledTimes(3);
   expect(best_list.found?.linkages[0].type).toBe("double_crank");
   expect(best_list.is_current).toBe(true);
-  vi.useRealTimers();
+});
+
+it("lets the list of an earlier task go for that of the present one", async () => {
+  const workbench = new Workbench(first_example.problem),
+    {best_list} = workbench,
+    stopped: boolean[] = [];
+  const run = (_job: Job<"best">, {signal}: Run<"best">) =>
+    new Promise<Replies["best"]>((_, reject) =>
+      signal!.addEventListener("abort", () => reject((stopped.push(true), new Cancelled()))),
+    );
+  workbench.engine = {run} as unknown as EngineClient;
+  const first = best_list.fetch();
+  workbench.document = {...workbench.document, problem: {...workbench.problem, requirements: {max_length: 300}}};
+  void best_list.fetch();
+  await first;
+  expect(stopped).toEqual([true]);
+  expect(best_list.found).toBeNull();
 });

@@ -1,10 +1,35 @@
 // Keeps curves, map and counts up to the document. Follows every change at once, coarser where that takes too long, and
 // looks closer at rest.
-import {Crashed, Refusal, Superseded} from "../engine/client";
-import {whole, type Replies, type Window} from "../engine/protocol";
+import {Crashed, Refusal, Superseded, type EngineClient} from "../engine/client";
+import {whole, type Axes, type Mistake, type Property, type Replies, type Window} from "../engine/protocol";
+import type {Answers} from "./answers.svelte";
 import {settled_on, type Document} from "./document";
-import {engine_text, same_question} from "./problem";
-import type {Workbench} from "./workbench.svelte";
+import {engine_text, same_question, type Problem} from "./problem";
+
+interface Mapped {
+  readonly engine: EngineClient | null;
+  readonly driver_client: EngineClient | null;
+  engine_state: "loading" | "ready" | "missing" | "slow";
+  readonly answers: Answers;
+  readonly document: Document;
+  readonly problem: Problem;
+  /** Why the engine is not asked, where it is not. */
+  readonly incomplete: object | null;
+  readonly gesture: boolean;
+  readonly window: Window;
+  readonly property: Property;
+  accept(document: Document): void;
+  refuse(problem: Problem, mistakes: Mistake[]): boolean;
+  amend(change: Partial<Document>): void;
+  say(key: "state.curve_split" | "state.curve_joined"): void;
+}
+/** What goes on from a map. */
+interface Next {
+  /** The linkage in hand is to be asked for anew. */
+  follow(): void;
+  /** Nothing is in hand yet. */
+  start(): void;
+}
 
 const even_samples = 400,
   quick_samples = 100,
@@ -24,11 +49,16 @@ export class MapFollower {
   private fine_timer: ReturnType<typeof setTimeout> | undefined;
   private slow_timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly workbench: Workbench) {}
+  private counting = new AbortController();
+
+  constructor(
+    private readonly mapped: Mapped,
+    private readonly next: Next,
+  ) {}
 
   refresh(): void {
     this.stop();
-    const quick = this.workbench.gesture && this.quick_maps > 0;
+    const quick = this.mapped.gesture && this.quick_maps > 0;
     if (quick) --this.quick_maps;
     void this.explore(quick ? quick_samples : even_samples);
     if (quick) this.rest_timer = setTimeout(() => void this.explore(even_samples), 80);
@@ -37,6 +67,7 @@ export class MapFollower {
   stop(): void {
     clearTimeout(this.rest_timer);
     clearTimeout(this.fine_timer);
+    this.counting.abort();
     this.fine = false;
   }
   /** What was asked will not be answered, or its answer is gone. */
@@ -46,10 +77,10 @@ export class MapFollower {
   }
 
   private async explore(samples: number): Promise<void> {
-    const {document, window, engine, engine_state, gesture} = this.workbench;
+    const {document, window, engine, engine_state, gesture} = this.mapped;
     if (!engine || engine_state === "missing") return;
     const problem = engine_text(document.problem);
-    const {property} = this.workbench;
+    const {property} = this.mapped;
     const question = (order: number | null) => JSON.stringify([problem, window, property, order]);
     const asked = question(document.order);
     if (asked === this.asked && samples <= this.asked_samples) return this.refine();
@@ -59,7 +90,7 @@ export class MapFollower {
     const {forgotten} = this;
     try {
       const order = gesture ? "nearest" : (document.order ?? "fresh");
-      const reply = await engine.request("explore", {problem, samples, window, property, order});
+      const reply = await engine.follow("explore", {problem, samples, window, property, order});
       this.calm();
       if (samples === even_samples) this.weigh(reply.engine_ms);
       if (this.forgotten !== forgotten) return; // a task that cannot be asked has stood between: this is of before
@@ -78,66 +109,70 @@ export class MapFollower {
     if (this.slow_maps >= slow_often) this.quick_maps = quick_often;
   }
   private take(reply: Replies["explore"], document: Document, samples: number, window: Window): void {
-    const {workbench} = this,
-      {task, gesture} = workbench,
+    const {mapped} = this,
+      {gesture, answers} = mapped,
+      {task} = answers,
       {input: axis} = reply.task.axes;
-    if (workbench.incomplete) return; // positions were removed meanwhile
-    if (workbench.answers.map_is_of_present && !same_question(document.problem, workbench.problem)) return; // a drag was taken back meanwhile
-    workbench.answers.take_map(reply.task, reply.map, document.problem);
-    workbench.engine_ms = reply.engine_ms;
-    workbench.accept(document);
+    if (mapped.incomplete) return; // positions were removed meanwhile
+    if (answers.map_is_of_present && !same_question(document.problem, mapped.problem)) return; // a drag was taken back meanwhile
+    answers.take_map(reply.task, reply.map, document.problem);
+    answers.engine_ms = reply.engine_ms;
+    mapped.accept(document);
     if (reply.map && window === whole && samples !== fine_samples)
-      workbench.answers.take_census(reply.map.census, document.problem);
+      answers.take_census(reply.map.census, document.problem);
     const split =
       task !== null &&
       gesture &&
       axis.quantity === "curve_coordinate" &&
       task.axes.input.branches.length !== axis.branches.length;
-    if (split) workbench.say(axis.branches.length > 1 ? "state.curve_split" : "state.curve_joined");
-    if (gesture || workbench.problem === document.problem) this.settle();
-    workbench.linkages.follow();
+    if (split) mapped.say(axis.branches.length > 1 ? "state.curve_split" : "state.curve_joined");
+    if (gesture || mapped.problem === document.problem) this.settle(reply.task.axes);
+    this.next.follow();
   }
-  private settle(): void {
-    const {document, task, linkages} = this.workbench;
-    const settled = settled_on(task!.axes, document);
-    if (settled !== document) this.workbench.amend(settled);
-    if (!settled.picked && task!.axes.input.blocks.length > 0) linkages.start_with_best();
+  private settle(axes: Axes): void {
+    const {document} = this.mapped;
+    const settled = settled_on(axes, document);
+    if (settled !== document) this.mapped.amend(settled);
+    if (!settled.picked && axes.input.blocks.length > 0) this.next.start();
   }
   private not_explored(error: unknown, document: Document, asked: string): void {
     if (this.asked === asked) this.forget();
     if (error instanceof Crashed) return; // the workbench asks again
     if (!(error instanceof Refusal)) throw error;
-    if (this.workbench.refuse(document.problem, error.mistakes)) this.workbench.linkages.follow();
+    if (this.mapped.refuse(document.problem, error.mistakes)) this.next.follow();
   }
 
   // ---- at rest ------------------------------------------------------------------------------------------------
 
   private refine(): void {
     clearTimeout(this.fine_timer);
-    if (this.workbench.gesture || this.fine) return;
+    if (this.mapped.gesture || this.fine) return;
     this.fine_timer = setTimeout(() => {
       this.fine = true;
-      const {window, engine, driver_client} = this.workbench;
-      const refined = () => void (this.fine && this.explore(fine_samples));
-      const counted = window === whole ? null : this.count_whole();
-      if (counted && driver_client === engine)
-        void counted.then(refined); // one worker: the later would replace the earlier
-      else refined();
+      if (this.mapped.window !== whole) void this.count_whole();
+      void this.explore(fine_samples);
     }, 300);
   }
   /** Zoomed in, the counts are still of the whole region. */
   private async count_whole(): Promise<void> {
-    const {workbench} = this,
-      {problem, order} = workbench.document;
-    const content = {
-      problem: engine_text(problem),
-      samples: even_samples,
-      window: whole,
-      property: "min_transmission_angle_deg" as const,
-      order: order ?? ("fresh" as const),
-    };
-    const reply = await workbench.driver_client?.request("explore", content).catch(() => null);
-    if (reply?.map && workbench.problem === problem) workbench.answers.take_census(reply.map.census, problem);
+    const {mapped} = this,
+      {problem, order} = mapped.document;
+    this.counting.abort();
+    this.counting = new AbortController();
+    const reply = await mapped.driver_client
+      ?.run(
+        {
+          kind: "explore",
+          problem: engine_text(problem),
+          samples: even_samples,
+          window: whole,
+          property: "min_transmission_angle_deg",
+          order: order ?? "fresh",
+        },
+        this.counting,
+      )
+      .catch(() => null);
+    if (reply?.map && mapped.problem === problem) mapped.answers.take_census(reply.map.census, problem);
   }
 
   // ---- slowness -----------------------------------------------------------------------------------------------
@@ -145,11 +180,11 @@ export class MapFollower {
   private watch_slowness(): void {
     clearTimeout(this.slow_timer);
     this.slow_timer = setTimeout(() => {
-      if (this.workbench.engine_state === "ready") this.workbench.engine_state = "slow";
+      if (this.mapped.engine_state === "ready") this.mapped.engine_state = "slow";
     }, 3000);
   }
   private calm(): void {
     clearTimeout(this.slow_timer);
-    if (this.workbench.engine_state === "slow") this.workbench.engine_state = "ready";
+    if (this.mapped.engine_state === "slow") this.mapped.engine_state = "ready";
   }
 }

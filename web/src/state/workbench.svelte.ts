@@ -17,12 +17,14 @@ import {
 import type {Incomplete} from "../tasks/kind";
 import {incompleteness, kind_of, map_of, properties_of, with_other_task} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
-import {Answers} from "./answers.svelte";
+import {Answers, type Halo} from "./answers.svelte";
 import {BestList} from "./best_list.svelte";
+import {BestSeeker} from "./best_seeker";
 import {held_tau, held_window, places_of} from "./axis";
 import {from_problem, to_problem, type Picked} from "./document";
 import {angle_at_stage, stage_at_angle} from "./drive";
 import {Editing} from "./editing.svelte";
+import {HaloFollower} from "./halo_follower";
 import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
 import {find_pin, free_name, new_pin} from "./pins";
@@ -52,12 +54,9 @@ export class Workbench extends Editing {
   /** What the engine has said, each with the problem of which it said it. */
   readonly answers = new Answers(() => ({problem: this.problem, tau: this.tau_in_hand}));
   incomplete = $state.raw<Incomplete | null>(null);
-  engine_ms = $state(0);
   window = $state.raw<Window>(whole);
 
   hovered = $state.raw<TauPair | null>(null);
-  halo = $state.raw<(Replies["halo"] & {pose: number; mode: "move" | "turn"}) | null>(null);
-  improving = $state(false);
 
   /** Where the drive stands: comparable between linkages (state/drive.ts). */
   stage = $state(4 - before_last);
@@ -98,13 +97,18 @@ export class Workbench extends Editing {
   slot = ""; // where it does (shell/storage)
   kept_since: number | null = null; // when a visit before left it there; null: it did not
 
-  readonly maps = new MapFollower(this);
-  readonly linkages = new LinkageFollower(this);
+  readonly maps = new MapFollower(this, {
+    follow: () => this.linkages.follow(),
+    start: () => this.seeker.start(),
+  });
+  readonly linkages = new LinkageFollower(this, (linkage) => this.seeker.weigh(linkage));
+  readonly seeker = new BestSeeker(this);
+  readonly halos = new HaloFollower(this);
   readonly best_list = new BestList(this);
   engine: EngineClient | null = null; // follows the task
   driver_client: EngineClient | null = null; // follows the pointer
   /** One more engine, for what takes its time. */
-  start_engine: ((on_ready: () => void, on_crash: () => void) => EngineClient) | null = null;
+  start_engine: (() => EngineClient) | null = null;
   private toast_id = 0;
   private map_shown = "";
 
@@ -138,6 +142,15 @@ export class Workbench extends Editing {
   }
   get verified(): Replies["verify"] | null {
     return this.answers.verified;
+  }
+  get halo(): Halo | null {
+    return this.answers.halo;
+  }
+  get improving(): boolean {
+    return this.answers.improving;
+  }
+  get engine_ms(): number {
+    return this.answers.engine_ms;
   }
   get tau_in_hand(): TauPair | null {
     return this.hovered ?? this.picked?.tau ?? null;
@@ -182,8 +195,8 @@ export class Workbench extends Editing {
     };
     this.engine = new EngineClient(start, crashed, ready);
     this.driver_client = cores > 1 ? new EngineClient(start, died, () => this.linkages.follow()) : this.engine;
-    this.start_engine = (on_ready, on_crash) =>
-      new EngineClient(start, on_crash, on_ready, search_patience * patience_ms);
+    const unheard = () => {};
+    this.start_engine = () => new EngineClient(start, unheard, unheard, search_patience * patience_ms);
     this.on_commit(() => this.wake());
   }
   /** For tests and the Stop button. */
@@ -244,11 +257,11 @@ export class Workbench extends Editing {
   // ---- editing ------------------------------------------------------------------------------------------------
 
   override end_gesture(): void {
-    this.halo = null;
+    this.answers.halo = null;
     super.end_gesture();
   }
   override cancel_gesture(): void {
-    this.halo = null;
+    this.answers.halo = null;
     super.cancel_gesture();
   }
   /** Another task altogether: one step, so that undo brings the old one back. */
@@ -282,18 +295,23 @@ export class Workbench extends Editing {
     const picked = this.placed(tau);
     this.drag_document((document) => ({...document, picked}));
   }
+  /** In hand without a step. */
+  put(tau: TauPair): void {
+    this.amend({picked: {tau, place: this.place_of(tau)}});
+    this.linkages.follow();
+  }
   private placed(tau: TauPair): Picked {
     return {tau: this.task ? held_tau(this.task.axes, tau) : tau, place: this.place_of(tau)};
   }
   pick_best(): Promise<void> {
-    return this.linkages.pick_best();
+    return this.seeker.pick_best();
   }
   /** The next local best of another type (N), or the one before. */
   pick_next_best(step: 1 | -1): Promise<void> {
-    return this.linkages.pick_next_best(step);
+    return this.seeker.pick_next_best(step);
   }
   improve(): Promise<void> {
-    return this.linkages.improve();
+    return this.seeker.improve();
   }
   /** The same bars driven from the other side. */
   swap_driver(): void {
@@ -302,7 +320,11 @@ export class Workbench extends Editing {
   }
   /** Where a held position may go with linkages left. */
   fetch_halo(pose: number, mode: "move" | "turn", reach: number): Promise<void> {
-    return this.linkages.fetch_halo(pose, mode, reach);
+    return this.halos.follow(pose, mode, reach);
+  }
+  /** For the first step of the tour: where the position with the most room may go. */
+  offer_halo(poses: number, reach: number): Promise<void> {
+    return this.halos.offer(poses, reach, () => this.tour === 0);
   }
   private place_of(tau: TauPair): TauPair | null {
     return this.task && places_of(this.task.axes, tau);

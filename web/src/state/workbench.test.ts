@@ -126,8 +126,8 @@ describe("the workbench", () => {
       {workbench} = b;
     b.machine.best_ms = 200;
     await until(() => workbench.is_current);
-    expect([workbench.linkages.seeking_best, workbench.picked]).toEqual([true, null]);
-    await until(() => !workbench.linkages.seeking_best);
+    expect([workbench.seeker.seeking, workbench.picked]).toEqual([true, null]);
+    await until(() => !workbench.seeker.seeking);
     expect(workbench.picked).not.toBeNull();
     await settled(b);
   });
@@ -304,7 +304,7 @@ describe("the workbench", () => {
     expect(workbench.pins).toEqual([]);
     await until(() => workbench.pins.length > 0);
     const [pin] = workbench.pins,
-      {linkage} = await workbench.driver_client!.request("linkage", {
+      {linkage} = await workbench.driver_client!.follow("linkage", {
         problem: engine_text(workbench.problem),
         tau: pin.tau,
       });

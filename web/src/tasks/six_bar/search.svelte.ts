@@ -1,7 +1,7 @@
 // Looks for a chain, in an engine of its own: the page goes on. Rounds of more and more chains, each beginning with those
 // of the round before, so that what was found is there when the search is stopped, and the last is the program's answer.
 import {Crashed, Refusal, type EngineClient} from "../../engine/client";
-import type {Box, Chain, Linkage, Replies, TauPair} from "../../engine/protocol";
+import type {Box, Chain, Linkage, Ranked, TauPair, Tidings} from "../../engine/protocol";
 import {engine_text, with_options, type Problem} from "../../state/problem";
 import {same_value, type Pose, type SixBarTask} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
@@ -23,7 +23,10 @@ export interface Found {
   added: SixBarTask["added"];
   linkage: Linkage | null;
 }
-type Entry = Replies["best"]["linkages"][number];
+
+function sum(numbers: readonly number[]): number {
+  return numbers.reduce((total, number) => total + number, 0);
+}
 
 export function box_of_search(problem: Problem): Box {
   return problem.options?.box ?? default_box(problem);
@@ -64,29 +67,11 @@ export class ChainSearch {
     const {problem, start_engine} = this.workbench,
       task = six_bar_task(problem);
     if (this.running || !start_engine || !task) return;
-    const begin = performance.now(),
-      rounds = rounds_of(problem);
-    this.found = [];
-    this.poses = task.poses;
-    [this.running, this.seconds, this.tried, this.to_try, this.end] = [
-      true,
-      0,
-      0,
-      rounds.reduce((sum, chains) => sum + chains),
-      null,
-    ];
-    this.timer = setInterval(() => (this.seconds = Math.round((performance.now() - begin) / 1000)), 250);
-    const client = (this.client = start_engine(
-      () => {},
-      () => {},
-    ));
+    this.begin(task, rounds_of(problem));
+    const client = (this.client = start_engine());
     try {
-      for (const chains of rounds) {
-        if (this.client !== client || !this.is_for(this.workbench.problem)) break;
-        await this.try_round(client, round_of(problem, chains), task);
-        this.tried += chains;
-      }
-      if (this.client === client) this.stop(this.tried < this.to_try ? "stopped" : "done");
+      await this.search(client, problem, task);
+      if (this.client === client) this.stop("done");
     } catch (error) {
       if (this.client !== client) return; // stopped
       this.stop("failed");
@@ -94,6 +79,27 @@ export class ChainSearch {
       if (!(error instanceof Refusal)) throw error;
       this.workbench.say("six_bar.refused", {reason: error.message});
     }
+  }
+  private begin({poses}: SixBarTask, rounds: readonly number[]): void {
+    const begin = performance.now();
+    this.found = [];
+    this.poses = poses;
+    [this.running, this.seconds, this.tried, this.to_try, this.end] = [true, 0, 0, sum(rounds), null];
+    this.timer = setInterval(() => (this.seconds = Math.round((performance.now() - begin) / 1000)), 250);
+  }
+  private async search(client: EngineClient, problem: Problem, {added}: SixBarTask): Promise<void> {
+    const chains = rounds_of(problem),
+      rounds = chains.map((of_round) => engine_text(round_of(problem, of_round)));
+    let drawn = Promise.resolve();
+    const progress = (tidings: Tidings["search"]) => {
+      if (this.client !== client) return;
+      this.take_round(tidings.found.linkages, added);
+      this.tried = sum(chains.slice(0, tidings.rounds));
+      drawn = drawn.then(() => this.fetch_linkages(problem));
+      if (!this.is_for(this.workbench.problem)) this.stop();
+    };
+    await client.run({kind: "search", rounds, most: problem.options?.best ?? default_best}, {progress});
+    await drawn;
   }
   /** Whether it goes, or went, through the positions of this problem. */
   is_for(problem: Problem): boolean {
@@ -112,27 +118,24 @@ export class ChainSearch {
     this.end = end;
     client?.close();
   }
-  private async try_round(client: EngineClient, asked: Problem, {added}: SixBarTask): Promise<void> {
-    const {linkages} = await client.request("best", {
-      problem: engine_text(asked),
-      most: asked.options?.best ?? default_best,
-    });
-    const entries = linkages.filter((entry): entry is Entry & {chain: Chain} => entry.chain !== undefined);
+  /** What a round before has found as well keeps its linkage. */
+  private take_round(entries: readonly Ranked[], added: SixBarTask["added"]): void {
     const known = this.found;
-    this.found = entries.map((entry) => {
-      const one = {...entry, chain: plain(entry.chain), added};
-      return {
-        ...one,
-        linkage:
-          known.find((other) => same_value(other.chain, one.chain) && same_value(other.tau, one.tau))?.linkage ?? null,
-      };
+    this.found = entries.flatMap((entry) => {
+      if (!entry.chain) return [];
+      const chain = plain(entry.chain),
+        before = known.find((other) => same_value(other.chain, chain) && same_value(other.tau, entry.tau));
+      return [{...entry, chain, added, linkage: before?.linkage ?? null}];
     });
+  }
+  /** For their pictures: by the engine that follows the pointer, in turn with what it follows. */
+  private async fetch_linkages(problem: Problem): Promise<void> {
     for (const one of this.found.filter(({linkage}) => !linkage)) {
-      const {linkage} = await client.request("linkage", {
-        problem: engine_text(with_six_bar(asked, {chain: one.chain})),
-        tau: one.tau,
-      });
-      this.found = this.found.map((other) => (other === one ? {...one, linkage} : other));
+      if (!this.found.includes(one)) continue; // of a round before
+      const {chain, added, tau} = one,
+        asked = engine_text(with_six_bar(problem, {chain, added}));
+      const reply = await this.workbench.driver_client?.run({kind: "linkage", problem: asked, tau}).catch(() => null);
+      if (reply) this.found = this.found.map((other) => (other === one ? {...one, linkage: reply.linkage} : other));
     }
   }
 

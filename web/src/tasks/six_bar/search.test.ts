@@ -1,6 +1,7 @@
 import {readFileSync} from "node:fs";
 import {describe, expect, it} from "vitest";
-import {Crashed, type EngineClient} from "../../engine/client";
+import {Cancelled, Crashed, type EngineClient, type Run} from "../../engine/client";
+import type {Replies, Requests} from "../../engine/protocol";
 import {with_options, with_pose, type Problem} from "../../state/problem";
 import {Workbench} from "../../state/workbench.svelte";
 import {new_problem as new_motion} from "../motion/kind";
@@ -17,25 +18,33 @@ const entry = {
   chain: {a: [0, 0], b: [1, 0], d: [3, 2]},
 };
 
-/** A search in an engine that answers so. */
-function search_with(answer: (kind: string) => unknown, of: Problem = problem) {
-  const workbench = new Workbench(of),
+const found = {linkages: [entry], notices: []} as unknown as Replies["best"];
+
+/** A search in an engine that finds so in each round; beside it one that knows each linkage. */
+function search_with(find: () => Replies["best"]) {
+  const workbench = new Workbench(problem),
     asked: string[] = [];
-  const client = {
-    close() {},
-    request: (kind: string, content: {problem: string}) => (
-      asked.push(content.problem),
-      Promise.resolve().then(() => answer(kind))
-    ),
+  let closed = false;
+  const searching = {
+    close: () => void (closed = true),
+    async run({rounds}: Requests["search"], {progress}: Run<"search">) {
+      for (const [round, text] of rounds.entries()) {
+        await Promise.resolve();
+        if (closed) throw new Cancelled();
+        asked.push(text);
+        progress?.({rounds: round + 1, found: find()});
+      }
+      return found;
+    },
   };
-  workbench.start_engine = () => client as unknown as EngineClient;
+  workbench.start_engine = () => searching as unknown as EngineClient;
+  workbench.driver_client = {run: () => Promise.resolve({linkage: {}})} as unknown as EngineClient;
   return {workbench, search: new ChainSearch(workbench), asked};
 }
-const found_one = (kind: string) => (kind === "best" ? {linkages: [entry]} : {linkage: {}});
 
 describe("a search for a chain", () => {
   it("has found for the positions that it was begun with only", async () => {
-    const {workbench, search} = search_with(found_one);
+    const {workbench, search} = search_with(() => found);
     await search.start();
     expect(search.end).toBe("done");
     expect(search.found_for(workbench.problem)).toEqual([{...entry, added: expect.anything(), linkage: {}}]); // the answer of the last round
@@ -45,20 +54,20 @@ describe("a search for a chain", () => {
   });
   it("ends where its engine dies, with what it has", async () => {
     let rounds = 0;
-    const {workbench, search} = search_with((kind) => {
-      if (kind === "best" && ++rounds === 2) throw new Crashed("killed");
-      return found_one(kind);
+    const {workbench, search} = search_with(() => {
+      if (++rounds === 2) throw new Crashed("killed");
+      return found;
     });
     await expect(search.start()).resolves.toBeUndefined();
     expect([search.end, search.running, search.found_for(workbench.problem).length]).toEqual(["failed", false, 1]);
   });
   it("stops once another task is in hand: nobody could stop it there", async () => {
-    const {workbench, search, asked} = search_with((kind) => {
-      if (kind === "best") workbench.open(new_motion()); // through the same positions
-      return found_one(kind);
+    const {workbench, search} = search_with(() => {
+      workbench.open(new_motion()); // through the same positions
+      return found;
     });
     await search.start();
-    expect([search.end, search.running, asked.length]).toEqual(["stopped", false, 2]);
+    expect([search.end, search.running, search.tried]).toEqual(["stopped", false, 375]);
     expect(search.is_for(workbench.problem)).toBe(false);
     workbench.undo();
     expect(search.found_for(workbench.problem)).toHaveLength(1);
@@ -69,9 +78,10 @@ describe("a search for a chain", () => {
     expect(most_seed).toBe(properties.seed.maximum);
   });
   it("asks last for what the program would be asked", async () => {
-    const {search, asked} = search_with(found_one);
+    const {search, asked} = search_with(() => found);
     await search.start();
-    const searches = asked.map((text) => JSON.parse(text) as Problem).filter(({task}) => !("chain" in task));
+    const searches = asked.map((text) => JSON.parse(text) as Problem);
+    expect(searches.every(({task}) => !("chain" in task))).toBe(true);
     expect(searches.map(({options}) => options!.effort)).toEqual([375, 1500]);
     expect(searches.at(-1)!.options!.seed).toBe(problem.options!.seed);
     expect([search.tried, search.to_try]).toEqual([1875, 1875]);

@@ -1,0 +1,81 @@
+// Shows where a position may go with linkages left, while it is held or before it is touched.
+import type {EngineClient} from "../engine/client";
+import type {Answers, Halo} from "./answers.svelte";
+import type {Document} from "./document";
+import {most_of} from "./ends";
+import {engine_text} from "./problem";
+
+interface Held {
+  readonly driver_client: EngineClient | null;
+  readonly answers: Answers;
+  readonly document: Document;
+  readonly gesture: boolean;
+  readonly held_pose: number | null;
+}
+
+const first_steps = 13,
+  turn_steps = 61,
+  fine_steps = 25, // once the hand rests
+  samples = 60; // of the map behind each place
+const at_rest_ms = 300;
+
+export class HaloFollower {
+  constructor(private readonly held: Held) {}
+
+  private async ask(pose: number, mode: Halo["mode"], reach: number, steps: number): Promise<Halo | null> {
+    const problem = engine_text(this.held.document.problem);
+    const reply = await this.held.driver_client
+      ?.follow("halo", {problem, pose, mode, reach, steps, samples})
+      .catch(() => null);
+    return reply ? {...reply, pose, mode} : null;
+  }
+  /** The position which has the most room: a newcomer is to drag it. Nothing where it is not `wanted` any more. */
+  async offer(poses: number, reach: number, wanted: () => boolean): Promise<void> {
+    const {problem} = this.held.document;
+    let best: {room: number; halo: Halo | null} = {room: 0, halo: null};
+    for (let pose = 0; pose < poses && this.held.document.problem === problem; ++pose) {
+      const halo = await this.ask(pose, "move", reach, first_steps),
+        room = halo ? roomy_squares(halo.counts) : 0;
+      if (room > best.room) best = {room, halo};
+    }
+    if (this.held.document.problem === problem && !this.held.gesture && wanted()) this.held.answers.halo = best.halo;
+  }
+  /** Steps² cells of a square, or steps of an arc. Closer where the room that is left is near, finer once the hand rests. */
+  async follow(pose: number, mode: Halo["mode"], reach: number): Promise<void> {
+    const {held} = this,
+      is_held = () => held.gesture && held.held_pose === pose;
+    const show = async (steps: number) => {
+      const halo = await this.ask(pose, mode, reach, steps);
+      if (halo && is_held()) held.answers.halo = halo;
+      return halo;
+    };
+    let halo = await show(mode === "turn" ? turn_steps : first_steps);
+    if (mode === "turn") return;
+    for (let closer = 0; closer < 2 && halo && is_held() && in_inner_half(halo.counts, first_steps); ++closer) {
+      reach /= 2;
+      halo = await show(first_steps);
+    }
+    let seen = held.document;
+    while (is_held()) {
+      await new Promise((resolve) => setTimeout(resolve, at_rest_ms));
+      if (held.document === seen) return void (await (is_held() && show(fine_steps)));
+      seen = held.document;
+    }
+  }
+}
+
+/** Squares of a halo with so many of its 60² cells: hundreds of the usual map's. */
+export function roomy_squares(counts: ArrayLike<number>): number {
+  const enough = 5;
+  return Array.from(counts).filter((count) => count >= enough).length;
+}
+
+/** Whether there is something, and nothing of it outside of the inner half of a square of steps² cells. */
+function in_inner_half(counts: ArrayLike<number>, steps: number): boolean {
+  const middle = (steps - 1) / 2;
+  const distances = Array.from(counts, (count, i) =>
+    count > 0 ? Math.max(Math.abs((i % steps) - middle), Math.abs(Math.floor(i / steps) - middle)) : -1,
+  );
+  const farthest = most_of(distances);
+  return farthest >= 0 && farthest <= middle / 2;
+}
