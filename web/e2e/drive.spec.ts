@@ -17,7 +17,7 @@ import {
   test,
   toasts,
 } from "./support";
-import type {MotionTask} from "../src/state/task";
+import type {MotionTask} from "../src/tasks/motion/task";
 
 /** Opens the example and waits for the picked linkage and its drive. */
 async function open_with_drive(page: Page): Promise<void> {

@@ -18,7 +18,7 @@ import {
   toasts,
   until_ready,
 } from "./support";
-import type {MotionTask} from "../src/state/task";
+import type {MotionTask} from "../src/tasks/motion/task";
 
 // ---- 15 ---------------------------------------------------------------------------------------------------------
 

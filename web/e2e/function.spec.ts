@@ -1,6 +1,6 @@
 // Function generation: the sine generator from the gallery, its ribbon, its error, its dials.
 import {readFileSync} from "node:fs";
-import type {FunctionTask} from "../src/state/task";
+import type {FunctionTask} from "../src/tasks/function/task";
 import {
   drag,
   example,

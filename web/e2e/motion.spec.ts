@@ -2,7 +2,7 @@
 import type {Page} from "@playwright/test";
 import type {Linkage, Point, TauPair} from "../src/engine/protocol";
 import {places_of} from "../src/state/axis";
-import type {Given, MotionTask} from "../src/state/task";
+import type {Given, MotionTask} from "../src/tasks/motion/task";
 import {
   drag,
   example,

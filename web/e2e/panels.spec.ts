@@ -3,7 +3,8 @@
 import {readFileSync} from "node:fs";
 import type {Page} from "@playwright/test";
 import {requirement_keys, type TauPair} from "../src/engine/protocol";
-import type {MotionTask, Pose} from "../src/state/task";
+import type {Pose} from "../src/state/task";
+import type {MotionTask} from "../src/tasks/motion/task";
 import {
   example,
   expect,

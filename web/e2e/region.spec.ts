@@ -15,7 +15,7 @@ import {
   test,
   until_settled,
 } from "./support";
-import type {MotionTask} from "../src/state/task";
+import type {MotionTask} from "../src/tasks/motion/task";
 
 async function places(page: Page, tau: TauPair): Promise<TauPair> {
   const axis = await read_state(page, (workbench) => workbench.task!.axes.input);

@@ -22,7 +22,7 @@ import {
   until_ready,
   until_settled,
 } from "./support";
-import type {MotionTask} from "../src/state/task";
+import type {MotionTask} from "../src/tasks/motion/task";
 
 // ---- 1 ----------------------------------------------------------------------------------------------------------
 

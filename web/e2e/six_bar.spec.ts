@@ -1,4 +1,4 @@
-import type {SixBarTask} from "../src/state/task";
+import type {SixBarTask} from "../src/tasks/six_bar/task";
 import {readFileSync} from "node:fs";
 import {
   analyze,

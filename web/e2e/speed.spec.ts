@@ -5,7 +5,7 @@ import {join, resolve} from "node:path";
 import {gzipSync} from "node:zlib";
 import type {Page} from "@playwright/test";
 import {expect, map_hash, open_workbench, test, until_settled} from "./support";
-import type {MotionTask} from "../src/state/task";
+import type {MotionTask} from "../src/tasks/motion/task";
 
 const served = resolve(process.env.LINKWRIGHT_WEB ?? "../build/web");
 

@@ -8,7 +8,7 @@ import {dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
 import type {TauPair} from "../src/engine/protocol";
 import type {Workbench} from "../src/state/workbench.svelte";
-import type {MotionTask} from "../src/state/task";
+import type {MotionTask} from "../src/tasks/motion/task";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 const program = process.env.LINKWRIGHT_CLI

@@ -1,7 +1,7 @@
 // What is shown belongs to the task that is shown, or it is greyed out, or a sentence stands in its place.
 import type {Page} from "@playwright/test";
 import type {Problem} from "../src/state/problem";
-import type {MotionTask} from "../src/state/task";
+import type {MotionTask} from "../src/tasks/motion/task";
 import {
   example,
   expect,

@@ -1,5 +1,6 @@
 import {mount} from "svelte";
 import App from "./App.svelte";
 import "./app.css";
+import {load_views} from "./tasks/views";
 
-mount(App, {target: document.getElementById("app")!});
+void load_views().then(() => mount(App, {target: document.getElementById("app")!}));

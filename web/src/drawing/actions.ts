@@ -1,7 +1,7 @@
 // What a click or a key does to the thing under it.
 import type {Point} from "../engine/protocol";
 import {coordinate_of, with_side} from "../state/axis";
-import {body_point, outline_of, placed, round_step, with_pose, with_poses, with_view} from "../state/problem";
+import {body_point, outline_of, placed, round_step, with_view} from "../state/problem";
 import {poses_of, type Pose} from "../state/task";
 import {bend_of, travel_of, with_bend, with_travel} from "../task/travel";
 import {point_at, spot_of_tau, type Spot} from "./curve_samples";
@@ -12,6 +12,7 @@ import {inside, target_id, type Target} from "./handles";
 import {multiple, wrapped_deg} from "./snapping";
 import {stepped} from "./sliding";
 import {to_screen, to_user} from "./viewport";
+import {with_pose, with_poses} from "../tasks/kinds";
 
 export function focus_handle(svg: SVGSVGElement, target: Target): void {
   svg.querySelector<SVGElement>(`[data-testid="drawing.${target_id(target)}"]`)?.focus({preventScroll: true});

@@ -1,6 +1,7 @@
 // What carries the end of a side link along: its curve lies on that body, drawn as in position 1.
 import type {End, Ends, Side} from "./handles";
-import type {Linkage, Point, SixBar} from "../engine/protocol";
+import type {Linkage, Point} from "../engine/protocol";
+import type {SixBar} from "../tasks/six_bar/replies";
 import type {Pose} from "../state/task";
 
 type Place = Pick<Pose, "x" | "y" | "theta_deg">;

@@ -131,23 +131,7 @@ export interface Curves extends DyadPolygon {
   /** Asymptotes of the two curves as (point, direction), where they have one. */
   asymptotes: {center: [Point, Point] | null; circle: [Point, Point] | null};
 }
-/** Input and output angle, degrees on the task's dials. */
-export type DialPair = readonly [input: number, output: number];
-export interface WantedFunction {
-  pairs: DialPair[];
-  /** The named function over its range of inputs; empty where only pairs are given. */
-  curve: DialPair[];
-}
-/** What a four-bar makes of it, its free number as it is there. Null: the drive does not get there. */
-export interface GeneratedFunction {
-  pairs: (readonly [input: number, wanted: number, error: number | null])[];
-  precision_error_deg: number; // largest magnitude at the pairs reached
-  reaches_pairs: boolean;
-  max_structural_error_deg: number | null;
-  worst_input_deg: number | null;
-  unreached_deg: (readonly [from: number, to: number])[];
-  curve: (readonly [input: number, wanted: number, generated: number | null])[];
-}
+/** Kinds of tasks add what is theirs (tasks/<kind>/replies.ts), here and to linkages. */
 export interface TaskAnswer {
   status: "solved" | "no_solution" | "degenerate";
   reason: Notice | null; // set unless solved
@@ -162,7 +146,6 @@ export interface TaskAnswer {
   /** Both axes carry the same dyads: (u, v) and (v, u) are the same bars, driven from the other side. */
   symmetric: boolean;
   specials: Special[];
-  function: WantedFunction | null; // function generation
   /** Requirements as used, the defaults filled in (null: switched off). */
   requirements: Requirements;
 }
@@ -272,18 +255,6 @@ export interface Drive {
   /** Prescribed stretch: rows of the first and last position (task), −1 where a defect keeps them apart. */
   task: [number, number];
 }
-export const six_bar_topologies = ["watt_1", "stephenson_1", "stephenson_2", "stephenson_3"] as const;
-/** What a six-bar has beside its two added links, which take the places of the side links (their centre point on the
- *  first of the bodies that they join, their circle point on the second). */
-export interface SixBar {
-  topology: (typeof six_bar_topologies)[number];
-  /** a, b, d of the chain, both ends of link 4, both of link 5; in position 1. */
-  joints: {name: string; ground: boolean; at: Point}[];
-  /** Joints of bodies 0 (ground), 1 (driver), 2, 3 (guided), 4, 5. */
-  bodies: number[][];
-  /** Distances between joints of a body: "2:b-d". */
-  lengths: {name: string; length: number}[];
-}
 export interface Linkage {
   tau: TauPair;
   type: LinkageType;
@@ -305,22 +276,11 @@ export interface Linkage {
   miss?: {distance: number; angle_deg: number; input_deg: number} | null;
   swapped: {type: LinkageType; defects: Defects; min_transmission_angle_deg: number | null} | null;
   fails: number; // requirement bits
-  function: GeneratedFunction | null; // function generation
   drive: Drive | null; // null: a slider or zero link
-  /** Of six-bars only. */
-  six_bar?: SixBar;
 }
 
 // ---- the file -------------------------------------------------------------------------------------------------
 
-/** Hinges of the chain that guides a six-bar's body, in position 1, fixed frame. */
-export interface Chain {
-  a: Point;
-  b: Point;
-  d: Point;
-  /** By position: +1 where b lies to the left of the line from a to d, −1 to its right. */
-  elbow?: readonly number[];
-}
 export interface Box {
   x: [number, number];
   y: [number, number];
@@ -374,8 +334,6 @@ export interface Ranked {
   pivots: Point[];
   /** Of a generator. */
   max_structural_error_deg?: number | null;
-  /** Where that is searched for. */
-  chain?: Chain;
 }
 export interface Replies {
   explore: {task: TaskAnswer; map: MapAnswer | null; engine_ms: number};

@@ -1,5 +1,6 @@
 // A compact picture of one linkage and its body for animations: links, pivots, body, its path and the positions.
-import type {Drive, Linkage, Point, SixBar} from "../engine/protocol";
+import type {Drive, Linkage, Point} from "../engine/protocol";
+import type {SixBar} from "../tasks/six_bar/replies";
 import {joints_at, row_count, row_joints, state_at, type State} from "../state/drive";
 import {placed} from "../state/problem";
 import type {Pose} from "../state/task";

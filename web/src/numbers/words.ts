@@ -2,7 +2,7 @@
 import type {Linkage, LinkageType, Point, RequirementKey, Requirements, TaskAnswer} from "../engine/protocol";
 import {requirement_names, value_text} from "../requirements/requirements";
 import type {Task} from "../state/task";
-import {name_of} from "../tasks/kinds";
+import {called, made_up, name_of} from "../tasks/kinds";
 import en from "../texts/en.json";
 import {degrees_text, length_text, significant} from "../texts/numbers";
 import {t, type TextKey} from "../texts/texts.svelte";
@@ -16,14 +16,19 @@ export function short_type(type: LinkageType): string {
   const short = `region.short.${type}`;
   return t((short in en ? short : `type.${type}`) as TextKey);
 }
-/** Of a linkage of a task: a six-bar is called by its make-up. */
+/** Of a linkage of a task: a longer one than a four-bar is called by its make-up. */
 export function short_name(task: Task, type: LinkageType): string {
   const name = name_of(task, type);
   return name === `type.${type}` ? short_type(type) : t(name);
 }
-/** "Crank-rocker"; of a six-bar, "Watt I". */
-export function linkage_name({six_bar, type}: Pick<Linkage, "six_bar" | "type">): string {
-  return six_bar ? t(`six_bar.${six_bar.topology}`) : t(`type.${type}`);
+/** "Crank-rocker", "Watt I". */
+export function linkage_name(linkage: Pick<Linkage, "type">): string {
+  return t(called(linkage));
+}
+/** That fits a line. */
+export function short_linkage_name(linkage: Pick<Linkage, "type">): string {
+  const name = made_up(linkage);
+  return name ? t(name) : short_type(linkage.type);
 }
 /** Lengths of a linkage, two decimals for links of some hundred millimetres. */
 export function link_text(length: number, longest: number): string {

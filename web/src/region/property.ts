@@ -1,71 +1,70 @@
-// What a colour of the map can stand for: its words, its range, which end is good, its requirement.
+// What a colour of the map can stand for, whatever the task: its words, its range, which end is good, its requirement.
 import type {LinkageType, Property, Requirements} from "../engine/protocol";
-import {round_step} from "../state/problem";
+import {length_levels, round_step} from "../state/problem";
 import type {Task} from "../state/task";
-import {properties_of} from "../tasks/kinds";
+import type {PropertyDescription} from "../tasks/kind";
+import {own_descriptions, properties_of} from "../tasks/kinds";
+import type {TermName} from "../terms/pictures";
 import type {TextKey} from "../texts/texts.svelte";
 import {degrees_text, significant} from "../texts/numbers";
 import type {Range} from "./painter";
 
 export type Coloring = "type" | Property;
-interface Description {
-  text: TextKey;
-  short: TextKey;
-  larger_is_better: boolean;
-  requirement: "min_transmission_angle_deg" | "max_link_ratio" | "max_length" | null;
-  quantity: "angle" | "fine_angle" | "ratio" | "length";
-}
-export const descriptions: Record<Property, Description> = {
+const angle_span = (): [number, number] => [0, 90],
+  angle_levels = () => [30, 45, 60, 75];
+export const descriptions = {
   min_transmission_angle_deg: {
     text: "region.by_transmission",
     short: "region.short_transmission",
+    term: "transmission_angle",
     larger_is_better: true,
     requirement: "min_transmission_angle_deg",
     quantity: "angle",
+    span: angle_span,
+    levels: angle_levels,
   },
   link_ratio: {
     text: "region.by_ratio",
     short: "region.short_ratio",
+    term: "link_ratio",
     larger_is_better: false,
     requirement: "max_link_ratio",
     quantity: "ratio",
+    span: ({max_link_ratio}) => [1, Math.max(1.25 * (max_link_ratio ?? 20), 4)],
+    levels: ([, to]) => [2, 3, 5, 8, 12].filter((level) => level < to),
   },
   longest_link: {
     text: "region.by_size",
     short: "region.by_size",
+    term: null,
     larger_is_better: false,
     requirement: "max_length",
     quantity: "length",
+    span: ({max_length}, typical) => [0, 1.25 * (max_length ?? 10 * typical)],
+    levels: length_levels,
   },
   min_transmission_angle_full_turn_deg: {
     text: "num.min_turn",
     short: "num.min_turn",
+    term: "transmission_angle",
     larger_is_better: true,
     requirement: null,
     quantity: "angle",
-  },
-  pose_miss: {
-    text: "region.by_miss",
-    short: "region.by_miss",
-    larger_is_better: false,
-    requirement: null,
-    quantity: "length",
+    span: angle_span,
+    levels: angle_levels,
   },
   driver_sweep_deg: {
     text: "num.sweep",
     short: "num.sweep",
+    term: "driver_sweep",
     larger_is_better: true,
     requirement: null,
     quantity: "angle",
+    span: () => [0, 360],
+    levels: () => [45, 90, 135, 180, 270],
   },
-  max_structural_error_deg: {
-    text: "function.max_error",
-    short: "function.error",
-    larger_is_better: false,
-    requirement: null,
-    quantity: "fine_angle",
-  },
-};
+  ...own_descriptions,
+} as Record<Property, PropertyDescription>;
 /** In the order in which C walks through them. */
 export function colorings_of(task: Task): Coloring[] {
   return ["type", ...properties_of(task)];
@@ -75,14 +74,17 @@ export function coloring_text(coloring: Coloring): TextKey {
   return coloring === "type" ? "region.by_type" : descriptions[coloring].short;
 }
 
+export function term_of(coloring: Coloring): TermName | null {
+  return coloring === "type" ? null : descriptions[coloring].term;
+}
+/** Known of cells that meet everything only. */
+export function is_of_meeting(coloring: Coloring): boolean {
+  return coloring !== "type" && (descriptions[coloring].of_meeting ?? false);
+}
+
 /** What the scale bar spans. `typical`: a length of the task's size. */
 export function domain(property: Property, requirements: Requirements, typical: number): [number, number] {
-  if (property === "driver_sweep_deg") return [0, 360];
-  if (property === "max_structural_error_deg") return [0, 2];
-  if (property === "link_ratio") return [1, Math.max(1.25 * (requirements.max_link_ratio ?? 20), 4)];
-  if (property === "pose_miss") return [0, 0.2 * typical];
-  if (property === "longest_link") return [0, 1.25 * (requirements.max_length ?? 10 * typical)];
-  return [0, 90];
+  return descriptions[property].span(requirements, typical);
 }
 
 /** The requirement's threshold on this property, where there is one that can be moved. */
@@ -118,19 +120,10 @@ export function contour_levels(
   typical: number,
 ): {level: number; bold: boolean}[] {
   const bold = threshold(property, requirements);
-  const levels = new Set(plain_levels(property, domain(property, requirements, typical)));
+  const levels = new Set(descriptions[property].levels(domain(property, requirements, typical)));
   if (bold !== null && bold > 0) levels.add(bold);
   return [...levels].sort((a, b) => a - b).map((level) => ({level, bold: level === bold}));
 }
-function plain_levels(property: Property, [from, to]: [number, number]): number[] {
-  if (property === "link_ratio") return [2, 3, 5, 8, 12].filter((level) => level < to);
-  if (property === "max_structural_error_deg") return [0.1, 0.2, 0.5, 1];
-  if (property === "driver_sweep_deg") return [45, 90, 135, 180, 270];
-  if (property !== "longest_link" && property !== "pose_miss") return [30, 45, 60, 75];
-  const step = round_step((to - from) / 8);
-  return [1, 2, 3, 4, 5, 6].map((k) => k * step).filter((level) => level < to);
-}
-
 export function type_text(type: LinkageType): TextKey {
   return `type.${type}`;
 }

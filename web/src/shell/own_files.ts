@@ -5,7 +5,8 @@ import {unused_name} from "../state/pins";
 import type {Pin} from "../state/problem";
 import {read_view} from "../state/problem_shape";
 import {is_finite, is_object, is_pair, type Object} from "../state/shape";
-import {read_task} from "../tasks/kinds";
+import {poses_of, position_count} from "../state/task";
+import {read_task, task_of_poses} from "../tasks/kinds";
 
 export type Told =
   | {kind: "problem" | "result" | "linkage"; text: string} // of the problem in it
@@ -96,11 +97,10 @@ function pin_of(linkage: Object, of: unknown): Pin | null {
 
 /** A four-bar's positions are a task where they are all that was asked: four or five poses. */
 function of_linkage({title, length_unit, poses}: Object, linkage: Object): Told {
-  const task = read_task({kind: "motion", mechanism: "four_bar", poses}),
+  const task = task_of_poses(poses),
     tau = tau_of(linkage);
-  const count =
-    task && "poses" in task ? task.poses.reduce((sum, pose) => sum + 1 + (pose.derivatives?.length ?? 0), 0) : 0;
-  if (linkage.mechanism !== "four_bar" || linkage.poses !== undefined || !tau || count < 4 || count > 5)
+  const count = task ? position_count(poses_of(task)) : 0;
+  if (linkage.mechanism !== task?.mechanism || linkage.poses !== undefined || !tau || count < 4 || count > 5)
     return {kind: "lone_linkage"};
   const text = (value: unknown) => (typeof value === "string" ? value : "");
   return {

@@ -1,6 +1,6 @@
 import {afterEach, beforeEach, describe, expect, it, vi} from "vitest";
 import {from_problem, to_problem} from "../state/document";
-import {with_pose, with_view, type Problem} from "../state/problem";
+import {with_view, type Problem} from "../state/problem";
 import {poses_of} from "../state/task";
 import {Workbench} from "../state/workbench.svelte";
 import {new_problem} from "../tasks/motion/kind";
@@ -16,6 +16,7 @@ import {
   write_work,
   type Store,
 } from "./storage";
+import {with_pose} from "../tasks/kinds";
 
 interface Items extends Store {
   items: Map<string, string>;

@@ -1,120 +1,14 @@
 // For tests: states of the page as they can come about, drawn at random.
 import fc, {type Arbitrary} from "fast-check";
-import {linkage_types, properties, type Box, type Point, type Requirements, type TauPair} from "../engine/protocol";
+import {linkage_types, properties, type Requirements} from "../engine/protocol";
+import {box, far_point, found, number, pair, points, positive, record, text} from "./arbitrary_values";
 import {from_problem, to_problem, type Document} from "./document";
 import {objectives, type Background, type Options, type Pin, type Problem, type View} from "./problem";
-import type {
-  AnglePair,
-  FreeNumber,
-  FunctionTask,
-  Given,
-  MotionTask,
-  NamedFunction,
-  Pose,
-  SixBarTask,
-  Task,
-} from "./task";
+import type {Task} from "./task";
 
-// Numbers as they are typed, computed or dragged; −0 is written as 0.
-const number = (most = 1e9): Arbitrary<number> =>
-  fc
-    .oneof(
-      fc.integer({min: -1000, max: 1000}),
-      fc.double({min: -most, max: most, noNaN: true}),
-      fc.constantFrom(most, -most, 1e-9, 0.1),
-    )
-    .map((value) => value + 0);
-const positive = (most = 1e9): Arbitrary<number> => fc.double({min: 1e-9, max: most, noNaN: true});
-const found = fc.oneof(
-  fc.constant(null),
-  fc.double({noNaN: true, noDefaultInfinity: true}).map((value) => value + 0),
-); // by the engine: however large
-const point: Arbitrary<Point> = fc.tuple(number(), number());
-const far_point: Arbitrary<Point | null> = fc.oneof(fc.constant(null), fc.tuple(number(1e300), number(1e300)));
-const pair: Arbitrary<TauPair> = fc.tuple(number(100), number(100));
-const text = (most: number): Arbitrary<string> =>
-  fc.oneof(
-    fc.string({maxLength: most}),
-    fc.string({maxLength: most, unit: "grapheme"}),
-    fc.constantFrom("", '尾门 "A"', "<b>", "…", "__proto__", "constructor"),
-  );
-const points = (min: number, max: number): Arbitrary<Point[]> => fc.array(point, {minLength: min, maxLength: max});
-const box: Arbitrary<Box> = fc.record({x: fc.tuple(number(), number()), y: fc.tuple(number(), number())});
-/** Members that may be missing. */
-function record<T extends object>(
-  required: {[K in keyof T]?: Arbitrary<NonNullable<T[K]> | T[K]>},
-  optional: {[K in keyof T]?: Arbitrary<T[K]>} = {},
-): Arbitrary<T> {
-  return fc.record({...required, ...optional} as never, {
-    requiredKeys: Object.keys(required) as never[],
-  }) as unknown as Arbitrary<T>;
-}
-
-// ---- tasks ----------------------------------------------------------------------------------------------------------
-
-const derivative = fc.record({x: number(), y: number(), theta: number()});
-const pose = record<Pose>(
-  {x: number(), y: number(), theta_deg: number()},
-  {derivatives: fc.array(derivative, {minLength: 1, maxLength: 4})},
-);
-const poses = fc.array(pose, {maxLength: 8});
-const given: Arbitrary<Given> = fc.oneof(
-  fc.record({side_lengths: fc.tuple(positive(), positive())}),
-  fc.record({side_length: positive()}),
-  fc.record(
-    {side_angle_deg: number(), directed: fc.boolean(), input_length: positive()},
-    {requiredKeys: ["side_angle_deg"]},
-  ),
-  fc.record({instant_center: point}),
-  fc.record({instant_center: point, at_infinity: fc.constant(true)}),
-) as Arbitrary<Given>;
-const motion = record<MotionTask>(
-  {kind: fc.constant("motion"), mechanism: fc.constant("four_bar"), poses},
-  {given, freed_pose: fc.integer({min: 1, max: 5})},
-);
-const chain = fc.record(
-  {a: point, b: point, d: point, elbow: fc.array(fc.constantFrom(-1, 1), {minLength: 4, maxLength: 4})},
-  {requiredKeys: ["a", "b", "d"]},
-);
-const six_bar = record<SixBarTask>(
-  {
-    kind: fc.constant("motion"),
-    mechanism: fc.constant("six_bar"),
-    poses,
-    added: fc.constantFrom(["0-2", "0-3"] as const, ["1-3", "0-2"] as const),
-  },
-  {chain},
-);
-
-const range = fc.tuple(number(), number());
-const rates = fc.array(fc.record({input: number(), output: number()}), {minLength: 1, maxLength: 4});
-const angle_pair = record<AnglePair>({input_deg: number(), output_deg: number()}, {derivatives: rates});
-const named = record<NamedFunction>(
-  {input_range_deg: range, output_range_deg: range},
-  {
-    expression: text(200),
-    table: points(1, 50),
-    interpolation: fc.constantFrom("linear", "monotone_cubic"),
-    x: range,
-    y: range,
-    points: fc.integer({min: 4, max: 5}),
-    spacing: fc.oneof(
-      fc.constantFrom("chebyshev" as const, "even" as const),
-      fc.array(number(), {minLength: 1, maxLength: 5}),
-    ),
-  },
-);
-const free = record<FreeNumber>(
-  {number: fc.constantFrom("output_scale", "pair_output")},
-  {pair: fc.integer({min: 1, max: 4}), range},
-);
-const function_ends = {ground_pivots: fc.record({input: point, output: point}), free};
-const head = {kind: fc.constant("function" as const), mechanism: fc.constant("four_bar" as const)};
-const function_task: Arbitrary<FunctionTask> = fc.oneof(
-  record<FunctionTask>({...head, pairs: fc.array(angle_pair, {maxLength: 12})}, function_ends),
-  record<FunctionTask>({...head, function: named}, function_ends),
-);
-export const task: Arbitrary<Task> = fc.oneof(motion, six_bar, function_task);
+/** Of all kinds. */
+const tasks = import.meta.glob<{arbitrary_task: Arbitrary<Task>}>("../tasks/*/arbitrary.ts", {eager: true});
+export const task: Arbitrary<Task> = fc.oneof(...Object.values(tasks).map(({arbitrary_task}) => arbitrary_task));
 
 // ---- the rest of a problem ------------------------------------------------------------------------------------------
 

@@ -2,7 +2,8 @@ import {describe, expect, it} from "vitest";
 import type {Axis} from "../engine/protocol";
 import {differs, from_problem, same_tau, settled_on, to_problem, type Document} from "./document";
 import {new_problem} from "../tasks/motion/kind";
-import {with_pose, with_view, type Pin} from "./problem";
+import {with_view, type Pin} from "./problem";
+import {with_pose} from "../tasks/kinds";
 
 /** One branch over the whole axis, from τ = 0 to 1. */
 const axis: Axis = {

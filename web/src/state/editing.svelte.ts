@@ -138,11 +138,12 @@ export abstract class Editing {
 
   // ---- what the engine says -----------------------------------------------------------------------------------
 
-  /** It has read this document, which stands when a later one is refused. */
+  /** It has read this document, which stands when a later one is refused, with what has been pinned since it was asked. */
   accept(document: Document): void {
     this.refusal = null;
-    this.last_good = document;
+    if (!same_question(document.problem, this.last_good.problem)) this.last_good = document;
     this.good_text = engine_text(document.problem);
+    this.keep_good();
   }
   /** It is not asked: the document stands as it is. */
   protected accept_unread(): void {

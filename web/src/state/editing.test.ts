@@ -1,9 +1,10 @@
 import {describe, expect, it} from "vitest";
 import type {Mistake} from "../engine/protocol";
 import {Editing} from "./editing.svelte";
-import {with_pose, with_view, type Problem} from "./problem";
+import {with_view, type Pin, type Problem} from "./problem";
 import {new_problem} from "../tasks/motion/kind";
 import {poses_of} from "./task";
+import {with_pose} from "../tasks/kinds";
 
 class Bench extends Editing {
   shown: Problem[] = [];
@@ -73,6 +74,17 @@ describe("editing", () => {
     expect([x(b), b.problem.view]).toEqual([poses_of(problem.task)[1].x, {traced: [[1, 2]]}]);
     b.undo();
     expect([b.problem.view, b.can_undo]).toEqual([undefined, false]);
+  });
+
+  it("keeps a pin that was set while the engine read the same task once more", () => {
+    const b = bench(),
+      asked = b.document,
+      pin = {name: "A"} as Pin;
+    b.edit_document((document) => ({...document, pins: [pin]}));
+    b.edit(x_to(2));
+    b.accept(asked); // of the finer map
+    b.refuse(b.problem, mistakes);
+    expect([x(b), b.pins]).toEqual([poses_of(problem.task)[1].x, [pin]]);
   });
 
   it("knows whether the engine has read what it needs of the problem in force", () => {

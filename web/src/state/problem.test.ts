@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {default_max_length} from "../tasks/kinds";
+import {default_max_length, with_pose, with_poses} from "../tasks/kinds";
 import {new_problem} from "../tasks/motion/kind";
 import {
   body_point,
@@ -9,8 +9,6 @@ import {
   poses_extent,
   round_step,
   with_options,
-  with_pose,
-  with_poses,
   with_requirements,
   with_view,
 } from "./problem";

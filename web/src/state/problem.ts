@@ -1,6 +1,6 @@
 // The problem file as the page holds it: a plain immutable value. Its normal form and its mistakes come from the engine.
 import type {Box, LinkageType, Point, Requirements, TauPair} from "../engine/protocol";
-import {diagonal_of, poses_of, with_task_poses, type Pose, type Task} from "./task";
+import {diagonal_of, poses_of, type Pose, type Task} from "./task";
 
 export const objectives = ["min_transmission_angle", "link_ratio", "size", "structural_error"] as const;
 export type Objective = (typeof objectives)[number];
@@ -81,14 +81,7 @@ export function same_question(a: Problem, b: Problem): boolean {
   return a === b || engine_text(a) === engine_text(b);
 }
 
-export function with_pose(problem: Problem, index: number, change: Partial<Pose>): Problem {
-  const poses = poses_of(problem.task).map((pose, i) => (i === index ? {...pose, ...change} : pose));
-  return with_poses(problem, poses);
-}
-export function with_poses(problem: Problem, poses: readonly Pose[]): Problem {
-  return with_task(problem, with_task_poses(problem.task, poses));
-}
-export function with_task(problem: Problem, task: Task): Problem {
+export function with_task<T extends Task>(problem: Problem, task: T): Problem {
   return {...problem, task};
 }
 export function with_requirements(problem: Problem, change: Partial<Requirements>): Problem {
@@ -134,6 +127,12 @@ export function round_step(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value));
   for (const digit of [1, 2, 5]) if (digit * power >= value * (1 - 1e-12)) return digit * power;
   return 10 * power;
+}
+
+/** Round lengths in a span, fewer than seven. */
+export function length_levels([from, to]: readonly [number, number]): number[] {
+  const step = round_step((to - from) / 8);
+  return [1, 2, 3, 4, 5, 6].map((k) => k * step).filter((level) => level < to);
 }
 
 /** Outline of the body: the file's, or a rectangle sized from the poses. */

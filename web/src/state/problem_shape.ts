@@ -1,7 +1,7 @@
 // What comes from outside (a link, a file, the browser's store) as a problem, or nothing. The engine says what is wrong
 // with a task; the view, which it keeps and never reads, is looked through here: what does not fit is left out.
 import {linkage_types, type Point, type TauPair} from "../engine/protocol";
-import {read_task} from "../tasks/kinds";
+import {read_task, task_of_poses} from "../tasks/kinds";
 import {unused_name} from "./pins";
 import {most_pins, objectives, type Background, type Pin, type Problem, type View} from "./problem";
 import {is_finite, is_number, is_object, is_pair, read_list, type Object} from "./shape";
@@ -18,7 +18,7 @@ function pairs(value: unknown): Point[] | undefined {
 function read_pin(value: unknown): Pin | null {
   if (!is_object(value) || typeof value.name !== "string" || value.name.trim() === "" || !is_pair(value.tau))
     return null;
-  const task = read_task(value.task ?? {kind: "motion", mechanism: "four_bar", poses: value.poses}); // pins used to have poses
+  const task = value.task === undefined ? task_of_poses(value.poses) : read_task(value.task); // pins used to have poses
   const type = linkage_types.find((name) => name === value.type);
   if (!task || !type) return null;
   const pivots = is_object(value.pivots) ? value.pivots : {};

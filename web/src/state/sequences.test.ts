@@ -7,9 +7,10 @@ import type {Axis, Kind, RequestMessage, TauPair} from "../engine/protocol";
 import {keep_work, own_slot, read_work, type Store} from "../shell/storage";
 import {new_problem} from "../tasks/motion/kind";
 import {function_kind} from "../tasks/function/kind";
-import {with_pose, with_poses, with_requirements, with_view, type Pin, type Problem} from "./problem";
+import {with_requirements, with_view, type Pin, type Problem} from "./problem";
 import {poses_of} from "./task";
 import {Workbench} from "./workbench.svelte";
+import {with_pose, with_poses} from "../tasks/kinds";
 
 // ---- an engine that is none -----------------------------------------------------------------------------------------
 

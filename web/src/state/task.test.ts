@@ -1,15 +1,8 @@
 import {describe, expect, it} from "vitest";
-import {
-  diagonal_of,
-  pattern_of,
-  position_count,
-  same_task,
-  told_position,
-  with_task_poses,
-  type FunctionTask,
-  type MotionTask,
-  type Pose,
-} from "./task";
+import {diagonal_of, pattern_of, position_count, same_task, told_position, type Pose} from "./task";
+import type {FunctionTask} from "../tasks/function/task";
+import type {MotionTask} from "../tasks/motion/task";
+import {with_task_poses} from "../tasks/kinds";
 
 const pose = {x: 1, y: 2, theta_deg: 3};
 const motion: MotionTask = {
@@ -29,8 +22,8 @@ describe("tasks", () => {
       kind: "motion",
     } as unknown as MotionTask;
     expect(same_task(motion, again)).toBe(true);
-    expect(same_task(motion, {...motion, given: {side_lengths: [3, 5]}})).toBe(false);
-    expect(same_task(motion, {...motion, given: undefined})).toBe(false);
+    expect(same_task(motion, {...motion, given: {side_lengths: [3, 5]}} as MotionTask)).toBe(false);
+    expect(same_task(motion, {...motion, given: undefined} as MotionTask)).toBe(false);
     expect(same_task(motion, {...motion, poses: motion.poses.slice(1)})).toBe(false);
     expect(same_task(motion, pairs)).toBe(false);
     const bent = {...pose, derivatives: [{x: 1, y: 0, theta: 0.5}]};

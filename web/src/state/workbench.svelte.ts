@@ -15,7 +15,7 @@ import {
   type Window,
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
-import {incompleteness, kind_of, map_of, properties_of, with_other_task} from "../tasks/kinds";
+import {incompleteness, kind_of, map_of, measure_of, properties_of, with_other_task} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {Answers, type Halo} from "./answers.svelte";
 import {BestList} from "./best_list.svelte";
@@ -29,7 +29,7 @@ import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
 import {find_pin, free_name, new_pin} from "./pins";
 import {preferences} from "./preferences.svelte";
-import {most_pins, type Objective, type Pin, type Problem} from "./problem";
+import {most_pins, type Pin, type Problem} from "./problem";
 import type {Steps} from "./steps";
 import {same_task} from "./task";
 import {after_change, with_toast, type Toast} from "./toasts";
@@ -37,13 +37,6 @@ import {after_change, with_toast, type Toast} from "./toasts";
 export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
-
-const measures: Record<Objective, Property> = {
-  min_transmission_angle: "min_transmission_angle_deg",
-  link_ratio: "link_ratio",
-  size: "longest_link",
-  structural_error: "max_structural_error_deg",
-};
 
 /** A task is shown between the last two positions. */
 const before_last = 1.55;
@@ -162,10 +155,7 @@ export class Workbench extends Editing {
   }
   /** What is asked of the engine with a map: behind the types, what the objective goes by. */
   get property(): Property {
-    const {coloring, problem} = this,
-      wanted = measures[problem.options?.objective ?? "min_transmission_angle"];
-    if (coloring !== "type") return coloring;
-    return properties_of(problem.task).includes(wanted) ? wanted : "min_transmission_angle_deg";
+    return this.coloring === "type" ? measure_of(this.problem) : this.coloring;
   }
   get unit(): string {
     return this.problem.length_unit ?? "";

@@ -7,13 +7,14 @@ import {Server} from "../engine/serve";
 import {targets} from "../exports/take_away";
 import {examples, first_example} from "../gallery/gallery";
 import {fetch_pin} from "../pins/fetch";
-import {engine_text, with_options, with_pose, with_poses, with_requirements, type Problem} from "./problem";
+import {engine_text, with_options, with_requirements, type Problem} from "./problem";
 import {fresh_function, function_kind} from "../tasks/function/kind";
 import {pairs_of, with_named} from "../tasks/function/pairs";
 import {new_problem} from "../tasks/motion/kind";
 import {preferences} from "./preferences.svelte";
 import {Workbench} from "./workbench.svelte";
 import {poses_of} from "./task";
+import {with_pose, with_poses} from "../tasks/kinds";
 
 const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
 const tailgate = first_example.problem,

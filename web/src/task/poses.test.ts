@@ -1,4 +1,5 @@
 import {describe, expect, it} from "vitest";
+import type {MotionTask} from "../tasks/motion/task";
 import type {Document} from "../state/document";
 import {placed, type Problem} from "../state/problem";
 import {poses_of, type Pose} from "../state/task";
@@ -77,7 +78,12 @@ describe("poses", () => {
         ...document,
         problem: {
           ...problem,
-          task: {kind: "motion", mechanism: "four_bar", poses: tailgate.slice(1), given: {instant_center: [5, 6]}},
+          task: {
+            kind: "motion",
+            mechanism: "four_bar",
+            poses: tailgate.slice(1),
+            given: {instant_center: [5, 6]},
+          } as MotionTask,
         },
       },
       1,

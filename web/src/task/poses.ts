@@ -2,8 +2,8 @@
 import type {Box, Point} from "../engine/protocol";
 import {body_point, with_task, type Pin} from "../state/problem";
 import type {Document} from "../state/document";
-import {poses_of, same_task, with_task_poses, type Pose, type Task} from "../state/task";
-import {kind_of} from "../tasks/kinds";
+import {poses_of, same_task, type Pose, type Task} from "../state/task";
+import {kind_of, with_task_poses} from "../tasks/kinds";
 import {least_of, most_of} from "../state/ends";
 
 export function moved(poses: readonly Pose[], from: number, to: number): Pose[] {

@@ -1,8 +1,9 @@
-// What a kind of task brings, without its views (view.ts): the frame asks it through kinds.ts and knows none by name.
-import type {Point, Property} from "../engine/protocol";
+// What a kind of task brings: the frame asks it through kinds.ts, its views through views.ts, and knows none by name.
+import type {Linkage, Point, Property, Requirements} from "../engine/protocol";
 import type {Objective, Problem} from "../state/problem";
 import type {Object} from "../state/shape";
-import type {Task} from "../state/task";
+import type {Pose, Task} from "../state/task";
+import type {TermName} from "../terms/pictures";
 import type {TextKey} from "../texts/texts.svelte";
 
 /** Why the engine is not asked yet: `state` for the page, a sentence with {n} for people. */
@@ -18,11 +19,45 @@ export interface Beginning {
   about: TextKey;
   make(): Problem;
 }
+/** A distance between two joints of a body, in words; `color` is that of a part of the drawing (app.css). */
+export interface NamedLength {
+  key: string;
+  name: string;
+  length: number;
+  color: string | null;
+}
+export interface NamedJoint {
+  key: string;
+  name: string;
+  at: Point;
+  on_ground: boolean;
+  color: string;
+}
+/** What a colour of the map stands for. */
+export interface PropertyDescription {
+  text: TextKey;
+  short: TextKey;
+  term: TermName | null;
+  larger_is_better: boolean;
+  requirement: "min_transmission_angle_deg" | "max_link_ratio" | "max_length" | null;
+  quantity: "angle" | "fine_angle" | "ratio" | "length";
+  /** Known of cells that meet everything only. */
+  of_meeting?: boolean;
+  /** What the scale bar spans. `typical`: a length of the task's size. */
+  span(requirements: Requirements, typical: number): [number, number];
+  /** Contour levels within the span. */
+  levels(span: readonly [number, number]): number[];
+}
+/** All but the views. */
 export interface TaskKind<T extends Task = Task> {
   name: TextKey;
   is(task: Task): task is T;
   /** From outside; the engine says what is wrong with it in detail. */
   read(value: Object): T | null;
+  /** A body's poses and nothing else, as old pins and files of single linkages have them. */
+  of_poses?(poses: unknown): T | null;
+  /** With other poses, of a body that is guided; what does not go with them is left out. */
+  with_poses?(task: T, poses: readonly Pose[]): T;
   incompleteness(task: T): Incomplete | null;
   /** Where the drive is to stop: positions that lie apart. */
   stops(task: T): number;
@@ -40,10 +75,14 @@ export interface TaskKind<T extends Task = Task> {
   map_of(task: T): string;
   /** What the map's colours can stand for beside what they always can. */
   properties?(task: T): readonly Property[];
+  /** Those of them that no other kind has. */
+  described?: Partial<Record<Property, PropertyDescription>>;
   /** The fixed frame seen from elsewhere: points by `point`; poses are the frame's matter. */
   moved(task: T, point: (p: Point) => Point): T;
   /** What a linkage can be the best by beside the usual. */
   objectives?(task: T): readonly Objective[];
+  /** What they are measured by on the map. */
+  measures?: Partial<Record<Objective, Property>>;
   /** What all its linkages are, a text's key, where it is the task that says so; otherwise a linkage is called by its type. */
   make_up?(task: T): TextKey | null;
   /** For the printed sheet. */
@@ -51,4 +90,14 @@ export interface TaskKind<T extends Task = Task> {
   beginnings: readonly Beginning[];
   /** What it says in place of a text of the frame. */
   texts?: Partial<Record<TextKey, TextKey>>;
+
+  // Of a linkage, where it is one of this kind and not told like any four-bar; otherwise null.
+  called?(linkage: Linkage): TextKey | null;
+  term?(linkage: Linkage): TermName | null;
+  lengths?(linkage: Linkage): NamedLength[] | null;
+  joints?(linkage: Linkage): NamedJoint[] | null;
+}
+/** A kind with its views (view.ts), which are loaded before the page stands: what only computes does not hang on them. */
+export interface TaskModule<T extends Task = Task> extends TaskKind<T> {
+  view(): Promise<object>;
 }

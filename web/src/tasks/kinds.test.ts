@@ -1,8 +1,10 @@
 import {describe, expect, it} from "vitest";
 import {preferences} from "../state/preferences.svelte";
-import {with_poses, type Problem} from "../state/problem";
+import type {Problem} from "../state/problem";
 import {read_problem} from "../state/problem_shape";
-import {poses_of, with_task_poses, type FunctionTask, type MotionTask} from "../state/task";
+import {poses_of} from "../state/task";
+import type {FunctionTask} from "./function/task";
+import type {MotionTask} from "./motion/task";
 import {
   anchors_of,
   default_max_length,
@@ -13,6 +15,8 @@ import {
   read_task,
   task_kinds,
   told,
+  with_poses,
+  with_task_poses,
 } from "./kinds";
 import {new_problem} from "./motion/kind";
 
@@ -113,7 +117,7 @@ describe("kinds of tasks", () => {
     expect(states).toEqual(["empty", "too_few", "no_given", null, null, "too_many"]);
     const given: Problem = {
       ...problem,
-      task: {kind: "motion", mechanism: "four_bar", poses: poses.slice(1), given: {side_length: 5}},
+      task: {kind: "motion", mechanism: "four_bar", poses: poses.slice(1), given: {side_length: 5}} as MotionTask,
     };
     expect(incompleteness(given)).toBeNull();
     const pairs = (n: number): Problem => ({
@@ -122,7 +126,7 @@ describe("kinds of tasks", () => {
         kind: "function",
         mechanism: "four_bar",
         pairs: Array.from({length: n}, (_, i) => ({input_deg: i, output_deg: i})),
-      },
+      } as FunctionTask,
     });
     expect([3, 4, 5, 6].map((n) => incompleteness(pairs(n))?.state ?? null)).toEqual([
       "too_few",
@@ -149,6 +153,6 @@ describe("kinds of tasks", () => {
       ),
     ).toBe(maps[0]);
     const pairs: FunctionTask = {kind: "function", mechanism: "four_bar", pairs: []};
-    expect(map_of({...pairs, free: {number: "output_scale"}})).not.toBe(map_of(pairs));
+    expect(map_of({...pairs, free: {number: "output_scale"}} as FunctionTask)).not.toBe(map_of(pairs));
   });
 });

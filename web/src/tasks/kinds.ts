@@ -1,15 +1,15 @@
-// The kinds of tasks there are.
-import type {LinkageType, Notice, Point, Property} from "../engine/protocol";
-import {with_options, with_task, type Problem} from "../state/problem";
+// What the frame asks the kind of the task at hand.
+import type {Linkage, LinkageType, Notice, Point, Property} from "../engine/protocol";
+import {with_options, with_task, type Objective, type Problem} from "../state/problem";
 import {is_object} from "../state/shape";
-import {diagonal_of, type Task} from "../state/task";
-import {function_kind} from "./function/kind";
+import {diagonal_of, poses_of, type Pose, type Task} from "../state/task";
 import {notice_text, type TextKey} from "../texts/texts.svelte";
-import type {Incomplete, TaskKind} from "./kind";
-import {motion_kind} from "./motion/kind";
-import {six_bar_kind} from "./six_bar/kind";
+import type {TermName} from "../terms/pictures";
+import type {Incomplete, NamedJoint, NamedLength, PropertyDescription, TaskKind} from "./kind";
+import {task_modules} from "./registry";
 
-export const task_kinds = [motion_kind, function_kind, six_bar_kind] as unknown as readonly TaskKind[];
+/** None is asked of another's task. */
+export const task_kinds = task_modules as unknown as readonly TaskKind[];
 
 const common_properties: readonly Property[] = [
   "min_transmission_angle_deg",
@@ -34,6 +34,20 @@ export function read_task(value: unknown): Task | null {
 }
 const read_before = new WeakMap<object, Task | null>();
 
+/** A body's poses, where a file has no more of a task than them. */
+export function task_of_poses(poses: unknown): Task | null {
+  return first_told((kind) => kind.of_poses?.(poses));
+}
+function first_told<T>(ask: (kind: TaskKind) => T | null | undefined): T | null {
+  for (const kind of task_kinds) {
+    const told = ask(kind);
+    if (told != null) return told;
+  }
+  return null;
+}
+
+// ---- of a task ------------------------------------------------------------------------------------------------------
+
 export function incompleteness({task}: Problem): Incomplete | null {
   return kind_of(task).incompleteness(task);
 }
@@ -51,14 +65,41 @@ export function extent_of(task: Task): number {
 export function properties_of(task: Task): Property[] {
   return [...common_properties, ...(kind_of(task).properties?.(task) ?? [])];
 }
+const common_measures: Partial<Record<Objective, Property>> = {
+  min_transmission_angle: "min_transmission_angle_deg",
+  link_ratio: "link_ratio",
+  size: "longest_link",
+};
+/** What the objective is measured by, where the map has it. */
+export function measure_of({task, options}: Problem): Property {
+  const {objective = "min_transmission_angle"} = options ?? {},
+    measure = kind_of(task).measures?.[objective] ?? common_measures[objective];
+  return measure && properties_of(task).includes(measure) ? measure : "min_transmission_angle_deg";
+}
+/** In words and numbers, what kinds of tasks bring. */
+export const own_descriptions: Partial<Record<Property, PropertyDescription>> = Object.assign(
+  {},
+  ...task_kinds.map(({described}) => described),
+);
 /** The problem with another task; what linkages can be the best by only in the old one is no objective any more. */
-export function with_other_task(problem: Problem, task: Task): Problem {
+export function with_other_task<T extends Task>(problem: Problem, task: T): Problem {
   const changed = with_task(problem, task),
     objectives = (of: Task) => kind_of(of).objectives?.(of) ?? [];
   const lost = objectives(problem.task).filter((objective) => !objectives(task).includes(objective));
   return lost.some((objective) => objective === problem.options?.objective)
     ? with_options(changed, {objective: undefined})
     : changed;
+}
+/** The task with other poses, and without what does not go with them. */
+export function with_task_poses(task: Task, poses: readonly Pose[]): Task {
+  return kind_of(task).with_poses?.(task, poses) ?? task;
+}
+export function with_pose(problem: Problem, index: number, change: Partial<Pose>): Problem {
+  const poses = poses_of(problem.task).map((pose, i) => (i === index ? {...pose, ...change} : pose));
+  return with_poses(problem, poses);
+}
+export function with_poses(problem: Problem, poses: readonly Pose[]): Problem {
+  return with_task(problem, with_task_poses(problem.task, poses));
 }
 /** A text of the frame, as this kind of task says it. */
 export function text_for(task: Task, key: TextKey): TextKey {
@@ -74,4 +115,26 @@ export function name_of(task: Task, type: LinkageType): TextKey {
 }
 export function map_of(task: Task): string {
   return kind_of(task).map_of(task);
+}
+
+// ---- of a linkage, which tells by what it carries whose it is -------------------------------------------------------
+
+/** What it is called: a text's key. */
+export function called(linkage: Pick<Linkage, "type">): TextKey {
+  return made_up(linkage) ?? `type.${linkage.type}`;
+}
+/** What it is called where that is more than its type. */
+export function made_up(linkage: Pick<Linkage, "type">): TextKey | null {
+  return first_told((kind) => kind.called?.(linkage as Linkage));
+}
+/** The term that explains it, where its type does not. */
+export function term_of_kind(linkage: Pick<Linkage, "type">): TermName | null {
+  return first_told((kind) => kind.term?.(linkage as Linkage));
+}
+/** Null: of a four-bar, whose links and pivots all know. */
+export function lengths_of(linkage: Linkage): NamedLength[] | null {
+  return first_told((kind) => kind.lengths?.(linkage));
+}
+export function joints_of(linkage: Linkage): NamedJoint[] | null {
+  return first_told((kind) => kind.joints?.(linkage));
 }

@@ -4,7 +4,7 @@ import type {Handle} from "../drawing/handles";
 import type {Linkage} from "../engine/protocol";
 import type {Task} from "../state/task";
 import type {Scene} from "../drawing/scene.svelte";
-import type {PlotKind} from "../transport/plot";
+import type {PlotChoice} from "../transport/plot";
 
 export interface EditorProperties {
   /** A sentence about a field, or that there is nothing to say about it any more. */
@@ -24,5 +24,5 @@ export interface TaskView {
   /** Beside the numbers of the linkage in hand. */
   Numbers?: Component<{hand: Linkage}>;
   /** The first one is shown first. */
-  plots(task: Task): readonly PlotKind[];
+  plots(task: Task): readonly PlotChoice[];
 }

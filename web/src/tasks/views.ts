@@ -1,19 +1,17 @@
 // The views of the kinds of tasks there are.
 import type {Task} from "../state/task";
-import {function_view} from "./function/view";
 import {kind_of} from "./kinds";
-import {function_kind} from "./function/kind";
-import {motion_view} from "./motion/view";
-import {six_bar_kind} from "./six_bar/kind";
-import {six_bar_view} from "./six_bar/view";
-import type {TaskKind} from "./kind";
+import {task_modules} from "./registry";
 import type {TaskView} from "./view";
 
-const views = new Map<unknown, TaskView>([
-  [function_kind, function_view],
-  [six_bar_kind, six_bar_view],
-]);
+const views = new Map<unknown, TaskView>();
 
+/** Before the page stands. */
+export async function load_views(): Promise<void> {
+  await Promise.all(task_modules.map(async (module) => views.set(module, await module.view())));
+}
 export function task_view(task: Task): TaskView {
-  return views.get(kind_of(task) as TaskKind) ?? motion_view;
+  const view = views.get(kind_of(task));
+  if (!view) throw new Error("the views are not loaded");
+  return view;
 }

@@ -1,7 +1,7 @@
 import {describe, expect, it} from "vitest";
 import en from "../texts/en.json";
 import zh from "../texts/zh.json";
-import {linkage_types} from "../engine/protocol";
+import {linkage_types, type Linkage} from "../engine/protocol";
 import {pictures, type Stroke} from "./pictures";
 import {term_of_defects, term_of_linkage, term_of_type} from "./terms.svelte";
 
@@ -28,7 +28,7 @@ describe("terms", () => {
   it("are found for every type and defect", () => {
     for (const type of linkage_types) expect(names).toContain(term_of_type(type));
     expect(term_of_type("degenerate")).toBe("slider");
-    expect(term_of_linkage({type: "crank_rocker", six_bar: {topology: "stephenson_2"} as never})).toBe("stephenson");
+    expect(term_of_linkage({type: "crank_rocker", six_bar: {topology: "stephenson_2"}} as Linkage)).toBe("stephenson");
     expect(term_of_defects({order: true, branch: true, circuit: true})).toBe("circuit_defect");
     expect(term_of_defects({order: false, branch: false, circuit: false})).toBe("no_defects");
   });

@@ -2,6 +2,7 @@
 // touched. One is open at a time.
 import type {Attachment} from "svelte/attachments";
 import type {Linkage, LinkageType} from "../engine/protocol";
+import {term_of_kind} from "../tasks/kinds";
 import {pictures, type TermName} from "./pictures";
 
 export interface Explained {
@@ -41,9 +42,9 @@ export const terms = new Terms();
 export function term_of_type(type: LinkageType): TermName {
   return type === "degenerate" ? "slider" : type in pictures ? (type as TermName) : "change_point";
 }
-/** Of a six-bar, its topology. */
-export function term_of_linkage({six_bar, type}: Pick<Linkage, "six_bar" | "type">): TermName {
-  return six_bar ? (six_bar.topology === "watt_1" ? "watt_1" : "stephenson") : term_of_type(type);
+/** Of a longer linkage than a four-bar, its make-up. */
+export function term_of_linkage(linkage: Pick<Linkage, "type">): TermName {
+  return term_of_kind(linkage) ?? term_of_type(linkage.type);
 }
 /** The worst defect, as it is told. */
 export function term_of_defects({order, branch, circuit}: Linkage["defects"]): TermName {

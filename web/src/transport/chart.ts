@@ -137,7 +137,7 @@ export class Chart {
   }
   private y_label(value: number): string {
     const kind = this.input?.plot.kind;
-    if (kind === "error" || kind === "output") return `${significant(value, 2)}°`;
+    if (kind === "own" || kind === "output") return `${significant(value, 2)}°`;
     return kind === "transmission" || kind === "coupler" ? `${fixed(value, 0)}°` : significant(value, 4);
   }
   private y_splits(min: number, max: number): number[] {

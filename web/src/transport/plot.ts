@@ -1,12 +1,21 @@
 // What the plot shows: columns of the drive table over the driver angle, or the path of the body.
-import {state_columns, type Drive} from "../engine/protocol";
+import {state_columns, type Drive, type Linkage} from "../engine/protocol";
 import {row_count, state_at} from "../state/drive";
+import type {TextKey} from "../texts/texts.svelte";
 import {played_span, stops_of} from "./play";
 
 export const plot_kinds = ["transmission", "coupler", "path", "velocity", "advantage"] as const;
 /** Columns of the drive table. */
 export type DriveKind = (typeof plot_kinds)[number] | "output";
-export type PlotKind = DriveKind | "error";
+/** What a kind of task plots of its own, beside columns of the drive table: an angle over the driver angle. */
+export interface OwnPlot {
+  id: string;
+  name: TextKey;
+  short_name: TextKey;
+  plot(linkage: Linkage): Plot | null;
+  value_at(linkage: Linkage, angle_deg: number): number | null;
+}
+export type PlotChoice = DriveKind | OwnPlot;
 type Column = (typeof state_columns)[number];
 const columns: Record<DriveKind, Column[]> = {
   transmission: ["transmission_angle_deg"],
@@ -19,7 +28,9 @@ const columns: Record<DriveKind, Column[]> = {
 const zero_is_nothing: readonly DriveKind[] = ["velocity", "advantage"]; // at dead points
 
 export interface Plot {
-  kind: PlotKind;
+  kind: DriveKind | "own";
+  /** Names of the values, in files. */
+  columns: readonly string[];
   angles: number[];
   /** One column, or x and y of the path. Null: not defined there. */
   values: (number | null)[][];
@@ -43,6 +54,7 @@ export function plot_of(drive: Drive, kind: DriveKind, whole: boolean): Plot {
     .map((s) => ({...s, values: values_at(drive, kind, s.angle)}));
   const plot: Plot = {
     kind,
+    columns: names,
     angles: rows.map((row) => drive.states[row * drive.width]),
     values,
     dots,
@@ -98,7 +110,5 @@ export function nearest_on_path(plot: Plot, x: number, y: number): number {
 /** What is shown, as comma-separated values; where nothing is defined the field is empty. */
 export function plot_csv(plot: Plot): string {
   const lines = plot.angles.map((angle, row) => [angle, ...plot.values.map((column) => column[row] ?? "")].join(","));
-  return [["input_deg", ...(plot.kind === "error" ? ["error_deg"] : columns[plot.kind])].join(","), ...lines, ""].join(
-    "\n",
-  );
+  return [["input_deg", ...plot.columns].join(","), ...lines, ""].join("\n");
 }

@@ -1,6 +1,6 @@
 // Dragging a position: its place, its angle, its direction and curvature of travel.
 import type {Point} from "../../engine/protocol";
-import {poses_extent, round_step, with_pose, with_poses, type Problem} from "../../state/problem";
+import {poses_extent, round_step, type Problem} from "../../state/problem";
 import {poses_of, type Pose} from "../../state/task";
 import {mistake_sentence} from "../../task/mistakes";
 import {with_bend, with_travel} from "../../task/travel";
@@ -9,6 +9,7 @@ import {angle_note, point_note, radius_note} from "../words";
 import {snapped_angle, snapped_point, wrapped_deg, type Keys} from "../snapping";
 import {to_screen} from "../viewport";
 import {align_px, finish, grid, pixel, Way, type Bench, type Drag} from "./drag";
+import {with_pose, with_poses} from "../../tasks/kinds";
 
 type PoseTarget = Extract<Target, {pose: number}>;
 const halo_turn_deg = 30;

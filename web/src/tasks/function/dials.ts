@@ -1,5 +1,6 @@
 // The dials about the ground pivots: a mark to each pair, in the direction that the link has there.
-import type {DialPair, Point, Side} from "../../engine/protocol";
+import type {Point, Side} from "../../engine/protocol";
+import type {DialPair} from "./replies";
 import type {Scene} from "../../drawing/scene.svelte";
 import {to_screen} from "../../drawing/viewport";
 import {ground_pivots_of} from "./kind";

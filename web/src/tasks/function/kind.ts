@@ -2,16 +2,8 @@
 import type {Point} from "../../engine/protocol";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
-import {
-  diagonal_of,
-  pattern_of,
-  position_count,
-  type AnglePair,
-  type FreeNumber,
-  type FunctionTask,
-  type NamedFunction,
-  type Range,
-} from "../../state/task";
+import {diagonal_of, pattern_of, position_count, type Range} from "../../state/task";
+import {is_function, type AnglePair, type FreeNumber, type FunctionTask, type NamedFunction} from "./task";
 import {significant} from "../../texts/numbers";
 import type {TaskKind} from "../kind";
 
@@ -124,7 +116,7 @@ function new_problem(): Problem {
 
 export const function_kind: TaskKind<FunctionTask> = {
   name: "task.kind_function",
-  is: (task): task is FunctionTask => task.kind === "function",
+  is: is_function,
   read,
   incompleteness(task) {
     const n = position_count_of(task);
@@ -152,7 +144,20 @@ export const function_kind: TaskKind<FunctionTask> = {
     ground_pivots: {input: point(ground_pivots_of(task).input), output: point(ground_pivots_of(task).output)},
   }),
   properties: ({function: named, free}) => (named && !free ? ["max_structural_error_deg"] : []),
+  described: {
+    max_structural_error_deg: {
+      text: "function.max_error",
+      short: "function.error",
+      term: "structural_error",
+      larger_is_better: false,
+      requirement: null,
+      quantity: "fine_angle",
+      span: () => [0, 2],
+      levels: () => [0.1, 0.2, 0.5, 1],
+    },
+  },
   objectives: ({function: named}) => (named ? ["structural_error"] : []),
+  measures: {structural_error: "max_structural_error_deg"},
   table({pairs, function: named}) {
     if (!named)
       return {

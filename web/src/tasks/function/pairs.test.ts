@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {Problem} from "../../state/problem";
-import type {AnglePair, FunctionTask} from "../../state/task";
+import type {AnglePair, FunctionTask} from "./task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {snapped_mark} from "./dial_handles";
 import {function_kind} from "./kind";

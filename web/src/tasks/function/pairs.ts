@@ -1,7 +1,8 @@
 // The pairs of angles of a function task, whether they are given or taken from a named function.
-import type {DialPair, Point, Side} from "../../engine/protocol";
+import type {Point, Side} from "../../engine/protocol";
+import type {DialPair} from "./replies";
+import type {AnglePair, FreeNumber, FunctionTask, NamedFunction} from "./task";
 import {with_task, type Problem} from "../../state/problem";
-import type {AnglePair, FreeNumber, FunctionTask, NamedFunction} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {cells_of} from "../../task/paste";
 import {by_parameter} from "../../task/derivatives";

@@ -1,7 +1,8 @@
-import type {FunctionTask} from "../../state/task";
+import type {FunctionTask} from "./task";
 import type {TaskView} from "../view";
 import DialLayer from "./DialLayer.svelte";
 import {dial_handles} from "./dial_handles";
+import {structural_error} from "./error_plot";
 import Editor from "./Editor.svelte";
 import FunctionNumbers from "./FunctionNumbers.svelte";
 
@@ -12,6 +13,6 @@ export const function_view: TaskView = {
   Numbers: FunctionNumbers,
   plots: (task) =>
     (task as FunctionTask).function
-      ? ["error", "transmission", "output", "velocity", "advantage"]
+      ? [structural_error, "transmission", "output", "velocity", "advantage"]
       : ["output", "transmission", "velocity", "advantage"],
 };

@@ -1,10 +1,11 @@
 // Of five positions one may be freed: the others are a task of four, whose map says what the exactness of all five costs.
 import {with_task, type Problem} from "../../state/problem";
-import {position_count, type MotionTask} from "../../state/task";
+import {position_count} from "../../state/task";
+import {is_motion, type MotionTask} from "./task";
 
 /** Poses that can be freed, from 1; none where there are not five positions. */
 export function freeable({task}: Problem): number[] {
-  if (task.kind !== "motion" || task.mechanism !== "four_bar" || position_count(task.poses) !== 5) return [];
+  if (!is_motion(task) || position_count(task.poses) !== 5) return [];
   return task.poses.flatMap((pose, i) => (pose.derivatives?.length ? [] : [i + 1]));
 }
 export function freed_of({task}: Problem): number | null {

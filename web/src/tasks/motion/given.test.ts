@@ -1,7 +1,8 @@
 import {describe, expect, it} from "vitest";
 import type {Linkage} from "../../engine/protocol";
-import {with_poses, type Problem} from "../../state/problem";
-import {poses_of, with_task_poses, type Given, type MotionTask} from "../../state/task";
+import type {Problem} from "../../state/problem";
+import {poses_of} from "../../state/task";
+import type {Given, MotionTask} from "./task";
 import {freeable, freed_of, with_freed} from "./freed";
 import {
   form_of,
@@ -18,6 +19,7 @@ import {
   with_length,
 } from "./given";
 import {motion_kind, new_problem} from "./kind";
+import {with_poses, with_task_poses} from "../kinds";
 
 const four = new_problem(),
   three = with_poses(four, poses_of(four.task).slice(1));

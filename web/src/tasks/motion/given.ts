@@ -1,7 +1,8 @@
 // What is given beside three positions: its forms, and what of it can be seen and dragged.
 import type {Linkage, Point, Side} from "../../engine/protocol";
 import {poses_extent, round_step, with_task, type Problem} from "../../state/problem";
-import {poses_of, position_count, type Given, type MotionTask} from "../../state/task";
+import {poses_of, position_count} from "../../state/task";
+import {is_motion, type Given, type MotionTask} from "./task";
 
 export const given_forms = ["side_lengths", "side_length", "side_angle", "instant_center"] as const;
 export type GivenForm = (typeof given_forms)[number];
@@ -22,7 +23,7 @@ export function with_given(problem: Problem, given: Given): Problem {
   return with_task(problem, {...(problem.task as MotionTask), given});
 }
 export function takes_given({task}: Problem): boolean {
-  return task.kind === "motion" && task.mechanism === "four_bar" && position_count(task.poses) === 3;
+  return is_motion(task) && position_count(task.poses) === 3;
 }
 /** A direction of travel says the same as an instant centre. */
 export function has_form({task}: Problem, form: GivenForm): boolean {

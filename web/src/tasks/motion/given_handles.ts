@@ -10,7 +10,7 @@ import {shows, to_screen, to_user} from "../../drawing/viewport";
 import {angle_note, length_note, point_note} from "../../drawing/words";
 import {mistake_sentence} from "../../task/mistakes";
 import {t} from "../../texts/texts.svelte";
-import type {Given} from "../../state/task";
+import type {Given} from "./task";
 import {direction_deg, given_of, lengths_of, takes_given, with_given, with_length} from "./given";
 
 export const wedge_radius = 64;

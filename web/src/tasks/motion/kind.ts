@@ -1,16 +1,9 @@
 // A body is guided through three, four or five positions by a four-bar.
 import type {Point} from "../../engine/protocol";
-import {outline_of, placed, with_requirements, type Problem} from "../../state/problem";
+import {length_levels, outline_of, placed, with_requirements, type Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
-import {
-  diagonal_of,
-  pattern_of,
-  position_count,
-  served_poses,
-  type Given,
-  type MotionTask,
-  type Pose,
-} from "../../state/task";
+import {diagonal_of, pattern_of, poses_of, position_count, served_poses, type Pose} from "../../state/task";
+import {is_motion, type Given, type MotionTask} from "./task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
 import {form_of} from "./given";
@@ -55,18 +48,22 @@ function read(value: Object): MotionTask | null {
   return {kind: "motion", mechanism: "four_bar", poses, ...present({given: read_given(value.given), freed_pose})};
 }
 
+/** What is given beside the poses belongs to three positions, a freed pose to five. */
+function with_poses(task: MotionTask, poses: readonly Pose[]): MotionTask {
+  const changed = {...task, poses},
+    count = position_count(poses);
+  if (count !== 3) delete changed.given;
+  if (count !== 5 || poses[(changed.freed_pose ?? 1) - 1]?.derivatives?.length) delete changed.freed_pose;
+  return changed;
+}
+
 function motion_problem(poses: Pose[], given?: Given): Problem {
-  const problem: Problem = {
-    linkwright: 1,
-    title: "",
-    length_unit: "mm",
-    task: {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})},
-  };
+  const task: MotionTask = {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})};
+  const problem: Problem = {linkwright: 1, title: "", length_unit: "mm", task};
   return with_requirements(problem, {min_transmission_angle_deg: 30, max_length: default_max_length(problem)});
 }
 export function default_max_length(problem: Problem): number {
-  const {poses} = problem.task as Pick<MotionTask, "poses">;
-  const points = poses.flatMap((pose) => outline_of(problem).map((p) => placed(p, pose)));
+  const points = poses_of(problem.task).flatMap((pose) => outline_of(problem).map((p) => placed(p, pose)));
   return Number((3 * diagonal_of(points)).toPrecision(2));
 }
 
@@ -105,8 +102,10 @@ const five_poses: Pose[] = [
 
 export const motion_kind: TaskKind<MotionTask> = {
   name: "task.kind_motion",
-  is: (task): task is MotionTask => task.kind === "motion" && task.mechanism === "four_bar",
+  is: is_motion,
   read,
+  of_poses: (poses) => read({kind: "motion", mechanism: "four_bar", poses}),
+  with_poses,
   incompleteness({poses, given}) {
     const n = position_count(poses);
     if (n === 0) return {state: "empty", text: "state.empty_task", n};
@@ -122,6 +121,19 @@ export const motion_kind: TaskKind<MotionTask> = {
   map_of: ({poses, given, freed_pose}) =>
     `motion ${freed_pose === undefined ? position_count(poses) : "freed"} ${given ? form_of(given) + ("directed" in given ? given.directed : "") : ""}`,
   properties: ({freed_pose}) => (freed_pose === undefined ? [] : ["pose_miss"]),
+  described: {
+    pose_miss: {
+      text: "region.by_miss",
+      short: "region.by_miss",
+      term: "missed_pose",
+      larger_is_better: false,
+      requirement: null,
+      quantity: "length",
+      of_meeting: true,
+      span: (_, typical) => [0, 0.2 * typical],
+      levels: length_levels,
+    },
+  },
   moved: (task, point) =>
     task.given && "instant_center" in task.given
       ? {...task, given: {...task.given, instant_center: point(task.given.instant_center)}}

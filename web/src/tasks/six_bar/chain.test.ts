@@ -1,8 +1,11 @@
 import {describe, expect, it} from "vitest";
-import type {Chain, Linkage, Point, SixBar} from "../../engine/protocol";
+import type {Linkage, Point} from "../../engine/protocol";
+import type {Chain} from "./task";
+import type {SixBar} from "./replies";
 import {carrier_of} from "../../drawing/carrier";
 import {body_point, placed} from "../../state/problem";
 import type {Problem} from "../../state/problem";
+import {poses_of} from "../../state/task";
 import {incompleteness} from "../kinds";
 import {
   default_box,
@@ -58,7 +61,7 @@ describe("the chain", () => {
       incompleteness(with_six_bar(problem, change))?.state ?? null;
     expect(state({})).toBeNull();
     expect(state({chain: undefined})).toBe("no_chain");
-    expect(state({poses: problem.task.mechanism === "six_bar" ? problem.task.poses.slice(1) : []})).toBe("too_few");
+    expect(state({poses: poses_of(problem.task).slice(1)})).toBe("too_few");
     expect(state({poses: []})).toBe("empty");
   });
 });

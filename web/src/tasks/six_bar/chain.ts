@@ -1,11 +1,12 @@
 // The chain that guides the body, and the two links that are added to it.
-import type {Box, Chain, Point} from "../../engine/protocol";
+import type {Box, Point} from "../../engine/protocol";
+import type {Topology} from "./replies";
+import {is_six_bar, type Chain, type SixBarTask} from "./task";
 import {body_point, outline_of, placed, with_task, type Problem} from "../../state/problem";
-import {box_of, poses_of, type SixBarTask} from "../../state/task";
+import {box_of, poses_of} from "../../state/task";
 
 export const hinges = ["a", "b", "d"] as const;
 export type Hinge = (typeof hinges)[number];
-export type Topology = "watt_1" | "stephenson_1" | "stephenson_2" | "stephenson_3";
 
 /** The eleven ways to add two links to a chain whose first body drives its last: the library's order (six_bar_task.hpp). */
 export const rows: readonly {added: readonly [string, string]; topology: Topology}[] = [
@@ -28,7 +29,7 @@ export function row_of(added: readonly [string, string]) {
 }
 
 export function six_bar_task({task}: Problem): SixBarTask | null {
-  return task.mechanism === "six_bar" ? task : null;
+  return is_six_bar(task) ? task : null;
 }
 export function with_six_bar(problem: Problem, change: Partial<SixBarTask>): Problem {
   const task = six_bar_task(problem);

@@ -1,8 +1,10 @@
 // A body is guided through four poses by a six-bar: a chain of three links and two links that are added to it.
-import type {Chain, Point} from "../../engine/protocol";
+import type {Point} from "../../engine/protocol";
+import {body_color, joint_color, joint_words, length_words} from "./names";
+import {is_six_bar, type Chain, type SixBarTask} from "./task";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, read_list, type Object} from "../../state/shape";
-import {pattern_of, position_count, type SixBarTask} from "../../state/task";
+import {pattern_of, poses_of, position_count} from "../../state/task";
 import type {TaskKind} from "../kind";
 import {row_of} from "./chain";
 import {default_max_length, new_problem as new_motion, pose_table, read_poses} from "../motion/kind";
@@ -23,24 +25,22 @@ function points_of(chain: Chain | undefined): Point[] {
   return chain ? [chain.a, chain.b, chain.d] : [];
 }
 function new_problem(): Problem {
-  const motion = new_motion(),
-    poses = "poses" in motion.task ? motion.task.poses : [];
-  return {
-    ...motion,
-    task: {
-      kind: "motion",
-      mechanism: "six_bar",
-      poses,
-      chain: {a: [-145, 268], b: [16, 205], d: [75, -71]},
-      added: ["0-2", "0-3"],
-    },
+  const motion = new_motion();
+  const task: SixBarTask = {
+    kind: "motion",
+    mechanism: "six_bar",
+    poses: poses_of(motion.task),
+    chain: {a: [-145, 268], b: [16, 205], d: [75, -71]},
+    added: ["0-2", "0-3"],
   };
+  return {...motion, task};
 }
 
 export const six_bar_kind: TaskKind<SixBarTask> = {
   name: "task.kind_six_bar",
-  is: (task): task is SixBarTask => task.mechanism === "six_bar",
+  is: is_six_bar,
   read,
+  with_poses: (task, poses) => ({...task, poses}),
   incompleteness({poses, chain}) {
     const n = position_count(poses);
     if (n !== 4) return {state: n === 0 ? "empty" : n < 4 ? "too_few" : "too_many", text: "state.four_for_six_bar", n};
@@ -62,6 +62,23 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
     const row = row_of(added);
     return row && `six_bar.${row.topology}`;
   },
+  called: ({six_bar}) => (six_bar ? `six_bar.${six_bar.topology}` : null),
+  term: ({six_bar}) => (six_bar ? (six_bar.topology === "watt_1" ? "watt_1" : "stephenson") : null),
+  lengths: ({six_bar}) =>
+    six_bar?.lengths.map(({name, length}) => ({
+      key: name,
+      name: length_words(name),
+      length,
+      color: name.startsWith("0") ? null : body_color(Number(name[0])),
+    })) ?? null,
+  joints: ({six_bar}) =>
+    six_bar?.joints.map(({name, at, ground}, i) => ({
+      key: `joint_${name}`,
+      name: joint_words(six_bar, i),
+      at,
+      on_ground: ground,
+      color: joint_color(i),
+    })) ?? null,
   texts: {
     "chip.four_bars": "chip.six_bars",
     "state.none_defect_free": "six_bar.none_defect_free",

@@ -1,6 +1,7 @@
-// What bodies and hinges of a six-bar are called. Files keep the short names: "c4", "2:b-d".
-import type {SixBar} from "../../engine/protocol";
+// What bodies and hinges of a six-bar are called, and their colours. Files keep the short names: "c4", "2:b-d".
+import type {SixBar} from "./replies";
 import {t, type TextKey} from "../../texts/texts.svelte";
+import {role_of_body, role_of_joint, type Role} from "./roles";
 
 /** "driver", "added link" */
 export function body_name(body: number): string {
@@ -19,4 +20,14 @@ export function joint_words({joints, bodies}: Pick<SixBar, "joints" | "bodies">,
 export function length_words(name: string): string {
   const [body, ends] = name.split(":");
   return `${body_name(Number(body))} ${ends.split("-").map(joint_mark).join("–")}`;
+}
+
+function color(role: Role): string {
+  return role === "driver" ? "accent" : role === "chain" ? "body" : role;
+}
+export function body_color(body: number): string {
+  return color(role_of_body(body));
+}
+export function joint_color(joint: number): string {
+  return color(role_of_joint(joint));
 }

@@ -1,9 +1,10 @@
 // Looks for a chain, in an engine of its own: the page goes on. Rounds of more and more chains, each beginning with those
 // of the round before, so that what was found is there when the search is stopped, and the last is the program's answer.
 import {Crashed, Refusal, type EngineClient} from "../../engine/client";
-import type {Box, Chain, Linkage, Ranked, TauPair, Tidings} from "../../engine/protocol";
+import type {Box, Linkage, Ranked, TauPair, Tidings} from "../../engine/protocol";
+import type {Chain, SixBarTask} from "./task";
 import {engine_text, with_options, type Problem} from "../../state/problem";
-import {same_value, type Pose, type SixBarTask} from "../../state/task";
+import {same_value, type Pose} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {default_box, six_bar_task, with_six_bar} from "./chain";
 

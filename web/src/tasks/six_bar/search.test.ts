@@ -2,11 +2,12 @@ import {readFileSync} from "node:fs";
 import {describe, expect, it} from "vitest";
 import {Cancelled, Crashed, type EngineClient, type Run} from "../../engine/client";
 import type {Replies, Requests} from "../../engine/protocol";
-import {with_options, with_pose, type Problem} from "../../state/problem";
+import {with_options, type Problem} from "../../state/problem";
 import {Workbench} from "../../state/workbench.svelte";
 import {new_problem as new_motion} from "../motion/kind";
 import {six_bar_kind} from "./kind";
 import {ChainSearch, default_effort, most_seed} from "./search.svelte";
+import {with_pose} from "../kinds";
 
 const problem = with_options(six_bar_kind.beginnings[0].make(), {effort: 1500});
 const entry = {

@@ -1,7 +1,7 @@
 import {expect, it} from "vitest";
-import type {Linkage} from "../engine/protocol";
+import type {Linkage} from "../../engine/protocol";
 import {driver_angle, error_at, error_plot} from "./error_plot";
-import {plot_csv} from "./plot";
+import {plot_csv} from "../../transport/plot";
 
 const made = {
   pairs: [

@@ -1,6 +1,6 @@
 // What a generator makes wrong, over the driver angle as the other plots have it.
-import type {Linkage} from "../engine/protocol";
-import {extent, type Plot} from "./plot";
+import type {Linkage} from "../../engine/protocol";
+import {extent, type OwnPlot, type Plot} from "../../transport/plot";
 
 type Generator = Pick<Linkage, "function" | "drive_sense">;
 
@@ -25,7 +25,8 @@ export function error_plot(generator: Generator): Plot | null {
     values: [error],
   }));
   return {
-    kind: "error",
+    kind: "own",
+    columns: ["error_deg"],
     angles: rows.map(({angle}) => angle),
     values: [errors],
     dots,
@@ -49,3 +50,11 @@ export function error_at(generator: Generator, angle: number): number | null {
   if (after === null || before === null) return null;
   return width > 0 ? after + ((before - after) * (angles[next] - angle)) / width : after;
 }
+
+export const structural_error: OwnPlot = {
+  id: "error",
+  name: "plot.error",
+  short_name: "plot.short_error",
+  plot: error_plot,
+  value_at: error_at,
+};

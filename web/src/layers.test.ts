@@ -1,0 +1,86 @@
+// Who may import whom: no circles, and the frame knows no kind of task but by the registry.
+import {readdirSync, readFileSync} from "node:fs";
+import {dirname, join} from "node:path/posix";
+import {describe, expect, it} from "vitest";
+
+const root = new URL(".", import.meta.url).pathname;
+const files = readdirSync(root, {recursive: true, encoding: "utf8"})
+  .filter((file) => /\.(ts|svelte)$/.test(file) && !/\.test\.ts$|\.d\.ts$|^engine\/generated\//.test(file))
+  .sort();
+const texts = new Map(files.map((file) => [file, readFileSync(join(root, file), "utf8")]));
+
+/** What a file imports, types too; what it loads later by `import()` is no import. */
+function imports_of(file: string): string[] {
+  const named = texts.get(file)!.matchAll(/^\s*(?:import|export)\s(?:[^"';]*?\sfrom\s)?"(\.[^"]+)"/gm);
+  return [...named].flatMap(([, path]) => {
+    const to = join(dirname(file), path!);
+    return [to, `${to}.ts`].filter((name) => texts.has(name));
+  });
+}
+const imports = new Map(files.map((file) => [file, imports_of(file)]));
+
+/** Each a list of files that import each other in a ring (Tarjan, Depth-first search and linear graph algorithms, 1972). */
+function circles(): string[][] {
+  const index = new Map<string, number>(),
+    low = new Map<string, number>(),
+    stack: string[] = [],
+    found: string[][] = [];
+  const visit = (file: string): number => {
+    index.set(file, index.size);
+    low.set(file, index.get(file)!);
+    stack.push(file);
+    for (const to of imports.get(file)!) {
+      const reached = index.has(to) ? (stack.includes(to) ? index.get(to)! : Infinity) : visit(to);
+      low.set(file, Math.min(low.get(file)!, reached));
+    }
+    if (low.get(file) === index.get(file)) {
+      const circle = stack.splice(stack.indexOf(file));
+      if (circle.length > 1) found.push(circle.sort());
+    }
+    return low.get(file)!;
+  };
+  for (const file of files) if (!index.has(file)) visit(file);
+  return found;
+}
+
+describe("imports", () => {
+  it("are found", () => {
+    expect(imports.get("main.ts")).toEqual(["App.svelte", "tasks/views.ts"]);
+    expect([...imports.values()].flat().length).toBeGreaterThan(1000);
+  });
+  it("make no circles", () => {
+    // The drawing's scene asks the kinds for their handles, which are handed the scene; to go with the handles' injection.
+    const drawing = (circle: string[]) => circle.every((file) => /^drawing\/|^tasks\/views?\.ts$/.test(file));
+    expect(circles().filter((circle) => !drawing(circle))).toEqual([]);
+  });
+});
+
+describe("the frame", () => {
+  const kinds = readdirSync(join(root, "tasks"), {withFileTypes: true})
+    .filter((entry) => entry.isDirectory())
+    .map(({name}) => name);
+  /** Painters that still know the six-bar; to go with the painters of figures. */
+  const painters =
+    /^drawing\/|^solid\/|^pins\/(MiniDrawing\.svelte|reach\.ts)$|^exports\/(PrintSheet\.svelte|picture\.ts)$|^shell\/KindPicture\.svelte$/;
+  const frame = files.filter(
+    (file) => !painters.test(file) && !kinds.some((kind) => file.startsWith(`tasks/${kind}/`)),
+  );
+
+  it("has kinds of tasks to know nothing of", () => expect(kinds).toEqual(["function", "motion", "six_bar"]));
+  it.each(frame)("names none in %s", (file) => {
+    const named = texts
+      .get(file)!
+      .split("\n")
+      .filter((line) => {
+        const code = line.replace(/\/\/.*|^\s*(\*|\/\*\*).*/, "");
+        return kinds.some((kind) =>
+          new RegExp(`["'\`]${kind}["'\`.]|\\.${kind}\\b|tasks/${kind}/|\\b${kind}_(kind|view)\\b`).test(code),
+        );
+      });
+    expect(file === "tasks/registry.ts" ? [] : named).toEqual([]);
+  });
+  it.each(frame)("reaches none from %s but through the registry", (file) => {
+    const reached = imports.get(file)!.filter((to) => kinds.some((kind) => to.startsWith(`tasks/${kind}/`)));
+    expect(reached).toEqual(file === "tasks/registry.ts" ? kinds.map((kind) => `tasks/${kind}/index.ts`) : []);
+  });
+});

@@ -1,0 +1,27 @@
+// What the engine says of function generators, beside what it says of every task and linkage.
+declare module "../../engine/protocol" {
+  interface TaskAnswer {
+    function: WantedFunction | null; // null: of other kinds
+  }
+  interface Linkage {
+    function: GeneratedFunction | null;
+  }
+}
+
+/** Input and output angle, degrees on the task's dials. */
+export type DialPair = readonly [input: number, output: number];
+export interface WantedFunction {
+  pairs: DialPair[];
+  /** The named function over its range of inputs; empty where only pairs are given. */
+  curve: DialPair[];
+}
+/** What a four-bar makes of it, its free number as it is there. Null: the drive does not get there. */
+export interface GeneratedFunction {
+  pairs: (readonly [input: number, wanted: number, error: number | null])[];
+  precision_error_deg: number; // largest magnitude at the pairs reached
+  reaches_pairs: boolean;
+  max_structural_error_deg: number | null;
+  worst_input_deg: number | null;
+  unreached_deg: (readonly [from: number, to: number])[];
+  curve: (readonly [input: number, wanted: number, generated: number | null])[];
+}
