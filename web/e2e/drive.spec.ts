@@ -369,7 +369,7 @@ test.describe("3-D", () => {
     await page.getByTestId("drive.step").click();
     print = await changed_from(page, print);
     await page.getByTestId("drive.play").click();
-    print = await changed_from(page, print);
+    await changed_from(page, print);
     await page.getByTestId("drive.play").click();
     await expect.poll(() => read_state(page, (workbench) => workbench.playing)).toBe(false);
 

@@ -1,11 +1,14 @@
-import type {Workbench} from "../state/workbench.svelte";
 import EngineWorker from "./worker?worker";
 
+interface Started {
+  engine_state: "loading" | "ready" | "missing" | "slow";
+  connect(start: () => Worker, cores: number): void;
+}
 /** Starts the engine's workers, or says that this browser cannot. */
-export function start_engine(workbench: Workbench): void {
+export function start_engine(page: Started): void {
   if (typeof WebAssembly !== "object") {
-    workbench.engine_state = "missing";
+    page.engine_state = "missing";
     return;
   }
-  workbench.connect(() => new EngineWorker(), navigator.hardwareConcurrency || 2);
+  page.connect(() => new EngineWorker(), navigator.hardwareConcurrency || 2);
 }

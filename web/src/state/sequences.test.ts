@@ -229,7 +229,7 @@ const doings: Record<string, Doing> = {
   /** The task changes before the engine has answered: there is nothing to pin. */
   pin_late: async (page, model, by) => {
     const asked = page.workbench.pin_at([by / 1000, 0.7]);
-    edited((problem) => ({...problem, title: `late ${++met.late_pins}`}))(page, model, by);
+    void edited((problem) => ({...problem, title: `late ${++met.late_pins}`}))(page, model, by);
     await Promise.all([asked, vi.advanceTimersByTimeAsync(rest_ms)]);
   },
   rename: ({workbench}, model, by) => {

@@ -195,7 +195,7 @@ export class Workbench extends Editing {
   }
   /** Starts again what rests after dying time after time: the user has asked for it, or changed the task. */
   private wake(): void {
-    for (const client of new Set([this.engine, this.driver_client])) if (client?.resting) client.restart();
+    for (const client of [this.engine, this.driver_client]) if (client?.resting) client.restart();
   }
   /** For tests: the worker dies as if the browser had killed it. */
   kill_engine(): void {

@@ -1,0 +1,69 @@
+// Faults that the compiler does not see, and who may import whom. Layout is Prettier's; circles of imports, and that the
+// frame knows no kind of task, are src/layers.test.ts's.
+import js from "@eslint/js";
+import svelte from "eslint-plugin-svelte";
+import globals from "globals";
+import tseslint from "typescript-eslint";
+import svelte_config from "./svelte.config.js";
+
+/** These files import what matches from nowhere. */
+function layer(files, regex, message) {
+  return {
+    files,
+    ignores: ["**/*.test.ts"],
+    rules: {"no-restricted-imports": ["error", {patterns: [{regex, message}]}]},
+  };
+}
+
+export default tseslint.config(
+  {ignores: ["node_modules/", "public/", "src/engine/generated/"]},
+  js.configs.recommended,
+  tseslint.configs.recommended,
+  svelte.configs.recommended,
+  {
+    rules: {
+      "@typescript-eslint/no-unused-vars": ["error", {varsIgnorePattern: "^_", argsIgnorePattern: "^_"}],
+      "no-control-regex": "off", // files are told apart by their first bytes
+      "svelte/no-unused-svelte-ignore": "off", // it does not see the warnings on accessibility that svelte-check has
+    },
+  },
+  {
+    files: ["**/*.svelte", "**/*.svelte.ts"],
+    languageOptions: {
+      globals: globals.browser,
+      parserOptions: {parser: tseslint.parser, svelteConfig: svelte_config},
+    },
+  },
+  // Rules that need types: where they do not cost minutes.
+  {
+    files: ["**/*.ts"],
+    ignores: ["**/*.svelte.ts"],
+    languageOptions: {parserOptions: {projectService: true}},
+    rules: {
+      "@typescript-eslint/await-thenable": "error",
+      "@typescript-eslint/no-floating-promises": "error",
+      "@typescript-eslint/no-for-in-array": "error",
+      "@typescript-eslint/no-misused-promises": "error",
+    },
+  },
+  {files: ["**/*.ts", "**/*.svelte"], rules: {"no-undef": "off"}}, // the compiler's
+  {files: ["e2e/**", "tests/**"], rules: {"@typescript-eslint/no-explicit-any": "off"}}, // what the page hands over
+  {files: ["scripts/*.mjs", "*.js"], languageOptions: {globals: globals.node}},
+
+  layer(["src/engine/**"], "^\\.\\./(?!texts/)", "The engine's messages, client and worker know nothing of the page."),
+  layer(
+    ["src/fields/**"],
+    "/(state/(?!task|shape)|tasks|drawing|region|shell/(?!single_keys))",
+    "A field hears of the page by edited.ts.",
+  ),
+  layer(
+    ["src/texts/*.svelte.ts", "src/texts/numbers.ts"],
+    "/(?!state/preferences|engine/protocol)[a-z_]+/",
+    "Words know of nothing but their language.",
+  ),
+  layer(
+    ["src/state/**"],
+    "/(drawing|region|task|requirements|numbers|pins|transport|solid|exports|best|terms|fields|shell)/",
+    "The state knows no view.",
+  ),
+);
