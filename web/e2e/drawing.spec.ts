@@ -46,14 +46,14 @@ async function until_followed(page: Page): Promise<void> {
 function off_circle(all: readonly {x: number; y: number; theta_deg: number}[], center: Point, circle: Point): number {
   const angle = (deg: number) => (deg * Math.PI) / 180;
   const [first] = all,
-    dx = circle[0] - first.x,
-    dy = circle[1] - first.y,
-    back = angle(-first.theta_deg);
+    dx = circle[0] - first!.x,
+    dy = circle[1] - first!.y,
+    back = angle(-first!.theta_deg);
   const body = [dx * Math.cos(back) - dy * Math.sin(back), dx * Math.sin(back) + dy * Math.cos(back)];
   const lengths = all.map(({x, y, theta_deg}) => {
     const c = Math.cos(angle(theta_deg)),
       s = Math.sin(angle(theta_deg));
-    return Math.hypot(x + c * body[0] - s * body[1] - center[0], y + s * body[0] + c * body[1] - center[1]);
+    return Math.hypot(x + c * body[0]! - s * body[1]! - center[0], y + s * body[0]! + c * body[1]! - center[1]);
   });
   return Math.max(...lengths) - Math.min(...lengths);
 }
@@ -84,11 +84,12 @@ test("a dragged position moves map, table and linkage, and one undo puts all bac
   await page.mouse.up();
   const [, , third] = await poses(page),
     step = await read_state(page, (workbench) => workbench.grid_step);
-  expect(third.x).toBeGreaterThan(before.poses[2].x);
-  expect(third.y).toBeGreaterThan(before.poses[2].y);
-  for (const value of [third.x, third.y]) expect(Math.abs(value / step - Math.round(value / step))).toBeLessThan(1e-9);
-  await expect(page.getByTestId("task.x.3")).toHaveValue(String(third.x));
-  await expect(page.getByTestId("task.y.3")).toHaveValue(String(third.y));
+  expect(third!.x).toBeGreaterThan(before.poses[2]!.x);
+  expect(third!.y).toBeGreaterThan(before.poses[2]!.y);
+  for (const value of [third!.x, third!.y])
+    expect(Math.abs(value / step - Math.round(value / step))).toBeLessThan(1e-9);
+  await expect(page.getByTestId("task.x.3")).toHaveValue(String(third!.x));
+  await expect(page.getByTestId("task.y.3")).toHaveValue(String(third!.y));
 
   await page.keyboard.press("Control+z");
   expect(await poses(page)).toEqual(before.poses);
@@ -106,7 +107,7 @@ test("a turned position snaps by Shift, not at all by Alt, and Esc puts it back"
     if (key) await page.keyboard.down(key);
     await drag(page, from, to, 6, end);
     if (key) await page.keyboard.up(key);
-    return (await poses(page))[1].theta_deg;
+    return (await poses(page))[1]!.theta_deg;
   };
   const shifted = await turned("Shift");
   expect(shifted).not.toBe(-25);
@@ -120,9 +121,9 @@ test("a turned position snaps by Shift, not at all by Alt, and Esc puts it back"
   expect(await turned(null)).toBe(Math.round(free));
   await page.keyboard.press("Control+z");
   const after_escape = await turned(null, async () => {
-    expect((await poses(page))[1].theta_deg).not.toBe(-25);
+    expect((await poses(page))[1]!.theta_deg).not.toBe(-25);
     await page.keyboard.press("Escape");
-    expect((await poses(page))[1].theta_deg).toBe(-25);
+    expect((await poses(page))[1]!.theta_deg).toBe(-25);
   });
   expect(after_escape).toBe(-25);
   expect(await read_state(page, (workbench) => workbench.can_undo)).toBe(false);
@@ -153,7 +154,7 @@ test("a box is drawn where the ground pivots must lie, resized, and both agree w
       const chosen = Array.from({length: 50}, (_, k) => cells[Math.floor(((k + 0.5) / 50) * cells.length)]),
         bad = [];
       for (const cell of chosen) {
-        const tau: [number, number] = [map!.input_tau[Math.floor(cell / n)], map!.output_tau[cell % n]];
+        const tau: [number, number] = [map!.input_tau[Math.floor(cell! / n)]!, map!.output_tau[cell! % n]!];
         const {linkage} = await workbench.driver_client!.follow("linkage", {
           problem: JSON.stringify({...workbench.problem, view: undefined}),
           tau,
@@ -202,7 +203,7 @@ test("a pivot slides along the thick part of its curve: its column of the map go
     for (const sign of [1, -1]) {
       const list = Array.from({length: 13}, (_, k) => point(best + sign * 5 * k));
       const connected = list.every(
-        (p, k) => k === 0 || Math.abs(Math.hypot(p.x - list[k - 1].x, p.y - list[k - 1].y) - 5) < 1.5,
+        (p, k) => k === 0 || Math.abs(Math.hypot(p.x - list[k - 1]!.x, p.y - list[k - 1]!.y) - 5) < 1.5,
       );
       if (connected && best + sign * 60 >= 0 && best + sign * 60 <= length) return list;
     }
@@ -261,7 +262,7 @@ test("a pivot dragged out of the window goes through infinity and comes back fro
     (workbench) => workbench.task!.specials.find((s) => s.kind === "center_at_infinity")!.tau[0],
   );
   const other = (await picked(page))[1];
-  await read_state(page, (workbench, tau) => workbench.pick(tau), [at_infinity, other] as const);
+  await read_state(page, (workbench, tau) => workbench.pick(tau), [at_infinity!, other!] as const);
   await until_followed(page);
   expect(await read_state(page, (workbench) => workbench.hand!.type)).toBe("degenerate");
   const markup = () => page.getByTestId("drawing.canvas").evaluate((svg) => svg.outerHTML);
@@ -332,9 +333,9 @@ test("a held position shows where it may go, and nowhere else are linkages", asy
   await keep_screenshot(page, "halo");
   const target = squares.filter((s) => s.offset[0] !== 0 || s.offset[1] !== 0).sort((a, b) => b.count - a.count)[0];
   await page.keyboard.down("Alt"); // no snapping: the grid is wider than the room there is
-  await page.mouse.move(from.x + target.offset[0] * scale, from.y - target.offset[1] * scale, {steps: 4});
+  await page.mouse.move(from.x + target!.offset[0]! * scale, from.y - target!.offset[1]! * scale, {steps: 4});
   const [, , third] = await poses(page);
-  expect(Math.hypot(third.x + 220 - target.offset[0], third.y - 220 - target.offset[1])).toBeLessThan(1 / scale);
+  expect(Math.hypot(third!.x + 220 - target!.offset[0]!, third!.y - 220 - target!.offset[1]!)).toBeLessThan(1 / scale);
   await page.mouse.up();
   await page.keyboard.up("Alt");
   await expect(halo).toBeHidden();
@@ -361,7 +362,7 @@ test("a place on a curve shows its side link; a click puts the nearer one there,
       const p = curve.getPointAtLength(s),
         inside = p.x > 60 && p.y > 60 && p.x < box.width - 60 && p.y < box.height - 80;
       const free =
-        handles.every(([x, y]) => Math.hypot(x - p.x, y - p.y) > 30) &&
+        handles.every(([x, y]) => Math.hypot(x! - p.x, y! - p.y) > 30) &&
         centers.every((c) => Math.hypot(c.x - p.x, c.y - p.y) > 25);
       const clear = boxes.every(
         (b) =>
@@ -401,15 +402,15 @@ test("handles are reached by Tab and moved by the arrow keys", async ({page}) =>
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
   const step = await read_state(page, (workbench) => workbench.grid_step);
-  expect((await poses(page))[1].x).toBeCloseTo(-125 + 2 * step, 9);
+  expect((await poses(page))[1]!.x).toBeCloseTo(-125 + 2 * step, 9);
   await page.keyboard.press("Shift+ArrowUp");
-  expect((await poses(page))[1].y).toBeCloseTo(75 + 10 * step, 9);
+  expect((await poses(page))[1]!.y).toBeCloseTo(75 + 10 * step, 9);
   while (await read_state(page, (workbench) => workbench.can_undo)) await page.keyboard.press("Control+z");
   expect((await poses(page))[1]).toMatchObject({x: -125, y: 75});
   await page.keyboard.press("Tab");
   await expect(handle(page, "knob_2")).toBeFocused();
   await page.keyboard.press("Alt+ArrowLeft");
-  expect((await poses(page))[1].theta_deg).toBeCloseTo(-24.9, 9);
+  expect((await poses(page))[1]!.theta_deg).toBeCloseTo(-24.9, 9);
   await page.keyboard.press("Shift+Tab");
   await expect(handle(page, "disc_2")).toBeFocused();
   expect(await read_state(page, (workbench) => workbench.selected_pose)).toBe(1);
@@ -436,7 +437,7 @@ test("the outline is edited at its corners, traced points draw their curves", as
     [60, 20],
     [60, -30],
   ])
-    await page.mouse.click(disc.x + dx, disc.y + dy);
+    await page.mouse.click(disc.x + dx!, disc.y + dy!);
   await page.keyboard.press("Enter");
   expect(await outline()).toHaveLength(3);
   await page.keyboard.press("Escape");
@@ -458,7 +459,7 @@ test("two positions that are the same are refused in words, the map gone with th
   await read_state(page, (workbench) =>
     workbench.edit((problem) => ({
       ...problem,
-      task: {...problem.task, poses: [...(problem.task as MotionTask).poses, (problem.task as MotionTask).poses[2]]},
+      task: {...problem.task, poses: [...(problem.task as MotionTask).poses, (problem.task as MotionTask).poses[2]!]},
     })),
   );
   await expect(page.getByTestId("region.notice")).toHaveText(/Position 4 is the same as an earlier one/);
@@ -476,7 +477,7 @@ test("an empty task is clicked together", async ({page}) => {
     [0.25, 0.45],
     [0.35, 0.25],
   ])
-    await page.mouse.click(area.x + x * area.width, area.y + y * area.height);
+    await page.mouse.click(area.x + x! * area.width, area.y + y! * area.height);
   expect(await poses(page)).toHaveLength(4);
   for (let k = 2; k <= 4; ++k) {
     await handle(page, `knob_${k}`).focus();

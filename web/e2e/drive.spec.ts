@@ -32,13 +32,13 @@ function body_at(page: Page, pose: number) {
     (workbench, index) => {
       const {states, ticks} = workbench.hand!.drive!,
         width = states.length / Math.round(states.length / 13);
-      const at = ticks[index].state * width,
+      const at = ticks[index]!.state * width,
         wanted = (workbench.problem.task as MotionTask).poses[index];
-      const turn = ((states[at + 7] - wanted.theta_deg) / 360) % 1;
+      const turn = ((states[at + 7]! - wanted!.theta_deg) / 360) % 1;
       return {
-        angle: states[at] + 0,
+        angle: states[at]! + 0,
         now: workbench.angle + 0, // no −0
-        away: Math.hypot(states[at + 5] - wanted.x, states[at + 6] - wanted.y),
+        away: Math.hypot(states[at + 5]! - wanted!.x, states[at + 6]! - wanted!.y),
         turned: Math.abs(turn - Math.round(turn)) * 360,
       };
     },
@@ -115,9 +115,9 @@ test.describe("drive", () => {
     await page.keyboard.press("Home");
     await page.keyboard.press("Shift+ArrowRight");
     const first = await read_state(page, ({hand}) =>
-      Array.from(hand!.drive!.states.slice(13 * hand!.drive!.ticks[0].state, 13 * hand!.drive!.ticks[0].state + 13)),
+      Array.from(hand!.drive!.states.slice(13 * hand!.drive!.ticks[0]!.state, 13 * hand!.drive!.ticks[0]!.state + 13)),
     );
-    await expect(page.getByTestId("plot.value")).toHaveText(`${first[8].toFixed(1)}°`);
+    await expect(page.getByTestId("plot.value")).toHaveText(`${first[8]!.toFixed(1)}°`);
     const over = page.getByTestId("plot.title").locator(".u-over");
     const box = (await over.boundingBox())!;
     await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
@@ -130,7 +130,7 @@ test.describe("drive", () => {
     expect(download.suggestedFilename()).toMatch(/^tailgate-hinge-.*-path\.csv$/);
     const lines = (await content(download)).toString().trim().split("\n");
     expect(lines[0]).toBe("input_deg,x,y");
-    expect(lines[1].split(",").map(Number)).toEqual([0, 0, 0]);
+    expect(lines[1]!.split(",").map(Number)).toEqual([0, 0, 0]);
   });
 
   test("who wants stillness gets steps", async ({page}) => {
@@ -235,7 +235,7 @@ test.describe("exports", () => {
         .filter(Boolean),
     ).toEqual(["1", "2", "3", "4"]);
     expect(csv[1]).toMatch(/^0,.*,1$/);
-    const columns = csv[0].split(",").length;
+    const columns = csv[0]!.split(",").length;
     expect(csv.every((line) => line.split(",").length === columns)).toBe(true);
 
     const json = await exported(page, "json");
@@ -405,7 +405,7 @@ test.describe("3-D", () => {
       );
     const before = await pivots(),
       picked = await read_state(page, (workbench) => workbench.picked!.tau);
-    const from = {x: figure.x + before[2][0], y: figure.y + before[2][1]};
+    const from = {x: figure.x + before[2]![0], y: figure.y + before[2]![1]};
     await drag(page, from, {x: from.x - 14, y: from.y + 10}, 6);
     const [input, output] = await read_state(page, (workbench) => workbench.picked!.tau);
     expect(input).toBe(picked[0]);

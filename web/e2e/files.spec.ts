@@ -63,13 +63,13 @@ test("15 · work outlives a reload, and what an example replaced can be had back
   await page.reload();
   await until_ready(page);
   expect(await shown(page)).toEqual(before);
-  expect(await read_state(page, (workbench) => workbench.pins[0].name)).toBe("lid, 2nd…");
+  expect(await read_state(page, (workbench) => workbench.pins[0]!.name)).toBe("lid, 2nd…");
   for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+z"); // name, pin, pose
   expect(
     await read_state(page, ({can_undo, pins, problem}) => [
       can_undo,
       pins.length,
-      (problem.task as MotionTask).poses[2].x,
+      (problem.task as MotionTask).poses[2]!.x,
     ]),
   ).toEqual([false, 0, -220]);
   for (let i = 0; i < 3; ++i) await page.keyboard.press("Control+y");
@@ -198,7 +198,7 @@ test("17 · files that are no problems get their sentences, and nothing changes"
   ];
   for (const name of names) {
     await open_files(page, join(bad_problems, name));
-    const [place, message] = files[name][0];
+    const [place, message] = files[name]![0]!;
     await expect(toasts(page)).toContainText(`“${name}” is not a Linkwright problem: ${place}`);
     await expect(toasts(page)).toContainText(message);
     await expect(toasts(page)).toContainText("Your work is unchanged.");

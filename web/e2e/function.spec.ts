@@ -106,7 +106,7 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   expect(seen.size).toBeGreaterThan(1);
   const moved = await task();
   expect(moved).not.toHaveProperty("function");
-  expect(moved.pairs![1].output_deg).toBe(Math.round(moved.pairs![1].output_deg));
+  expect(moved.pairs![1]!.output_deg).toBe(Math.round(moved.pairs![1]!.output_deg));
   expect(await map_hash(page)).not.toBe(hash);
   await expect(page.getByTestId("toast.title").filter({hasText: "pairs of their own"})).toBeVisible();
   await expect(page.getByTestId("plot.error")).toHaveCount(0);
@@ -117,7 +117,7 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   // A point of the plot by the keyboard; a field with arithmetic; a ground pivot by hand; each one step.
   await page.getByTestId("function.point.3").focus();
   await page.keyboard.press("ArrowUp");
-  expect((await task()).pairs![2].output_deg).toBeCloseTo(39.813743614 + 1, 6);
+  expect((await task()).pairs![2]!.output_deg).toBeCloseTo(39.813743614 + 1, 6);
   await page.keyboard.press("Control+z");
   await page.getByTestId("function.output_range_deg.1").fill("=90/2+5");
   await page.keyboard.press("Enter");

@@ -204,14 +204,14 @@ test("20 · five positions: a board of as many four-bars as the program finds, a
       // The exact linkage on the curve of the other four: from the nearest of its corners the miss leads there.
       const nearest = ([px, py]: readonly number[]) => {
         const away = (i: number) =>
-          Math.hypot(center[3 * i + 1] / center[3 * i] - px, center[3 * i + 2] / center[3 * i] - py);
+          Math.hypot(center[3 * i + 1]! / center[3 * i]! - px!, center[3 * i + 2]! / center[3 * i]! - py!);
         return [...tau.keys()].reduce((best, i) => (away(i) < away(best) ? i : best), 0);
       };
       const problem = JSON.stringify({...workbench.problem, view: undefined});
       const at = async (pair: number[]) =>
         (await workbench.driver_client!.follow("linkage", {problem, tau: pair as unknown as [number, number]})).linkage
           .miss?.distance ?? Infinity;
-      let place = [tau[nearest(input)], tau[nearest(output)]],
+      let place = [tau[nearest(input)]!, tau[nearest(output)]!],
         least = await at(place);
       for (let step = 0.004; step > 1e-8; step /= 2) {
         for (let better = true; better;) {
@@ -222,7 +222,7 @@ test("20 · five positions: a board of as many four-bars as the program finds, a
             [0, step],
             [0, -step],
           ]) {
-            const there = [place[0] + di, place[1] + dk],
+            const there = [place[0]! + di!, place[1]! + dk!],
               value = await at(there);
             if (value < least) [place, least, better] = [there, value, true];
           }

@@ -58,18 +58,18 @@ test.describe("table of positions", () => {
   test("takes arithmetic, units and steps; Enter goes down; undo goes back", async ({page}) => {
     const before = await poses(page);
     await type_into(page, "task.x.3", "=-440/2+5");
-    expect((await poses(page))[2].x).toBe(-215);
+    expect((await poses(page))[2]!.x).toBe(-215);
     await expect(page.getByTestId("task.x.4")).toBeFocused();
     await type_into(page, "task.theta_deg.2", "-0,5rad");
-    expect((await poses(page))[1].theta_deg).toBeCloseTo((-0.5 * 180) / Math.PI, 12);
+    expect((await poses(page))[1]!.theta_deg).toBeCloseTo((-0.5 * 180) / Math.PI, 12);
     await type_into(page, "task.y.2", "80 mm", "Tab");
-    expect((await poses(page))[1].y).toBe(80);
+    expect((await poses(page))[1]!.y).toBe(80);
     for (let steps = 0; steps < 3; ++steps) await page.keyboard.press("Control+z");
     expect(await poses(page)).toEqual(before);
 
     await page.getByTestId("task.x.4").focus();
     for (const key of ["ArrowUp", "Shift+ArrowUp", "Alt+ArrowDown"]) await page.keyboard.press(key);
-    expect((await poses(page))[3].x).toBe(-209.1);
+    expect((await poses(page))[3]!.x).toBe(-209.1);
     await page.keyboard.press("Control+z"); // steps within a second are one
     expect(await poses(page)).toEqual(before);
   });
@@ -167,8 +167,8 @@ test.describe("table of positions", () => {
     await page.getByTestId("task.make_reference").click();
     const moved = await poses(page);
     expect(moved[2]).toEqual({x: 0, y: 0, theta_deg: 0});
-    expect(Math.hypot(moved[3].x - moved[0].x, moved[3].y - moved[0].y)).toBeCloseTo(
-      Math.hypot(d.x - a.x, d.y - a.y),
+    expect(Math.hypot(moved[3]!.x - moved[0]!.x, moved[3]!.y - moved[0]!.y)).toBeCloseTo(
+      Math.hypot(d!.x - a!.x, d!.y - a!.y),
       9,
     );
     await until_settled(page);
@@ -186,7 +186,7 @@ test.describe("table of positions", () => {
     await page.getByTestId("task.tangent").click();
     await expect(page.getByTestId("task.pattern")).toHaveText("P-PP-P-P");
     await type_into(page, "task.direction_deg.2", "120");
-    const [{x, y}] = (await poses(page))[1].derivatives!;
+    const {x, y} = (await poses(page))[1]!.derivatives![0]!;
     expect(x).toBeCloseTo(Math.cos((120 * Math.PI) / 180), 12);
     expect(y).toBeCloseTo(Math.sin((120 * Math.PI) / 180), 12);
     await page.getByTestId("task.menu.2").click();
@@ -217,15 +217,15 @@ test.describe("requirements", () => {
     problem.requirements.min_transmission_angle_deg = 89;
     const {relax} = solve(problem);
     const [promise] = await read_state(page, (workbench) => workbench.census!.relax);
-    expect(promise.requirement).toBe("min_transmission_angle_deg");
-    expect(relax[0].leaves).toBe(promise.leaves);
+    expect(promise!.requirement).toBe("min_transmission_angle_deg");
+    expect(relax[0].leaves).toBe(promise!.leaves);
     const button = page.getByTestId("req.relax.min_transmission_angle_deg");
-    await expect(button).toHaveText(`${promise.value}° would leave ${grouped(promise.leaves)}`);
+    await expect(button).toHaveText(`${promise!.value}° would leave ${grouped(promise!.leaves)}`);
     await keep_screenshot(page, "none-left");
     await button.click();
     await until_settled(page);
-    expect(promise.leaves).toBeGreaterThan(0);
-    expect(await meeting(page)).toBe(promise.leaves);
+    expect(promise!.leaves).toBeGreaterThan(0);
+    expect(await meeting(page)).toBe(promise!.leaves);
     await expect(page.getByTestId("req.none_left")).toHaveCount(0);
 
     // Rows stay where they are under the hand that types, whatever becomes of the counts.
@@ -253,14 +253,14 @@ test.describe("requirements", () => {
       const before = await meeting(page),
         only = await read_state(page, (workbench, bit) => workbench.census!.only[bit], requirement_keys.indexOf(key));
       const drop = page.getByTestId(`req.without.${key}`);
-      await expect(drop).toHaveText(`without it +${grouped(only)}`);
+      await expect(drop).toHaveText(`without it +${grouped(only!)}`);
       await drop.click();
       await until_settled(page);
-      expect(await meeting(page), key).toBe(before + only);
+      expect(await meeting(page), key).toBe(before + only!);
       await read_state(page, (workbench) => workbench.undo());
       await until_settled(page);
       expect(await meeting(page)).toBe(before);
-      if (only > 0) ++worth_something;
+      if (only! > 0) ++worth_something;
     }
     expect(worth_something).toBeGreaterThan(3);
 
@@ -272,7 +272,7 @@ test.describe("requirements", () => {
     expect(only).toBeGreaterThan(0);
     await page.getByTestId("req.without.no_defects").click();
     await until_settled(page);
-    expect(await meeting(page)).toBe(before + only);
+    expect(await meeting(page)).toBe(before + only!);
   });
 
   test("the slider is live, one drag is one undo, Esc takes it back", async ({page}) => {
@@ -318,7 +318,7 @@ test.describe("requirements", () => {
       ["y0", "280"],
       ["y1", "380"],
     ])
-      await type_into(page, `req.ground_box.${side}`, value, "Tab");
+      await type_into(page, `req.ground_box.${side}`, value!, "Tab");
     await until_settled(page);
     const taus = await read_state(page, (workbench) => {
       const {fails, input_tau, output_tau, samples} = workbench.map!;
@@ -327,8 +327,8 @@ test.describe("requirements", () => {
         // a prime: all over the map
         if (fails[cell % fails.length] === 0)
           found.push([
-            input_tau[Math.floor((cell % fails.length) / samples)],
-            output_tau[(cell % fails.length) % samples],
+            input_tau[Math.floor((cell % fails.length) / samples)]!,
+            output_tau[(cell % fails.length) % samples]!,
           ]);
       }
       return found;
@@ -343,7 +343,7 @@ test.describe("requirements", () => {
       for (const side of ["input", "output"]) {
         const text = await page.getByTestId(`num.${side}_center`).innerText();
         const [x, y] = text.replaceAll("−", "-").split(", ").map(Number);
-        expect(x >= 99.95 && x <= 300.05 && y >= 279.95 && y <= 380.05, `${tau}: ${text}`).toBe(true);
+        expect(x! >= 99.95 && x! <= 300.05 && y! >= 279.95 && y! <= 380.05, `${tau}: ${text}`).toBe(true);
       }
     }
   });
@@ -434,7 +434,7 @@ test.describe("numbers", () => {
 
     const defective = await read_state(page, (workbench) => {
       const {defects, type, input_tau, output_tau, samples} = workbench.map!;
-      const cell = defects.findIndex((bits, i) => bits === 1 && type[i] < 8);
+      const cell = defects.findIndex((bits, i) => bits === 1 && type[i]! < 8);
       return [input_tau[Math.floor(cell / samples)], output_tau[cell % samples]] as [number, number];
     });
     await pick(page, defective);
@@ -498,7 +498,7 @@ test.describe("pins", () => {
       .split("\r\n")
       .map((line) => line.replace("\ufeff", "").split(","));
     expect(table[0]).toEqual(["Name", "Slim", "A"]);
-    const longest = table.find((row) => row[0].startsWith("Longest link"))!;
+    const longest = table.find((row) => row[0]!.startsWith("Longest link"))!;
     expect(Number(longest[2]) / linkages[0].lengths.input).toBeCloseTo(1, 9);
     expect(table.at(-2)![1]).toBe("'=clears the <b>cable</b>");
     await page.keyboard.press("Escape");

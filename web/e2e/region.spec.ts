@@ -44,10 +44,10 @@ function program_lengths(result: any, tau: TauPair): Record<"ground" | "input" |
   const {coordinate, center_homogeneous, circle_homogeneous} = result.curve.samples;
   const dyad = (t: number) => {
     const i = coordinate.findIndex((c: number) => Math.abs(c - t) < 1e-12);
-    const flat = ([w, x, y]: number[]) => [x / w, y / w];
+    const flat = ([w, x, y]: number[]) => [x! / w!, y! / w!];
     return {center: flat(center_homogeneous[i]), circle: flat(circle_homogeneous[i])};
   };
-  const apart = (a: number[], b: number[]) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+  const apart = (a: number[], b: number[]) => Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!);
   const input = dyad(tau[0]),
     output = dyad(tau[1]);
   return {
@@ -102,16 +102,16 @@ test("4 · hovering shows another linkage, as the program computes it", async ({
   for (const [i, numbers] of listed.entries())
     numbers.forEach((value, k) => expect(value, `number ${i + 1}`).toBeCloseTo(printed[i][k], 4));
   await page.getByTestId("best.3").hover();
-  await expect.poll(async () => (await hand(page)).tau).toEqual(listed[2].slice(0, 2));
+  await expect.poll(async () => (await hand(page)).tau).toEqual(listed[2]!.slice(0, 2));
   await keep_screenshot(page, "best");
   await page.getByTestId("best.pin.3").click();
   await page.getByTestId("best.2").click();
   await page.mouse.move(700, 20);
-  await expect.poll(async () => (await hand(page)).tau).toEqual(listed[1].slice(0, 2));
-  expect(await read_state(page, ({pins}) => pins.map(({tau}) => tau))).toEqual([listed[2].slice(0, 2)]);
+  await expect.poll(async () => (await hand(page)).tau).toEqual(listed[1]!.slice(0, 2));
+  expect(await read_state(page, ({pins}) => pins.map(({tau}) => tau))).toEqual([listed[2]!.slice(0, 2)]);
   await page.getByTestId("num.tab").click();
   await page.getByTestId("num.best").click();
-  await expect.poll(async () => (await hand(page)).tau).toEqual(listed[0].slice(0, 2));
+  await expect.poll(async () => (await hand(page)).tau).toEqual(listed[0]!.slice(0, 2));
 });
 
 test("5 · X goes to the mirror cell: the same bars, driven from the other side", async ({page}) => {
@@ -148,7 +148,7 @@ async function rocker(page: Page): Promise<TauPair> {
   await until_settled(page);
   return read_state(page, ({map}): TauPair => {
     const at = map!.type.indexOf(0);
-    return [map!.input_tau[Math.floor(at / map!.samples)], map!.output_tau[at % map!.samples]];
+    return [map!.input_tau[Math.floor(at / map!.samples)]!, map!.output_tau[at % map!.samples]!];
   });
 }
 
@@ -223,7 +223,7 @@ test("9 · the legend filters by type", async ({page}) => {
   await button.click();
   await expect
     .poll(() => read_state(page, (workbench) => workbench.census!.meeting))
-    .toBe(before.meeting - before.cranks);
+    .toBe(before.meeting - before.cranks!);
   await expect.poll(() => map_hash(page)).not.toBe(hash);
   const washed = await read_state(page, ({map}) => map!.type.every((type, i) => type !== 2 || map!.fails[i] !== 0));
   expect(washed).toBe(true);
@@ -248,7 +248,7 @@ test("12 · through infinity", async ({page}) => {
     axis: task!.axes.input,
     mark: task!.specials.find((special) => special.kind === "center_at_infinity" && special.tau.length)!.tau[0],
   }));
-  const beyond = place_of(axis, mark)!;
+  const beyond = place_of(axis, mark!)!;
   await read_state(page, (workbench, tau) => workbench.pick(tau), [
     cell[0],
     await tau_at_place(page, beyond - 2.5 / 400),

@@ -45,7 +45,7 @@ test("1 · first start: a map, a count, the tour, nothing in anyone's way", asyn
         if (canvas.width === 0) return 0;
         const {data} = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
         const found = new Set<number>();
-        for (let i = 0; i < data.length; i += 4) found.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+        for (let i = 0; i < data.length; i += 4) found.add((data[i]! << 16) | (data[i + 1]! << 8) | data[i + 2]!);
         return wanted.filter((color) => found.has(color)).length;
       });
   await expect.poll(colors, {timeout: 2000}).toBeGreaterThanOrEqual(3);
@@ -224,10 +224,9 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
   await page.keyboard.press("Control+z");
   await expect.poll(() => shown(page)).toEqual(before);
   await page.keyboard.press("Control+z");
-  expect(await read_state(page, ({can_undo, problem}) => [can_undo, (problem.task as MotionTask).poses[2].x])).toEqual([
-    false,
-    -220,
-  ]);
+  expect(await read_state(page, ({can_undo, problem}) => [can_undo, (problem.task as MotionTask).poses[2]!.x])).toEqual(
+    [false, -220],
+  );
 });
 
 // ---- 21 ---------------------------------------------------------------------------------------------------------

@@ -40,7 +40,7 @@ function passing_place(page: Page): Promise<readonly [number, number]> {
       [(Math.floor(i / map!.columns) + 0.5) / map!.rows, ((i % map!.columns) + 0.5) / map!.columns] as const;
     return place(
       cells.findLast((i) => Math.hypot(place(i)[0] - picked!.place![0], place(i)[1] - picked!.place![1]) > 0.05) ??
-        cells[0],
+        cells[0]!,
     );
   });
 }

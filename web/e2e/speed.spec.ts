@@ -10,7 +10,7 @@ import type {MotionTask} from "../src/tasks/motion/task";
 const served = resolve(process.env.LINKWRIGHT_WEB ?? "../build/web");
 
 function median(values: number[]): number {
-  return [...values].sort((a, b) => a - b)[values.length >> 1];
+  return [...values].sort((a, b) => a - b)[values.length >> 1]!;
 }
 async function until_fine(page: Page): Promise<void> {
   await page.waitForFunction(() => globalThis.__linkwright!.workbench.map?.samples === 1000);

@@ -27,7 +27,7 @@ const five: Problem = {
       [20, 90, -30],
       [-140, 50, 100],
       [60, -130, 10],
-    ].map(([x, y, theta_deg]) => ({x, y, theta_deg})),
+    ].map(([x, y, theta_deg]) => ({x: x!, y: y!, theta_deg: theta_deg!})),
   },
 };
 async function expect_no_linkage(page: Page): Promise<void> {
@@ -165,7 +165,7 @@ test("what was typed stays until it is valid or taken back, and no number moves 
   await type("task.x.3", "-125"); // now as position 2
   await expect(field("task.fault").first()).toBeVisible();
   await expect(field("task.x.3")).toHaveValue("-125");
-  const x = () => read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses[2].x);
+  const x = () => read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses[2]!.x);
   expect(await x()).toBe(-220);
   await read_state(page, (workbench) => workbench.zoom({input: [0, 0.5], output: [0, 0.5]})); // another answer of the engine
   await until_settled(page);

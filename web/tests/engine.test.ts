@@ -117,23 +117,23 @@ function expect_near(value: number, wanted: number, room: number, what: string):
 }
 /** Homogeneous vectors: the same direction. */
 function expect_same_point(a: readonly number[], b: readonly number[], size: number, room: number, what: string): void {
-  const scaled = (v: readonly number[]) => [v[0] * size, v[1], v[2]];
+  const scaled = (v: readonly number[]) => [v[0]! * size, v[1]!, v[2]!];
   const unit = (v: number[]) => v.map((x) => x / Math.hypot(...v));
   const p = unit(scaled(a)),
     q = unit(scaled(b));
   if (Math.hypot(...a) === 0 && Math.hypot(...b) === 0) return; // no partner at all
-  const sign = p[0] * q[0] + p[1] * q[1] + p[2] * q[2] < 0 ? -1 : 1;
-  const distance = Math.hypot(...p.map((x, i) => x - sign * q[i]));
+  const sign = p[0]! * q[0]! + p[1]! * q[1]! + p[2]! * q[2]! < 0 ? -1 : 1;
+  const distance = Math.hypot(...p.map((x, i) => x - sign * q[i]!));
   expect_near(distance, 0, room, what);
 }
 
 /** For each of our rows the program's. Only the places on a Burmester curve are the same bit by bit. */
 function rows_of(ours: Float64Array, theirs: number[], exactly: boolean): number[] {
-  const rising = [...ours.keys()].sort((a, b) => ours[a] - ours[b]),
+  const rising = [...ours.keys()].sort((a, b) => ours[a]! - ours[b]!),
     rows = new Array<number>(ours.length);
   expect(ours.length).toBe(theirs.length);
   for (const [row, own] of rising.entries()) {
-    expect_near(ours[own], theirs[row], exactly ? 0 : 1e-12, `row ${row}`);
+    expect_near(ours[own]!, theirs[row]!, exactly ? 0 : 1e-12, `row ${row}`);
     rows[own] = row;
   }
   return rows;
@@ -224,7 +224,7 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
       by_a_bit = 0;
     for (const pair of cells_of(map!, result.region, exactly)) {
       if (map!.type[pair.ours] === type[pair.theirs] && same_defects(map!, pair)) continue;
-      if (Math.max(map!.value[pair.ours], angles[pair.theirs]) < locked_deg) ++by_a_bit;
+      if (Math.max(map!.value[pair.ours]!, angles[pair.theirs]!) < locked_deg) ++by_a_bit;
       else ++differing;
     }
     expect(differing).toBe(0);
@@ -250,12 +250,12 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     for (const pair of cells_of(map!, result.region, exactly)) {
       if (!same_defects(map!, pair)) continue;
       const value = map!.value[pair.ours],
-        right = wanted[pair.theirs];
-      beyond += Number(Math.abs(value - right) > 1.2e-7 * Math.abs(right));
+        right = wanted[pair.theirs]!;
+      beyond += Number(Math.abs(value! - right!) > 1.2e-7 * Math.abs(right!));
       expect_near(
-        value,
+        value!,
         right,
-        (well_conditioned ? 1e-4 : 1e-2) * Math.abs(right) +
+        (well_conditioned ? 1e-4 : 1e-2) * Math.abs(right!) +
           (property === "min_transmission_angle_deg" ? locked_deg : 0),
         `${property} ${pair.ours}`,
       );
@@ -331,10 +331,10 @@ describe("the tailgate", () => {
       expect(tick.state).toBeGreaterThan(last);
       last = tick.state;
       const [x, y, theta] = states.subarray(tick.state * state_width + 5);
-      expect(Math.hypot(x - poses[i].x, y - poses[i].y)).toBeLessThan(1e-9);
+      expect(Math.hypot(x! - poses[i].x, y! - poses[i].y)).toBeLessThan(1e-9);
       expect(theta).toBeCloseTo(poses[i].theta_deg, 9);
     }
-    expect(task).toEqual([ticks[0].state, ticks[3].state]);
+    expect(task).toEqual([ticks[0]!.state, ticks[3]!.state]);
   });
   test("exchanges its side links with its drivers", () => {
     const {linkage} = ask("linkage", at),
@@ -345,7 +345,7 @@ describe("the tailgate", () => {
   test("says which value would leave something, and keeps its word", () => {
     const {census} = explored(with_angle(89)).map!;
     expect(census.meeting).toBe(0);
-    const [{requirement, value, leaves}] = census.relax;
+    const {requirement, value, leaves} = census.relax[0]!;
     expect(requirement).toBe("min_transmission_angle_deg");
     expect(explored(with_angle(value as number)).map!.census.meeting).toBe(leaves);
   });
@@ -367,10 +367,11 @@ describe("the tailgate", () => {
       result.relax.map(({requirement, value, leaves}: (typeof relax)[number]) => ({requirement, value, leaves})),
     );
     expect(
-      explored(asking({[relax[0].requirement]: relax[0].value}), "min_transmission_angle_deg", 400).map!.census.meeting,
-    ).toBe(relax[0].leaves);
+      explored(asking({[relax[0]!.requirement]: relax[0]!.value}), "min_transmission_angle_deg", 400).map!.census
+        .meeting,
+    ).toBe(relax[0]!.leaves);
     expect(missed_boxes).toHaveLength(1);
-    const [{nearest, beyond}] = missed_boxes;
+    const {nearest, beyond} = missed_boxes[0]!;
     expect([nearest[0] - beyond[0], nearest[1] - beyond[1]].map((v) => Number(v.toFixed(9)))).toEqual([150, 320]);
     expect(result.reason).toContain(
       "The centre-point curve does not enter ground_pivots_within; nearest is (141.9, 320.6)",
@@ -417,7 +418,7 @@ describe("the tailgate", () => {
     expect(center).toBe(explored(tailgate, "link_ratio", 60).map!.census.meeting);
     expect(counts[6 * 13 + 12]).toBe(0); // at +40 in x
     // What the tour asks for: the last position goes far without all being lost.
-    const poses = poses_of(first_example.problem.task);
+    const poses = poses_of(first_example!.problem.task);
     const room = poses.map((_, pose) =>
       roomy_squares(
         ask("halo", {problem: tailgate, pose, mode: "move", reach: halo_reach(poses), steps: 13, samples: 60}).counts,
@@ -477,10 +478,10 @@ describe("the tailgate", () => {
     expect(stored.map.fails).toEqual(live.map!.fails);
     expect(stored.task.curves.center.length).toBe(3 * stored.task.curves.tau.length);
     for (const [i, x] of live.task.curves.center.entries())
-      expect(Math.abs(stored.task.curves.center[i] - x)).toBeLessThanOrEqual(1e-7 * Math.abs(x));
+      expect(Math.abs(stored.task.curves.center[i]! - x)).toBeLessThanOrEqual(1e-7 * Math.abs(x));
     const {linkage} = ask("linkage", {problem: tailgate, tau: stored.linkage.tau});
     for (const [i, x] of linkage.drive!.states.entries())
-      expect(Math.abs(stored.linkage.drive!.states[i] - x)).toBeLessThanOrEqual(1e-7 * Math.abs(x));
+      expect(Math.abs(stored.linkage.drive!.states[i]! - x)).toBeLessThanOrEqual(1e-7 * Math.abs(x));
     expect(thumbnail("landing_gear")!.linkage!.pivots.length).toBe(4);
     expect(thumbnail("landing_gear")!.type.length).toBe(64 ** 2);
     expect(thumbnail("nothing")).toBeNull();

@@ -21,7 +21,7 @@ describe("texts", () => {
 
   it("have the same placeholders in both languages", () => {
     for (const key of Object.keys(en))
-      expect([key, ...placeholders(chinese[key])]).toEqual([key, ...placeholders(english[key])]);
+      expect([key, ...placeholders(chinese[key]!)]).toEqual([key, ...placeholders(english[key]!)]);
   });
 
   it("are written out", () => {
@@ -49,6 +49,6 @@ describe("texts", () => {
       (match) => match[1] ?? match[2] ?? match[3],
     );
     expect(asked.length).toBeGreaterThan(0);
-    expect(asked.filter((key) => !(key in en))).toEqual([]);
+    expect(asked.filter((key) => !(key! in en))).toEqual([]);
   });
 });

@@ -92,9 +92,9 @@ describe("samples of other dyads", () => {
     branch: Uint8Array.from({length: count}, (_, i) => branch(i)),
     center: Float64Array.from(
       {length: 3 * count},
-      (_, i) => [1, 50 * Math.cos(i / 3 / 10), 50 * Math.sin(i / 3 / 10)][i % 3],
+      (_, i) => [1, 50 * Math.cos(i / 3 / 10), 50 * Math.sin(i / 3 / 10)][i % 3]!,
     ),
-    circle: Float64Array.from({length: 3 * count}, (_, i) => [1, 0, Math.floor(i / 3)][i % 3]),
+    circle: Float64Array.from({length: 3 * count}, (_, i) => [1, 0, Math.floor(i / 3)][i % 3]!),
   });
   const axis = (quantity: string, count: number) => ({
     quantity,

@@ -16,7 +16,7 @@ class Puppet extends EventTarget {
     this.addEventListener("error", (event) => this.onerror?.(event as ErrorEvent));
   }
   static get last(): Puppet {
-    return Puppet.all[Puppet.all.length - 1];
+    return Puppet.all[Puppet.all.length - 1]!;
   }
   postMessage(message: RequestMessage): void {
     this.asked.push(message);
@@ -32,7 +32,7 @@ class Puppet extends EventTarget {
   }
   /** Answers what was asked last. */
   answer(reply: object = {}): void {
-    const {id, kind} = this.asked[this.asked.length - 1];
+    const {id, kind} = this.asked[this.asked.length - 1]!;
     this.say({id, kind, reply});
   }
 }
@@ -131,7 +131,7 @@ describe("one engine worker", () => {
     Puppet.last.ready();
     const read = engine.follow("read", {text: "{"});
     Puppet.last.say({
-      id: Puppet.last.asked[0].id,
+      id: Puppet.last.asked[0]!.id,
       kind: "read",
       refused: {mistakes: [{code: "invalid_json", place: "line 1, column 2", message: "the file breaks off here"}]},
     });
@@ -354,7 +354,7 @@ describe("what is run", () => {
       {kind: "search", rounds: ["{}", "{}"], most: 1},
       {progress: ({rounds}) => heard.push(rounds)},
     );
-    const [{id, kind}] = Puppet.last.asked;
+    const {id, kind} = Puppet.last.asked[0]!;
     for (const rounds of [1, 2]) {
       vi.advanceTimersByTime(patience_ms - 1);
       Puppet.last.say({id, kind, tidings: {rounds, found: {}}});

@@ -44,7 +44,7 @@ function unpacked_numbers(text: string, width = 1): Float64Array {
   const bits = new Uint32Array(count);
   for (let column = 0, at = 0; column < width; ++column) {
     for (let row = 0, last = 0; row < rows; ++row, ++at) {
-      for (let byte = 0; byte < 4; ++byte) last += bytes[byte * count + at] * 2 ** (8 * byte);
+      for (let byte = 0; byte < 4; ++byte) last += bytes[byte * count + at]! * 2 ** (8 * byte);
       bits[row * width + column] = last;
     }
   }

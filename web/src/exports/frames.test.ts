@@ -12,7 +12,7 @@ describe("an animation", () => {
     expect(frames[0]).toEqual({angle: 0, ms: 500});
     expect(frames[40]).toEqual({angle: 60, ms: 500});
     expect(frames.filter((f) => f.angle === 0 || f.angle === 60)).toHaveLength(2);
-    expect(frames[79].angle).toBeCloseTo(1.5);
+    expect(frames[79]!.angle).toBeCloseTo(1.5);
   });
   it("takes two seconds each way and rests at the ends", () => {
     expect(duration_ms(frames)).toBe(78 * 50 + 2 * 500);

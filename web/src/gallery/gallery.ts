@@ -67,7 +67,7 @@ export const examples: readonly Example[] = (Object.keys(files) as ExampleName[]
   title: `example.${name}`,
   story: `example.${name}_story`,
 }));
-export const first_example = examples[0];
+export const first_example = examples[0]!; // files is no empty list
 
 /** The name by which an example goes in both languages; nothing for a title of the user's. */
 export function example_title(title: string | undefined): TextKey | null {

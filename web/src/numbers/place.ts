@@ -8,7 +8,7 @@ const lower: Record<Side, string> = {input: "₁", output: "₂"};
 /** "τ₁ 1.1311 · τ₂ 0.4207", of each axis with a choice. */
 export function places_text(axes: Axes, tau: TauPair, digits = 4): string {
   return (["input", "output"] as const)
-    .map((side, k) => place_text(axes[side], side, tau[k], digits))
+    .map((side, k) => place_text(axes[side], side, tau[k]!, digits))
     .filter((text) => text !== "")
     .join(" · ");
 }
@@ -39,7 +39,7 @@ function value_at(
   between: (a: number, b: number, share: number) => number,
 ): number {
   const branch = branches.findLast(({from}) => tau >= from) ?? branches[0];
-  const own = (ticks ?? []).filter(([at]) => at >= branch.from && at < branch.to);
+  const own = (ticks ?? []).filter(([at]) => at >= branch!.from && at < branch!.to);
   const found = own.findIndex(([at]) => at > tau),
     after = found < 0 ? own.length - 1 : Math.max(found, 1);
   const from = own[after - 1],

@@ -45,7 +45,7 @@ describe("an axis with numbers", () => {
   });
   it("does not write over itself where the axis jumps", () => {
     const numbers = axis_numbers(directions, make_scale(directions.blocks, [0, 1], 804));
-    numbers.slice(1).forEach(({at}, i) => expect(at - numbers[i].at).toBeGreaterThanOrEqual(34));
+    numbers.slice(1).forEach(({at}, i) => expect(at - numbers[i]!.at).toBeGreaterThanOrEqual(34));
   });
   it("says what its blocks are", () => {
     const bars = axis_bars(directions, "output", make_scale(directions.blocks, [0, 1], 404), "mm");
@@ -56,7 +56,7 @@ describe("an axis with numbers", () => {
       make_scale(directions.blocks, [0, 1], 404),
       "mm",
     );
-    expect(length[0].text).toBe("Length R₁ mm · sheet I");
+    expect(length[0]!.text).toBe("Length R₁ mm · sheet I");
     const points = axis_bars(
       {...directions, quantity: "burmester_point", ticks: null},
       "input",
@@ -70,7 +70,7 @@ describe("an axis with numbers", () => {
         "input",
         make_scale([{from: 0, to: 1}], [0, 1], 404),
         "mm",
-      )[0].text,
+      )[0]!.text,
     ).toBe("");
   });
 });

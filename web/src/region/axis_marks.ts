@@ -1,5 +1,5 @@
 // What stands along a map axis: names of its blocks, numbers, ∞ marks, poles, nodes, in pixels.
-import type {Axis, AxisQuantity, Side, Special} from "../engine/protocol";
+import type {Axis, AxisQuantity, Branch, Side, Special} from "../engine/protocol";
 import {place_of} from "../state/axis";
 import {significant} from "../texts/numbers";
 import type {TermName} from "../terms/pictures";
@@ -47,17 +47,20 @@ export interface AxisNumber {
 }
 
 export function block_text(axis: Axis, index: number): string {
-  const {branch} = axis.blocks[index],
+  const branch = axis.blocks[index]?.branch ?? -1,
     halves = axis.blocks.filter((block) => block.branch === branch),
-    {name} = axis.branches[branch];
+    name = axis.branches[branch]?.name ?? "range";
   if (axis.quantity === "nothing" || name === "range") return "";
   if (axis.quantity === "burmester_point") return String(branch + 1);
-  if (name in sheets) return t("axis.sheet", {n: sheets[name]});
+  if (sheets[name]) return t("axis.sheet", {n: sheets[name]});
   if (name.startsWith("direction_")) return t("axis.direction", {n: branch + 1});
   if (axis.branches.length === 1 && halves.length === 2)
     return t(halves[0] === axis.blocks[index] ? "region.first_half" : "region.second_half");
   const key = branch_texts[name];
   return key ? t(key) : name;
+}
+function branch_of(axis: Axis, block: number): Branch | undefined {
+  return axis.branches[axis.blocks[block]?.branch ?? -1];
 }
 /** Each block with what its numbers are, if it has any, and its name. */
 export function axis_bars(axis: Axis, side: Side, scale: Scale, unit: string): AxisBar[] {
@@ -65,12 +68,13 @@ export function axis_bars(axis: Axis, side: Side, scale: Scale, unit: string): A
     of = side === "input" ? "₁" : "₂";
   const quantity = key ? [t(key, {of, unit}).trim()] : [];
   return scale.pieces.map(({start, end, block}) => {
-    const name = axis.blocks[block] ? block_text(axis, block) : "";
+    const name = block_text(axis, block),
+      branch = branch_of(axis, block);
     return {
       start,
       end,
       text: [...quantity, ...(name ? [name] : [])].join(" · "),
-      term: branch_terms[axis.branches[axis.blocks[block]?.branch]?.name] ?? null,
+      term: (branch && branch_terms[branch.name]) ?? null,
     };
   });
 }
@@ -86,7 +90,7 @@ function number_text(quantity: AxisQuantity, value: number): string {
  *  close together. */
 export function axis_numbers(axis: Axis, scale: Scale): AxisNumber[] {
   return scale.pieces.flatMap(({block, from, to, end}) => {
-    const branch = axis.branches[axis.blocks[block]?.branch];
+    const branch = branch_of(axis, block);
     const own = (axis.ticks ?? [])
       .filter(([tau]) => branch && tau >= branch.from && tau < branch.to)
       .flatMap(([tau, value], index) => {
@@ -95,7 +99,7 @@ export function axis_numbers(axis: Axis, scale: Scale): AxisNumber[] {
           ? [{index, at: pixel_of(scale, place), text: number_text(axis.quantity, value)}]
           : [];
       });
-    const widest = Math.max(most_of(own.slice(1).map(({at}, i) => at - own[i].at)), 0) || Infinity;
+    const widest = Math.max(most_of(own.slice(1).map(({at}, i) => at - own[i]!.at)), 0) || Infinity;
     const step = every.find((k) => k * widest >= number_px) ?? own.length;
     let last = -Infinity;
     return own.filter(({index, at}) => {
@@ -121,7 +125,7 @@ export function axis_marks(axis: Axis, specials: readonly Special[], scale: Scal
     const kind = special.kind === "pole" || special.kind === "node" ? special.kind : "infinity";
     for (const tau of special.tau) {
       const place = place_of(axis, tau);
-      if (place === null || place < first.from || place > last.to) continue;
+      if (place === null || place < first!.from || place > last!.to) continue;
       marks.push({kind, at: pixel_of(scale, place), text: mark_text(special)});
     }
   }

@@ -42,13 +42,13 @@ describe("a board", () => {
       [0, 1, 0.5, 1.5],
       [1, 0, 1.5, 0.5],
     ]);
-    expect(cells[0].pivots).toEqual([
+    expect(cells[0]!.pivots).toEqual([
       [1, -1],
       [3, -3],
       [2, -2],
       [4, -4],
     ]);
-    expect([cells[0].value, cells[0].defects.branch, cells[1].defects]).toEqual([
+    expect([cells[0]!.value, cells[0]!.defects.branch, cells[1]!.defects]).toEqual([
       40,
       false,
       {order: false, branch: true, circuit: true},

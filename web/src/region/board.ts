@@ -32,17 +32,17 @@ export function board_cells(task: TaskAnswer, map: MapAnswer): BoardCell[] {
   for (let row = 0; row < map.rows; ++row) {
     for (let column = 0; column < map.columns; ++column) {
       const at = row * map.columns + column,
-        tau = [map.input_tau[row], map.output_tau[column]] as const;
+        tau: TauPair = [map.input_tau[row]!, map.output_tau[column]!];
       const input = dyad_at(task, "input", tau),
         output = dyad_at(task, "output", tau),
-        bits = map.defects[at];
-      if (map.type[at] >= 9 || !input || !output) continue;
+        bits = map.defects[at]!;
+      if (map.type[at]! >= 9 || !input || !output) continue;
       const defects = {
         order: (bits & defect_bits.order) !== 0,
         branch: (bits & defect_bits.branch) !== 0,
         circuit: (bits & defect_bits.circuit) !== 0,
       };
-      cells.push({row, column, tau, pivots: [...input, ...output], defects, value: map.value[at]});
+      cells.push({row, column, tau, pivots: [...input, ...output], defects, value: map.value[at]!});
     }
   }
   return cells;
@@ -64,5 +64,5 @@ function dyad_at(
 }
 function finite(points: Float64Array, at: number): Point | null {
   const w = points[3 * at];
-  return at < 0 || Math.abs(w) < 1e-12 ? null : [points[3 * at + 1] / w, points[3 * at + 2] / w];
+  return at < 0 || Math.abs(w!) < 1e-12 ? null : [points[3 * at + 1]! / w!, points[3 * at + 2]! / w!];
 }

@@ -21,7 +21,7 @@ export function map_contours(map: MapAnswer, levels: readonly number[], axes: Ax
       columns,
       value,
       stride: Math.max(1, Math.round(Math.max(rows, columns) / most_lines)),
-      counts: (i) => defects[i] === 0 && type[i] < 9 && (fails[i] & ~ignored) === 0,
+      counts: (i) => defects[i] === 0 && type[i]! < 9 && (fails[i]! & ~ignored) === 0,
       row_breaks: breaks(window.input, edges(axes.input), rows),
       column_breaks: breaks(window.output, edges(axes.output), columns),
     },
@@ -41,8 +41,8 @@ export function placed_contours(
     const moved = new Float32Array(line.length);
     for (let i = 0; i < line.length; i += 2) {
       [moved[i], moved[i + 1]] = point_of(frame, [
-        place(line[i + 1], rows, window.input),
-        place(line[i], columns, window.output),
+        place(line[i + 1]!, rows, window.input),
+        place(line[i]!, columns, window.output),
       ]);
     }
     return moved;
@@ -53,8 +53,8 @@ export function placed_contours(
 function path_of(lines: readonly Float32Array[]): Path2D {
   const path = new Path2D();
   for (const line of lines) {
-    path.moveTo(line[0], line[1]);
-    for (let i = 2; i < line.length; i += 2) path.lineTo(line[i], line[i + 1]);
+    path.moveTo(line[0]!, line[1]!);
+    for (let i = 2; i < line.length; i += 2) path.lineTo(line[i]!, line[i + 1]!);
   }
   return path;
 }

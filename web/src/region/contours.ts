@@ -37,14 +37,14 @@ function thinned({value, counts, row_breaks, column_breaks, stride, ...field}: F
     values = new Float32Array(rows.length * columns.length);
   for (let r = 0; r < rows.length; ++r) {
     for (let c = 0; c < columns.length; ++c) {
-      const index = rows[r] * field.columns + columns[c];
-      values[r * columns.length + c] = counts(index) ? value[index] : NaN;
+      const index = rows[r]! * field.columns + columns[c]!;
+      values[r * columns.length + c] = counts(index) ? value[index]! : NaN;
     }
   }
   const cut = (kept: Int32Array, breaks: ReadonlySet<number>) => {
     const cuts = new Uint8Array(kept.length);
     for (let k = 1; k < kept.length; ++k)
-      for (let j = kept[k - 1] + 1; j <= kept[k]; ++j) if (breaks.has(j)) cuts[k] = 1;
+      for (let j = kept[k - 1]! + 1; j <= kept[k]!; ++j) if (breaks.has(j)) cuts[k] = 1;
     return cuts;
   };
   return {rows, columns, value: values, row_cut: cut(rows, row_breaks), column_cut: cut(columns, column_breaks)};
@@ -81,10 +81,10 @@ function segments({rows, columns: {length: n}, value, row_cut, column_cut}: Grid
         b = value[at + 1],
         d = value[at + n],
         e = value[at + n + 1];
-      const code = (a >= level ? 1 : 0) | (b >= level ? 2 : 0) | (e >= level ? 4 : 0) | (d >= level ? 8 : 0);
+      const code = (a! >= level ? 1 : 0) | (b! >= level ? 2 : 0) | (e! >= level ? 4 : 0) | (d! >= level ? 8 : 0);
       if (code === 0 || code === 15 || column_cut[c + 1] || a !== a || b !== b || d !== d || e !== e) continue;
       const edges = [2 * at, 2 * (at + 1) + 1, 2 * (at + n), 2 * at + 1];
-      for (const side of cases[code]) found.push(edges[side]);
+      for (const side of cases[code]!) found.push(edges[side]!);
     }
   }
   return found;
@@ -93,9 +93,9 @@ function segments({rows, columns: {length: n}, value, row_cut, column_cut}: Grid
 function chained(pairs: readonly number[], grid: Grid, level: number): Float32Array[] {
   const touching = new Map<number, number[]>(); // edge → segments
   for (let s = 0; s < pairs.length; ++s) {
-    const list = touching.get(pairs[s]);
+    const list = touching.get(pairs[s]!);
     if (list) list.push(s >> 1);
-    else touching.set(pairs[s], [s >> 1]);
+    else touching.set(pairs[s]!, [s >> 1]);
   }
   const used = new Uint8Array(pairs.length >> 1),
     lines: Float32Array[] = [];
@@ -103,15 +103,17 @@ function chained(pairs: readonly number[], grid: Grid, level: number): Float32Ar
     const edges = [start];
     for (let edge = start, next: number | undefined = segment; next !== undefined;) {
       used[next] = 1;
-      edge = pairs[2 * next] === edge ? pairs[2 * next + 1] : pairs[2 * next];
+      edge = (pairs[2 * next] === edge ? pairs[2 * next + 1] : pairs[2 * next])!;
       edges.push(edge);
       next = touching.get(edge)!.find((other) => !used[other]);
     }
     return edges;
   };
-  const open_first = [...touching].filter(([, list]) => list.length === 1).map(([edge, list]) => [list[0], edge]);
-  for (const [segment, edge] of open_first) if (!used[segment]) lines.push(points(run(segment, edge), grid, level));
-  for (let s = 0; s < used.length; ++s) if (!used[s]) lines.push(points(run(s, pairs[2 * s]), grid, level));
+  const open_first = [...touching].flatMap(([edge, [segment, ...more]]) =>
+    segment === undefined || more.length > 0 ? [] : [{segment, edge}],
+  );
+  for (const {segment, edge} of open_first) if (!used[segment]) lines.push(points(run(segment, edge), grid, level));
+  for (let s = 0; s < used.length; ++s) if (!used[s]) lines.push(points(run(s, pairs[2 * s]!), grid, level));
   return lines;
 }
 
@@ -121,10 +123,10 @@ function points(edges: readonly number[], {value, rows, columns}: Grid, level: n
   edges.forEach((edge, i) => {
     const at = edge >> 1,
       next = edge & 1 ? at + n : at + 1;
-    const share = (level - value[at]) / (value[next] - value[at]);
+    const share = (level - value[at]!) / (value[next]! - value[at]!);
     const row = Math.floor(at / n),
       column = at % n;
-    const along = (kept: Int32Array, k: number, on: boolean) => kept[k] + (on ? share * (kept[k + 1] - kept[k]) : 0);
+    const along = (kept: Int32Array, k: number, on: boolean) => kept[k]! + (on ? share * (kept[k + 1]! - kept[k]!) : 0);
     line[2 * i] = along(columns, column, !(edge & 1));
     line[2 * i + 1] = along(rows, row, (edge & 1) === 1);
   });
@@ -138,19 +140,19 @@ export function straightest(line: ArrayLike<number>, length: number): {x: number
     straightness = 0.9;
   for (let i = 0, j = 0, arc = 0; i < count; ++i) {
     while (j + 1 < count && arc < length) {
-      arc += Math.hypot(line[2 * j + 2] - line[2 * j], line[2 * j + 3] - line[2 * j + 1]);
+      arc += Math.hypot(line[2 * j + 2]! - line[2 * j]!, line[2 * j + 3]! - line[2 * j + 1]!);
       ++j;
     }
     if (arc < length) break;
-    const dx = line[2 * j] - line[2 * i],
-      dy = line[2 * j + 1] - line[2 * i + 1],
+    const dx = line[2 * j]! - line[2 * i]!,
+      dy = line[2 * j + 1]! - line[2 * i + 1]!,
       chord = Math.hypot(dx, dy);
     if (chord / arc > straightness) {
       straightness = chord / arc;
       const middle = (i + j) >> 1;
-      best = {x: line[2 * middle], y: line[2 * middle + 1], angle: Math.atan2(dy, dx)};
+      best = {x: line[2 * middle]!, y: line[2 * middle + 1]!, angle: Math.atan2(dy, dx)};
     }
-    arc -= i + 1 < count ? Math.hypot(line[2 * i + 2] - line[2 * i], line[2 * i + 3] - line[2 * i + 1]) : 0;
+    arc -= i + 1 < count ? Math.hypot(line[2 * i + 2]! - line[2 * i]!, line[2 * i + 3]! - line[2 * i + 1]!) : 0;
   }
   return best;
 }

@@ -11,7 +11,7 @@ export function crowded_share(curves: Curves, low: Point, high: Point): number {
   for (let i = 0; i + 1 < curves.tau.length; ++i) {
     if (curves.branch[i] !== curves.branch[i + 1]) continue;
     const seen = seen_length(curves.center, i, low, high) + seen_length(curves.circle, i, low, high);
-    const step = Math.abs(curves.tau[i + 1] - curves.tau[i]);
+    const step = Math.abs(curves.tau[i + 1]! - curves.tau[i]!);
     stretches.push({length: seen, part: step});
     length += seen;
     part += step;
@@ -31,10 +31,10 @@ export function is_crowded(curves: Curves, low: Point, high: Point): boolean {
 }
 
 function seen_length(points: Float64Array, i: number, low: Point, high: Point): number {
-  const x0 = points[3 * i + 1] / points[3 * i],
-    y0 = points[3 * i + 2] / points[3 * i];
-  const x1 = points[3 * i + 4] / points[3 * i + 3],
-    y1 = points[3 * i + 5] / points[3 * i + 3];
+  const x0 = points[3 * i + 1]! / points[3 * i]!,
+    y0 = points[3 * i + 2]! / points[3 * i]!;
+  const x1 = points[3 * i + 4]! / points[3 * i + 3]!,
+    y1 = points[3 * i + 5]! / points[3 * i + 3]!;
   const inside = (x: number, y: number) => x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1];
   return inside(x0, y0) && inside(x1, y1) ? Math.hypot(x1 - x0, y1 - y0) : 0;
 }

@@ -28,7 +28,7 @@ function dots(context: CanvasRenderingContext2D): void {
   for (const [x, y] of [
     [2, 2],
     [6, 6],
-  ]) {
+  ] as const) {
     context.moveTo(x + 1.1, y);
     context.arc(x, y, 1.1, 0, 2 * Math.PI);
   }

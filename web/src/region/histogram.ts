@@ -13,9 +13,9 @@ export function histogram(
   const {type, defects, value} = map;
   const step = type.length > 200_000 ? 5 : 1;
   for (let i = 0; i < type.length; i += step) {
-    if (defects[i] !== 0 || type[i] >= 9) continue;
-    const bin = Math.floor((value[i] - from) * scale);
-    if (bin >= 0 && bin < bins) ++counts[bin];
+    if (defects[i] !== 0 || type[i]! >= 9) continue;
+    const bin = Math.floor((value[i]! - from) * scale);
+    if (bin >= 0 && bin < bins) ++counts[bin]!;
   }
   const most = most_of(counts);
   return most > 0 ? counts.map((count) => count / most) : counts;

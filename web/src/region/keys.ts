@@ -16,8 +16,9 @@ const zoom_step = 1.6;
  *  just lie under the pointer. */
 export function map_key(event: KeyboardEvent, view: RegionView, focused: boolean): boolean {
   if (event.ctrlKey || event.metaKey) return false;
-  if (focused && event.key in arrows) {
-    const [rows, columns] = arrows[event.key],
+  const arrow = arrows[event.key];
+  if (focused && arrow) {
+    const [rows, columns] = arrow,
       cells = event.altKey ? 0.1 : event.shiftKey ? 10 : 1;
     view.step(rows * cells, columns * cells);
     return true;
@@ -57,7 +58,7 @@ const commands: Record<string, (view: RegionView, shift: boolean) => void> = {
   i: (view) => jump(view, () => view.workbench.improve()),
   c: ({workbench}) => {
     const colorings = colorings_of(workbench.problem.task);
-    preferences.colour_by = colorings[(colorings.indexOf(workbench.coloring) + 1) % colorings.length];
+    preferences.colour_by = colorings[(colorings.indexOf(workbench.coloring) + 1) % colorings.length] ?? "type";
   },
   h: () => (preferences.only_meeting = !preferences.only_meeting),
   "+": (view) => zoom(view, 1 / zoom_step),

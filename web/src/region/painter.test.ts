@@ -32,8 +32,8 @@ function painted(change: Partial<Look> = {}): number[] {
 }
 
 describe("painter", () => {
-  const full = pixel(palette.types[0]),
-    washed = pixel(mixed(palette.types[0], palette.paper, 0.3)),
+  const full = pixel(palette.types[0]!),
+    washed = pixel(mixed(palette.types[0]!, palette.paper, 0.3)),
     paper = pixel(palette.paper);
   it("paints types with row 0 at the bottom, defects clear", () => {
     expect(painted()).toEqual([0, paper, full, washed]);
@@ -43,7 +43,7 @@ describe("painter", () => {
   });
   it("fades all but the hovered type", () => {
     expect(painted({type_hover: 0})[2]).toBe(full);
-    expect(painted({type_hover: 3})[2]).toBe(pixel(mixed(palette.types[0], palette.paper, 0.15)));
+    expect(painted({type_hover: 3})[2]).toBe(pixel(mixed(palette.types[0]!, palette.paper, 0.15)));
   });
   it("paints values along the ramp, either way round", () => {
     const out = new Uint32Array(4);

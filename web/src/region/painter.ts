@@ -30,7 +30,7 @@ export function paint_types(map: MapAnswer, look: Look, out: Uint32Array): void 
     let from = row * columns,
       to = (rows - 1 - row) * columns;
     for (const end = from + columns; from < end; ++from, ++to) {
-      out[to] = table[type[from] | (fails[from] === 0 ? 16 : 0) | (defects[from] << 5)];
+      out[to] = table[type[from]! | (fails[from] === 0 ? 16 : 0) | (defects[from]! << 5)]!;
     }
   }
 }
@@ -43,9 +43,9 @@ export function paint_values(map: MapAnswer, look: Look, range: Range, out: Uint
     let from = row * columns,
       to = (rows - 1 - row) * columns;
     for (const end = from + columns; from < end; ++from, ++to) {
-      const step = (value[from] - range.from) * scale;
-      const kind = type[from] | (fails[from] === 0 ? 16 : 0) | (defects[from] << 5);
-      out[to] = table.pixels[table.rows[kind] + (step > 0 ? (step < top ? step | 0 : top) : 0)];
+      const step = (value[from]! - range.from) * scale;
+      const kind = type[from]! | (fails[from] === 0 ? 16 : 0) | (defects[from]! << 5);
+      out[to] = table.pixels[table.rows[kind]! + (step > 0 ? (step < top ? step | 0 : top) : 0)]!;
     }
   }
 }
@@ -56,7 +56,7 @@ export function paint_defect_mask(map: MapAnswer, kind: DefectKind, out: Uint32A
     let from = row * columns,
       to = (rows - 1 - row) * columns;
     for (const end = from + columns; from < end; ++from, ++to)
-      out[to] = worst_kind[defects[from] & 7] === kind ? 0xff000000 : 0;
+      out[to] = worst_kind[defects[from]! & 7] === kind ? 0xff000000 : 0;
   }
 }
 export type DefectKind = 0 | 1 | 2 | 3; // none, order, branch, circuit

@@ -27,7 +27,7 @@ export function read_palette(style: Pick<CSSStyleDeclaration, "getPropertyValue"
 }
 
 export function mixed(color: Rgb, ground: Rgb, share: number): Rgb {
-  return color.map((c, i) => Math.round(share * c + (1 - share) * ground[i])) as unknown as Rgb;
+  return color.map((c, i) => Math.round(share * c + (1 - share) * ground[i]!)) as unknown as Rgb;
 }
 export function css(color: Rgb, alpha = 1): string {
   return `rgba(${color.join(",")},${alpha})`;
@@ -42,7 +42,7 @@ const ramp_stops = ["2b1d5c", "3a4a9c", "2f7fb0", "3faea0", "9ad07a", "fbe886"].
 export function ramp(share: number): Rgb {
   const x = Math.min(Math.max(share, 0), 1) * (ramp_stops.length - 1);
   const k = Math.min(Math.floor(x), ramp_stops.length - 2);
-  return mixed(ramp_stops[k + 1], ramp_stops[k], x - k);
+  return mixed(ramp_stops[k + 1]!, ramp_stops[k]!, x - k);
 }
 
 export const washed_share = 0.3;

@@ -136,7 +136,7 @@ export class MapPointer {
     }
     this.view.leave();
     const [a, b] = this.touches.values();
-    this.doing = {kind: "pinch", middle: middle(a, b), spread: apart(a, b), moved: true};
+    if (a && b) this.doing = {kind: "pinch", middle: middle(a, b), spread: apart(a, b), moved: true};
   }
   private touch_move(id: number, at: Point): void {
     if (!this.touches.has(id)) return;

@@ -33,7 +33,7 @@ describe("ribbon", () => {
       [false, [3, 4, 5]],
       [false, [6, 7]],
     ]);
-    expect(lines[0].points[0].at).toBeCloseTo(50);
+    expect(lines[0]!.points[0]!.at).toBeCloseTo(50);
   });
   it("shows what is usual of a property without bound", () => {
     expect(axis_top("min_transmission_angle_deg", [10], 30)).toBe(90);

@@ -27,15 +27,15 @@ export function ribbon_lines(map: MapAnswer, scale: Scale): RibbonLine[] {
     const place = from + ((row + 0.5) / rows) * (to - from),
       meets = fails[row] === 0;
     const here = scale.pieces.findIndex((p) => place >= p.from && place <= p.to);
-    if (value[row] === 0 || type[row] >= 9 || here < 0) {
+    if (value[row] === 0 || type[row]! >= 9 || here < 0) {
       last = null;
       continue;
     }
-    const point = {at: pixel_of(scale, place), value: value[row]};
+    const point = {at: pixel_of(scale, place), value: value[row]!};
     if (!last || piece !== here) lines.push((last = {meets, points: []}));
     else if (last.meets !== meets) {
       const before: RibbonLine = last;
-      lines.push((last = {meets, points: [before.points[before.points.length - 1]]})); // no gap where it changes
+      lines.push((last = {meets, points: before.points.slice(-1)})); // no gap where it changes
     }
     piece = here;
     last.points.push(point);

@@ -36,8 +36,8 @@ export function make_scale(blocks: readonly Stretch[], window: readonly [number,
 
 /** Pixels from the axis' lower end; running on beyond the window. */
 export function pixel_of(scale: Scale, place: number): number {
-  const piece = scale.pieces.find((p) => place < p.to) ?? scale.pieces[scale.pieces.length - 1];
-  return piece.start + (place - piece.from) * scale.per_place;
+  const piece = scale.pieces.find((p) => place < p.to) ?? scale.pieces.at(-1);
+  return piece === undefined ? 0 : piece.start + (place - piece.from) * scale.per_place;
 }
 
 /** Place under a pixel; in a gap the nearer edge, outside the axis its end. */
@@ -49,6 +49,7 @@ export function place_at(scale: Scale, pixel: number): number {
     const off = pixel < piece.start ? piece.start - pixel : pixel > piece.end ? pixel - piece.end : 0;
     if (off < distance) [nearest, distance] = [piece, off];
   }
+  if (!nearest) return 0;
   const inside = Math.min(Math.max(pixel, nearest.start), nearest.end);
   const place = nearest.from + (inside - nearest.start) / scale.per_place;
   return Math.min(Math.max(place, nearest.from), last_within(nearest, pieces));

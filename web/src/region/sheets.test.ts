@@ -34,7 +34,7 @@ describe("sheets", () => {
       ["III", false],
       ["IV", true],
     ]);
-    expect(found[1].window).toEqual({input: [0, 0.5], output: [0.5, 1]});
+    expect(found[1]!.window).toEqual({input: [0, 0.5], output: [0.5, 1]});
   });
   it("are none of a curve, and up to eight where the angle is one of lines", () => {
     expect(sheets_of(task(axis("odd", "oval"), axis("odd", "oval")), map)).toEqual([]);

@@ -17,17 +17,19 @@ function has_sheets(axis: Axis): boolean {
 export function sheets_of({axes: {input, output}}: TaskAnswer, map: MapAnswer | null): Sheet[] {
   if (!has_sheets(input) || !has_sheets(output)) return [];
   const pairs = input.blocks.flatMap((row, i) => output.blocks.map((column, k) => ({row, column, i, k})));
-  return pairs.slice(0, names.length).map(({row, column, i, k}, at) => {
+  return pairs.flatMap(({row, column, i, k}, at) => {
+    const name = names[at];
+    if (!name) return [];
     const window: Window = {input: [row.from, row.to], output: [column.from, column.to]};
-    return {name: names[at], input: i, output: k, window, empty: map !== null && is_empty(map, window)};
+    return [{name, input: i, output: k, window, empty: map !== null && is_empty(map, window)}];
   });
 }
 function is_empty(map: MapAnswer, {input, output}: Window): boolean {
-  const rows = [input[0] * map.rows, input[1] * map.rows].map(Math.round),
-    columns = [output[0] * map.columns, output[1] * map.columns].map(Math.round);
-  for (let row = rows[0]; row < rows[1]; ++row) {
-    for (let column = columns[0]; column < columns[1]; ++column)
-      if (map.type[row * map.columns + column] < 9) return false;
+  const last_row = Math.round(input[1] * map.rows),
+    last_column = Math.round(output[1] * map.columns);
+  for (let row = Math.round(input[0] * map.rows); row < last_row; ++row) {
+    for (let column = Math.round(output[0] * map.columns); column < last_column; ++column)
+      if (map.type[row * map.columns + column]! < 9) return false;
   }
   return true;
 }

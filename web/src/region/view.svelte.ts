@@ -174,6 +174,6 @@ export class RegionView {
   is_empty(place: TauPair): boolean {
     const cell = this.cell(place),
       map = this.workbench.map;
-    return cell === null || !map || map.type[cell] >= 9 || map.defects[cell] !== 0;
+    return cell === null || !map || map.type[cell]! >= 9 || map.defects[cell] !== 0;
   }
 }

@@ -149,7 +149,7 @@ export function missed_box_text({requirement, nearest, beyond}: MissedBox, unit:
   });
 }
 export function none_defect_free_text({pairs, types, order, branch}: Census, task: Task): string {
-  const four_bars = Math.max(pairs - types[linkage_types.indexOf("degenerate")], 1),
+  const four_bars = Math.max(pairs - types[linkage_types.indexOf("degenerate")]!, 1),
     percent = (part: number) => Math.round((100 * part) / four_bars);
   return t(text_for(task, "state.none_defect_free"), {order: percent(order), branch: percent(branch)});
 }

@@ -32,13 +32,14 @@ function fill(what: "drawing" | "map"): (workbench: Workbench) => void {
 
 /** The innermost thing that is open or under way ends. */
 export function escape(workbench: Workbench): void {
+  const last_toast = workbench.toasts.at(-1);
   if (workbench.gesture) workbench.cancel_gesture();
   else if (workbench.mode !== "point") workbench.mode = "point";
   else if (workbench.tour !== null) end_tour(workbench);
   else if (workbench.sheet !== null) workbench.sheet = null;
   else if (workbench.full !== "none") workbench.full = "none";
   else if (workbench.selected_pose !== null) workbench.selected_pose = null;
-  else if (workbench.toasts.length) workbench.dismiss(workbench.toasts[workbench.toasts.length - 1].id);
+  else if (last_toast) workbench.dismiss(last_toast.id);
 }
 export function end_tour(workbench: Workbench): void {
   workbench.tour = null;

@@ -18,7 +18,7 @@ const table = Uint32Array.from({length: 256}, (_, n) => {
 /** CRC-32: every change of up to four bytes in a row shows. */
 export function check_sum(text: string): string {
   let sum = 0xffffffff;
-  for (let i = 0; i < text.length; ++i) sum = table[(sum ^ text.charCodeAt(i)) & 255] ^ (sum >>> 8);
+  for (let i = 0; i < text.length; ++i) sum = table[(sum ^ text.charCodeAt(i)) & 255]! ^ (sum >>> 8);
   return ((sum ^ 0xffffffff) >>> 0).toString(16).padStart(8, "0");
 }
 
@@ -89,7 +89,7 @@ export function read_fragment(fragment: string, page_length = 0): Link | null {
   if (!parts) return fragment.length > 1 ? {mistake: "damaged"} : null;
   if (page_length + fragment.length > longest_link) return {mistake: "too_long"};
   if (parts[1] !== version) return {mistake: Number(parts[1]) > Number(version) ? "newer" : "damaged"};
-  const [sum, data, ...more] = parts[2].split(".");
+  const [sum, data, ...more] = parts[2]!.split(".");
   if (data === undefined || more.length || check_sum(data) !== sum) return {mistake: "damaged"};
   const bytes = from_base64url(data);
   return bytes && bytes.length ? inflated(bytes) : {mistake: "damaged"};

@@ -165,7 +165,7 @@ describe("tabs", () => {
       },
     };
   }
-  const x = ({workbench}: Tab) => poses_of(workbench.problem.task)[1].x;
+  const x = ({workbench}: Tab) => poses_of(workbench.problem.task)[1]!.x;
   function move(tab: Tab, to: number): void {
     tab.workbench.edit((before) => with_pose(before, 1, {x: to}));
     vi.advanceTimersByTime(1000);
@@ -204,7 +204,7 @@ describe("tabs", () => {
     two.end();
     const [again, other] = [opened(one.session), opened(two.session)]; // reloads
     expect([x(again), x(other)]).toEqual([23, 24]);
-    expect(other_work(again.workbench.slot, store).map(({present}) => poses_of(present.problem.task)[1].x)).toEqual([
+    expect(other_work(again.workbench.slot, store).map(({present}) => poses_of(present.problem.task)[1]!.x)).toEqual([
       24,
     ]);
   });

@@ -11,9 +11,9 @@ export function painted(
   {rows, columns, type, fails}: Pick<Thumbnail, "rows" | "columns" | "type" | "fails">,
   colors: Record<string, string>,
 ): Uint8ClampedArray<ArrayBuffer> {
-  const paper = rgb_of(colors.paper),
-    grey = rgb_of(colors.hatch);
-  const full = linkage_types.map((name) => rgb_of(colors[name])),
+  const paper = rgb_of(colors.paper!),
+    grey = rgb_of(colors.hatch!);
+  const full = linkage_types.map((name) => rgb_of(colors[name]!)),
     faint = full.map((color) => mixed(color, paper, washed_share));
   const pixels = new Uint8ClampedArray(4 * rows * columns);
   for (let row = 0; row < rows; ++row) {
@@ -24,10 +24,10 @@ export function painted(
         type[cell] === degenerate
           ? paper
           : fails[cell] === 0
-            ? full[type[cell]]
-            : fails[cell] & defect
+            ? full[type[cell]!]!
+            : fails[cell]! & defect
               ? grey
-              : faint[type[cell]];
+              : faint[type[cell]!]!;
       pixels.set(color, at);
       pixels[at + 3] = 255;
     }

@@ -129,7 +129,7 @@ describe("a plan", () => {
       100,
     );
     expect(
-      crossings(orders[1], states_of(drive_through([[30, [60, -30], [140, 30]]])), input_center, output_center, 100),
+      crossings(orders[1]!, states_of(drive_through([[30, [60, -30], [140, 30]]])), input_center, output_center, 100),
     ).toEqual([{link: "coupler", obstacle: "output_ground_pin", from_deg: 30, to_deg: 30}]);
     expect(plan.crossings).toEqual([]);
   });
@@ -177,7 +177,7 @@ describe("crossings", () => {
         [40, ...across],
       ]),
     );
-    expect(crossings(orders[0], states, input_center, output_center, 100)).toEqual([
+    expect(crossings(orders[0]!, states, input_center, output_center, 100)).toEqual([
       {link: "input", obstacle: "output", from_deg: 10, to_deg: 20},
       {link: "input", obstacle: "output", from_deg: 40, to_deg: 40},
     ]);

@@ -100,8 +100,8 @@ export const whole_problem: Arbitrary<Problem> = document.map(to_problem);
 /** Steps that have parts in common, as edits leave them. */
 export const steps = fc.array(document, {minLength: 1, maxLength: 8}).chain((all) =>
   fc.tuple(fc.nat(all.length - 1), fc.array(fc.nat(all.length - 1), {maxLength: 12})).map(([present, more]) => ({
-    past: more.map((i) => ({...all[i], problem: all[0].problem})),
-    present: all[present],
+    past: more.map((i) => ({...all[i]!, problem: all[0]!.problem})),
+    present: all[present]!,
     future: all.slice(0, present),
   })),
 );

@@ -15,18 +15,18 @@ import {
 
 function interpolated(knots: readonly (readonly [number, number])[], value: number, from: 0 | 1): number {
   const to = from === 0 ? 1 : 0;
-  const rising = knots[knots.length - 1][from] > knots[0][from];
+  const rising = knots[knots.length - 1]![from] > knots[0]![from];
   let low = 0,
     high = knots.length - 1;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
-    if (knots[middle][from] <= value === rising) low = middle;
+    if (knots[middle]![from] <= value === rising) low = middle;
     else high = middle;
   }
   const a = knots[low],
     b = knots[high];
-  const share = b[from] === a[from] ? 0 : (value - a[from]) / (b[from] - a[from]);
-  return a[to] + share * (b[to] - a[to]);
+  const share = b![from] === a![from] ? 0 : (value - a![from]) / (b![from] - a![from]);
+  return a![to] + share * (b![to] - a![to]);
 }
 
 function wrapped(tau: number, branch: Branch): number {
@@ -81,7 +81,7 @@ export function stepped_place(axis: Axis, place: number, cells: number, cell: nu
   if (!block) return Math.min(Math.max(place + cells * cell, 0), 1);
   const at = axis.blocks.indexOf(block),
     to = Math.min(Math.max(at + Math.sign(cells), 0), axis.blocks.length - 1);
-  return held_place(axis, axis.blocks[to].from);
+  return held_place(axis, axis.blocks[to]!.from);
 }
 
 /** An axis of a few places is shown whole. */
@@ -105,7 +105,7 @@ export function tau_at(axis: Axis, place: number): number | null {
     block = block_at(axis, inside);
   if (!block) return null;
   const branch = axis.branches[block.branch];
-  return is_discrete(axis) ? middle_tau(branch) : wrapped(interpolated(block.knots, inside, 0), branch);
+  return is_discrete(axis) ? middle_tau(branch!) : wrapped(interpolated(block.knots, inside, 0), branch!);
 }
 export function tau_of_places(axes: Axes, place: TauPair): TauPair | null {
   const input = tau_at(axes.input, place[0]),
@@ -117,9 +117,9 @@ export function tau_of_places(axes: Axes, place: TauPair): TauPair | null {
 export function place_of(axis: Axis, tau: number): number | null {
   for (const block of axis.blocks) {
     const branch = axis.branches[block.branch];
-    if (tau < branch.from - 1e-12 || tau > branch.to + 1e-12) continue;
-    const length = branch.to - branch.from;
-    const ends = [block.knots[0][1], block.knots[block.knots.length - 1][1]];
+    if (tau < branch!.from - 1e-12 || tau > branch!.to + 1e-12) continue;
+    const length = branch!.to - branch!.from;
+    const ends = [block.knots[0]![1], block.knots[block.knots.length - 1]![1]];
     const low = least_of(ends),
       high = most_of(ends);
     for (const turns of [0, 1, -1, 2, -2]) {

@@ -125,7 +125,7 @@ const few_cells = 16;
 function least_bad({type, defects, fails, columns, input_tau, output_tau}: MapAnswer): TauPair | null {
   if (type.length > few_cells) return null;
   const against = (cell: number) =>
-    (defects[cell] ? 100 : 0) + [...fails[cell].toString(2)].filter((bit) => bit === "1").length;
-  const [best] = [...type.keys()].filter((cell) => type[cell] < 9).sort((a, b) => against(a) - against(b));
-  return best === undefined ? null : [input_tau[Math.floor(best / columns)], output_tau[best % columns]];
+    (defects[cell] ? 100 : 0) + [...fails[cell]!.toString(2)].filter((bit) => bit === "1").length;
+  const [best] = [...type.keys()].filter((cell) => type[cell]! < 9).sort((a, b) => against(a) - against(b));
+  return best === undefined ? null : [input_tau[Math.floor(best / columns)]!, output_tau[best % columns]!];
 }

@@ -72,7 +72,7 @@ describe("on the axis of an answer", () => {
   it("what was loaded gets its place from τ", () => {
     const settled = settled_on(both(axis), document);
     expect(settled.picked).toEqual({tau: [0.25, 0.5], place: [0.25, 0.5]});
-    expect(settled.pins[0].place).toEqual([0.5, 0.75]);
+    expect(settled.pins[0]!.place).toEqual([0.5, 0.75]);
     expect(settled.order).toBe(3);
     expect(settled_on(both(axis), settled)).toBe(settled);
   });

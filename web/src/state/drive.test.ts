@@ -18,7 +18,7 @@ function drive(reached = [true, true, true, false]): Drive {
     full_turn: false,
     limits: {low: null, high: "dead_point"},
     task: [1, 4],
-    ticks: rows.map((state, i) => ({position: i + 1, state: reached[i] ? state : -1, reached: reached[i]})),
+    ticks: rows.map((state, i) => ({position: i + 1, state: reached[i] ? state : -1, reached: reached[i]!})),
   };
 }
 

@@ -7,14 +7,14 @@ export function row_count(drive: Drive): number {
   return drive.states.length / drive.width;
 }
 export function angle_of_row(drive: Drive, row: number): number {
-  return drive.states[row * drive.width];
+  return drive.states[row * drive.width]!;
 }
 export function travel(drive: Drive): [low: number, high: number] {
   return [angle_of_row(drive, 0), angle_of_row(drive, row_count(drive) - 1)];
 }
 export function row_state(drive: Drive, row: number): State {
   const state = {} as State;
-  state_columns.forEach((name, column) => (state[name] = drive.states[row * drive.width + column]));
+  state_columns.forEach((name, column) => (state[name] = drive.states[row * drive.width + column]!));
   return state;
 }
 
@@ -22,7 +22,7 @@ export function row_state(drive: Drive, row: number): State {
 export function row_joints(drive: Drive, row: number): Point[] {
   const found: Point[] = [];
   for (let at = row * drive.width + state_width; at < (row + 1) * drive.width; at += 2)
-    found.push([drive.states[at], drive.states[at + 1]]);
+    found.push([drive.states[at]!, drive.states[at + 1]!]);
   return found;
 }
 
@@ -57,7 +57,7 @@ export function joints_at(drive: Drive, angle_deg: number): Point[] {
     joints = row_joints(drive, row);
   if (share === 0) return joints;
   const next = row_joints(drive, row + 1);
-  return joints.map(([x, y], i) => [x + share * (next[i][0] - x), y + share * (next[i][1] - y)]);
+  return joints.map(([x, y], i) => [x + share * (next[i]![0] - x), y + share * (next[i]![1] - y)]);
 }
 
 const beyond_deg = 30; // outside the task, one unit of the stage is so many degrees
@@ -78,19 +78,19 @@ export function angle_at_stage(drive: Drive, stage: number): number {
   const [low, high] = travel(drive);
   const angle =
     stage < 0
-      ? at[0] + stage * beyond_deg
+      ? at[0]! + stage * beyond_deg
       : stage >= last
-        ? at[last] + (stage - last) * beyond_deg
-        : at[Math.floor(stage)] + (stage - Math.floor(stage)) * (at[Math.floor(stage) + 1] - at[Math.floor(stage)]);
+        ? at[last]! + (stage - last) * beyond_deg
+        : at[Math.floor(stage)]! + (stage - Math.floor(stage)) * (at[Math.floor(stage) + 1]! - at[Math.floor(stage)]!);
   return Math.min(Math.max(angle, low), high);
 }
 export function stage_at_angle(drive: Drive, angle_deg: number): number {
   const at = stops(drive);
   if (at.length === 0) return 0;
   const last = at.length - 1;
-  if (angle_deg < at[0]) return (angle_deg - at[0]) / beyond_deg;
-  if (angle_deg >= at[last]) return last + (angle_deg - at[last]) / beyond_deg;
+  if (angle_deg < at[0]!) return (angle_deg - at[0]!) / beyond_deg;
+  if (angle_deg >= at[last]!) return last + (angle_deg - at[last]!) / beyond_deg;
   let k = 0;
-  while (k + 1 < last && at[k + 1] <= angle_deg) ++k;
-  return k + (angle_deg - at[k]) / (at[k + 1] - at[k]);
+  while (k + 1 < last && at[k + 1]! <= angle_deg) ++k;
+  return k + (angle_deg - at[k]!) / (at[k + 1]! - at[k]!);
 }

@@ -21,7 +21,7 @@ function bench(): Bench {
   return made;
 }
 const x_to = (x: number) => (before: Problem) => with_pose(before, 1, {x});
-const x = (b: Bench) => poses_of(b.problem.task)[1].x;
+const x = (b: Bench) => poses_of(b.problem.task)[1]!.x;
 
 describe("editing", () => {
   it("shows every change of a drag, tells of its end only, and makes one step", () => {
@@ -30,7 +30,7 @@ describe("editing", () => {
     b.on_commit(() => ++told);
     b.begin_gesture();
     for (const value of [1, 2, 3]) b.drag(x_to(value));
-    expect(b.shown.map((p) => poses_of(p.task)[1].x)).toEqual([1, 2, 3]);
+    expect(b.shown.map((p) => poses_of(p.task)[1]!.x)).toEqual([1, 2, 3]);
     expect([told, b.can_undo]).toEqual([0, false]);
     b.end_gesture();
     expect([told, b.can_undo, b.just_changed]).toEqual([1, true, true]);
@@ -71,7 +71,7 @@ describe("editing", () => {
     b.edit(x_to(2));
     expect(b.refuse(problem, mistakes)).toBe(false); // not in force any more
     expect(b.refuse(b.problem, mistakes)).toBe(true);
-    expect([x(b), b.problem.view]).toEqual([poses_of(problem.task)[1].x, {traced: [[1, 2]]}]);
+    expect([x(b), b.problem.view]).toEqual([poses_of(problem.task)[1]!.x, {traced: [[1, 2]]}]);
     b.undo();
     expect([b.problem.view, b.can_undo]).toEqual([undefined, false]);
   });
@@ -84,7 +84,7 @@ describe("editing", () => {
     b.edit(x_to(2));
     b.accept(asked); // of the finer map
     b.refuse(b.problem, mistakes);
-    expect([x(b), b.pins]).toEqual([poses_of(problem.task)[1].x, [pin]]);
+    expect([x(b), b.pins]).toEqual([poses_of(problem.task)[1]!.x, [pin]]);
   });
 
   it("knows whether the engine has read what it needs of the problem in force", () => {

@@ -69,8 +69,8 @@ describe("a view from outside", () => {
     ];
     const read = read_view({pins}).pins!;
     expect(read.map((p) => p.name)).toEqual(["A", "lid, 2nd try <b>", "D"]);
-    expect(read[2].note).toBeUndefined();
-    expect(read[2].lengths).toBeNull();
+    expect(read[2]!.note).toBeUndefined();
+    expect(read[2]!.lengths).toBeNull();
   });
   it("takes pins of old, which had poses", () => {
     const {task, ...old} = pin;

@@ -134,7 +134,7 @@ const option_checks: Record<string, Check> = {
 function sound(value: unknown, checks: Record<string, Check>): Object | undefined {
   if (!is_object(value)) return undefined;
   return Object.fromEntries(
-    Object.entries(value).filter(([key, member]) => !Object.hasOwn(checks, key) || checks[key](member)),
+    Object.entries(value).filter(([key, member]) => !Object.hasOwn(checks, key) || checks[key]?.(member)),
   );
 }
 

@@ -155,7 +155,7 @@ class Model {
     this.steps = [{problem: first, pins: []}];
   }
   get now(): Kept {
-    return this.steps[this.at];
+    return this.steps[this.at]!;
   }
   get can(): [undo: boolean, redo: boolean] {
     return [this.at > 0, this.at < this.steps.length - 1];
@@ -246,7 +246,7 @@ const doings: Record<string, Doing> = {
     model.step({pins: model.now.pins.filter(({name}) => name !== pin.name)});
   },
   open: ({workbench}, model, by) => {
-    const problem = {...(by % 2 ? new_problem() : function_kind.beginnings[0].make()), title: `opened ${by}`};
+    const problem = {...(by % 2 ? new_problem() : function_kind.beginnings[0]!.make()), title: `opened ${by}`};
     workbench.open(problem);
     model.step({problem, pins: []});
   },
@@ -257,8 +257,8 @@ const doings: Record<string, Doing> = {
   kill: (page, _, by) => {
     set_to_work(page, by);
     const client = page.clients[by % 2];
-    met.killed_at_work += Number(client.busy);
-    client.kill();
+    met.killed_at_work += Number(client!.busy);
+    client!.kill();
   },
   hang: async (page, _, by) => {
     hangs = true;
@@ -281,7 +281,7 @@ async function followed(actions: readonly Action[]): Promise<void> {
     model = new Model(page.workbench.problem);
   await vi.advanceTimersByTimeAsync(rest_ms);
   for (const {name, by} of actions) {
-    await doings[name](page, model, by);
+    await doings[name]!(page, model, by);
     if (by % 5 === 0 && !refused(page.workbench.problem)) page.reload(); // before the engine has refused it, it is the work that there is
     await vi.advanceTimersByTimeAsync(rest_ms);
     const {problem, pins, can_undo, can_redo} = page.workbench;

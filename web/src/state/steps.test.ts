@@ -45,11 +45,11 @@ describe("what is stored", () => {
     const text = steps_text(steps, 0);
     expect(text.length).toBeLessThan(130_000);
     const read = read_steps(text)!;
-    expect([read.past.length, read.past[0].picked!.tau[0], read.present.picked!.tau[0], read.future.length]).toEqual([
+    expect([read.past.length, read.past[0]!.picked!.tau[0], read.present.picked!.tau[0], read.future.length]).toEqual([
       500, 200, 700, 1,
     ]);
-    expect(read.past[499].problem.view!.background!.image).toBe(image);
-    expect(read.past[0].problem.task).toBe(read.past[499].problem.task); // and once in memory: a table may be long
+    expect(read.past[499]!.problem.view!.background!.image).toBe(image);
+    expect(read.past[0]!.problem.task).toBe(read.past[499]!.problem.task); // and once in memory: a table may be long
   });
   it("is read step by step: what is damaged is left out", () => {
     const value = JSON.parse(steps_text({...steps, past: steps.past.slice(-3)}, 0));
@@ -75,8 +75,8 @@ describe("what is stored", () => {
     const [pin] = fc.sample(
       arbitrary.pins.filter((pins) => pins.length > 0),
       {numRuns: 1, seed: 1},
-    )[0];
-    const pins = Array.from({length: most_pins}, (_, i) => ({...pin, name: `pin ${i}`}));
+    )[0]!;
+    const pins = Array.from({length: most_pins}, (_, i) => ({...pin!, name: `pin ${i}`}));
     expect(read_steps(steps_text({past: [], present: {...document, pins}, future: []}, 0))!.present.pins).toHaveLength(
       most_pins,
     );

@@ -17,7 +17,7 @@ import {poses_of} from "./task";
 import {with_pose, with_poses} from "../tasks/kinds";
 
 const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
-const tailgate = first_example.problem,
+const tailgate = first_example!.problem,
   footrest = examples.find(({name}) => name === "footrest")!.problem;
 let servers: (() => Server)[];
 
@@ -79,7 +79,7 @@ function bench(problem: Problem, cores = 2): Bench {
     machine: Machine = {map_ms: null, best_ms: 0, mute: false};
   const workbench = new Workbench(problem, () => now.time);
   let started = 0;
-  workbench.connect(() => new Thread(servers[started++ % 2](), asked, machine) as unknown as Worker, cores);
+  workbench.connect(() => new Thread(servers[started++ % 2]!(), asked, machine) as unknown as Worker, cores);
   return {workbench, asked, now, machine};
 }
 async function until(what: () => unknown, ms = 8000): Promise<void> {
@@ -134,7 +134,7 @@ describe("the workbench", () => {
   });
 
   it("brings back a pin of pairs from a named function, whose objective pairs have not", async () => {
-    const pairs = function_kind.beginnings[0].make(),
+    const pairs = function_kind.beginnings[0]!.make(),
       b = bench(pairs),
       {workbench} = b;
     await settled(b);
@@ -144,10 +144,10 @@ describe("the workbench", () => {
       with_options(with_named(problem, fresh_function(pairs_of(workbench))), {objective: "structural_error"}),
     );
     await until(() => workbench.is_current);
-    expect((await fetch_pin(workbench.driver_client!, workbench.problem, pin))?.lengths).toEqual(pin.lengths);
-    const {problem} = targets(workbench).find((target) => target.pin === pin.name)!;
+    expect((await fetch_pin(workbench.driver_client!, workbench.problem, pin!))?.lengths).toEqual(pin!.lengths);
+    const {problem} = targets(workbench).find((target) => target.pin === pin!.name)!;
     expect(problem).toMatchObject({task: pairs.task, options: {}});
-    workbench.pick_pin(pin);
+    workbench.pick_pin(pin!);
     await until(() => workbench.is_current || workbench.refusal);
     expect(workbench.refusal).toBeNull();
     expect(workbench.problem.task).toEqual(pairs.task);
@@ -208,14 +208,14 @@ describe("the workbench", () => {
     await until(() => workbench.is_current);
     workbench.drag((problem) => with_pose(problem, 2, {...poses[1]}));
     await until(() => workbench.refusal !== null);
-    expect(workbench.refusal![0].code).toBe("repeated_pose");
+    expect(workbench.refusal![0]!.code).toBe("repeated_pose");
     expect(workbench.map).not.toBeNull();
     workbench.end_gesture();
     await settled(b);
-    expect(poses_of(workbench.problem.task)[2].x).toBe(-222);
+    expect(poses_of(workbench.problem.task)[2]!.x).toBe(-222);
     expect(workbench.refusal).toBeNull();
     workbench.undo();
-    expect(poses_of(workbench.problem.task)[2].x).toBe(-220);
+    expect(poses_of(workbench.problem.task)[2]!.x).toBe(-220);
     expect(workbench.can_undo).toBe(false);
   });
 
@@ -245,7 +245,7 @@ describe("the workbench", () => {
     expect([workbench.task, workbench.map, workbench.hand]).toEqual([null, null, null]);
     workbench.undo();
     await settled(b);
-    expect(poses_of(workbench.problem.task)[2].x).toBe(-219);
+    expect(poses_of(workbench.problem.task)[2]!.x).toBe(-219);
   });
 
   it("shows nothing of a linkage beside a task that has none", async () => {
@@ -307,10 +307,10 @@ describe("the workbench", () => {
     const [pin] = workbench.pins,
       {linkage} = await workbench.driver_client!.follow("linkage", {
         problem: engine_text(workbench.problem),
-        tau: pin.tau,
+        tau: pin!.tau,
       });
-    expect([pin.task, pin.lengths]).toEqual([workbench.problem.task, linkage.lengths]);
-    expect(pin.lengths).not.toEqual(before.lengths);
+    expect([pin!.task, pin!.lengths]).toEqual([workbench.problem.task, linkage.lengths]);
+    expect(pin!.lengths).not.toEqual(before.lengths);
   });
 
   it("marks what is shown as outdated where no answer comes", async () => {
@@ -350,7 +350,7 @@ describe("the workbench", () => {
           [0, 200],
           [-200, 0],
           [120, 160],
-        ].map(([x, y]) => ({x, y, theta_deg: 0})),
+        ].map(([x, y]) => ({x: x!, y: y!, theta_deg: 0})),
       ),
     );
     await until(() => workbench.task?.status === "degenerate");
@@ -420,7 +420,7 @@ describe("the workbench", () => {
     workbench.undo();
     limit(Math.floor(longest) - 1);
     await until(() => keys().includes("state.went_to_best"));
-    workbench.toasts[0].action!.run(); // keep the old one
+    workbench.toasts[0]!.action!.run(); // keep the old one
     await settled(b);
     expect(workbench.picked!.tau).toEqual(picked);
     expect(workbench.problem.requirements!.max_length).toBe(Math.floor(longest) - 1);
@@ -456,7 +456,7 @@ describe("the workbench", () => {
     const before = digest(b);
     workbench.open(new_problem());
     await settled(b);
-    expect(poses_of(workbench.problem.task)[1].x).toBe(-60);
+    expect(poses_of(workbench.problem.task)[1]!.x).toBe(-60);
     workbench.undo();
     await settled(b);
     expect(digest(b)).toBe(before);
@@ -519,7 +519,7 @@ describe("the workbench", () => {
     const dragged = async (steps: number): Promise<number[]> => {
       const seen: number[] = [];
       for (let i = 1; i <= steps; ++i) {
-        workbench.drag((problem) => with_pose(problem, 2, {x: poses_of(workbench.problem.task)[2].x - 0.01}));
+        workbench.drag((problem) => with_pose(problem, 2, {x: poses_of(workbench.problem.task)[2]!.x - 0.01}));
         await until(() => workbench.is_current);
         seen.push(workbench.map!.samples);
       }

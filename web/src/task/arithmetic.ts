@@ -49,7 +49,7 @@ function tokens_of(source: string): Token[] | null {
     if (!match) return null;
     if (match[1] !== undefined) tokens.push({number: Number(match[1].replace(",", "."))});
     else if (match[2] !== undefined) tokens.push({sign: match[2]});
-    else tokens.push({word: match[3].toLowerCase()});
+    else tokens.push({word: match[3]!.toLowerCase()}); // one of the three
   }
   return tokens;
 }
@@ -107,7 +107,8 @@ class Expression {
       token = this.tokens[this.at];
     if (value === null || !token || !("word" in token)) return value;
     ++this.at;
-    if (this.quantity === "angle" && token.word in degrees_per) return value * degrees_per[token.word];
+    const degrees = this.quantity === "angle" ? degrees_per[token.word] : undefined;
+    if (degrees !== undefined) return value * degrees;
     return this.quantity === "length" && this.unit !== "" && token.word === this.unit ? value : null;
   }
   private atom(): number | null {

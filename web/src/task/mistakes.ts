@@ -10,7 +10,7 @@ export function mistake_sentence(mistake: Mistake): string {
   const {code, place} = mistake,
     words = mistake_text({...mistake, place: ""});
   const position = place_of_pose(place)?.index;
-  if (code in worded && position !== undefined) return t(worded[code], {j: position + 1});
+  if (worded[code] && position !== undefined) return t(worded[code], {j: position + 1});
   return position === undefined ? words : `${t("task.position")} ${position + 1}: ${words}`;
 }
 export function place_of_pose(place: string): {index: number; key: string | null} | null {

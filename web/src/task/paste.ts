@@ -24,9 +24,8 @@ function separator_of(lines: string[]): string | RegExp {
 
 /** Whether the text is more than one number: only then a paste is a block. "1,5" and "1 234,5" are one number each. */
 export function is_block(text: string): boolean {
-  const cells = cells_of(text);
-  if (cells.length !== 1) return cells.length > 1;
-  const [row] = cells;
+  const [row, ...more] = cells_of(text);
+  if (!row || more.length > 0) return more.length > 0;
   if (/[\t;]/.test(text.trim())) return row.length > 1;
   if (!row.every((cell) => "value" in evaluated(cell, "angle"))) return false;
   const one = /^[-−]?\d{1,3}[\s\u202f]\d{3}([.,]\d+)?$|^[^\s]*,[^\s,]*$/.test(text.trim());
@@ -37,7 +36,8 @@ export function is_block(text: string): boolean {
  *  out. */
 export function block_of(text: string, from = 0, unit = ""): Block {
   let cells = cells_of(text).slice(0, most_pasted_rows + 1);
-  const skipped = cells.length > 1 && cells[0].every((cell) => !("value" in evaluated(cell, "angle", unit))) ? 1 : 0;
+  const [head, ...body] = cells;
+  const skipped = head && body.length > 0 && head.every((cell) => !("value" in evaluated(cell, "angle", unit))) ? 1 : 0;
   cells = without_numbering(cells.slice(skipped, skipped + most_pasted_rows), 3 - from);
   const rows: number[][] = [];
   for (const [r, row] of cells.entries()) {
@@ -55,6 +55,6 @@ export function block_of(text: string, from = 0, unit = ""): Block {
 function without_numbering(cells: string[][], wanted: number): string[][] {
   const counts =
     cells.length > 0 &&
-    cells.every((row, i) => row.length === wanted + 1 && row[0].replace(/\D+/g, "") === String(i + 1));
+    cells.every((row, i) => row.length === wanted + 1 && row[0]?.replace(/\D+/g, "") === String(i + 1));
   return counts ? cells.map((row) => row.slice(1)) : cells;
 }

@@ -55,24 +55,24 @@ describe("poses", () => {
       back = tailgate[2];
     expect(poses_of(seen.problem.task)[2]).toEqual({x: 0, y: 0, theta_deg: 0});
     poses_of(seen.problem.task).forEach((pose, i) => {
-      const [x, y] = placed([pose.x, pose.y], back);
-      expect([x, y, pose.theta_deg + back.theta_deg].map((v) => Number(v.toFixed(9)) + 0)).toEqual([
-        tailgate[i].x,
-        tailgate[i].y,
-        tailgate[i].theta_deg,
+      const [x, y] = placed([pose.x, pose.y], back!);
+      expect([x, y, pose.theta_deg + back!.theta_deg].map((v) => Number(v.toFixed(9)) + 0)).toEqual([
+        tailgate[i]!.x,
+        tailgate[i]!.y,
+        tailgate[i]!.theta_deg,
       ]);
     });
     const corner = placed(
       [seen.problem.requirements!.ground_pivots_within!.x[0], seen.problem.requirements!.ground_pivots_within!.y[0]],
-      back,
+      back!,
     );
     expect(corner.every(Number.isFinite)).toBe(true);
     const {x, y} = seen.problem.requirements!.ground_pivots_within!;
     expect(x[1] - x[0]).toBeCloseTo(10 * Math.cos(0.9075712) + 20 * Math.sin(0.9075712), 4);
     expect(y[1] - y[0]).toBeCloseTo(20 * Math.cos(0.9075712) + 10 * Math.sin(0.9075712), 4);
     expect(seen.problem.requirements!.max_length).toBe(450);
-    expect(seen.pins[0].task).toBe(seen.problem.task);
-    expect(placed(seen.pins[0].pivots.input_center!, back)).toEqual([expect.closeTo(1, 9), expect.closeTo(2, 9)]);
+    expect(seen.pins[0]!.task).toBe(seen.problem.task);
+    expect(placed(seen.pins[0]!.pivots.input_center!, back!)).toEqual([expect.closeTo(1, 9), expect.closeTo(2, 9)]);
     const given = referred(
       {
         ...document,
@@ -89,6 +89,6 @@ describe("poses", () => {
       1,
     );
     const {given: center} = given.problem.task as unknown as {given: {instant_center: [number, number]}};
-    expect(placed(center.instant_center, back)).toEqual([expect.closeTo(5, 9), expect.closeTo(6, 9)]);
+    expect(placed(center.instant_center, back!)).toEqual([expect.closeTo(5, 9), expect.closeTo(6, 9)]);
   });
 });

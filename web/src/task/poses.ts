@@ -8,13 +8,15 @@ import {least_of, most_of} from "../state/ends";
 
 export function moved(poses: readonly Pose[], from: number, to: number): Pose[] {
   const list = [...poses],
-    [pose] = list.splice(from, 1);
-  list.splice(to, 0, pose);
+    pose = list.splice(from, 1);
+  list.splice(to, 0, ...pose);
   return list;
 }
 /** A copy beside it: a step further, since equal positions are refused. */
 export function duplicated(poses: readonly Pose[], index: number, step: number): Pose[] {
-  const {x, y, theta_deg} = poses[index];
+  const pose = poses[index];
+  if (!pose) return [...poses];
+  const {x, y, theta_deg} = pose;
   return [
     ...poses.slice(0, index + 1),
     {x: tidy(x + 10 * step), y: tidy(y + 10 * step), theta_deg},
@@ -55,6 +57,7 @@ export function stepped(value: number, steps: number, step: number): number {
 export function referred(document: Document, index: number): Document {
   const {problem} = document,
     origin = poses_of(problem.task)[index];
+  if (!origin) return document;
   const pose = (p: Pose) => referred_pose(p, origin);
   const point = (p: Point) => body_point(p, origin);
   const task = referred_task(problem.task, pose, point, index);

@@ -52,7 +52,7 @@ describe("travel", () => {
     const middle = with_next_derivative(arc, 1);
     expect(travel_of(middle)!.direction_deg).toBe(0);
     expect(travel_of(middle)!.turn_deg).toBeCloseTo(0.573, 1);
-    expect(bend_of(with_next_derivative([arc[0], middle, arc[2]], 1))!.curvature).toBeCloseTo(0.01, 3);
+    expect(bend_of(with_next_derivative([arc[0]!, middle, arc[2]!], 1))!.curvature).toBeCloseTo(0.01, 3);
     expect(travel_of(with_next_derivative([at(5, 5, 5)], 0))).toEqual({direction_deg: 0, turn_deg: 0});
   });
   it("keeps derivatives above the one that changes", () => {
@@ -93,8 +93,8 @@ describe("travel", () => {
         order,
       )!,
     );
-    expect(third.curvature).toBeCloseTo(-3 / 2 ** 3, 12);
-    expect(fourth.curvature).toBeCloseTo((-3 * (1 - 5)) / 2 ** 4.5, 12);
+    expect(third!.curvature).toBeCloseTo(-3 / 2 ** 3, 12);
+    expect(fourth!.curvature).toBeCloseTo((-3 * (1 - 5)) / 2 ** 4.5, 12);
   });
   it("is taken away with those above it", () => {
     const pose = with_bend(with_bend(with_travel(at(0, 0, 0), {}), {}), {}, 3);
@@ -107,12 +107,12 @@ describe("travel", () => {
     const line = [at(0, 0, 0), at(10, 0, 10), at(20, 0, 20)];
     let pose = line[1];
     for (const count of [1, 2, 3, 4]) {
-      pose = with_next_derivative([line[0], pose, line[2]], 1);
+      pose = with_next_derivative([line[0]!, pose!, line[2]!], 1);
       expect(pose.derivatives).toHaveLength(count);
     }
-    expect(travel_of(pose)!.turn_deg).toBeCloseTo(1, 9);
+    expect(travel_of(pose!)!.turn_deg).toBeCloseTo(1, 9);
     const turning = at(0, 0, 0, [{x: 0, y: 0, theta: 1}]);
-    expect(with_next_derivative([turning, line[1]], 0).derivatives).toEqual([
+    expect(with_next_derivative([turning, line[1]!], 0).derivatives).toEqual([
       {x: 0, y: 0, theta: 1},
       {x: 0, y: 0, theta: 0},
     ]);

@@ -30,8 +30,9 @@ interface Course {
 /** Null where the origin stands still: then the body only turns about it, and there is no direction to show. */
 function course_of({derivatives = []}: Pose): Course | null {
   const x = derivatives.map((d) => d.x),
-    y = derivatives.map((d) => d.y);
-  if (derivatives.length === 0 || !(Math.hypot(x[0], y[0]) > 0)) return null;
+    y = derivatives.map((d) => d.y),
+    [first] = derivatives;
+  if (!first || !(Math.hypot(first.x, first.y) > 0)) return null;
   const square = added(product(x, x), product(y, y)),
     speed = square_root(square);
   const turning = quotient(
@@ -45,7 +46,7 @@ function course_of({derivatives = []}: Pose): Course | null {
     square,
   );
   return {
-    direction: Math.atan2(y[0], x[0]),
+    direction: Math.atan2(first.y, first.x),
     curvatures: by_parameter(turning, speed),
     turns: by_parameter(
       derivatives.map((d) => d.theta),
@@ -59,30 +60,30 @@ function with_course(pose: Pose, {direction, curvatures, turns}: Course): Pose {
   for (const n of curvatures.keys()) {
     const back = product(curvatures, y)[n],
       aside = product(curvatures, x)[n];
-    x.push(-back);
-    y.push(aside);
+    x.push(-back!);
+    y.push(aside!);
   }
-  return {...pose, derivatives: turns.map((theta, n) => ({x: x[n], y: y[n], theta}))};
+  return {...pose, derivatives: turns.map((theta, n) => ({x: x[n]!, y: y[n]!, theta}))};
 }
 function added(f: readonly number[], g: readonly number[]): number[] {
-  return f.map((value, n) => value + g[n]);
+  return f.map((value, n) => value + g[n]!);
 }
 
 export function travel_of(pose: Pose): Travel | null {
   const course = course_of(pose);
-  return course && {direction_deg: course.direction / degree, turn_deg: course.turns[0] / degree};
+  return course && {direction_deg: course.direction / degree, turn_deg: course.turns[0]! / degree};
 }
 /** Of the derivative of an order, from the second on. */
 export function bend_of(pose: Pose, order = 2): Bend | null {
   const course = course_of(pose);
   if (!course || course.turns.length < order) return null;
-  return {curvature: course.curvatures[order - 2], turn_growth_deg: course.turns[order - 1] / degree};
+  return {curvature: course.curvatures[order - 2]!, turn_growth_deg: course.turns[order - 1]! / degree};
 }
 
 const standing: Course = {direction: 0, curvatures: [], turns: [0]};
 export function with_travel(pose: Pose, change: Partial<Travel>): Pose {
   const {direction, curvatures, turns} = course_of(pose) ?? standing;
-  const {direction_deg = direction / degree, turn_deg = turns[0] / degree} = change;
+  const {direction_deg = direction / degree, turn_deg = turns[0]! / degree} = change;
   return with_course(pose, {direction: direction_deg * degree, curvatures, turns: turns.with(0, turn_deg * degree)});
 }
 export function with_bend(pose: Pose, change: Partial<Bend>, order = 2): Pose {
@@ -103,11 +104,12 @@ export function without_derivative(pose: Pose, order: number): Pose {
 
 /** A pose with one derivative more, as a smooth motion through its neighbours has it there. */
 export function with_next_derivative(poses: readonly Pose[], index: number): Pose {
-  const pose = poses[index],
-    order = (pose.derivatives?.length ?? 0) + 1;
+  const pose = poses[index]!,
+    known = pose.derivatives ?? [],
+    order = known.length + 1;
   const smooth = {...pose, derivatives: [...smooth_derivatives(poses, index), still, still]};
   if (order === 1) return with_travel(pose, rounded_travel(travel_of(smooth)));
-  if (!travel_of(pose)) return {...pose, derivatives: [...pose.derivatives!, still]};
+  if (!travel_of(pose)) return {...pose, derivatives: [...known, still]};
   const bend = bend_of(smooth, order);
   return with_bend(
     pose,
@@ -129,13 +131,16 @@ function smooth_derivatives(poses: readonly Pose[], index: number): [Derivative,
   const first = Math.min(Math.max(index - 1, 0), Math.max(poses.length - 3, 0));
   const near = unwound(poses.slice(first, first + 3)),
     at = index - first;
-  if (near.length < 2) return [{x: 1, y: 0, theta: 0}, still];
-  const chords = near.slice(1).map((p, i) => Math.hypot(p.x - near[i].x, p.y - near[i].y) || 1);
-  const slopes = chords.map((chord, i) => divided(near[i + 1], near[i], chord));
-  if (near.length === 2) return [slopes[0], still];
-  const bend = divided(slopes[1], slopes[0], (chords[0] + chords[1]) / 2);
-  const from = at === 0 ? -chords[0] / 2 : at === 1 ? chords[0] / 2 : chords[0] / 2 + chords[1];
-  return [sum(slopes[0], bend, from), bend];
+  const [a, b, c] = near;
+  if (!a || !b) return [{x: 1, y: 0, theta: 0}, still];
+  const chord = (p: Derivative, q: Derivative) => Math.hypot(q.x - p.x, q.y - p.y) || 1;
+  const first_chord = chord(a, b),
+    slope = divided(b, a, first_chord);
+  if (!c) return [slope, still];
+  const second_chord = chord(b, c),
+    bend = divided(divided(c, b, second_chord), slope, (first_chord + second_chord) / 2);
+  const from = at === 0 ? -first_chord / 2 : at === 1 ? first_chord / 2 : first_chord / 2 + second_chord;
+  return [sum(slope, bend, from), bend];
 }
 function unwound(poses: readonly Pose[]): Derivative[] {
   const list: Derivative[] = [];

@@ -105,7 +105,7 @@ describe("kinds of tasks", () => {
     });
   });
   it("know what is missing, derivatives counted", () => {
-    const moving = {...poses[0], derivatives: [{x: 1, y: 0, theta: 0}]};
+    const moving = {...poses[0]!, derivatives: [{x: 1, y: 0, theta: 0}]};
     const states = [
       [],
       poses.slice(2),

@@ -20,7 +20,7 @@ const common_properties: readonly Property[] = [
 ];
 
 export function kind_of(task: Task): TaskKind {
-  return task_kinds.find((kind) => kind.is(task)) ?? task_kinds[0];
+  return task_kinds.find((kind) => kind.is(task)) ?? (task_modules[0] as unknown as TaskKind);
 }
 /** The same object is the same task: the steps of undo share what they have in common. */
 export function read_task(value: unknown): Task | null {

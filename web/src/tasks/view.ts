@@ -24,5 +24,5 @@ export interface TaskView {
   /** Beside the numbers of the linkage in hand. */
   Numbers?: Component<{hand: Linkage}>;
   /** The first one is shown first. */
-  plots(task: Task): readonly PlotChoice[];
+  plots(task: Task): readonly [PlotChoice, ...PlotChoice[]];
 }

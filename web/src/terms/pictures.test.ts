@@ -22,7 +22,8 @@ describe("terms", () => {
       const corners = strokes.flatMap(([, d]) =>
         [...d.matchAll(/[ML](-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)]),
       );
-      for (const [x, y] of corners) expect(x >= -1 && x <= 97 && y >= -1 && y <= 65, `${name} ${x} ${y}`).toBe(true);
+      for (const [x, y] of corners)
+        expect(x! >= -1 && x! <= 97 && y! >= -1 && y! <= 65, `${name} ${x} ${y}`).toBe(true);
     }
   });
   it("are found for every type and defect", () => {

@@ -97,7 +97,7 @@ const words: Record<string, TextKey> = {
 };
 function in_words(values: Record<string, string>): Values {
   const known = (text: string) =>
-    text in words ? t(words[text]) : text.startsWith("a list of") ? t("word.list") : text;
+    text in words ? t(words[text]!) : text.startsWith("a list of") ? t("word.list") : text;
   return Object.fromEntries(
     Object.entries(values).map(([name, text]) => [name, name === "wanted" || name === "found" ? known(text) : text]),
   );
@@ -106,7 +106,7 @@ function in_words(values: Record<string, string>): Values {
 /** "line 3, column 7" in the language in force; places in the file's own words stay. */
 function place_text(place: string): string {
   const at = /^line (\d+), column (\d+)$/.exec(place);
-  return at ? t("mistake.line", {line: at[1], column: at[2]}) : place;
+  return at ? t("mistake.line", {line: at[1]!, column: at[2]!}) : place;
 }
 
 /** In other languages: by what the sentence says, else by the code, whose text says all there is. */

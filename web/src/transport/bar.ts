@@ -34,17 +34,17 @@ export function bar_knots(drive: Drive): Knot[] {
     [task[1], end],
     [high, 1],
   ];
-  return knots.filter((knot, i) => i === 0 || knot[0] > knots[i - 1][0]);
+  return knots.filter((knot, i) => i === 0 || knot[0] > knots[i - 1]![0]);
 }
 
 function interpolated(knots: readonly Knot[], value: number, from: 0 | 1): number {
   const to = from === 0 ? 1 : 0,
     last = knots.length - 1;
-  if (value <= knots[0][from]) return knots[0][to];
-  if (value >= knots[last][from]) return knots[last][to];
+  if (value <= knots[0]![from]) return knots[0]![to];
+  if (value >= knots[last]![from]) return knots[last]![to];
   const i = knots.findIndex((knot) => knot[from] >= value);
   const [a, b] = [knots[i - 1], knots[i]];
-  return a[to] + ((value - a[from]) / (b[from] - a[from])) * (b[to] - a[to]);
+  return a![to] + ((value - a![from]) / (b![from] - a![from])) * (b![to] - a![to]);
 }
 export function bar_place(knots: readonly Knot[], angle: number): number {
   return interpolated(knots, angle, 0);

@@ -71,7 +71,7 @@ export class Chart {
       y = values[is_path ? 1 : 0];
     const x = is_path ? values[0]! : angle;
     const left = this.u.valToPos(x, "x"),
-      top = y === null ? -99 : this.u.valToPos(y, "y");
+      top = y === null ? -99 : this.u.valToPos(y!, "y");
     const {width, height} = this.u.bbox,
       ratio = UPlot.pxRatio; // known without asking for the layout
     const inside = left >= -0.5 && left <= width / ratio + 0.5;
@@ -175,7 +175,7 @@ export class Chart {
     u.ctx.lineWidth = 2 * UPlot.pxRatio;
     u.ctx.lineJoin = "round";
     u.ctx.beginPath();
-    xs.forEach((x, i) => u.ctx.lineTo(u.valToPos(x!, "x", true), u.valToPos(ys[i]!, "y", true)));
+    xs!.forEach((x, i) => u.ctx.lineTo(u.valToPos(x!, "x", true), u.valToPos(ys![i]!, "y", true)));
     u.ctx.stroke();
     u.ctx.restore();
   }
@@ -192,7 +192,7 @@ export class Chart {
       if (value === null) continue;
       this.draw_dot(
         u.valToPos(is_path ? dot.values[0]! : dot.angle, "x", true),
-        u.valToPos(value, "y", true),
+        u.valToPos(value!, "y", true),
         String(dot.pose + 1),
       );
     }

@@ -1,6 +1,6 @@
 // What the plot shows: columns of the drive table over the driver angle, or the path of the body.
 import {state_columns, type Drive, type Linkage} from "../engine/protocol";
-import {row_count, state_at} from "../state/drive";
+import {angle_of_row, row_count, state_at} from "../state/drive";
 import type {TextKey} from "../texts/texts.svelte";
 import {played_span, stops_of} from "./play";
 
@@ -43,11 +43,11 @@ export function plot_of(drive: Drive, kind: DriveKind, whole: boolean): Plot {
   const [low, high] = played_span(drive, whole);
   const rows = Array.from({length: row_count(drive)}, (_, row) => row).filter((row) => {
     const angle = drive.states[row * drive.width];
-    return angle >= low && angle <= high;
+    return angle! >= low && angle! <= high;
   });
   const names = columns[kind];
   const values = names.map((name) =>
-    rows.map((row) => shown(kind, drive.states[row * drive.width + state_columns.indexOf(name)])),
+    rows.map((row) => shown(kind, drive.states[row * drive.width + state_columns.indexOf(name)]!)),
   );
   const dots = stops_of(drive)
     .filter((s) => s.angle >= low && s.angle <= high)
@@ -55,14 +55,14 @@ export function plot_of(drive: Drive, kind: DriveKind, whole: boolean): Plot {
   const plot: Plot = {
     kind,
     columns: names,
-    angles: rows.map((row) => drive.states[row * drive.width]),
+    angles: rows.map((row) => angle_of_row(drive, row)),
     values,
     dots,
     x: [low, high],
     y: [0, 1],
   };
-  if (kind === "path") plot.x = extent(values[0], 0.08);
-  plot.y = value_range(kind, values[values.length - 1]);
+  if (kind === "path") plot.x = extent(values[0]!, 0.08);
+  plot.y = value_range(kind, values.at(-1) ?? []);
   return plot;
 }
 export function values_at(drive: Drive, kind: DriveKind, angle: number): (number | null)[] {
@@ -79,7 +79,7 @@ function value_range(kind: DriveKind, values: (number | null)[]): [number, numbe
   // Both grow without bound toward a dead point: the middle nine tenths are what can be read.
   const sorted = values.filter((v) => v !== null).sort((a, b) => a - b);
   if (sorted.length === 0) return [0, 1];
-  const trimmed = [sorted[Math.floor(0.05 * (sorted.length - 1))], sorted[Math.ceil(0.95 * (sorted.length - 1))]];
+  const trimmed = sorted.slice(Math.floor(0.05 * (sorted.length - 1)), Math.ceil(0.95 * (sorted.length - 1)) + 1);
   return extent([0, ...trimmed], 0.15);
 }
 export function extent(values: (number | null)[], margin: number): [number, number] {
@@ -100,11 +100,11 @@ export function nearest_on_path(plot: Plot, x: number, y: number): number {
   const [xs, ys] = plot.values;
   let best = 0,
     best_distance = Infinity;
-  xs.forEach((at, i) => {
-    const distance = Math.hypot(at! - x, ys[i]! - y);
+  xs!.forEach((at, i) => {
+    const distance = Math.hypot(at! - x, ys![i]! - y);
     if (distance < best_distance) [best, best_distance] = [i, distance];
   });
-  return plot.angles[best];
+  return plot.angles[best] ?? 0;
 }
 
 /** What is shown, as comma-separated values; where nothing is defined the field is empty. */

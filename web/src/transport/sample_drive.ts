@@ -13,7 +13,7 @@ export function sample_drive(rows: Partial<State>[], ticks: number[], more: Part
     ticks: ticks.map((state, i) => ({position: i + 1, state, reached: state >= 0})),
     full_turn: false,
     limits: {low: "dead_point", high: "dead_point"},
-    task: [ticks[0], ticks[ticks.length - 1]],
+    task: [ticks[0]!, ticks.at(-1)!],
     ...more,
   };
 }

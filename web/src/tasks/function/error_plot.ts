@@ -30,25 +30,20 @@ export function error_plot(generator: Generator): Plot | null {
     angles: rows.map(({angle}) => angle),
     values: [errors],
     dots,
-    x: [rows[0].angle, rows[rows.length - 1].angle],
+    x: [rows[0]!.angle, rows[rows.length - 1]!.angle],
     y: extent([0, ...errors], 0.15),
   };
 }
 /** Between the samples, linear. */
 export function error_at(generator: Generator, angle: number): number | null {
-  const plot = error_plot(generator);
-  if (!plot) return null;
-  const {
-      angles,
-      values: [errors],
-    } = plot,
-    next = angles.findIndex((at) => at >= angle);
-  if (next < 0 || angle < angles[0]) return null;
-  const after = errors[next],
-    before = errors[Math.max(next - 1, 0)],
-    width = angles[next] - angles[Math.max(next - 1, 0)];
-  if (after === null || before === null) return null;
-  return width > 0 ? after + ((before - after) * (angles[next] - angle)) / width : after;
+  const plot = error_plot(generator),
+    samples = plot?.angles.map((at, i) => ({at, error: plot.values[0]?.[i] ?? null})) ?? [];
+  const next = samples.findIndex(({at}) => at >= angle),
+    after = samples[next],
+    before = samples[Math.max(next - 1, 0)];
+  if (!after || !before || angle < before.at || after.error === null || before.error === null) return null;
+  const width = after.at - before.at;
+  return width > 0 ? after.error + ((before.error - after.error) * (after.at - angle)) / width : after.error;
 }
 
 export const structural_error: OwnPlot = {

@@ -77,13 +77,16 @@ export function position_count_of(task: FunctionTask): number {
 }
 /** A table's own where none is given. */
 export function x_range_of({x, table}: NamedFunction): Range | undefined {
-  return x ?? (table && [table[0][0], table[table.length - 1][0]]);
+  if (x || !table) return x;
+  const first = table[0],
+    last = table.at(-1);
+  return first && last && [first[0], last[0]];
 }
 /** A square over the angles of the pairs. */
 export function fresh_function(pairs: readonly AnglePair[]): NamedFunction {
   const range = (key: "input_deg" | "output_deg"): Range => [
     pairs[0]?.[key] ?? 0,
-    pairs.length > 1 ? pairs[pairs.length - 1][key] : 60,
+    (pairs.length > 1 ? pairs.at(-1)?.[key] : null) ?? 60,
   ];
   return {
     expression: "x^2",

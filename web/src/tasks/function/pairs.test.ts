@@ -59,7 +59,7 @@ describe("pairs", () => {
     expect(with_named(free, {...named, points: 5}).task).not.toHaveProperty("free");
     expect(with_pairs(free, pairs).task).toHaveProperty("free");
     expect(with_pairs(free, [...pairs, {input_deg: 80, output_deg: 60}]).task).not.toHaveProperty("free");
-    expect(with_pairs(free, [with_rates(pairs[0], [1]), ...pairs.slice(1)]).task).not.toHaveProperty("free");
+    expect(with_pairs(free, [with_rates(pairs[0]!, [1]), ...pairs.slice(1)]).task).not.toHaveProperty("free");
     expect(with_free(free, null).task).toEqual(task);
   });
   it("say so where they take the free number away", () => {
@@ -83,12 +83,12 @@ describe("pairs", () => {
   });
   it("have rates by the input angle, whatever they were given by", () => {
     const [pair] = pairs;
-    expect(rates_of(with_rates(pair, [0.5, -2]))).toEqual([0.5, -2]);
-    expect(with_rates(with_rates(pair, [1]), [])).toEqual(pair);
+    expect(rates_of(with_rates(pair!, [0.5, -2]))).toEqual([0.5, -2]);
+    expect(with_rates(with_rates(pair!, [1]), [])).toEqual(pair);
     // φ = t², ψ = t⁴ = φ² at t = 1, derivatives by t
     expect(
       rates_of({
-        ...pair,
+        ...pair!,
         derivatives: [
           {input: 2, output: 4},
           {input: 2, output: 12},
@@ -97,7 +97,7 @@ describe("pairs", () => {
     ).toEqual([2, 2]);
     // φ = t², ψ = t⁸ = φ⁴ there, derivatives by t
     const four = {
-      ...pair,
+      ...pair!,
       derivatives: [
         {input: 2, output: 8},
         {input: 2, output: 56},
@@ -106,8 +106,8 @@ describe("pairs", () => {
       ],
     };
     expect(rates_of(four)).toEqual([4, 12, 24, 24]);
-    expect(rates_of(with_rates(pair, [0.5, -2, 3, 4]))).toEqual([0.5, -2, 3, 4]);
-    expect(function_kind.pattern(with_pairs(problem, [with_rates(pair, [1]), pairs[1]]).task as FunctionTask)).toBe(
+    expect(rates_of(with_rates(pair!, [0.5, -2, 3, 4]))).toEqual([0.5, -2, 3, 4]);
+    expect(function_kind.pattern(with_pairs(problem, [with_rates(pair!, [1]), pairs[1]!]).task as FunctionTask)).toBe(
       "PP-P",
     );
     expect(function_kind.pattern(task)).toBe("P-P-P-P");

@@ -3,6 +3,7 @@ import type {Point, Side} from "../../engine/protocol";
 import type {DialPair} from "./replies";
 import type {AnglePair, FreeNumber, FunctionTask, NamedFunction} from "./task";
 import {with_task, type Problem} from "../../state/problem";
+import {is_pair, read_list} from "../../state/shape";
 import type {Workbench} from "../../state/workbench.svelte";
 import {cells_of} from "../../task/paste";
 import {by_parameter} from "../../task/derivatives";
@@ -29,7 +30,7 @@ export function pairs_in_hand(workbench: Workbench): DialPair[] {
     free = function_of(workbench.problem).free;
   return own.map(({input_deg, output_deg}, j) => [
     input_deg,
-    free && made?.length === own.length ? made[j][1] : output_deg,
+    (free && made?.length === own.length ? made[j]?.[1] : undefined) ?? output_deg,
   ]);
 }
 
@@ -90,9 +91,13 @@ export function unstretched(
   index: number,
   value: number,
 ): number {
-  const first = own[0].output_deg,
-    travel = shown[index][1] - first;
-  return Math.abs(travel) < 1e-9 ? value : first + ((value - first) * (own[index].output_deg - first)) / travel;
+  const [first] = own,
+    pair = own[index],
+    as_shown = shown[index];
+  if (!first || !pair || !as_shown) return value;
+  const travel = as_shown[1] - first.output_deg;
+  if (Math.abs(travel) < 1e-9) return value;
+  return first.output_deg + ((value - first.output_deg) * (pair.output_deg - first.output_deg)) / travel;
 }
 
 // ---- rates --------------------------------------------------------------------------------------------------------
@@ -135,5 +140,5 @@ function read_rows(text: string): Point[] | null {
   const rows = cells_of(text).map((cells) => cells.map((cell) => evaluated(cell, "number")));
   const numbers = rows.map((row) => row.flatMap((cell) => ("value" in cell ? [cell.value] : [])));
   if (numbers[0]?.length === 0) numbers.shift();
-  return numbers.length > 0 && numbers.every((row) => row.length === 2) ? numbers.map(([x, y]): Point => [x, y]) : null;
+  return numbers.length > 0 ? read_list(numbers, (row) => (is_pair(row) ? row : null), Infinity) : null;
 }

@@ -23,15 +23,15 @@ import {with_poses, with_task_poses} from "../kinds";
 
 const four = new_problem(),
   three = with_poses(four, poses_of(four.task).slice(1));
-const [{problem: five}] = motion_kind.beginnings
+const {problem: five} = motion_kind.beginnings
   .filter(({id}) => id === "five_positions")
-  .map((beginning) => ({problem: beginning.make()}));
+  .map((beginning) => ({problem: beginning.make()}))[0]!;
 const travel = [{x: 1, y: 0, theta: 0}];
 
 describe("what is given beside three positions", () => {
   it("belongs to three positions, an instant centre to such without a direction of travel", () => {
     expect([three, four, five].map(takes_given)).toEqual([true, false, false]);
-    const mixed = with_poses(three, [{...poses_of(three.task)[0], derivatives: travel}, poses_of(three.task)[1]]);
+    const mixed = with_poses(three, [{...poses_of(three.task)[0]!, derivatives: travel}, poses_of(three.task)[1]!]);
     expect(takes_given(mixed)).toBe(true);
     expect(given_forms.filter((form) => has_form(mixed, form))).toEqual(["side_lengths", "side_length", "side_angle"]);
   });

@@ -34,7 +34,7 @@ export function has_form({task}: Problem, form: GivenForm): boolean {
 export function fresh_given(form: GivenForm, problem: Problem, hand: Linkage | null): Given {
   const poses = poses_of(problem.task),
     size = poses_extent(poses),
-    [{x, y}] = poses,
+    {x, y} = poses[0] ?? {x: 0, y: 0},
     given = given_of(problem),
     known = given ? lengths_of(given) : {};
   const length = (side: Side) => known[side] ?? Number((hand?.[side].length ?? round_step(0.5 * size)).toPrecision(3));

@@ -57,7 +57,7 @@ function with_poses(task: MotionTask, poses: readonly Pose[]): MotionTask {
   return changed;
 }
 
-function motion_problem(poses: Pose[], given?: Given): Problem {
+function motion_problem(poses: readonly Pose[], given?: Given): Problem {
   const task: MotionTask = {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})};
   const problem: Problem = {linkwright: 1, title: "", length_unit: "mm", task};
   return with_requirements(problem, {min_transmission_angle_deg: 30, max_length: default_max_length(problem)});
@@ -67,12 +67,12 @@ export function default_max_length(problem: Problem): number {
   return Number((3 * diagonal_of(points)).toPrecision(2));
 }
 
-const some_poses: Pose[] = [
+const some_poses = [
   {x: 0, y: 0, theta_deg: 0},
   {x: -60, y: 80, theta_deg: 20},
   {x: -80, y: 190, theta_deg: 50},
   {x: -40, y: 300, theta_deg: 85},
-];
+] as const;
 /** The best known: four positions. */
 export function new_problem(): Problem {
   return motion_problem(some_poses);

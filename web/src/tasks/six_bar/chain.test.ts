@@ -22,7 +22,7 @@ import {six_bar_kind} from "./kind";
 import {round_of, rounds_of} from "./search.svelte";
 
 const chain: Chain = {a: [0, 0], b: [5, 5], d: [10, 0]};
-const problem = six_bar_kind.beginnings[0].make();
+const problem = six_bar_kind.beginnings[0]!.make();
 
 describe("the chain", () => {
   it("has its elbow on the left or on the right of the line from a to d", () => {
@@ -53,8 +53,8 @@ describe("the chain", () => {
       }),
     );
     expect(first).toEqual([10, 0]);
-    expect(second[0]).toBeCloseTo(1, 12);
-    expect(second[1]).toBeCloseTo(12, 12);
+    expect(second![0]).toBeCloseTo(1, 12);
+    expect(second![1]).toBeCloseTo(12, 12);
   });
   it("is missing in a task that is searched, and needs four positions", () => {
     const state = (change: Partial<Parameters<typeof with_six_bar>[1]>) =>
@@ -120,8 +120,8 @@ describe("what carries an added link's end", () => {
       ["output", "circle", 6],
     ] as const) {
       const {first, now} = carrier(side, end)!,
-        there = placed(body_point(at[joint], first), now),
-        wanted = moved(at[joint]);
+        there = placed(body_point(at[joint]!, first), now),
+        wanted = moved(at[joint]!);
       expect(there[0]).toBeCloseTo(wanted[0], 9);
       expect(there[1]).toBeCloseTo(wanted[1], 9);
     }

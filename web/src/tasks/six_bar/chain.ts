@@ -25,7 +25,7 @@ export const rows: readonly {added: readonly [string, string]; topology: Topolog
 /** Whichever body of a pair comes first. */
 export function row_of(added: readonly [string, string]) {
   const sorted = (pair: string) => [...pair].sort().join("");
-  return rows.find((row) => row.added.every((pair, i) => sorted(pair) === sorted(added[i]))) ?? null;
+  return rows.find((row) => row.added.every((pair, i) => sorted(pair) === sorted(added[i]!))) ?? null;
 }
 
 export function six_bar_task({task}: Problem): SixBarTask | null {
@@ -62,7 +62,7 @@ export function with_other_elbow(chain: Chain, position: number): Chain {
 export function guided_hinges(problem: Problem): Point[] {
   const poses = poses_of(problem.task),
     chain = six_bar_task(problem)?.chain;
-  return chain ? poses.map((pose) => placed(body_point(chain.d, poses[0]), pose)) : [];
+  return chain ? poses.map((pose) => placed(body_point(chain.d, poses[0]!), pose)) : [];
 }
 
 /** Where hinges are looked for if nothing is said: around the body's positions, with as much room again. */

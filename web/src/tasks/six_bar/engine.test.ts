@@ -20,7 +20,7 @@ function ask<K extends Kind>(kind: K, content: Requests[K]): Replies[K] {
 }
 
 it("finds linkages in a task that is begun anew", () => {
-  const problem = engine_text(six_bar_kind.beginnings[0].make());
+  const problem = engine_text(six_bar_kind.beginnings[0]!.make());
   const {task, map} = ask("explore", {
     problem,
     samples: 100,
@@ -41,13 +41,13 @@ it("counts what the program counts, and drives what meets everything through all
   });
   expect(map!.census).toMatchObject({pairs: 400, order: 0, branch: 343, circuit: 0, defect_free: 57});
   const {linkages} = ask("best", {problem, most: 1}),
-    {tau} = linkages[0];
+    {tau} = linkages[0]!;
   const {linkage} = ask("linkage", {problem, tau});
   expect(linkage).toMatchObject({
     fails: 0,
     six_bar: {topology: "watt_1"},
-    input: {center: linkage.six_bar!.joints[3].at},
-    output: {circle: linkage.six_bar!.joints[6].at},
+    input: {center: linkage.six_bar!.joints[3]!.at},
+    output: {circle: linkage.six_bar!.joints[6]!.at},
   });
   expect(linkage.drive!.ticks.every(({reached}) => reached)).toBe(true);
   expect(linkage.drive!.states.length % linkage.drive!.width).toBe(0);

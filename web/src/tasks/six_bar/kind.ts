@@ -14,12 +14,15 @@ function read_chain(value: unknown): Chain | null {
   const elbow = read_list(value.elbow, (sign) => (is_number(sign) ? sign : null), 4);
   return {a: value.a, b: value.b, d: value.d, ...(elbow ? {elbow} : {})};
 }
+function is_two<T>(list: readonly T[] | null): list is readonly [T, T] {
+  return list?.length === 2;
+}
 function read(value: Object): SixBarTask | null {
   const poses = read_poses(value.poses),
     added = read_list(value.added, (bodies) => (typeof bodies === "string" ? bodies.slice(0, 10) : null), 2);
-  if (value.kind !== "motion" || value.mechanism !== "six_bar" || !poses || added?.length !== 2) return null;
+  if (value.kind !== "motion" || value.mechanism !== "six_bar" || !poses || !is_two(added)) return null;
   const chain = read_chain(value.chain);
-  return {kind: "motion", mechanism: "six_bar", poses, added: [added[0], added[1]], ...(chain ? {chain} : {})};
+  return {kind: "motion", mechanism: "six_bar", poses, added, ...(chain ? {chain} : {})};
 }
 function points_of(chain: Chain | undefined): Point[] {
   return chain ? [chain.a, chain.b, chain.d] : [];

@@ -14,12 +14,12 @@ export function joint_mark(name: string): string {
 /** "c₄ · ground – added link 4" */
 export function joint_words({joints, bodies}: Pick<SixBar, "joints" | "bodies">, joint: number): string {
   const joined = bodies.flatMap((list, body) => (list.includes(joint) ? [body_name(body)] : []));
-  return `${joint_mark(joints[joint].name)} · ${joined.join(" – ")}`;
+  return `${joint_mark(joints[joint]!.name)} · ${joined.join(" – ")}`;
 }
 /** "2:b-d" → "middle link b–d" */
 export function length_words(name: string): string {
   const [body, ends] = name.split(":");
-  return `${body_name(Number(body))} ${ends.split("-").map(joint_mark).join("–")}`;
+  return `${body_name(Number(body))} ${ends!.split("-").map(joint_mark).join("–")}`;
 }
 
 function color(role: Role): string {

@@ -34,9 +34,11 @@ export function box_of_search(problem: Problem): Box {
 }
 /** How many chains each round tries. */
 export function rounds_of({options}: Problem): number[] {
-  const rounds = [options?.effort ?? default_effort];
-  while (rounds[0] > first_chains) rounds.unshift(Math.ceil(rounds[0] / times_as_many));
-  return rounds;
+  const rounds: number[] = [];
+  for (let chains = options?.effort ?? default_effort; ; chains = Math.ceil(chains / times_as_many)) {
+    rounds.unshift(chains);
+    if (chains <= first_chains) return rounds;
+  }
 }
 /** The problem of a round: for the last one, what the program would be asked. */
 export function round_of(problem: Problem, chains: number): Problem {

@@ -9,7 +9,7 @@ import {six_bar_kind} from "./kind";
 import {ChainSearch, default_effort, most_seed} from "./search.svelte";
 import {with_pose} from "../kinds";
 
-const problem = with_options(six_bar_kind.beginnings[0].make(), {effort: 1500});
+const problem = with_options(six_bar_kind.beginnings[0]!.make(), {effort: 1500});
 const entry = {
   tau: [0.25, 0.5],
   type: "double_crank",

@@ -1,4 +1,3 @@
-import {plot_kinds} from "../../transport/plot";
 import ChainLayer from "./ChainLayer.svelte";
 import {chain_handles} from "./chain_handles";
 import Editor from "./Editor.svelte";
@@ -10,5 +9,5 @@ export const six_bar_view: TaskView = {
   Linkage: SixBarLayer,
   Layer: ChainLayer,
   handles: chain_handles,
-  plots: () => plot_kinds.slice(0, 3),
+  plots: () => ["transmission", "coupler", "path"],
 };
