@@ -251,11 +251,11 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
       if (!same_defects(map!, pair)) continue;
       const value = map!.value[pair.ours],
         right = wanted[pair.theirs]!;
-      beyond += Number(Math.abs(value! - right!) > 1.2e-7 * Math.abs(right!));
+      beyond += Number(Math.abs(value! - right) > 1.2e-7 * Math.abs(right));
       expect_near(
         value!,
         right,
-        (well_conditioned ? 1e-4 : 1e-2) * Math.abs(right!) +
+        (well_conditioned ? 1e-4 : 1e-2) * Math.abs(right) +
           (property === "min_transmission_angle_deg" ? locked_deg : 0),
         `${property} ${pair.ours}`,
       );

@@ -7,7 +7,7 @@ import {file_name, file_stem, slug} from "./names";
 const pins = [{name: "B", tau: [1.25, 0.5]}] as unknown as Pin[];
 
 it("names files by title and pin, or what the linkage is", () => {
-  const {task} = first_example!.problem;
+  const {task} = first_example.problem;
   const titled = {title: "Tailgate hinge", task};
   expect(file_stem(titled, {tau: [1.25, 0.5], type: "double_crank"}, pins)).toBe("tailgate-hinge-B");
   expect(file_stem(titled, {tau: [1.3, 0.5], type: "double_crank"}, pins)).toBe("tailgate-hinge-double_crank");
@@ -19,7 +19,7 @@ it("names files by title and pin, or what the linkage is", () => {
 });
 it("takes of a pin's name what a file system takes, and one dot before the extension", () => {
   const stem = (name: string) =>
-    file_stem({title: "Hinge", task: first_example!.problem.task}, {tau: [1.25, 0.5], type: "double_crank"}, [
+    file_stem({title: "Hinge", task: first_example.problem.task}, {tau: [1.25, 0.5], type: "double_crank"}, [
       {...pins[0]!, name},
     ]);
   expect(stem("lid / 2nd: try…")).toBe("hinge-lid-2nd-try");

@@ -35,7 +35,7 @@ describe("an export that is opened", () => {
     }
   });
   it("as a result of several linkages has them pinned", () => {
-    const {text} = exported(first_example!.problem, "result"),
+    const {text} = exported(first_example.problem, "result"),
       file = JSON.parse(text);
     file.linkages.push(file.linkages[0], {mechanism: "four_bar"});
     const {problem} = opened(JSON.stringify(file));
@@ -45,10 +45,10 @@ describe("an export that is opened", () => {
     ]);
   });
   it("as a linkage has its positions for a task", () => {
-    const {tau, text} = exported(first_example!.problem, "json"),
+    const {tau, text} = exported(first_example.problem, "json"),
       {kind, problem} = opened(text);
     expect([kind, problem!.view!.picked, problem!.length_unit]).toEqual(["linkage", tau, "mm"]);
-    expect(problem!.task).toEqual(first_example!.problem.task);
+    expect(problem!.task).toEqual(first_example.problem.task);
   });
   it("as a linkage that does not hold its task is said to be one", () => {
     const of_pairs = exported(examples.find(({name}) => name === "log_generator")!.problem, "json").text;
@@ -60,7 +60,7 @@ describe("an export that is opened", () => {
       ["dxf", "drawing"],
       ["svg", "drawing"],
     ] as const) {
-      const {text} = exported(first_example!.problem, format);
+      const {text} = exported(first_example.problem, format);
       expect(told("renamed.txt", text.slice(0, 4096), text), format).toEqual({kind});
     }
     expect(told("motion.csv", "phi,x", "phi,x")).toEqual({kind: "table"});
@@ -69,7 +69,7 @@ describe("an export that is opened", () => {
     expect(told("a.webm", "\x1a\x45\xdf\xa3", null)).toEqual({kind: "film"});
   });
   it("that is none of these is read as a problem", () => {
-    const text = JSON.stringify(first_example!.problem);
+    const text = JSON.stringify(first_example.problem);
     expect(told("task.json", text, text)).toEqual({kind: "problem", text});
     expect(told("task.csv", text, text)).toEqual({kind: "problem", text});
     expect(told("broken.json", '{"linkages":', '{"linkages":')).toEqual({kind: "problem", text: '{"linkages":'});

@@ -7,7 +7,7 @@ import {Workbench} from "./workbench.svelte";
 const list = (type: string) => ({linkages: [{type}]}) as unknown as Replies["best"];
 
 it("lists the ten best of the task on screen, asking once for each task, and again where the engine has failed", async () => {
-  const workbench = new Workbench(first_example!.problem),
+  const workbench = new Workbench(first_example.problem),
     {best_list} = workbench;
   const replies: (() => Promise<Replies["best"]>)[] = [
     () => Promise.resolve(list("crank_rocker")),
@@ -32,7 +32,7 @@ it("lists the ten best of the task on screen, asking once for each task, and aga
 });
 
 it("lets the list of an earlier task go for that of the present one", async () => {
-  const workbench = new Workbench(first_example!.problem),
+  const workbench = new Workbench(first_example.problem),
     {best_list} = workbench,
     stopped: boolean[] = [];
   const run = (_job: Job<"best">, {signal}: Run<"best">) =>

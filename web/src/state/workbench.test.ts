@@ -17,7 +17,7 @@ import {poses_of} from "./task";
 import {with_pose, with_poses} from "../tasks/kinds";
 
 const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
-const tailgate = first_example!.problem,
+const tailgate = first_example.problem,
   footrest = examples.find(({name}) => name === "footrest")!.problem;
 let servers: (() => Server)[];
 
