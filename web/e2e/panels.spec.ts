@@ -487,7 +487,7 @@ test.describe("pins", () => {
     await page.getByTestId("pin.sort.ground").click();
     expect(await order()).toEqual(["Slim", "A"]); // 65 mm before 83 mm
     const links = () =>
-      dialog.locator("polyline.input").evaluateAll((lines) => lines.map((line) => line.getAttribute("points")));
+      dialog.locator("path.link.input").evaluateAll((lines) => lines.map((line) => line.getAttribute("d")));
     const closed = await links();
     await page.getByTestId("pin.scrub").fill("2.5");
     expect((await links()).every((line, i) => line !== closed[i])).toBe(true); // one scrub moves both

@@ -6,12 +6,11 @@ import {poses_of, type Pose} from "../state/task";
 import {bend_of, travel_of, with_bend, with_travel} from "../task/travel";
 import {point_at, spot_of_tau, type Spot} from "./curve_samples";
 import {nudged_box, with_box} from "./drags/box_drags";
-import type {Bench} from "./drags/drag";
+import type {Bench} from "./bench";
 import {add_corner, corner_at, remove_corner, with_outline, without_corner} from "./drags/outline_drags";
 import {inside, target_id, type Target} from "./handles";
 import {multiple, wrapped_deg} from "./snapping";
 import {stepped} from "./sliding";
-import {to_screen, to_user} from "./viewport";
 import {with_pose, with_poses} from "../tasks/kinds";
 
 export function focus_handle(svg: SVGSVGElement, target: Target): void {
@@ -50,8 +49,8 @@ export function poses_are_wanted({incomplete, problem}: Bench["workbench"]): boo
 }
 /** A click on the canvas of such a task. */
 export function add_position({workbench, scene}: Bench, at: Point): void {
-  const [x, y] = to_user(scene.view, at),
-    snap = (value: number) => multiple(value, scene.snap_step ?? 10 ** Math.floor(Math.log10(scene.step / 8)));
+  const [x, y] = scene.space.unproject(at),
+    snap = (value: number) => multiple(value, scene.snap_step ?? 10 ** Math.floor(Math.log10(scene.space.step / 8)));
   const last = scene.poses.at(-1);
   scene.touched = true;
   workbench.edit((problem) =>
@@ -66,11 +65,11 @@ export function toggle_traced({workbench, scene}: Bench, at: Point): void {
     traced = workbench.problem.view?.traced ?? [];
   if (!pose) return;
   const near = traced.findIndex((p) => {
-    const [x, y] = to_screen(scene.view, placed(p, pose));
+    const [x, y] = scene.space.project(placed(p, pose));
     return Math.hypot(x - at[0], y - at[1]) < 10;
   });
-  const fine = 10 ** Math.floor(Math.log10(scene.step / 8)),
-    [x, y] = body_point(to_user(scene.view, at), pose);
+  const fine = 10 ** Math.floor(Math.log10(scene.space.step / 8)),
+    [x, y] = body_point(scene.space.unproject(at), pose);
   const point: Point = [multiple(x, fine), multiple(y, fine)];
   workbench.edit((problem) =>
     with_view(problem, {traced: near >= 0 ? traced.filter((_, i) => i !== near) : [...traced, point]}),
@@ -79,7 +78,7 @@ export function toggle_traced({workbench, scene}: Bench, at: Point): void {
 function body_under(scene: Bench["scene"], at: Point): Pick<Pose, "x" | "y" | "theta_deg"> | null {
   const covers = (pose: Pick<Pose, "x" | "y" | "theta_deg">) =>
     inside(
-      scene.outline.map((p) => to_screen(scene.view, placed(p, pose))),
+      scene.outline.map((p) => scene.space.project(placed(p, pose))),
       at,
     );
   const now = scene.now?.pose ?? null;
@@ -94,7 +93,7 @@ export function add_draft_corner(bench: Bench, at: Point): void {
     draft = scene.draft ?? [],
     first = draft[0];
   if (first && draft.length >= 3) {
-    const [x, y] = to_screen(scene.view, placed(first, scene.outline_pose!));
+    const [x, y] = scene.space.project(placed(first, scene.outline_pose!));
     if (Math.hypot(x - at[0], y - at[1]) <= 12) return close_draft(bench);
   }
   scene.draft = [...draft, corner_at(bench, at)];
@@ -110,7 +109,7 @@ export function close_draft({workbench, scene}: Bench): void {
 /** Arrow keys on a handle: one step, with Shift ten, with Alt a tenth. */
 export function nudge(bench: Bench, target: Target, dx: number, dy: number, times: number): void {
   const {workbench, scene} = bench,
-    step = scene.step * times,
+    step = scene.space.step * times,
     merge = `nudge ${target_id(target)}`;
   const add = (value: number, by: number) => Number((value + by).toPrecision(12)) + 0;
   const change_pose = (index: number, change: (pose: Pose) => Pose) =>
@@ -144,7 +143,7 @@ export function nudge(bench: Bench, target: Target, dx: number, dy: number, time
       );
     case "curvature":
       return change_pose(target.pose, (p) =>
-        with_bend(p, {curvature: add(bend_of(p)?.curvature ?? 0, turn * bend_step(scene.view.scale))}),
+        with_bend(p, {curvature: add(bend_of(p)?.curvature ?? 0, turn * bend_step(scene.space.scale))}),
       );
     case "corner": {
       const outline = scene.outline,
@@ -161,7 +160,7 @@ export function nudge(bench: Bench, target: Target, dx: number, dy: number, time
     case "box":
       return nudge_box(bench, target, dx * step, dy * step, merge);
     case "task":
-      return target.nudge(bench, dx, dy, step);
+      return target.nudge(dx, dy, step);
     case "pivot":
       return nudge_pivot(bench, target, (dx || dy) * times, merge);
   }
@@ -196,7 +195,7 @@ function nudge_pivot(
       task,
       picked.tau,
       side,
-      stepped(samples, end, scene.view, spot, steps * scene.step * scene.view.scale).tau,
+      stepped(samples, end, scene.view, spot, steps * scene.space.step * scene.space.scale).tau,
     ),
     merge,
   );

@@ -1,7 +1,7 @@
 // Files dropped on the drawing or chosen from the menu.
 import {poses_extent, with_view} from "../state/problem";
 import {is_picture, picture} from "./background";
-import type {Bench} from "./drags/drag";
+import type {Bench} from "./bench";
 import {with_outline} from "./drags/outline_drags";
 import {is_outline_file, outline_of_file} from "./outline_file";
 

@@ -1,6 +1,5 @@
 // What the drawing shows when a task is opened, and when one asks for everything.
-import type {Drive, Linkage, Point} from "../engine/protocol";
-import {row_joints, row_state} from "../state/drive";
+import type {Point} from "../engine/protocol";
 import {placed, type Problem} from "../state/problem";
 import type {Pose} from "../state/task";
 import {bounds, fitted, type Margins, type Viewport} from "./viewport";
@@ -17,48 +16,14 @@ export function task_points(
 /** How far from the rest, in its sizes, a pivot is shown with it: unasked, and when one asks to see all. */
 export const near = 1.5,
   far = 20;
-/** Pivots that lie near enough to the rest to be shown with it, the moving ones in every position. */
-export function useful_pivots(
-  linkage: Linkage | null,
-  around: readonly Point[],
-  poses: readonly Pose[],
-  sizes = near,
-): Point[] {
+/** Pivots that lie near enough to the rest to be shown with it. */
+export function useful_pivots(pivots: readonly Point[], around: readonly Point[], sizes = near): Point[] {
   const box = bounds(around);
-  if (!linkage || !box) return [];
+  if (!box) return [];
   const reach = sizes * Math.max(box.x[1] - box.x[0], box.y[1] - box.y[0]);
-  const visits =
-      linkage.drive && (poses.length === 0 || sizes > near)
-        ? visited(linkage.drive, linkage.six_bar !== undefined)
-        : [],
-    joints = linkage.six_bar?.joints.map(({at}) => at) ?? [];
-  return [
-    linkage.input.center,
-    linkage.output.center,
-    linkage.input.circle,
-    linkage.output.circle,
-    ...visits,
-    ...joints,
-  ].filter(
-    (p): p is Point =>
-      p !== null &&
-      p[0] > box.x[0] - reach &&
-      p[0] < box.x[1] + reach &&
-      p[1] > box.y[0] - reach &&
-      p[1] < box.y[1] + reach,
+  return pivots.filter(
+    ([x, y]) => x > box.x[0] - reach && x < box.x[1] + reach && y > box.y[0] - reach && y < box.y[1] + reach,
   );
-}
-function visited(drive: Drive, six_bar: boolean): Point[] {
-  return drive.ticks
-    .filter(({reached}) => reached)
-    .flatMap(({state}): Point[] => {
-      if (six_bar) return row_joints(drive, state);
-      const {ax, ay, bx, by} = row_state(drive, state);
-      return [
-        [ax, ay],
-        [bx, by],
-      ];
-    });
 }
 export function box_points({requirements}: Problem): Point[] {
   return [requirements?.ground_pivots_within, requirements?.moving_pivots_within].flatMap((box) =>

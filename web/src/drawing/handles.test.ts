@@ -1,9 +1,9 @@
 import {describe, expect, it} from "vitest";
 import type {Problem} from "../state/problem";
 import {border_hit, curvature_place, inside, pose_handles, within_reach} from "./handles";
-import type {Viewport} from "./viewport";
+import {Plane} from "./space";
 
-const view: Viewport = {x: 0, y: 0, scale: 1, width: 400, height: 400};
+const space = new Plane({x: 0, y: 0, scale: 1, width: 400, height: 400}, true);
 const problem = {
   linkwright: 1,
   task: {
@@ -20,7 +20,7 @@ const problem = {
 describe("handles", () => {
   it("come in the order of priority", () => {
     const ids = (selected: number | null, at: readonly [number, number]) =>
-      within_reach(pose_handles(problem, view, selected, false), at, false).map((h) => h.id);
+      within_reach(pose_handles(problem, space, selected, false), at, false).map((h) => h.id);
     expect(ids(null, [205, 200])).toEqual(["disc_2", "disc_1"]);
     expect(ids(0, [205, 200])).toEqual(["disc_1", "disc_2"]);
     expect(ids(null, [258, 199])).toEqual(["disc_3", "knob_1"]);
@@ -28,12 +28,12 @@ describe("handles", () => {
     expect(ids(null, [20, 20])).toEqual([]);
   });
   it("reach farther under a finger, and a phone shows the selected knob only", () => {
-    expect(within_reach(pose_handles(problem, view, null, true), [200, 220], false)).toEqual([]);
-    expect(within_reach(pose_handles(problem, view, null, true), [200, 220], true).map((h) => h.id)).toContain(
+    expect(within_reach(pose_handles(problem, space, null, true), [200, 220], false)).toEqual([]);
+    expect(within_reach(pose_handles(problem, space, null, true), [200, 220], true).map((h) => h.id)).toContain(
       "disc_1",
     );
     expect(
-      pose_handles(problem, view, 1, true)
+      pose_handles(problem, space, 1, true)
         .filter((h) => h.target.kind === "knob")
         .map((h) => h.id),
     ).toEqual(["knob_2"]);
@@ -48,7 +48,7 @@ describe("handles", () => {
         {x: 0, y: 0.04, theta: 0},
       ],
     };
-    const [x, y] = curvature_place(pose, view)!;
+    const [x, y] = curvature_place(pose, space)!;
     expect(x).toBeCloseTo(274, 9);
     expect(y).toBeCloseTo(200 - (0.01 * 74 * 74) / 2, 9);
   });
@@ -57,12 +57,12 @@ describe("handles", () => {
 describe("boxes", () => {
   const box = {x: [-100, 100] as [number, number], y: [-50, 50] as [number, number]};
   it("are resized at edges and corners and moved just inside", () => {
-    expect(border_hit(box, view, [100, 150], 8)?.edges).toEqual({x: -1, y: 1});
-    expect(border_hit(box, view, [303, 200], 8)?.edges).toEqual({x: 1, y: 0});
-    expect(border_hit(box, view, [200, 252], 8)?.edges).toEqual({x: 0, y: -1});
-    expect(border_hit(box, view, [200, 236], 8)?.edges).toEqual({x: 0, y: 0});
-    expect(border_hit(box, view, [200, 200], 8)).toBeNull();
-    expect(border_hit(box, view, [320, 200], 8)).toBeNull();
+    expect(border_hit(box, space, [100, 150], 8)?.edges).toEqual({x: -1, y: 1});
+    expect(border_hit(box, space, [303, 200], 8)?.edges).toEqual({x: 1, y: 0});
+    expect(border_hit(box, space, [200, 252], 8)?.edges).toEqual({x: 0, y: -1});
+    expect(border_hit(box, space, [200, 236], 8)?.edges).toEqual({x: 0, y: 0});
+    expect(border_hit(box, space, [200, 200], 8)).toBeNull();
+    expect(border_hit(box, space, [320, 200], 8)).toBeNull();
   });
 });
 

@@ -1,14 +1,13 @@
 // What can be taken hold of on the drawing: where each thing lies on the screen and how near a pointer must come.
-import type {Box, Linkage, Point} from "../engine/protocol";
+import type {Box, Linkage, Point, Side} from "../engine/protocol";
+import type {End, Ends} from "../figure/figure";
 import {placed, type Problem} from "../state/problem";
 import {poses_of, type Pose} from "../state/task";
 import {bend_of, travel_of} from "../task/travel";
 import type {Spot} from "./curve_samples";
-import type {Bench, Drag} from "./drags/drag";
-import {to_screen, type Viewport} from "./viewport";
+import type {Drag} from "./drags/drag";
+import type {Plane} from "./space";
 
-export type Side = "input" | "output";
-export type End = "center" | "circle";
 /** Of the requirements, and where a search puts its pivots. */
 export const box_names = ["ground", "moving", "search"] as const;
 export type BoxName = (typeof box_names)[number];
@@ -30,9 +29,9 @@ export interface TaskPart {
   kind: "task";
   part: string;
   label(): string;
-  drag(bench: Bench, from: Point): Drag;
+  drag(from: Point): Drag;
   /** Arrow keys: steps to the right and up. */
-  nudge(bench: Bench, dx: number, dy: number, step: number): void;
+  nudge(dx: number, dy: number, step: number): void;
 }
 export interface Handle {
   id: string;
@@ -88,17 +87,17 @@ export function travel_direction(pose: Pose): Point | null {
   return travel && [Math.cos(angle), -Math.sin(angle)];
 }
 /** The handle of the curvature lies on the osculating parabola, a fixed way along the tangent. */
-export function curvature_place(pose: Pose, view: Viewport): Point | null {
+export function curvature_place(pose: Pose, space: Plane): Point | null {
   const along = travel_direction(pose),
     bend = bend_of(pose);
   if (!along || !bend) return null;
-  const [x, y] = to_screen(view, [pose.x, pose.y]),
+  const [x, y] = space.project([pose.x, pose.y]),
     reach = curvature_reach;
-  const rise = (bend.curvature * reach * reach) / 2 / view.scale;
+  const rise = (bend.curvature * reach * reach) / 2 / space.scale;
   return [x + along[0] * reach + along[1] * rise, y + along[1] * reach - along[0] * rise];
 }
-export function knob_place(pose: Pose, view: Viewport, length: number): Point {
-  const [x, y] = to_screen(view, [pose.x, pose.y]),
+export function knob_place(pose: Pose, space: Plane, length: number): Point {
+  const [x, y] = space.project([pose.x, pose.y]),
     angle = (pose.theta_deg * Math.PI) / 180;
   return [x + length * Math.cos(angle), y - length * Math.sin(angle)];
 }
@@ -107,17 +106,17 @@ export function task_handle(part: Omit<TaskPart, "kind">, at: Point, cursor = "g
   return handle({kind: "task", ...part}, at, ranks.knob, [14, 24], cursor);
 }
 /** Handles of the poses; on a phone only the selected pose has its knob. */
-export function pose_handles(problem: Problem, view: Viewport, selected: number | null, phone: boolean): Handle[] {
+export function pose_handles(problem: Problem, space: Plane, selected: number | null, phone: boolean): Handle[] {
   return poses_of(problem.task).flatMap((pose, i) => {
     const rank = (usual: number) => (i === selected ? ranks.selected : usual);
-    const at = to_screen(view, [pose.x, pose.y]);
+    const at = space.project([pose.x, pose.y]);
     const handles = [handle({kind: "disc", pose: i}, at, rank(ranks.disc), [14, 24], "move")];
     if (!phone || i === selected)
       handles.push(
-        handle({kind: "knob", pose: i}, knob_place(pose, view, arm_length), rank(ranks.knob), [12, 24], "grab"),
+        handle({kind: "knob", pose: i}, knob_place(pose, space, arm_length), rank(ranks.knob), [12, 24], "grab"),
       );
     const along = travel_direction(pose),
-      bend = curvature_place(pose, view);
+      bend = curvature_place(pose, space);
     if (along)
       handles.push(
         handle(
@@ -133,20 +132,18 @@ export function pose_handles(problem: Problem, view: Viewport, selected: number 
   });
 }
 
-/** Both ends of the side links. */
-export type Ends = Record<Side, Record<End, Point | null>>;
 /** Pivots where they are now; one that moves can be taken at its home on its curve as well. */
-export function pivot_handles(linkage: Linkage, now: Ends, view: Viewport): Handle[] {
+export function pivot_handles(linkage: Linkage, now: Ends, space: Plane): Handle[] {
   const handles: Handle[] = [];
   for (const side of ["input", "output"] as const) {
     const ends = (["center", "circle"] as const).flatMap((end) =>
-      now[side][end] ? [{end, at: to_screen(view, now[side][end])}] : [],
+      now[side][end] ? [{end, at: space.project(now[side][end])}] : [],
     );
     for (const {end, at} of ends)
       handles.push(handle({kind: "pivot", side, end, home: false}, at, ranks.pivot, [14, 24], "pointer"));
     for (const {end, at} of ends) {
       const place = linkage[side][end],
-        home = place && to_screen(view, place);
+        home = place && space.project(place);
       if (home && Math.hypot(home[0] - at[0], home[1] - at[1]) > 12) {
         handles.push(
           handle({kind: "pivot", side, end, home: true}, home, ranks.pivot + 0.5, [10, 20], "pointer", false),
@@ -163,11 +160,11 @@ const corner_edges: Edges[] = [
   {x: 1, y: -1},
   {x: -1, y: -1},
 ];
-export function box_handles(name: BoxName, box: Box, view: Viewport): Handle[] {
+export function box_handles(name: BoxName, box: Box, space: Plane): Handle[] {
   const along = (values: readonly [number, number], edge: number) =>
     edge < 0 ? values[0] : edge > 0 ? values[1] : (values[0] + values[1]) / 2;
   return [{x: 0, y: 0} as Edges, ...corner_edges].map((edges) => {
-    const at = to_screen(view, [along(box.x, edges.x), edges.y === 0 ? box.y[1] : along(box.y, edges.y)]);
+    const at = space.project([along(box.x, edges.x), edges.y === 0 ? box.y[1] : along(box.y, edges.y)]);
     return handle({kind: "box", box: name, edges}, at, ranks.box, [8, 20], edge_cursor(edges));
   });
 }
@@ -178,14 +175,9 @@ export function edge_cursor(edges: Edges): string {
   return edges.x === edges.y ? "nesw-resize" : "nwse-resize";
 }
 /** Which part of a box's border is under the pointer: its edges, or just inside of them the whole box. */
-export function border_hit(
-  box: Box,
-  view: Viewport,
-  at: Point,
-  reach: number,
-): {edges: Edges; distance: number} | null {
-  const [left, top] = to_screen(view, [box.x[0], box.y[1]]),
-    [right, bottom] = to_screen(view, [box.x[1], box.y[0]]);
+export function border_hit(box: Box, space: Plane, at: Point, reach: number): {edges: Edges; distance: number} | null {
+  const [left, top] = space.project([box.x[0], box.y[1]]),
+    [right, bottom] = space.project([box.x[1], box.y[0]]);
   if (at[0] < left - reach || at[0] > right + reach || at[1] < top - reach || at[1] > bottom + reach) return null;
   const near = (value: number, low: number, high: number): -1 | 0 | 1 =>
     Math.abs(value - low) <= reach && Math.abs(value - low) <= Math.abs(value - high)
@@ -206,8 +198,8 @@ export function border_hit(
 }
 
 /** Corners, and the middles of edges that are long enough to leave room for a corner. */
-export function corner_handles(outline: readonly Point[], pose: Pose, view: Viewport): Handle[] {
-  const corners = outline.map((p) => to_screen(view, placed(p, pose)));
+export function corner_handles(outline: readonly Point[], pose: Pose, space: Plane): Handle[] {
+  const corners = outline.map((p) => space.project(placed(p, pose)));
   const middle = (i: number): Point => {
     const p = corners[i],
       q = corners[(i + 1) % corners.length];

@@ -4,14 +4,15 @@ import type {Attachment} from "svelte/attachments";
 import type {Point} from "../engine/protocol";
 import {add_draft_corner, add_position, click_target, focus_handle, poses_are_wanted, toggle_traced} from "./actions";
 import {box_drag, rubber_drag} from "./drags/box_drags";
-import type {Bench, Drag} from "./drags/drag";
+import type {Bench} from "./bench";
+import type {Drag} from "./drags/drag";
 import {corner_drag, remove_corner} from "./drags/outline_drags";
 import {pivot_drag} from "./drags/pivot_drag";
 import {curvature_drag, move_drag, turn_drag, velocity_drag} from "./drags/pose_drags";
 import {pan_drag, picture_drag} from "./drags/view_drags";
 import {box_names, target_id, type Target} from "./handles";
 import {keys_of, type Keys} from "./snapping";
-import {panned, to_user, zoomed} from "./viewport";
+import {panned, zoomed} from "./viewport";
 
 interface Press {
   id: number;
@@ -217,7 +218,7 @@ class Pointer {
       case "box":
         return box_drag(this.bench, taken, from);
       case "task":
-        return taken.drag(this.bench, from);
+        return taken.drag(from);
       case "corner":
       case "midpoint":
         return corner_drag(this.bench, taken);
@@ -232,7 +233,7 @@ class Pointer {
       case "trace":
         return toggle_traced(this.bench, at);
       case "scale":
-        scene.marks = [...scene.marks.slice(-1), to_user(scene.view, at)];
+        scene.marks = [...scene.marks.slice(-1), scene.space.unproject(at)];
         return;
       case "outline":
         if (scene.draft) return add_draft_corner(this.bench, at);

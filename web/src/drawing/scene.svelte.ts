@@ -1,13 +1,13 @@
 // The drawing's own state: what part it shows, what the pointer is over, what is being drawn. Not part of the task.
 import {getContext, setContext, untrack} from "svelte";
 import type {Box, Linkage, Point, Side} from "../engine/protocol";
-import {joints_at, state_at} from "../state/drive";
+import type {End} from "../figure/figure";
+import {at_angle, at_row, reached_rows, type Carrier, type Configuration} from "../figure/mechanism";
 import {preferences} from "../state/preferences.svelte";
-import {body_point, outline_of, placed} from "../state/problem";
+import {outline_of, placed} from "../state/problem";
 import {screen_size} from "../state/screen.svelte";
-import {poses_of, served_poses, type Pose} from "../state/task";
+import {poses_of, served_poses, type Pose, type Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
-import {carrier_of, joint_of, type Carrier} from "./carrier";
 import {curves_of, nearest, point_at, samples_of_sides, type CurveSamples, type Spot} from "./curve_samples";
 import {
   border_hit,
@@ -22,33 +22,21 @@ import {
   target_id,
   within_reach,
   type BoxName,
-  type End,
-  type Ends,
   type Handle,
   type Target,
 } from "./handles";
 import {anchors_of, kind_of} from "../tasks/kinds";
-import {task_view} from "../tasks/views";
-import {task_points} from "./fit";
-import {grid_step, to_screen, type Viewport} from "./viewport";
+import {mistake_sentence} from "../task/mistakes";
+import type {TaskView} from "../tasks/view";
+import {near, task_points, useful_pivots} from "./fit";
 import type {Guide} from "./snapping";
+import {Plane} from "./space";
+import {surface_key, type Note, type Surface} from "./surface";
+import type {Viewport} from "./viewport";
 
-export interface Note {
-  at: Point;
-  text: string;
-  /** Why it does not work here. */
-  reason?: string | null;
-}
-/** The linkage as it stands: at the drive's angle, or, without a drive, at the nearest position. */
-export interface Now {
-  pose: {x: number; y: number; theta_deg: number};
-  ends: Ends;
-  /** All hinges of a six-bar. */
-  joints: readonly Point[];
-}
 const curve_reach = [8, 20] as const;
 
-export class Scene {
+export class Scene implements Surface {
   view = $state.raw<Viewport>({x: 0, y: 0, scale: 1, width: 0, height: 0});
   /** The user has zoomed, panned or edited: the view is his. */
   touched = $state(false);
@@ -73,11 +61,18 @@ export class Scene {
   marks = $state.raw<readonly Point[]>([]);
   focused = $state<string | null>(null);
 
-  constructor(readonly workbench: Workbench) {}
+  /** `kind`: what the kind of a task shows and lets take hold of. */
+  constructor(
+    readonly workbench: Workbench,
+    private readonly kind: (task: Task) => Pick<TaskView, "mechanism" | "handles">,
+  ) {}
+
+  readonly space = $derived.by(() => new Plane(this.view, preferences.snap));
 
   // ---- what there is ------------------------------------------------------------------------------------------
 
   readonly poses = $derived.by(() => poses_of(this.workbench.problem.task));
+  readonly origins = $derived.by(() => this.poses.map(({x, y}): Point => [x, y]));
   /** Those that a linkage passes exactly. */
   readonly served = $derived.by(() => served_poses(this.workbench.problem.task));
   readonly outline = $derived.by(() => outline_of(this.workbench.problem));
@@ -112,34 +107,19 @@ export class Scene {
     return [input, output === input ? null : output].filter((samples) => samples !== null);
   });
 
-  readonly now = $derived.by((): Now | null => {
-    const {hand} = this.workbench;
+  readonly mechanism = $derived.by(() => this.kind(this.workbench.problem.task).mechanism);
+  /** The linkage as it stands: at the drive's angle, or, without a drive, at the nearest position. */
+  readonly now = $derived.by((): Configuration | null => {
+    const {hand, angle, stage} = this.workbench;
     if (!hand) return null;
-    if (hand.drive) {
-      const s = state_at(hand.drive, this.workbench.angle),
-        joints = joints_at(hand.drive, this.workbench.angle);
-      return {pose: s, joints, ends: hand.six_bar ? added_ends(joints) : ends_of(hand, [s.ax, s.ay], [s.bx, s.by])};
-    }
-    if (hand.six_bar || this.poses.length === 0) {
-      const pose = this.poses[0] ?? {x: 0, y: 0, theta_deg: 0};
-      return {
-        pose,
-        joints: hand.six_bar?.joints.map(({at}) => at) ?? [],
-        ends: ends_of(hand, hand.input.circle, hand.output.circle),
-      };
-    }
-    const pose = this.nearest_pose;
-    const carried = (point: Point | null) => point && placed(body_point(point, this.served[0]), pose);
-    return {pose, joints: [], ends: ends_of(hand, carried(hand.input.circle), carried(hand.output.circle))};
+    return hand.drive
+      ? at_angle(this.mechanism, hand, hand.drive, angle)
+      : this.mechanism.still(hand, this.served, stage);
   });
   /** What carries an end of a side link; nothing on the ground. */
   carrier(side: Side, end: End): Carrier | null {
     const {hand} = this.workbench;
-    return hand && this.now && carrier_of(hand, side, end, this.now, this.served[0]);
-  }
-  /** The position nearest to where the drive stands. */
-  get nearest_pose(): Pose {
-    return this.served[Math.min(Math.max(Math.round(this.workbench.stage), 0), this.served.length - 1)];
+    return hand && this.now && this.mechanism.carrier(hand, side, end, this.now, this.served[0]);
   }
   /** There are curves of ground pivots, not of moving ones only. */
   readonly has_center_curves = $derived.by(() =>
@@ -149,18 +129,18 @@ export class Scene {
   readonly outline_pose = $derived.by(() => this.poses[this.workbench.selected_pose ?? 0] ?? this.poses[0] ?? null);
 
   readonly box_handles = $derived.by(() => [
-    ...box_names.flatMap((name) => (this.boxes[name] ? box_handles(name, this.boxes[name], this.view) : [])),
+    ...box_names.flatMap((name) => (this.boxes[name] ? box_handles(name, this.boxes[name], this.space) : [])),
   ]);
   readonly pose_handles = $derived.by(() =>
-    pose_handles(this.workbench.problem, this.view, this.workbench.selected_pose, screen_size.kind === "phone"),
+    pose_handles(this.workbench.problem, this.space, this.workbench.selected_pose, screen_size.kind === "phone"),
   );
-  readonly task_handles = $derived.by(() => task_view(this.workbench.problem.task).handles?.(this) ?? []);
+  readonly task_handles = $derived.by(() => this.kind(this.workbench.problem.task).handles?.(this) ?? []);
   readonly pivot_handles = $derived.by(() =>
-    this.workbench.hand && this.now ? pivot_handles(this.workbench.hand, this.now.ends, this.view) : [],
+    this.workbench.hand && this.now ? pivot_handles(this.workbench.hand, this.now.ends, this.space) : [],
   );
   readonly corner_handles = $derived.by(() => {
     const editing = this.workbench.mode === "outline" && this.draft === null && this.outline_pose;
-    return editing ? corner_handles(this.outline, this.outline_pose, this.view) : [];
+    return editing ? corner_handles(this.outline, this.outline_pose, this.space) : [];
   });
   /** Without those that a handle of the task stands for. */
   private readonly own_pivot_handles = $derived.by(() =>
@@ -175,10 +155,9 @@ export class Scene {
     ...this.box_handles,
   ]);
 
-  readonly step = $derived(grid_step(this.view));
   /** What the status line says of snapping: step in the user's unit, or nothing while it is off. */
   get snap_step(): number | null {
-    return preferences.snap ? this.step : null;
+    return this.space.snaps ? this.space.step : null;
   }
 
   task_points(): Point[] {
@@ -189,6 +168,29 @@ export class Scene {
       this.outline,
       this.has_body,
     );
+  }
+
+  /** Pivots to be shown with what lies around; where one asks for all, or there are no poses, wherever they get to. */
+  pivots(linkage: Linkage | null, around: readonly Point[], sizes = near): Point[] {
+    if (!linkage) return [];
+    const {drive} = linkage,
+      rows = this.poses.length === 0 || sizes > near ? reached_rows(linkage) : [];
+    const visited = drive ? rows.flatMap((row) => at_row(this.mechanism, linkage, drive, row).joints) : [];
+    return useful_pivots([...this.mechanism.pivots(linkage), ...visited], around, sizes);
+  }
+
+  // ---- gestures -----------------------------------------------------------------------------------------------
+
+  tell(at: Point, text: string, reason?: string | null): void {
+    const [mistake] = this.workbench.refusal ?? [];
+    this.note = {at, text, reason: reason === undefined && mistake ? mistake_sentence(mistake) : reason};
+  }
+  finish(keep: boolean): void {
+    this.held = this.note = this.pressed_pose = this.anchor = this.arm = this.rubber = null;
+    this.guides = [];
+    this.workbench.held_pose = null;
+    if (keep) this.workbench.end_gesture();
+    else this.workbench.cancel_gesture();
   }
 
   // ---- what is under the pointer ------------------------------------------------------------------------------
@@ -207,7 +209,7 @@ export class Scene {
     const found: Handle[] = [];
     for (const name of box_names) {
       const box = this.boxes[name],
-        hit = box && border_hit(box, this.view, at, touch ? 20 : 8);
+        hit = box && border_hit(box, this.space, at, touch ? 20 : 8);
       if (!hit) continue;
       const target: Target = {kind: "box", box: name, edges: hit.edges};
       found.push({
@@ -226,7 +228,7 @@ export class Scene {
     if (!this.has_body) return [];
     const found = this.poses.flatMap((pose, i) =>
       inside(
-        this.outline.map((p) => to_screen(this.view, placed(p, pose))),
+        this.outline.map((p) => this.space.project(placed(p, pose))),
         at,
       )
         ? [{target: {kind: "body", pose: i} as Target, cursor: "move"}]
@@ -250,21 +252,13 @@ export class Scene {
   }
 }
 
-function ends_of({input, output}: Linkage, a: Point | null, b: Point | null): Ends {
-  return {input: {center: input.center, circle: a}, output: {center: output.center, circle: b}};
-}
-function added_ends(joints: readonly Point[]): Ends {
-  const link = (side: Side) => ({center: joints[joint_of(side, "center")], circle: joints[joint_of(side, "circle")]});
-  return {input: link("input"), output: link("output")};
-}
 function unique(handle: Handle, index: number, all: readonly Handle[]): boolean {
   return all.findIndex((h) => h.id === handle.id) === index;
 }
 
-const key = Symbol("scene");
 export function provide_scene(scene: Scene): Scene {
-  return setContext(key, scene);
+  return setContext(surface_key, scene);
 }
 export function use_scene(): Scene {
-  return getContext<Scene>(key);
+  return getContext<Scene>(surface_key);
 }

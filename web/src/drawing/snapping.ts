@@ -1,6 +1,9 @@
 // Where a drag comes to rest: the grid, the places of other poses, round angles.
 import type {Point} from "../engine/protocol";
 
+/** How near in pixels things line up. */
+export const align_px = 6;
+
 export interface Keys {
   shift: boolean; // one axis, 15°
   alt: boolean; // no snapping

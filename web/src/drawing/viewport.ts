@@ -78,3 +78,14 @@ export function grid_step(view: Viewport): number {
 export function line_step(view: Viewport): number {
   return round_step(40 / view.scale);
 }
+
+/** Where the ray from the middle of the window leaves it, a little inside; for what lies outside. */
+export function at_edge(view: Viewport, direction: Point, inset: number): Point {
+  const x = view.width / 2 - inset,
+    y = view.height / 2 - inset;
+  const reach = Math.min(
+    direction[0] !== 0 ? x / Math.abs(direction[0]) : Infinity,
+    direction[1] !== 0 ? y / Math.abs(direction[1]) : Infinity,
+  );
+  return [view.width / 2 + direction[0] * reach, view.height / 2 + direction[1] * reach];
+}

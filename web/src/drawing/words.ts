@@ -3,28 +3,11 @@ import {unmet_text} from "../requirements/requirements";
 import type {Pose} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {told} from "../tasks/kinds";
-import {fixed} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 import {bend_of, travel_of} from "../task/travel";
 import type {Handle, Target} from "./handles";
+import {angle_note, length_note, point_note} from "./notes";
 import type {Scene} from "./scene.svelte";
-
-/** As many decimals as the step has, or as one pixel is worth. */
-export function length_note(value: number, step: number, unit: string): string {
-  const decimals = Math.min(Math.max(-Math.floor(Math.log10(step) + 1e-9), 0), 9);
-  const short = fixed(value, decimals + 1)
-    .replace(/(\.\d*?)0+$/, "$1")
-    .replace(/\.$/, "");
-  return unit ? `${short} ${unit}` : short;
-}
-export function angle_note(value: number): string {
-  return `${fixed(value, 3)
-    .replace(/(\.\d*?)0+$/, "$1")
-    .replace(/\.$/, "")}°`;
-}
-export function point_note(point: readonly [number, number], step: number, unit: string): string {
-  return `x ${length_note(point[0], step, "")}  y ${length_note(point[1], step, unit)}`;
-}
 
 /** Why the linkage in hand does not do, or nothing. */
 export function reason_of(workbench: Workbench): string | null {
@@ -40,7 +23,7 @@ export function target_label(target: Target, scene: Scene): string {
   switch (target.kind) {
     case "disc":
     case "body":
-      return t("drawing.position", {n, place: pose ? point_note([pose.x, pose.y], scene.step, unit) : ""});
+      return t("drawing.position", {n, place: pose ? point_note([pose.x, pose.y], scene.space.step, unit) : ""});
     case "knob":
       return t("drawing.turn", {n, angle: pose ? angle_note(pose.theta_deg) : ""});
     case "velocity":
@@ -70,7 +53,7 @@ export function handle_label(handle: Handle, scene: Scene): string {
 }
 export function radius_note(pose: Pose, scene: Scene): string {
   const curvature = bend_of(pose)?.curvature ?? 0;
-  return Math.abs(curvature) * scene.view.width < 1e-3 * scene.view.scale
+  return Math.abs(curvature) * scene.space.width < 1e-3 * scene.space.scale
     ? "∞"
-    : length_note(1 / curvature, scene.step, scene.workbench.unit);
+    : length_note(1 / curvature, scene.space.step, scene.workbench.unit);
 }

@@ -6,6 +6,7 @@ import {engine_text, outline_of, type Problem} from "../state/problem";
 import {poses_of} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {with_other_task} from "../tasks/kinds";
+import {task_view} from "../tasks/views";
 import {animated_gif, film, type Progress} from "./animation";
 import {animation_frames} from "./frames";
 import {file_name, file_stem} from "./names";
@@ -97,10 +98,10 @@ async function animation(
   const linkage = await linkage_of(workbench, target),
     {problem} = target;
   const {width, height} = film_size;
+  const poses = poses_of(problem.task),
+    {mechanism} = task_view(problem.task);
   const picture = picture_of(
-    linkage,
-    poses_of(problem.task).length ? outline_of(problem) : [],
-    poses_of(problem.task),
+    {linkage, mechanism, outline: poses.length ? outline_of(problem) : [], poses},
     workbench.whole_travel,
     width,
     height,

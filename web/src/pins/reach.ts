@@ -1,24 +1,39 @@
-// How far a linkage reaches, for small pictures.
+// Linkages in small pictures: as they stand, and how much room they take.
 import type {Linkage, Point} from "../engine/protocol";
-import {row_count, row_joints, row_state} from "../state/drive";
+import type {Figure} from "../figure/figure";
+import {at_angle, at_row, task_rows, type Mechanism} from "../figure/mechanism";
+import {angle_at_stage, row_count} from "../state/drive";
 import {least_of, most_of} from "../state/ends";
 
 const every = 4; // rows
 
-/** Its pivots between the first position and the last. */
-export function reach_of({drive, input, output, six_bar}: Linkage): Point[] {
+/** Where its drive stands at a stage; nothing without a drive. */
+export function figure_at_stage(
+  mechanism: Mechanism,
+  linkage: Linkage,
+  outline: readonly Point[],
+  stage: number,
+): Figure | null {
+  const {drive, input, output} = linkage;
+  if (!drive || !input.center || !output.center) return null;
+  return mechanism.figure(linkage, at_angle(mechanism, linkage, drive, angle_at_stage(drive, stage)), outline);
+}
+/** Its pivots between the first position and the last, or wherever it can be driven. */
+export function reach_of(mechanism: Mechanism, linkage: Linkage): Point[] {
+  const {drive, input, output} = linkage;
   if (!drive || !input.center || !output.center) return [];
-  const {task} = drive,
-    [first, last] =
-      task[0] < 0 || task[1] < 0 ? [0, six_bar ? row_count(drive) - 1 : 0] : [least_of(task), most_of(task)];
-  const points: Point[] = six_bar ? [] : [input.center, output.center];
-  for (let row = first; row <= last; row += every) {
-    const {ax, ay, bx, by} = row_state(drive, row);
-    points.push(...(six_bar ? row_joints(drive, row) : [[ax, ay] as Point, [bx, by] as Point]));
-  }
+  const [first, last] = task_rows(drive) ?? [0, row_count(drive) - 1],
+    points: Point[] = [];
+  for (let row = first; row <= last; row += every) points.push(...at_row(mechanism, linkage, drive, row).joints);
   return points;
 }
-export function room_around(points: readonly Point[]): {x: number; y: number; width: number; height: number} {
+export interface Room {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+export function room_around(points: readonly Point[]): Room {
   const xs = points.map((p) => p[0]),
     ys = points.map((p) => p[1]);
   const x = least_of(xs),

@@ -1,11 +1,14 @@
 import {describe, expect, it} from "vitest";
-import type {Point} from "../engine/protocol";
-import {row_count, row_state, type State} from "../state/drive";
+import type {Drive, Linkage, Point} from "../engine/protocol";
+import {four_bar, plate_orders} from "../figure/four_bar";
 import {sample_drive} from "../transport/sample_drive";
-import {crossings, orders, plan_layers, point_distance, segment_distance} from "./layers";
+import {crossings, moments_of, plan_layers, point_distance, segment_distance} from "./layers";
 
-const input_center: Point = [0, 0],
-  output_center: Point = [100, 0];
+const longest = 100;
+const linkage = {
+  input: {center: [0, 0], circle: [0, 50], center_homogeneous: [1, 0, 0], circle_homogeneous: [1, 0, 50]},
+  output: {center: [100, 0], circle: [100, 50], center_homogeneous: [1, 100, 0], circle_homogeneous: [1, 100, 50]},
+} as unknown as Linkage;
 /** All links over each other and over both ground pivots. */
 const flat: [Point, Point] = [
   [105, 1],
@@ -18,8 +21,8 @@ function drive_through(pivots: [number, Point, Point][], ticks = [0, pivots.leng
     ticks,
   );
 }
-const states_of = (drive: ReturnType<typeof drive_through>): State[] =>
-  Array.from({length: row_count(drive)}, (_, i) => row_state(drive, i));
+const plan_of = (drive: Drive) => plan_layers(four_bar, linkage, drive, plate_orders, longest)!;
+const moments = (drive: Drive) => moments_of(four_bar, linkage, drive);
 
 describe("distances", () => {
   it("of a point from a segment", () => {
@@ -93,44 +96,35 @@ describe("distances", () => {
 
 describe("a plan", () => {
   it("puts both side links on one layer where they stay apart", () => {
-    const plan = plan_layers(
+    const plan = plan_of(
       drive_through([
         [0, [0, 50], [100, 50]],
         [20, [-10, 49], [90, 49]],
       ]),
-      input_center,
-      output_center,
-      100,
     );
     expect(plan).toEqual({order: {input: 1, coupler: 2, output: 1}, over: "travel", crossings: []});
   });
   it("lifts the output where the side links cross", () => {
-    const plan = plan_layers(
+    const plan = plan_of(
       drive_through([
         [0, [0, 50], [100, 50]],
         [40, [70, 60], [30, 60]],
       ]),
-      input_center,
-      output_center,
-      100,
     );
     expect(plan.order).toEqual({input: 1, coupler: 2, output: 3});
     expect(plan.crossings).toEqual([]);
   });
   it("puts the coupler on top where it sweeps over the ground pins", () => {
     // The coupler passes over the output's ground pivot while the side links cross.
-    const plan = plan_layers(
+    const plan = plan_of(
       drive_through([
         [0, [40, 30], [100, 60]],
         [30, [60, -30], [140, 30]],
       ]),
-      input_center,
-      output_center,
-      100,
     );
-    expect(
-      crossings(orders[1]!, states_of(drive_through([[30, [60, -30], [140, 30]]])), input_center, output_center, 100),
-    ).toEqual([{link: "coupler", obstacle: "output_ground_pin", from_deg: 30, to_deg: 30}]);
+    expect(crossings(plate_orders[1], moments(drive_through([[30, [60, -30], [140, 30]]])), longest)).toEqual([
+      {link: "coupler", obstacle: "output_ground_pin", from_deg: 30, to_deg: 30},
+    ]);
     expect(plan.crossings).toEqual([]);
   });
   it("holds for the task where nothing lasts the whole travel", () => {
@@ -140,7 +134,7 @@ describe("a plan", () => {
       [0, [0, 50], [100, 50]],
       [20, [-10, 49], [90, 49]],
     ];
-    const plan = plan_layers(drive_through(rows, [2, 3]), input_center, output_center, 100);
+    const plan = plan_of(drive_through(rows, [2, 3]));
     expect(plan.over).toBe("task");
     expect(plan.order).toEqual({input: 1, coupler: 2, output: 1});
     expect(plan.crossings).toEqual([]);
@@ -152,7 +146,7 @@ describe("a plan", () => {
       [44, ...flat],
       [60, [0, 50], [100, 50]],
     ];
-    const plan = plan_layers(drive_through(rows), [0, 0], [100, 0], 100);
+    const plan = plan_of(drive_through(rows));
     expect(plan.crossings.length).toBeGreaterThan(0);
     expect(plan.crossings.every((c) => c.from_deg === 31 && c.to_deg === 44)).toBe(true);
   });
@@ -168,7 +162,7 @@ describe("crossings", () => {
         [70, 60],
         [30, 60],
       ];
-    const states = states_of(
+    const states = moments(
       drive_through([
         [0, ...apart],
         [10, ...across],
@@ -177,16 +171,16 @@ describe("crossings", () => {
         [40, ...across],
       ]),
     );
-    expect(crossings(orders[0]!, states, input_center, output_center, 100)).toEqual([
+    expect(crossings(plate_orders[0], states, longest)).toEqual([
       {link: "input", obstacle: "output", from_deg: 10, to_deg: 20},
       {link: "input", obstacle: "output", from_deg: 40, to_deg: 40},
     ]);
   });
   it("count the pins that reach through a layer", () => {
-    const states = states_of(drive_through([[5, [60, 40], [140, -40]]]));
-    expect(crossings({input: 1, coupler: 2, output: 3}, states, input_center, output_center, 100)).toEqual([
+    const states = moments(drive_through([[5, [60, 40], [140, -40]]]));
+    expect(crossings({input: 1, coupler: 2, output: 3}, states, longest)).toEqual([
       {link: "coupler", obstacle: "output_ground_pin", from_deg: 5, to_deg: 5},
     ]);
-    expect(crossings({input: 3, coupler: 2, output: 1}, states, input_center, output_center, 100)).toEqual([]);
+    expect(crossings({input: 3, coupler: 2, output: 1}, states, longest)).toEqual([]);
   });
 });

@@ -1,130 +1,126 @@
 // In which layer each link's plate lies, so that nothing collides as the linkage moves: the first order without a
-// collision over the drive table. Plates are straight with round ends; pins reach from the layer of one of their links
-// to that of the other, and block what lies between.
-import type {Drive, Point} from "../engine/protocol";
-import {row_count, row_state, type State} from "../state/drive";
-import {task_span} from "../transport/play";
+// collision over its motion. Plates are straight with round ends; pins reach from the layer of one of their links to that
+// of the other, and block what lies between.
+import type {Drive, Linkage, Point} from "../engine/protocol";
+import {bar_of, type Body, type Figure, type Joint} from "../figure/figure";
+import {at_row, type Mechanism, type PlateOrder} from "../figure/mechanism";
+import {angle_of_row, row_count} from "../state/drive";
+import {task_span, type Span} from "../transport/play";
 
-export interface Order {
-  input: number;
-  coupler: number;
-  output: number;
-}
-export type Link = keyof Order;
-/** What a plate can run into: another plate, or a pin by the link it holds. */
-export type Obstacle = Link | "input_ground_pin" | "output_ground_pin" | "input_coupler_pin" | "output_coupler_pin";
 export interface Crossing {
-  link: Link;
-  obstacle: Obstacle;
+  link: string;
+  /** What its plate runs into: another plate by its link's name, or a pin by its joint's, as `input_ground_pin`. */
+  obstacle: string;
   from_deg: number;
   to_deg: number;
 }
 export interface LayerPlan {
-  order: Order;
+  order: PlateOrder;
   /** Over which stretch: the travel; or the task only, where no order lasts the travel. */
   over: "travel" | "task";
   /** None where the order is free of collisions. */
   crossings: Crossing[];
+}
+/** The linkage at a driver angle. */
+export interface Moment {
+  input_deg: number;
+  figure: Figure;
 }
 /** Of the longest link. */
 export const plate_width = 0.12,
   plate_thickness = 0.06,
   pin_diameter = 0.05;
 
-/** Ground is 0. Simple orders first; then those in which the ground pins end below the coupler. */
-export const orders: readonly Order[] = [
-  {input: 1, coupler: 2, output: 1},
-  {input: 1, coupler: 2, output: 3},
-  {input: 3, coupler: 2, output: 1},
-  {input: 1, coupler: 3, output: 2},
-  {input: 2, coupler: 3, output: 1},
-];
-
-export function plan_layers(drive: Drive, input_center: Point, output_center: Point, longest: number): LayerPlan {
-  const states = Array.from({length: row_count(drive)}, (_, row) => row_state(drive, row));
-  const crossings_of = (order: Order, within: State[]) =>
-    crossings(order, within, input_center, output_center, longest);
-  const over_travel = orders.map((order) => ({order, over: "travel" as const, crossings: crossings_of(order, states)}));
-  const free = over_travel.find((plan) => plan.crossings.length === 0);
-  if (free) return free;
-  const task = task_span(drive);
-  if (!task) return least(over_travel);
-  const in_task = states.filter((s) => s.input_deg >= task[0] && s.input_deg <= task[1]);
-  const over_task = orders.map((order) => ({order, over: "task" as const, crossings: crossings_of(order, in_task)}));
-  const free_in_task = over_task.find((plan) => plan.crossings.length === 0);
-  return free_in_task ?? least(over_travel);
+export function moments_of(mechanism: Mechanism, linkage: Linkage, drive: Drive): Moment[] {
+  return Array.from({length: row_count(drive)}, (_, row) => ({
+    input_deg: angle_of_row(drive, row),
+    figure: mechanism.figure(linkage, at_row(mechanism, linkage, drive, row)),
+  }));
 }
-function least<Plan extends LayerPlan>(plans: Plan[]): Plan {
-  const angle = (plan: Plan) => plan.crossings.reduce((sum, c) => sum + c.to_deg - c.from_deg, 0);
-  return plans.reduce((best, plan) => (angle(plan) < angle(best) ? plan : best));
+/** Of the orders, the simplest first, one that lasts the travel, or else the task, or else longest. */
+export function plan_layers(
+  mechanism: Mechanism,
+  linkage: Linkage,
+  drive: Drive,
+  orders: readonly PlateOrder[],
+  longest: number,
+): LayerPlan | null {
+  const travel = moments_of(mechanism, linkage, drive),
+    span = task_span(drive);
+  const over_travel = plans_over(travel, "travel", orders, longest),
+    over_task = () => (span ? plans_over(within(travel, span), "task", orders, longest) : []);
+  return free(over_travel) ?? free(over_task()) ?? least(over_travel);
+}
+function plans_over(moments: Moment[], over: LayerPlan["over"], orders: readonly PlateOrder[], longest: number) {
+  return orders.map((order): LayerPlan => ({order, over, crossings: crossings(order, moments, longest)}));
+}
+function within(moments: Moment[], [low, high]: Span): Moment[] {
+  return moments.filter(({input_deg}) => input_deg >= low && input_deg <= high);
+}
+function free(plans: LayerPlan[]): LayerPlan | undefined {
+  return plans.find((plan) => plan.crossings.length === 0);
+}
+function least([first, ...others]: LayerPlan[]): LayerPlan | null {
+  const angle = (plan: LayerPlan) => plan.crossings.reduce((sum, c) => sum + c.to_deg - c.from_deg, 0);
+  return first ? others.reduce((best, plan) => (angle(plan) < angle(best) ? plan : best), first) : null;
 }
 
 type Segment = readonly [Point, Point];
-interface Place {
-  plates: Record<Link, Segment>;
-  pins: Record<Exclude<Obstacle, Link>, Point>;
-}
-function place_at(state: State, input_center: Point, output_center: Point): Place {
-  const a: Point = [state.ax, state.ay],
-    b: Point = [state.bx, state.by];
-  return {
-    plates: {input: [input_center, a], coupler: [a, b], output: [output_center, b]},
-    pins: {
-      input_ground_pin: input_center,
-      output_ground_pin: output_center,
-      input_coupler_pin: a,
-      output_coupler_pin: b,
-    },
-  };
+/** Layers of what a joint joins, the lower one first. */
+export function pin_layers({joins}: Joint, order: PlateOrder): [low: number, high: number] {
+  const [one, other] = joins.map((name) => order[name] ?? 0) as [number, number];
+  return [Math.min(one, other), Math.max(one, other)];
 }
 
 interface Check {
-  link: Link;
-  obstacle: Obstacle;
+  link: string;
+  obstacle: string;
+  meets(figure: Figure): boolean;
 }
 /** What can meet at all in this order. Links joined by a pin are never in one layer. */
-function checks_of(order: Order): Check[] {
-  const checks: Check[] = [];
-  const pairs: [Link, Link][] = [
-    ["input", "output"],
-    ["input", "coupler"],
-    ["coupler", "output"],
-  ];
-  for (const [link, obstacle] of pairs) if (order[link] === order[obstacle]) checks.push({link, obstacle});
-  const pins: [Exclude<Obstacle, Link>, number, number][] = [
-    ["input_ground_pin", 0, order.input],
-    ["output_ground_pin", 0, order.output],
-    ["input_coupler_pin", order.input, order.coupler],
-    ["output_coupler_pin", order.output, order.coupler],
-  ];
-  for (const [obstacle, one, other] of pins) {
-    for (const link of Object.keys(order) as Link[]) {
-      if (order[link] > Math.min(one, other) && order[link] < Math.max(one, other)) checks.push({link, obstacle});
-    }
-  }
-  return checks;
-}
-export function crossings(
-  order: Order,
-  states: State[],
-  input_center: Point,
-  output_center: Point,
-  longest: number,
-): Crossing[] {
+function checks_of({bodies, joints}: Figure, order: PlateOrder, longest: number): Check[] {
   const half = (plate_width * longest) / 2,
-    pin = (pin_diameter * longest) / 2;
-  const found: Crossing[] = [];
-  for (const {link, obstacle} of checks_of(order)) {
+    reach = half + (pin_diameter * longest) / 2;
+  const layer = ({name}: Body) => order[name] ?? 0;
+  const plates = bodies.flatMap((body, i) =>
+    bodies
+      .slice(i + 1)
+      .filter((other) => layer(other) === layer(body))
+      .map(({name}): Check => ({
+        link: body.name,
+        obstacle: name,
+        meets(figure) {
+          const one = bar_of(figure, body.name),
+            other = bar_of(figure, name);
+          return one !== null && other !== null && segment_distance(one, other) < 2 * half;
+        },
+      })),
+  );
+  const pins = joints.flatMap((joint, k) => {
+    const [low, high] = pin_layers(joint, order);
+    return bodies
+      .filter((body) => layer(body) > low && layer(body) < high)
+      .map(({name}): Check => ({
+        link: name,
+        obstacle: `${joint.name}_pin`,
+        meets(figure) {
+          const plate = bar_of(figure, name),
+            pin = figure.joints[k];
+          return plate !== null && pin !== undefined && point_distance(plate, pin.at) < reach;
+        },
+      }));
+  });
+  return [...plates, ...pins];
+}
+export function crossings(order: PlateOrder, moments: readonly Moment[], longest: number): Crossing[] {
+  const [first] = moments,
+    found: Crossing[] = [];
+  for (const {link, obstacle, meets} of first ? checks_of(first.figure, order, longest) : []) {
     let open: Crossing | null = null;
-    for (const state of states) {
-      const {plates, pins} = place_at(state, input_center, output_center);
-      const meets =
-        obstacle in plates
-          ? segment_distance(plates[link], plates[obstacle as Link]) < 2 * half
-          : point_distance(plates[link], pins[obstacle as keyof Place["pins"]]) < half + pin;
-      if (!meets) open = null;
-      else if (open) open.to_deg = state.input_deg;
-      else found.push((open = {link, obstacle, from_deg: state.input_deg, to_deg: state.input_deg}));
+    for (const {input_deg, figure} of moments) {
+      if (!meets(figure)) open = null;
+      else if (open) open.to_deg = input_deg;
+      else found.push((open = {link, obstacle, from_deg: input_deg, to_deg: input_deg}));
     }
   }
   return found;

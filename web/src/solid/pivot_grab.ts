@@ -1,6 +1,7 @@
 // Pivots are taken hold of in 3-D as on the drawing: the pointer's place on the mechanism's plane is what it means.
 import type {Attachment} from "svelte/attachments";
-import type {Bench, Drag} from "../drawing/drags/drag";
+import type {Bench} from "../drawing/bench";
+import type {Drag} from "../drawing/drags/drag";
 import {pivot_drag} from "../drawing/drags/pivot_drag";
 import {keys_of} from "../drawing/snapping";
 import {to_screen} from "../drawing/viewport";

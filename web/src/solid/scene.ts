@@ -1,4 +1,4 @@
-// The linkage as plates on pins. Lengths are in longest links of the linkage, z points at the viewer, z = 0 is the back of
+// A figure as plates on pins. Lengths are in longest links of the linkage, z points at the viewer, z = 0 is the back of
 // the ground plate. Nothing is drawn but when something has changed.
 import {
   AmbientLight,
@@ -29,20 +29,21 @@ import {
 } from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Viewport} from "../drawing/viewport";
-import type {Linkage, Point} from "../engine/protocol";
-import type {State} from "../state/drive";
+import type {Point, Side} from "../engine/protocol";
+import {bar_of, type Body, type End, type Figure, type Joint, type Role} from "../figure/figure";
+import type {PlateOrder} from "../figure/mechanism";
 import {body_point} from "../state/problem";
 import {same_value} from "../state/task";
 import {convex_hull} from "./hull";
-import {pin_diameter, plate_thickness, plate_width, type LayerPlan, type Link} from "./layers";
+import {pin_diameter, pin_layers, plate_thickness, plate_width} from "./layers";
 
 export type SolidColors = Record<"paper" | "ink2" | "input" | "output" | "body" | "accent" | "curve", string>;
 export interface SolidInput {
-  linkage: Linkage;
-  plan: LayerPlan;
-  outline: readonly Point[]; // body coordinates
-  /** Any state of the drive: how the body lies on the coupler. */
-  state: State;
+  /** In any state: plates have the lengths that they have there. */
+  figure: Figure;
+  order: PlateOrder;
+  /** Of the longest link. */
+  longest: number;
   /** What is to be in the window; asked for when the view is fitted. */
   reach: () => readonly Point[];
 }
@@ -50,15 +51,23 @@ const pitch = 1.35 * plate_thickness; // from layer to layer: heads of pins fit 
 const head = {thickness: 0.25 * plate_thickness, radius: 0.75 * pin_diameter};
 const view_angle = 32;
 
-/** One of the linkage's four pivots, as it stands now. */
+/** One of the pivots of the side links. */
 export interface SolidPivot {
-  side: "input" | "output";
-  end: "center" | "circle";
+  side: Side;
+  end: End;
 }
+type Spot = [x: number, y: number, angle: number];
 interface Moving {
   object: Object3D;
-  place(state: State): [x: number, y: number, angle: number];
+  /** Null: it is not in the figure. */
+  place(figure: Figure): Spot | null;
 }
+const colors_of_roles: Record<Role, keyof SolidColors> = {
+  driver: "accent",
+  input: "input",
+  coupler: "body",
+  output: "output",
+};
 
 export class SolidScene {
   private readonly renderer: WebGLRenderer;
@@ -68,14 +77,13 @@ export class SolidScene {
   private readonly light = new DirectionalLight(0xffffff, 1.9);
   private parts = new Group();
   private moving: Moving[] = [];
-  private shaped: ((input: SolidInput) => void)[] = []; // what another linkage changes of the parts
-  private built: Pick<SolidInput, "outline" | "plan"> | null = null; // what they were built for
+  private shaped: ((figure: Figure) => void)[] = []; // what another linkage changes of the parts
+  private built: {outline: readonly Point[] | undefined; order: PlateOrder} | null = null; // what they were built for
   private readonly materials = new Map<string, {role: keyof SolidColors; material: MeshStandardMaterial}>();
   /** How often the parts were built: for tests. */
   builds = 0;
   private unit = 1;
-  private state: State | null = null;
-  private fixed: Record<SolidPivot["side"], Point> | null = null;
+  private figure: Figure | null = null; // as it stands now
   private reach: SolidInput["reach"] = () => [];
   private asked = 0;
   /** The wall behind, which shows nothing but shadow. */
@@ -126,21 +134,22 @@ export class SolidScene {
   show(input: SolidInput): void {
     const first = this.built === null,
       unit_before = this.unit;
-    this.unit = input.linkage.longest!;
+    this.unit = input.longest;
     this.reach = input.reach;
-    this.fixed = {input: input.linkage.input.center!, output: input.linkage.output.center!};
-    if (!this.built || this.built.outline !== input.outline || !same_value(this.built.plan.order, input.plan.order))
-      this.build(input);
-    for (const reshape of this.shaped) reshape(input);
+    const outline = input.figure.guided?.outline;
+    if (!this.built || this.built.outline !== outline || !same_value(this.built.order, input.order)) this.build(input);
+    for (const reshape of this.shaped) reshape(input.figure);
     if (first) this.fit();
     else if (this.unit !== unit_before) this.keep_view(unit_before / this.unit);
-    this.put_light(input.state);
+    this.put_light(input.figure);
     this.ask();
   }
-  move(state: State): void {
-    this.state = state;
+  move(figure: Figure): void {
+    this.figure = figure;
     for (const {object, place} of this.moving) {
-      const [x, y, angle] = place(state);
+      const spot = place(figure);
+      if (!spot) continue;
+      const [x, y, angle] = spot;
       object.position.set(x / this.unit, y / this.unit, object.position.z);
       object.rotation.z = angle;
     }
@@ -193,21 +202,19 @@ export class SolidScene {
   }
   /** The pivot whose pin shows within `reach` pixels of a place on the canvas. */
   pivot_at(at: Point, reach: number): SolidPivot | null {
-    const pivots = (["input", "output"] as const).flatMap((side) =>
-      (["circle", "center"] as const).map((end) => ({side, end})),
-    );
-    const apart = (pivot: SolidPivot) => {
-      const seen = this.pixel_of(pivot);
-      return seen ? Math.hypot(seen[0] - at[0], seen[1] - at[1]) : Infinity;
-    };
-    const [nearest] = pivots.sort((a, b) => apart(a) - apart(b));
-    return apart(nearest) <= reach ? nearest : null;
+    const in_front = (this.figure?.joints ?? []).toReversed().flatMap(({end, at: place}) => {
+      const [x, y] = this.seen(place);
+      return end ? [{end, apart: Math.hypot(x - at[0], y - at[1])}] : [];
+    });
+    const [nearest] = in_front.sort((a, b) => a.apart - b.apart);
+    return nearest && nearest.apart <= reach ? nearest.end : null;
   }
   /** Where a pivot shows on the canvas. */
   pixel_of({side, end}: SolidPivot): Point | null {
-    if (!this.fixed || !this.state) return null;
-    const {state} = this,
-      [x, y] = end === "center" ? this.fixed[side] : side === "input" ? [state.ax, state.ay] : [state.bx, state.by];
+    const joint = this.figure?.joints.find((joint) => joint.end?.side === side && joint.end.end === end);
+    return joint ? this.seen(joint.at) : null;
+  }
+  private seen([x, y]: Point): Point {
     const seen = new Vector3(x / this.unit, y / this.unit, layer_z(2)).project(this.camera);
     return [((seen.x + 1) / 2) * this.size.width, ((1 - seen.y) / 2) * this.size.height];
   }
@@ -257,10 +264,8 @@ export class SolidScene {
     this.parts = new Group();
     [this.moving, this.shaped] = [[], []];
   }
-  private put_light({ax, ay, bx, by}: State): void {
-    const pivots = [this.fixed!.input, this.fixed!.output, [ax, ay], [bx, by]].map(
-      ([x, y]) => new Vector3(x / this.unit, y / this.unit, layer_z(2)),
-    );
+  private put_light({joints}: Figure): void {
+    const pivots = joints.map(({at: [x, y]}) => new Vector3(x / this.unit, y / this.unit, layer_z(2)));
     const center = new Box3().setFromPoints(pivots).getCenter(new Vector3());
     this.light.target.position.copy(center);
     this.light.position.copy(center).add(new Vector3(-1.2, 1.9, 3.2));
@@ -303,27 +308,14 @@ export class SolidScene {
 
   // ---- parts --------------------------------------------------------------------------------------------------
 
-  private build({plan, outline}: SolidInput): void {
+  private build({figure, order}: SolidInput): void {
     this.clear();
     ++this.builds;
-    this.built = {plan, outline};
-    const {order} = plan,
-      center = (side: SolidPivot["side"]) => this.fixed![side];
-    this.add_ground();
-    this.add_link("input", order.input, (s) => [
-      ...center("input"),
-      Math.atan2(s.ay - center("input")[1], s.ax - center("input")[0]),
-    ]);
-    this.add_link("output", order.output, (s) => [
-      ...center("output"),
-      Math.atan2(s.by - center("output")[1], s.bx - center("output")[0]),
-    ]);
-    this.add_link("coupler", order.coupler, (s) => [s.ax, s.ay, Math.atan2(s.by - s.ay, s.bx - s.ax)]);
-    this.add_pin(0, order.input, "input", () => [...center("input"), 0]);
-    this.add_pin(0, order.output, "output", () => [...center("output"), 0]);
-    this.add_pin(order.input, order.coupler, "input", (s) => [s.ax, s.ay, 0]);
-    this.add_pin(order.output, order.coupler, "output", (s) => [s.bx, s.by, 0]);
-    this.add_body(outline, order.coupler);
+    this.built = {outline: figure.guided?.outline, order};
+    this.add_ground(figure);
+    for (const body of figure.bodies) this.add_link(body, order[body.name] ?? 0);
+    for (const joint of figure.joints) this.add_pin(joint, pin_layers(joint, order));
+    if (figure.guided) this.add_body(figure.guided.outline, figure.guided.on, order[figure.guided.on] ?? 0);
     this.scene.add(this.parts);
   }
   /** One to each colour: with the last material of its kind its shader would go, and be compiled again. */
@@ -352,31 +344,35 @@ export class SolidScene {
     this.parts.add(mesh);
     return mesh;
   }
-  private add_link(link: Link, layer: number, place: Moving["place"]): void {
+  private add_link({name, role}: Body, layer: number): void {
     const shape = slot(0, 1, plate_width / 2);
     for (const x of [0, 1]) shape.holes.push(new Shape().absarc(x, 0, pin_diameter / 2, 0, 2 * Math.PI, true));
     const geometry = plate(shape, plate_thickness),
       stretch = stretching(geometry);
-    const object = this.mesh(geometry, this.material(link === "coupler" ? "body" : link), layer_z(layer));
-    object.name = link;
-    this.shaped.push(({linkage}) => stretch(linkage.lengths![link] / this.unit));
-    this.moving.push({object, place});
+    const object = this.mesh(geometry, this.material(colors_of_roles[role]), layer_z(layer));
+    object.name = name;
+    this.shaped.push((figure) => stretch(length_of(bar_of(figure, name)) / this.unit));
+    this.moving.push({object, place: (figure) => along(bar_of(figure, name))});
   }
-  private add_pin(one: number, other: number, role: "input" | "output", place: Moving["place"]): void {
-    const low = Math.min(one, other),
-      high = Math.max(one, other);
+  private add_pin({name, role}: Joint, [low, high]: readonly [number, number]): void {
     const bottom = layer_z(low) - (low === 0 ? 0 : head.thickness),
       top = layer_z(high) + plate_thickness + head.thickness;
     const pin = new Group(),
       steel = this.material("ink2");
     pin.add(upright(pin_diameter / 2, bottom, top, steel), upright(head.radius, top - head.thickness, top, steel));
     if (low > 0) pin.add(upright(head.radius, bottom, bottom + head.thickness, steel));
-    pin.add(upright((0.45 * pin_diameter) / 2, top, top + 0.002, this.material(role)));
+    pin.add(upright((0.45 * pin_diameter) / 2, top, top + 0.002, this.material(colors_of_roles[role])));
     this.parts.add(pin);
-    this.moving.push({object: pin, place});
+    this.moving.push({
+      object: pin,
+      place({joints}) {
+        const joint = joints.find((other) => other.name === name);
+        return joint ? [...joint.at, 0] : null;
+      },
+    });
   }
-  /** The body, and a web that holds it on the coupler. */
-  private add_body(outline: readonly Point[], layer: number): void {
+  /** The body, and a web that holds it on the link that carries it. */
+  private add_body(outline: readonly Point[], on: string, layer: number): void {
     const thickness = plate_thickness / 4,
       z = layer_z(layer) + (plate_thickness - thickness) / 2,
       unit = this.unit;
@@ -384,37 +380,60 @@ export class SolidScene {
       plate(new Shape(corners.map(([x, y]) => new Vector2(x / this.unit, y / this.unit))), thickness);
     const body = this.mesh(flat(outline), this.material("accent", 0.34), z),
       web = this.mesh(flat(outline), this.material("accent", 0.2), z);
-    this.shaped.push(({state}) => {
+    this.shaped.push((figure) => {
+      const bar = bar_of(figure, on),
+        pose = figure.guided?.pose;
       body.scale.set(unit / this.unit, unit / this.unit, 1);
+      if (!bar || !pose) return;
       web.geometry.dispose();
-      web.geometry = flat(
-        web_corners(outline, body_point([state.ax, state.ay], state), body_point([state.bx, state.by], state)),
-      );
+      web.geometry = flat(web_corners(outline, body_point(bar[0], pose), body_point(bar[1], pose)));
     });
     for (const object of [body, web]) {
       object.name = "body";
       object.renderOrder = 1;
-      this.moving.push({object, place: (s) => [s.x, s.y, (s.theta_deg * Math.PI) / 180]});
+      this.moving.push({
+        object,
+        place: ({guided}) => guided && [guided.pose.x, guided.pose.y, (guided.pose.theta_deg * Math.PI) / 180],
+      });
     }
   }
-  /** A plate behind everything that carries two brackets. */
-  private add_ground(): void {
+  /** A plate behind everything, from the first ground pivot to the last, that carries a bracket to each. */
+  private add_ground(figure: Figure): void {
     const geometry = plate(slot(0, 1, 0.13), plate_thickness / 2),
       stretch = stretching(geometry),
       base = this.mesh(geometry, this.material("curve"), 0);
-    const feet = (["input", "output"] as const).map((role) =>
-      this.mesh(plate(bracket(), plate_thickness), this.material(role), layer_z(0)),
-    );
-    for (const object of [base, ...feet]) object.name = "ground";
-    this.shaped.push(() => {
-      const one = scaled(this.fixed!.input, this.unit),
-        other = scaled(this.fixed!.output, this.unit);
-      stretch(Math.hypot(other[0] - one[0], other[1] - one[1]));
-      base.position.set(one[0], one[1], 0);
-      base.rotation.z = Math.atan2(other[1] - one[1], other[0] - one[0]);
-      [one, other].forEach(([x, y], i) => feet[i].position.set(x, y, feet[i].position.z));
+    const feet = ground_joints(figure).map(({name, role}) => ({
+      name,
+      foot: this.mesh(plate(bracket(), plate_thickness), this.material(colors_of_roles[role]), layer_z(0)),
+    }));
+    for (const object of [base, ...feet.map(({foot}) => foot)]) object.name = "ground";
+    this.shaped.push((figure) => {
+      const pivots = ground_joints(figure),
+        [first, last] = [pivots.at(0), pivots.at(-1)];
+      if (!first || !last) return;
+      const spot = along([first.at, last.at]);
+      stretch(length_of([first.at, last.at]) / this.unit);
+      base.position.set(spot[0] / this.unit, spot[1] / this.unit, 0);
+      base.rotation.z = spot[2];
+      for (const {name, foot} of feet) {
+        const [x, y] = pivots.find((pivot) => pivot.name === name)?.at ?? first.at;
+        foot.position.set(x / this.unit, y / this.unit, foot.position.z);
+      }
     });
   }
+}
+
+type Bar = readonly [Point, Point];
+function length_of(bar: Bar | null): number {
+  return bar ? Math.hypot(bar[1][0] - bar[0][0], bar[1][1] - bar[0][1]) : 1;
+}
+function along(bar: Bar): Spot;
+function along(bar: Bar | null): Spot | null;
+function along(bar: Bar | null): Spot | null {
+  return bar && [...bar[0], Math.atan2(bar[1][1] - bar[0][1], bar[1][0] - bar[0][0])];
+}
+function ground_joints({joints}: Figure): Joint[] {
+  return joints.filter(({kind}) => kind === "ground_pivot");
 }
 
 /** Brings a plate of length 1 to another length: its far end moves as it is. */
@@ -437,9 +456,6 @@ function web_corners(outline: readonly Point[], a: Point, b: Point): Point[] {
 }
 function layer_z(layer: number): number {
   return plate_thickness / 2 + layer * pitch;
-}
-function scaled([x, y]: Point, unit: number): Point {
-  return [x / unit, y / unit];
 }
 /** A straight plate with round ends. */
 function slot(from: number, to: number, radius: number): Shape {

@@ -1,9 +1,10 @@
 // What a kind of task shows and lets take hold of: the frame has a place for each.
 import type {Component} from "svelte";
 import type {Handle} from "../drawing/handles";
+import type {Surface} from "../drawing/surface";
 import type {Linkage} from "../engine/protocol";
+import type {Mechanism} from "../figure/mechanism";
 import type {Task} from "../state/task";
-import type {Scene} from "../drawing/scene.svelte";
 import type {PlotChoice} from "../transport/plot";
 
 export interface EditorProperties {
@@ -11,18 +12,32 @@ export interface EditorProperties {
   report: (place: string, sentence: string | null) => void;
 }
 export interface TaskView {
-  /** In the task panel. */
-  Editor: Component<EditorProperties>;
-  /** Under the sentence that says why there is no map, or nothing wanted on it: ways on. */
-  Offer?: Component;
-  /** On the drawing, in place of a four-bar; its side links do not hang on the guided body alone. */
-  Linkage?: Component;
+  /** How its linkages are put together, and so drawn everywhere: on the drawing, in small, in films and in 3-D. */
+  mechanism: Mechanism;
+
+  // ---- the drawing ----------------------------------------------------------------------------------------------
+
+  /** In place of the drawing of the plane, for linkages that live elsewhere: with a space of its own (drawing/space). */
+  Stage?: Component;
   /** On the drawing, above the linkage. */
   Layer?: Component;
-  /** What can be taken hold of on the drawing, beside poses and pivots: handles whose target is a part of the task. */
-  handles?(scene: Scene): Handle[];
+  /** What can be taken hold of there, beside poses and pivots: handles whose target is a part of the task. */
+  handles?(surface: Surface): Handle[];
+  /** In a corner of the drawing. */
+  Inset?: Component;
+
+  // ---- the panels -----------------------------------------------------------------------------------------------
+
+  /** In the task panel. */
+  Editor: Component<EditorProperties>;
+  /** In place of the map of the solution region; null: there is none. */
+  Region?: Component | null;
+  /** Under the sentence that says why there is no map, or nothing wanted on it: ways on. */
+  Offer?: Component;
   /** Beside the numbers of the linkage in hand. */
   Numbers?: Component<{hand: Linkage}>;
   /** The first one is shown first. */
   plots(task: Task): readonly [PlotChoice, ...PlotChoice[]];
+  /** What a new task is about, at a glance, on a field of 72 by 46: one to each of the kind's beginnings. */
+  Picture: Component<{id: string}>;
 }

@@ -1,6 +1,7 @@
 // The views of the kinds of tasks there are.
 import type {Task} from "../state/task";
-import {kind_of} from "./kinds";
+import type {TaskKind} from "./kind";
+import {kind_of, task_kinds} from "./kinds";
 import {task_modules} from "./registry";
 import type {TaskView} from "./view";
 
@@ -10,8 +11,15 @@ const views = new Map<unknown, TaskView>();
 export async function load_views(): Promise<void> {
   await Promise.all(task_modules.map(async (module) => views.set(module, await module.view())));
 }
-export function task_view(task: Task): TaskView {
-  const view = views.get(kind_of(task));
+function view_of(kind: TaskKind | undefined): TaskView {
+  const view = views.get(kind);
   if (!view) throw new Error("the views are not loaded");
   return view;
+}
+export function task_view(task: Task): TaskView {
+  return view_of(kind_of(task));
+}
+/** Of the kind that has this beginning. */
+export function beginning_view(id: string): TaskView {
+  return view_of(task_kinds.find(({beginnings}) => beginnings.some((beginning) => beginning.id === id)));
 }

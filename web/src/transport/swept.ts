@@ -1,15 +1,17 @@
-import type {Drive, Point} from "../engine/protocol";
-import {row_count, row_state, type State} from "../state/drive";
-import {placed} from "../state/problem";
+import type {Drive, Linkage} from "../engine/protocol";
+import {at_row, type Configuration, type Mechanism} from "../figure/mechanism";
+import {angle_of_row, row_count} from "../state/drive";
 import {played_span} from "./play";
 
-/** The states of the task, or of the whole travel. */
-export function shown_states(drive: Drive, whole: boolean): State[] {
+/** The linkage in each state of the task, or of the whole travel. */
+export function shown_configurations(
+  mechanism: Mechanism,
+  linkage: Linkage,
+  drive: Drive,
+  whole: boolean,
+): Configuration[] {
   const [low, high] = played_span(drive, whole);
-  const states = Array.from({length: row_count(drive)}, (_, row) => row_state(drive, row));
-  return states.filter((s) => s.input_deg >= low && s.input_deg <= high);
-}
-/** Where moving pivots and body get to in these states. */
-export function swept_points(states: readonly State[], outline: readonly Point[]): Point[] {
-  return states.flatMap((s): Point[] => [[s.ax, s.ay], [s.bx, s.by], ...outline.map((p) => placed(p, s))]);
+  return Array.from({length: row_count(drive)}, (_, row) => row)
+    .filter((row) => angle_of_row(drive, row) >= low && angle_of_row(drive, row) <= high)
+    .map((row) => at_row(mechanism, linkage, drive, row));
 }

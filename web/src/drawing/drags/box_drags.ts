@@ -3,10 +3,10 @@ import type {Box, Point} from "../../engine/protocol";
 import {with_options, with_requirements, type Problem} from "../../state/problem";
 import type {BoxName, Edges, Target} from "../handles";
 import {edge_cursor} from "../handles";
-import {length_note} from "../words";
+import {length_note} from "../notes";
 import {multiple, type Keys} from "../snapping";
-import {to_user} from "../viewport";
-import {finish, grid, Way, type Bench, type Drag} from "./drag";
+import type {Bench} from "../bench";
+import {Way, type Drag} from "./drag";
 
 export function with_box(problem: Problem, name: BoxName, box: Box | null | undefined): Problem {
   if (name === "search") return with_options(problem, {box: box ?? undefined});
@@ -16,11 +16,11 @@ export function ordered(a: number, b: number): [number, number] {
   return a <= b ? [a, b] : [b, a];
 }
 function snapped(value: number, bench: Bench, keys: Keys): number {
-  const {step, on} = grid(bench.scene);
-  return multiple(value, keys.alt || !on ? 10 ** Math.floor(Math.log10(step / 80)) : keys.fine ? step / 10 : step);
+  const {step, snaps} = bench.scene.space;
+  return multiple(value, keys.alt || !snaps ? 10 ** Math.floor(Math.log10(step / 80)) : keys.fine ? step / 10 : step);
 }
 function size_note(box: Box, bench: Bench): string {
-  const {step} = bench.scene;
+  const {step} = bench.scene.space;
   return `${length_note(box.x[1] - box.x[0], step, "")} × ${length_note(box.y[1] - box.y[0], step, bench.workbench.unit)}`;
 }
 /** A box whose edges follow a pointer's way; an edge dragged across the other turns the box over. */
@@ -67,33 +67,33 @@ export function box_drag(bench: Bench, target: Extract<Target, {kind: "box"}>, f
         box = moved_box(start, target.edges, x, y, (value) => snapped(value, bench, keys));
       if (!has_area(box)) return;
       workbench.drag((problem) => with_box(problem, target.box, box));
-      scene.note = {at, text: size_note(box, bench)};
+      scene.tell(at, size_note(box, bench), null);
     },
-    end: () => finish(bench, true),
-    cancel: () => finish(bench, false),
+    end: () => scene.finish(true),
+    cancel: () => scene.finish(false),
   };
 }
 
 /** The rubber band: what it spans is the requirement at once, so that the map follows. */
 export function rubber_drag(bench: Bench, name: BoxName, from: Point): Drag {
   const {workbench, scene} = bench,
-    start = to_user(scene.view, from);
+    start = scene.space.unproject(from);
   workbench.begin_gesture();
   return {
     cursor: "crosshair",
     move(at, keys) {
-      const here = to_user(scene.view, at),
+      const here = scene.space.unproject(at),
         snap = (value: number) => snapped(value, bench, keys);
       const box: Box = {x: ordered(snap(start[0]), snap(here[0])), y: ordered(snap(start[1]), snap(here[1]))};
       scene.rubber = {box: name, shape: box};
       if (!has_area(box)) return;
       workbench.drag((problem) => with_box(problem, name, box));
-      scene.note = {at, text: size_note(box, bench)};
+      scene.tell(at, size_note(box, bench), null);
     },
     end() {
-      finish(bench, true);
+      scene.finish(true);
       workbench.mode = "point";
     },
-    cancel: () => finish(bench, false),
+    cancel: () => scene.finish(false),
   };
 }

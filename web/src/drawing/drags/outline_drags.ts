@@ -2,18 +2,18 @@
 import type {Point} from "../../engine/protocol";
 import {body_point, outline_of, with_view, type Problem} from "../../state/problem";
 import type {Target} from "../handles";
-import {point_note} from "../words";
-import {no_keys, snapped_point, type Keys} from "../snapping";
-import {to_user} from "../viewport";
-import {finish, grid, pixel, type Bench, type Drag} from "./drag";
+import {point_note} from "../notes";
+import {no_keys, type Keys} from "../snapping";
+import type {Bench} from "../bench";
+import type {Drag} from "./drag";
 
 export function with_outline(problem: Problem, outline: readonly Point[]): Problem {
   return with_view(problem, {outline});
 }
 /** A corner's body coordinates under the pointer, snapped in the body. */
 export function corner_at({scene}: Bench, at: Point, keys: Keys = no_keys, from: Point = [0, 0]): Point {
-  const raw = body_point(to_user(scene.view, at), scene.outline_pose!);
-  return snapped_point(from, raw, grid(scene), keys, pixel(scene.view)).point;
+  const raw = body_point(scene.space.unproject(at), scene.outline_pose!);
+  return scene.space.snapped(from, raw, keys).point;
 }
 export function without_corner(outline: readonly Point[], index: number): readonly Point[] {
   return outline.length > 3 ? outline.filter((_, i) => i !== index) : outline;
@@ -38,10 +38,10 @@ export function corner_drag(bench: Bench, target: Extract<Target, {kind: "corner
           start.map((p, i) => (i === index ? point : p)),
         ),
       );
-      scene.note = {at, text: point_note(point, scene.step, workbench.unit)};
+      scene.tell(at, point_note(point, scene.space.step, workbench.unit), null);
     },
-    end: () => finish(bench, true),
-    cancel: () => finish(bench, false),
+    end: () => scene.finish(true),
+    cancel: () => scene.finish(false),
   };
 }
 /** A click on an edge's midpoint adds a corner there. */

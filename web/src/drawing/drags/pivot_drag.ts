@@ -8,7 +8,8 @@ import type {Target} from "../handles";
 import {reason_of} from "../words";
 import {beyond_edge, beyond_spot, overshoot, slid, type Beyond} from "../sliding";
 import {to_screen, to_user, type Viewport} from "../viewport";
-import {finish, type Bench, type Drag} from "./drag";
+import type {Bench} from "../bench";
+import type {Drag} from "./drag";
 
 /** `view` is what the pointer's pixels are of: the drawing's, or the 3-D view's. */
 export function pivot_drag(
@@ -42,15 +43,15 @@ export function pivot_drag(
         : slid(samples, target.end, view(), on_curve(at), spot);
       workbench.curve_hover = {sides: spot.sides, tau: spot.tau};
       workbench.slide(with_side(workbench.task ?? task, workbench.picked?.tau ?? picked.tau, target.side, spot.tau));
-      scene.note = {at, text: `τ ${spot.tau.toFixed(4)}`, reason: reason_of(workbench)};
+      scene.tell(at, `τ ${spot.tau.toFixed(4)}`, reason_of(workbench));
     },
     end() {
       workbench.curve_hover = null;
-      finish(bench, true);
+      scene.finish(true);
     },
     cancel() {
       workbench.curve_hover = null;
-      finish(bench, false);
+      scene.finish(false);
     },
   };
 }

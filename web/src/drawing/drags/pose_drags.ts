@@ -2,14 +2,14 @@
 import type {Point} from "../../engine/protocol";
 import {poses_extent, round_step, type Problem} from "../../state/problem";
 import {poses_of, type Pose} from "../../state/task";
-import {mistake_sentence} from "../../task/mistakes";
 import {with_bend, with_travel} from "../../task/travel";
 import {curvature_reach, arm_length, travel_direction, type Target} from "../handles";
-import {angle_note, point_note, radius_note} from "../words";
-import {snapped_angle, snapped_point, wrapped_deg, type Keys} from "../snapping";
-import {to_screen} from "../viewport";
-import {align_px, finish, grid, pixel, Way, type Bench, type Drag} from "./drag";
+import {angle_note, point_note} from "../notes";
+import {radius_note} from "../words";
+import {align_px, snapped_angle, wrapped_deg, type Keys} from "../snapping";
+import type {Bench} from "../bench";
 import {with_pose, with_poses} from "../../tasks/kinds";
+import {Way, type Drag} from "./drag";
 
 type PoseTarget = Extract<Target, {pose: number}>;
 const halo_turn_deg = 30;
@@ -34,10 +34,6 @@ function begin(bench: Bench, target: PoseTarget, halo: "move" | "turn" | null): 
   }
   return pose;
 }
-function tell(bench: Bench, at: Point, text: string): void {
-  const [mistake] = bench.workbench.refusal ?? [];
-  bench.scene.note = {at, text, reason: mistake ? mistake_sentence(mistake) : null};
-}
 /** The same pose, however it was changed meanwhile. */
 function changed(problem: Problem, index: number, change: (pose: Pose) => Pose): Problem {
   return with_poses(
@@ -53,21 +49,15 @@ export function move_drag(bench: Bench, target: PoseTarget, from: Point): Drag {
   return {
     cursor: "move",
     move(at, keys) {
-      const others = scene.poses.filter((_, i) => i !== target.pose),
-        {x, y} = way.to(at, keys);
-      const {point, guides} = snapped_point(
-        [start.x, start.y],
-        [start.x + x, start.y + y],
-        grid(scene, others),
-        keys,
-        pixel(scene.view),
-      );
+      const others = scene.origins.filter((_, i) => i !== target.pose),
+        origin: Point = [start.x, start.y];
+      const {point, guides} = scene.space.snapped(origin, way.to(at, keys).from(origin), keys, others);
       scene.guides = guides;
       workbench.drag((problem) => with_pose(problem, target.pose, {x: point[0], y: point[1]}));
-      tell(bench, at, point_note(point, scene.step, workbench.unit));
+      scene.tell(at, point_note(point, scene.space.step, workbench.unit));
     },
-    end: () => finish(bench, true),
-    cancel: () => finish(bench, false),
+    end: () => scene.finish(true),
+    cancel: () => scene.finish(false),
   };
 }
 
@@ -101,7 +91,7 @@ function near_deg(length: number): number {
 export function turn_drag({workbench, scene}: Bench, target: PoseTarget, from: Point): Drag {
   const bench = {workbench, scene},
     start = begin(bench, target, "turn");
-  const turning = new Turning(to_screen(scene.view, [start.x, start.y]), from);
+  const turning = new Turning(scene.space.project([start.x, start.y]), from);
   return {
     cursor: "grabbing",
     move(at, keys) {
@@ -111,15 +101,15 @@ export function turn_drag({workbench, scene}: Bench, target: PoseTarget, from: P
         start.theta_deg + turning.to(at, keys),
         others,
         near_deg(length),
-        grid(scene).on,
+        scene.space.snaps,
         keys,
       );
       scene.arm = length;
       workbench.drag((problem) => with_pose(problem, target.pose, {theta_deg: angle}));
-      tell(bench, at, `θ ${angle_note(angle)}`);
+      scene.tell(at, `θ ${angle_note(angle)}`);
     },
-    end: () => finish(bench, true),
-    cancel: () => finish(bench, false),
+    end: () => scene.finish(true),
+    cancel: () => scene.finish(false),
   };
 }
 
@@ -127,17 +117,17 @@ export function velocity_drag(bench: Bench, target: PoseTarget, from: Point): Dr
   const {workbench, scene} = bench,
     start = begin(bench, target, null),
     along = travel_direction(start) ?? [1, 0];
-  const turning = new Turning(to_screen(scene.view, [start.x, start.y]), from);
+  const turning = new Turning(scene.space.project([start.x, start.y]), from);
   const first = (Math.atan2(-along[1], along[0]) * 180) / Math.PI;
   return {
     cursor: "grabbing",
     move(at, keys) {
-      const {angle} = snapped_angle(first + turning.to(at, keys), [], 0, grid(scene).on, keys);
+      const {angle} = snapped_angle(first + turning.to(at, keys), [], 0, scene.space.snaps, keys);
       workbench.drag((problem) => changed(problem, target.pose, (pose) => with_travel(pose, {direction_deg: angle})));
-      tell(bench, at, angle_note(angle));
+      scene.tell(at, angle_note(angle));
     },
-    end: () => finish(bench, true),
-    cancel: () => finish(bench, false),
+    end: () => scene.finish(true),
+    cancel: () => scene.finish(false),
   };
 }
 
@@ -149,15 +139,15 @@ export function curvature_drag(bench: Bench, target: PoseTarget): Drag {
     move(at) {
       const pose = scene.poses[target.pose],
         along = travel_direction(pose),
-        origin = to_screen(scene.view, [pose.x, pose.y]);
+        origin = scene.space.project([pose.x, pose.y]);
       if (!along) return;
       const rise = (at[0] - origin[0]) * along[1] - (at[1] - origin[1]) * along[0];
-      const raw = (2 * rise * scene.view.scale) / curvature_reach ** 2;
+      const raw = (2 * rise * scene.space.scale) / curvature_reach ** 2;
       const curvature = Math.abs(rise) < 4 ? 0 : Number(raw.toPrecision(3));
       workbench.drag((problem) => changed(problem, target.pose, (p) => with_bend(p, {curvature})));
-      tell(bench, at, `r ${radius_note(scene.poses[target.pose], scene)}`);
+      scene.tell(at, `r ${radius_note(scene.poses[target.pose], scene)}`);
     },
-    end: () => finish(bench, true),
-    cancel: () => finish(bench, false),
+    end: () => scene.finish(true),
+    cancel: () => scene.finish(false),
   };
 }

@@ -2,7 +2,8 @@
 import type {Point} from "../../engine/protocol";
 import {with_view} from "../../state/problem";
 import {panned} from "../viewport";
-import {finish, Way, type Bench, type Drag} from "./drag";
+import type {Bench} from "../bench";
+import {Way, type Drag} from "./drag";
 
 export function pan_drag({scene}: Bench, from: Point): Drag {
   const start = scene.view;
@@ -16,9 +17,8 @@ export function pan_drag({scene}: Bench, from: Point): Drag {
     cancel: () => (scene.view = {...scene.view, x: start.x, y: start.y}),
   };
 }
-export function picture_drag(bench: Bench, from: Point): Drag | null {
-  const {workbench, scene} = bench,
-    background = workbench.problem.view?.background,
+export function picture_drag({workbench, scene}: Bench, from: Point): Drag | null {
+  const background = workbench.problem.view?.background,
     way = new Way(scene, from);
   if (!background) return null;
   workbench.begin_gesture();
@@ -31,7 +31,7 @@ export function picture_drag(bench: Bench, from: Point): Drag | null {
         with_view(problem, {background: {...background, x: background.x + x, y: background.y + y}}),
       );
     },
-    end: () => finish(bench, true),
-    cancel: () => finish(bench, false),
+    end: () => scene.finish(true),
+    cancel: () => scene.finish(false),
   };
 }

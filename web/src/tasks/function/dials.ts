@@ -1,8 +1,7 @@
 // The dials about the ground pivots: a mark to each pair, in the direction that the link has there.
 import type {Point, Side} from "../../engine/protocol";
 import type {DialPair} from "./replies";
-import type {Scene} from "../../drawing/scene.svelte";
-import {to_screen} from "../../drawing/viewport";
+import type {Surface} from "../../drawing/surface";
 import {ground_pivots_of} from "./kind";
 import {function_of, pairs_in_hand} from "./pairs";
 
@@ -25,15 +24,15 @@ const most_radius = 58,
 const sides = ["input", "output"] as const;
 
 /** While a mark is dragged its dial keeps still. */
-const held_zeros = new WeakMap<Scene, Record<Side, number>>();
-export function hold_dials(scene: Scene): void {
-  held_zeros.set(scene, {input: zero_of(scene, "input"), output: zero_of(scene, "output")});
+const held_zeros = new WeakMap<Surface, Record<Side, number>>();
+export function hold_dials(surface: Surface): void {
+  held_zeros.set(surface, {input: zero_of(surface, "input"), output: zero_of(surface, "output")});
 }
-export function release_dials(scene: Scene): void {
-  held_zeros.delete(scene);
+export function release_dials(surface: Surface): void {
+  held_zeros.delete(surface);
 }
 
-function zero_of({workbench}: Scene, side: Side): number {
+function zero_of({workbench}: Surface, side: Side): number {
   const {hand} = workbench,
     link = hand?.[side],
     first = hand?.function?.pairs[0]?.[side === "input" ? 0 : 1];
@@ -44,15 +43,15 @@ export function on_dial(center: Point, radius: number, direction_deg: number): P
   const angle = (direction_deg * Math.PI) / 180;
   return [center[0] + radius * Math.cos(angle), center[1] - radius * Math.sin(angle)];
 }
-export function dials_of(scene: Scene): Dial[] {
-  const {workbench, view} = scene,
+export function dials_of(surface: Surface): Dial[] {
+  const {workbench, space} = surface,
     pivots = ground_pivots_of(function_of(workbench.problem)),
     pairs = pairs_in_hand(workbench);
-  const at = {input: to_screen(view, pivots.input), output: to_screen(view, pivots.output)};
+  const at = {input: space.project(pivots.input), output: space.project(pivots.output)};
   const apart = Math.hypot(at.input[0] - at.output[0], at.input[1] - at.output[1]);
   const radius = Math.min(Math.max(share * apart, least_radius), most_radius);
   return sides.map((side) => {
-    const zero_deg = held_zeros.get(scene)?.[side] ?? zero_of(scene, side),
+    const zero_deg = held_zeros.get(surface)?.[side] ?? zero_of(surface, side),
       center = at[side];
     const mark = (pair: DialPair, index: number): Mark => {
       const angle_deg = pair[side === "input" ? 0 : 1];

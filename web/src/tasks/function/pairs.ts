@@ -2,9 +2,9 @@
 import type {Point, Side} from "../../engine/protocol";
 import type {DialPair} from "./replies";
 import type {AnglePair, FreeNumber, FunctionTask, NamedFunction} from "./task";
+import type {Desk} from "../../drawing/surface";
 import {with_task, type Problem} from "../../state/problem";
 import {is_pair, read_list} from "../../state/shape";
-import type {Workbench} from "../../state/workbench.svelte";
 import {cells_of} from "../../task/paste";
 import {by_parameter} from "../../task/derivatives";
 import {evaluated, largest_number} from "../../task/arithmetic";
@@ -17,14 +17,14 @@ export function function_of(problem: Problem): FunctionTask {
   return problem.task as FunctionTask;
 }
 /** Given ones as they are; those of a named function as the engine has found them. */
-export function pairs_of({problem, task}: Workbench): readonly AnglePair[] {
+export function pairs_of({problem, task}: Pick<Desk, "problem" | "task">): readonly AnglePair[] {
   return (
     function_of(problem).pairs ??
     (task?.function?.pairs ?? []).map(([input_deg, output_deg]) => ({input_deg, output_deg}))
   );
 }
 /** With the free number as it is in the linkage in hand. */
-export function pairs_in_hand(workbench: Workbench): DialPair[] {
+export function pairs_in_hand(workbench: Pick<Desk, "problem" | "task" | "hand">): DialPair[] {
   const own = pairs_of(workbench),
     made = workbench.hand?.function?.pairs,
     free = function_of(workbench.problem).free;
@@ -54,11 +54,7 @@ function without_foreign_free(task: FunctionTask): FunctionTask {
   return rest;
 }
 /** A step that says so where it leaves no room for the number that was free. */
-export function edit_angles(
-  workbench: Workbench,
-  change: (problem: Problem) => Problem,
-  merge: string | null = null,
-): void {
+export function edit_angles(workbench: Desk, change: (problem: Problem) => Problem, merge: string | null = null): void {
   const had_free = function_of(workbench.problem).free !== undefined;
   workbench.edit(change, merge);
   if (had_free && !function_of(workbench.problem).free)

@@ -1,20 +1,18 @@
 // What is given beside three positions, as one takes hold of it on the drawing: rings for lengths, a wedge for the angle,
 // a cross for the instant centre.
 import type {Point, Side} from "../../engine/protocol";
-import type {Bench, Drag} from "../../drawing/drags/drag";
-import {finish, grid, pixel, Way} from "../../drawing/drags/drag";
+import {Way} from "../../drawing/drags/drag";
 import {task_handle, type Handle} from "../../drawing/handles";
-import type {Scene} from "../../drawing/scene.svelte";
-import {multiple, snapped_angle, snapped_point, wrapped_deg, type Keys} from "../../drawing/snapping";
-import {shows, to_screen, to_user} from "../../drawing/viewport";
-import {angle_note, length_note, point_note} from "../../drawing/words";
-import {mistake_sentence} from "../../task/mistakes";
+import {angle_note, length_note, point_note} from "../../drawing/notes";
+import {multiple, snapped_angle, wrapped_deg, type Keys} from "../../drawing/snapping";
+import {is_held, part_drag, type Surface} from "../../drawing/surface";
 import {t} from "../../texts/texts.svelte";
 import type {Given} from "./task";
 import {direction_deg, given_of, lengths_of, takes_given, with_given, with_length} from "./given";
 
 export const wedge_radius = 64;
-const knob_turns_deg = [45, -45, 90, -90, 135, -135, 180]; // from the side link; the first that is to be seen
+const usual_turn_deg = 45,
+  knob_turns_deg = [usual_turn_deg, -45, 90, -90, 135, -135, 180]; // from the side link; the first that is to be seen
 
 export interface Ring {
   side: Side;
@@ -33,46 +31,49 @@ export interface Wedge {
   knob: Point; // screen
 }
 
-function given_here({workbench}: Scene): Given | null {
+function given_here({workbench}: Surface): Given | null {
   return takes_given(workbench.problem) ? given_of(workbench.problem) : null;
 }
+function first_origin({origins: [first = [0, 0]]}: Surface): Point {
+  return first;
+}
+function side_center(surface: Surface, side: Side): Point {
+  return surface.workbench.hand?.[side].center ?? first_origin(surface);
+}
 /** Where a side link turns: what is dragged keeps the place in which it was pressed. */
-function center_of(scene: Scene, side: Side): Point {
-  const {hand} = scene.workbench,
-    [first] = scene.poses;
-  return scene.anchor ?? hand?.[side].center ?? [first.x, first.y];
+function center_of(surface: Surface, side: Side): Point {
+  return surface.anchor ?? side_center(surface, side);
 }
 
-export function rings_of(scene: Scene): Ring[] {
-  const given = given_here(scene),
-    {hand} = scene.workbench;
+export function rings_of(surface: Surface): Ring[] {
+  const given = given_here(surface),
+    {hand} = surface.workbench;
   if (!given) return [];
   return (Object.entries(lengths_of(given)) as [Side, number | null][]).flatMap(([side, length]) => {
     const radius = length ?? hand?.[side].length,
-      held = scene.held?.kind === "task" && scene.held.part === `ring_${side}`;
+      held = is_held(surface, `ring_${side}`);
     if (!radius) return [];
-    const center = held ? center_of(scene, side) : (hand?.[side].center ?? [scene.poses[0].x, scene.poses[0].y]);
+    const center = held ? center_of(surface, side) : side_center(surface, side);
     const circle = hand?.[side].circle,
       from_deg = circle && hand?.[side].center ? direction_deg(hand[side].center, circle) : 0;
-    return [{side, center, radius, chosen: length === null, knob: knob_of(scene, center, radius, from_deg)}];
+    return [{side, center, radius, chosen: length === null, knob: knob_of(surface, center, radius, from_deg)}];
   });
 }
-function knob_of({view}: Scene, [x, y]: Point, radius: number, from_deg: number): Point {
+function knob_of({space}: Surface, [x, y]: Point, radius: number, from_deg: number): Point {
   const at = (turn: number): Point => [
     x + radius * Math.cos(((from_deg + turn) * Math.PI) / 180),
     y + radius * Math.sin(((from_deg + turn) * Math.PI) / 180),
   ];
-  return at(knob_turns_deg.find((turn) => shows(view, at(turn), 20)) ?? knob_turns_deg[0]);
+  return at(knob_turns_deg.find((turn) => space.shows(at(turn), 20)) ?? usual_turn_deg);
 }
-export function wedge_of(scene: Scene): Wedge | null {
-  const given = given_here(scene),
-    input = scene.workbench.hand?.input;
+export function wedge_of(surface: Surface): Wedge | null {
+  const given = given_here(surface),
+    input = surface.workbench.hand?.input;
   if (!given || !("side_angle_deg" in given)) return null;
-  const [first] = scene.poses,
-    apex = input?.center ?? ([first.x, first.y] as Point);
+  const apex = input?.center ?? first_origin(surface);
   const from_deg = input?.center && input.circle ? direction_deg(input.center, input.circle) : 0,
     to_deg = from_deg + given.side_angle_deg;
-  const [x, y] = to_screen(scene.view, apex),
+  const [x, y] = surface.space.project(apex),
     to = (to_deg * Math.PI) / 180;
   return {
     apex,
@@ -82,97 +83,81 @@ export function wedge_of(scene: Scene): Wedge | null {
     knob: [x + wedge_radius * Math.cos(to), y - wedge_radius * Math.sin(to)],
   };
 }
-export function instant_center_of(scene: Scene): Point | null {
-  const given = given_here(scene);
+export function instant_center_of(surface: Surface): Point | null {
+  const given = given_here(surface);
   return given && "instant_center" in given && !given.at_infinity ? given.instant_center : null;
 }
 
 // ---- taking hold --------------------------------------------------------------------------------------------------
 
-export function given_handles(scene: Scene): Handle[] {
-  const handles = rings_of(scene).map((ring) => ({
-    ...ring_handle(scene, ring),
-    distance: (at: Point) => off_ring(scene, ring, at),
+export function given_handles(surface: Surface): Handle[] {
+  const handles = rings_of(surface).map((ring) => ({
+    ...ring_handle(surface, ring),
+    distance: (at: Point) => off_ring(surface, ring, at),
   }));
-  const wedge = wedge_of(scene),
-    center = instant_center_of(scene);
-  if (wedge) handles.push(angle_handle(scene, wedge) as (typeof handles)[number]);
-  if (center) handles.push(center_handle(scene, center) as (typeof handles)[number]);
+  const wedge = wedge_of(surface),
+    center = instant_center_of(surface);
+  if (wedge) handles.push(angle_handle(surface, wedge) as (typeof handles)[number]);
+  if (center) handles.push(center_handle(surface, center) as (typeof handles)[number]);
   return handles;
 }
 /** A ring can be taken anywhere. */
-function off_ring(scene: Scene, {center, radius, knob}: Ring, at: Point): number {
-  const [x, y] = to_screen(scene.view, center),
-    [kx, ky] = to_screen(scene.view, knob);
+function off_ring(surface: Surface, {center, radius, knob}: Ring, at: Point): number {
+  const [x, y] = surface.space.project(center),
+    [kx, ky] = surface.space.project(knob);
   return Math.min(
-    Math.abs(Math.hypot(at[0] - x, at[1] - y) - radius * scene.view.scale) + 6,
+    Math.abs(Math.hypot(at[0] - x, at[1] - y) - radius * surface.space.scale) + 6,
     Math.hypot(at[0] - kx, at[1] - ky),
   );
 }
 
-function change(bench: Bench, given: Given, at: Point, text: string): void {
-  const {workbench, scene} = bench;
+function change(surface: Surface, given: Given, at: Point, text: string): void {
+  const {workbench} = surface;
   workbench.drag((problem) => with_given(problem, given));
-  const [mistake] = workbench.refusal ?? [];
+  const refused = workbench.refusal?.length;
   const reason = workbench.task?.status === "solved" ? null : (workbench.task?.reason?.message ?? null);
-  scene.note = {at, text, reason: mistake ? mistake_sentence(mistake) : reason};
-}
-/** A gesture on a part of the task: `move` follows the pointer. */
-function given_drag(
-  {workbench, scene}: Bench,
-  part: string,
-  anchor: Point | null,
-  move: (at: Point, keys: Keys) => void,
-): Drag {
-  workbench.begin_gesture();
-  scene.held = scene.handles.find(({target}) => target.kind === "task" && target.part === part)?.target ?? null;
-  scene.anchor = anchor;
-  return {
-    cursor: "grabbing",
-    move,
-    end: () => finish({workbench, scene}, true),
-    cancel: () => finish({workbench, scene}, false),
-  };
+  surface.tell(at, text, refused ? undefined : reason);
 }
 
-function ring_handle(scene: Scene, {side, center, radius, knob}: Ring): Handle {
+function ring_handle(surface: Surface, {side, center, radius, knob}: Ring): Handle {
   const part = `ring_${side}`,
-    {workbench} = scene;
-  const step_of = (keys: Keys) =>
-    keys.alt || !grid(scene).on ? pixel(scene.view) : keys.fine ? scene.step / 10 : scene.step;
-  const set = (bench: Bench, length: number, at: Point) => {
-    const given = given_of(workbench.problem);
+    {workbench} = surface;
+  const step_of = (keys: Keys) => {
+    const {space} = surface;
+    return keys.alt || !space.snaps ? 1 / space.scale : keys.fine ? space.step / 10 : space.step;
+  };
+  const set = (length: number, at: Point) => {
+    const given = given_of(workbench.problem),
+      note = length_note(length, surface.space.step, workbench.unit);
     if (given && length > 0)
-      change(
-        bench,
-        with_length(given, side, length),
-        at,
-        `${side === "input" ? "R₁" : "R₂"} ${length_note(length, scene.step, workbench.unit)}`,
-      );
+      change(surface, with_length(given, side, length), at, `${side === "input" ? "R₁" : "R₂"} ${note}`);
   };
   return task_handle(
     {
       part,
-      label: () => t(`given.ring_${side}`, {length: length_note(radius, scene.step, workbench.unit)}),
-      drag: (bench) =>
-        given_drag(bench, part, center, (at, keys) => {
-          const [x, y] = to_user(scene.view, at);
-          set(bench, multiple(Math.hypot(x - center[0], y - center[1]), step_of(keys)), at);
+      label: () => t(`given.ring_${side}`, {length: length_note(radius, surface.space.step, workbench.unit)}),
+      drag: () =>
+        part_drag(surface, part, {
+          anchor: center,
+          move(at, keys) {
+            const [x, y] = surface.space.unproject(at);
+            set(multiple(Math.hypot(x - center[0], y - center[1]), step_of(keys)), at);
+          },
         }),
-      nudge(_, dx, dy, step) {
+      nudge(dx, dy, step) {
         const given = given_of(workbench.problem),
           length = Number((radius + (dx || dy) * step).toPrecision(12));
         if (given && length > 0)
           workbench.edit((problem) => with_given(problem, with_length(given, side, length)), `nudge ${part}`);
       },
     },
-    to_screen(scene.view, knob),
+    surface.space.project(knob),
     "grab",
   );
 }
 
-function angle_handle(scene: Scene, {apex, from_deg, knob}: Wedge): Handle {
-  const {workbench} = scene,
+function angle_handle(surface: Surface, {apex, from_deg, knob}: Wedge): Handle {
+  const {workbench} = surface,
     part = "side_angle";
   const turned = (given: Given, angle: number): Given => ({...given, side_angle_deg: angle}) as Given;
   return task_handle(
@@ -180,54 +165,47 @@ function angle_handle(scene: Scene, {apex, from_deg, knob}: Wedge): Handle {
       part,
       label: () =>
         t("given.wedge", {angle: angle_note((given_of(workbench.problem) as {side_angle_deg: number}).side_angle_deg)}),
-      drag: (bench) =>
-        given_drag(bench, part, apex, (at, keys) => {
-          const [x, y] = to_screen(scene.view, apex),
-            given = given_of(workbench.problem);
-          const raw = (Math.atan2(y - at[1], at[0] - x) * 180) / Math.PI - from_deg,
-            {angle} = snapped_angle(raw, [], 0, grid(scene).on, keys);
-          if (given) change(bench, turned(given, angle), at, `γ ${angle_note(angle)}`);
+      drag: () =>
+        part_drag(surface, part, {
+          anchor: apex,
+          move(at, keys) {
+            const [x, y] = surface.space.project(apex),
+              given = given_of(workbench.problem);
+            const raw = (Math.atan2(y - at[1], at[0] - x) * 180) / Math.PI - from_deg,
+              {angle} = snapped_angle(raw, [], 0, surface.space.snaps, keys);
+            if (given) change(surface, turned(given, angle), at, `γ ${angle_note(angle)}`);
+          },
         }),
-      nudge(_, dx, dy, step) {
+      nudge(dx, dy, step) {
         const given = given_of(workbench.problem) as {side_angle_deg: number},
-          by = ((dy || -dx) * step) / scene.step;
-        workbench.edit(
-          (problem) =>
-            with_given(
-              problem,
-              turned(given as Given, wrapped_deg(Number((given.side_angle_deg + by).toPrecision(12)))),
-            ),
-          `nudge ${part}`,
-        );
+          by = ((dy || -dx) * step) / surface.space.step;
+        const angle = wrapped_deg(Number((given.side_angle_deg + by).toPrecision(12)));
+        workbench.edit((problem) => with_given(problem, turned(given as Given, angle)), `nudge ${part}`);
       },
     },
     knob,
   );
 }
 
-function center_handle(scene: Scene, [x, y]: Point): Handle {
-  const {workbench} = scene,
+function center_handle(surface: Surface, [x, y]: Point): Handle {
+  const {workbench} = surface,
     part = "instant_center";
   return task_handle(
     {
       part,
-      label: () => t("given.center", {place: point_note([x, y], scene.step, workbench.unit)}),
-      drag(bench, from) {
-        const way = new Way(scene, from);
-        return given_drag(bench, part, null, (at, keys) => {
-          const moved = way.to(at, keys),
-            {point, guides} = snapped_point(
-              [x, y],
-              [x + moved.x, y + moved.y],
-              grid(scene, scene.poses),
-              keys,
-              pixel(scene.view),
-            );
-          scene.guides = guides;
-          change(bench, {instant_center: point}, at, point_note(point, scene.step, workbench.unit));
+      label: () => t("given.center", {place: point_note([x, y], surface.space.step, workbench.unit)}),
+      drag(from) {
+        const way = new Way(surface, from);
+        return part_drag(surface, part, {
+          move(at, keys) {
+            const {space, origins} = surface,
+              {point, guides} = space.snapped([x, y], way.to(at, keys).from([x, y]), keys, origins);
+            surface.guides = guides;
+            change(surface, {instant_center: point}, at, point_note(point, space.step, workbench.unit));
+          },
         });
       },
-      nudge(_, dx, dy, step) {
+      nudge(dx, dy, step) {
         const add = (value: number, by: number) => Number((value + by).toPrecision(12));
         workbench.edit(
           (problem) => with_given(problem, {instant_center: [add(x, dx * step), add(y, dy * step)]}),
@@ -235,7 +213,7 @@ function center_handle(scene: Scene, [x, y]: Point): Handle {
         );
       },
     },
-    to_screen(scene.view, [x, y]),
+    surface.space.project([x, y]),
     "move",
   );
 }

@@ -2,11 +2,11 @@ import {describe, expect, it} from "vitest";
 import type {Linkage, Point} from "../../engine/protocol";
 import type {Chain} from "./task";
 import type {SixBar} from "./replies";
-import {carrier_of} from "../../drawing/carrier";
 import {body_point, placed} from "../../state/problem";
 import type {Problem} from "../../state/problem";
 import {poses_of} from "../../state/task";
 import {incompleteness} from "../kinds";
+import {six_bar as mechanism} from "./figure";
 import {
   default_box,
   elbow_of,
@@ -101,12 +101,13 @@ describe("what carries an added link's end", () => {
   } as unknown as SixBar;
   const moved = (point: Point) => placed(body_point(point, {x: 0, y: 0, theta_deg: 0}), {x: 7, y: -2, theta_deg: 33});
   const carrier = (side: "input" | "output", end: "center" | "circle") =>
-    carrier_of(
+    mechanism.carrier(
       {six_bar} as Linkage,
       side,
       end,
       {
         pose: {x: 0, y: 0, theta_deg: 0},
+        turned_deg: 0,
         joints: at.map(moved),
         ends: {input: {center: null, circle: null}, output: {center: null, circle: null}},
       },

@@ -1,80 +1,59 @@
 // The chain's hinges in position 1, as one takes hold of them on the drawing.
 import type {Point} from "../../engine/protocol";
-import {finish, grid, pixel, Way, type Bench, type Drag} from "../../drawing/drags/drag";
+import {Way, type Drag} from "../../drawing/drags/drag";
 import {task_handle, type Handle, type TaskPart} from "../../drawing/handles";
-import type {Scene} from "../../drawing/scene.svelte";
-import {snapped_point} from "../../drawing/snapping";
-import {to_screen} from "../../drawing/viewport";
-import {point_note} from "../../drawing/words";
-import {mistake_sentence} from "../../task/mistakes";
+import {point_note} from "../../drawing/notes";
+import {is_held, part_drag, type Surface} from "../../drawing/surface";
+import type {Problem} from "../../state/problem";
 import {t} from "../../texts/texts.svelte";
 import {hinges, six_bar_task, with_hinge, with_six_bar, type Hinge} from "./chain";
 
-export function chain_handles(scene: Scene): Handle[] {
-  const chain = six_bar_task(scene.workbench.problem)?.chain;
+export function chain_handles(surface: Surface): Handle[] {
+  const chain = six_bar_task(surface.workbench.problem)?.chain;
   return chain
     ? hinges.map((hinge) =>
-        task_handle(part_of(scene, hinge, chain[hinge]), to_screen(scene.view, chain[hinge]), "move"),
+        task_handle(part_of(surface, hinge, chain[hinge]), surface.space.project(chain[hinge]), "move"),
       )
     : [];
 }
-export function held_hinge({held}: Scene): Hinge | null {
-  return held?.kind === "task" ? (hinges.find((hinge) => held.part === `chain_${hinge}`) ?? null) : null;
+export function name_of(hinge: Hinge): string {
+  return `chain_${hinge}`;
+}
+export function held_hinge(surface: Surface): Hinge | null {
+  return hinges.find((hinge) => is_held(surface, name_of(hinge))) ?? null;
 }
 
-function moved({workbench}: Bench, hinge: Hinge, at: Point): void {
-  workbench.drag((problem) => {
-    const chain = six_bar_task(problem)?.chain;
-    return chain ? with_six_bar(problem, {chain: with_hinge(chain, hinge, at)}) : problem;
-  });
+function moved(problem: Problem, hinge: Hinge, to: (from: Point) => Point): Problem {
+  const chain = six_bar_task(problem)?.chain;
+  return chain ? with_six_bar(problem, {chain: with_hinge(chain, hinge, to(chain[hinge]))}) : problem;
 }
-function part_of(scene: Scene, hinge: Hinge, start: Point): Omit<TaskPart, "kind"> {
-  const {workbench} = scene,
-    part = `chain_${hinge}`;
+function part_of(surface: Surface, hinge: Hinge, start: Point): Omit<TaskPart, "kind"> {
+  const {workbench} = surface,
+    part = name_of(hinge);
   return {
     part,
-    label: () => t("six_bar.hinge", {name: hinge, place: point_note(start, scene.step, workbench.unit)}),
-    drag: (bench, from) => hinge_drag(bench, hinge, start, from),
-    nudge(_, dx, dy, step) {
+    label: () => t("six_bar.hinge", {name: hinge, place: point_note(start, surface.space.step, workbench.unit)}),
+    drag: (from) => hinge_drag(surface, hinge, start, from),
+    nudge(dx, dy, step) {
       const add = (value: number, by: number) => Number((value + by).toPrecision(12));
-      workbench.edit((problem) => {
-        const chain = six_bar_task(problem)?.chain;
-        return chain
-          ? with_six_bar(problem, {
-              chain: with_hinge(chain, hinge, [add(chain[hinge][0], dx * step), add(chain[hinge][1], dy * step)]),
-            })
-          : problem;
-      }, `nudge ${part}`);
+      workbench.edit(
+        (problem) => moved(problem, hinge, ([x, y]) => [add(x, dx * step), add(y, dy * step)]),
+        `nudge ${part}`,
+      );
     },
   };
 }
-function hinge_drag(bench: Bench, hinge: Hinge, start: Point, from: Point): Drag {
-  const {workbench, scene} = bench,
-    way = new Way(scene, from);
-  workbench.begin_gesture();
-  scene.held =
-    scene.handles.find(({target}) => target.kind === "task" && target.part === `chain_${hinge}`)?.target ?? null;
-  return {
+function hinge_drag(surface: Surface, hinge: Hinge, start: Point, from: Point): Drag {
+  const {workbench} = surface,
+    way = new Way(surface, from);
+  return part_drag(surface, name_of(hinge), {
     cursor: "move",
     move(at, keys) {
-      const {x, y} = way.to(at, keys),
-        {point, guides} = snapped_point(
-          start,
-          [start[0] + x, start[1] + y],
-          grid(scene, scene.poses),
-          keys,
-          pixel(scene.view),
-        );
-      scene.guides = guides;
-      moved(bench, hinge, point);
-      const [mistake] = workbench.refusal ?? [];
-      scene.note = {
-        at,
-        text: `${hinge}  ${point_note(point, scene.step, workbench.unit)}`,
-        reason: mistake ? mistake_sentence(mistake) : null,
-      };
+      const {space, origins} = surface,
+        {point, guides} = space.snapped(start, way.to(at, keys).from(start), keys, origins);
+      surface.guides = guides;
+      workbench.drag((problem) => moved(problem, hinge, () => point));
+      surface.tell(at, `${hinge}  ${point_note(point, space.step, workbench.unit)}`);
     },
-    end: () => finish(bench, true),
-    cancel: () => finish(bench, false),
-  };
+  });
 }

@@ -1,7 +1,8 @@
 import {describe, expect, it} from "vitest";
 import type {Linkage, Point} from "../engine/protocol";
 import {body_point, placed} from "../state/problem";
-import {carrier_of, type Carrier} from "./carrier";
+import {four_bar} from "./four_bar";
+import type {Carrier} from "./mechanism";
 
 const linkage = {
   input: {center: [0, 0], circle: [100, 0]},
@@ -10,6 +11,7 @@ const linkage = {
 const first = {x: 0, y: 0, theta_deg: 0};
 const now = (circle: Point) => ({
   pose: {x: 50, y: 20, theta_deg: 90},
+  turned_deg: 90,
   joints: [],
   ends: {
     input: {center: linkage.input.center, circle},
@@ -21,12 +23,15 @@ const home = (carrier: Carrier | null, point: Point) =>
 
 describe("what carries the end of a side link", () => {
   it("is the body, and nothing on the ground", () => {
-    expect(carrier_of(linkage, "input", "circle", now([50, 120]), first)).toEqual({first, now: now([50, 120]).pose});
-    expect(carrier_of(linkage, "input", "center", now([50, 120]), first)).toBeNull();
-    expect(carrier_of(linkage, "input", "center", now([50, 120]), undefined)).toBeNull();
+    expect(four_bar.carrier(linkage, "input", "circle", now([50, 120]), first)).toEqual({
+      first,
+      now: now([50, 120]).pose,
+    });
+    expect(four_bar.carrier(linkage, "input", "center", now([50, 120]), first)).toBeNull();
+    expect(four_bar.carrier(linkage, "input", "center", now([50, 120]), undefined)).toBeNull();
   });
   it("is the side link itself where the task has no poses", () => {
-    const [x, y] = home(carrier_of(linkage, "input", "circle", now([0, 100]), undefined), [0, 130])!;
+    const [x, y] = home(four_bar.carrier(linkage, "input", "circle", now([0, 100]), undefined), [0, 130])!;
     expect(x).toBeCloseTo(130, 9);
     expect(y).toBeCloseTo(0, 9);
   });

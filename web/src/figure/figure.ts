@@ -1,0 +1,131 @@
+// What is drawn of a linkage in one configuration, whoever paints it: on the drawing and in small (FigureLayer), in films
+// (canvas), in 3-D (solid/scene). Places lie in the fixed frame, in the user's unit; painters give roles their looks.
+import type {Point, Side} from "../engine/protocol";
+import {placed} from "../state/problem";
+
+/** A frame on a body. */
+export interface Place {
+  x: number;
+  y: number;
+  theta_deg: number;
+}
+export type End = "center" | "circle";
+/** Both ends of the side links; null: at infinity. */
+export type Ends = Record<Side, Record<End, Point | null>>;
+
+export type Role = "driver" | "input" | "coupler" | "output";
+/** A sign beside a thing, and what it means. */
+export interface Label {
+  sign: string;
+  words: string;
+}
+/** A moving link. */
+export interface Body {
+  name: string;
+  role: Role;
+  /** Its joints: two make a bar, more a plate. */
+  corners: readonly Point[];
+  label?: Label;
+}
+export interface Joint {
+  name: string;
+  kind: "ground_pivot" | "moving_pivot";
+  role: Role;
+  at: Point;
+  /** Names of the bodies that it joins. */
+  joins: readonly [string, string];
+  /** Which side link ends here. */
+  end?: {side: Side; end: End};
+  label?: Label;
+}
+export const ground = "ground"; // the name of the body at rest
+/** A pin in a straight guide: the side link whose other pivot lies at infinity. */
+export interface Slider {
+  role: Role;
+  side: Side;
+  end: End; // the one at infinity
+  /** The pin; null: it lies at infinity as well. */
+  at: Point | null;
+  /** Unit vector to the pivot at infinity; the guide lies across it. */
+  away: Point;
+  /** The guide is at rest. */
+  fixed: boolean;
+}
+/** The body that the task guides. */
+export interface GuidedBody {
+  pose: Place;
+  outline: readonly Point[]; // body coordinates
+  /** Name of the link that carries it. */
+  on: string;
+}
+export interface Trace {
+  name: string;
+  /** Of the body's origin over the task, and over all that can be driven; of a point that the user has chosen. */
+  role: "path" | "whole_path" | "traced";
+  points: readonly Point[];
+}
+/** The body in a position of the task. */
+export interface Position {
+  number: number;
+  origin: Point;
+  outline: readonly Point[];
+}
+export interface Figure {
+  /** From the back to the front. */
+  bodies: readonly Body[];
+  joints: readonly Joint[];
+  sliders: readonly Slider[];
+  guided: GuidedBody | null;
+  traces: readonly Trace[];
+  /** Traced points as they lie now. */
+  beads: readonly Point[];
+  positions: readonly Position[];
+}
+
+export const empty_figure: Figure = {
+  bodies: [],
+  joints: [],
+  sliders: [],
+  guided: null,
+  traces: [],
+  beads: [],
+  positions: [],
+};
+
+export function placed_outline({outline, pose}: Pick<GuidedBody, "outline" | "pose">): Point[] {
+  return outline.map((point) => placed(point, pose));
+}
+export function positions_of(poses: readonly Place[], outline: readonly Point[]): Position[] {
+  return poses.map((pose, i) => ({
+    number: i + 1,
+    origin: [pose.x, pose.y],
+    outline: outline.map((point) => placed(point, pose)),
+  }));
+}
+/** Everything that is to be seen of it. */
+export function points_of({bodies, joints, guided, positions, traces}: Figure): Point[] {
+  return [
+    ...bodies.flatMap(({corners}) => corners),
+    ...joints.map(({at}) => at),
+    ...(guided ? placed_outline(guided) : []),
+    ...positions.flatMap(({outline}) => outline),
+    ...traces.flatMap(({points}) => points),
+  ];
+}
+export function is_plate({corners}: Body): boolean {
+  return corners.length > 2;
+}
+/** Many links are drawn more slender than the three of a four-bar. */
+export function is_slender({bodies}: Figure): boolean {
+  return bodies.length > 3;
+}
+/** The middle of a body's joints. */
+export function middle_of({corners}: Body): Point {
+  const sum = (axis: 0 | 1) => corners.reduce((total, corner) => total + corner[axis], 0);
+  return [sum(0) / corners.length, sum(1) / corners.length];
+}
+/** The ends of a link that is a bar. */
+export function bar_of({bodies}: Figure, link: string): readonly [Point, Point] | null {
+  const [from, to] = bodies.find(({name}) => name === link)?.corners ?? [];
+  return from && to ? [from, to] : null;
+}
