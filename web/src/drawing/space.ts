@@ -27,8 +27,6 @@ export interface Space<P> {
   guide_path(guide: Guide): string;
 }
 
-const most_lines = 2000;
-
 export class Plane implements Space<Point> {
   constructor(
     private readonly view: Viewport,
@@ -68,7 +66,6 @@ export class Plane implements Space<Point> {
     const step = line_step(this.view),
       [left, top] = this.unproject([0, 0]),
       [right, bottom] = this.unproject([this.width, this.height]);
-    if ((right - left + top - bottom) / step > most_lines) return "";
     const lines = (axis: Guide["axis"], low: number, high: number) => {
       const first = Math.ceil(low / step);
       return Array.from({length: Math.max(Math.floor(high / step) - first + 1, 0)}, (_, i) =>

@@ -23,7 +23,7 @@ export interface TaskView {
   Layer?: Component;
   /** What can be taken hold of there, beside poses and pivots: handles whose target is a part of the task. */
   handles?(surface: Surface): Handle[];
-  /** In a corner of the drawing. */
+  /** Over the drawing: it places itself. */
   Inset?: Component;
 
   // ---- the panels -----------------------------------------------------------------------------------------------
