@@ -83,9 +83,8 @@ describe("the figure of a six-bar", () => {
     [5, 6],
   ];
   const of = {
-    six_bar: {topology: "watt_1", joints, bodies, lengths: []},
-    drive: null,
     ...linkage,
+    six_bar: {topology: "watt_1", joints, bodies, lengths: []},
   } as unknown as Linkage;
   const figure = six_bar.figure(of, six_bar.still(of, poses, 0), outline);
   it("has bars and plates, named hinges, and the body on the last link of the chain", () => {

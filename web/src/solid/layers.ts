@@ -5,6 +5,7 @@ import type {Drive, Linkage, Point} from "../engine/protocol";
 import {bar_of, type Body, type Figure, type Joint} from "../figure/figure";
 import {at_row, type Mechanism, type PlateOrder} from "../figure/mechanism";
 import {angle_of_row, row_count} from "../state/drive";
+import {least_of, most_of} from "../state/ends";
 import {task_span, type Span} from "../transport/play";
 
 export interface Crossing {
@@ -67,9 +68,9 @@ function least([first, ...others]: LayerPlan[]): LayerPlan | null {
 
 type Segment = readonly [Point, Point];
 /** Layers of what a joint joins, the lower one first. */
-export function pin_layers({joins}: Joint, order: PlateOrder): [low: number, high: number] {
-  const [one, other] = joins.map((name) => order[name] ?? 0) as [number, number];
-  return [Math.min(one, other), Math.max(one, other)];
+export function pin_layers({joins: [one, other]}: Joint, order: PlateOrder): [low: number, high: number] {
+  const layers = [order[one] ?? 0, order[other] ?? 0] as const;
+  return [least_of(layers), most_of(layers)];
 }
 
 interface Check {
