@@ -62,13 +62,14 @@ interface Case {
   name: string;
   problem: string;
 }
+type Row = [x: number, y: number, theta: number]; // of a pose, or of its derivative
 /** The worked cases of data/planar as problems. */
 function worked_cases(): Case[] {
   const folder = join(root, "data/planar/");
   return readdirSync(folder)
     .filter((file) => file.endsWith(".json"))
     .map((file) => {
-      const positions = JSON.parse(readFileSync(folder + file, "utf8")).positions as number[][][];
+      const positions = JSON.parse(readFileSync(folder + file, "utf8")).positions as [Row, ...Row[]][];
       const poses = positions.map(([[x, y, theta], ...derivatives]) => ({
         x,
         y,

@@ -11,7 +11,7 @@ import {add_corner, corner_at, remove_corner, with_outline, without_corner} from
 import {inside, target_id, type Target} from "./handles";
 import {multiple, wrapped_deg} from "./snapping";
 import {stepped} from "./sliding";
-import {with_pose, with_poses} from "../tasks/kinds";
+import {with_poses} from "../tasks/kinds";
 
 export function focus_handle(svg: SVGSVGElement, target: Target): void {
   svg.querySelector<SVGElement>(`[data-testid="drawing.${target_id(target)}"]`)?.focus({preventScroll: true});
@@ -127,14 +127,7 @@ export function nudge(bench: Bench, target: Target, dx: number, dy: number, time
   switch (target.kind) {
     case "disc":
     case "body":
-      return workbench.edit(
-        (problem) =>
-          with_pose(problem, target.pose, {
-            x: add(scene.poses[target.pose].x, dx * step),
-            y: add(scene.poses[target.pose].y, dy * step),
-          }),
-        merge,
-      );
+      return change_pose(target.pose, (p) => ({...p, x: add(p.x, dx * step), y: add(p.y, dy * step)}));
     case "knob":
       return change_pose(target.pose, (p) => ({...p, theta_deg: wrapped_deg(add(p.theta_deg, turn))}));
     case "velocity":
@@ -146,16 +139,9 @@ export function nudge(bench: Bench, target: Target, dx: number, dy: number, time
         with_bend(p, {curvature: add(bend_of(p)?.curvature ?? 0, turn * bend_step(scene.space.scale))}),
       );
     case "corner": {
-      const outline = scene.outline,
-        [x, y] = outline[target.index];
-      return workbench.edit(
-        (problem) =>
-          with_outline(
-            problem,
-            outline.map((p, i) => (i === target.index ? [add(x, dx * step), add(y, dy * step)] : p)),
-          ),
-        merge,
-      );
+      const moved = ([x, y]: Point): Point => [add(x, dx * step), add(y, dy * step)],
+        outline = scene.outline.map((p, i) => (i === target.index ? moved(p) : p));
+      return workbench.edit((problem) => with_outline(problem, outline), merge);
     }
     case "box":
       return nudge_box(bench, target, dx * step, dy * step, merge);

@@ -65,8 +65,9 @@ export function scaled(
   marks: readonly (readonly [number, number])[],
   length: number,
 ): Background | null {
-  const [a, b] = marks,
-    now = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  const [a, b] = marks;
+  if (!a || !b) return null;
+  const now = Math.hypot(b[0] - a[0], b[1] - a[1]);
   if (!(now > 0) || !(length > 0) || !Number.isFinite(length)) return null;
   const factor = length / now;
   return {

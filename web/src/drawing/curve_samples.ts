@@ -14,7 +14,7 @@ export interface Run {
 }
 export interface CurveSamples {
   /** Whose axes carry these dyads: both side links', where they come from the same curve. */
-  sides: readonly Side[];
+  sides: Sides;
   tau: Float64Array;
   /** Homogeneous (w, x, y) about `origin`, lengths in `unit`: only so do neighbours with a negative product of their
    *  vectors lie on both sides of infinity. */
@@ -26,9 +26,11 @@ export interface CurveSamples {
   /** Single dyads: each run is one of them, all its samples alike. */
   discrete: boolean;
 }
+/** Which side links lie there. */
+export type Sides = readonly [Side, ...Side[]];
 /** A place on a curve: between sample `index` and the next of its run. */
 export interface Spot {
-  sides: readonly Side[];
+  sides: Sides;
   curve: CurveName;
   index: number;
   share: number; // 0 … 1
@@ -37,7 +39,7 @@ export interface Spot {
 
 /** Of each side; the same object where they come from the same curve. Nothing where a side's dyads depend on the other's. */
 export function samples_of_sides(task: TaskAnswer, origin: Point): Record<Side, CurveSamples | null> {
-  const of = (curves: DyadPolygon, side: Side, sides: readonly Side[]) =>
+  const of = (curves: DyadPolygon, side: Side, sides: Sides) =>
     curves.tau.length > 0 && task.axes[moving_side(task.axes, side)].branches.length > 0
       ? curve_samples(task, curves, side, sides, origin)
       : null;
@@ -47,22 +49,16 @@ export function samples_of_sides(task: TaskAnswer, origin: Point): Record<Side, 
   }
   return {input: of(task.curves, "input", ["input"]), output: of(task.output_curves, "output", ["output"])};
 }
-function curve_samples(
-  task: TaskAnswer,
-  curves: DyadPolygon,
-  side: Side,
-  sides: readonly Side[],
-  origin: Point,
-): CurveSamples {
+function curve_samples(task: TaskAnswer, curves: DyadPolygon, side: Side, sides: Sides, origin: Point): CurveSamples {
   const axis = task.axes[moving_side(task.axes, side)],
     discrete = is_discrete(axis);
   const unit = task.characteristic_length > 0 ? task.characteristic_length : 1;
   const moved = (samples: Float64Array) => {
     const out = new Float64Array(samples.length);
     for (let i = 0; i < samples.length; i += 3) {
-      const w = samples[i],
-        x = (samples[i + 1] - origin[0] * w) / unit,
-        y = (samples[i + 2] - origin[1] * w) / unit;
+      const [w, wx, wy] = homogeneous(samples, i / 3),
+        x = (wx - origin[0] * w) / unit,
+        y = (wy - origin[1] * w) / unit;
       const size = Math.hypot(w, x, y) || 1;
       out[i] = w / size;
       out[i + 1] = x / size;
@@ -83,23 +79,30 @@ function curve_samples(
     discrete,
   };
 }
+type Homogeneous = readonly [w: number, x: number, y: number];
+function homogeneous(samples: Float64Array, index: number): Homogeneous {
+  const at = 3 * index;
+  return [samples[at]!, samples[at + 1]!, samples[at + 2]!];
+}
+function dot(p: Homogeneous, q: Homogeneous): number {
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
 /** What is drawn and slid along: where the ground pivots are given, the centres are no curve. */
 export function curves_of({center}: CurveSamples): readonly CurveName[] {
-  for (let i = 3; i < center.length; ++i) if (Math.abs(center[i] - center[i % 3]) > 1e-9) return ["center", "circle"];
-  return ["circle"];
+  return center.some((value, i) => Math.abs(value - center[i % 3]!) > 1e-9) ? ["center", "circle"] : ["circle"];
 }
 /** Other curves have gaps where there are no dyads: steps of τ, the branches of which are 1 long, wider than this. */
 const least_gap = 0.012;
 function runs_of({tau, branch}: DyadPolygon, branches: readonly Branch[], gap: number): Run[] {
   const runs: Run[] = [];
   for (let i = 0; i < branch.length; ++i) {
-    const last = runs[runs.length - 1];
-    if (last && branch[i] === branch[i - 1] && tau[i] - tau[i - 1] <= gap) last.to = i + 1;
-    else runs.push({from: i, to: i + 1, branch: branches[branch[i]], closed: false});
+    const last = runs.at(-1),
+      own = branches[branch[i]!];
+    if (last?.to === i && branch[i] === branch[i - 1] && tau[i]! - tau[i - 1]! <= gap) last.to = i + 1;
+    else if (own) runs.push({from: i, to: i + 1, branch: own, closed: false});
   }
-  const known = runs.filter((run) => run.branch !== undefined);
-  for (const run of known) run.closed = tau[run.from] + run.branch.to - run.branch.from - tau[run.to - 1] <= gap;
-  return known;
+  for (const run of runs) run.closed = tau[run.from]! + run.branch.to - run.branch.from - tau[run.to - 1]! <= gap;
+  return runs;
 }
 /** The next sample; the last of an open stretch has none and stays. */
 export function next_in(run: Run, index: number): number {
@@ -117,10 +120,8 @@ const finite = 1e-7; // |w| of a unit vector that is taken for a point of the dr
 
 /** Sample in pixels, or nothing at infinity. */
 export function sample_at(samples: CurveSamples, curve: CurveName, index: number, view: Viewport): Point | null {
-  const data = samples[curve],
-    w = data[3 * index];
-  if (Math.abs(w) < finite) return null;
-  return pixel(samples, data[3 * index + 1] / w, data[3 * index + 2] / w, view);
+  const [w, x, y] = homogeneous(samples[curve], index);
+  return Math.abs(w) < finite ? null : pixel(samples, x / w, y / w, view);
 }
 function pixel(samples: CurveSamples, x: number, y: number, view: Viewport): Point {
   return [
@@ -130,10 +131,9 @@ function pixel(samples: CurveSamples, x: number, y: number, view: Viewport): Poi
 }
 /** +1 where b follows a through finite points, −1 through infinity. */
 function link_sign(data: Float64Array, a: number, b: number): number {
-  const i = 3 * a,
-    j = 3 * b;
-  const product = data[i] * data[j] + data[i + 1] * data[j + 1] + data[i + 2] * data[j + 2];
-  return (product < 0 ? -1 : 1) * (data[j] < 0 ? -1 : 1) * (data[i] < 0 ? -1 : 1);
+  const p = homogeneous(data, a),
+    q = homogeneous(data, b);
+  return (dot(p, q) < 0 ? -1 : 1) * (q[0] < 0 ? -1 : 1) * (p[0] < 0 ? -1 : 1);
 }
 export function through_infinity(samples: CurveSamples, curve: CurveName, a: number, b: number): boolean {
   return link_sign(samples[curve], a, b) < 0;
@@ -188,14 +188,14 @@ function infinity_between(
   a: number,
   b: number,
 ): {direction: Point; sense_a: number; sense_b: number} {
-  const i = 3 * a,
-    j = 3 * b;
-  const sign = data[i] * data[j] + data[i + 1] * data[j + 1] + data[i + 2] * data[j + 2] < 0 ? -1 : 1;
-  const wa = Math.abs(data[i]),
-    wb = Math.abs(data[j]),
+  const p = homogeneous(data, a),
+    q = homogeneous(data, b),
+    sign = dot(p, q) < 0 ? -1 : 1;
+  const wa = Math.abs(p[0]),
+    wb = Math.abs(q[0]),
     share = wa + wb > 0 ? wa / (wa + wb) : 0.5;
-  const mixed = (k: number) => data[i + k] * (1 - share) + sign * data[j + k] * share;
-  return {direction: [mixed(1), mixed(2)], sense_a: data[i], sense_b: sign * data[j]};
+  const mixed = (k: 1 | 2) => p[k] * (1 - share) + sign * q[k] * share;
+  return {direction: [mixed(1), mixed(2)], sense_a: p[0], sense_b: sign * q[0]};
 }
 function far(from: Point, direction: Point, sense: number): Point {
   const length = Math.hypot(direction[0], direction[1]) || 1,
@@ -213,7 +213,7 @@ class Pen {
     this.high = [2 * view.width, 2 * view.height];
   }
   line(p: Point, q: Point): void {
-    const clipped = this.inside(p) && this.inside(q) ? [p, q] : clip(p, q, this.low, this.high);
+    const clipped = this.inside(p) && this.inside(q) ? ([p, q] as const) : clip(p, q, this.low, this.high);
     if (!clipped) return;
     const [a, b] = clipped;
     this.go(a);
@@ -244,7 +244,7 @@ export function clip(p: Point, q: Point, low: Point, high: Point): [Point, Point
     for (const [side, limit] of [
       [-d, p[k] - low[k]],
       [d, high[k] - p[k]],
-    ]) {
+    ] as const) {
       if (side === 0) {
         if (limit < 0) return null;
       } else if (side < 0) enter = Math.max(enter, limit / side);
@@ -260,41 +260,42 @@ export function clip(p: Point, q: Point, low: Point, high: Point): [Point, Point
 
 export function spot_at(samples: CurveSamples, curve: CurveName, run: Run, index: number, share: number): Spot {
   const length = run.branch.to - run.branch.from;
-  let tau = samples.tau[index] + share * (next_tau(samples, run, index) - samples.tau[index]);
+  const from = tau_of(samples, index);
+  let tau = from + share * (next_tau(samples, run, index) - from);
   if (tau >= run.branch.to) tau -= length;
   return {sides: samples.sides, curve, index, share, tau};
+}
+function tau_of({tau}: CurveSamples, index: number): number {
+  return tau[index]!;
 }
 /** τ of the next sample, running on past the end of a closed branch. */
 function next_tau(samples: CurveSamples, run: Run, index: number): number {
   const next = next_in(run, index);
-  return samples.tau[next] + (run.closed && next === run.from ? run.branch.to - run.branch.from : 0);
+  return tau_of(samples, next) + (run.closed && next === run.from ? run.branch.to - run.branch.from : 0);
 }
 /** The place of a curve coordinate. */
 export function spot_of_tau(samples: CurveSamples, curve: CurveName, tau: number): Spot | null {
   const on = samples.runs.filter((r) => tau >= r.branch.from - 1e-12 && tau <= r.branch.to + 1e-12);
-  const run = on.findLast((r) => tau >= samples.tau[r.from]) ?? on[0];
+  const run = on.findLast((r) => tau >= tau_of(samples, r.from)) ?? on[0];
   if (!run) return null;
   let low = run.from,
     high = run.to;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
-    if (samples.tau[middle] <= tau) low = middle;
+    if (tau_of(samples, middle) <= tau) low = middle;
     else high = middle;
   }
   const length = run.branch.to - run.branch.from;
   const spot = {sides: samples.sides, curve, tau};
-  if (run.closed && tau < samples.tau[run.from])
+  if (run.closed && tau < tau_of(samples, run.from))
     return {...spot, index: run.to - 1, share: wrap_share(samples, run, tau + length)};
-  const to = next_tau(samples, run, low);
-  return {
-    ...spot,
-    index: low,
-    share: to > samples.tau[low] ? Math.max((tau - samples.tau[low]) / (to - samples.tau[low]), 0) : 0,
-  };
+  const from = tau_of(samples, low),
+    to = next_tau(samples, run, low);
+  return {...spot, index: low, share: to > from ? Math.max((tau - from) / (to - from), 0) : 0};
 }
 function wrap_share(samples: CurveSamples, run: Run, tau: number): number {
-  const from = samples.tau[run.to - 1],
-    to = samples.tau[run.from] + run.branch.to - run.branch.from;
+  const from = tau_of(samples, run.to - 1),
+    to = tau_of(samples, run.from) + run.branch.to - run.branch.from;
   return to > from ? (tau - from) / (to - from) : 0;
 }
 
@@ -346,17 +347,12 @@ export function nearest_on_segment(
 export function point_at(samples: CurveSamples, curve: CurveName, spot: Spot): Point | null {
   const run = run_of(samples, spot.index);
   if (!run) return null;
-  const data = samples[curve],
+  const {origin, unit} = samples,
     a = spot.index,
     b = next_in(run, a);
   const user = (i: number): Point | null => {
-    const w = data[3 * i];
-    return Math.abs(w) < finite
-      ? null
-      : [
-          samples.origin[0] + (data[3 * i + 1] / w) * samples.unit,
-          samples.origin[1] + (data[3 * i + 2] / w) * samples.unit,
-        ];
+    const [w, x, y] = homogeneous(samples[curve], i);
+    return Math.abs(w) < finite ? null : [origin[0] + (x / w) * unit, origin[1] + (y / w) * unit];
   };
   const p = user(a),
     q = user(b);

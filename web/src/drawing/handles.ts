@@ -200,26 +200,21 @@ export function border_hit(box: Box, space: Plane, at: Point, reach: number): {e
 /** Corners, and the middles of edges that are long enough to leave room for a corner. */
 export function corner_handles(outline: readonly Point[], pose: Pose, space: Plane): Handle[] {
   const corners = outline.map((p) => space.project(placed(p, pose)));
-  const middle = (i: number): Point => {
-    const p = corners[i],
-      q = corners[(i + 1) % corners.length];
-    return [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2];
-  };
   return corners.flatMap((at, index) => {
-    const next = corners[(index + 1) % corners.length],
+    const next = corners[(index + 1) % corners.length] ?? at,
+      middle: Point = [(at[0] + next[0]) / 2, (at[1] + next[1]) / 2],
       long = Math.hypot(next[0] - at[0], next[1] - at[1]) >= 24;
     const corner = handle({kind: "corner", index}, at, ranks.selected - 1, [12, 24], "crosshair");
     return long
-      ? [corner, handle({kind: "midpoint", index}, middle(index), ranks.selected - 1, [12, 24], "crosshair")]
+      ? [corner, handle({kind: "midpoint", index}, middle, ranks.selected - 1, [12, 24], "crosshair")]
       : [corner];
   });
 }
 
 export function inside(polygon: readonly Point[], at: Point): boolean {
   let within = false;
-  for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i++) {
-    const [xi, yi] = polygon[i],
-      [xj, yj] = polygon[j];
+  for (const [i, [xi, yi]] of polygon.entries()) {
+    const [xj, yj] = polygon.at(i - 1)!; // the last one before the first
     if (yi > at[1] !== yj > at[1] && at[0] < ((xj - xi) * (at[1] - yi)) / (yj - yi) + xi) within = !within;
   }
   return within;

@@ -21,7 +21,7 @@ export function dxf_polyline(text: string): Point[] | null {
   let x = NaN;
   for (let i = 0; i + 1 < lines.length; i += 2) {
     const code = Number(lines[i]),
-      value = lines[i + 1].trim(),
+      value = lines[i + 1]!.trim(),
       last = entities[entities.length - 1];
     if (code === 0) entities.push({kind: value, points: []});
     else if (code === 10 || code === 11) x = Number(value);
@@ -62,12 +62,12 @@ export function svg_polyline(text: string): Point[] | null {
   }
   if (shape.localName === "path") return path_points(shape.getAttribute("d") ?? "");
   const values = (shape.getAttribute("points") ?? "").match(/-?[\d.]+(?:e[-+]?\d+)?/gi)?.map(Number) ?? [];
-  return Array.from({length: values.length >> 1}, (_, i) => [values[2 * i], -values[2 * i + 1]] as Point);
+  return Array.from({length: values.length >> 1}, (_, i) => [values[2 * i]!, -values[2 * i + 1]!] as Point);
 }
 /** Corners exactly where there are only straight strokes, else evenly along the first closed stretch. */
 function path_points(d: string): Point[] {
   const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  path.setAttribute("d", d.split(/(?<=[zZ])/)[0]);
+  path.setAttribute("d", d.split(/(?<=[zZ])/)[0]!);
   const length = path.getTotalLength();
   const exact = straight_points(d);
   if (exact) return exact;
@@ -80,7 +80,7 @@ export function straight_points(d: string): Point[] | null {
   const points: Point[] = [];
   let x = 0,
     y = 0;
-  for (const [, command, rest] of d.matchAll(/([a-zA-Z])([^a-zA-Z]*(?:e[-+]?\d+[^a-zA-Z]*)*)/g)) {
+  for (const [, command = "", rest = ""] of d.matchAll(/([a-zA-Z])([^a-zA-Z]*(?:e[-+]?\d+[^a-zA-Z]*)*)/g)) {
     const values = rest.match(/-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/gi)?.map(Number) ?? [];
     const relative = command === command.toLowerCase(),
       from = (at: number) => (relative ? at : 0);
@@ -89,17 +89,21 @@ export function straight_points(d: string): Point[] | null {
     else if (/[vV]/.test(command)) for (const v of values) points.push([x, -(y = from(y) + v)]);
     else if (/[mMlL]/.test(command)) {
       for (let i = 0; i + 1 < values.length; i += 2)
-        points.push([(x = from(x) + values[i]), -(y = from(y) + values[i + 1])]);
+        points.push([(x = from(x) + values[i]!), -(y = from(y) + values[i + 1]!)]);
     } else return null;
   }
   return points;
 }
 
 function without_repeats(points: readonly Point[]): Point[] {
-  const kept = points.filter((p, i) => i === 0 || Math.hypot(p[0] - points[i - 1][0], p[1] - points[i - 1][1]) > 1e-9);
+  const kept = points.filter(
+    (p, i) => i === 0 || Math.hypot(p[0] - points[i - 1]![0], p[1] - points[i - 1]![1]) > 1e-9,
+  );
   const [first] = kept,
     last = kept[kept.length - 1];
-  return kept.length > 1 && Math.hypot(first[0] - last[0], first[1] - last[1]) <= 1e-9 ? kept.slice(0, -1) : kept;
+  return kept.length > 1 && first && last && Math.hypot(first[0] - last[0], first[1] - last[1]) <= 1e-9
+    ? kept.slice(0, -1)
+    : kept;
 }
 function reduced(points: Point[]): Point[] {
   const every = Math.ceil(points.length / most_corners);
@@ -114,7 +118,7 @@ function fitted_to(points: Point[], size: number): Point[] {
     largest = Math.max(w, h);
   const factor = largest > 20 * size || largest < size / 20 ? size / largest : 1;
   const near = box.x[0] - w / 2 <= 0 && box.x[1] + w / 2 >= 0 && box.y[0] - h / 2 <= 0 && box.y[1] + h / 2 >= 0;
-  const middle = near ? [0, 0] : [(box.x[0] + box.x[1]) / 2, (box.y[0] + box.y[1]) / 2];
+  const middle: Point = near ? [0, 0] : [(box.x[0] + box.x[1]) / 2, (box.y[0] + box.y[1]) / 2];
   const short = (value: number) => Number(value.toPrecision(9)) + 0;
   return points.map((p) => [short((p[0] - middle[0]) * factor), short((p[1] - middle[1]) * factor)]);
 }

@@ -315,6 +315,7 @@ class Pointer {
     const {scene} = this.bench,
       before = this.fingers.get(id)!;
     const [other] = [...this.fingers].filter(([key]) => key !== id).map(([, point]) => point);
+    if (!other) return;
     const apart = (p: Point) => Math.max(Math.hypot(p[0] - other[0], p[1] - other[1]), 10);
     const middle = (p: Point): Point => [(p[0] + other[0]) / 2, (p[1] + other[1]) / 2];
     const from = middle(before),

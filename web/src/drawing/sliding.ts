@@ -78,7 +78,7 @@ export function beyond_edge(
     };
   });
   const [best] = ways.sort((a, b) => a.distance - b.distance);
-  return best.distance < 60 && best.count < run.to - run.from ? best : null;
+  return best && best.distance < 60 && best.count < run.to - run.from ? best : null;
 }
 /** The place that an overshoot means on the stretch beyond. */
 export function beyond_spot(samples: CurveSamples, curve: CurveName, beyond: Beyond, over: number): Spot {

@@ -58,7 +58,7 @@ function inline(from: Element, to: Element): void {
       if (name !== "class" || !to.classList.contains("ui")) to.removeAttribute(name);
     }
   }
-  for (let i = 0; i < from.children.length; ++i) inline(from.children[i], to.children[i]);
+  for (const [i, child] of [...from.children].entries()) inline(child, to.children[i]!); // a copy has as many
 }
 /** Svelte's anchors. */
 function remove_comments(node: Node): void {

@@ -31,10 +31,11 @@ export async function animated_gif(picture: Picture, frames: readonly Frame[], p
     return context.getImageData(0, 0, width, height).data;
   };
   // One palette for all frames: everything that is ever on show is there in the first, the middle and the last.
-  const samples = [0, Math.floor(frames.length / 2)].map((i) => pixels(frames[i].angle).slice());
-  const both = new Uint8ClampedArray(samples[0].length * 2);
-  both.set(samples[0]);
-  both.set(samples[1], samples[0].length);
+  const sample = (i: number) => pixels(frames[i]!.angle).slice();
+  const first = sample(0),
+    both = new Uint8ClampedArray(first.length * 2);
+  both.set(first);
+  both.set(sample(Math.floor(frames.length / 2)), first.length);
   const palette = quantize(both, changed_only);
   while (palette.length <= changed_only) palette.push([0, 0, 0]);
   const encoder = GIFEncoder();
@@ -77,7 +78,7 @@ export async function film(picture: Picture, frames: readonly Frame[], progress:
   });
   const length = duration_ms(frames),
     began = performance.now();
-  paint_picture(context, picture, frames[0].angle);
+  paint_picture(context, picture, frames[0]!.angle);
   recorder.start();
   try {
     for (let ms = 0; ms < length; ms = performance.now() - began) {

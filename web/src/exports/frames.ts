@@ -29,5 +29,5 @@ export function duration_ms(frames: readonly Frame[]): number {
 /** The frame on show at a time of a film that runs over and over. */
 export function frame_at(frames: readonly Frame[], ms: number): Frame {
   let rest = ms % duration_ms(frames);
-  return frames.find((frame) => (rest -= frame.ms) < 0) ?? frames[frames.length - 1];
+  return frames.find((frame) => (rest -= frame.ms) < 0) ?? frames.at(-1)!;
 }

@@ -24,10 +24,10 @@ export function stretch(drive: Drive): [angles: number[], values: number[]] {
   const angles: number[] = [],
     values: number[] = [];
   for (let row = first; row <= last; ++row) {
-    const angle = drive.states[row * drive.width];
-    if (angles.length && angle <= angles[angles.length - 1]) continue; // uPlot wants rising x
+    const angle = drive.states[row * drive.width]!;
+    if (angle <= (angles.at(-1) ?? -Infinity)) continue; // uPlot wants rising x
     angles.push(angle);
-    values.push(drive.states[row * drive.width + transmission]);
+    values.push(drive.states[row * drive.width + transmission]!);
   }
   return [angles, values];
 }

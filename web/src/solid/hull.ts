@@ -6,7 +6,7 @@ export function convex_hull(points: readonly Point[]): Point[] {
   const half = (way: Point[]) => {
     const chain: Point[] = [];
     for (const p of way) {
-      while (chain.length > 1 && turn(chain[chain.length - 2], chain[chain.length - 1], p) <= 0) chain.pop();
+      while (chain.length > 1 && turn(chain.at(-2)!, chain.at(-1)!, p) <= 0) chain.pop();
       chain.push(p);
     }
     return chain.slice(0, -1);

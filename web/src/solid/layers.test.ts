@@ -122,7 +122,7 @@ describe("a plan", () => {
         [30, [60, -30], [140, 30]],
       ]),
     );
-    expect(crossings(plate_orders[1], moments(drive_through([[30, [60, -30], [140, 30]]])), longest)).toEqual([
+    expect(crossings(plate_orders[1]!, moments(drive_through([[30, [60, -30], [140, 30]]])), longest)).toEqual([
       {link: "coupler", obstacle: "output_ground_pin", from_deg: 30, to_deg: 30},
     ]);
     expect(plan.crossings).toEqual([]);
@@ -171,7 +171,7 @@ describe("crossings", () => {
         [40, ...across],
       ]),
     );
-    expect(crossings(plate_orders[0], states, longest)).toEqual([
+    expect(crossings(plate_orders[0]!, states, longest)).toEqual([
       {link: "input", obstacle: "output", from_deg: 10, to_deg: 20},
       {link: "input", obstacle: "output", from_deg: 40, to_deg: 40},
     ]);

@@ -439,10 +439,9 @@ function ground_joints({joints}: Figure): Joint[] {
 /** Brings a plate of length 1 to another length: its far end moves as it is. */
 export function stretching(geometry: BufferGeometry): (length: number) => void {
   const places = geometry.getAttribute("position"),
-    far = Array.from({length: places.count}, (_, i) => i).filter((i) => places.getX(i) > 0.5),
-    at = far.map((i) => places.getX(i));
+    far = Array.from({length: places.count}, (_, i) => ({i, x: places.getX(i)})).filter(({x}) => x > 0.5);
   return (length) => {
-    far.forEach((i, k) => places.setX(i, at[k] + length - 1));
+    for (const {i, x} of far) places.setX(i, x + length - 1);
     places.needsUpdate = true;
     geometry.computeBoundingBox();
     geometry.computeBoundingSphere();

@@ -24,7 +24,7 @@ export function corner_drag(bench: Bench, target: Extract<Target, {kind: "corner
     before = scene.outline;
   const added = target.kind === "midpoint",
     index = added ? target.index + 1 : target.index;
-  const start = added ? [...before.slice(0, index), before[index - 1], ...before.slice(index)] : before;
+  const start = added ? [...before.slice(0, index), ...before.slice(index - 1)] : before;
   workbench.begin_gesture();
   scene.held = {kind: "corner", index};
   scene.corner = index;
@@ -50,12 +50,10 @@ export function add_corner(bench: Bench, index: number): void {
     const outline = outline_of(problem),
       p = outline[index],
       q = outline[(index + 1) % outline.length];
+    if (!p || !q) return problem;
     const short = (value: number) => Number(value.toPrecision(9));
-    return with_outline(problem, [
-      ...outline.slice(0, index + 1),
-      [short((p[0] + q[0]) / 2), short((p[1] + q[1]) / 2)],
-      ...outline.slice(index + 1),
-    ]);
+    const middle: Point = [short((p[0] + q[0]) / 2), short((p[1] + q[1]) / 2)];
+    return with_outline(problem, [...outline.slice(0, index + 1), middle, ...outline.slice(index + 1)]);
   });
   bench.scene.corner = index + 1;
 }

@@ -24,7 +24,7 @@ export function halo_reach(poses: readonly Pose[]): number {
 
 function begin(bench: Bench, target: PoseTarget, halo: "move" | "turn" | null): Pose {
   const {workbench, scene} = bench,
-    pose = scene.poses[target.pose];
+    pose = scene.poses[target.pose]!; // the handles are those of the poses there are
   workbench.begin_gesture();
   workbench.held_pose = target.pose;
   scene.held = target;
@@ -138,14 +138,14 @@ export function curvature_drag(bench: Bench, target: PoseTarget): Drag {
     cursor: "grabbing",
     move(at) {
       const pose = scene.poses[target.pose],
-        along = travel_direction(pose),
-        origin = scene.space.project([pose.x, pose.y]);
+        along = pose && travel_direction(pose);
       if (!along) return;
+      const origin = scene.space.project([pose.x, pose.y]);
       const rise = (at[0] - origin[0]) * along[1] - (at[1] - origin[1]) * along[0];
       const raw = (2 * rise * scene.space.scale) / curvature_reach ** 2;
       const curvature = Math.abs(rise) < 4 ? 0 : Number(raw.toPrecision(3));
       workbench.drag((problem) => changed(problem, target.pose, (p) => with_bend(p, {curvature})));
-      scene.tell(at, `r ${radius_note(scene.poses[target.pose], scene)}`);
+      scene.tell(at, `r ${radius_note(scene.poses[target.pose] ?? pose, scene)}`);
     },
     end: () => scene.finish(true),
     cancel: () => scene.finish(false),

@@ -1,9 +1,10 @@
 // A six-bar as it is drawn: bodies 1 to 3 of the chain, and the two added links in the colours of the map's axes.
-import type {Linkage, Point, Side, SixBar} from "../../engine/protocol";
+import type {Linkage, Point, Side} from "../../engine/protocol";
 import {row_joints} from "../../state/drive";
 import {empty_figure, ground, type Body, type Ends, type Figure, type Joint, type Role} from "../../figure/figure";
 import {frame} from "../../figure/four_bar";
 import {reached_rows, type Configuration, type Mechanism} from "../../figure/mechanism";
+import type {SixBar} from "./replies";
 import {added, end_joints, role_of_body, role_of_joint} from "./roles";
 import {body_name, joint_mark, joint_words, length_words} from "./names";
 

@@ -1,7 +1,8 @@
 // What bodies and hinges of a six-bar are called, and their colours. Files keep the short names: "c4", "2:b-d".
 import type {SixBar} from "./replies";
 import {t, type TextKey} from "../../texts/texts.svelte";
-import {role_of_body, role_of_joint, type Role} from "./roles";
+import type {Role} from "../../figure/figure";
+import {role_of_body, role_of_joint} from "./roles";
 
 /** "driver", "added link" */
 export function body_name(body: number): string {
@@ -23,7 +24,7 @@ export function length_words(name: string): string {
 }
 
 function color(role: Role): string {
-  return role === "driver" ? "accent" : role === "chain" ? "body" : role;
+  return role === "driver" ? "accent" : role === "coupler" ? "body" : role;
 }
 export function body_color(body: number): string {
   return color(role_of_body(body));
