@@ -48,23 +48,14 @@ describe("imports", () => {
     expect(imports.get("main.ts")).toEqual(["App.svelte", "tasks/views.ts"]);
     expect([...imports.values()].flat().length).toBeGreaterThan(1000);
   });
-  it("make no circles", () => {
-    // The drawing's scene asks the kinds for their handles, which are handed the scene; to go with the handles' injection.
-    const drawing = (circle: string[]) => circle.every((file) => /^drawing\/|^tasks\/views?\.ts$/.test(file));
-    expect(circles().filter((circle) => !drawing(circle))).toEqual([]);
-  });
+  it("make no circles", () => expect(circles()).toEqual([]));
 });
 
 describe("the frame", () => {
   const kinds = readdirSync(join(root, "tasks"), {withFileTypes: true})
     .filter((entry) => entry.isDirectory())
     .map(({name}) => name);
-  /** Painters that still know the six-bar; to go with the painters of figures. */
-  const painters =
-    /^drawing\/|^solid\/|^pins\/(MiniDrawing\.svelte|reach\.ts)$|^exports\/(PrintSheet\.svelte|picture\.ts)$|^shell\/KindPicture\.svelte$/;
-  const frame = files.filter(
-    (file) => !painters.test(file) && !kinds.some((kind) => file.startsWith(`tasks/${kind}/`)),
-  );
+  const frame = files.filter((file) => !kinds.some((kind) => file.startsWith(`tasks/${kind}/`)));
 
   it("has kinds of tasks to know nothing of", () => expect(kinds).toEqual(["function", "motion", "six_bar"]));
   it.each(frame)("names none in %s", (file) => {
