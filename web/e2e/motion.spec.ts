@@ -209,8 +209,8 @@ test("20 · five positions: a board of as many four-bars as the program finds, a
       };
       const problem = JSON.stringify({...workbench.problem, view: undefined});
       const at = async (pair: number[]) =>
-        (await workbench.driver_client!.follow("linkage", {problem, tau: pair as unknown as [number, number]})).linkage
-          .miss?.distance ?? Infinity;
+        (await workbench.driver_client!.run({kind: "linkage", problem, tau: pair as unknown as [number, number]}))
+          .linkage.miss?.distance ?? Infinity;
       let place = [tau[nearest(input)]!, tau[nearest(output)]!],
         least = await at(place);
       for (let step = 0.004; step > 1e-8; step /= 2) {
