@@ -3,7 +3,8 @@ import {poses_extent, with_view} from "../state/problem";
 import {is_picture, picture} from "./background";
 import type {Bench} from "./bench";
 import {with_outline} from "./drags/outline_drags";
-import {is_outline_file, outline_of_file} from "./outline_file";
+import {body_of, is_outline_file, read_outlines, unit_factor} from "./outline_file";
+import {chosen_shape} from "./outlines/choice";
 
 export function is_drawing_file(file: File): boolean {
   return is_outline_file(file, true) || is_picture(file);
@@ -14,12 +15,16 @@ export async function take_file(bench: Bench, file: File): Promise<void> {
   if (is_outline_file(file, workbench.mode === "outline")) await take_outline(bench, file);
   else if (is_picture(file)) await take_picture(bench, file);
 }
+/** Where the drawing has several shapes, one is asked for. */
 export async function take_outline({workbench, scene}: Bench, file: File): Promise<void> {
-  const outline =
-    file.size < 16e6 ? outline_of_file(file.name, await file.text(), 0.3 * poses_extent(scene.poses)) : null;
-  if (!outline) return workbench.say("drawing.no_outline", {name: file.name});
+  const {name} = file,
+    found = await read_outlines(file);
+  if (typeof found === "string") return workbench.say(`drawing.outline_${found}`, {name});
+  const factor = unit_factor(found.unit_mm, workbench.unit),
+    shape = await chosen_shape(found.shapes, name, factor, workbench.unit);
+  if (!shape) return;
   scene.draft = null;
-  workbench.edit((problem) => with_outline(problem, outline));
+  workbench.edit((problem) => with_outline(problem, body_of(shape, factor, 0.3 * poses_extent(scene.poses))));
 }
 export async function take_picture({workbench, scene}: Bench, file: File): Promise<void> {
   const background = file.size < 64e6 ? await picture(file, scene.view) : null;
