@@ -1,6 +1,5 @@
-// Animated GIF and WebM of a picture: made in pieces, so that the page stays alive and the user can stop it.
+// An animated GIF of a picture: made in pieces, so that the page stays alive and the user can stop it.
 import type {Frame} from "./frames";
-import {duration_ms, frame_at} from "./frames";
 import {paint_picture, type Picture} from "./picture";
 
 export interface Progress {
@@ -10,15 +9,27 @@ export interface Progress {
 }
 const changed_only = 127; // palette index that leaves a pixel as the frame before had it
 
-/** Lets the page do other things; throws when the user has stopped the work. */
-async function breathe({signal}: Progress): Promise<void> {
-  await new Promise((resolve) => setTimeout(resolve, 0));
+/** Lets the page do other things; throws when the user has stopped the work. Unlike timers, messages are not slowed down in
+ *  a hidden tab. */
+export async function breathe({signal}: Progress): Promise<void> {
+  const {port1, port2} = new MessageChannel();
+  await new Promise((resolve) => {
+    port1.onmessage = resolve;
+    port2.postMessage(null);
+  });
+  port1.close();
   signal.throwIfAborted();
 }
-function canvas_for(picture: Picture): [HTMLCanvasElement, CanvasRenderingContext2D] {
+export function canvas_for({
+  width,
+  height,
+}: {
+  width: number;
+  height: number;
+}): [HTMLCanvasElement, CanvasRenderingContext2D] {
   const canvas = document.createElement("canvas");
-  canvas.width = picture.width;
-  canvas.height = picture.height;
+  canvas.width = width;
+  canvas.height = height;
   return [canvas, canvas.getContext("2d", {willReadFrequently: true})!];
 }
 
@@ -59,37 +70,4 @@ export async function animated_gif(picture: Picture, frames: readonly Frame[], p
 }
 export function only_changes(before: Uint8Array, now: Uint8Array): Uint8Array {
   return now.map((color, i) => (color === before[i] ? changed_only : color));
-}
-
-const film_types = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
-export function film_type(): string | null {
-  if (typeof MediaRecorder === "undefined" || !("captureStream" in HTMLCanvasElement.prototype)) return null;
-  return film_types.find((type) => MediaRecorder.isTypeSupported(type)) ?? null;
-}
-/** Recorded as it plays, once there and back. */
-export async function film(picture: Picture, frames: readonly Frame[], progress: Progress): Promise<Blob> {
-  const [canvas, context] = canvas_for(picture);
-  const recorder = new MediaRecorder(canvas.captureStream(30), {mimeType: film_type()!, videoBitsPerSecond: 4_000_000});
-  const pieces: Blob[] = [];
-  recorder.ondataavailable = (event) => pieces.push(event.data);
-  const stopped = new Promise((resolve, reject) => {
-    recorder.onstop = resolve;
-    recorder.onerror = () => reject(new Error("the recorder failed"));
-  });
-  const length = duration_ms(frames),
-    began = performance.now();
-  paint_picture(context, picture, frames[0]!.angle);
-  recorder.start();
-  try {
-    for (let ms = 0; ms < length; ms = performance.now() - began) {
-      paint_picture(context, picture, frame_at(frames, ms).angle);
-      progress.done(ms / length);
-      await new Promise((resolve) => setTimeout(resolve, 33)); // unlike animation frames, it goes on in a hidden tab
-      progress.signal.throwIfAborted();
-    }
-  } finally {
-    recorder.stop();
-    await stopped;
-  }
-  return new Blob(pieces, {type: "video/webm"});
 }

@@ -23,11 +23,3 @@ export function animation_frames(drive: Drive, whole: boolean): Frame[] {
     .map((angle) => ({angle, ms: frame_ms}));
   return [...there, ...back];
 }
-export function duration_ms(frames: readonly Frame[]): number {
-  return frames.reduce((sum, frame) => sum + frame.ms, 0);
-}
-/** The frame on show at a time of a film that runs over and over. */
-export function frame_at(frames: readonly Frame[], ms: number): Frame {
-  let rest = ms % duration_ms(frames);
-  return frames.find((frame) => (rest -= frame.ms) < 0) ?? frames.at(-1)!;
-}

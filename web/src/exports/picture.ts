@@ -54,12 +54,12 @@ export function picture_of(
   };
 }
 
+/** In the frame that the context has: a film is painted larger than the picture. */
 export function paint_picture(
   context: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D,
   {figure_at, at, colors, width, height}: Picture,
   angle_deg: number,
 ): void {
-  context.setTransform(1, 0, 0, 1, 0, 0);
   context.globalAlpha = 1;
   context.fillStyle = colors.paper;
   context.fillRect(0, 0, width, height);

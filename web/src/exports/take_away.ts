@@ -7,7 +7,9 @@ import {poses_of} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {with_other_task} from "../tasks/kinds";
 import {task_view} from "../tasks/views";
-import {animated_gif, film, type Progress} from "./animation";
+import {animated_gif, type Progress} from "./animation";
+import {containers, film, film_angles, type Container} from "./film";
+import {film_choice} from "./film_form.svelte";
 import {animation_frames} from "./frames";
 import {file_name, file_stem} from "./names";
 import {picture_colors, picture_of} from "./picture";
@@ -21,9 +23,9 @@ export interface Target {
   /** The task in which it does its work. */
   problem: Problem;
 }
-export const formats = ["dxf", "svg", "png", "csv", "json", "result", "gif", "webm"] as const;
+export const formats = ["dxf", "svg", "png", "csv", "json", "result", "gif", ...containers] as const;
 export type Format = (typeof formats)[number];
-export const animated: readonly Format[] = ["gif", "webm"];
+export const animated: readonly Format[] = ["gif", ...containers];
 
 const engine_types: Record<ExportFormat, string> = {
   dxf: "image/vnd.dxf",
@@ -32,7 +34,7 @@ const engine_types: Record<ExportFormat, string> = {
   json: "application/json",
   result: "application/json",
 };
-const film_size = {width: 640, height: 480};
+const gif_size = {width: 640, height: 480};
 
 export function targets(workbench: Workbench): Target[] {
   const {problem, pins, picked_linkage, picked} = workbench;
@@ -56,7 +58,7 @@ export async function made_file(
 ): Promise<File> {
   const stem = file_stem(target.problem, target, workbench.pins);
   if (format === "png") return {name: `${stem}.png`, blob: await png(workbench, target)};
-  if (format === "gif" || format === "webm")
+  if (format === "gif" || format === "mp4" || format === "webm")
     return {name: `${stem}.${format}`, blob: await animation(workbench, target, format, progress)};
   const {text, extension} = await from_engine(workbench, target, format);
   return {
@@ -92,12 +94,14 @@ async function linkage_of(workbench: Workbench, {pin, problem, tau}: Target): Pr
 async function animation(
   workbench: Workbench,
   target: Target,
-  format: "gif" | "webm",
+  format: "gif" | Container,
   progress: Progress,
 ): Promise<Blob> {
   const linkage = await linkage_of(workbench, target),
     {problem} = target;
-  const {width, height} = film_size;
+  const {form} = film_choice,
+    scale = format === "gif" ? 1 : form.height / gif_size.height; // lines as wide as in the GIF, for its height
+  const {width, height} = format === "gif" ? gif_size : {width: form.width / scale, height: form.height / scale};
   const poses = poses_of(problem.task),
     {mechanism} = task_view(problem.task);
   const picture = picture_of(
@@ -108,6 +112,7 @@ async function animation(
     css_values(document.documentElement, picture_colors),
   );
   if (!picture) throw new Error("no drive table");
-  const frames = animation_frames(picture.drive, workbench.whole_travel);
-  return format === "gif" ? animated_gif(picture, frames, progress) : film(picture, frames, progress);
+  const whole = workbench.whole_travel;
+  if (format === "gif") return animated_gif(picture, animation_frames(picture.drive, whole), progress);
+  return film(picture, film_angles(picture.drive, whole, form.rate), scale, format, form, progress);
 }

@@ -67,6 +67,7 @@ describe("an export that is opened", () => {
     expect(told("a", "\x89PNG\r\n", null)).toEqual({kind: "drawing"});
     expect(told("a", "GIF89a", null)).toEqual({kind: "film"});
     expect(told("a.webm", "\x1a\x45\xdf\xa3", null)).toEqual({kind: "film"});
+    expect(told("a", "\0\0\n\x20ftypisom", null)).toEqual({kind: "film"});
   });
   it("that is none of these is read as a problem", () => {
     const text = JSON.stringify(first_example.problem);

@@ -17,9 +17,9 @@ const starts: readonly (readonly [RegExp, "drawing" | "film"])[] = [
     /^\x89PNG|^\xff\xd8\xff|^RIFF....WEBP|^(\s*999\s.*)?\s*0\r?\n\s*SECTION|^(\ufeff?\s*<\?xml[^>]*>\s*(<!--[^]*?-->\s*)*)?<svg/,
     "drawing",
   ],
-  [/^GIF8|^\x1a\x45\xdf\xa3/, "film"],
+  [/^GIF8|^\x1a\x45\xdf\xa3|^....ftyp/s, "film"],
 ];
-const endings = {drawing: /\.(dxf|svg|png|jpe?g|webp)$/i, table: /\.csv$/i, film: /\.(gif|webm)$/i} as const;
+const endings = {drawing: /\.(dxf|svg|png|jpe?g|webp)$/i, table: /\.csv$/i, film: /\.(gif|mp4|webm)$/i} as const;
 
 /** What a file is. `bytes` are the first of it, one character each; `text` is null where it is no text. */
 export function told(name: string, bytes: string, text: string | null): Told {

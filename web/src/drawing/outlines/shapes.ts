@@ -36,7 +36,7 @@ interface Extent {
   x: [number, number];
   y: [number, number];
 }
-function extent({points}: Pick<Shape, "points">): Extent {
+export function extent({points}: Pick<Shape, "points">): Extent {
   const box: Extent = {x: [Infinity, -Infinity], y: [Infinity, -Infinity]};
   for (const [x, y] of points) {
     box.x = [Math.min(box.x[0], x), Math.max(box.x[1], x)];
