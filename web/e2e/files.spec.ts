@@ -5,6 +5,7 @@ import {closeSync, openSync, readFileSync, writeSync} from "node:fs";
 import {join} from "node:path";
 import {
   bad_problems,
+  example,
   examples,
   expect,
   file_menu,
@@ -84,6 +85,22 @@ test("15 · work outlives a reload, and what an example replaced can be had back
   expect(await shown(page)).toEqual(landing_gear);
   await file_menu(page, "file.recover");
   await expect.poll(() => shown(page)).toEqual(before);
+});
+
+test("15 · work that an earlier version of the page kept is opened, and so is what was done just before the page went", async ({
+  page,
+}) => {
+  const kept = {version: 1, at: 7, problem: {...example("hood_hinge"), title: "From before"}};
+  await page.goto("/icon.svg"); // of the same origin
+  await page.evaluate((text) => localStorage.setItem("linkwright.work", text), JSON.stringify(kept));
+  await open_workbench(page);
+  await expect(page).toHaveTitle(/From before/);
+  expect(await page.evaluate(() => Object.keys(localStorage))).not.toContain("linkwright.work");
+  await read_state(page, (workbench) => {
+    workbench.edit((problem) => ({...problem, title: "At the last moment"}));
+    location.reload();
+  });
+  await expect(page).toHaveTitle(/At the last moment/);
 });
 
 test("15 · two tabs keep their work apart", async ({page, context}) => {

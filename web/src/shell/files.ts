@@ -32,7 +32,7 @@ export async function read_text(workbench: Workbench, text: string): Promise<Pro
 
 /** Another task takes the place of the one on screen, which can be had back: by undo, and from the menu. */
 export function replace_work(workbench: Workbench, problem: Problem, file_name: string | null = null): void {
-  write_before(workbench.slot, workbench.whole_problem);
+  void write_before(workbench.slot, workbench.whole_problem);
   workbench.open(problem, file_name);
 }
 export function can_restore({slot}: Workbench): boolean {

@@ -48,15 +48,15 @@ const problem: Problem = with_view(new_problem(), {
 const steps = {past: [from_problem(new_problem())], present: from_problem(problem), future: []};
 
 describe("the browser's store", () => {
-  it("gives back what was kept, with its steps", () => {
+  it("gives back what was kept, with its steps", async () => {
     const store = store_of();
-    expect(write_work("", steps, store, 5)).toBe(true);
+    expect(await write_work("", steps, store, 5)).toBe(true);
     expect(read_work("", store)).toEqual({...steps, at: 5});
     expect(read_before("", store)).toBeNull();
-    write_before("", problem, store);
+    expect(await write_before("", problem, store)).toBe(true);
     expect(read_before("", store)).toEqual(problem);
   });
-  it("gives up old steps, then the picture, where there is no room", () => {
+  it("gives up old steps, then the picture, where there is no room", async () => {
     const image = `data:image/png;base64,${"A".repeat(5000)}`,
       background = {image, x: 0, y: 0, width: 1, aspect: 1};
     const seen = {
@@ -64,18 +64,18 @@ describe("the browser's store", () => {
       present: from_problem(with_view(problem, {background})),
       future: [],
     };
-    const kept = (room: number) => {
+    const kept = async (room: number) => {
       const store = store_of(room),
-        written = write_work("", seen, store),
+        written = await write_work("", seen, store),
         {past, present} = read_work("", store) ?? {past: [], present: null};
       return [written, past.length, present?.problem.view?.background !== undefined && present !== null];
     };
-    expect(kept(1e9)).toEqual([true, 400, true]);
-    expect(kept(40_000)).toEqual([true, 50, true]);
-    expect(kept(7000)).toEqual([true, 0, true]);
-    expect(kept(4000)).toEqual([true, 0, false]);
-    expect(kept(10)).toEqual([false, 0, false]);
-    expect(write_work("", seen, null)).toBe(false);
+    expect(await kept(1e9)).toEqual([true, 400, true]);
+    expect(await kept(40_000)).toEqual([true, 50, true]);
+    expect(await kept(7000)).toEqual([true, 0, true]);
+    expect(await kept(4000)).toEqual([true, 0, false]);
+    expect(await kept(10)).toEqual([false, 0, false]);
+    expect(await write_work("", seen, null)).toBe(false);
   });
   it.each([
     "",
@@ -145,7 +145,7 @@ describe("tabs", () => {
         return store.length;
       },
       setItem(key, value) {
-        store.setItem(key, value);
+        void store.setItem(key, value);
         for (const other of windows)
           if (other !== window) other.dispatchEvent(Object.assign(new Event("storage"), {key, newValue: value}));
       },

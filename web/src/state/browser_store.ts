@@ -1,4 +1,4 @@
-/** What the browser keeps between visits; nothing where it keeps nothing. */
+/** The browser's small store, read and written at once; nothing where it keeps nothing. */
 export function browser_store(): Storage | null {
   try {
     return globalThis.localStorage ?? null;
