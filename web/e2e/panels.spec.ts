@@ -212,7 +212,7 @@ test.describe("requirements", () => {
     await type_into(page, "req.min_transmission.number", "89");
     await until_settled(page);
     expect(await meeting(page)).toBe(0);
-    await expect(page.getByTestId("req.none_left")).toContainText("The transmission angle costs most:");
+    await expect(page.getByTestId("req.none_left")).toContainText("The transmission angle is the most restrictive");
     const problem = example("tailgate");
     problem.requirements.min_transmission_angle_deg = 89;
     const {relax} = solve(problem);
@@ -253,7 +253,7 @@ test.describe("requirements", () => {
       const before = await meeting(page),
         only = await read_state(page, (workbench, bit) => workbench.census!.only[bit], requirement_keys.indexOf(key));
       const drop = page.getByTestId(`req.without.${key}`);
-      await expect(drop).toHaveText(`without it +${grouped(only!)}`);
+      await expect(drop).toHaveText(`+${grouped(only!)} if dropped`);
       await drop.click();
       await until_settled(page);
       expect(await meeting(page), key).toBe(before + only!);
@@ -392,7 +392,7 @@ test.describe("numbers", () => {
       await expect(page.getByTestId("num.output_circle")).toHaveText(
         found.output.circle_point.map((v: number) => v.toFixed(1).replace("-", "−")).join(", "),
       );
-      await expect(page.getByTestId("num.verdict")).toHaveText("✓ No defects, checked by driving");
+      await expect(page.getByTestId("num.verdict")).toHaveText("✓ No defects, verified by simulation");
       await expect(page.getByTestId("num.verified")).toBeVisible();
       if (found.min_transmission_angle_full_turn_deg !== null)
         await expect(page.getByTestId("num.min_turn")).toHaveText(angle(found.min_transmission_angle_full_turn_deg));
@@ -446,7 +446,7 @@ test.describe("numbers", () => {
     await expect(page.getByTestId("num.verified")).toHaveCount(0);
     await page.getByTestId("export.title").click();
     await expect(page.getByTestId("export.mind")).toContainText(
-      /^Mind before you build it: Order defect: this linkage reaches the positions as /,
+      /^Before you build it: Order defect: this linkage reaches the positions as /,
     );
   });
 });

@@ -62,7 +62,9 @@ describe("requirements", () => {
       "Not met: transmission angle (89° at least), longest link (400 mm at most), box for fixed pivots",
     );
     const relaxation = {requirement: "min_transmission_angle_deg", value: 83, leaves: 34} as const;
-    expect(relaxation_text(relaxation, true, "83°")).toBe("The transmission angle costs most: 83° would leave 34.");
+    expect(relaxation_text(relaxation, true, "83°")).toBe(
+      "The transmission angle is the most restrictive; 83° leaves 34.",
+    );
     expect(relaxation_text({...relaxation, value: null}, false, "")).toBe(
       "Without the transmission angle, 34 are left.",
     );
@@ -70,7 +72,7 @@ describe("requirements", () => {
   it("names the requirements that only together leave something, and drops them all", () => {
     const requirements = ["no_defects", "max_length", "ground_pivots_within"] as const;
     expect(together_text({requirements: [...requirements], leaves: 1234})).toBe(
-      "No single requirement is to blame: without ban on defects, longest link and box for fixed pivots together, 1\u202f234 are left.",
+      "No single requirement is to blame: without no-defects requirement, longest link and box for fixed pivots together, 1\u202f234 are left.",
     );
     expect(all_dropped(requirements)).toEqual({
       no_defects: false,

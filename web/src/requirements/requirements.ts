@@ -112,7 +112,7 @@ export function unmet_text(linkage: Linkage, workbench: Pick<Workbench, "problem
   const names = failing(linkage).map((key) => asked_for(key, requirements, workbench.unit));
   return names.length > 0 ? t("req.unmet", {names: names.join(t("req.comma"))}) : null;
 }
-/** "The link ratio costs most: 8.2 would leave 34." `value` stands for the relaxed value. */
+/** "The link ratio is the most restrictive; 8.2 leaves 34." `value` stands for the relaxed value. */
 export function relaxation_text(
   {requirement, value: relaxed, leaves}: Relaxation,
   dearest: boolean,

@@ -32,8 +32,8 @@ describe("kinds of tasks", () => {
     const lock = {code: "branch_defect", message: "", values: {from: 1, to: 2}},
       order = {code: "order_defect", message: "", values: {order: "1-3-2"}};
     const pairs = {kind: "function", mechanism: "four_bar", pairs: []} as FunctionTask;
-    expect(told(problem.task, lock)).toBe("Branch defect: it locks (dead point) between positions 1 and 2.");
-    expect(told(pairs, lock)).toBe("Branch defect: it locks (dead point) between pairs 1 and 2.");
+    expect(told(problem.task, lock)).toBe("Branch defect: it passes a dead point between positions 1 and 2.");
+    expect(told(pairs, lock)).toBe("Branch defect: it passes a dead point between pairs 1 and 2.");
     expect(told(pairs, order)).toBe("Order defect: this linkage reaches the pairs as 1-3-2.");
     preferences.language = "zh";
     expect(told(pairs, lock)).toContain("第 1 对与第 2 对");
