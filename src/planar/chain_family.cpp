@@ -70,6 +70,12 @@ MapPoint ChainFamily::point_of(const SixBarMember& member) const {
   return {tau_4, first ? six_bars_.second_coordinate(*first, tau_5) : tau_5};
 }
 
+std::vector<double> ChainFamily::samples(Side side, int count, Spacing /*spacing*/) const {
+  std::vector<double> coordinates;
+  for (int i = 0; i < count; ++i) coordinates.push_back(axis(side).coordinate_length() * (i + 0.5) / count);
+  return coordinates;
+}
+
 MapPivots ChainFamily::pivots(const RegionMap& map) const {
   const auto of_cell = [this, &map, links = first_links(six_bars_, map.input_coordinates(), map.threads())](
                            std::size_t row, std::size_t column) -> std::optional<Pivots> {

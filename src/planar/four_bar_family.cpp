@@ -67,7 +67,10 @@ std::optional<SideLinks> ProductFamily::side_links_beside(MapPoint place, const 
   return output ? std::optional(SideLinks{*input, *output}) : std::nullopt;
 }
 
-MapPivots ProductFamily::pivots(const RegionMap& map) const { return {map.row_pivots(), map.column_pivots(), {}}; }
+MapPivots ProductFamily::pivots(const RegionMap& map) const {
+  if (map.row_pivots().empty()) return FourBarFamily::pivots(map);  // a map that was filled row by row
+  return {map.row_pivots(), map.column_pivots(), {}};
+}
 
 std::vector<GroundedLinkPivots> ProductFamily::pivots_of(const std::vector<Dyad>& links) const {
   const auto user = [&](Homogeneous point) {

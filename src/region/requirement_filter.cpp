@@ -164,7 +164,7 @@ void RequirementFilter::failures_of_all(std::span<std::uint8_t> failures, const 
   require(failures.size() == map_->rows() * map_->columns(), "there is a place for each cell");
   parallel_for(map_->rows(), map_->threads(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
-      std::uint8_t* const of_row = &failures[map_->index(row, 0)];
+      std::uint8_t* const of_row = failures.data() + map_->index(row, 0);
       if (progress.is_cancelled())
         std::fill_n(of_row, map_->columns(), all_failures);
       else

@@ -30,6 +30,9 @@ class ChainFamily : public LinkageFamily {
   [[nodiscard]] std::optional<SixBarMember> member(MapPoint point) const;
   [[nodiscard]] MapPoint point_of(const SixBarMember& member) const;
 
+  /// As many on a curve without coordinates: none of its cells holds a six-bar, but there are cells to be counted.
+  [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
+
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
 
  private:
