@@ -5,6 +5,7 @@
 #include <new>
 
 #include "linkwright/core/angle.hpp"
+#include "support/draws.hpp"
 
 // A kind of linkage that has no geometry: what a map does for any kind.
 namespace linkwright::region_map_test {
