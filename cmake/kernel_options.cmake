@@ -10,6 +10,5 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
     ${avx512_sources} PROPERTIES COMPILE_OPTIONS
                                  "-mavx512f;-mavx512dq;-mavx512bw;-mavx512vl;-mavx2;-mprefer-vector-width=512")
 endif()
-# Nor can they be compiled together with others, or less than -O3.
+# Nor can they be compiled together with others.
 set_source_files_properties(${kernel_sources} ${avx2_sources} ${avx512_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-set_property(SOURCE ${kernel_sources} ${avx2_sources} ${avx512_sources} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)

@@ -11,17 +11,35 @@ namespace {
 constexpr std::array<std::string_view, 4> objective_names = {"min_transmission_angle", "link_ratio", "size",
                                                              "structural_error"};
 
-double score(const RegionMap& map, Objective objective, std::size_t cell) {
-  return score_of(objective, static_cast<double>(map.values(measures::min_transmission_angle)[cell]),
-                  static_cast<double>(map.values(measures::link_ratio)[cell]),
-                  static_cast<double>(map.values(measures::longest_link)[cell]));
-}
+// What ranks the cells of a map: one of its measures.
+class Ranking {
+ public:
+  Ranking(const RegionMap& map, Objective objective)
+      : values_(map.values(measure_of(objective))), sign_(measure_of(objective).larger_is_better ? 1 : -1) {}
+
+  [[nodiscard]] double score(std::size_t cell) const { return sign_ * static_cast<double>(values_[cell]); }
+
+ private:
+  std::span<const float> values_;
+  double sign_;
+};
 
 bool same_branch(double tau, double other) { return std::floor(tau) == std::floor(other); }
 
 }  // namespace
 
 std::string_view name(Objective objective) { return objective_names[static_cast<std::size_t>(objective)]; }
+
+const Measure& measure_of(Objective objective) {
+  switch (objective) {
+    case Objective::link_ratio:
+      return measures::link_ratio;
+    case Objective::size:
+      return measures::longest_link;
+    default:
+      return measures::min_transmission_angle;
+  }
+}
 
 double score_of(Objective objective, double versine, double link_ratio, double longest) {
   switch (objective) {
@@ -37,8 +55,9 @@ double score_of(Objective objective, double versine, double link_ratio, double l
 
 std::vector<RankedCell> hill_tops(const RegionMap& map, const RequirementFilter& filter, Objective objective,
                                   std::size_t most) {
+  const Ranking ranking(map, objective);
   const auto score_at = [&](std::size_t row, std::size_t column) {
-    return filter.passes(row, column) ? score(map, objective, map.index(row, column)) : no_score;
+    return filter.passes(row, column) ? ranking.score(map.index(row, column)) : no_score;
   };
   const auto same_hill = [&](std::size_t row, std::size_t column, std::size_t other_row, std::size_t other_column) {
     return map.type(map.index(row, column)) == map.type(map.index(other_row, other_column)) &&
@@ -52,11 +71,12 @@ std::vector<RankedCell> hill_tops(const RegionMap& map, const RequirementFilter&
 std::vector<RankedCell> tile_bests(const RegionMap& map, const RequirementFilter& filter, Objective objective,
                                    std::size_t tiles) {
   const auto tile_of = [&](std::size_t index, std::size_t size) { return index * tiles / size; };
+  const Ranking ranking(map, objective);
   std::vector<std::optional<RankedCell>> best(tiles * tiles);
   for (std::size_t row = 0; row < map.rows(); ++row)
     for (std::size_t column = 0; column < map.columns(); ++column) {
       if (!filter.passes(row, column)) continue;
-      const RankedCell cell{row, column, score(map, objective, map.index(row, column))};
+      const RankedCell cell{row, column, ranking.score(map.index(row, column))};
       auto& held = best[tile_of(row, map.rows()) * tiles + tile_of(column, map.columns())];
       if (!held || ranks_before(cell, *held)) held = cell;
     }

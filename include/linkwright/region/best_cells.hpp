@@ -14,6 +14,8 @@ namespace linkwright {
 enum class Objective { min_transmission_angle, link_ratio, size, structural_error };
 [[nodiscard]] std::string_view name(Objective objective);
 
+/// The measure that ranks the cells of a map; a larger or a smaller one is better, as the measure says.
+[[nodiscard]] const Measure& measure_of(Objective objective);
 /// Score of a linkage: 1 − cos γ, −ratio or −longest link.
 [[nodiscard]] double score_of(Objective objective, double versine, double link_ratio, double longest);
 
