@@ -26,45 +26,45 @@ std::string reach_text(const FunctionError& error) {
   return text;
 }
 
-bool has_free_number(const Solution& solution) {
-  const AxisQuantity quantity = solution.given.family->axis(Side::output).quantity;
+bool has_free_number(const FourBarAnswer& answer) {
+  const AxisQuantity quantity = answer.given.family->axis(Side::output).quantity;
   return quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output;
 }
 
-std::string free_text(const Solution& solution, const FourBarSolution& found) {
-  const FourBarFamily& family = *solution.given.family;
+std::string free_text(const FourBarAnswer& answer, const FourBarSolution& found) {
+  const FourBarFamily& family = *answer.given.family;
   const std::string value = significant_text(family.axis_value(Side::output, found.output.coordinate), 5);
   return family.axis(Side::output).quantity == AxisQuantity::pair_output ? value + "°" : "× " + value;
 }
 
 }  // namespace
 
-std::string function_error_words(const Solution& solution) {
-  if (solution.linkages.empty()) return "";
-  const auto& first = solution.linkages.front().function;
+std::string function_error_words(const FourBarAnswer& answer) {
+  if (answer.linkages.empty()) return "";
+  const auto& first = answer.linkages.front().function;
   if (!first) return "";
-  const bool with_free = has_free_number(solution);
+  const bool with_free = has_free_number(answer);
   if (first->samples.empty() && !with_free) return "";  // only pairs, which are exact
   std::vector<std::string> headings = {"#", "at the pairs", "structural error", "at input", "<reach"};
   if (with_free) headings.insert(headings.begin() + 1, "output");
   TextTable table(headings);
-  for (std::size_t i = 0; i < solution.linkages.size(); ++i) {
-    const FourBarSolution& found = solution.linkages[i];
+  for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
+    const FourBarSolution& found = answer.linkages[i];
     if (!found.function) continue;
     const FunctionError& error = *found.function;
     std::vector<std::string> cells = {fmt::format("{}", i + 1), precision_text(error),
                                       error.max_structural_error ? small_angle(*error.max_structural_error) : "–",
                                       error.max_structural_error ? angle_text(error.worst_input) : "–",
                                       reach_text(error)};
-    if (with_free) cells.insert(cells.begin() + 1, free_text(solution, found));
+    if (with_free) cells.insert(cells.begin() + 1, free_text(answer, found));
     table.add_row(std::move(cells));
   }
   return "Largest errors of the output, generated less wanted, over the range:\n" + table.text();
 }
 
-std::string precision_words(const Solution& solution) {
+std::string precision_words(const FourBarAnswer& answer) {
   double worst = 0;
-  for (const FourBarSolution& found : solution.linkages)
+  for (const FourBarSolution& found : answer.linkages)
     if (found.function) worst = std::max(worst, found.function->precision_error);
   return fmt::format("the output stands right at every pair reached to {}", small_angle(worst));
 }

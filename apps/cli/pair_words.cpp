@@ -35,12 +35,12 @@ std::string pair_name(const FourBarSolution& found) {
   return found.function ? fmt::format("{}", input) : fmt::format("{}–{}", input, number_at(found.output.coordinate));
 }
 
-std::string pair_table(const Solution& solution) {
-  const int decimals = decimals_for(solution.pairs);
-  const bool are_functions = solution.pairs.front().function.has_value();
+std::string pair_table(const FourBarAnswer& answer) {
+  const int decimals = decimals_for(answer.pairs);
+  const bool are_functions = answer.pairs.front().function.has_value();
   TextTable table({are_functions ? "#" : "pair", "<type", "<drive", "γ", "γ turn", "ratio", "ground", "input",
                    "coupler", "output"});
-  for (const FourBarSolution& found : solution.pairs) {
+  for (const FourBarSolution& found : answer.pairs) {
     std::vector<std::string> cells = {pair_name(found), std::string(short_label(found.report.type)),
                                       drive_text(found.report), task_gamma(found.report),
                                       full_turn_gamma(found.report)};
@@ -50,20 +50,20 @@ std::string pair_table(const Solution& solution) {
   return table.text();
 }
 
-std::string reasons(const Solution& solution) {
+std::string reasons(const FourBarAnswer& answer) {
   std::string text;
-  for (const FourBarSolution& found : solution.pairs) {
-    const auto reason = defect_notice(found, solution.given);
+  for (const FourBarSolution& found : answer.pairs) {
+    const auto reason = defect_notice(found, answer.given);
     if (reason) text += wrapped(fmt::format("  {}: {}", pair_name(found), reason->message), 6);
   }
   return text.empty() ? "" : "Why they fail:\n" + text;
 }
 
-std::string sliders_among(const Solution& solution) {
-  const std::size_t links = solution.given.points.size(), whole = links * (links - 1) / 2;
-  if (links < 2 || solution.pairs.size() == whole) return "";
+std::string sliders_among(const FourBarAnswer& answer) {
+  const std::size_t links = answer.given.points.size(), whole = links * (links - 1) / 2;
+  if (links < 2 || answer.pairs.size() == whole) return "";
   return wrapped(fmt::format("{} of {} pairs {} no four-bar: a pivot lies at infinity, or a link has no length.",
-                             whole - solution.pairs.size(), whole, whole - solution.pairs.size() == 1 ? "is" : "are"));
+                             whole - answer.pairs.size(), whole, whole - answer.pairs.size() == 1 ? "is" : "are"));
 }
 
 std::string length_words(double length, std::string_view unit) {
@@ -84,8 +84,8 @@ std::string way_out_words(const FreedPosition& way, const Requirements& requirem
 
 }  // namespace
 
-std::string side_link_words(const Solution& solution) {
-  const TaskFamily& given = solution.given;
+std::string side_link_words(const FourBarAnswer& answer) {
+  const TaskFamily& given = answer.given;
   if (given.points.empty()) return "";
   const int decimals = std::min(length_decimals(given.frame().scale), 9);
   TextTable table({"#", "fixed pivot", "moving pivot", "length", "multiplicity", "condition"});
@@ -100,34 +100,30 @@ std::string side_link_words(const Solution& solution) {
   return "\nSide links through all five positions, moving pivots as they lie in position 1:\n" + table.text();
 }
 
-std::string pair_words(const Problem& problem, const Solution& solution) {
-  const bool all_are_listed = solution.pairs.size() == solution.linkages.size();
-  if (solution.pairs.empty() || (all_are_listed && solution.pairs.front().function)) return "";
-  const bool are_functions = std::holds_alternative<FunctionTask>(problem.task);
-  const std::string_view heading = are_functions ? "All linkages through the five precision points, best first:\n"
-                                                 : "Their pairs as four-bars, the first of each drives, best first:\n";
-  return fmt::format("\n{}", heading) + pair_table(solution) + sliders_among(solution) + reasons(solution);
+std::string pair_words(const FourBarAnswer& answer, std::string_view heading) {
+  const bool all_are_listed = answer.pairs.size() == answer.linkages.size();
+  if (answer.pairs.empty() || (all_are_listed && answer.pairs.front().function)) return "";
+  return fmt::format("\n{}", heading) + pair_table(answer) + sliders_among(answer) + reasons(answer);
 }
 
-std::string miss_words(const Problem& problem, const Solution& solution) {
-  if (!solution.given.freed || solution.linkages.empty()) return "";
+std::string miss_words(const Problem& problem, const FourBarAnswer& answer) {
+  if (!answer.given.freed || answer.linkages.empty()) return "";
   TextTable table({"#", "distance", "angle"});
-  for (std::size_t i = 0; i < solution.linkages.size(); ++i) {
-    const auto& miss = solution.linkages[i].miss;
+  for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
+    const auto& miss = answer.linkages[i].miss;
     table.add_row({fmt::format("{}", i + 1), miss ? length_words(miss->distance, problem.length_unit) : "–",
                    miss ? significant_text(degrees(miss->angle), 3) + "°" : "–"});
   }
   return "How near they come to the freed position:\n" + table.text();
 }
 
-std::string ways_out_words(const Problem& problem, const Solution& solution) {
-  if (solution.freed.empty()) return "";
+std::string ways_out_words(const Problem& problem, const MotionAnswer& answer) {
+  if (answer.freed.empty()) return "";
   std::string text = "\nWays out, nearest first: four-bars through four of the positions that meet the requirements.\n";
-  for (const FreedPosition& way : solution.freed)
-    text += way_out_words(way, solution.requirements, problem.length_unit);
+  for (const FreedPosition& way : answer.freed) text += way_out_words(way, answer.requirements, problem.length_unit);
   return text +
          wrapped(fmt::format("With \"freed_pose\": {} in the task all such four-bars are shown, and what each misses.",
-                             solution.freed.front().pose + 1));
+                             answer.freed.front().pose + 1));
 }
 
 }  // namespace linkwright::cli

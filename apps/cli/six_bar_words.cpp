@@ -27,33 +27,33 @@ std::string counted(std::int64_t count, std::string_view one, std::string_view m
   return fmt::format("{} {}", grouped_text(count), count == 1 ? one : many);
 }
 
-std::string search_words(const Problem& problem, const Solution& solution, const SixBarSearchResult& search) {
+std::string search_words(const Problem& problem, const SixBarAnswer& answer, const SixBarSearchResult& search) {
   std::string text = fmt::format("Tried {} that reach all poses (of {} drawn, seed {}",
                                  counted(search.chains_tried, "chain", "chains"), grouped_text(search.chains_drawn),
-                                 solution.options.seed);
-  if (solution.options.box) text += ", pivots in " + box_words(*solution.options.box);
+                                 answer.options.seed);
+  if (answer.options.box) text += ", pivots in " + box_words(*answer.options.box);
   text += fmt::format("): {} with all pivots in the box, {} driven, {} of these free of defects. Wanted: {}.",
                       counted(search.six_bars, "six-bar", "six-bars"), grouped_text(search.driven),
-                      grouped_text(search.defect_free), requirement_words(solution.requirements, problem.length_unit));
+                      grouped_text(search.defect_free), requirement_words(answer.requirements, problem.length_unit));
   text = wrapped(text);
   if (search.interrupted)
-    text += wrapped(fmt::format("Stopped early, after {} of {} chains: {}", grouped_text(search.chains_tried),
-                                grouped_text(solution.options.effort),
-                                solution.six_bars.empty()
-                                    ? "nothing is found so far."
-                                    : "this is the best so far, checked and driven, but not refined."));
+    text +=
+        wrapped(fmt::format("Stopped early, after {} of {} chains: {}", grouped_text(search.chains_tried),
+                            grouped_text(answer.options.effort),
+                            answer.linkages.empty() ? "nothing is found so far."
+                                                    : "this is the best so far, checked and driven, but not refined."));
   return text;
 }
 
-std::string six_bar_map_words(const Problem& problem, const Solution& solution) {
-  const RegionCounts& counts = solution.counts;
+std::string six_bar_map_words(const Problem& problem, const SixBarAnswer& answer) {
+  const RegionCounts& counts = answer.counts;
   const std::int64_t degenerate = counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
-  std::string text = fmt::format("The map of {} × {} pairs of added links holds {}", solution.region.rows(),
-                                 solution.region.columns(), counted(counts.pairs - degenerate, "six-bar", "six-bars"));
+  std::string text = fmt::format("The map of {} × {} pairs of added links holds {}", answer.region.rows(),
+                                 answer.region.columns(), counted(counts.pairs - degenerate, "six-bar", "six-bars"));
   if (degenerate > 0) text += fmt::format(" and {} pairs that make none", grouped_text(degenerate));
   text += fmt::format(". {} free of defects; {}: {}.", counted(counts.defect_free, "is", "are"),
-                      counted(solution.meeting_requirements, "meets the requirements", "meet the requirements"),
-                      requirement_words(solution.requirements, problem.length_unit));
+                      counted(answer.meeting_requirements, "meets the requirements", "meet the requirements"),
+                      requirement_words(answer.requirements, problem.length_unit));
   return wrapped(text);
 }
 
@@ -106,10 +106,10 @@ std::string hinge_table(const Solutions& found, std::initializer_list<SixBar::Jo
 constexpr std::string_view body_words =
     "Bodies: 0 the ground, 1 the driver, 2 the link between, 3 the guided body; 4 and 5 the added links.";
 
-std::string chain_words(const Solution& solution, int decimals) {
-  const Solutions& found = solution.six_bars;
+std::string chain_words(const SixBarAnswer& answer, int decimals) {
+  const Solutions& found = answer.linkages;
   const auto chain = {SixBar::a, SixBar::b, SixBar::d};
-  if (solution.search) return "The chain:\n" + hinge_table(found, chain, decimals);
+  if (answer.search) return "The chain:\n" + hinge_table(found, chain, decimals);
   const SixBar& six_bar = found.front().member.six_bar;  // the same in all
   std::string text = "The chain, as given:";
   for (const auto joint : chain)
@@ -118,16 +118,15 @@ std::string chain_words(const Solution& solution, int decimals) {
   return wrapped(text + ".");
 }
 
-std::string hinge_words(const Solution& solution, int decimals) {
-  return "Hinges (x, y) and the bodies they join, in position 1.\n" + chain_words(solution, decimals) +
+std::string hinge_words(const SixBarAnswer& answer, int decimals) {
+  return "Hinges (x, y) and the bodies they join, in position 1.\n" + chain_words(answer, decimals) +
          "The added links:\n" +
-         hinge_table(solution.six_bars, {SixBar::c4, SixBar::z4, SixBar::c5, SixBar::z5}, decimals) +
-         wrapped(body_words);
+         hinge_table(answer.linkages, {SixBar::c4, SixBar::z4, SixBar::c5, SixBar::z5}, decimals) + wrapped(body_words);
 }
 
-std::string limits_words(const Problem& problem, const Solution& solution) {
-  const std::optional<Box> box = solution.search ? solution.options.box : std::nullopt;
-  return wrapped("Six-bar 1 " + held_back_words(limits_touched(solution.requirements, solution.six_bars.front(), box,
+std::string limits_words(const Problem& problem, const SixBarAnswer& answer) {
+  const std::optional<Box> box = answer.search ? answer.options.box : std::nullopt;
+  return wrapped("Six-bar 1 " + held_back_words(limits_touched(answer.requirements, answer.linkages.front(), box,
                                                                problem.length_unit)));
 }
 
@@ -147,10 +146,10 @@ std::string check_words(const Solutions& all) {
                 : "driving did not confirm every six-bar listed, which is our mistake: please report it"));
 }
 
-std::string no_six_bar_words(const Problem& problem, const Solution& solution) {
-  if (solution.options.best == 0 || (solution.search && solution.search->interrupted)) return "";
-  std::string text = "\n" + wrapped(solution.reason.message);
-  for (const Relaxation& relaxation : solution.relax)
+std::string no_six_bar_words(const Problem& problem, const SixBarAnswer& answer) {
+  if (answer.options.best == 0 || (answer.search && answer.search->interrupted)) return "";
+  std::string text = "\n" + wrapped(answer.reason.message);
+  for (const Relaxation& relaxation : answer.relax)
     text += wrapped("  " + relaxation_words(relaxation, problem.length_unit), 4);
   return text;
 }
@@ -200,16 +199,15 @@ std::string transmission_words(const SixBarAnalysis& analysis) {
 
 }  // namespace
 
-std::string six_bar_answer(const Problem& problem, const Solution& solution) {
-  const Solutions& found = solution.six_bars;
-  std::string text =
-      solution.search ? search_words(problem, solution, *solution.search) : six_bar_map_words(problem, solution);
-  if (found.empty()) return text + no_six_bar_words(problem, solution);
+std::string six_bar_report(const Problem& problem, const SixBarAnswer& answer) {
+  const Solutions& found = answer.linkages;
+  std::string text = answer.search ? search_words(problem, answer, *answer.search) : six_bar_map_words(problem, answer);
+  if (found.empty()) return text + no_six_bar_words(problem, answer);
   double longest = 0;
   for (const SixBarSolution& one : found) longest = std::max(longest, one.rating.shape.longest);
   const int decimals = std::min(length_decimals(longest), 9);
-  return text + "\n" + best_heading(solution.options.objective) + dimension_table(found, decimals) + "\n" +
-         hinge_words(solution, decimals) + "\n" + limits_words(problem, solution) + check_words(found);
+  return text + "\n" + best_heading(answer.options.objective) + dimension_table(found, decimals) + "\n" +
+         hinge_words(answer, decimals) + "\n" + limits_words(problem, answer) + check_words(found);
 }
 
 std::string six_bar_words(const SixBarAnalysis& analysis) {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "answer.hpp"
+#include "report.hpp"
 #include "commands.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/problem_file.hpp"
@@ -14,7 +14,7 @@ int stopped() {
   return Interruption::exit_status();
 }
 
-Result<Solution> solve_with_progress(const Problem& problem) {
+Result<Answer> solve_with_progress(const Problem& problem) {
   ProgressLine line;
   Progress progress;
   progress.report = [&line](double done) { line.show(done); };
@@ -22,13 +22,18 @@ Result<Solution> solve_with_progress(const Problem& problem) {
   return solve(problem.task, problem.requirements, problem.options, progress);
 }
 
+/// Such an answer is complete in itself wherever it was stopped.
+bool is_best_so_far(const Answer& answer) {
+  const auto* six_bars = std::get_if<SixBarAnswer>(&answer);
+  return six_bars && six_bars->search;
+}
+
 /// The files that were asked for; false where one cannot be written.
-bool write_files(const SolveArguments& arguments, const Problem& problem, const Solution& solution) {
-  const bool drawn = arguments.picture.empty() || write_output(arguments.picture, [&](const TextSink& sink) {
-                       sink(draw_solution(problem, solution));
-                     });
+bool write_files(const SolveArguments& arguments, const Problem& problem, const Answer& answer) {
+  const bool drawn = arguments.picture.empty() ||
+                     write_output(arguments.picture, [&](const TextSink& sink) { sink(draw_answer(problem, answer)); });
   return drawn && (arguments.result.empty() || write_output(arguments.result, [&](const TextSink& sink) {
-                     write_result(sink, problem, solution, arguments.with_region);
+                     write_result(sink, problem, answer, arguments.with_region);
                    }));
 }
 
@@ -48,18 +53,18 @@ int solve(const SolveArguments& arguments) {
     print_mistakes("--samples", option_mistakes);
     return mistake;
   }
-  const auto solution = solve_with_progress(*problem);
-  if (solution && solution->search) Interruption::settle();  // a search hands over the best so far
+  const auto solved = solve_with_progress(*problem);
+  if (solved && is_best_so_far(*solved)) Interruption::settle();  // a search hands over the best so far
   if (Interruption::happened()) return stopped();
-  if (!solution) {
-    print_mistakes(file, solution.errors());
+  if (!solved) {
+    print_mistakes(file, solved.errors());
     return mistake;
   }
-  const bool written = write_files(arguments, *problem, *solution);
+  const bool written = write_files(arguments, *problem, *solved);
   if (Interruption::happened()) return stopped();
   if (!written) return failure;
   const bool text_goes_elsewhere = arguments.result == "-" || arguments.picture == "-";
-  const bool told = text_goes_elsewhere || print_answer(answer(*problem, *solution));
+  const bool told = text_goes_elsewhere || print_answer(report(*problem, *solved));
   return told ? Interruption::exit_status() : failure;
 }
 

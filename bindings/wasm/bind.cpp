@@ -67,13 +67,7 @@ class BoundSession : public Session {
   }
   val explore_reply(int samples, double input_from, double input_to, double output_from, double output_to,
                     const std::string& property, int order) {
-    const ExploreReply reply = explore({samples,
-                                        {input_from, input_to},
-                                        {output_from, output_to},
-                                        property,
-                                        property == "pose_miss",
-                                        property == "max_structural_error_deg",
-                                        order});
+    const ExploreReply reply = explore({samples, {input_from, input_to}, {output_from, output_to}, property, order});
     val result = val::object();
     result.set("task", reply.task);
     result.set("curves", curves_of(*reply.input_curves));

@@ -5,10 +5,7 @@
 
 #include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
-#include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
-#include "linkwright/planar/freed_position.hpp"
-#include "linkwright/planar/function_error.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -74,28 +71,11 @@ void JudgedMap::measure(std::string_view key) {
   ridges_ = linkwright::ridges(values_, fails_, map_.columns(), shown.larger_is_better);
 }
 
-void JudgedMap::measure_miss(const FourBarFamily& family, const FreedPose& freed) {
-  values_.resize(map_.rows() * map_.columns());
-  pose_misses(family, map_, fails_, freed, values_);
-  for (float& value : values_) value = std::max(value, 0.0F);
-  ridges_ = linkwright::ridges(values_, fails_, map_.columns(), false);
-}
-
-void JudgedMap::measure_error(const FunctionFamily& family) {
+void JudgedMap::show(const std::function<void(std::span<float> values)>& fill) {
+  constexpr bool larger_is_better = false;
   values_.assign(map_.rows() * map_.columns(), 0);
-  for (std::size_t row = 0; row < map_.rows(); ++row)
-    for (std::size_t column = 0; column < map_.columns(); ++column) {
-      const std::size_t cell = map_.index(row, column);
-      if (map_.defects()[cell] != 0) continue;
-      const MapPoint place{map_.input_coordinates()[row], map_.output_coordinates()[column]};
-      const auto links = family.side_links(place);
-      const auto bars = links ? four_bar_of(*links) : std::nullopt;
-      if (!bars) continue;
-      const FunctionError error = family.error_of(*bars, place, ErrorSampling::coarse());
-      if (error.max_structural_error && error.unreached.empty())
-        values_[cell] = static_cast<float>(degrees(*error.max_structural_error));
-    }
-  ridges_ = linkwright::ridges(values_, fails_, map_.columns(), false);
+  fill(values_);
+  ridges_ = linkwright::ridges(values_, fails_, map_.columns(), larger_is_better);
 }
 
 std::string JudgedMap::census_json() const {

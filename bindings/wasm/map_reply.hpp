@@ -2,12 +2,10 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "linkwright/analysis/pose_miss.hpp"
-#include "linkwright/planar/four_bar_family.hpp"
-#include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/missed_box.hpp"
 #include "linkwright/region/measure.hpp"
 #include "linkwright/region/region_map.hpp"
@@ -27,10 +25,8 @@ class JudgedMap {
   void note_missed_boxes(std::vector<MissedBox> missed) { missed_boxes_ = std::move(missed); }
   /// One of the map's measures, or the first where it has no such.
   void measure(std::string_view key);
-  /// By how much each cell that passes misses a freed pose; 0 of the others.
-  void measure_miss(const FourBarFamily& family, const FreedPose& freed);
-  /// Largest structural error of each cell without defects that reaches the whole range, degrees; 0 of the others.
-  void measure_error(const FunctionFamily& family);
+  /// What `fill` writes of the cells, the smaller the better; 0: not defined.
+  void show(const std::function<void(std::span<float> values)>& fill);
 
   [[nodiscard]] const RegionMap& map() const { return map_; }
   [[nodiscard]] const RegionCounts& counts() const { return counts_; }

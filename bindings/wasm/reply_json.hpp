@@ -24,6 +24,13 @@ void write_notice(JsonWriter& json, const Notice& notice);
 /// [x, y], null for none.
 void write_point(JsonWriter& json, const std::optional<Point>& point);
 void write_numbers(JsonWriter& json, std::span<const double> numbers);
+/// [[x, y], …].
+template <class Points, class PointOf = std::identity>
+void write_points(JsonWriter& json, const Points& points, PointOf point_of = {}) {
+  json.begin_list(JsonWriter::Layout::one_line);
+  for (const auto& item : points) write_point(json, point_of(item));
+  json.end_list();
+}
 /// As the problem file has them, all defaults filled in; what is switched off is null.
 void write_requirements(JsonWriter& json, const Requirements& wanted);
 

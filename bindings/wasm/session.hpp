@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,26 +10,10 @@
 #include <vector>
 
 #include "linkwright/files/problem_file.hpp"
-#include "linkwright/planar/display_order.hpp"
-#include "linkwright/planar/task_family.hpp"
-#include "linkwright/synthesis/solve.hpp"
 #include "map_reply.hpp"
-#include "six_bar_map.hpp"
-#include "task_reply.hpp"
+#include "task_session.hpp"
 
 namespace linkwright::wasm {
-
-/// What the page asks for with a map.
-struct ExploreRequest {
-  static constexpr int nearest_order = -1;
-
-  int samples = 400;
-  std::array<double, 2> input = {0, 1}, output = {0, 1};             ///< places
-  std::string_view property = measures::min_transmission_angle.key;  ///< key of a measure
-  bool pose_miss = false;                                            ///< instead of the property, where a pose is freed
-  bool structural_error = false;  ///< instead of the property, where a named function leaves no number free
-  int order = 0;                  ///< code of a display order, or nearest_order: to the last one
-};
 
 /// Views are valid until the session is asked again.
 struct ExploreReply {
@@ -38,20 +23,9 @@ struct ExploreReply {
   const JudgedMap* map = nullptr;
   std::span<const double> input_tau, output_tau;
 };
-struct LinkageReply {
-  std::string linkage;  ///< JSON text
-  std::vector<double> states;
-};
 struct LiveReply {
   std::vector<std::uint8_t> input, output;
 };
-struct HaloRequest {
-  int pose = 0;  ///< from 0
-  bool turn = false;
-  double reach = 0;  ///< user's unit, or radians
-  int steps = 13, samples = 60;
-};
-
 /// The engine of the page: one problem at a time, kept with all that was computed from it, so that what follows a
 /// dragged pose, a changed requirement or the pointer costs only what is new. The requests of
 /// web/src/engine/protocol.ts, without the browser.
@@ -78,39 +52,21 @@ class Session {
   [[nodiscard]] std::string exported(double input_tau, double output_tau, std::string_view format) const;
 
  private:
-  struct Drawn {
-    DrawnCurves input;
-    std::optional<DrawnCurves> output;  ///< nothing: the same
-  };
-
+  [[nodiscard]] const TaskSession& task() const;
   /// Null where there is no map.
-  [[nodiscard]] const LinkageFamily* family() const;
-  [[nodiscard]] bool has_map() const;
+  [[nodiscard]] const LinkageFamily* family() const { return task().family(); }
   void classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const;
   [[nodiscard]] RequirementFilter filter(const RegionMap& map) const;
-  void order_axes(const ExploreRequest& request);
-  [[nodiscard]] ShownAxis ordered(const ExploreRequest& request, Side side) const;
-  [[nodiscard]] std::vector<double> coordinates(const ExploreRequest& request, Side side) const;
-  /// As many as are asked for, where so many are soon computed.
-  [[nodiscard]] int map_samples(const ExploreRequest& request) const;
   void compute_map(const ExploreRequest& request);
-  [[nodiscard]] const TaskFamily& given() const;
-  /// Of a motion task; otherwise none.
-  [[nodiscard]] const std::vector<PrescribedPose>& poses() const;
-  [[nodiscard]] const ShownAxes& axes() const;
   [[nodiscard]] const Drawn& drawn();
-  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place) const;
-  /// One that holds the linkage there, as a result does; nothing where there is none.
-  [[nodiscard]] std::optional<Solution> solution_at(double input_tau, double output_tau) const;
   /// Requirements failed by each cell of a map.
   [[nodiscard]] std::vector<std::uint8_t> failures(RegionMap& map, std::span<const double> input,
                                                    std::span<const double> output) const;
 
   std::string text_, mistakes_ = "[]";
   Problem problem_;
-  Requirements requirements_;  ///< the problem's, defaults filled in
-  std::optional<TaskFamily> given_;
-  std::optional<SixBarMap> six_bars_;  ///< of six-bar tasks, whose given_ has no family
+  Requirements requirements_;          ///< the problem's, defaults filled in
+  std::unique_ptr<TaskSession> task_;  ///< none before the first problem
   std::optional<Drawn> drawn_;
   std::optional<ShownAxes> axes_;
 

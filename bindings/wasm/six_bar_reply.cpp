@@ -1,3 +1,5 @@
+#include "six_bar_reply.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -5,7 +7,6 @@
 #include "linkwright/analysis/six_bar_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "reply_json.hpp"
-#include "six_bar_map.hpp"
 
 namespace linkwright::wasm {
 namespace {
@@ -221,9 +222,9 @@ std::vector<double> six_bar_trace(const std::vector<PrescribedPose>& poses, cons
   return path;
 }
 
-SixBarReply six_bar_reply(const std::vector<PrescribedPose>& poses, const std::optional<SixBarSolution>& found,
-                          MapPoint point, std::uint8_t fails) {
-  SixBarReply reply;
+LinkageReply six_bar_reply(const std::vector<PrescribedPose>& poses, const std::optional<SixBarSolution>& found,
+                           MapPoint point, std::uint8_t fails) {
+  LinkageReply reply;
   const SixBarCheck check = found ? driven(*found, poses) : SixBarCheck{};
   reply.linkage = json_of([&](JsonWriter& json) {
     json.begin_object();

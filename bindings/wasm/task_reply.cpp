@@ -1,7 +1,6 @@
 #include "task_reply.hpp"
 
 #include "files/result_writer.hpp"
-#include "function_reply.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -92,22 +91,6 @@ void write_asymptotes(JsonWriter& json, const TaskFamily& given) {
   json.end_object();
 }
 
-/// Of the Burmester curves; where there are none, what the dyads lie along instead.
-void write_curves(JsonWriter& json, const TaskFamily& given) {
-  const BurmesterCurve* curve = given.curve.get();
-  const std::string_view along =
-      given.family ? name(given.family->axis(Side::input).quantity) : name(CubicKind::every_point);
-  json.begin_object();
-  json.member("kind", curve ? name(curve->kind()) : along);
-  json.member("center_kind", curve ? name(curve->center_kind()) : along);
-  json.key("kappa");
-  const auto kappa = curve ? curve->kappa() : std::nullopt;
-  kappa ? json.value(*kappa) : json.null();
-  json.key("asymptotes");
-  write_asymptotes(json, given);
-  json.end_object();
-}
-
 }  // namespace
 
 DrawnCurves drawn_dyads(std::span<const Dyad> polygon, const std::vector<CurveBranch>& branches,
@@ -149,23 +132,39 @@ std::vector<std::array<double, 2>> axis_ticks(const FourBarFamily& family, Side 
   return ticks;
 }
 
-std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const ShownAxes& axes,
-                      const Requirements& requirements, std::string_view status, const Notice* reason,
-                      const FunctionTask* function) {
+void write_curves(JsonWriter& json, const TaskFamily& given) {
+  const BurmesterCurve* curve = given.curve.get();
+  const std::string_view along =
+      given.family ? name(given.family->axis(Side::input).quantity) : name(CubicKind::every_point);
+  json.begin_object();
+  json.member("kind", curve ? name(curve->kind()) : along);
+  json.member("center_kind", curve ? name(curve->center_kind()) : along);
+  json.key("kappa");
+  const auto kappa = curve ? curve->kappa() : std::nullopt;
+  kappa ? json.value(*kappa) : json.null();
+  json.key("asymptotes");
+  write_asymptotes(json, given);
+  json.end_object();
+}
+
+void write_no_curves(JsonWriter& json) { write_curves(json, TaskFamily{}); }
+
+std::string task_json(const TaskReply& task, std::span<const CurveMark> marks, const ShownAxes& axes,
+                      const Requirements& requirements, std::string_view status, const Notice* reason) {
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.member("status", status);
     json.key("reason");
     reason ? write_notice(json, *reason) : json.null();
-    json.member("pattern", std::string_view(given.pattern));
-    json.member("condition", given.conditions.condition());
-    json.member("characteristic_length", given.frame().scale);
+    json.member("pattern", std::string_view(task.pattern));
+    json.member("condition", task.condition);
+    json.member("characteristic_length", task.characteristic_length);
     json.key("warnings");
     json.begin_list();
-    for (const Notice& warning : given.warnings) write_notice(json, warning);
+    for (const Notice& warning : task.warnings) write_notice(json, warning);
     json.end_list();
     json.key("curves");
-    write_curves(json, given);
+    task.write_curves(json);
     json.member("symmetric", axes.symmetric);
     json.key("axes");
     json.begin_object();
@@ -179,7 +178,7 @@ std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks,
     for (const CurveMark& mark : marks) write_mark(json, mark);
     json.end_list();
     json.key("function");
-    function ? write_wanted_function(json, *function) : json.null();
+    task.write_function ? task.write_function(json) : json.null();
     json.key("requirements");
     write_requirements(json, requirements);
     json.end_object();

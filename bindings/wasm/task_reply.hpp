@@ -2,13 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "files/json/json_writer.hpp"
+#include "linkwright/core/notice.hpp"
 #include "linkwright/planar/curve_marks.hpp"
 #include "linkwright/planar/display_order.hpp"
-#include "linkwright/planar/function_task.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -39,9 +41,22 @@ struct ShownAxes {
 /// Twelve to a branch where the axis has numbers of its own.
 [[nodiscard]] std::vector<std::array<double, 2>> axis_ticks(const FourBarFamily& family, Side side);
 
-/// TaskAnswer without its arrays. `reason`: null when solved; `function`: null for tasks of another kind.
-[[nodiscard]] std::string task_json(const TaskFamily& given, std::span<const CurveMark> marks, const ShownAxes& axes,
-                                    const Requirements& requirements, std::string_view status, const Notice* reason,
-                                    const FunctionTask* function);
+/// What is said of a task before any linkage is looked for.
+struct TaskReply {
+  std::string pattern;
+  double condition = 1;
+  double characteristic_length = 1;  ///< user's unit
+  std::vector<Notice> warnings;
+  std::function<void(JsonWriter&)> write_curves;    ///< the object `curves`
+  std::function<void(JsonWriter&)> write_function;  ///< the object `function`; none: null
+};
+/// The object `curves` of Burmester curves, or of what the dyads lie along instead.
+void write_curves(JsonWriter& json, const TaskFamily& given);
+/// The same where there are none.
+void write_no_curves(JsonWriter& json);
+
+/// TaskAnswer without its arrays. `reason`: null when solved.
+[[nodiscard]] std::string task_json(const TaskReply& task, std::span<const CurveMark> marks, const ShownAxes& axes,
+                                    const Requirements& requirements, std::string_view status, const Notice* reason);
 
 }  // namespace linkwright::wasm

@@ -23,7 +23,7 @@ struct Readings {
   [[nodiscard]] double covered() const { return usual_step * static_cast<double>(values.size()); }
 };
 
-Readings readings_of(const RegionScale& scale, const RegionScale::Block& block, const FourBarFamily& family,
+Readings readings_of(const RegionScale& scale, const RegionScale::Block& block, const LinkageFamily& family,
                      Side side) {
   Readings readings;
   std::vector<double> steps;
@@ -106,7 +106,7 @@ std::vector<double> even_ticks(double low, double high, double length, double sp
   return ticks;
 }
 
-std::vector<AxisTick> axis_ticks(const RegionScale& scale, const FourBarFamily& family, Side side) {
+std::vector<AxisTick> axis_ticks(const RegionScale& scale, const LinkageFamily& family, Side side) {
   std::vector<AxisTick> ticks;
   const AxisQuantity quantity = family.axis(side).quantity;
   if (!has_values(quantity)) return ticks;

@@ -8,9 +8,7 @@
 
 #include "axis_ticks.hpp"
 #include "drawing/six_bar/six_bar_figure.hpp"
-#include "files/axis_label.hpp"
 #include "files/json/base64.hpp"
-#include "files/six_bar/six_bar_axes.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
@@ -99,16 +97,14 @@ void draw_axis(SvgCanvas& svg, const DrawnAxis& axis, const AxisPlace& place, bo
   if (!is_discrete) draw_infinities(svg, axis, place);
 }
 
-/// Where a linkage lies on the map, counted from 0; nothing outside the window.
-using PlaceOnMap = std::function<std::optional<Point>(std::size_t linkage)>;
-
 /// Rings with numbers where the best linkages lie; dots where a ring would cover another.
-void draw_best(SvgCanvas& svg, std::size_t count, const PlaceOnMap& place_of) {
+void draw_best(SvgCanvas& svg, const std::vector<MapPoint>& best,
+               const std::function<std::optional<Point>(MapPoint)>& to_px) {
   constexpr double ring = 9, closest = 2 * ring + 1;
   std::vector<Point> rings;
   std::vector<std::pair<Point, std::size_t>> dots;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto at = place_of(i);
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    const auto at = to_px(best[i]);  // nothing outside the window
     if (!at) continue;
     bool is_free = true;
     for (const Point other : rings) is_free = is_free && std::abs(other - *at) >= closest;
@@ -188,18 +184,15 @@ struct MapScales {
   RegionScale input, output;
 };
 
-MapScales scales_of(const Solution& solution, double input_length, double output_length) {
-  const RegionMap& region = solution.region;
-  const FourBarFamily& family = *solution.given.family;
-  return {RegionScale(family.axis(Side::input).branches, region.input_coordinates(),
-                      family.dyads(Side::input, region.input_coordinates()), input_length),
-          RegionScale(family.axis(Side::output).branches, region.output_coordinates(),
-                      family.dyads(Side::output, region.output_coordinates()), output_length)};
+MapScales scales_of(const DrawnRegion& region, double input_length, double output_length) {
+  const RegionMap& map = region.found.region;
+  return {RegionScale(region.input.label.branches, map.input_coordinates(), region.input.dyads, input_length),
+          RegionScale(region.output.label.branches, map.output_coordinates(), region.output.dyads, output_length)};
 }
 
-DrawnAxis axis_of(const Problem& problem, const FourBarFamily& family, const RegionScale& scale, Side side) {
-  return {scale, axis_label(family.axis(side), side, problem.task, problem.length_unit).title,
-          side == Side::input ? palette::input : palette::output, axis_ticks(scale, family, side)};
+DrawnAxis axis_of(const DrawnRegion& region, const RegionScale& scale, Side side) {
+  const DrawnRegion::Axis& axis = side == Side::input ? region.input : region.output;
+  return {scale, axis.label.title, axis.color, axis_ticks(scale, region.family, side)};
 }
 
 /// The picture of a map of one column, its rows from left to right.
@@ -212,81 +205,84 @@ PngImage on_its_side(const PngImage& image) {
   return turned;
 }
 
-void draw_ribbon(SvgCanvas& svg, const Problem& problem, const Solution& solution, const PixelBox& map) {
-  const FourBarFamily& family = *solution.given.family;
-  const auto [along, thick] = scales_of(solution, map.width, map.height);
-  svg.png(map.corner(), map.width, map.height,
-          base64(on_its_side(region_picture(solution, along, thick, pixels_per_px)).file()));
+void draw_ribbon(SvgCanvas& svg, const DrawnRegion& region, const PixelBox& map) {
+  const auto [along, thick] = scales_of(region, map.width, map.height);
+  const PngImage picture = region_picture(region.found, region.family, along, thick, pixels_per_px);
+  svg.png(map.corner(), map.width, map.height, base64(on_its_side(picture).file()));
   draw_frames(svg, thick, along, map);
-  draw_axis(svg, axis_of(problem, family, along, Side::input), below(map), is_board(solution));
-  if (is_board(solution)) draw_cell_texts(svg, solution.region, thick, along, map, true);
-  draw_best(svg, solution.linkages.size(), [&, &scale = along](std::size_t i) -> std::optional<Point> {
-    const auto px = scale.position(solution.linkages[i].input.coordinate);
+  const bool is_discrete = is_board(&region.family);
+  draw_axis(svg, axis_of(region, along, Side::input), below(map), is_discrete);
+  if (is_discrete) draw_cell_texts(svg, region.found.region, thick, along, map, true);
+  draw_best(svg, region.best, [&, &scale = along](MapPoint place) -> std::optional<Point> {
+    const auto px = scale.position(place.input);
     if (!px) return std::nullopt;
     return Point{map.left + *px, map.top + map.height / 2};
   });
 }
 
+DrawnRegion region_of_four_bars(const FourBarAnswer& answer, AxisLabel input, AxisLabel output) {
+  const FourBarFamily& family = *answer.family();
+  const RegionMap& map = answer.region;
+  DrawnRegion drawn{answer,
+                    family,
+                    {std::move(input), palette::input, family.dyads(Side::input, map.input_coordinates())},
+                    {std::move(output), palette::output, family.dyads(Side::output, map.output_coordinates())},
+                    {}};
+  for (const FourBarSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
+  return drawn;
+}
+
 }  // namespace
 
-bool is_ribbon(const Solution& solution) {
-  return solution.given.family && solution.given.family->axis(Side::output).quantity == AxisQuantity::nothing;
+DrawnRegion drawn_region(const MotionAnswer& answer, std::string_view length_unit) {
+  return region_of_four_bars(answer, axis_label(answer, Side::input, length_unit),
+                             axis_label(answer, Side::output, length_unit));
 }
 
-bool is_board(const Solution& solution) {
-  return solution.given.family && solution.given.family->axis(Side::input).is_discrete();
+DrawnRegion drawn_region(const FunctionAnswer& answer, std::string_view length_unit) {
+  return region_of_four_bars(answer, axis_label(answer, Side::input, length_unit),
+                             axis_label(answer, Side::output, length_unit));
 }
 
-void draw_region(SvgCanvas& svg, const Problem& problem, const Solution& solution, const PixelBox& map) {
-  const RegionMap& region = solution.region;
-  if (region.rows() == 0) return;
-  if (is_ribbon(solution)) return draw_ribbon(svg, problem, solution, map);
-  const FourBarFamily& family = *solution.given.family;
-  const MapScales scales = scales_of(solution, map.height, map.width);
-  const auto file = region_picture(solution, scales.input, scales.output, pixels_per_px).file();
-  svg.png(map.corner(), map.width, map.height, base64(file));
-  draw_frames(svg, scales.input, scales.output, map);
-  const bool across_discrete = family.axis(Side::output).is_discrete();
-  draw_axis(svg, axis_of(problem, family, scales.input, Side::input), left_of(map), is_board(solution));
-  draw_axis(svg, axis_of(problem, family, scales.output, Side::output), below(map), across_discrete);
-  if (is_board(solution)) draw_cell_texts(svg, region, scales.input, scales.output, map, false);
-  draw_best(svg, solution.linkages.size(), [&](std::size_t i) -> std::optional<Point> {
-    const FourBarSolution& found = solution.linkages[i];
-    const auto across = scales.output.position(found.output.coordinate),
-               up = scales.input.position(found.input.coordinate);
-    if (!across || !up) return std::nullopt;
-    return Point{map.left + *across, map.bottom() - *up};
-  });
+DrawnRegion drawn_region(const SixBarAnswer& answer, std::string_view length_unit) {
+  DrawnRegion drawn{answer,
+                    *answer.family(),
+                    {axis_label(answer, Side::input, length_unit), body_color(4), {}},
+                    {axis_label(answer, Side::output, length_unit), body_color(5), {}},
+                    {}};
+  for (const SixBarSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
+  return drawn;
 }
 
-void draw_six_bar_region(SvgCanvas& svg, const SixBarTask& task, const Solution& solution, const PixelBox& map) {
-  const RegionMap& region = solution.region;
-  const ChainFamily* family = solution.chain.get();
-  if (region.rows() == 0 || !family) return;
-  const SixBarAxis first = six_bar_axis(task, family, Side::input), second = six_bar_axis(task, family, Side::output);
-  const RegionScale up(first.branches, region.input_coordinates(), {}, map.height);
-  const RegionScale across(second.branches, region.output_coordinates(), {}, map.width);
-  std::vector<std::uint8_t> failures(region.rows() * region.columns());
-  filter_of(*family, region, solution.requirements).failures_of_all(failures);
-  const auto passes = [&](std::size_t row, std::size_t column) { return failures[region.index(row, column)] == 0; };
+bool is_ribbon(const LinkageFamily* family) {
+  return family && family->axis(Side::output).quantity == AxisQuantity::nothing;
+}
+
+bool is_board(const LinkageFamily* family) { return family && family->axis(Side::input).is_discrete(); }
+
+void draw_region(SvgCanvas& svg, const DrawnRegion& region, const PixelBox& map) {
+  if (region.found.region.rows() == 0) return;
+  if (is_ribbon(&region.family)) return draw_ribbon(svg, region, map);
+  const auto [input, output] = scales_of(region, map.height, map.width);
   svg.png(map.corner(), map.width, map.height,
-          base64(region_picture(solution, passes, up, across, pixels_per_px).file()));
-  draw_frames(svg, up, across, map);
-  draw_axis(svg, {up, first.title, body_color(4), {}}, left_of(map));
-  draw_axis(svg, {across, second.title, body_color(5), {}}, below(map));
-  draw_best(svg, solution.six_bars.size(), [&](std::size_t i) -> std::optional<Point> {
-    const MapPoint point = family->point_of(solution.six_bars[i].member);
-    const auto x = across.position(point.output), y = up.position(point.input);
+          base64(region_picture(region.found, region.family, input, output, pixels_per_px).file()));
+  draw_frames(svg, input, output, map);
+  const bool is_discrete = is_board(&region.family);
+  draw_axis(svg, axis_of(region, input, Side::input), left_of(map), is_discrete);
+  draw_axis(svg, axis_of(region, output, Side::output), below(map), region.family.axis(Side::output).is_discrete());
+  if (is_discrete) draw_cell_texts(svg, region.found.region, input, output, map, false);
+  draw_best(svg, region.best, [&, &up = input, &across = output](MapPoint place) -> std::optional<Point> {
+    const auto x = across.position(place.output), y = up.position(place.input);
     if (!x || !y) return std::nullopt;
     return Point{map.left + *x, map.bottom() - *y};
   });
 }
 
-std::int64_t four_bars_in(const RegionCounts& counts) {
+std::int64_t linkages_in(const RegionCounts& counts) {
   return counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
 }
 
-void draw_region_legend(SvgCanvas& svg, const Solution& solution, Point corner, double width) {
+void draw_region_legend(SvgCanvas& svg, const Findings& found, Point corner, double width) {
   constexpr double line = 19, size = 12, swatch = 18;
   const double column = width / 2, number = column - 20;
   const auto entry = [&](std::size_t index) {
@@ -300,19 +296,19 @@ void draw_region_legend(SvgCanvas& svg, const Solution& solution, Point corner, 
     const auto type = static_cast<std::size_t>(shown[i]);
     draw_swatch(svg, entry(i), fill(css(palette::types[type])));
     svg.text(entry(i) + Point{swatch, 10.5}, label(shown[i]), {.size = size, .color = palette::ink});
-    svg.text(entry(i) + Point{number, 10.5}, grouped_text(solution.counts.types[type]),
+    svg.text(entry(i) + Point{number, 10.5}, grouped_text(found.counts.types[type]),
              {.size = size, .color = palette::ink2, .anchor = "end"});
   }
   const std::uint32_t washed = palette::mixed(palette::types[2], palette::white, 0.3);
   draw_swatch(svg, entry(8), fill(css(washed)));
   svg.text(entry(8) + Point{swatch, 10.5}, "Pale: requirement fails", {.size = size, .color = palette::ink});
-  if (solution.requirements.no_defects) {
-    svg.text(entry(8) + Point{number, 10.5}, grouped_text(solution.counts.defect_free - solution.meeting_requirements),
+  if (found.requirements.no_defects) {
+    svg.text(entry(8) + Point{number, 10.5}, grouped_text(found.counts.defect_free - found.meeting_requirements),
              {.size = size, .color = palette::ink2, .anchor = "end"});
   }
   draw_hatched_swatch(svg, entry(9));
   svg.text(entry(9) + Point{swatch, 10.5}, "Has a defect", {.size = size, .color = palette::ink});
-  svg.text(entry(9) + Point{number, 10.5}, grouped_text(four_bars_in(solution.counts) - solution.counts.defect_free),
+  svg.text(entry(9) + Point{number, 10.5}, grouped_text(linkages_in(found.counts) - found.counts.defect_free),
            {.size = size, .color = palette::ink2, .anchor = "end"});
 }
 

@@ -40,20 +40,15 @@ std::vector<int> samples_of_pixels(const RegionScale& scale, int pixels_per_px) 
 
 }  // namespace
 
-PngImage region_picture(const Solution& solution, const RegionScale& input, const RegionScale& output,
-                        int pixels_per_px) {
-  const RequirementFilter filter = filter_of(*solution.given.family, solution.region, solution.requirements);
-  const auto passes = [&filter](std::size_t row, std::size_t column) { return filter.passes(row, column); };
-  return region_picture(solution, passes, input, output, pixels_per_px);
-}
-
-PngImage region_picture(const Solution& solution, const CellPasses& passes, const RegionScale& input,
+PngImage region_picture(const Findings& found, const LinkageFamily& family, const RegionScale& input,
                         const RegionScale& output, int pixels_per_px) {
-  const RegionMap& region = solution.region;
+  const RegionMap& region = found.region;
+  std::vector<std::uint8_t> failures(region.rows() * region.columns());
+  filter_of(family, region, found.requirements).failures_of_all(failures);
   const std::vector<int> rows = samples_of_pixels(input, pixels_per_px);
   const std::vector<int> columns = samples_of_pixels(output, pixels_per_px);
   // Where each cell can be named its type is shown, defect or not.
-  const bool is_board = solution.given.family && solution.given.family->axis(Side::input).is_discrete();
+  const bool is_board = family.axis(Side::input).is_discrete();
   PngImage image{columns.size(), rows.size(), picture_colors(), {}};
   image.pixels.reserve(rows.size() * columns.size());
   const auto pixel = [&](std::size_t x, std::size_t y) -> std::uint8_t {
@@ -65,9 +60,9 @@ PngImage region_picture(const Solution& solution, const CellPasses& passes, cons
     const bool has_defect = !region.defects(cell).none();
     if (has_defect && is_board)
       return static_cast<std::uint8_t>((hatching(x, y) == 2 ? full_types : washed_types) + region.types()[cell]);
-    if (has_defect && solution.requirements.no_defects) return static_cast<std::uint8_t>(defect + hatching(x, y));
+    if (has_defect && found.requirements.no_defects) return static_cast<std::uint8_t>(defect + hatching(x, y));
     const bool is_line = has_defect && hatching(x, y) > 0;  // defects are allowed: lines over the type's colour
-    if (!passes(i, k)) return is_line ? paper : static_cast<std::uint8_t>(washed_types + region.types()[cell]);
+    if (failures[cell] != 0) return is_line ? paper : static_cast<std::uint8_t>(washed_types + region.types()[cell]);
     return static_cast<std::uint8_t>((is_line ? washed_types : full_types) + region.types()[cell]);
   };
   for (std::size_t y = 0; y < rows.size(); ++y) {

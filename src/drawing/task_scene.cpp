@@ -19,8 +19,6 @@
 namespace linkwright {
 namespace {
 
-MapPoint place_of(const FourBarSolution& found) { return {found.input.coordinate, found.output.coordinate}; }
-
 /// Side links between the last one of an arc of directions and the arc's end, half a step on, where two sheets meet:
 /// closer and closer, as the pivots run faster and faster.
 void add_end_of_arc(std::vector<Dyad>& links, const ProductFamily& family, Side side, double last, double half_step) {
@@ -73,49 +71,15 @@ std::vector<Dyad> links_along(const FourBarFamily& family, Side side) {
 }
 
 /// The nearest that keeps away from dead points, or the nearest.
-const FreedPosition* way_to_show(const Solution& solution) {
+const FreedPosition* way_to_show(const MotionAnswer& answer) {
   constexpr double least_angle = radians(10);
   const FreedPosition* nearest = nullptr;
-  for (const FreedPosition& way : solution.freed) {
+  for (const FreedPosition& way : answer.freed) {
     if (!way.linkage) continue;
     if (way.linkage->report.min_transmission_angle > least_angle) return &way;
     if (nearest == nullptr) nearest = &way;
   }
   return nearest;
-}
-
-void add_motion(TaskScene& scene, const MotionTask& task, const Solution& solution) {
-  scene.frames = task.poses;
-  const TaskFamily& given = solution.given;
-  if (!given.curve)
-    for (const BurmesterPoint& point : given.points) scene.beads.push_back(given.frame().to_user(point.dyad));
-  if (given.family && !given.curve && given.points.empty()) {
-    scene.input_links = links_along(*given.family, Side::input);
-    if (!given.family->is_symmetric()) scene.output_links = links_along(*given.family, Side::output);
-  }
-  if (scene.linkage != nullptr) {
-    scene.served = task.freed ? freed_task(task, *task.freed).task.poses : task.poses;
-  } else if (const FreedPosition* way_out = way_to_show(solution); way_out != nullptr && way_out->linkage) {
-    scene.linkage = &*way_out->linkage;
-    scene.served = freed_task(task, way_out->pose).task.poses;
-    scene.heading = fmt::format("A way out: without position {}", way_out->pose + 1);
-  }
-  if (!scene.served.empty()) scene.traced = scene.served.front().pose.origin;
-}
-
-void add_function(TaskScene& scene, const FunctionTask& task, const Solution& solution) {
-  const auto family = std::dynamic_pointer_cast<const FunctionFamily>(solution.given.family);
-  if (!family) return;
-  if (scene.linkage == nullptr && !solution.pairs.empty()) {
-    scene.linkage = &solution.pairs.front();
-    scene.heading = "The linkage through all pairs, which has a defect";
-  }
-  scene.function = scene.linkage ? family->task_at(place_of(*scene.linkage)) : task;
-  if (scene.linkage != nullptr) scene.served = family->user_poses(place_of(*scene.linkage), scene.linkage->four_bar);
-  if (!task.free) return;
-  const FunctionCouplers couplers = function_couplers(*scene.function);
-  scene.curve = couplers.curve;
-  scene.curve_frame = couplers.frame();
 }
 
 /// What the window must hold: the poses with their arms' room, and the linkage in all its positions. `size`: of what
@@ -238,30 +202,68 @@ void draw_keys(SvgCanvas& svg, const TaskScene& scene, const PixelBox& card) {
   keys.draw(are_usual ? std::optional(card.left + 190) : std::nullopt);
 }
 
-}  // namespace
-
-TaskScene task_scene(const Problem& problem, const Solution& solution) {
+TaskScene scene_of_best(const FourBarAnswer& answer, const Task& task) {
   TaskScene scene;
-  scene.curve = solution.given.curve;
-  scene.curve_frame = solution.given.frame();
-  if (!solution.linkages.empty()) scene.linkage = &solution.linkages.front();
-  scene.heading = scene.linkage != nullptr ? "Best linkage" : "The " + short_task_label(problem.task);
-  if (const auto* motion = std::get_if<MotionTask>(&problem.task)) add_motion(scene, *motion, solution);
-  if (const auto* function = std::get_if<FunctionTask>(&problem.task)) add_function(scene, *function, solution);
+  scene.curve = answer.given.curve;
+  scene.curve_frame = answer.given.frame();
+  if (!answer.linkages.empty()) scene.linkage = &answer.linkages.front();
+  scene.heading = scene.linkage != nullptr ? "Best linkage" : "The " + short_task_label(task);
   return scene;
 }
 
-void draw_task_scene(SvgCanvas& svg, const TaskScene& scene, const Problem& problem, const Solution& solution,
+}  // namespace
+
+TaskScene task_scene(const MotionAnswer& answer) {
+  const MotionTask& task = answer.task;
+  TaskScene scene = scene_of_best(answer, task);
+  scene.frames = task.poses;
+  const TaskFamily& given = answer.given;
+  if (!given.curve)
+    for (const BurmesterPoint& point : given.points) scene.beads.push_back(given.frame().to_user(point.dyad));
+  if (given.family && !given.curve && given.points.empty()) {
+    scene.input_links = links_along(*given.family, Side::input);
+    if (!given.family->is_symmetric()) scene.output_links = links_along(*given.family, Side::output);
+  }
+  if (scene.linkage != nullptr) {
+    scene.served = task.freed ? freed_task(task, *task.freed).task.poses : task.poses;
+  } else if (const FreedPosition* way_out = way_to_show(answer); way_out != nullptr && way_out->linkage) {
+    scene.linkage = &*way_out->linkage;
+    scene.served = freed_task(task, way_out->pose).task.poses;
+    scene.heading = fmt::format("A way out: without position {}", way_out->pose + 1);
+  }
+  if (!scene.served.empty()) scene.traced = scene.served.front().pose.origin;
+  return scene;
+}
+
+TaskScene task_scene(const FunctionAnswer& answer) {
+  TaskScene scene = scene_of_best(answer, answer.task);
+  const auto* family = dynamic_cast<const FunctionFamily*>(answer.family());
+  if (!family) return scene;
+  if (scene.linkage == nullptr && !answer.pairs.empty()) {
+    scene.linkage = &answer.pairs.front();
+    scene.heading = "The linkage through all pairs, which has a defect";
+  }
+  scene.function = scene.linkage ? family->task_at(answer.point_of(*scene.linkage)) : answer.task;
+  if (scene.linkage != nullptr)
+    scene.served = family->user_poses(answer.point_of(*scene.linkage), scene.linkage->four_bar);
+  if (!answer.task.free) return scene;
+  const FunctionCouplers couplers = function_couplers(*scene.function);
+  scene.curve = couplers.curve;
+  scene.curve_frame = couplers.frame();
+  return scene;
+}
+
+void draw_task_scene(SvgCanvas& svg, const TaskScene& scene, const Problem& problem, const FourBarAnswer& answer,
                      const PixelBox& card) {
   draw_card(svg, card, scene.heading);
   const PixelBox box{card.left + 1, card.top + 44, card.width - 2, card.height - 45};
-  const WorkingFrame& frame = solution.given.frame();
+  const WorkingFrame& frame = answer.given.frame();
   std::vector<Point> points = points_of_interest(scene, frame.scale);
   add_near_beads(points, scene, frame);
   const PlaneWindow window(box, points, window_margin(scene));
   svg.begin_clip(box.corner(), box.width, box.height);
   draw_grid(svg, window);
-  const Requirements& requirements = solution.requirements;
+  const Requirements& requirements = answer.requirements;
   if (requirements.ground_pivots_within) draw_box(svg, window, *requirements.ground_pivots_within, "fixed pivots");
   if (requirements.moving_pivots_within) draw_box(svg, window, *requirements.moving_pivots_within, "moving pivots");
   draw_curves(svg, scene, window);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "linkwright/files/problem_file.hpp"
-#include "linkwright/synthesis/solve.hpp"
+#include "linkwright/synthesis/answer.hpp"
 #include "plane_window.hpp"
 #include "svg_canvas.hpp"
 
@@ -26,11 +26,12 @@ struct TaskScene {
   std::vector<Dyad> input_links, output_links;  ///< along the axes of the map, where there is no curve
 };
 
-/// `problem` and `solution` must outlive it.
-[[nodiscard]] TaskScene task_scene(const Problem& problem, const Solution& solution);
+/// The answer must outlive it.
+[[nodiscard]] TaskScene task_scene(const MotionAnswer& answer);
+[[nodiscard]] TaskScene task_scene(const FunctionAnswer& answer);
 
 /// Draws it in a card.
-void draw_task_scene(SvgCanvas& svg, const TaskScene& scene, const Problem& problem, const Solution& solution,
+void draw_task_scene(SvgCanvas& svg, const TaskScene& scene, const Problem& problem, const FourBarAnswer& answer,
                      const PixelBox& card);
 
 }  // namespace linkwright

@@ -2,19 +2,24 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "linkwright/planar/four_bar_family.hpp"
-#include "linkwright/synthesis/task.hpp"
+#include "linkwright/region/map_axis.hpp"
+#include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright {
 
 /// How an axis of a map is spoken of.
 struct AxisLabel {
-  std::string name;   ///< in files: "input side link, place on its curve"
-  std::string title;  ///< at the axis of a drawing: "Driving side link, τ₁"
-  std::string unit;   ///< tau, deg, the user's unit of length, or 1
+  std::string name;           ///< in files: "input side link, place on its curve"
+  std::string title;          ///< at the axis of a drawing: "Driving side link, τ₁"
+  std::string unit;           ///< tau, deg, the user's unit of length, or 1
+  std::string_view quantity;  ///< in files
+  std::vector<CurveBranch> branches;
 };
-[[nodiscard]] AxisLabel axis_label(const MapAxis& axis, Side side, const Task& task, std::string_view length_unit);
+[[nodiscard]] AxisLabel axis_label(const MotionAnswer& answer, Side side, std::string_view length_unit);
+[[nodiscard]] AxisLabel axis_label(const FunctionAnswer& answer, Side side, std::string_view length_unit);
+[[nodiscard]] AxisLabel axis_label(const SixBarAnswer& answer, Side side, std::string_view length_unit);
 
 /// The numbers along the axis are read, not τ itself.
 [[nodiscard]] bool has_values(AxisQuantity quantity);

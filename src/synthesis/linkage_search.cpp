@@ -54,13 +54,13 @@ bool differs(const Candidate& candidate, const std::vector<Candidate>& held, dou
 /// Looks for the best linkages of a map.
 class LinkageSearch {
  public:
-  LinkageSearch(const Solution& solution, const RequirementFilter& filter, const Progress& progress)
-      : solution_(solution),
-        map_(solution.region),
-        options_(solution.options),
+  LinkageSearch(const FourBarAnswer& answer, const RequirementFilter& filter, const Progress& progress)
+      : answer_(answer),
+        map_(answer.region),
+        options_(answer.options),
         filter_(filter),
         progress_(progress),
-        judge_(*solution.given.family, solution.requirements, options_.objective, options_.window),
+        judge_(*answer.given.family, answer.requirements, options_.objective, options_.window),
         first_step_(judge_.largest_coordinate() / static_cast<double>(std::max(map_.rows(), map_.columns()))) {}
 
   /// The tops of the hills, then the best that differ clearly from all before.
@@ -143,7 +143,7 @@ class LinkageSearch {
     std::vector<std::optional<FourBarSolution>> made(candidates.size());
     parallel_for(made.size(), options_.region.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && !progress_.is_cancelled(); ++i)
-        made[i] = make_four_bar(solution_.given, candidates[i].place, solution_.requirements.respect_direction, true);
+        made[i] = make_four_bar(answer_.given, candidates[i].place, answer_.requirements.respect_direction, true);
     });
     for (std::size_t i = 0; i < made.size(); ++i) {
       if (!made[i] || !is_new(candidates[i])) continue;
@@ -183,7 +183,7 @@ class LinkageSearch {
     FourBarSolution linkage;
   };
 
-  const Solution& solution_;
+  const FourBarAnswer& answer_;
   const RegionMap& map_;
   const SynthesisOptions& options_;
   const RequirementFilter& filter_;
@@ -198,9 +198,9 @@ class LinkageSearch {
 
 }  // namespace
 
-BestLinkages best_linkages(const Solution& solution, const RequirementFilter& filter, const Progress& progress) {
-  if (solution.options.best == 0 || solution.meeting_requirements == 0) return {};
-  return LinkageSearch(solution, filter, progress).best();
+BestLinkages best_linkages(const FourBarAnswer& answer, const RequirementFilter& filter, const Progress& progress) {
+  if (answer.options.best == 0 || answer.meeting_requirements == 0) return {};
+  return LinkageSearch(answer, filter, progress).best();
 }
 
 }  // namespace linkwright

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "linkwright/synthesis/solve.hpp"
+#include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright {
 
@@ -15,7 +15,7 @@ struct BestLinkages {
 /// The best linkages of a solved region: its hill tops, climbed continuously in the two curve coordinates, then, while
 /// there are fewer than wanted, the best of those that differ clearly from all before. Distinct, best first, each
 /// analysed and driven through in user coordinates.
-[[nodiscard]] BestLinkages best_linkages(const Solution& solution, const RequirementFilter& filter,
+[[nodiscard]] BestLinkages best_linkages(const FourBarAnswer& answer, const RequirementFilter& filter,
                                          const Progress& progress);
 
 }  // namespace linkwright

@@ -15,9 +15,9 @@ std::string percent(std::int64_t part, std::int64_t whole) {
   return share < 1 ? "under 1 %" : fmt::format("{:.0f} %", share);
 }
 
-Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
-  const RegionCounts& counts = solution.counts;
-  const bool directed = solution.requirements.respect_direction && solution.given.has_directions;
+Notice nothing_defect_free(const FourBarAnswer& answer, const TaskWords& words) {
+  const RegionCounts& counts = answer.counts;
+  const bool directed = answer.requirements.respect_direction && answer.given.has_directions;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   std::vector<std::string> causes;
   const auto blame = [&](std::int64_t cells, std::string_view what) {
@@ -34,75 +34,73 @@ Notice nothing_defect_free(const Solution& solution, const TaskWords& words) {
           {{"count", static_cast<double>(whole)}}};
 }
 
-Notice nothing_left(const Solution& solution) {
-  const std::int64_t free = solution.counts.defect_free;
+Notice nothing_left(const FourBarAnswer& answer) {
+  const std::int64_t free = answer.counts.defect_free;
   Notice notice{"none_left",
                 fmt::format("None of the four-bars free of defects ({}) meets all requirements.", grouped_text(free)),
                 {{"count", static_cast<double>(free)}}};
-  for (const MissedBox& missed : solution.missed_boxes) notice.message += " " + missed_box_text(missed);
-  if (!solution.relax.empty()) {
-    const Relaxation& dearest = solution.relax.front();
+  for (const MissedBox& missed : answer.missed_boxes) notice.message += " " + missed_box_text(missed);
+  if (!answer.relax.empty()) {
+    const Relaxation& dearest = answer.relax.front();
     notice.message += fmt::format(" {} costs most: without it {} would be left.", key(dearest.requirement),
                                   grouped_text(dearest.only_this));
-  } else if (solution.relax_together) {
-    notice.message += " " + joint_relaxation_text(*solution.relax_together);
+  } else if (answer.relax_together) {
+    notice.message += " " + joint_relaxation_text(*answer.relax_together);
   }
   return notice;
 }
 
 }  // namespace
 
-void explain_empty_list(Solution& solution) {
-  if (solution.options.best == 0 || !solution.linkages.empty() || !solution.six_bars.empty()) return;
-  const bool erased = solution.left_out > 0 && solution.reason.code == "searched";
-  if (solution.reason.code != "solved" && !erased) return;
-  solution.status = SolutionStatus::no_solution;
-  const auto meeting = static_cast<double>(solution.meeting_requirements);
-  if (solution.left_out > 0)
-    solution.reason = {
-        "none_confirmed",
-        "What meets all requirements stands so near a change point or a dead point that rounding decides "
-        "what it does: driving it through the task confirmed none. Ask for a transmission angle.",
-        {{"count", meeting}}};
-  else if (solution.options.objective == Objective::structural_error)
-    solution.reason = {
+void explain_empty_list(Findings& found, bool nothing_listed) {
+  if (found.options.best == 0 || !nothing_listed) return;
+  const bool erased = found.left_out > 0 && found.reason.code == "searched";
+  if (found.reason.code != "solved" && !erased) return;
+  found.status = SolutionStatus::no_solution;
+  const auto meeting = static_cast<double>(found.meeting_requirements);
+  if (found.left_out > 0)
+    found.reason = {"none_confirmed",
+                    "What meets all requirements stands so near a change point or a dead point that rounding decides "
+                    "what it does: driving it through the task confirmed none. Ask for a transmission angle.",
+                    {{"count", meeting}}};
+  else if (found.options.objective == Objective::structural_error)
+    found.reason = {
         "none_reaches",
         fmt::format("Of the four-bars that meet all requirements ({}) none takes its input through the whole "
                     "range of the function. Shorten the range, or move the precision points.",
-                    grouped_text(solution.meeting_requirements)),
+                    grouped_text(found.meeting_requirements)),
         {{"count", meeting}}};
   else
-    solution.reason = {
-        "none_left",
-        "What meets all requirements does so by rounding alone: it lies on the very edge of a limit. Relax "
-        "one of them a little.",
-        {{"count", meeting}}};
+    found.reason = {"none_left",
+                    "What meets all requirements does so by rounding alone: it lies on the very edge of a limit. Relax "
+                    "one of them a little.",
+                    {{"count", meeting}}};
 }
 
-void state_reason(Solution& solution, const TaskWords& words) {
-  const RegionCounts& counts = solution.counts;
+void state_reason(FourBarAnswer& answer, const TaskWords& words) {
+  const RegionCounts& counts = answer.counts;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   if (whole == 0) {
-    solution.status = SolutionStatus::no_solution;
-    const bool some_left_out = solution.dyads_left_out > 0;
-    solution.reason = {
+    answer.status = SolutionStatus::no_solution;
+    const bool some_left_out = answer.dyads_left_out > 0;
+    answer.reason = {
         "no_pair",
         fmt::format("No pair of side links makes a four-bar: in every pair a pivot is at infinity{} or a link has no "
                     "length.",
                     some_left_out ? ", a side link was left out" : ""),
         {}};
-  } else if (counts.defect_free == 0 && solution.requirements.no_defects) {
-    solution.reason = nothing_defect_free(solution, words);
-  } else if (solution.meeting_requirements == 0) {
-    solution.reason = nothing_left(solution);
+  } else if (counts.defect_free == 0 && answer.requirements.no_defects) {
+    answer.reason = nothing_defect_free(answer, words);
+  } else if (answer.meeting_requirements == 0) {
+    answer.reason = nothing_left(answer);
   } else {
-    solution.reason = {
+    answer.reason = {
         "solved",
         fmt::format("All {}: {}; free of defects: {}; meeting all requirements: {}.", words.four_bars,
-                    grouped_text(whole), grouped_text(counts.defect_free), grouped_text(solution.meeting_requirements)),
+                    grouped_text(whole), grouped_text(counts.defect_free), grouped_text(answer.meeting_requirements)),
         {{"count", static_cast<double>(whole)},
          {"defect_free", static_cast<double>(counts.defect_free)},
-         {"meeting", static_cast<double>(solution.meeting_requirements)}}};
+         {"meeting", static_cast<double>(answer.meeting_requirements)}}};
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "linkwright/synthesis/solve.hpp"
+#include "linkwright/synthesis/answer.hpp"
 
 // Why an answer is as it is, in words.
 namespace linkwright {
@@ -19,9 +19,9 @@ inline constexpr TaskWords function_words = {
     "Try other ranges of the dials, fewer or other pairs, or allow a defect (no_defects: false)."};
 
 /// Status and reason by what the map holds and what meets the requirements.
-void state_reason(Solution& solution, const TaskWords& words);
+void state_reason(FourBarAnswer& answer, const TaskWords& words);
 
 /// Where cells of the map meet the requirements, and yet no linkage is listed.
-void explain_empty_list(Solution& solution);
+void explain_empty_list(Findings& found, bool nothing_listed);
 
 }  // namespace linkwright

@@ -12,13 +12,12 @@
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
 #include "reason.hpp"
+#include "region_count.hpp"
 #include "six_bar_answer.hpp"
 #include "warnings.hpp"
 
 namespace linkwright {
 namespace {
-
-constexpr std::array<std::string_view, 3> status_names = {"solved", "no_solution", "degenerate"};
 
 void append(std::vector<Error>& all, std::vector<Error> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
@@ -30,17 +29,6 @@ void append_new(std::vector<Error>& all, const std::vector<Error>& more) {
     if (std::none_of(all.begin(), all.end(),
                      [&](const Error& known) { return known.code == error.code && known.place == error.place; }))
       all.push_back(error);
-}
-
-void map_region(Solution& solution, const Progress& progress) {
-  const FourBarFamily& family = *solution.given.family;
-  const SynthesisOptions& options = solution.options;
-  const auto samples = [&](Side side) {
-    return samples_within(family, side, options.window, options.region_samples, options.spacing);
-  };
-  family.classify(solution.region, samples(Side::input), samples(Side::output), solution.requirements.respect_direction,
-                  options.region, progress);
-  solution.counts = solution.region.counts();
 }
 
 std::vector<Dyad> curve_samples(const TaskFamily& given, const SynthesisOptions& options) {
@@ -58,74 +46,61 @@ bool is_better(const FourBarSolution& a, const FourBarSolution& b) {
   return angle != other ? angle > other : a.input.coordinate < b.input.coordinate;
 }
 
-}  // namespace
-
-std::string_view name(SolutionStatus status) { return status_names[static_cast<std::size_t>(status)]; }
-
-namespace {
-
-// What would leave something where nothing is left.
-void advise(Solution& solution, const RequirementFilter& filter, const RequirementCensus& census,
-            const Progress& progress) {
-  solution.relax = filter.relaxations(census, progress);
-  if (solution.relax.empty()) solution.relax_together = census.joint_relaxation();
-  solution.missed_boxes = missed_boxes(*solution.given.family, solution.requirements);
-}
-
 // Five positions: every pair of side links as a four-bar, the better driver first named, best first.
-std::vector<FourBarSolution> all_pairs(const Solution& solution) {
+std::vector<FourBarSolution> all_pairs(const FourBarAnswer& answer) {
   constexpr bool verify = true;
-  const Requirements& wanted = solution.requirements;
-  const std::vector<double> places = solution.given.family->samples(Side::input, 0, Spacing::coordinate);
+  const Requirements& wanted = answer.requirements;
+  const std::vector<double> places = answer.given.family->samples(Side::input, 0, Spacing::coordinate);
   std::vector<FourBarSolution> pairs;
   for (std::size_t i = 0; i < places.size(); ++i)
     for (std::size_t j = i + 1; j < places.size(); ++j) {
-      auto one = make_four_bar(solution.given, {places[i], places[j]}, wanted.respect_direction, verify);
-      auto other = make_four_bar(solution.given, {places[j], places[i]}, wanted.respect_direction, verify);
+      auto one = make_four_bar(answer.given, {places[i], places[j]}, wanted.respect_direction, verify);
+      auto other = make_four_bar(answer.given, {places[j], places[i]}, wanted.respect_direction, verify);
       if (one && other) pairs.push_back(is_better(*other, *one) ? *other : *one);
     }
   std::sort(pairs.begin(), pairs.end(), is_better);
   return pairs;
 }
 
-Result<Solution> solve_of_kind(const SixBarTask& task, const Requirements& requirements,
-                               const SynthesisOptions& options, const Progress& progress) {
-  return solve_six_bars(task, requirements, options, progress);
-}
-
 Error cancelled() { return {"cancelled", "", "stopped before the answer was complete"}; }
 
-Result<Solution> solve_family(TaskFamily family, const Requirements& requirements, const SynthesisOptions& options,
-                              const Progress& progress, const TaskWords& words = {}) {
-  Solution solution;
-  solution.given = std::move(family);
-  const TaskFamily& given = solution.given;
-  solution.requirements = with_defaults(requirements, given);
-  solution.options = options;
-  solution.samples = curve_samples(given, options);
+// What is found of a family of four-bars; false where it was cancelled.
+bool find_four_bars(FourBarAnswer& answer, const Progress& progress, const TaskWords& words) {
+  const TaskFamily& given = answer.given;
+  answer.samples = curve_samples(given, answer.options);
   if (!given.family) {
-    solution.status = given.has_no_dyads ? SolutionStatus::no_solution : SolutionStatus::degenerate;
-    solution.reason = given.degeneracy.value_or(Notice{});
-    return solution;
+    answer.status = given.has_no_dyads ? SolutionStatus::no_solution : SolutionStatus::degenerate;
+    answer.reason = given.degeneracy.value_or(Notice{});
+    return true;
   }
-
-  progress(0.1);
-  map_region(solution, progress);
-  warn_of_map(solution);
-  progress(0.6);
-  const RequirementFilter filter = filter_of(*given.family, solution.region, solution.requirements);
-  const RequirementCensus census = filter.census(progress);
-  solution.meeting_requirements = census.meeting;
-  if (census.meeting == 0) advise(solution, filter, census, progress);
-  progress(0.7);
-  BestLinkages best = best_linkages(solution, filter, progress);
-  solution.linkages = std::move(best.linkages);
-  solution.left_out = best.left_out;
-  if (!given.points.empty() && !given.curve) solution.pairs = all_pairs(solution);
-  if (progress.is_cancelled()) return cancelled();
-  state_reason(solution, words);
+  const RequirementFilter filter =
+      count_region(answer, *given.family, {answer.options.region_samples, answer.options.window}, progress);
+  warn_of_map(answer);
+  if (answer.meeting_requirements == 0) answer.missed_boxes = missed_boxes(*given.family, answer.requirements);
+  BestLinkages best = best_linkages(answer, filter, progress);
+  answer.linkages = std::move(best.linkages);
+  answer.left_out = best.left_out;
+  if (!given.points.empty() && !given.curve) answer.pairs = all_pairs(answer);
+  if (progress.is_cancelled()) return false;
+  state_reason(answer, words);
   progress(1);
-  return solution;
+  return true;
+}
+
+// An answer of the kind, before anything is searched for.
+template <class KindAnswer, class KindTask>
+KindAnswer begin_answer(const KindTask& task, TaskFamily given, const Requirements& requirements,
+                        const SynthesisOptions& options) {
+  KindAnswer answer;
+  answer.task = task;
+  answer.pattern = given.pattern;
+  answer.condition = given.conditions.condition();
+  answer.characteristic_length = given.frame().scale;
+  answer.warnings = given.warnings;
+  answer.requirements = with_defaults(requirements, given);
+  answer.options = options;
+  answer.given = std::move(given);
+  return answer;
 }
 
 // The way from one share of `progress`, which must outlive it, to another.
@@ -134,31 +109,31 @@ Progress part_of(const Progress& progress, double from, double to) {
 }
 
 // Five positions that no usable four-bar passes: which of them to free, and what its error becomes.
-Result<Solution> solve_of_kind(const MotionTask& task, const Requirements& requirements,
-                               const SynthesisOptions& options, const Progress& progress) {
+Result<Answer> solve_of_kind(const MotionTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                             const Progress& progress) {
   const bool five = position_count(task.poses) == 5;
   const double here = five ? 0.5 : 1;
-  Result<Solution> solved = solve_family(task_family(task, requirements, options.objective), requirements, options,
-                                         part_of(progress, 0, here));
-  const bool wanting = solved && five && !solved->given.curve && solved->linkages.empty();
-  if (wanting && options.best > 0) {
-    solved->freed = nearest_relaxations(task, requirements, {.region = options.region}, part_of(progress, here, 1));
+  auto answer =
+      begin_answer<MotionAnswer>(task, task_family(task, requirements, options.objective), requirements, options);
+  if (!find_four_bars(answer, part_of(progress, 0, here), {})) return cancelled();
+  if (five && !answer.given.curve && answer.linkages.empty() && options.best > 0) {
+    answer.freed = nearest_relaxations(task, requirements, {.region = options.region}, part_of(progress, here, 1));
     if (progress.is_cancelled()) return cancelled();
   }
-  if (solved && five) progress(1);
-  return solved;
+  if (five) progress(1);
+  return Answer(std::move(answer));
 }
 
-std::vector<FourBarSolution> generators(const FunctionFamily& family, const Solution& solution,
+std::vector<FourBarSolution> generators(const FunctionFamily& family, const FourBarAnswer& answer,
                                         const Progress& progress) {
   constexpr bool verify = true;
   GeneratorSearchOptions search;
-  search.most = solution.options.best;
-  search.window = solution.options.window;
-  search.threads = solution.options.region.threads;
+  search.most = answer.options.best;
+  search.window = answer.options.window;
+  search.threads = answer.options.region.threads;
   std::vector<FourBarSolution> found;
-  for (const RankedGenerator& ranked : best_generators(family, solution.requirements, search, progress))
-    if (auto made = make_four_bar(solution.given, ranked.place, solution.requirements.respect_direction, verify)) {
+  for (const RankedGenerator& ranked : best_generators(family, answer.requirements, search, progress))
+    if (auto made = make_four_bar(answer.given, ranked.place, answer.requirements.respect_direction, verify)) {
       made->local_optimum = true;
       found.push_back(*std::move(made));
     }
@@ -175,49 +150,58 @@ void measure_function(FourBarSolution& found, const FunctionFamily& family) {
 }
 
 // Five precision points: the few linkages there are, whatever their defects.
-std::vector<FourBarSolution> all_generators(const Solution& solution) {
+std::vector<FourBarSolution> all_generators(const FourBarAnswer& answer) {
   constexpr bool verify = true;
-  const FourBarFamily& family = *solution.given.family;
+  const FourBarFamily& family = *answer.given.family;
   std::vector<FourBarSolution> found;
   if (family.axis(Side::input).quantity != AxisQuantity::burmester_point) return found;
   const double only = family.samples(Side::output, 0, Spacing::coordinate).front();
   for (const double place : family.samples(Side::input, 0, Spacing::coordinate))
-    if (auto made = make_four_bar(solution.given, {place, only}, solution.requirements.respect_direction, verify))
+    if (auto made = make_four_bar(answer.given, {place, only}, answer.requirements.respect_direction, verify))
       found.push_back(*std::move(made));
   std::sort(found.begin(), found.end(), is_better);
   return found;
 }
 
 // The input is the task's, and so are the ground pivots: what is left to measure is the function.
-Result<Solution> solve_of_kind(const FunctionTask& task, const Requirements& requirements,
-                               const SynthesisOptions& options, const Progress& progress) {
-  const TaskFamily given = task_family(task);
-  const auto family = std::dynamic_pointer_cast<const FunctionFamily>(given.family);
-  Result<Solution> solved = solve_family(given, requirements, options, progress, function_words);
-  if (!solved || !family) return solved;
-  if (options.objective == Objective::structural_error) solved->linkages = generators(*family, *solved, progress);
+Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requirements,
+                             const SynthesisOptions& options, const Progress& progress) {
+  auto answer = begin_answer<FunctionAnswer>(task, task_family(task), requirements, options);
+  if (!find_four_bars(answer, progress, function_words)) return cancelled();
+  const auto* family = dynamic_cast<const FunctionFamily*>(answer.given.family.get());
+  if (!family) return Answer(std::move(answer));
+  if (options.objective == Objective::structural_error) answer.linkages = generators(*family, answer, progress);
   if (progress.is_cancelled()) return cancelled();
-  solved->pairs = all_generators(*solved);
-  for (std::vector<FourBarSolution>* list : {&solved->linkages, &solved->pairs})
+  answer.pairs = all_generators(answer);
+  for (std::vector<FourBarSolution>* list : {&answer.linkages, &answer.pairs})
     for (FourBarSolution& found : *list) measure_function(found, *family);
-  return solved;
+  return Answer(std::move(answer));
+}
+
+Result<Answer> solve_of_kind(const SixBarTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                             const Progress& progress) {
+  return solve_six_bars(task, requirements, options, progress);
 }
 
 }  // namespace
 
-Result<Solution> solve(const Task& task, const Requirements& requirements, const SynthesisOptions& options,
-                       const Progress& progress) {
+Result<Answer> solve(const Task& task, const Requirements& requirements, const SynthesisOptions& options,
+                     const Progress& progress) {
   std::vector<Error> mistakes = mistakes_in(task);
   append(mistakes, mistakes_in(requirements));
   append_new(mistakes, mistakes_in(options));  // a six-bar's box may stand in both
   append(mistakes, mistakes_in(task, options));
   if (!mistakes.empty()) return mistakes;
-  Result<Solution> solved =
+  Result<Answer> solved =
       std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
   if (!solved) return solved;
-  leave_out_unconfirmed(*solved);
-  explain_empty_list(*solved);
-  warn_of_locking(*solved, progress);
+  std::visit(
+      [&](auto& answer) {
+        leave_out_unconfirmed(answer);
+        explain_empty_list(answer, answer.linkages.empty());
+        warn_of_locking(answer, progress);
+      },
+      *solved);
   return solved;
 }
 

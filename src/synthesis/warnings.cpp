@@ -6,20 +6,21 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
 
 namespace linkwright {
 namespace {
 
 // Side links of the map that rounding keeps from being any.
-std::vector<Notice> left_out_warning(Solution& solution) {
-  const FourBarFamily& family = *solution.given.family;
-  const std::span<const double> looked_at = solution.region.input_coordinates();
-  if (!solution.given.curve || !family.is_symmetric()) return {};
+std::vector<Notice> left_out_warning(FourBarAnswer& answer) {
+  const FourBarFamily& family = *answer.given.family;
+  const std::span<const double> looked_at = answer.region.input_coordinates();
+  if (!answer.given.curve || !family.is_symmetric()) return {};
   const auto count = std::count_if(looked_at.begin(), looked_at.end(), [&](double tau) {
     return !family.side_links({tau, tau}).has_value();
   });
   if (count == 0) return {};
-  solution.dyads_left_out = count;
+  answer.dyads_left_out = count;
   return {{"side_links_left_out",
            fmt::format(
                "Left out are {} of the {} side links looked at, so short or so far away that rounding changes their "
@@ -30,18 +31,18 @@ std::vector<Notice> left_out_warning(Solution& solution) {
 }
 
 // Where the best by another measure stand at the edge of locking: what keeps them away from it, and what that leaves.
-std::vector<Notice> locking_warning(const Solution& solution, const Progress& progress) {
+std::vector<Notice> locking_warning(const FourBarAnswer& answer, const Progress& progress) {
   constexpr double edge = radians(1), best_of_all = radians(40), step = radians(5);
-  const Requirements& asked = solution.requirements;
-  if (solution.linkages.empty() || asked.min_transmission_angle > 0 || !asked.no_defects) return {};
-  const auto is_discrete = [&](Side side) { return solution.given.family->axis(side).is_discrete(); };
+  const Requirements& asked = answer.requirements;
+  if (answer.linkages.empty() || asked.min_transmission_angle > 0 || !asked.no_defects) return {};
+  const auto is_discrete = [&](Side side) { return answer.given.family->axis(side).is_discrete(); };
   if (is_discrete(Side::input) && is_discrete(Side::output)) return {};
-  const double angle = solution.linkages.front().report.min_transmission_angle;
-  if (solution.options.objective == Objective::min_transmission_angle || angle >= edge) return {};
+  const double angle = answer.linkages.front().report.min_transmission_angle;
+  if (answer.options.objective == Objective::min_transmission_angle || angle >= edge) return {};
   Requirements wanted = asked;
   std::int64_t left = 0;
   for (wanted.min_transmission_angle = best_of_all; left == 0 && wanted.min_transmission_angle > edge;) {
-    left = filter_of(*solution.given.family, solution.region, wanted).census(progress).meeting;
+    left = filter_of(*answer.given.family, answer.region, wanted).census(progress).meeting;
     if (progress.is_cancelled()) return {};
     if (left == 0) wanted.min_transmission_angle -= step;
   }
@@ -71,12 +72,12 @@ double longest_step(const BurmesterCurve::Run& run, std::span<const double> coor
 }
 
 // What the map skips where a long stretch of the curve lies between two of its samples.
-std::vector<Notice> skipped_stretch_warning(const Solution& solution) {
+std::vector<Notice> skipped_stretch_warning(const FourBarAnswer& answer) {
   // Radians run by both points together: a whole way to infinity and back is π. Evenly drawn tasks stay below 2.4.
   constexpr double long_stretch = 3, long_beside_others = 20, short_side = 0.1;
-  const BurmesterCurve* curve = solution.given.curve.get();
-  const std::span<const double> looked_at = solution.region.input_coordinates();
-  if (curve == nullptr || solution.options.window || solution.options.spacing == Spacing::arc_length) return {};
+  const BurmesterCurve* curve = answer.given.curve.get();
+  const std::span<const double> looked_at = answer.region.input_coordinates();
+  if (curve == nullptr || answer.options.window || answer.options.spacing == Spacing::arc_length) return {};
   const BurmesterCurve::Run run = curve->run(short_side);
   if (run.tau.empty()) return {};
   const double usual = run.length.back() / static_cast<double>(looked_at.size());
@@ -88,40 +89,49 @@ std::vector<Notice> skipped_stretch_warning(const Solution& solution) {
            {}}};
 }
 
-}  // namespace
-
-void warn_of_map(Solution& solution) {
-  for (const auto& found : {left_out_warning(solution), skipped_stretch_warning(solution)})
-    solution.given.warnings.insert(solution.given.warnings.end(), found.begin(), found.end());
-}
-
-void leave_out_unconfirmed(Solution& solution) {
-  std::int64_t& count = solution.left_out;
-  if (!solution.pairs.empty()) {  // all there are, those of the list among them
-    count = static_cast<std::int64_t>(std::erase_if(solution.pairs, is_unconfirmed));
-    std::erase_if(solution.linkages, is_unconfirmed);
-  }
-  if (solution.requirements.no_defects)  // none in the working frame, where they were judged
-    count += static_cast<std::int64_t>(
-        std::erase_if(solution.linkages, [](const FourBarSolution& found) { return !found.report.defects.none(); }));
-  count += static_cast<std::int64_t>(std::erase_if(solution.linkages, is_unconfirmed));
-  count += static_cast<std::int64_t>(std::erase_if(solution.six_bars, [](const SixBarSolution& found) {
-    return found.rating.drive.defects.none() && !found.verified_by_driving;
-  }));
+void warn_of_left_out(Findings& found, bool near_pole) {
+  const std::int64_t count = found.left_out;
   if (count == 0) return;
-  solution.given.warnings.push_back(
+  found.warnings.push_back(
       {"linkages_left_out",
        fmt::format("Left out {} of the best: so near a change point, a dead point{}, or with so short a link, that "
                    "rounding decides "
                    "what they do, and driving them through the task confirmed no more.{}",
                    count == 1 ? "is one" : fmt::format("are {}", count),
-                   solution.given.conditions.near_pole ? " or the positions' common pole" : "",
-                   solution.given.conditions.near_pole ? " Set the positions further off a turn about one pole." : ""),
+                   near_pole ? " or the positions' common pole" : "",
+                   near_pole ? " Set the positions further off a turn about one pole." : ""),
        {{"count", static_cast<double>(count)}}});
 }
 
-void warn_of_locking(Solution& solution, const Progress& progress) {
-  for (Notice& warning : locking_warning(solution, progress)) solution.given.warnings.push_back(std::move(warning));
+}  // namespace
+
+void warn_of_map(FourBarAnswer& answer) {
+  for (const auto& found : {left_out_warning(answer), skipped_stretch_warning(answer)})
+    answer.warnings.insert(answer.warnings.end(), found.begin(), found.end());
+}
+
+void leave_out_unconfirmed(FourBarAnswer& answer) {
+  std::int64_t& count = answer.left_out;
+  if (!answer.pairs.empty()) {  // all there are, those of the list among them
+    count = static_cast<std::int64_t>(std::erase_if(answer.pairs, is_unconfirmed));
+    std::erase_if(answer.linkages, is_unconfirmed);
+  }
+  if (answer.requirements.no_defects)  // none in the working frame, where they were judged
+    count += static_cast<std::int64_t>(
+        std::erase_if(answer.linkages, [](const FourBarSolution& found) { return !found.report.defects.none(); }));
+  count += static_cast<std::int64_t>(std::erase_if(answer.linkages, is_unconfirmed));
+  warn_of_left_out(answer, answer.given.conditions.near_pole.has_value());
+}
+
+void leave_out_unconfirmed(SixBarAnswer& answer) {
+  answer.left_out = static_cast<std::int64_t>(std::erase_if(answer.linkages, [](const SixBarSolution& found) {
+    return found.rating.drive.defects.none() && !found.verified_by_driving;
+  }));
+  warn_of_left_out(answer, pose_conditions(answer.task.poses).near_pole.has_value());
+}
+
+void warn_of_locking(FourBarAnswer& answer, const Progress& progress) {
+  for (Notice& warning : locking_warning(answer, progress)) answer.warnings.push_back(std::move(warning));
 }
 
 }  // namespace linkwright

@@ -31,7 +31,7 @@ RegionScale scale_of(const FourBarFamily& family, Side side, int count) {
 }
 
 TEST(AxisTicks, StandWhereTheirValuesAreRead) {
-  const FourBarFamily& family = *testing::three_positions().solution.given.family;
+  const FourBarFamily& family = *testing::four_bars(testing::three_positions().answer).given.family;
   const RegionScale scale = scale_of(family, Side::output, 400);
   const std::vector<AxisTick> ticks = axis_ticks(scale, family, Side::output);
   ASSERT_GT(ticks.size(), 6u);
@@ -45,8 +45,8 @@ TEST(AxisTicks, StandWhereTheirValuesAreRead) {
 }
 
 TEST(AxisTicks, KeepApartAcrossSheets) {
-  const Solution solution = testing::solution_of(testing::example("footrest.json", 60));
-  const FourBarFamily& family = *solution.given.family;
+  const Answer answer = testing::answer_of(testing::example("footrest.json", 60));
+  const FourBarFamily& family = *testing::four_bars(answer).given.family;
   for (const Side side : {Side::input, Side::output}) {
     const RegionScale scale = scale_of(family, side, 400);
     const std::vector<AxisTick> ticks = axis_ticks(scale, family, side);
@@ -56,9 +56,9 @@ TEST(AxisTicks, KeepApartAcrossSheets) {
 }
 
 TEST(AxisTicks, OfCurvesAndOfFewSideLinksAreNone) {
-  const FourBarFamily& curve = *testing::solved_tailgate().given.family;
+  const FourBarFamily& curve = *testing::four_bars(testing::solved_tailgate()).given.family;
   EXPECT_TRUE(axis_ticks(scale_of(curve, Side::input, 100), curve, Side::input).empty());
-  const FourBarFamily& points = *testing::five_positions().solution.given.family;
+  const FourBarFamily& points = *testing::four_bars(testing::five_positions().answer).given.family;
   EXPECT_TRUE(axis_ticks(scale_of(points, Side::input, 100), points, Side::input).empty());
 }
 
@@ -67,8 +67,8 @@ TEST(AxisTicks, OfAFactorAreSpacedByItsLogarithm) {
     "task": {"kind": "function", "mechanism": "four_bar", "pairs": [{"input_deg": 0, "output_deg": 0},
     {"input_deg": 30, "output_deg": 10}, {"input_deg": 50, "output_deg": 30}, {"input_deg": 70, "output_deg": 70}],
     "free": {"number": "output_scale", "range": [0.1, 10]}}})");
-  const Solution solution = testing::solution_of(problem);
-  const FourBarFamily& family = *solution.given.family;
+  const Answer answer = testing::answer_of(problem);
+  const FourBarFamily& family = *testing::four_bars(answer).given.family;
   const auto ticks = axis_ticks(scale_of(family, Side::output, 100), family, Side::output);
   const auto one = std::find_if(ticks.begin(), ticks.end(), [](const AxisTick& tick) { return tick.text == "1"; });
   ASSERT_NE(one, ticks.end());

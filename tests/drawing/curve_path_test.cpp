@@ -26,16 +26,16 @@ double distance(Point p, const std::vector<std::vector<Point>>& paths) {
 
 /// Every point of the curve in the window is on a path, and no stretch of a path is a leap.
 void expect_faithful(const Problem& problem, const PlaneWindow& window) {
-  const Solution solution = testing::solution_of(problem);
-  const WorkingFrame& frame = solution.given.conditions.frame;
-  const CurvePaths paths = visible_curves(*solution.given.curve, frame, window);
+  const Answer answer = testing::answer_of(problem);
+  const WorkingFrame& frame = testing::four_bars(answer).given.conditions.frame;
+  const CurvePaths paths = visible_curves(*testing::four_bars(answer).given.curve, frame, window);
   const auto visible = [&](Point px) {
     return px.real() > box.left && px.real() < box.right() && px.imag() > box.top && px.imag() < box.bottom();
   };
   int seen = 0;
   for (int i = 0; i < 4000; ++i) {
-    const Dyad dyad =
-        frame.to_user(solution.given.curve->dyad(solution.given.curve->coordinate_length() * (i + 0.37) / 4000));
+    const Dyad dyad = frame.to_user(testing::four_bars(answer).given.curve->dyad(
+        testing::four_bars(answer).given.curve->coordinate_length() * (i + 0.37) / 4000));
     for (const auto& [point, drawn] :
          {std::pair{dyad.center, &paths.centers}, std::pair{dyad.circle, &paths.circles}}) {
       if (point.w == 0) continue;

@@ -28,7 +28,7 @@ std::vector<Pair> pairs_of(const std::string& text) {
 
 StoredLinkage best_tailgate(const std::string& unit) {
   StoredLinkage linkage;
-  linkage.four_bar = testing::solved_tailgate().linkages.front().four_bar;
+  linkage.four_bar = testing::four_bars(testing::solved_tailgate()).linkages.front().four_bar;
   linkage.length_unit = unit;
   linkage.poses = motion(testing::tailgate()).poses;
   return linkage;

@@ -12,7 +12,7 @@ namespace {
 
 TEST(LinkageExport, OfAFourBar) {
   StoredLinkage linkage;
-  linkage.four_bar = testing::solved_tailgate().linkages.front().four_bar;
+  linkage.four_bar = testing::four_bars(testing::solved_tailgate()).linkages.front().four_bar;
   linkage.poses = testing::motion(testing::tailgate()).poses;
   EXPECT_EQ(exported(linkage, "svg"), draw_linkage(linkage));
   EXPECT_EQ(exported(linkage, "dxf"), draw_dxf(linkage));

@@ -41,7 +41,7 @@ using ::testing::Not;
 }
 
 TEST(SvgDrawing, OfASolutionShowsTaskRegionAndNumbers) {
-  const std::string svg = draw_solution(testing::tailgate(), testing::solved_tailgate());
+  const std::string svg = draw_answer(testing::tailgate(), testing::solved_tailgate());
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_THAT(svg, HasSubstr("Tailgate hinge"));
   EXPECT_THAT(svg, HasSubstr("data:image/png;base64,"));
@@ -56,7 +56,7 @@ TEST(SvgDrawing, EscapesTheTitle) {
   Problem problem = testing::tailgate();
   problem.title = "<b>\"A\" & 'B'</b>\n\x01\xFF\xEF\xBF\xBF ]]> 门";
   problem.length_unit = "<mm>";
-  const std::string svg = draw_solution(problem, testing::solved_tailgate());
+  const std::string svg = draw_answer(problem, testing::solved_tailgate());
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_THAT(svg, HasSubstr("&lt;b&gt;&quot;A&quot; &amp; 'B'&lt;/b&gt;"));
   EXPECT_THAT(svg, HasSubstr("门"));
@@ -67,7 +67,7 @@ TEST(SvgDrawing, EscapesTheTitle) {
 TEST(SvgDrawing, StaysSmallForLargeRegions) {
   Problem problem = testing::tailgate();
   problem.options.region_samples = 1500;
-  EXPECT_LT(draw_solution(problem, testing::solution_of(problem)).size(), 300'000u);
+  EXPECT_LT(draw_answer(problem, testing::answer_of(problem)).size(), 300'000u);
 }
 
 TEST(SvgDrawing, OfATaskWithoutLinkagesSaysWhy) {
@@ -76,11 +76,11 @@ TEST(SvgDrawing, OfATaskWithoutLinkagesSaysWhy) {
   for (const Problem& problem : {nothing_left, testing::problem_of({{0, 0, 0}, {1, 1, 0}, {2, 5, 0}, {3, 2, 0}}),
                                  testing::problem_of({{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0.6, 0.8, 0}}),
                                  testing::problem_of({{0, 0, 0}, {1, 1, 0}, {2, 1, 0}, {3, 2, 100}})}) {
-    const Solution solution = testing::solution_of(problem);
-    const std::string svg = draw_solution(problem, solution);
+    const Answer answer = testing::answer_of(problem);
+    const std::string svg = draw_answer(problem, answer);
     EXPECT_TRUE(is_well_formed(svg));
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
-    EXPECT_THAT(svg, HasSubstr(solution.linkages.empty() ? "No linkage to show" : "Best linkage"));
+    EXPECT_THAT(svg, HasSubstr(testing::four_bars(answer).linkages.empty() ? "No linkage to show" : "Best linkage"));
   }
 }
 
@@ -88,7 +88,7 @@ TEST(SvgDrawing, DoesNotDependOnWhereAndHowLargeTheTaskIs) {
   Problem moved = testing::tailgate();
   moved.requirements = {};
   for (PrescribedPose& pose : motion(moved).poses) pose.pose.origin = 1e-3 * pose.pose.origin + Point{0.5, -0.25};
-  const std::string svg = draw_solution(moved, testing::solution_of(moved));
+  const std::string svg = draw_answer(moved, testing::answer_of(moved));
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_THAT(svg, Not(HasSubstr("1e+")));
 }
@@ -100,11 +100,11 @@ std::size_t count_of(const std::string& text, const std::string& piece) {
 }
 
 TEST(SvgDrawing, ShowsTheDirectionOfTravelAsAnArrow) {
-  const std::string svg = draw_solution(testing::hood_hinge(), testing::solved_hood_hinge());
+  const std::string svg = draw_answer(testing::hood_hinge(), testing::solved_hood_hinge());
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
   StoredLinkage linkage;
-  linkage.four_bar = testing::solved_hood_hinge().linkages.front().four_bar;
+  linkage.four_bar = testing::four_bars(testing::solved_hood_hinge()).linkages.front().four_bar;
   linkage.poses = motion(testing::hood_hinge()).poses;
   const std::string arrow = draw_linkage(linkage);
   EXPECT_TRUE(is_well_formed(arrow));
@@ -146,8 +146,8 @@ void expect_whole(const std::string& svg) {
 }
 
 TEST(SvgDrawing, OfThreePositionsHasDirectionsInDegrees) {
-  const auto& [problem, solution] = testing::three_positions();
-  const std::string svg = draw_solution(problem, solution);
+  const auto& [problem, answer] = testing::three_positions();
+  const std::string svg = draw_answer(problem, answer);
   expect_whole(svg);
   EXPECT_THAT(svg, HasSubstr("Three positions (P-P-P), side links 18 and 24"));
   EXPECT_THAT(svg, HasSubstr("direction β₁ in position 1, degrees"));
@@ -158,8 +158,8 @@ TEST(SvgDrawing, OfThreePositionsHasDirectionsInDegrees) {
 }
 
 TEST(SvgDrawing, OfFivePositionsIsABoardWithBeads) {
-  const auto& [problem, solution] = testing::five_positions();
-  const std::string svg = draw_solution(problem, solution);
+  const auto& [problem, answer] = testing::five_positions();
+  const std::string svg = draw_answer(problem, answer);
   expect_whole(svg);
   EXPECT_THAT(svg, HasSubstr("4 Burmester points"));
   EXPECT_EQ(count_of(svg, "r=\"4.5\""), 7u + 2u) << "the fourth fixed pivot is metres away; two in the key";
@@ -170,8 +170,8 @@ TEST(SvgDrawing, OfFivePositionsIsABoardWithBeads) {
 }
 
 TEST(SvgDrawing, OfFivePositionsWithoutAnswerShowsAWayOut) {
-  const auto& [problem, solution] = testing::five_without_answer();
-  const std::string svg = draw_solution(problem, solution);
+  const auto& [problem, answer] = testing::five_without_answer();
+  const std::string svg = draw_answer(problem, answer);
   expect_whole(svg);
   EXPECT_THAT(svg, HasSubstr("A way out: without position "));
   EXPECT_THAT(svg, HasSubstr("No linkage to show"));
@@ -179,8 +179,8 @@ TEST(SvgDrawing, OfFivePositionsWithoutAnswerShowsAWayOut) {
 }
 
 TEST(SvgDrawing, OfAFunctionHasItsRibbonDialsAndError) {
-  const auto& [problem, solution] = testing::function();
-  const std::string svg = draw_solution(problem, solution);
+  const auto& [problem, answer] = testing::function();
+  const std::string svg = draw_answer(problem, answer);
   expect_whole(svg);
   EXPECT_THAT(svg, HasSubstr("Solution ribbon: every place is one four-bar"));
   EXPECT_THAT(svg, HasSubstr("Structural error of linkage 1"));
@@ -213,7 +213,7 @@ TEST(SvgDrawing, OfOtherKindsIsWhole) {
     SCOPED_TRACE(task);
     const Problem problem = testing::problem_from(
         R"({"linkwright": 1, "options": {"region_samples": 40, "best": 3}, "task": )" + task + "}");
-    const std::string svg = draw_solution(problem, testing::solution_of(problem));
+    const std::string svg = draw_answer(problem, testing::answer_of(problem));
     expect_whole(svg);
     EXPECT_THAT(svg, HasSubstr(words));
   }
@@ -224,9 +224,9 @@ TEST(SvgDrawing, OfASinglePoseHasRoom) {
   motion(problem).poses[0].derivatives = {{{100, 0}, 0.8}, {{60, 100}, 0.2}, {{0, 120}, -0.3}};
   for (const double max_length : {1e-6, 1e9}) {
     problem.requirements.max_length = max_length;
-    const Solution solution = testing::solution_of(problem);
-    EXPECT_EQ(solution.linkages.empty(), max_length < 1);
-    const std::string svg = draw_solution(problem, solution);
+    const Answer answer = testing::answer_of(problem);
+    EXPECT_EQ(testing::four_bars(answer).linkages.empty(), max_length < 1);
+    const std::string svg = draw_answer(problem, answer);
     EXPECT_TRUE(is_well_formed(svg));
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
     EXPECT_GT(count_of(svg, "<polyline"), 1u) << "the curves";

@@ -86,7 +86,7 @@ TEST(CsvTable, RatesAreEmptyAtDeadPoints) {
 }
 
 TEST(CsvTable, BeginsAtPositionOneAndHasARowAtEachPosition) {
-  StoredLinkage linkage = stored(testing::solved_tailgate().linkages.front().four_bar);
+  StoredLinkage linkage = stored(testing::four_bars(testing::solved_tailgate()).linkages.front().four_bar);
   linkage.poses = testing::motion(testing::tailgate()).poses;
   auto columns = columns_of(linkage);
   std::vector<std::string> met;

@@ -114,7 +114,7 @@ TEST(LinkageFile, DerivativesReadBackBitIdentical) {
 
 TEST(LinkageFile, OfEveryKindReadsBackWithItsPoses) {
   for (const auto* solved : {&testing::three_positions(), &testing::five_positions(), &testing::function()}) {
-    const auto linkages = read_result_linkages(write_result(solved->problem, solved->solution, false));
+    const auto linkages = read_result_linkages(write_result(solved->problem, solved->answer, false));
     ASSERT_TRUE(linkages.ok());
     ASSERT_GT(linkages->size(), 0u);
     const std::string text = write_linkage(linkages.value().front());

@@ -61,8 +61,9 @@ TEST(ResultFile, SaysWhatWasFound) {
   EXPECT_EQ(result["curve"]["samples"]["circle_homogeneous"].size(), 96u);
   EXPECT_EQ(result["region"]["samples"], 96);
   EXPECT_EQ(result["region"]["counts"]["pairs"], 96 * 95);
-  EXPECT_EQ(result["region"]["counts"]["defect_free"].get<std::int64_t>(), solved_tailgate().counts.defect_free);
-  EXPECT_EQ(result["linkages"].size(), solved_tailgate().linkages.size());
+  EXPECT_EQ(result["region"]["counts"]["defect_free"].get<std::int64_t>(),
+            testing::four_bars(solved_tailgate()).counts.defect_free);
+  EXPECT_EQ(result["linkages"].size(), testing::four_bars(solved_tailgate()).linkages.size());
 }
 
 TEST(ResultFile, EchoesTheProblemWithItsDefaults) {
@@ -73,27 +74,27 @@ TEST(ResultFile, EchoesTheProblemWithItsDefaults) {
   EXPECT_EQ(problem["options"]["region_samples"], 96);
   Problem no_limit = tailgate();
   no_limit.requirements.max_length.reset();
-  const json echo = json::parse(write_result(no_limit, testing::solution_of(no_limit), false))["problem"];
+  const json echo = json::parse(write_result(no_limit, testing::answer_of(no_limit), false))["problem"];
   EXPECT_NEAR(echo["requirements"]["max_length"].get<double>(), 3711.9, 0.1);
   EXPECT_TRUE(read_problem(echo.dump()).ok());
 }
 
 TEST(ResultFile, NumbersReadBackBitIdentical) {
-  const Solution& solution = solved_tailgate();
+  const FourBarAnswer& answer = testing::four_bars(solved_tailgate());
   const json& result = tailgate_result();
-  EXPECT_EQ(result["condition"].get<double>(), solution.given.conditions.condition());
-  for (std::size_t i = 0; i < solution.samples.size(); ++i) {
+  EXPECT_EQ(result["condition"].get<double>(), answer.given.conditions.condition());
+  for (std::size_t i = 0; i < answer.samples.size(); ++i) {
     const json& circle = result["curve"]["samples"]["circle_homogeneous"][i];
-    EXPECT_EQ(circle[0].get<double>(), solution.samples[i].circle.w);
-    EXPECT_EQ(circle[1].get<double>(), solution.samples[i].circle.x);
-    EXPECT_EQ(circle[2].get<double>(), solution.samples[i].circle.y);
-    EXPECT_EQ(result["region"]["input_coordinate"][i].get<double>(), solution.region.input_coordinates()[i]);
+    EXPECT_EQ(circle[0].get<double>(), answer.samples[i].circle.w);
+    EXPECT_EQ(circle[1].get<double>(), answer.samples[i].circle.x);
+    EXPECT_EQ(circle[2].get<double>(), answer.samples[i].circle.y);
+    EXPECT_EQ(result["region"]["input_coordinate"][i].get<double>(), answer.region.input_coordinates()[i]);
   }
 }
 
 TEST(ResultFile, ArraysAreTheRegionRowByRow) {
   const json& region = tailgate_result()["region"];
-  const RegionMap& map = solved_tailgate().region;
+  const RegionMap& map = testing::four_bars(solved_tailgate()).region;
   const auto types = decoded(region["type"]), defects = decoded(region["defects"]);
   ASSERT_EQ(types.size(), map.rows() * map.columns());
   EXPECT_TRUE(std::equal(types.begin(), types.end(), map.types().begin()));
@@ -140,7 +141,7 @@ TEST(ResultFile, LinkagesAreCompleteAndConsistent) {
 TEST(ResultFile, PivotsAtInfinityAreNull) {
   Problem problem = testing::problem_of({{0, 0, 0}, {1, 1, 0}, {2, 1, 0}, {3, 2, 100}});
   problem.requirements = {.no_defects = false, .max_link_ratio = Requirements::unlimited};
-  const std::string text = write_result(problem, testing::solution_of(problem), true);
+  const std::string text = write_result(problem, testing::answer_of(problem), true);
   EXPECT_EQ(text.find("nan"), std::string::npos);
   EXPECT_EQ(text.find("inf,"), std::string::npos);
   EXPECT_TRUE(json::parse(text)["curve"].contains("branches"));
@@ -149,7 +150,7 @@ TEST(ResultFile, PivotsAtInfinityAreNull) {
 TEST(ResultFile, ExplainsNothingAndNamesRelaxations) {
   Problem problem = tailgate();
   problem.requirements.min_transmission_angle = radians(89);
-  const json result = json::parse(write_result(problem, testing::solution_of(problem), false));
+  const json result = json::parse(write_result(problem, testing::answer_of(problem), false));
   EXPECT_EQ(result["linkages"].size(), 0u);
   EXPECT_FALSE(result["reason"].get<std::string>().empty());
   ASSERT_GT(result["relax"].size(), 0u);
@@ -166,7 +167,7 @@ TEST(ResultFile, ExplainsNothingAndNamesRelaxations) {
 TEST(ResultFile, OfATaskWithoutCurveIsWhole) {
   for (const Problem& problem : {testing::problem_of({{0, 0, 0}, {1, 1, 0}, {2, 5, 0}, {3, 2, 0}}),
                                  testing::problem_of({{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0.6, 0.8, 0}})}) {
-    const json result = json::parse(write_result(problem, testing::solution_of(problem), true));
+    const json result = json::parse(write_result(problem, testing::answer_of(problem), true));
     EXPECT_NE(result["status"], "solved");
     EXPECT_EQ(result["linkages"].size(), 0u);
     EXPECT_FALSE(result["reason"].get<std::string>().empty());
@@ -189,10 +190,10 @@ TEST(ResultFile, TextGoesOutInPieces) {
 TEST(ResultFile, LinkagesReadBackBitIdentical) {
   const auto linkages = read_result_linkages(write_result(tailgate(), solved_tailgate(), true));
   ASSERT_TRUE(linkages.ok());
-  ASSERT_EQ(linkages->size(), solved_tailgate().linkages.size());
+  ASSERT_EQ(linkages->size(), testing::four_bars(solved_tailgate()).linkages.size());
   for (std::size_t i = 0; i < linkages->size(); ++i) {
     const StoredLinkage& linkage = linkages.value()[i];
-    const FourBar& wanted = solved_tailgate().linkages[i].four_bar;
+    const FourBar& wanted = testing::four_bars(solved_tailgate()).linkages[i].four_bar;
     EXPECT_EQ(linkage.title, "Tailgate hinge");
     EXPECT_EQ(linkage.length_unit, "mm");
     ASSERT_EQ(linkage.poses.size(), 4u);
@@ -219,7 +220,7 @@ TEST(ResultFile, OfMixedPositionsSaysHowWellTheDerivativesAreMet) {
 TEST(ResultFile, OfASinglePoseIsWhole) {
   Problem problem = testing::problem_of({{1, 2, 30}});
   motion(problem).poses[0].derivatives = {{{1, 0}, 0.8}, {{0.6, 1}, 0.2}, {{0, 1.2}, -0.3}};
-  const std::string text = write_result(problem, testing::solution_of(problem), true);
+  const std::string text = write_result(problem, testing::answer_of(problem), true);
   EXPECT_EQ(text.find("nan"), std::string::npos);
   const json result = json::parse(text);
   EXPECT_EQ(result["pattern"], "PPPP");
@@ -248,7 +249,7 @@ TEST(ResultFile, LinkagesOfMixedPositionsKeepTheirDerivatives) {
 const json& result_of(const testing::Solved& solved) {
   static std::map<const testing::Solved*, json> results;
   const auto [place, is_new] = results.try_emplace(&solved);
-  if (is_new) place->second = json::parse(write_result(solved.problem, solved.solution, true));
+  if (is_new) place->second = json::parse(write_result(solved.problem, solved.answer, true));
   return place->second;
 }
 
@@ -269,7 +270,7 @@ TEST(ResultFile, OfThreePositionsHasNoCurveButDirections) {
     ASSERT_EQ(axis["values"].size(), coordinates.size());
     for (std::size_t i = 0; i < coordinates.size(); ++i)
       EXPECT_EQ(axis["values"][i].get<double>(),
-                latch.solution.given.family->axis_value(side, coordinates[i].get<double>()));
+                testing::four_bars(latch.answer).given.family->axis_value(side, coordinates[i].get<double>()));
   }
   ASSERT_GT(result["linkages"].size(), 0u);
   for (const json& linkage : result["linkages"]) {
@@ -285,7 +286,7 @@ TEST(ResultFile, OfThreePositionsAtAnAngleHasLengths) {
     {"region_samples": 40, "best": 2}, "task": {"kind": "motion", "mechanism": "four_bar", "poses": [
     {"x": 0, "y": 0, "theta_deg": 0}, {"x": 50, "y": 30, "theta_deg": 30}, {"x": 60, "y": 90, "theta_deg": 80}],
     "given": {"side_angle_deg": 60, "directed": true, "input_length": 80}}})");
-  const json result = json::parse(write_result(problem, testing::solution_of(problem), false));
+  const json result = json::parse(write_result(problem, testing::answer_of(problem), false));
   const json& axis = result["region"]["axes"][1];
   EXPECT_EQ(axis["quantity"], "side_length");
   EXPECT_EQ(axis["unit"], "in");
@@ -295,7 +296,7 @@ TEST(ResultFile, OfThreePositionsAtAnAngleHasLengths) {
 
 TEST(ResultFile, OfAnInstantCentreHasItsCurve) {
   const Problem airtight = testing::example("airtight_hatch.json", 40);
-  const json result = json::parse(write_result(airtight, testing::solution_of(airtight), false));
+  const json result = json::parse(write_result(airtight, testing::answer_of(airtight), false));
   EXPECT_EQ(result["pattern"], "P-P-P");
   EXPECT_TRUE(result["curve"]["kind"].is_string());
   EXPECT_EQ(result["region"]["axes"][0]["quantity"], "curve_coordinate");
@@ -309,12 +310,13 @@ TEST(ResultFile, OfFivePositionsHasItsDyadsAndEveryPair) {
   ASSERT_EQ(result["dyads"].size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
     const json& dyad = result["dyads"][i];
-    const BurmesterPoint& point = gear.solution.given.points[i];
+    const BurmesterPoint& point = testing::four_bars(gear.answer).given.points[i];
     EXPECT_EQ(dyad["multiplicity"], 1);
     EXPECT_EQ(dyad["condition"].get<double>(), point.condition);
     EXPECT_EQ(dyad["residual"].get<double>(), point.residual);
     EXPECT_EQ(dyad["coordinate"].get<double>(), static_cast<double>(i) + 0.5);
-    EXPECT_EQ(dyad["circle_homogeneous"][0].get<double>(), gear.solution.given.frame().to_user(point.dyad).circle.w);
+    EXPECT_EQ(dyad["circle_homogeneous"][0].get<double>(),
+              testing::four_bars(gear.answer).given.frame().to_user(point.dyad).circle.w);
   }
   ASSERT_EQ(result["pairs"].size(), 6u);
   EXPECT_EQ(result["region"]["samples"], 4);
@@ -370,13 +372,14 @@ TEST(ResultFile, OfAFreedPositionSaysWhatIsMissed) {
   Problem problem = testing::five_without_answer().problem;
   motion(problem).freed = 0;
   problem.options.region_samples = 80;
-  const Solution solution = testing::solution_of(problem);
-  const std::string text = write_result(problem, solution, false);
+  const Answer answer = testing::answer_of(problem);
+  const std::string text = write_result(problem, answer, false);
   const json result = json::parse(text);
   EXPECT_EQ(result["problem"]["task"]["freed_pose"], 1);
   EXPECT_TRUE(result["curve"]["kind"].is_string());
   ASSERT_GT(result["linkages"].size(), 0u);
-  EXPECT_EQ(result["linkages"][0]["miss"]["distance"].get<double>(), solution.linkages[0].miss->distance);
+  EXPECT_EQ(result["linkages"][0]["miss"]["distance"].get<double>(),
+            testing::four_bars(answer).linkages[0].miss->distance);
   const auto linkages = read_result_linkages(text);
   ASSERT_TRUE(linkages.ok());
   ASSERT_EQ(linkages.value()[0].poses.size(), 4u) << "not the freed one, though the problem has it";
@@ -392,7 +395,7 @@ TEST(ResultFile, OfAFunctionTellsItsErrors) {
   ASSERT_GT(result["linkages"].size(), 0u);
   for (std::size_t i = 0; i < result["linkages"].size(); ++i) {
     const json& linkage = result["linkages"][i];
-    const FunctionError& error = *sine.solution.linkages[i].function;
+    const FunctionError& error = *testing::four_bars(sine.answer).linkages[i].function;
     EXPECT_TRUE(linkage["verified_by_driving"].get<bool>());
     EXPECT_LT(linkage["precision_error_deg"].get<double>(), 1e-9);
     EXPECT_EQ(linkage["errors_at_pairs_deg"].size(), 4u);
@@ -412,7 +415,7 @@ TEST(ResultFile, OfAFunctionSaysWhatIsNotReached) {
   const Problem square = testing::problem_from(R"({"linkwright": 1, "options": {"region_samples": 100}, "task":
     {"kind": "function", "mechanism": "four_bar", "function": {"expression": "x^2", "x": [0, 1],
     "input_range_deg": [0, 90], "output_range_deg": [0, 90], "points": 4}}})");
-  const std::string text = write_result(square, testing::solution_of(square), true);
+  const std::string text = write_result(square, testing::answer_of(square), true);
   EXPECT_EQ(text.find("nan"), std::string::npos);
   int short_of_it = 0;
   const json result = json::parse(text);
@@ -430,7 +433,7 @@ TEST(ResultFile, OfPairsAloneHasNoStructuralError) {
     {"kind": "function", "mechanism": "four_bar", "pairs": [{"input_deg": 0, "output_deg": 0},
     {"input_deg": 30, "output_deg": 10}, {"input_deg": 50, "output_deg": 30}, {"input_deg": 70, "output_deg": 70}],
     "free": {"number": "pair_output", "pair": 3, "range": [25, 35]}}})");
-  const json result = json::parse(write_result(pairs, testing::solution_of(pairs), false));
+  const json result = json::parse(write_result(pairs, testing::answer_of(pairs), false));
   EXPECT_EQ(result["region"]["axes"][1]["quantity"], "pair_output");
   ASSERT_GT(result["linkages"].size(), 0u);
   for (const json& linkage : result["linkages"]) {
@@ -444,13 +447,13 @@ TEST(ResultFile, OfPairsAloneHasNoStructuralError) {
 
 TEST(ResultFile, LinkagesOfFunctionsKeepTheirCouplersPoses) {
   const testing::Solved& sine = testing::function();
-  const auto linkages = read_result_linkages(write_result(sine.problem, sine.solution, false));
+  const auto linkages = read_result_linkages(write_result(sine.problem, sine.answer, false));
   ASSERT_TRUE(linkages.ok());
-  ASSERT_EQ(linkages->size(), sine.solution.linkages.size());
+  ASSERT_EQ(linkages->size(), testing::four_bars(sine.answer).linkages.size());
   for (std::size_t i = 0; i < linkages->size(); ++i) {
-    const FourBarSolution& found = sine.solution.linkages[i];
-    const auto poses =
-        sine.solution.given.family->user_poses({found.input.coordinate, found.output.coordinate}, found.four_bar);
+    const FourBarSolution& found = testing::four_bars(sine.answer).linkages[i];
+    const auto poses = testing::four_bars(sine.answer)
+                           .given.family->user_poses({found.input.coordinate, found.output.coordinate}, found.four_bar);
     ASSERT_EQ(linkages.value()[i].poses.size(), poses.size());
     for (std::size_t k = 0; k < poses.size(); ++k) {
       EXPECT_EQ(linkages.value()[i].poses[k].pose.origin, poses[k].pose.origin);
@@ -461,7 +464,7 @@ TEST(ResultFile, LinkagesOfFunctionsKeepTheirCouplersPoses) {
 
 TEST(ResultFile, OfFivePrecisionPointsListsEveryLinkage) {
   const Problem log = testing::example("log_generator.json", 40);
-  const json result = json::parse(write_result(log, testing::solution_of(log), true));
+  const json result = json::parse(write_result(log, testing::answer_of(log), true));
   EXPECT_TRUE(result["curve"].is_null());
   EXPECT_EQ(result["dyads"].size(), 0u);
   EXPECT_EQ(result["pairs"].size(), result["region"]["input_coordinate"].size());

@@ -24,15 +24,16 @@ Problem example(const std::string& name) {
 /// examples/loader_bucket_chain.json on a small map.
 struct Solved {
   Problem problem = example("loader_bucket_chain");
-  Solution solution;
+  Answer answer;
   Solved() {
     problem.options.region_samples = 60;
     problem.options.best = 2;
     auto found = solve(problem.task, problem.requirements, problem.options);
     EXPECT_TRUE(found.ok());
-    solution = std::move(*found);
-    EXPECT_EQ(solution.six_bars.size(), 2u);
+    answer = std::move(*found);
+    EXPECT_EQ(six_bars().size(), 2u);
   }
+  [[nodiscard]] const std::vector<SixBarSolution>& six_bars() const { return std::get<SixBarAnswer>(answer).linkages; }
 };
 const Solved& solved() {
   static const Solved once;
@@ -40,7 +41,7 @@ const Solved& solved() {
 }
 
 StoredSixBar stored(std::size_t index = 0) {
-  const auto linkages = read_any_result_linkages(write_result(solved().problem, solved().solution, false));
+  const auto linkages = read_any_result_linkages(write_result(solved().problem, solved().answer, false));
   EXPECT_TRUE(linkages.ok());
   return std::get<StoredSixBar>(linkages.value().at(index));
 }
@@ -75,7 +76,7 @@ std::vector<std::vector<std::string>> cells(const std::string& table) {
 TEST(SixBarFile, ResultReadsBackBitIdentical) {
   for (std::size_t i = 0; i < 2; ++i) {
     const StoredSixBar read = stored(i);
-    const SixBarSolution& found = solved().solution.six_bars[i];
+    const SixBarSolution& found = solved().six_bars()[i];
     EXPECT_TRUE(same_hinges(read.six_bar, found.member.six_bar));
     EXPECT_EQ(read.row.topology, SixBarTopology::watt_1);
     EXPECT_EQ(read.title, solved().problem.title);
@@ -87,15 +88,15 @@ TEST(SixBarFile, ResultReadsBackBitIdentical) {
 }
 
 TEST(SixBarFile, ResultSaysWhatWasFound) {
-  const auto result = nlohmann::json::parse(write_result(solved().problem, solved().solution, true));
+  const auto result = nlohmann::json::parse(write_result(solved().problem, solved().answer, true));
   EXPECT_TRUE(result["curve"].is_null());
   EXPECT_FALSE(result.contains("search"));
   EXPECT_EQ(result["region"]["samples"], 15);
   EXPECT_EQ(result["region"]["axes"][0]["name"], "link 4 between 0 and 2, place on its curve");
-  EXPECT_EQ(result["region"]["counts"]["defect_free"], solved().solution.counts.defect_free);
+  EXPECT_EQ(result["region"]["counts"]["defect_free"], findings(solved().answer).counts.defect_free);
   EXPECT_TRUE(result["region"].contains("type"));
   const auto& linkage = result["linkages"][0];
-  const SixBarSolution& found = solved().solution.six_bars[0];
+  const SixBarSolution& found = solved().six_bars()[0];
   EXPECT_EQ(linkage["topology"], "watt_1");
   EXPECT_EQ(linkage["added"][1]["between"], "1-3");
   EXPECT_EQ(linkage["added"][1]["coordinate"].get<double>(), found.member.coordinates[1]);
@@ -128,12 +129,12 @@ TEST(SixBarFile, ALinkOnALinkIsWrittenAndDrawn) {
     problem.options.best = 1;
     const auto solution = solve(problem.task, problem.requirements, problem.options);
     ASSERT_TRUE(solution.ok());
-    ASSERT_EQ(solution->six_bars.size(), 1u);
+    ASSERT_EQ(linkage_count(*solution), 1u);
     const std::string result = write_result(problem, *solution, false);
     const auto axis = nlohmann::json::parse(result)["region"]["axes"][1];
     EXPECT_EQ(axis["quantity"], "curve_share");
     EXPECT_EQ(axis["branches"][0]["to"], 1.0);
-    EXPECT_NE(draw_solution(problem, *solution).find("Link 5: share of its curve"), std::string::npos);
+    EXPECT_NE(draw_answer(problem, *solution).find("Link 5: share of its curve"), std::string::npos);
     const auto linkages = read_any_result_linkages(result);
     ASSERT_TRUE(linkages.ok());
     EXPECT_EQ(outlines(draw_linkage(std::get<StoredSixBar>(linkages->front()))), 3u);
@@ -151,7 +152,7 @@ TEST(SixBarFile, SearchIsReportedEvenWithoutAFind) {
   EXPECT_EQ(result["search"]["effort"], 100);
   EXPECT_EQ(result["search"]["interrupted"], false);
   EXPECT_TRUE(result["linkages"].empty());
-  const std::string picture = draw_solution(problem, *solution);
+  const std::string picture = draw_answer(problem, *solution);
   EXPECT_NE(picture.find("Nothing found"), std::string::npos);
   EXPECT_EQ(picture.find("nan"), std::string::npos);
 }
@@ -216,7 +217,7 @@ TEST(SixBarFile, ReadersOfFourBarsRefuseIt) {
   const auto linkage = read_linkage(write_linkage(crank()));
   ASSERT_FALSE(linkage.ok());
   EXPECT_EQ(linkage.errors()[0].code, "not_a_four_bar");
-  EXPECT_FALSE(read_result_linkages(write_result(solved().problem, solved().solution, false)).ok());
+  EXPECT_FALSE(read_result_linkages(write_result(solved().problem, solved().answer, false)).ok());
 }
 
 TEST(SixBarFile, TableFollowsTheTravel) {
@@ -245,7 +246,7 @@ TEST(SixBarFile, TableFollowsTheTravel) {
     EXPECT_NEAR(number(17), degrees(pose.angle), 1e-9);
   }
   EXPECT_EQ(met, "1234");
-  EXPECT_NEAR(before, degrees(solved().solution.six_bars[0].rating.drive.sweep), 1e-6);
+  EXPECT_NEAR(before, degrees(solved().six_bars()[0].rating.drive.sweep), 1e-6);
 }
 
 TEST(SixBarFile, WithoutPosesTheTableIsTheWholeMotion) {
@@ -257,7 +258,7 @@ TEST(SixBarFile, WithoutPosesTheTableIsTheWholeMotion) {
 
 TEST(SixBarFile, AnalysisKnowsTravelAndRange) {
   const SixBarAnalysis analysis = analyze(stored());
-  const SixBarRating& rating = solved().solution.six_bars[0].rating;
+  const SixBarRating& rating = solved().six_bars()[0].rating;
   EXPECT_NEAR(std::asin(analysis.travel.least_sine()), rating.min_transmission_angle(), radians(0.1));
   EXPECT_LE(analysis.motion.states.front().place.turn, 0);
   EXPECT_GE(analysis.motion.states.back().place.turn, rating.drive.sweep);
@@ -273,7 +274,7 @@ TEST(SixBarFile, AnalysisKnowsTravelAndRange) {
 }
 
 TEST(SixBarFile, DrawsBodiesPositionsAndNames) {
-  const std::string solution = draw_solution(solved().problem, solved().solution);
+  const std::string solution = draw_answer(solved().problem, solved().answer);
   for (const std::string& picture : {solution, draw_linkage(stored()), draw_linkage(crank())}) {
     for (const char* name :
          {">a</text>", ">b</text>", ">d</text>", ">c4</text>", ">z4</text>", ">c5</text>", ">z5</text>"})

@@ -9,6 +9,7 @@
 #include "support/case_region.hpp"
 #include "support/draws.hpp"
 #include "support/random_task.hpp"
+#include "support/solved.hpp"
 
 namespace linkwright::invariance_law_test {
 namespace {
@@ -20,10 +21,8 @@ SynthesisOptions small() {
   return options;
 }
 
-Solution solved(const std::vector<PrescribedPose>& poses) {
-  auto result = solve(MotionTask{poses, {}}, {}, small());
-  EXPECT_TRUE(result.ok());
-  return std::move(result).value();
+MotionAnswer solved(const std::vector<PrescribedPose>& poses) {
+  return testing::solved(MotionTask{poses, {}}, {}, small());
 }
 
 // Cells whose verdict rounding may turn.
@@ -41,11 +40,11 @@ TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapAndMoveTheLinkages) {
   std::mt19937_64 random(99);
   for (int trial = 0; trial < 25; ++trial) {
     const auto poses = testing::random_poses(random);
-    const Solution before = solved(poses);
+    const MotionAnswer before = solved(poses);
     for (const double scale : {1e-6, 1.0, 1e6}) {
       const double angle = testing::uniform(random, -pi, pi);
       const Point shift = scale * Point{testing::uniform(random, -50, 50), testing::uniform(random, -50, 50)};
-      const Solution after = solved(testing::moved(poses, scale, angle, shift));
+      const MotionAnswer after = solved(testing::moved(poses, scale, angle, shift));
       EXPECT_NEAR(*before.given.curve->kappa(), *after.given.curve->kappa(), 1e-8);
       EXPECT_NEAR(before.given.conditions.condition() / after.given.conditions.condition(), 1, 1e-8);
       expect_same_counts(before.counts, after.counts);
@@ -66,11 +65,11 @@ TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapOfMixedPositions) {
   for (const auto& multiplicities : testing::mixed_patterns())
     for (int trial = 0; trial < testing::draws(6); ++trial) {
       const auto poses = testing::random_poses(random, multiplicities);
-      const Solution before = solved(poses);
+      const MotionAnswer before = solved(poses);
       for (const double scale : {1e-6, 1.0, 1e6}) {
         const double angle = testing::uniform(random, -pi, pi);
         const Point shift = scale * Point{testing::uniform(random, -50, 50), testing::uniform(random, -50, 50)};
-        const Solution after = solved(testing::moved(poses, scale, angle, shift));
+        const MotionAnswer after = solved(testing::moved(poses, scale, angle, shift));
         EXPECT_EQ(after.given.pattern, before.given.pattern);
         EXPECT_NEAR(*before.given.curve->kappa(), *after.given.curve->kappa(), 1e-8);
         EXPECT_NEAR(before.given.conditions.condition() / after.given.conditions.condition(), 1, 1e-8);
@@ -103,7 +102,7 @@ TEST(InvarianceLaw, ACellAndItsMirrorAreTheSameBarsDrivenFromTheOtherSide) {
 TEST(InvarianceLaw, WholeTurnsAddedToAPoseChangeNothing) {
   std::mt19937_64 random(97);
   auto poses = testing::random_poses(random);
-  const Solution before = solved(poses);
+  const MotionAnswer before = solved(poses);
   poses[1].pose.angle += two_pi;
   poses[3].pose.angle -= 2 * two_pi;
   expect_same_counts(before.counts, solved(poses).counts);
@@ -114,7 +113,7 @@ TEST(InvarianceLaw, VisitingThePosesBackwardsTurnsTheDriveRound) {
   std::mt19937_64 random(96);
   for (int trial = 0; trial < 10; ++trial) {
     auto poses = testing::random_poses(random);
-    const Solution forwards = solved(poses);
+    const MotionAnswer forwards = solved(poses);
     std::reverse(poses.begin(), poses.end());
     const MotionTask backwards{poses};
     for (const FourBarSolution& linkage : forwards.linkages) {
@@ -151,11 +150,10 @@ TEST(InvarianceLaw, WhereTheBodysFrameLiesDoesNotChangeTheListOfLinkages) {
       pose.pose.origin += direction(pose.pose.angle) * offset;
       pose.pose.angle += turn;
     }
-    const auto one = solve(task, wanted, options), two = solve(other, wanted, options);
-    ASSERT_TRUE(one.ok() && two.ok());
-    ASSERT_EQ(one->linkages.size(), two->linkages.size()) << trial;
-    for (std::size_t i = 0; i < one->linkages.size(); ++i) {
-      const FourBarSolution &a = one->linkages[i], &b = two->linkages[i];
+    const MotionAnswer one = testing::solved(task, wanted, options), two = testing::solved(other, wanted, options);
+    ASSERT_EQ(one.linkages.size(), two.linkages.size()) << trial;
+    for (std::size_t i = 0; i < one.linkages.size(); ++i) {
+      const FourBarSolution &a = one.linkages[i], &b = two.linkages[i];
       const auto score = [&](const FourBarSolution& found) {
         return score_of(options.objective, versine_of_angle(found.report.min_transmission_angle),
                         found.lengths.longest() / found.lengths.shortest(), found.lengths.longest());

@@ -8,6 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "support/random_task.hpp"
+#include "support/solved.hpp"
 
 namespace linkwright::three_poses_law_test {
 namespace {
@@ -21,11 +22,7 @@ SynthesisOptions small() {
   return options;
 }
 
-Solution solved(const MotionTask& task) {
-  auto result = solve(task, {}, small());
-  EXPECT_TRUE(result.ok());
-  return std::move(result).value();
-}
+MotionAnswer solved(const MotionTask& task) { return testing::solved(task, {}, small()); }
 
 Point input_arm(const FourBar& bars) { return bars.input_circle - bars.input_center; }
 Point output_arm(const FourBar& bars) { return bars.output_circle - bars.output_center; }
@@ -77,9 +74,9 @@ TEST(ThreePosesLaw, LinkagesKeepWhatIsGivenAndAreDrivenThroughThePoses) {
     const auto poses = testing::random_poses(random, 3);
     const auto all = givens(random);
     for (std::size_t kind = 0; kind < all.size(); ++kind) {
-      const Solution solution = solved({poses, all[kind]});
-      EXPECT_EQ(solution.given.pattern, "P-P-P");
-      for (const FourBarSolution& linkage : solution.linkages) {
+      const MotionAnswer answer = solved({poses, all[kind]});
+      EXPECT_EQ(answer.given.pattern, "P-P-P");
+      for (const FourBarSolution& linkage : answer.linkages) {
         // Two side links on one ray from an instant centre are flat in position 1: a dead point there has no sign.
         if (linkage.report.type == LinkageType::change_point) continue;
         EXPECT_TRUE(linkage.verified_by_driving);
@@ -118,10 +115,11 @@ TEST(ThreePosesLaw, NeitherUnitNorPlaceMatters) {
   for (int trial = 0; trial < 2; ++trial) {
     const auto poses = testing::random_poses(random, 3);
     for (const ThreePoseGiven& given : givens(random)) {
-      const Solution before = solved({poses, given});
+      const MotionAnswer before = solved({poses, given});
       const double scale = trial % 2 == 0 ? 1e-4 : 1e4, angle = uniform(random, -pi, pi);
       const Point shift = scale * Point{30, -20};
-      const Solution after = solved({testing::moved(poses, scale, angle, shift), moved(given, scale, angle, shift)});
+      const MotionAnswer after =
+          solved({testing::moved(poses, scale, angle, shift), moved(given, scale, angle, shift)});
       EXPECT_EQ(before.status, after.status);
       EXPECT_NEAR(after.given.frame().scale / (scale * before.given.frame().scale), 1, 1e-9);
       // Axes of directions begin at the drawing's 0°, so that its turn moves the samples.
@@ -137,9 +135,9 @@ TEST(ThreePosesLaw, BothLengthsTheOtherWayRoundAreTheSameBarsDrivenFromTheOtherS
   std::mt19937_64 random(6);
   for (int trial = 0; trial < 3; ++trial) {
     const auto poses = testing::random_poses(random, 3);
-    const Solution here = solved({poses, SideLengths{1.5, 2.5}}), there = solved({poses, SideLengths{2.5, 1.5}});
-    const auto of = [](const Solution& solution, LinkageType type) {
-      return solution.counts.types[static_cast<std::size_t>(type)];
+    const MotionAnswer here = solved({poses, SideLengths{1.5, 2.5}}), there = solved({poses, SideLengths{2.5, 1.5}});
+    const auto of = [](const MotionAnswer& answer, LinkageType type) {
+      return answer.counts.types[static_cast<std::size_t>(type)];
     };
     for (const auto& [type, other] : {std::pair{LinkageType::crank_rocker, LinkageType::rocker_crank},
                                       std::pair{LinkageType::double_crank, LinkageType::double_crank},

@@ -125,7 +125,7 @@ TEST(FreedPosition, CountsWhatMeetsTheRequirements) {
   for (const FreedPosition& freed : nearest_relaxations(task, {}, coarse())) {
     const auto four = solve(freed_task(task, freed.pose).task, same_length, options);
     ASSERT_TRUE(four.ok());
-    EXPECT_EQ(freed.meeting, four->meeting_requirements) << freed.pose;
+    EXPECT_EQ(freed.meeting, findings(*four).meeting_requirements) << freed.pose;
     EXPECT_GT(freed.meeting, 0);
   }
 }

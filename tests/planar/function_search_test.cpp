@@ -10,6 +10,7 @@
 #include "linkwright/planar/function_linkage.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "support/random_function.hpp"
+#include "support/solved.hpp"
 
 namespace linkwright::function_search_test {
 namespace {
@@ -122,12 +123,6 @@ FunctionTask named_function(std::string expression, std::array<double, 2> x, dou
   return task;
 }
 
-Solution solved_function(const FunctionTask& task, const SynthesisOptions& options) {
-  auto result = solve(task, {}, options);
-  EXPECT_TRUE(result.ok());
-  return std::move(result).value();
-}
-
 FunctionTask squares() {
   FunctionTask task = named_function("x^2", {0, 1}, 60);
   task.function->points = 4;
@@ -138,20 +133,20 @@ FunctionTask squares() {
 TEST(SolveFunction, AnAxisOfOnePlaceIsWithinAnyWindow) {
   SynthesisOptions options;
   options.window = MapWindow{{0, 2}, {0.6, 0.9}};
-  const Solution solution = solved_function(squares(), options);
-  EXPECT_GT(solution.meeting_requirements, 0);
-  EXPECT_FALSE(solution.linkages.empty());
+  const FunctionAnswer answer = testing::solved(squares(), {}, options);
+  EXPECT_GT(answer.meeting_requirements, 0);
+  EXPECT_FALSE(answer.linkages.empty());
 }
 
 TEST(SolveFunction, TheLeastStructuralErrorIsSoughtWithinTheWindow) {
   SynthesisOptions options;
   options.objective = Objective::structural_error;
-  const Solution whole = solved_function(squares(), options);
+  const FunctionAnswer whole = testing::solved(squares(), {}, options);
   ASSERT_GT(whole.linkages.size(), 1u);
   const double best = whole.linkages[0].input.coordinate, other = whole.linkages[1].input.coordinate;
   options.window = MapWindow{{other - 1e-3, other + 1e-3}, {0, 1}};
   ASSERT_GT(std::abs(best - other), 1e-3);
-  const Solution part = solved_function(squares(), options);
+  const FunctionAnswer part = testing::solved(squares(), {}, options);
   ASSERT_FALSE(part.linkages.empty());
   for (const FourBarSolution& found : part.linkages) EXPECT_NEAR(found.input.coordinate, other, 1e-3);
   EXPECT_NEAR(*part.linkages[0].function->max_structural_error, *whole.linkages[1].function->max_structural_error,
@@ -162,15 +157,14 @@ TEST(SolveFunction, FivePrecisionPointsListEveryLinkageWhateverItsDefects) {
   int with_defects = 0, free_of_them = 0;
   for (const FunctionTask& task : {named_function("log", {1, 10}, 60), named_function("log", {1, 4}, -45),
                                    named_function("sin_deg", {0, 90}, -120), named_function("x^2", {1, 10}, -120)}) {
-    const auto solution = solve(task, {}, {});
-    ASSERT_TRUE(solution.ok());
-    EXPECT_LE(solution->linkages.size(), solution->pairs.size());
-    EXPECT_NE(solution->reason.message.find("generate all pairs"), std::string::npos) << solution->reason.message;
-    for (const FourBarSolution& found : solution->pairs) {
+    const FunctionAnswer answer = testing::solved(task);
+    EXPECT_LE(answer.linkages.size(), answer.pairs.size());
+    EXPECT_NE(answer.reason.message.find("generate all pairs"), std::string::npos) << answer.reason.message;
+    for (const FourBarSolution& found : answer.pairs) {
       ASSERT_TRUE(found.function);
       EXPECT_TRUE(found.verified_by_driving);
       const bool is_free = found.report.defects.none();
-      EXPECT_EQ(defect_notice(found, solution->given).has_value(), !is_free);
+      EXPECT_EQ(defect_notice(found, answer.given).has_value(), !is_free);
       if (is_free) {
         EXPECT_TRUE(found.function->reaches_pairs);
         EXPECT_LT(found.function->precision_error, 1e-9);

@@ -16,7 +16,7 @@ std::int64_t meeting(const MotionTask& task, const Requirements& wanted, int sam
   SynthesisOptions options;
   options.region_samples = samples;
   options.best = 0;
-  return solve(task, wanted, options)->meeting_requirements;
+  return findings(*solve(task, wanted, options)).meeting_requirements;
 }
 
 TEST(PoseHalo, CountsWhatSolvingEachMovedTaskFinds) {

@@ -286,12 +286,12 @@ void check_echo(const json& result, Wrongs& wrongs) {
 
 }  // namespace
 
-std::vector<std::string> wrongs_of(const Problem& problem, const Solution& solution, const std::string& result_text) {
+std::vector<std::string> wrongs_of(const Problem& problem, const Answer& answer, const std::string& result_text) {
   Wrongs wrongs;
   const json result = json::parse(result_text, nullptr, false);
   if (result.is_discarded()) return {"the result is no JSON"};
   look_for_nulls(result, "", wrongs);
-  check_region_values(solution.region, wrongs);
+  check_region_values(findings(answer).region, wrongs);
   check_counts(result, wrongs);
   check_linkages(problem, result, wrongs);
   check_order(result, wrongs);

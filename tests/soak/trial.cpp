@@ -55,8 +55,8 @@ void check_cancelling(const Problem& problem, double cancel_after, Trial& trial)
     trial.findings.push_back(fmt::format("stopped {:.2f} s after it was told to", *seconds));
 }
 
-void check_drawing(const Problem& problem, const Solution& solution, Trial& trial) {
-  const std::string picture = draw_solution(problem, solution);
+void check_drawing(const Problem& problem, const Answer& answer, Trial& trial) {
+  const std::string picture = draw_answer(problem, answer);
   for (const char* word : {"nan", "inf"})
     for (const char* before : {"\"", " ", ",", "-"})
       if (picture.find(std::string(before) + word + "\"") != std::string::npos ||
@@ -84,8 +84,8 @@ Trial tried(std::string_view problem_text, std::optional<double> cancel_after) {
   const auto wrongs = wrongs_of(*problem, *solution, write_result(*problem, *solution, with_region));
   trial.findings.insert(trial.findings.end(), wrongs.begin(), wrongs.end());
   check_drawing(*problem, *solution, trial);
-  trial.outcome = name(solution->status);
-  trial.linkages = static_cast<int>(solution->linkages.size() + solution->six_bars.size());
+  trial.outcome = name(findings(*solution).status);
+  trial.linkages = static_cast<int>(linkage_count(*solution));
   return trial;
 }
 

@@ -40,7 +40,7 @@ Problem example(const std::string& name, int region_samples) {
 
 namespace {
 
-Solved solved(const Problem& problem) { return {problem, solution_of(problem)}; }
+Solved solved(const Problem& problem) { return {problem, answer_of(problem)}; }
 
 }  // namespace
 
@@ -80,14 +80,14 @@ const Problem& hood_hinge() {
   return problem;
 }
 
-const Solution& solved_hood_hinge() {
-  static const Solution solution = solution_of(hood_hinge());
-  return solution;
+const Answer& solved_hood_hinge() {
+  static const Answer answer = answer_of(hood_hinge());
+  return answer;
 }
 
-const Solution& solved_tailgate() {
-  static const Solution solution = solution_of(tailgate());
-  return solution;
+const Answer& solved_tailgate() {
+  static const Answer answer = answer_of(tailgate());
+  return answer;
 }
 
 Problem problem_of(const std::vector<std::array<double, 3>>& poses) {
@@ -99,10 +99,15 @@ Problem problem_of(const std::vector<std::array<double, 3>>& poses) {
   return problem;
 }
 
-Solution solution_of(const Problem& problem) {
+Answer answer_of(const Problem& problem) {
   auto solved = solve(problem.task, problem.requirements, problem.options);
   EXPECT_TRUE(solved.ok());
   return std::move(solved).value();
+}
+
+const FourBarAnswer& four_bars(const Answer& answer) {
+  if (const auto* function = std::get_if<FunctionAnswer>(&answer)) return *function;
+  return std::get<MotionAnswer>(answer);
 }
 
 }  // namespace linkwright::testing

@@ -27,22 +27,22 @@ class Folder {
 
 [[nodiscard]] std::string text_of(const std::filesystem::path& path);
 
-/// examples/tailgate.json, and its solution on a small region.
+/// examples/tailgate.json, and its answer on a small region.
 [[nodiscard]] const Problem& tailgate();
-[[nodiscard]] const Solution& solved_tailgate();
+[[nodiscard]] const Answer& solved_tailgate();
 
-/// examples/hood_hinge.json, a direction of travel and two poses, and its solution on a small region.
+/// examples/hood_hinge.json, a direction of travel and two poses, and its answer on a small region.
 [[nodiscard]] const Problem& hood_hinge();
-[[nodiscard]] const Solution& solved_hood_hinge();
+[[nodiscard]] const Answer& solved_hood_hinge();
 
 /// One of examples/, with a small region.
 [[nodiscard]] Problem example(const std::string& name, int region_samples);
 
 /// examples/latch.json: three positions and both side links; examples/nose_gear.json: five positions;
-/// examples/sine_generator.json: a function on four precision points. With their solutions on small regions.
+/// examples/sine_generator.json: a function on four precision points. With their answers on small regions.
 struct Solved {
   Problem problem;
-  Solution solution;
+  Answer answer;
 };
 [[nodiscard]] const Solved& three_positions();
 [[nodiscard]] const Solved& five_positions();
@@ -56,7 +56,10 @@ struct Solved {
 
 /// The problem with other poses: x, y, degrees.
 [[nodiscard]] Problem problem_of(const std::vector<std::array<double, 3>>& poses);
-[[nodiscard]] Solution solution_of(const Problem& problem);
+[[nodiscard]] Answer answer_of(const Problem& problem);
+
+/// An answer that is one of four-bars.
+[[nodiscard]] const FourBarAnswer& four_bars(const Answer& answer);
 
 /// The task of a problem that is one of motion generation by a four-bar.
 inline MotionTask& motion(Problem& problem) { return std::get<MotionTask>(problem.task); }

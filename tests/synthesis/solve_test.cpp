@@ -10,40 +10,35 @@
 #include "linkwright/core/angle.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"
+#include "support/solved.hpp"
 #include "support/tailgate.hpp"
 
 namespace linkwright::solve_test {
 namespace {
 
-using testing::nearly_common_pole, testing::nearly_mirrored;
+using testing::nearly_common_pole, testing::nearly_mirrored, testing::solved;
 using testing::tailgate_requirements, testing::tailgate_task;
-
-Solution solved(const MotionTask& task, const Requirements& wanted = {}, const SynthesisOptions& options = {}) {
-  auto result = solve(task, wanted, options);
-  EXPECT_TRUE(result.ok());
-  return std::move(result).value();
-}
 
 double transmission_angle(const FourBarSolution& linkage) { return linkage.report.min_transmission_angle; }
 
 TEST(SolveMotion, TailgateHasItsKnownMap) {
-  const Solution solution = solved(tailgate_task(), tailgate_requirements());
-  EXPECT_EQ(solution.status, SolutionStatus::solved);
-  EXPECT_EQ(solution.given.pattern, "P-P-P-P");
-  EXPECT_EQ(solution.given.curve->kind(), CubicKind::two_branches);
-  EXPECT_NEAR(*solution.given.curve->kappa(), 0.0021, 5e-5);
-  EXPECT_NEAR(solution.given.conditions.condition(), 86, 0.5);
-  EXPECT_EQ(solution.counts.pairs, 159'600);
+  const MotionAnswer answer = solved(tailgate_task(), tailgate_requirements());
+  EXPECT_EQ(answer.status, SolutionStatus::solved);
+  EXPECT_EQ(answer.given.pattern, "P-P-P-P");
+  EXPECT_EQ(answer.given.curve->kind(), CubicKind::two_branches);
+  EXPECT_NEAR(*answer.given.curve->kappa(), 0.0021, 5e-5);
+  EXPECT_NEAR(answer.given.conditions.condition(), 86, 0.5);
+  EXPECT_EQ(answer.counts.pairs, 159'600);
   // Two independent implementations count 97 478; one cell is a change point to 5e-10, which we stop at.
-  EXPECT_NEAR(static_cast<double>(solution.counts.defect_free), 97'478, 1);
-  EXPECT_EQ(solution.meeting_requirements, 25'608);
+  EXPECT_NEAR(static_cast<double>(answer.counts.defect_free), 97'478, 1);
+  EXPECT_EQ(answer.meeting_requirements, 25'608);
 }
 
 TEST(SolveMotion, TailgateHasTheLinkageOfTheMap) {
   // A cell computed elsewhere: τ = (1.3125, 1.1125), lengths to a hundredth.
   const MotionTask task = tailgate_task();
-  const Solution solution = solved(task);
-  const auto linkage = make_four_bar(solution.given, {1.3125, 1.1125}, true, true);
+  const MotionAnswer answer = solved(task);
+  const auto linkage = make_four_bar(answer.given, {1.3125, 1.1125}, true, true);
   ASSERT_TRUE(linkage);
   EXPECT_EQ(linkage->report.type, LinkageType::triple_rocker_output);
   EXPECT_NEAR(degrees(transmission_angle(*linkage)), 73.5, 0.05);
@@ -59,10 +54,10 @@ TEST(SolveMotion, LinkagesMeetTheRequirementsAndAreChecked) {
   for (const Objective objective : {Objective::min_transmission_angle, Objective::link_ratio, Objective::size}) {
     SynthesisOptions options;
     options.objective = objective;
-    const Solution solution = solved(tailgate_task(), wanted, options);
-    ASSERT_EQ(solution.linkages.size(), 10u) << name(objective);
+    const MotionAnswer answer = solved(tailgate_task(), wanted, options);
+    ASSERT_EQ(answer.linkages.size(), 10u) << name(objective);
     double before = 1e300;
-    for (const FourBarSolution& linkage : solution.linkages) {
+    for (const FourBarSolution& linkage : answer.linkages) {
       EXPECT_TRUE(linkage.verified_by_driving);
       EXPECT_TRUE(linkage.report.defects.none());
       EXPECT_LT(linkage.residual, 1e-12);
@@ -83,11 +78,11 @@ TEST(SolveMotion, LinkagesMeetTheRequirementsAndAreChecked) {
 }
 
 TEST(SolveMotion, BestIsAtLeastAsGoodAsTheBestCellAndAFinerMap) {
-  const Solution coarse = solved(tailgate_task(), tailgate_requirements());
+  const MotionAnswer coarse = solved(tailgate_task(), tailgate_requirements());
   SynthesisOptions fine;
   fine.region_samples = 1600;
-  const Solution finer = solved(tailgate_task(), tailgate_requirements(), fine);
-  const auto best_cell = [](const Solution& s) {
+  const MotionAnswer finer = solved(tailgate_task(), tailgate_requirements(), fine);
+  const auto best_cell = [](const FourBarAnswer& s) {
     const RequirementFilter filter = filter_of(*s.given.family, s.region, s.requirements);
     return angle_of_versine(hill_tops(s.region, filter, Objective::min_transmission_angle, 1)[0].score);
   };
@@ -104,21 +99,21 @@ double pivots_apart(const FourBar& a, const FourBar& b) {
 TEST(SolveMotion, LinkagesAreDistinctAndAppearOnceWhicheverSideDrives) {
   SynthesisOptions options;
   options.best = 40;
-  const Solution solution = solved(tailgate_task(), {}, options);
-  const double least = 1e-2 * solution.given.conditions.frame.scale;
-  for (std::size_t i = 0; i < solution.linkages.size(); ++i)
+  const MotionAnswer answer = solved(tailgate_task(), {}, options);
+  const double least = 1e-2 * answer.given.conditions.frame.scale;
+  for (std::size_t i = 0; i < answer.linkages.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_GT(pivots_apart(solution.linkages[i].four_bar, solution.linkages[j].four_bar), least);
-      EXPECT_GT(pivots_apart(solution.linkages[i].four_bar, solution.linkages[j].four_bar.swapped()), least);
+      EXPECT_GT(pivots_apart(answer.linkages[i].four_bar, answer.linkages[j].four_bar), least);
+      EXPECT_GT(pivots_apart(answer.linkages[i].four_bar, answer.linkages[j].four_bar.swapped()), least);
     }
-  for (const FourBarSolution& linkage : solution.linkages) {
+  for (const FourBarSolution& linkage : answer.linkages) {
     if (!linkage.swapped.defects.none()) continue;
     EXPECT_GE(linkage.report.min_transmission_angle, linkage.swapped.min_transmission_angle);
   }
 }
 
 TEST(SolveMotion, SizeLimitIsTenCharacteristicLengthsUnlessSwitchedOff) {
-  const Solution limited = solved(tailgate_task());
+  const MotionAnswer limited = solved(tailgate_task());
   EXPECT_EQ(limited.requirements.max_length, 10 * limited.given.conditions.frame.scale);
   EXPECT_EQ(limited.requirements.min_length, 1e-3 * limited.given.conditions.frame.scale);
   Requirements unlimited;
@@ -130,21 +125,21 @@ TEST(SolveMotion, SizeLimitIsTenCharacteristicLengthsUnlessSwitchedOff) {
 TEST(SolveMotion, SaysWhichRequirementCostsMostWhenNothingIsLeft) {
   Requirements wanted = tailgate_requirements();
   wanted.min_transmission_angle = radians(89);
-  const Solution solution = solved(tailgate_task(), wanted);
-  EXPECT_EQ(solution.status, SolutionStatus::solved);
-  EXPECT_TRUE(solution.linkages.empty());
-  EXPECT_NE(solution.reason.message.find("min_transmission_angle_deg costs most"), std::string::npos)
-      << solution.reason.message;
-  ASSERT_FALSE(solution.relax.empty());
-  wanted.min_transmission_angle = *solution.relax[0].value;
-  EXPECT_EQ(solved(tailgate_task(), wanted).meeting_requirements, solution.relax[0].leaves);
+  const MotionAnswer answer = solved(tailgate_task(), wanted);
+  EXPECT_EQ(answer.status, SolutionStatus::solved);
+  EXPECT_TRUE(answer.linkages.empty());
+  EXPECT_NE(answer.reason.message.find("min_transmission_angle_deg costs most"), std::string::npos)
+      << answer.reason.message;
+  ASSERT_FALSE(answer.relax.empty());
+  wanted.min_transmission_angle = *answer.relax[0].value;
+  EXPECT_EQ(solved(tailgate_task(), wanted).meeting_requirements, answer.relax[0].leaves);
 }
 
 TEST(SolveMotion, SaysWhyNothingIsFreeOfDefects) {
-  const Solution solution = solved({testing::planar_case("foldable_table").poses});
-  EXPECT_EQ(solution.counts.defect_free, 0);
-  EXPECT_NE(solution.reason.message.find("is free of defects"), std::string::npos) << solution.reason.message;
-  EXPECT_EQ(solution.reason.message.find(" 0 %"), std::string::npos) << solution.reason.message;
+  const MotionAnswer answer = solved({testing::planar_case("foldable_table").poses});
+  EXPECT_EQ(answer.counts.defect_free, 0);
+  EXPECT_NE(answer.reason.message.find("is free of defects"), std::string::npos) << answer.reason.message;
+  EXPECT_EQ(answer.reason.message.find(" 0 %"), std::string::npos) << answer.reason.message;
 }
 
 TEST(SolveMotion, DefectsMayBeAllowed) {
@@ -152,9 +147,9 @@ TEST(SolveMotion, DefectsMayBeAllowed) {
   wanted.no_defects = false;
   SynthesisOptions options;
   options.objective = Objective::link_ratio;
-  const Solution solution = solved({testing::planar_case("foldable_table").poses}, wanted, options);
-  ASSERT_FALSE(solution.linkages.empty());
-  for (const FourBarSolution& linkage : solution.linkages) EXPECT_TRUE(linkage.verified_by_driving);
+  const MotionAnswer answer = solved({testing::planar_case("foldable_table").poses}, wanted, options);
+  ASSERT_FALSE(answer.linkages.empty());
+  for (const FourBarSolution& linkage : answer.linkages) EXPECT_TRUE(linkage.verified_by_driving);
 }
 
 std::vector<PrescribedPose> turns_about(Point pole, const std::vector<double>& angles) {
@@ -164,34 +159,34 @@ std::vector<PrescribedPose> turns_about(Point pole, const std::vector<double>& a
 }
 
 TEST(SolveMotion, NamesTheDegeneracy) {
-  const Solution one_pole = solved({turns_about({5, -7}, {0, 0.5, 1.2, 2})});
+  const MotionAnswer one_pole = solved({turns_about({5, -7}, {0, 0.5, 1.2, 2})});
   EXPECT_EQ(one_pole.status, SolutionStatus::degenerate);
   EXPECT_NE(one_pole.reason.message.find("common pole, (5, -7)"), std::string::npos) << one_pole.reason.message;
-  const Solution on_circle = solved({testing::planar_case("translations_on_circle").poses});
+  const MotionAnswer on_circle = solved({testing::planar_case("translations_on_circle").poses});
   EXPECT_EQ(on_circle.status, SolutionStatus::degenerate);
   EXPECT_TRUE(on_circle.given.warnings.empty());
   EXPECT_NE(on_circle.reason.message.find("(-2, 0) from it"), std::string::npos) << on_circle.reason.message;
-  const Solution shifts = solved({testing::planar_case("pure_translations").poses});
+  const MotionAnswer shifts = solved({testing::planar_case("pure_translations").poses});
   EXPECT_EQ(shifts.status, SolutionStatus::degenerate);
   EXPECT_NE(shifts.reason.message.find("only shifts"), std::string::npos) << shifts.reason.message;
 }
 
 TEST(SolveMotion, WarnsOfParallelAndOfClosePoses) {
-  const Solution parallel = solved({testing::planar_case("three_parallel").poses});
+  const MotionAnswer parallel = solved({testing::planar_case("three_parallel").poses});
   ASSERT_EQ(parallel.given.warnings.size(), 1u);
   EXPECT_EQ(parallel.given.warnings[0].code, "parallel_poses");
   EXPECT_NE(parallel.given.warnings[0].message.find("1, 2 and 3"), std::string::npos)
       << parallel.given.warnings[0].message;
-  const Solution pairs = solved({testing::planar_case("two_translation_pairs").poses});
+  const MotionAnswer pairs = solved({testing::planar_case("two_translation_pairs").poses});
   EXPECT_EQ(pairs.given.warnings.size(), 2u);
-  const Solution close = solved({testing::planar_case("tiny_1e-6").poses});
+  const MotionAnswer close = solved({testing::planar_case("tiny_1e-6").poses});
   ASSERT_FALSE(close.given.warnings.empty());
   EXPECT_EQ(close.given.warnings[0].code, "ill_conditioned");
   EXPECT_NE(close.given.warnings[0].message.find("derivatives"), std::string::npos);
 }
 
-bool warns(const Solution& solution, const std::string& code) {
-  const auto& warnings = solution.given.warnings;
+bool warns(const MotionAnswer& answer, const std::string& code) {
+  const auto& warnings = answer.warnings;
   return std::any_of(warnings.begin(), warnings.end(), [&](const Notice& warning) { return warning.code == code; });
 }
 
@@ -203,10 +198,10 @@ TEST(SolveMotion, NearACommonPoleEveryLinkageIsOneAndAHingeIsNamed) {
   any_length.min_length = 0;
   bool found = false;
   for (const double deviation : {1e-6, 1e-7, 1e-8, 1e-9}) {
-    const Solution solution = solved({nearly_common_pole(random, deviation)}, any_length, options);
-    EXPECT_TRUE(warns(solution, "near_common_pole")) << deviation;
-    EXPECT_FALSE(warns(solution, "side_links_left_out")) << deviation;
-    for (const FourBarSolution& linkage : solution.linkages) {
+    const MotionAnswer answer = solved({nearly_common_pole(random, deviation)}, any_length, options);
+    EXPECT_TRUE(warns(answer, "near_common_pole")) << deviation;
+    EXPECT_FALSE(warns(answer, "side_links_left_out")) << deviation;
+    for (const FourBarSolution& linkage : answer.linkages) {
       EXPECT_LT(linkage.residual, 1e-6) << deviation;
       EXPECT_TRUE(linkage.verified_by_driving) << deviation;
       found = true;
@@ -219,9 +214,9 @@ TEST(SolveMotion, LeavesOutSideLinksThatDoNotKeepTheirLengths) {
   SynthesisOptions options;
   options.region_samples = 60;
   std::mt19937_64 random(4);
-  const Solution solution = solved({nearly_common_pole(random, 1e-12)}, {}, options);
-  EXPECT_TRUE(warns(solution, "side_links_left_out"));
-  EXPECT_TRUE(solution.linkages.empty());
+  const MotionAnswer answer = solved({nearly_common_pole(random, 1e-12)}, {}, options);
+  EXPECT_TRUE(warns(answer, "side_links_left_out"));
+  EXPECT_TRUE(answer.linkages.empty());
 }
 
 // Positions 4e-5 apart that move apart at thousands: hundreds of the best are decided by rounding, and each is driven.
@@ -236,10 +231,10 @@ TEST(SolveMotion, LooksNoFurtherThanItCanConfirm) {
   Requirements any;
   any.max_link_ratio = Requirements::unlimited;
   any.min_length = 0;
-  const Solution solution = solved(task, any, options);
-  EXPECT_TRUE(warns(solution, "linkages_left_out"));
-  EXPECT_TRUE(solution.linkages.empty());
-  EXPECT_LT(solution.left_out, 100);
+  const MotionAnswer answer = solved(task, any, options);
+  EXPECT_TRUE(warns(answer, "linkages_left_out"));
+  EXPECT_TRUE(answer.linkages.empty());
+  EXPECT_LT(answer.left_out, 100);
 }
 
 TEST(SolveMotion, NamesTheSpacingThatShowsAHiddenStretch) {
@@ -268,11 +263,11 @@ TEST(SolveMotion, WindowSamplesAPartOfTheMap) {
   SynthesisOptions options;
   options.window = MapWindow{{1.2, 1.4}, {1.0, 1.2}};
   options.region_samples = 50;
-  const Solution solution = solved(tailgate_task(), {}, options);
-  EXPECT_NEAR(solution.region.input_coordinates()[0], 1.202, 1e-12);
-  EXPECT_NEAR(solution.region.output_coordinates()[49], 1.198, 1e-12);
-  EXPECT_FALSE(solution.linkages.empty());
-  for (const FourBarSolution& linkage : solution.linkages) {
+  const MotionAnswer answer = solved(tailgate_task(), {}, options);
+  EXPECT_NEAR(answer.region.input_coordinates()[0], 1.202, 1e-12);
+  EXPECT_NEAR(answer.region.output_coordinates()[49], 1.198, 1e-12);
+  EXPECT_FALSE(answer.linkages.empty());
+  for (const FourBarSolution& linkage : answer.linkages) {
     EXPECT_TRUE(linkage.input.coordinate >= 1.2 && linkage.input.coordinate <= 1.4);
     EXPECT_TRUE(linkage.output.coordinate >= 1.0 && linkage.output.coordinate <= 1.2);
   }
@@ -322,8 +317,8 @@ TEST(SolveMotion, FivePositionsAreSolvedWithoutSteppingBack) {
 TEST(SolveMotion, SameInputSameOutput) {
   SynthesisOptions one_thread;
   one_thread.region.threads = 1;
-  const Solution a = solved(tailgate_task(), tailgate_requirements()),
-                 b = solved(tailgate_task(), tailgate_requirements(), one_thread);
+  const MotionAnswer a = solved(tailgate_task(), tailgate_requirements()),
+                     b = solved(tailgate_task(), tailgate_requirements(), one_thread);
   ASSERT_EQ(a.linkages.size(), b.linkages.size());
   for (std::size_t i = 0; i < a.linkages.size(); ++i) {
     EXPECT_EQ(a.linkages[i].four_bar.input_center, b.linkages[i].four_bar.input_center);
@@ -351,10 +346,10 @@ Requirements hood_requirements() {
 
 TEST(SolveMotion, KeepsADirectionOfTravel) {
   const MotionTask task = hood();
-  const Solution solution = solved(task, hood_requirements());
-  EXPECT_EQ(solution.given.pattern, "PP-P-P");
-  ASSERT_GE(solution.linkages.size(), 3u);
-  for (const FourBarSolution& found : solution.linkages) {
+  const MotionAnswer answer = solved(task, hood_requirements());
+  EXPECT_EQ(answer.given.pattern, "PP-P-P");
+  ASSERT_GE(answer.linkages.size(), 3u);
+  for (const FourBarSolution& found : answer.linkages) {
     EXPECT_TRUE(found.verified_by_driving);
     ASSERT_TRUE(found.residual_derivatives);
     EXPECT_LT(*found.residual_derivatives, 1e-14);
@@ -378,12 +373,12 @@ TEST(SolveMotion, AgainstTheDirectionIsADefectUnlessItDoesNotCount) {
   MotionTask against = hood();
   against.poses[0].derivatives[0] = {{0, -1}, 0.004};
   Requirements wanted = hood_requirements();
-  const Solution forwards = solved(hood(), wanted), backwards = solved(against, wanted);
+  const MotionAnswer forwards = solved(hood(), wanted), backwards = solved(against, wanted);
   EXPECT_TRUE(backwards.linkages.empty());
   EXPECT_EQ(forwards.counts.types, backwards.counts.types);
   EXPECT_EQ(forwards.counts.branch, backwards.counts.branch);
   wanted.respect_direction = false;
-  const Solution either = solved(against, wanted);
+  const MotionAnswer either = solved(against, wanted);
   // With three poses every driver is in order one way, which is forwards or backwards.
   EXPECT_LE(std::abs(either.counts.defect_free - forwards.counts.defect_free - backwards.counts.defect_free), 4);
   ASSERT_EQ(either.linkages.size(), forwards.linkages.size());
@@ -398,12 +393,12 @@ TEST(SolveMotion, OnePoseWithThreeDerivativesAsksNothingOfOrderAndBranch) {
   options.region_samples = 101;
   Requirements wanted;
   wanted.max_length = wanted.max_link_ratio = Requirements::unlimited;
-  const Solution solution = solved({testing::planar_case("mixed_PPPP").poses}, wanted, options);
-  EXPECT_EQ(solution.given.pattern, "PPPP");
-  EXPECT_EQ(solution.counts.defect_free, solution.counts.pairs);
-  EXPECT_EQ(solution.counts.order + solution.counts.branch + solution.counts.circuit, 0);
-  ASSERT_FALSE(solution.linkages.empty());
-  for (const FourBarSolution& found : solution.linkages) {
+  const MotionAnswer answer = solved({testing::planar_case("mixed_PPPP").poses}, wanted, options);
+  EXPECT_EQ(answer.given.pattern, "PPPP");
+  EXPECT_EQ(answer.counts.defect_free, answer.counts.pairs);
+  EXPECT_EQ(answer.counts.order + answer.counts.branch + answer.counts.circuit, 0);
+  ASSERT_FALSE(answer.linkages.empty());
+  for (const FourBarSolution& found : answer.linkages) {
     EXPECT_TRUE(found.verified_by_driving);
     EXPECT_EQ(found.report.sweep, 0);
     EXPECT_NE(found.report.sense, DriveSense::none);
@@ -411,15 +406,15 @@ TEST(SolveMotion, OnePoseWithThreeDerivativesAsksNothingOfOrderAndBranch) {
     const double there = linkwright::transmission_angle(found.lengths, configuration_of(found.four_bar));
     EXPECT_NEAR(transmission_angle(found), there, 1e-7);
   }
-  for (std::size_t row = 0; row < solution.region.rows(); ++row)
-    EXPECT_EQ(solution.region.driver_sweep(row, (row + 1) % 101), 0);
+  for (std::size_t row = 0; row < answer.region.rows(); ++row)
+    EXPECT_EQ(answer.region.driver_sweep(row, (row + 1) % 101), 0);
 }
 
 TEST(SolveMotion, NamesTheDegeneracyOfMixedPositions) {
   // Turning about (5, −7): d = pole + e^{it}(d − pole).
   const Point pole{5, -7}, arm{3, 1}, i{0, 1};
   MotionTask turning{{{{pole + arm, 0}, {{i * arm, 1}, {-arm, 0}, {-i * arm, 0}}}}};
-  const Solution one_pole = solved(turning);
+  const MotionAnswer one_pole = solved(turning);
   EXPECT_EQ(one_pole.status, SolutionStatus::degenerate);
   EXPECT_NE(one_pole.reason.message.find("common pole, (5, -7)"), std::string::npos) << one_pole.reason.message;
 
@@ -432,9 +427,9 @@ TEST(SolveMotion, NamesTheDegeneracyOfMixedPositions) {
 
   // Parallel poses between which the body turns are no translation.
   const MotionTask there_and_back{{{{{0, 0}, 0}, {{{0, 1}, 0.3}}}, {{{2, 1}, 0}, {{{0.2, -1}, -0.4}}}}};
-  const Solution solution = solved(there_and_back);
-  EXPECT_NE(solution.status, SolutionStatus::degenerate) << solution.reason.message;
-  EXPECT_GT(solution.counts.pairs, 0);
+  const MotionAnswer answer = solved(there_and_back);
+  EXPECT_NE(answer.status, SolutionStatus::degenerate) << answer.reason.message;
+  EXPECT_GT(answer.counts.pairs, 0);
 }
 
 }  // namespace

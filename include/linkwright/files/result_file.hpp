@@ -8,17 +8,17 @@
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/text_file.hpp"
-#include "linkwright/synthesis/solve.hpp"
+#include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright {
 
 /// Writes the result as JSON text (schema/result.schema.json), numbers as they read back bit-identical, never NaN or
 /// infinity; the region's arrays only `with_region`. The text goes out in pieces: a region of 20000² needs no room
 /// here.
-void write_result(const TextSink& sink, const Problem& problem, const Solution& solution, bool with_region);
+void write_result(const TextSink& sink, const Problem& problem, const Answer& answer, bool with_region);
 
 /// The same as one text.
-[[nodiscard]] std::string write_result(const Problem& problem, const Solution& solution, bool with_region);
+[[nodiscard]] std::string write_result(const Problem& problem, const Answer& answer, bool with_region);
 
 /// Result files may be larger than problem files: the arrays of a region.
 inline constexpr std::size_t most_result_bytes = std::size_t{1} << 30;

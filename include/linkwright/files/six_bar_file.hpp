@@ -13,6 +13,8 @@
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 #include "linkwright/planar/six_bar_solution.hpp"
+#include "linkwright/synthesis/answer.hpp"
+#include "linkwright/synthesis/problem.hpp"
 
 namespace linkwright {
 
@@ -35,6 +37,9 @@ using AnyStoredLinkage = std::variant<StoredLinkage, StoredSixBar>;
 
 /// As read_result_linkages(), six-bars among them.
 [[nodiscard]] Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view text);
+
+/// The linkages of an answer, best first, as the result file carries them.
+[[nodiscard]] std::vector<AnyStoredLinkage> stored_linkages(const Problem& problem, const Answer& answer);
 
 /// As JSON text that read_any_linkage() reads back bit-identical.
 [[nodiscard]] std::string write_linkage(const StoredSixBar& linkage);

@@ -11,6 +11,8 @@ namespace linkwright {
 struct Pose {
   Point origin{};
   double angle = 0;
+
+  friend bool operator==(const Pose&, const Pose&) = default;
 };
 
 /// One derivative of a pose with respect to any parameter that increases along the task
@@ -18,6 +20,8 @@ struct Pose {
 struct PoseDerivative {
   Point origin{};
   double angle = 0;
+
+  friend bool operator==(const PoseDerivative&, const PoseDerivative&) = default;
 };
 
 /// A pose and its first, second, … derivatives. With m derivatives it counts as m + 1 infinitesimally close positions.
@@ -26,6 +30,8 @@ struct PrescribedPose {
   std::vector<PoseDerivative> derivatives;
 
   [[nodiscard]] int multiplicity() const { return 1 + static_cast<int>(derivatives.size()); }
+
+  friend bool operator==(const PrescribedPose&, const PrescribedPose&) = default;
 };
 
 /// Where the moving point that lies at `point` when the body is at `from` lies when the body is at `to` (fixed frame).

@@ -74,6 +74,10 @@ class FunctionFamily : public FourBarFamily {
   Point ground_;  ///< the output's ground pivot, working frame; the input's is at 0
 };
 
+/// Largest structural error of each cell of a map of the family, degrees, coarsely sampled (ErrorSampling::coarse); 0
+/// where a cell has a defect or does not reach the whole range. `values` has a place for each cell.
+void structural_errors_deg(const FunctionFamily& family, const RegionMap& map, std::span<float> values);
+
 /// What a function task says before its linkages are classified; `derivative_rows` stays empty. `task` without
 /// mistakes.
 [[nodiscard]] TaskFamily task_family(const FunctionTask& task);

@@ -15,6 +15,8 @@ namespace linkwright {
 /// One derivative of input and output angle by any parameter that increases along the task (radians per its power).
 struct AngleDerivative {
   double input = 0, output = 0;
+
+  friend bool operator==(const AngleDerivative&, const AngleDerivative&) = default;
 };
 
 /// A precision point: while the input link stands at one angle the output link stands at the other (radians,
@@ -25,6 +27,8 @@ struct AnglePair {
   std::vector<AngleDerivative> derivatives;
 
   [[nodiscard]] int multiplicity() const { return 1 + static_cast<int>(derivatives.size()); }
+
+  friend bool operator==(const AnglePair&, const AnglePair&) = default;
 };
 
 /// One number of the task that is left open, for a map of two parameters.
@@ -40,6 +44,8 @@ struct FreeNumber {
   /// The value at t ∈ [0, 1] of the range, and back.
   [[nodiscard]] double at(double t) const;
   [[nodiscard]] double place_of(double value) const;
+
+  friend bool operator==(const FreeNumber&, const FreeNumber&) = default;
 };
 [[nodiscard]] std::string_view name(FreeNumber::Kind kind);
 [[nodiscard]] std::optional<FreeNumber::Kind> free_number_named(std::string_view name);
@@ -51,6 +57,8 @@ struct FunctionTask {
   Point input_pivot = 0, output_pivot = 1;  ///< fixed frame, user's unit
   std::optional<NamedFunction> function;  ///< what the pairs are taken from (precision_pairs), for the structural error
   std::optional<FreeNumber> free;         ///< four positions only
+
+  friend bool operator==(const FunctionTask&, const FunctionTask&) = default;
 };
 
 /// Least distance of two input angles, modulo whole turns, that makes two precision points of them, radians.

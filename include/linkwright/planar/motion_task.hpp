@@ -19,6 +19,8 @@ struct MotionTask {
   /// Of five positions, the pose (index) that need not be passed exactly: the others are a task of four, and by how
   /// much a linkage misses this one is told.
   std::optional<std::size_t> freed;
+
+  friend bool operator==(const MotionTask&, const MotionTask&) = default;
 };
 
 /// Largest coordinate (user's unit), angle (degrees) and derivative that is taken seriously.

@@ -55,6 +55,8 @@ struct NamedFunction {
   int points = 4;
   PointSpacing spacing = PointSpacing::chebyshev;
   std::vector<double> given_points;  ///< x of the precision points, where spacing is `given`
+
+  friend bool operator==(const NamedFunction&, const NamedFunction&) = default;
 };
 
 /// The caller's mistakes: unknown expression, table out of order, empty ranges, values that do not exist in the range

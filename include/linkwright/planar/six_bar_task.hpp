@@ -25,6 +25,8 @@ struct ThreeLinkChain {
   [[nodiscard]] int elbow_in_position_1() const { return cross(d - a, b - a) < 0 ? -1 : 1; }
   /// Default of max_length of six-bars in this, the longest side of a, b, d.
   [[nodiscard]] double size() const;
+
+  friend bool operator==(const ThreeLinkChain&, const ThreeLinkChain&) = default;
 };
 
 /// Motion generation by a six-bar: body 3 of a three-link chain shall pass through four poses in this order; two links
@@ -35,6 +37,8 @@ struct SixBarTask {
   std::optional<ThreeLinkChain> chain;
   std::array<BodyPair, 2> added = {BodyPair{0, 2}, BodyPair{0, 3}};  ///< bodies joined by link 4 and by link 5
   std::optional<Box> box;  ///< for all pivots in position 1; must be given where there is no chain
+
+  friend bool operator==(const SixBarTask&, const SixBarTask&) = default;
 };
 
 /// One way to add two links to the chain: body pairs as the library orders them, centre point on the first body, circle

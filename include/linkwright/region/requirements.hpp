@@ -16,6 +16,8 @@ struct Box {
   [[nodiscard]] bool contains(Point p) const {
     return p.real() >= x_low && p.real() <= x_high && p.imag() >= y_low && p.imag() <= y_high;
   }
+
+  friend bool operator==(const Box&, const Box&) = default;
 };
 
 /// What the user asks of a linkage beside the task. They choose and rank; they never change the curve or the counts.

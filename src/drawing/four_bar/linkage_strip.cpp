@@ -120,30 +120,30 @@ std::string_view place_name(const FourBarFamily& family) {
   }
 }
 
-void add_place(NumberRows& checks, const Solution& solution) {
-  const FourBarFamily& family = *solution.given.family;
-  const FourBarSolution& found = solution.linkages.front();
+void add_place(NumberRows& checks, const FourBarAnswer& answer) {
+  const FourBarFamily& family = *answer.given.family;
+  const FourBarSolution& found = answer.linkages.front();
   std::string text = place_text(family, Side::input, found.input.coordinate);
   if (family.axis(Side::output).quantity != AxisQuantity::nothing)
     text += ", " + place_text(family, Side::output, found.output.coordinate);
   checks.row(place_name(family), text);
 }
 
-void add_motion_checks(NumberRows& checks, const Solution& solution) {
-  const FourBarSolution& found = solution.linkages.front();
+void add_motion_checks(NumberRows& checks, const FourBarAnswer& answer) {
+  const FourBarSolution& found = answer.linkages.front();
   checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
   checks.row("driver turns through the task", drive_text(found.report));
   if (found.miss)
     checks.row("misses the freed position by",
                fmt::format("{} and {}", significant_text(found.miss->distance, 3), small_angle(found.miss->angle)));
   else
-    add_place(checks, solution);
+    add_place(checks, answer);
   checks.row("relative error at the positions", fmt::format("{}{}", significant_text(found.residual, 2),
                                                             found.verified_by_driving ? ", checked by driving" : ""));
 }
 
-void add_function_checks(NumberRows& checks, const Solution& solution, const FunctionError& error) {
-  const FourBarSolution& found = solution.linkages.front();
+void add_function_checks(NumberRows& checks, const FourBarAnswer& answer, const FunctionError& error) {
+  const FourBarSolution& found = answer.linkages.front();
   const bool has_function = !error.samples.empty();
   if (error.max_structural_error)
     checks.row("largest structural error", fmt::format("{} at input {}°", small_angle(*error.max_structural_error),
@@ -151,25 +151,20 @@ void add_function_checks(NumberRows& checks, const Solution& solution, const Fun
   else
     checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
   checks.row("driver turns through the task", drive_text(found.report));
-  add_place(checks, solution);
+  add_place(checks, answer);
   const std::string_view reach = !has_function || error.unreached.empty() ? "" : ", not the whole range";
   checks.row("error at the pairs, by driving",
              (error.reaches_pairs ? significant_text(degrees(error.precision_error), 2) + "°" : "not reached") +
                  std::string(reach));
 }
 
-}  // namespace
-
-void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const Solution& solution, std::string_view unit) {
-  draw_card(svg, card, "No linkage to show");
-  const Point corner = card.corner() + Point{18, 54};
-  if (solution.freed.empty()) return draw_wrapped(svg, corner, solution.reason.message, card.width - 36, 2);
-  draw_wrapped(svg, corner - Point{0, 4}, solution.reason.message, card.width / 2 - 40, 4, 12.5);
+void draw_ways_out(SvgCanvas& svg, const PixelBox& card, const std::vector<FreedPosition>& ways,
+                   std::string_view unit) {
   const double left = card.left + card.width / 2, column = card.width / 2 - 18;
   svg.text({left, card.top + 29}, "Ways out: what freeing one position comes to", {.size = 14, .weight = 650});
   constexpr double leading = 14.5, first = 45;
-  for (std::size_t i = 0; i < solution.freed.size(); ++i) {
-    const FreedPosition& way = solution.freed[i];
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const FreedPosition& way = ways[i];
     const std::string words = way.linkage
                                   ? fmt::format("missed by {}{}{} and {}", significant_text(way.miss.distance, 3),
                                                 unit.empty() ? "" : " ", unit, small_angle(way.miss.angle))
@@ -181,16 +176,34 @@ void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const Solution& sol
   }
 }
 
-void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const Solution& solution, std::string_view unit) {
-  const FourBarSolution& found = solution.linkages.front();
+constexpr std::string_view nothing_heading = "No linkage to show";
+constexpr Point reason_corner{18, 54};
+
+}  // namespace
+
+void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const MotionAnswer& answer, std::string_view unit) {
+  draw_card(svg, card, nothing_heading);
+  const Point corner = card.corner() + reason_corner;
+  if (answer.freed.empty()) return draw_wrapped(svg, corner, answer.reason.message, card.width - 36, 2);
+  draw_wrapped(svg, corner - Point{0, 4}, answer.reason.message, card.width / 2 - 40, 4, 12.5);
+  draw_ways_out(svg, card, answer.freed, unit);
+}
+
+void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const FunctionAnswer& answer, std::string_view /*unit*/) {
+  draw_card(svg, card, nothing_heading);
+  draw_wrapped(svg, card.corner() + reason_corner, answer.reason.message, card.width - 36, 2);
+}
+
+void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const FourBarAnswer& answer, std::string_view unit) {
+  const FourBarSolution& found = answer.linkages.front();
   draw_card(svg, card, "");
   const Point corner = card.corner() + Point{18, -7};
   draw_type(svg, corner + Point{0, 11}, found);
   draw_length_rows(svg, corner + Point{320, 0}, 176, found.lengths, unit);
-  draw_pivot_rows(svg, corner + Point{546, 0}, 344, found.four_bar, solution.given.told_position());
+  draw_pivot_rows(svg, corner + Point{546, 0}, 344, found.four_bar, answer.given.told_position());
 
   NumberRows checks(svg, corner + Point{940, 0}, 416);
-  found.function ? add_function_checks(checks, solution, *found.function) : add_motion_checks(checks, solution);
+  found.function ? add_function_checks(checks, answer, *found.function) : add_motion_checks(checks, answer);
 }
 
 }  // namespace linkwright

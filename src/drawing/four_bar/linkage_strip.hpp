@@ -4,7 +4,7 @@
 
 #include "drawing/plane_window.hpp"
 #include "drawing/svg_canvas.hpp"
-#include "linkwright/synthesis/solve.hpp"
+#include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright {
 
@@ -20,9 +20,10 @@ void draw_length_rows(SvgCanvas& svg, Point corner, double width, const LinkLeng
 void draw_pivot_rows(SvgCanvas& svg, Point corner, double width, const FourBar& four_bar, int position = 1);
 
 /// A wide, low card with the numbers of the best linkage: type, transmission angle, lengths, pivots, checks.
-void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const Solution& solution, std::string_view unit);
+void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const FourBarAnswer& answer, std::string_view unit);
 
 /// The same card where there is no linkage: why, and the ways out of five positions.
-void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const Solution& solution, std::string_view unit);
+void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const MotionAnswer& answer, std::string_view unit);
+void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const FunctionAnswer& answer, std::string_view unit);
 
 }  // namespace linkwright

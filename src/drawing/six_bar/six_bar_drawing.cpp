@@ -11,7 +11,6 @@
 #include "drawing/region_figure.hpp"
 #include "drawing/sheet.hpp"
 #include "drawing/svg_canvas.hpp"
-#include "files/six_bar/six_bar_axes.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/label.hpp"
@@ -36,12 +35,12 @@ std::string search_words(const SixBarSearchResult& search, int effort) {
                      grouped_text(search.six_bars), grouped_text(search.driven), grouped_text(search.defect_free));
 }
 
-std::string six_bar_subtitle(const Problem& problem, const Solution& solution) {
+std::string six_bar_subtitle(const Problem& problem, const SixBarAnswer& answer) {
   const std::string text = sentence_case(task_label(problem.task)) + std::string(separator);
-  if (solution.search) return text + search_words(*solution.search, solution.options.effort);
+  if (answer.search) return text + search_words(*answer.search, answer.options.effort);
   return text + fmt::format("{0} six-bars sampled{3}{1} free of defects{3}{2} meet the requirements",
-                            grouped_text(four_bars_in(solution.counts)), grouped_text(solution.counts.defect_free),
-                            grouped_text(solution.meeting_requirements), separator);
+                            grouped_text(linkages_in(answer.counts)), grouped_text(answer.counts.defect_free),
+                            grouped_text(answer.meeting_requirements), separator);
 }
 
 /// What is seen where there is no six-bar: poses, the chain, the box.
@@ -78,16 +77,17 @@ void draw_boxes(SvgCanvas& svg, const PlaneWindow& window, const SixBarTask& tas
   draw(requirements.moving_pivots_within, "moving pivots");
 }
 
-void draw_task_card(SvgCanvas& svg, const Problem& problem, const SixBarTask& task, const Solution& solution) {
-  const bool is_found = !solution.six_bars.empty();
+void draw_task_card(SvgCanvas& svg, const Problem& problem, const SixBarAnswer& answer) {
+  const SixBarTask& task = answer.task;
+  const bool is_found = !answer.linkages.empty();
   draw_card(svg, task_card, is_found ? "Best six-bar" : "The four positions");
   const PixelBox box{task_card.left + 1, task_card.top + 44, task_card.width - 2, task_card.height - 45};
   std::optional<SixBarScene> scene;
-  if (is_found) scene = scene_of(solution.six_bars.front(), task.poses);
+  if (is_found) scene = scene_of(answer.linkages.front(), task.poses);
   const PlaneWindow window(box, scene ? points_of_interest(*scene) : points_of_task(task), margin);
   svg.begin_clip(box.corner(), box.width, box.height);
   draw_grid(svg, window);
-  draw_boxes(svg, window, task, solution.requirements);
+  draw_boxes(svg, window, task, answer.requirements);
   scene ? draw_six_bar(svg, window, *scene) : draw_bare_task(svg, window, task);
   draw_scale_bar(svg, window, {box.left + 22, box.bottom() - 20}, problem.length_unit);
   svg.end_group();
@@ -95,41 +95,40 @@ void draw_task_card(SvgCanvas& svg, const Problem& problem, const SixBarTask& ta
   if (scene) draw_line_key(svg, {task_card.left + 190, task_card.top + 24}, dotted, "path of the frame's origin");
 }
 
-void draw_map_card(SvgCanvas& svg, const SixBarTask& task, const Solution& solution) {
+void draw_map_card(SvgCanvas& svg, const SixBarAnswer& answer, std::string_view length_unit) {
   draw_card(svg, side_card, "Solution region: every point is one six-bar");
   constexpr double side = 444, left_axis = 76;
   const PixelBox map{side_card.left + left_axis, side_card.top + 44, side, side};
-  draw_six_bar_region(svg, task, solution, map);
-  draw_region_legend(svg, solution, {side_card.left + 18, map.bottom() + 70}, side_card.width - 24);
+  if (answer.chain) draw_region(svg, drawn_region(answer, length_unit), map);
+  draw_region_legend(svg, answer, {side_card.left + 18, map.bottom() + 70}, side_card.width - 24);
 }
 
-void draw_search_card(SvgCanvas& svg, const Solution& solution) {
-  draw_card(svg, side_card, solution.six_bars.empty() ? "Nothing found" : "Best six-bars found");
-  if (solution.six_bars.empty()) return;
+void draw_search_card(SvgCanvas& svg, const SixBarAnswer& answer) {
+  draw_card(svg, side_card, answer.linkages.empty() ? "Nothing found" : "Best six-bars found");
+  if (answer.linkages.empty()) return;
   const Point corner = side_card.corner() + Point{18, 62};
   const double inside = side_card.width - 36;
-  draw_six_bar_table(svg, corner, inside, solution);
+  draw_six_bar_table(svg, corner, inside, answer);
   constexpr double row_height = 23, gap = 40;
-  const double table_height =
-      row_height * static_cast<double>(std::min<std::size_t>(solution.six_bars.size(), 10)) + gap;
+  const double table_height = row_height * static_cast<double>(std::min<std::size_t>(answer.linkages.size(), 10)) + gap;
   svg.text(corner + Point{0, table_height}, "The bodies of six-bar 1, and their hinges", {.size = 14, .weight = 650});
-  draw_body_rows(svg, corner + Point{0, table_height - 10}, inside, solution.six_bars.front().member.six_bar);
+  draw_body_rows(svg, corner + Point{0, table_height - 10}, inside, answer.linkages.front().member.six_bar);
   const Point foot = corner + Point{0, table_height + 180};
   draw_wrapped(
       svg, foot,
       fmt::format("γ: least transmission angle over the task. Body 1 drives, about a; body 3 carries the frame. "
                   "Seed {}: the same seed finds the same six-bars.",
-                  solution.options.seed),
+                  answer.options.seed),
       inside, 3, 13);
 }
 
-void draw_strip(SvgCanvas& svg, const Solution& solution) {
-  if (solution.six_bars.empty()) {
+void draw_strip(SvgCanvas& svg, const SixBarAnswer& answer) {
+  if (answer.linkages.empty()) {
     draw_card(svg, strip_card, "No six-bar to show");
-    return draw_wrapped(svg, {strip_card.left + 18, strip_card.top + 54}, solution.reason.message,
-                        strip_card.width - 36, 2);
+    return draw_wrapped(svg, {strip_card.left + 18, strip_card.top + 54}, answer.reason.message, strip_card.width - 36,
+                        2);
   }
-  const SixBarSolution& best = solution.six_bars.front();
+  const SixBarSolution& best = answer.linkages.front();
   const SixBar& bars = best.member.six_bar;
   draw_card(svg, strip_card, "");
   const Point corner = strip_card.corner() + Point{18, -7};
@@ -172,11 +171,11 @@ void draw_sheet_strip(SvgCanvas& svg, const SixBar& six_bar) {
 
 }  // namespace
 
-std::string draw_six_bar_solution(const Problem& problem, const SixBarTask& task, const Solution& solution) {
-  SvgCanvas svg = solution_sheet::begin(problem, six_bar_subtitle(problem, solution));
-  draw_task_card(svg, problem, task, solution);
-  solution.search ? draw_search_card(svg, solution) : draw_map_card(svg, task, solution);
-  draw_strip(svg, solution);
+std::string draw_sheet(const Problem& problem, const SixBarAnswer& answer) {
+  SvgCanvas svg = solution_sheet::begin(problem, six_bar_subtitle(problem, answer));
+  draw_task_card(svg, problem, answer);
+  answer.search ? draw_search_card(svg, answer) : draw_map_card(svg, answer, problem.length_unit);
+  draw_strip(svg, answer);
   return svg.file();
 }
 

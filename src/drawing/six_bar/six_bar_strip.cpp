@@ -70,7 +70,7 @@ void draw_body_rows(SvgCanvas& svg, Point corner, double width, const SixBar& si
   }
 }
 
-void draw_six_bar_table(SvgCanvas& svg, Point corner, double width, const Solution& solution) {
+void draw_six_bar_table(SvgCanvas& svg, Point corner, double width, const SixBarAnswer& answer) {
   constexpr double row_height = 23, size = 13;
   constexpr std::size_t most_rows = 10;
   // Right ends of the columns as shares of the width.
@@ -82,8 +82,8 @@ void draw_six_bar_table(SvgCanvas& svg, Point corner, double width, const Soluti
                {.size = size, .color = color, .anchor = "end", .weight = weight});
   };
   put_row(0, {"#", "the driver turns", "γ", "ratio", "longest"}, palette::ink2, 650);
-  for (std::size_t i = 0; i < std::min(solution.six_bars.size(), most_rows); ++i) {
-    const SixBarRating& rating = solution.six_bars[i].rating;
+  for (std::size_t i = 0; i < std::min(answer.linkages.size(), most_rows); ++i) {
+    const SixBarRating& rating = answer.linkages[i].rating;
     const bool driven = rating.drive.sense != DriveSense::none;
     put_row(i + 1,
             {fmt::format("{}", i + 1), drive_text(rating.drive),

@@ -20,7 +20,7 @@ void draw_length_rows(SvgCanvas& svg, Point corner, double width, const SixBar& 
 void draw_body_rows(SvgCanvas& svg, Point corner, double width, const SixBar& six_bar);
 
 /// A row of each six-bar with its numbers, the heading first.
-void draw_six_bar_table(SvgCanvas& svg, Point corner, double width, const Solution& solution);
+void draw_six_bar_table(SvgCanvas& svg, Point corner, double width, const SixBarAnswer& answer);
 
 /// "32.1° counter-clockwise", "–".
 [[nodiscard]] std::string drive_text(const SixBarDriveReport& drive);

@@ -7,7 +7,6 @@
 #include "files/result_writer.hpp"
 #include "linkwright/analysis/six_bar_position.hpp"
 #include "linkwright/core/angle.hpp"
-#include "six_bar_axes.hpp"
 
 namespace linkwright {
 namespace {
@@ -100,17 +99,6 @@ void write_six_bar(JsonWriter& json, const SixBarSolution& found) {
   json.member("pose_residual", found.pose_residual);
   json.member("local_optimum", found.local_optimum);
   json.member("verified_by_driving", found.verified_by_driving);
-  json.end_object();
-}
-
-void write_six_bar_axis(JsonWriter& json, const SixBarTask& task, const ChainFamily* family, Side side) {
-  const SixBarAxis axis = six_bar_axis(task, family, side);
-  json.begin_object();
-  json.member("name", std::string_view(axis.name));
-  json.member("quantity", axis.is_share ? "curve_share" : "curve_coordinate");
-  json.member("unit", axis.is_share ? "1" : "tau");
-  json.key("branches");
-  write_branches(json, axis.branches);
   json.end_object();
 }
 

@@ -5,8 +5,7 @@
 
 #include "files/json/json_writer.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
-#include "linkwright/planar/four_bar_family.hpp"
-#include "linkwright/synthesis/solve.hpp"
+#include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright {
 
@@ -23,9 +22,6 @@ void write_lengths(JsonWriter& json, std::span<const SixBarLength> lengths);
 
 /// An element of a result's `linkages`.
 void write_six_bar(JsonWriter& json, const SixBarSolution& found);
-
-/// An element of a region's `axes`: link 4 to the rows, link 5 to the columns.
-void write_six_bar_axis(JsonWriter& json, const SixBarTask& task, const ChainFamily* family, Side side);
 
 /// How a search went: the object `search`.
 void write_search(JsonWriter& json, const SixBarSearchResult& search, const SynthesisOptions& options);

@@ -1,4 +1,4 @@
-#include "answer.hpp"
+#include "report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,46 +22,50 @@ namespace linkwright::cli {
 namespace {
 
 /// ": 4 Burmester points", where it is they that the task asks for.
-std::string point_count(const Solution& solution) {
-  const std::size_t count = solution.given.points.size();
-  if (solution.given.curve || (count == 0 && !solution.given.has_no_dyads)) return "";
+std::string point_count(const FourBarAnswer& answer) {
+  const std::size_t count = answer.given.points.size();
+  if (answer.given.curve || (count == 0 && !answer.given.has_no_dyads)) return "";
   return count == 0 ? ": no Burmester point" : fmt::format(": {} Burmester point{}", count, count == 1 ? "" : "s");
 }
 
-std::string heading(const Problem& problem, const Solution& solution) {
+std::string heading(const Problem& problem, const std::string& points) {
   const std::string title = problem.title.empty() ? "Untitled task" : printable(problem.title);
-  std::string text = fmt::format("{}: {}{}", title, task_label(problem.task), point_count(solution));
+  std::string text = fmt::format("{}: {}{}", title, task_label(problem.task), points);
   if (!problem.length_unit.empty()) text += ", lengths in " + printable(problem.length_unit);
   return wrapped(text);
 }
 
-std::string curve_words(const Problem& problem, const Solution& solution) {
-  if (!solution.given.curve) return "";
-  const bool of_couplers = std::holds_alternative<FunctionTask>(problem.task);
-  const std::string_view circle = label(solution.given.curve->kind()),
-                         center = label(solution.given.curve->center_kind());
-  const std::string_view both = of_couplers ? "Both curves of the coupler, of its pivots on the input and on the output"
-                                            : "Both Burmester curves, of circle points and of centre points",
-                         first = of_couplers ? "Curve of pivots on the input" : "Circle-point curve",
-                         second = of_couplers ? "of pivots on the output" : "centre-point curve";
-  std::string text = circle == center ? fmt::format("{}: {}", both, circle)
-                                      : fmt::format("{}: {}; {}: {}", first, circle, second, center);
-  if (const auto kappa = solution.given.curve->kappa()) text += fmt::format(" (κ = {})", significant_text(*kappa, 3));
+/// What the two curves of a task are called.
+struct CurveNames {
+  std::string_view both = "Both Burmester curves, of circle points and of centre points", circle = "Circle-point curve",
+                   center = "centre-point curve";
+};
+constexpr CurveNames coupler_curves = {"Both curves of the coupler, of its pivots on the input and on the output",
+                                       "Curve of pivots on the input", "of pivots on the output"};
+
+std::string curve_words(const FourBarAnswer& answer, const CurveNames& names) {
+  if (!answer.given.curve) return "";
+  const std::string_view circle = label(answer.given.curve->kind()), center = label(answer.given.curve->center_kind());
+  std::string text = circle == center ? fmt::format("{}: {}", names.both, circle)
+                                      : fmt::format("{}: {}; {}: {}", names.circle, circle, names.center, center);
+  if (const auto kappa = answer.given.curve->kappa()) text += fmt::format(" (κ = {})", significant_text(*kappa, 3));
   return wrapped(text + ".");
 }
 
 /// Where the four-bars lie that are counted.
-std::string map_words(const Problem& problem, const Solution& solution) {
-  const std::size_t rows = solution.region.rows(), columns = solution.region.columns();
-  const MapAxis& across = solution.given.family->axis(Side::output);
-  if (std::holds_alternative<FunctionTask>(problem.task)) {
-    if (solution.given.family->axis(Side::input).is_discrete()) return "The map of all linkages";
-    return across.is_discrete()
-               ? fmt::format("The curve of couplers at {} places", rows)
-               : fmt::format("The map of {} places of the coupler × {} values of the free number", rows, columns);
-  }
-  if (across.is_discrete()) return fmt::format("The board of {} × {} side links", rows, columns);
-  return fmt::format("The region of {} × {} pairs of side links", rows, columns);
+std::string map_words(const MotionAnswer& answer) {
+  const std::string_view map = answer.family()->axis(Side::output).is_discrete() ? "The board of {} × {} side links"
+                                                                                 : "The region of {} × {} pairs of "
+                                                                                   "side links";
+  return fmt::format(fmt::runtime(map), answer.region.rows(), answer.region.columns());
+}
+
+std::string map_words(const FunctionAnswer& answer) {
+  if (answer.family()->axis(Side::input).is_discrete()) return "The map of all linkages";
+  const std::size_t rows = answer.region.rows(), columns = answer.region.columns();
+  return answer.family()->axis(Side::output).is_discrete()
+             ? fmt::format("The curve of couplers at {} places", rows)
+             : fmt::format("The map of {} places of the coupler × {} values of the free number", rows, columns);
 }
 
 /// Pairs of one curve always make something; elsewhere a place may have no side links at all.
@@ -71,24 +75,23 @@ std::string degenerate_words(const FourBarFamily& family, std::int64_t count) {
   return fmt::format(", and none at {} {}", grouped_text(count), count == 1 ? "place" : "places");
 }
 
-std::string counts_words(const Problem& problem, const Solution& solution) {
-  const RegionCounts& counts = solution.counts;
-  if (counts.pairs == 0) return "";
+std::string counts_words(const Problem& problem, const FourBarAnswer& answer, const std::string& map) {
+  const RegionCounts& counts = answer.counts;
   const std::int64_t degenerate = counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   const auto four_bars = [](std::int64_t count) {
     return grouped_text(count) + (count == 1 ? " four-bar" : " four-bars");
   };
-  std::string text = fmt::format("{} holds {}", map_words(problem, solution), four_bars(counts.pairs - degenerate));
-  text += degenerate_words(*solution.given.family, degenerate);
+  std::string text = fmt::format("{} holds {}", map, four_bars(counts.pairs - degenerate));
+  text += degenerate_words(*answer.given.family, degenerate);
   text += fmt::format(". {} {} free of defects", four_bars(counts.defect_free), counts.defect_free == 1 ? "is" : "are");
-  text += fmt::format("; {} {}: {}.", grouped_text(solution.meeting_requirements),
-                      solution.meeting_requirements == 1 ? "meets the requirements" : "meet the requirements",
-                      requirement_words(solution.requirements, problem.length_unit, solution.given.told_position()));
+  text += fmt::format("; {} {}: {}.", grouped_text(answer.meeting_requirements),
+                      answer.meeting_requirements == 1 ? "meets the requirements" : "meet the requirements",
+                      requirement_words(answer.requirements, problem.length_unit, answer.given.told_position()));
   return wrapped(text);
 }
 
-std::string best_heading(const Solution& solution) {
-  switch (solution.options.objective) {
+std::string best_heading(const FourBarAnswer& answer) {
+  switch (answer.options.objective) {
     case Objective::link_ratio:
       return "Best linkages, smallest link ratio first:\n";
     case Objective::size:
@@ -114,13 +117,13 @@ std::string dimension_table(const std::vector<FourBarSolution>& linkages, int de
 }
 
 /// Where linkages are told.
-std::string first_pose(const Solution& solution) {
-  if (solution.linkages.front().function) return "at the first pair";
-  return fmt::format("in position {}", solution.given.told_position());
+std::string first_pose(const FourBarAnswer& answer) {
+  if (answer.linkages.front().function) return "at the first pair";
+  return fmt::format("in position {}", answer.given.told_position());
 }
 
-std::string pivot_table(const Solution& solution, int decimals) {
-  const std::vector<FourBarSolution>& linkages = solution.linkages;
+std::string pivot_table(const FourBarAnswer& answer, int decimals) {
+  const std::vector<FourBarSolution>& linkages = answer.linkages;
   TextTable table({"#", "input: fixed pivot", "moving pivot", "output: fixed pivot", "moving pivot"});
   for (std::size_t i = 0; i < linkages.size(); ++i) {
     const FourBar& bars = linkages[i].four_bar;
@@ -128,7 +131,7 @@ std::string pivot_table(const Solution& solution, int decimals) {
                    pivot_text(bars.input_circle, decimals), pivot_text(bars.output_center, decimals),
                    pivot_text(bars.output_circle, decimals)});
   }
-  return fmt::format("Pivots (x, y), moving pivots as they lie {}:\n", first_pose(solution)) + table.text();
+  return fmt::format("Pivots (x, y), moving pivots as they lie {}:\n", first_pose(answer)) + table.text();
 }
 
 std::string score_words(Objective objective, const FourBarSolution& found, int decimals) {
@@ -145,34 +148,34 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
   return rounded_text(degrees(found.report.min_transmission_angle), 2) + "°";
 }
 
-std::string why_the_best(const Problem& problem, const Solution& solution, int decimals) {
-  const auto& linkages = solution.linkages;
-  const Objective objective = solution.options.objective;
+std::string why_the_best(const Problem& problem, const FourBarAnswer& answer, int decimals) {
+  const auto& linkages = answer.linkages;
+  const Objective objective = answer.options.objective;
   constexpr std::array<std::string_view, 4> superlatives = {"largest least transmission angle", "smallest link ratio",
                                                             "smallest longest link", "smallest structural error"};
   const std::string_view what = superlatives[static_cast<std::size_t>(objective)];
   std::string text = fmt::format("Linkage 1 has the {}, {}", what, score_words(objective, linkages[0], decimals));
   if (linkages.size() > 1)
     text += fmt::format("; linkage 2 follows with {}", score_words(objective, linkages[1], decimals));
-  const auto limits = limits_touched(solution.requirements, linkages[0], problem.length_unit);
+  const auto limits = limits_touched(answer.requirements, linkages[0], problem.length_unit);
   return wrapped(fmt::format("{}. It {}", text, held_back_words(limits)));
 }
 
-std::string check_words(const Solution& solution) {
+std::string check_words(const FourBarAnswer& answer) {
   double worst = 0;
   std::optional<double> worst_of_derivatives;
   bool all_driven = true;
-  for (const FourBarSolution& found : solution.linkages) {
+  for (const FourBarSolution& found : answer.linkages) {
     worst = std::max(worst, found.residual);
     worst_of_derivatives = std::max(worst_of_derivatives, found.residual_derivatives);
     all_driven = all_driven && found.verified_by_driving;
   }
-  const bool are_functions = solution.linkages.front().function.has_value();
+  const bool are_functions = answer.linkages.front().function.has_value();
   const std::string of_derivatives = worst_of_derivatives ? fmt::format(", and their derivatives vanish to {}",
                                                                         significant_text(*worst_of_derivatives, 2))
                                                           : "";
   const std::string kept = are_functions
-                               ? fmt::format("Driven through the range, {}", precision_words(solution))
+                               ? fmt::format("Driven through the range, {}", precision_words(answer))
                                : fmt::format("Side links keep their lengths over the positions to {} of themselves{}",
                                              significant_text(worst, 2), of_derivatives);
   return wrapped(
@@ -181,22 +184,22 @@ std::string check_words(const Solution& solution) {
                              : "driving did not confirm every linkage listed, which is our mistake: please report it"));
 }
 
-std::string linkages_words(const Problem& problem, const Solution& solution) {
-  if (solution.linkages.empty()) return "";
-  const int decimals = decimals_for(solution.linkages);
-  const std::string errors = function_error_words(solution) + miss_words(problem, solution);
-  return "\n" + best_heading(solution) + dimension_table(solution.linkages, decimals) + "\n" +
-         (errors.empty() ? "" : errors + "\n") + pivot_table(solution, decimals) + "\n" +
-         why_the_best(problem, solution, decimals) + check_words(solution);
+std::string linkages_words(const Problem& problem, const FourBarAnswer& answer) {
+  if (answer.linkages.empty()) return "";
+  const int decimals = decimals_for(answer.linkages);
+  const std::string errors = function_error_words(answer) + miss_words(problem, answer);
+  return "\n" + best_heading(answer) + dimension_table(answer.linkages, decimals) + "\n" +
+         (errors.empty() ? "" : errors + "\n") + pivot_table(answer, decimals) + "\n" +
+         why_the_best(problem, answer, decimals) + check_words(answer);
 }
 
-std::string nothing_words(const Problem& problem, const Solution& solution) {
-  if (!solution.linkages.empty() || solution.options.best == 0) return "";
-  std::string text = "\n" + wrapped(solution.reason.message);
-  for (std::size_t i = 0; i < solution.relax.size(); ++i) {
-    if (i == 0 && !solution.relax[i].value && !solution.relax[i].box)
+std::string nothing_words(const Problem& problem, const FourBarAnswer& answer) {
+  if (!answer.linkages.empty() || answer.options.best == 0) return "";
+  std::string text = "\n" + wrapped(answer.reason.message);
+  for (std::size_t i = 0; i < answer.relax.size(); ++i) {
+    if (i == 0 && !answer.relax[i].value && !answer.relax[i].box)
       continue;  // the reason says what dropping it would leave
-    text += wrapped("  " + relaxation_words(solution.relax[i], problem.length_unit), 4);
+    text += wrapped("  " + relaxation_words(answer.relax[i], problem.length_unit), 4);
   }
   return text;
 }
@@ -204,16 +207,16 @@ std::string nothing_words(const Problem& problem, const Solution& solution) {
 /// Told with the free numbers.
 bool is_chosen_length(const Notice& notice) { return notice.code == "chosen_length"; }
 
-std::string warnings_words(const Solution& solution) {
+std::string warnings_words(const Findings& answer) {
   std::string text;
-  for (const Notice& warning : solution.given.warnings)
+  for (const Notice& warning : answer.warnings)
     if (!is_chosen_length(warning)) text += wrapped("Note: " + warning.message, 6);
   return text;
 }
 
 /// Three positions: what was chosen for the task, where it left a length open.
-std::string chosen_words(const Solution& solution) {
-  const auto& warnings = solution.given.warnings;
+std::string chosen_words(const FourBarAnswer& answer) {
+  const auto& warnings = answer.warnings;
   const auto found = std::find_if(warnings.begin(), warnings.end(), is_chosen_length);
   if (found == warnings.end() || found->values.size() < 2) return "";
   const auto* side = std::get_if<std::string>(&found->values[0].value);
@@ -224,37 +227,55 @@ std::string chosen_words(const Solution& solution) {
 }
 
 /// What the task leaves open: of three positions and of functions, where it depends on what is given.
-std::string free_words(const Problem& problem, const Solution& solution) {
-  if (!solution.given.family) return "";
-  if (const auto* function = std::get_if<FunctionTask>(&problem.task)) {
-    if (position_count(function->pairs) == 5) return "";
-    return wrapped(function->free ? "2 numbers are free, and the map shows both: the coupler's place on its curve and "
-                                    "the number left free."
-                                  : "1 number is free: the coupler's place on its curve.");
-  }
-  const auto* motion = std::get_if<MotionTask>(&problem.task);
-  if (motion == nullptr || !motion->given) return "";
-  const std::string chosen = chosen_words(solution);
-  const std::string_view shown = std::holds_alternative<SideLengths>(*motion->given)
+std::string free_words(const MotionAnswer& answer) {
+  if (!answer.family() || !answer.task.given) return "";
+  const std::string chosen = chosen_words(answer);
+  const std::string_view shown = std::holds_alternative<SideLengths>(*answer.task.given)
                                      ? "the directions of the side links in position 1"
-                                 : std::holds_alternative<SideAngle>(*motion->given)
+                                 : std::holds_alternative<SideAngle>(*answer.task.given)
                                      ? "the direction of the input side link and the length of the output"
                                      : "the places of the side links on their curve";
   return wrapped(chosen.empty() ? fmt::format("2 numbers are free, and the map shows both: {}.", shown)
                                 : fmt::format("3 numbers are free, and the map shows 2 of them: {}{}.", shown, chosen));
 }
 
+std::string free_words(const FunctionAnswer& answer) {
+  if (!answer.family() || position_count(answer.task.pairs) == 5) return "";
+  return wrapped(answer.task.free ? "2 numbers are free, and the map shows both: the coupler's place on its curve and "
+                                    "the number left free."
+                                  : "1 number is free: the coupler's place on its curve.");
+}
+
+/// The map is spoken of only where there is one.
+template <class KindAnswer>
+std::string counts_of(const Problem& problem, const KindAnswer& answer) {
+  return answer.counts.pairs == 0 ? "" : counts_words(problem, answer, map_words(answer));
+}
+
+std::string report_of_kind(const Problem& problem, const MotionAnswer& answer) {
+  return heading(problem, point_count(answer)) + curve_words(answer, {}) + free_words(answer) +
+         counts_of(problem, answer) + warnings_words(answer) + side_link_words(answer) +
+         pair_words(answer, "Their pairs as four-bars, the first of each drives, best first:\n") +
+         linkages_words(problem, answer) + nothing_words(problem, answer) + ways_out_words(problem, answer);
+}
+
+std::string report_of_kind(const Problem& problem, const FunctionAnswer& answer) {
+  return heading(problem, point_count(answer)) + curve_words(answer, coupler_curves) + free_words(answer) +
+         counts_of(problem, answer) + warnings_words(answer) + side_link_words(answer) +
+         pair_words(answer, "All linkages through the five precision points, best first:\n") +
+         linkages_words(problem, answer) + nothing_words(problem, answer);
+}
+
+std::string report_of_kind(const Problem& problem, const SixBarAnswer& answer) {
+  return heading(problem, "") + warnings_words(answer) + six_bar_report(problem, answer);
+}
+
 }  // namespace
 
-std::string answer(const Problem& problem, const Solution& solution) {
+std::string report(const Problem& problem, const Answer& answer) {
   Problem shown = problem;
   shown.length_unit = printable(shown.length_unit);
-  if (std::holds_alternative<SixBarTask>(problem.task))
-    return heading(shown, solution) + warnings_words(solution) + six_bar_answer(shown, solution);
-  return heading(shown, solution) + curve_words(shown, solution) + free_words(shown, solution) +
-         counts_words(shown, solution) + warnings_words(solution) + side_link_words(solution) +
-         pair_words(shown, solution) + linkages_words(shown, solution) + nothing_words(shown, solution) +
-         ways_out_words(shown, solution);
+  return std::visit([&](const auto& of_kind) { return report_of_kind(shown, of_kind); }, answer);
 }
 
 }  // namespace linkwright::cli

@@ -1,0 +1,155 @@
+#include "six_bar_session.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "files/task_writer.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
+#include "linkwright/planar/six_bar_synthesis.hpp"
+#include "reply_json.hpp"
+#include "six_bar_reply.hpp"
+
+namespace linkwright::wasm {
+namespace {
+
+constexpr int samples_of_the_usual_map = 400;
+
+// Each cell of such a map is driven through.
+int six_bar_samples(int samples) { return std::clamp(samples / 5, 20, 60); }
+
+DrawnCurves drawn_links(const AddedLinks& links) {
+  if (links.curve->coordinate_length() == 0) return {};
+  return drawn_dyads(links.curve->polygon(drawn_side), links.curve->branches(), links.conditions.frame);
+}
+
+SixBarTask with_chain(SixBarTask task, const ThreeLinkChain& chain) {
+  task.chain = chain;
+  return task;
+}
+
+}  // namespace
+
+SixBarSession::SixBarSession(const SixBarTask& task) : task_(task), family_(ChainFamily::of(task_)) {}
+
+bool SixBarSession::serves(const Task& task) const {
+  const auto* six_bar = std::get_if<SixBarTask>(&task);
+  return six_bar && *six_bar == task_;
+}
+
+const Notice& SixBarSession::no_map() const {
+  static const Notice chain_wanted{
+      "chain_wanted", "No chain is given: place its three hinges, or let one be searched for.", {}};
+  return chain_wanted;
+}
+
+const Notice& SixBarSession::nothing_on_map() const {
+  static const Notice no_pair{
+      "no_pair",
+      "No two added links make a six-bar of this chain: in every pair a hinge is at infinity or a link has no length.",
+      {}};
+  return no_pair;
+}
+
+Requirements SixBarSession::with_defaults(Requirements wanted) const {
+  const double size = task_.chain ? task_.chain->size() : pose_conditions(task_.poses).frame.scale;
+  return with_default_lengths(std::move(wanted), size);
+}
+
+TaskReply SixBarSession::about() const {
+  const PoseConditions conditions = pose_conditions(task_.poses);
+  TaskReply reply{pattern(task_.poses), conditions.condition(), conditions.frame.scale, {}, {}, {}};
+  reply.write_curves = [](JsonWriter& json) { write_no_curves(json); };
+  return reply;
+}
+
+Drawn SixBarSession::drawn() const {
+  const auto of = [&](Side side) {
+    const AddedLinks* links = family_ ? family_->links(side) : nullptr;
+    return links ? drawn_links(*links) : DrawnCurves{};
+  };
+  return {of(Side::input), of(Side::output)};
+}
+
+ShownAxes SixBarSession::axes(const ExploreRequest& /*request*/, Spacing /*spacing*/,
+                              const ShownAxes* /*shown*/) const {
+  ShownAxes axes;
+  axes.symmetric = false;
+  if (!family_) return axes;
+  axes.input.axis = family_->axis(Side::input);
+  axes.output.axis = family_->axis(Side::output);
+  axes.input.order = DisplayOrder(axes.input.axis.branches);
+  axes.output.order = DisplayOrder(axes.output.axis.branches);
+  return axes;
+}
+
+std::vector<double> SixBarSession::coordinates(const ExploreRequest& request, const ShownAxis& axis, Side side) const {
+  const auto& [from, to] = side == Side::input ? request.input : request.output;
+  return axis.order.samples(map_samples(request.samples), from, to);
+}
+
+int SixBarSession::map_samples(int asked) const { return six_bar_samples(asked); }
+
+std::optional<SixBarSolution> SixBarSession::at(MapPoint place) const {
+  const auto member = family_ ? family_->member(place) : std::nullopt;
+  const auto row = six_bar_row(task_.added);
+  if (!member || !row) return std::nullopt;
+  return solution_of(task_.poses, *task_.chain, *row, *member);
+}
+
+LinkageReply SixBarSession::linkage(MapPoint place, std::uint8_t fails, bool /*respect_direction*/) const {
+  return six_bar_reply(task_.poses, at(place), place, fails);
+}
+
+Verification SixBarSession::verify(MapPoint place, bool /*respect_direction*/) const {
+  const auto found = at(place);
+  if (!found) return {};
+  return {found->verified_by_driving, found->residual * found->rating.shape.longest};
+}
+
+std::vector<double> SixBarSession::trace(MapPoint place, Point traced, bool /*respect_direction*/) const {
+  return six_bar_trace(task_.poses, at(place), traced);
+}
+
+std::optional<MapPoint> SixBarSession::improved(MapPoint place, const Requirements& wanted, Objective objective) const {
+  return family_ ? improved_six_bar(*family_, wanted, objective, place) : std::nullopt;
+}
+
+// Of which solve() takes a quarter.
+int SixBarSession::samples_for_best() const { return 4 * six_bar_samples(samples_of_the_usual_map); }
+
+std::optional<Answer> SixBarSession::answer_at(MapPoint place, bool /*respect_direction*/) const {
+  auto found = at(place);
+  if (!found) return std::nullopt;
+  const TaskReply task = about();
+  SixBarAnswer answer;
+  answer.task = task_;
+  answer.pattern = task.pattern;
+  answer.condition = task.condition;
+  answer.characteristic_length = task.characteristic_length;
+  answer.chain = family_;
+  answer.linkages = {*std::move(found)};
+  return Answer(std::move(answer));
+}
+
+// With their chains: of a search each has one of its own.
+void write_best_linkages(JsonWriter& json, const SixBarAnswer& answer) {
+  for (const SixBarSolution& found : answer.linkages) {
+    json.begin_object(JsonWriter::Layout::one_line);
+    json.key("tau");
+    const auto family = ChainFamily::of(with_chain(answer.task, found.chain));
+    const MapPoint point = family->point_of(found.member);
+    write_numbers(json, std::array{point.input, point.output});
+    json.member("type", name(found.rating.shape.type));
+    json.member("min_transmission_angle_deg", degrees(found.rating.min_transmission_angle()));
+    json.member("link_ratio", found.rating.shape.link_ratio);
+    json.member("longest", found.rating.shape.longest);
+    json.key("pivots");
+    write_points(json, found.member.six_bar.joints, [](const SixBarJoint& joint) { return joint.point; });
+    json.key("chain");
+    write_chain(json, found.chain);
+    json.end_object();
+  }
+}
+
+}  // namespace linkwright::wasm

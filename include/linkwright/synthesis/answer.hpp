@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "linkwright/core/notice.hpp"
+#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/planar/chain_family.hpp"
+#include "linkwright/planar/four_bar_solution.hpp"
+#include "linkwright/planar/freed_position.hpp"
+#include "linkwright/planar/missed_box.hpp"
+#include "linkwright/planar/six_bar_synthesis.hpp"
+#include "linkwright/planar/task_family.hpp"
+#include "linkwright/region/region_map.hpp"
+#include "linkwright/region/requirement_filter.hpp"
+#include "linkwright/region/requirements.hpp"
+#include "linkwright/synthesis/options.hpp"
+#include "linkwright/synthesis/task.hpp"
+
+namespace linkwright {
+
+enum class SolutionStatus { solved, no_solution, degenerate };
+[[nodiscard]] std::string_view name(SolutionStatus status);
+
+/// What is found for a task, whatever the kind of linkage.
+struct Findings {
+  SolutionStatus status = SolutionStatus::solved;
+  Notice reason;                     ///< always set
+  std::string pattern;               ///< of the positions, as pattern()
+  double condition = 1;              ///< of the conditions, ≥ 1
+  double characteristic_length = 1;  ///< of the task, user's unit
+  std::vector<Notice> warnings;
+  RegionMap region;  ///< without rows where there is no map
+  RegionCounts counts;
+  Requirements requirements;                      ///< as used: defaults filled in
+  SynthesisOptions options;                       ///< as used
+  std::int64_t meeting_requirements = 0;          ///< cells
+  std::int64_t left_out = 0;                      ///< of the best: driving does not confirm them; a warning says so
+  std::vector<Relaxation> relax;                  ///< when no linkage meets the requirements, dearest first
+  std::optional<JointRelaxation> relax_together;  ///< when relaxing one requirement alone would leave nothing either
+};
+
+struct FourBarAnswer : Findings {
+  TaskFamily given;
+  std::vector<Dyad> samples;              ///< of the curve, fixed frame, by rising τ
+  std::int64_t dyads_left_out = 0;        ///< of the samples: rounding changes their lengths; a warning says so
+  std::vector<FourBarSolution> linkages;  ///< best first
+  /// Five positions: every pair of dyads, whatever its defects, best first; five precision points: every linkage.
+  std::vector<FourBarSolution> pairs;
+  std::vector<MissedBox> missed_boxes;  ///< when no linkage meets the requirements
+
+  /// What the map is of; null without one.
+  [[nodiscard]] const FourBarFamily* family() const { return given.family.get(); }
+  [[nodiscard]] MapPoint point_of(const FourBarSolution& found) const {
+    return {found.input.coordinate, found.output.coordinate};
+  }
+};
+
+struct MotionAnswer : FourBarAnswer {
+  MotionTask task;
+  std::vector<FreedPosition> freed;  ///< five positions, no linkage that meets the requirements: the ways out
+};
+
+struct FunctionAnswer : FourBarAnswer {
+  FunctionTask task;
+};
+
+struct SixBarAnswer : Findings {
+  SixBarTask task;
+  std::shared_ptr<const ChainFamily> chain;  ///< of a given chain
+  std::vector<SixBarSolution> linkages;      ///< best first
+  std::optional<SixBarSearchResult> search;  ///< without a given chain: how it went, its linkages moved out
+
+  /// What the map is of; null without a chain.
+  [[nodiscard]] const ChainFamily* family() const { return chain.get(); }
+  [[nodiscard]] MapPoint point_of(const SixBarSolution& found) const { return chain->point_of(found.member); }
+};
+
+/// Everything found for a task, by its kind.
+using Answer = std::variant<MotionAnswer, FunctionAnswer, SixBarAnswer>;
+
+/// What the answers of all kinds have in common.
+[[nodiscard]] const Findings& findings(const Answer& answer);
+[[nodiscard]] Findings& findings(Answer& answer);
+
+/// How many linkages are listed.
+[[nodiscard]] std::size_t linkage_count(const Answer& answer);
+
+}  // namespace linkwright

@@ -1,0 +1,35 @@
+#include "six_bar_answer_writer.hpp"
+
+#include "six_bar_writer.hpp"
+
+namespace linkwright {
+namespace {
+
+void write_empty_list(JsonWriter& json, std::string_view key) {
+  json.key(key);
+  json.begin_list();
+  json.end_list();
+}
+
+}  // namespace
+
+void write_dyads(JsonWriter& json, const SixBarAnswer& /*answer*/) {
+  json.key("curve");
+  json.null();
+  write_empty_list(json, "dyads");
+}
+
+void write_linkages(JsonWriter& json, const SixBarAnswer& answer) {
+  if (answer.search) {
+    json.key("search");
+    write_search(json, *answer.search, answer.options);
+  }
+  json.key("linkages");
+  json.begin_list();
+  for (const SixBarSolution& found : answer.linkages) write_six_bar(json, found);
+  json.end_list();
+  write_empty_list(json, "pairs");
+  write_empty_list(json, "freed");
+}
+
+}  // namespace linkwright
