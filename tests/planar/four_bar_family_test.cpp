@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/planar/task_curve.hpp"
+#include "linkwright/region/requirement_filter.hpp"
 #include "support/tailgate.hpp"
 
 namespace linkwright::four_bar_family_test {
