@@ -76,8 +76,8 @@ std::string small_text(Vector3 v) { return fmt::format("({}, {}, {})", number(v.
 
 std::string turn_words(const OrientationReport& report) {
   const AxisAngle& turn = report.turn;
-  if (!turn.axis_defined()) return "No turn: the axis is undefined.\n";
-  return wrapped(fmt::format("One turn by {} about the axis {}", angle(turn.angle()), direction_text(turn.axis())));
+  if (!turn.axis_defined()) return "No rotation: the axis is undefined.\n";
+  return wrapped(fmt::format("Rotation by {} about the axis {}", angle(turn.angle()), direction_text(turn.axis())));
 }
 
 using Decompositions = std::vector<const EulerDecomposition*>;
@@ -90,8 +90,8 @@ std::string lock_sentence(const Decompositions& locked) {
   }
   const EulerDecomposition& found = *locked.front();
   return wrapped(
-      fmt::format("Gimbal lock of {}: the first axis and the third lie in one line, so that only first {} third = "
-                  "{} is determined; third was chosen to be 0.",
+      fmt::format("Gimbal lock of {}: the first and the third axis coincide, so that only first {} third = {} "
+                  "is determined; third was set to 0.",
                   list, found.determined_sign > 0 ? "+" : "−", angle(found.determined)));
 }
 
@@ -130,13 +130,15 @@ std::string sequence_table(const OrientationReport& report) {
     table.add_row({angles.sequence.name(), angle(angles.first), angle(angles.second), angle(angles.third),
                    locked ? "locked" : significant_text(found.lock_distance, 3)});
   }
-  return "Three turns about carried axes (about axes at rest: the same in reverse order):\n" + table.text();
+  return "Three rotations about moving (intrinsic) axes; about fixed (extrinsic) axes, the same in reverse order:\n" +
+         table.text();
 }
 
 std::string image_words(const OrientationReport& report) {
   std::string text;
   for (std::size_t i = 0; i < report.images.size(); ++i) {
-    text += wrapped(fmt::format("Vector {} turns to {}.", vector(report.task.vectors[i]), vector(report.images[i])));
+    text +=
+        wrapped(fmt::format("Vector {} is rotated to {}.", vector(report.task.vectors[i]), vector(report.images[i])));
   }
   return text;
 }
@@ -178,13 +180,13 @@ std::string screw_words(const Screw& screw, std::string_view unit) {
     case ScrewKind::general:
       break;
   }
-  std::string text =
-      wrapped(fmt::format("A turn by {} about the screw axis and a slide by {} along it", angle(screw.angle), slide));
+  std::string text = wrapped(
+      fmt::format("Rotation by {} about the screw axis and translation by {} along it", angle(screw.angle), slide));
   text += row("Direction of the axis", direction_text(screw.direction));
-  text += row("Its point nearest to O", vector(screw.point));
+  text += row("Point of the axis nearest to O", vector(screw.point));
   text += row("Pitch, per radian", quantity(screw.pitch().value_or(0), std::abs(screw.translation)) + in_unit(unit));
   if (screw.kind == ScrewKind::half_turn)
-    text += "A half-turn: the opposite direction with the opposite slide says the same.\n";
+    text += "A half-turn: the opposite direction with the opposite translation is the same displacement.\n";
   return text;
 }
 
@@ -231,15 +233,15 @@ std::string rates_table(const AngularMotionReport& report) {
     add_sequence(table, report.given->angles.sequence.name() + ", given", *report.given, report.task.in_i);
   for (const SequenceRates& rates : report.euler)
     add_sequence(table, rates.angles.sequence.name(), rates, report.task.in_i);
-  std::string text = "Three turns about carried axes:\n" + table.text();
+  std::string text = "Three rotations about moving (intrinsic) axes:\n" + table.text();
   const auto lost = std::max_element(report.euler.begin(), report.euler.end(), [](const auto& a, const auto& b) {
     return a.fit.velocity_residual < b.fit.velocity_residual;
   });
   if (lost != report.euler.end() && lost->fit.singularity == Singularity::gimbal_lock) {
-    text += wrapped(
-        fmt::format("Gimbal lock: no rates of the locked sequences make the whole of the motion; the least of the "
-                    "least squares are shown, which leave out up to {} of the angular velocity.",
-                    quantity(lost->fit.velocity_residual)));
+    text +=
+        wrapped(fmt::format("Gimbal lock: no rates of the locked sequences produce the whole motion; the least-squares "
+                            "rates of least norm are shown, which leave out up to {} of the angular velocity.",
+                            quantity(lost->fit.velocity_residual)));
   }
   return text;
 }
@@ -283,8 +285,8 @@ std::string fit_words(const HartenbergDenavitFit& fit, HartenbergDenavitForm for
   if (fit.angle_defect <= 1e-12 && fit.distance_defect <= 1e-12 * (1 + std::abs(fit.link.a) + std::abs(fit.link.d)))
     return text;
   return text +
-         wrapped(fmt::format("Four parameters cannot say all of it: x and z of the two frames miss a right angle by "
-                             "{} (cosine) and each other by {}; place the frames otherwise.",
+         wrapped(fmt::format("Four parameters cannot describe it: x and z of the two frames are off a right angle by "
+                             "{} (cosine) and {} apart; place the frames differently.",
                              significant_text(fit.angle_defect, 3), significant_text(fit.distance_defect, 3)));
 }
 
@@ -293,7 +295,7 @@ std::string fit_words(const HartenbergDenavitFit& fit, HartenbergDenavitForm for
 std::string orientation_words(const OrientationReport& report) {
   const StoredOrientation& orientation = report.task.orientation;
   std::string text = turn_words(report) + property_words(report);
-  text += "Matrix, columns the axes of the turned frame:\n" + matrix_text(orientation.rotation.matrix().row, 3);
+  text += "Matrix, columns the axes of the rotated frame:\n" + matrix_text(orientation.rotation.matrix().row, 3);
   text += row("Quaternion (w, x, y, z)", quaternion_text(orientation.quaternion));
   text += row("Rotation vector, radians", small_text(report.rotation_vector.vector()));
   text +=
@@ -306,7 +308,8 @@ std::string displacement_words(const DisplacementReport& report) {
   const std::string& unit = report.task.length_unit;
   std::string text = screw_words(report.screw, unit);
   if (report.task.given && std::abs(report.task.given->angle) > pi) {
-    text = wrapped(fmt::format("Given as a turn by {}; as a displacement:", angle(report.task.given->angle))) + text;
+    text =
+        wrapped(fmt::format("Given as a rotation by {}; as a displacement:", angle(report.task.given->angle))) + text;
   }
   text += row("Translation of O", vector(report.task.displacement.translation));
   text += "Matrix:\n" + displacement_matrix(report.task.displacement);

@@ -59,14 +59,14 @@ std::string function_error_words(const FourBarAnswer& answer) {
     if (with_free) cells.insert(cells.begin() + 1, free_text(answer, found));
     table.add_row(std::move(cells));
   }
-  return "Largest errors of the output, generated less wanted, over the range:\n" + table.text();
+  return "Largest errors of the output, generated minus desired, over the range:\n" + table.text();
 }
 
 std::string precision_words(const FourBarAnswer& answer) {
   double worst = 0;
   for (const FourBarSolution& found : answer.linkages)
     if (found.function) worst = std::max(worst, found.function->precision_error);
-  return fmt::format("the output stands right at every pair reached to {}", small_angle(worst));
+  return fmt::format("the output is exact at every pair reached to {}", small_angle(worst));
 }
 
 }  // namespace linkwright::cli

@@ -27,10 +27,11 @@ std::string type_words(const LinkageAnalysis& analysis) {
   std::string text = fmt::format("Type: {}", label(analysis.type));
   if (analysis.change_point != ChangePointKind::none) {
     text += fmt::format(" ({})", label(analysis.change_point));
-    return wrapped(text + ". The links can lie in one line, where the linkage may change its mode of motion.");
+    return wrapped(text + ". The links can lie in one line, where the linkage may change its assembly mode.");
   }
-  return wrapped(text + (is_grashof(analysis.type) ? " (Grashof: the shortest link turns fully against the others)."
-                                                   : " (not Grashof: no link turns fully against the others)."));
+  return wrapped(text + (is_grashof(analysis.type)
+                             ? " (Grashof: the shortest link turns fully with respect to the others)."
+                             : " (not Grashof: no link turns fully with respect to the others)."));
 }
 
 std::string range_words(const LinkageAnalysis& analysis) {
@@ -39,10 +40,10 @@ std::string range_words(const LinkageAnalysis& analysis) {
                ? "The input turns fully; it has no dead points.\n"
                : "The input turns fully, through dead points where all links lie in one line.\n";
   }
-  std::string text = "The input swings";
+  std::string text = "The input rocks";
   for (std::size_t i = 0; i < analysis.input_ranges.size(); ++i) {
     const AngleRange& range = analysis.input_ranges[i];
-    text += fmt::format("{} from {} to {} ({})", i == 0 ? "" : ", or when put together the other way,",
+    text += fmt::format("{} from {} to {} ({})", i == 0 ? "" : ", or in the other assembly mode,",
                         angle_text(range.from), angle_text(range.to), angle_text(range.to - range.from));
   }
   return wrapped(text + ", measured from the ground link.");
@@ -60,9 +61,10 @@ std::string dead_point_words(const LinkageAnalysis& analysis) {
 }
 
 std::string transmission_words(const LinkageAnalysis& analysis) {
-  std::string text = fmt::format("Transmission angle as it lies: {}", angle_text(analysis.transmission_angle));
+  std::string text =
+      fmt::format("Transmission angle in the position given: {}", angle_text(analysis.transmission_angle));
   if (input_is_crank(analysis.type)) {
-    text += fmt::format("; least over a full turn: {}", angle_text(analysis.min_transmission_angle_full_turn));
+    text += fmt::format("; minimum over a full turn: {}", angle_text(analysis.min_transmission_angle_full_turn));
   } else if (!analysis.motion.empty()) {
     const auto best =
         std::max_element(analysis.motion.begin(), analysis.motion.end(),

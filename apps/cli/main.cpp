@@ -17,34 +17,35 @@ namespace {
 /// Of a command and those below it: an empty text is neither a number nor the name of a file.
 void refuse_empty_texts(CLI::App& command) {
   const CLI::Validator not_empty(
-      [](const std::string& text) { return text.empty() ? "something belongs here, not an empty text" : ""; }, "");
+      [](const std::string& text) { return text.empty() ? "a value is needed here, not an empty text" : ""; }, "");
   for (CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->get_items_expected_max() > 0; }))
     option->check(not_empty);
   for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_texts(*below);
 }
 
 void add_solve(CLI::App& app, SolveArguments& arguments) {
-  CLI::App* command = app.add_subcommand("solve", "Find every linkage that does a task, and the best of them");
+  CLI::App* command = app.add_subcommand("solve", "Find all linkages that do a task, and the best of them");
   command->add_option("PROBLEM", arguments.problem, "Problem file (JSON; - reads standard input)")->required();
   command->add_option("-o,--output", arguments.result, "Write the result as JSON to this file (- for standard output)");
   command->add_option("--svg", arguments.picture, "Draw the solution to this SVG file");
-  command->add_flag("--region", arguments.with_region, "Write the region's arrays into the result, too");
+  command->add_flag("--region", arguments.with_region, "Write the arrays of the solution region into the result, too");
   command->add_option("--samples", arguments.samples,
-                      "Samples per side of the region (wins over options.region_samples)");
+                      "Samples per axis of the solution region (overrides options.region_samples)");
 }
 
 void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {
-  CLI::App* command = app.add_subcommand("analyze", "Type, ranges, dead points and transmission angles of one linkage");
+  CLI::App* command =
+      app.add_subcommand("analyze", "Type, input ranges, dead points and transmission angles of one linkage");
   command->add_option("LINKAGE", arguments.linkage, "Linkage file (JSON: pivots, lengths, or an exported linkage)")
       ->required();
-  command->add_option("--drive", arguments.drive, "Which side link drives: input (default) or output")
+  command->add_option("--drive", arguments.drive, "Which grounded link drives: input (default) or output")
       ->check(CLI::IsMember({"input", "output"}));
   command->add_option("-o,--output", arguments.report,
                       "Write the analysis to FILE.json or the motion to FILE.csv (- for JSON on standard output)");
 }
 
 void add_export(CLI::App& app, ExportArguments& arguments) {
-  CLI::App* command = app.add_subcommand("export", "Take one linkage of a result away as a drawing or a table");
+  CLI::App* command = app.add_subcommand("export", "Export one linkage of a result as a drawing or a table");
   command->add_option("RESULT", arguments.result, "Result file written by solve -o")->required();
   command->add_option("--linkage", arguments.linkage, "Which linkage of the result, from 1 (default 1, the best)");
   command->add_option("--format", arguments.format, "svg, dxf, csv (its motion) or json")
@@ -93,7 +94,7 @@ void add_studio(CLI::App& app, StudioArguments& arguments) {
   CLI::App* command = app.add_subcommand("studio", "Serve the workbench to a browser on this machine");
   command->add_option("--port", arguments.port, "Port on 127.0.0.1 (0: any free one; default 4180, or any free one)")
       ->check(CLI::Range(0, 65535));
-  command->add_option("--folder", arguments.folder, "Serve this built workbench instead of the one that came along");
+  command->add_option("--folder", arguments.folder, "Serve this built workbench instead of the installed one");
 }
 
 /// Where a word stands in the place of a command: which one may be meant.
@@ -123,8 +124,9 @@ std::string usage_mistake(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Linkwright finds linkages: every four-bar that guides a body through given poses, on one map.",
-               "linkwright");
+  CLI::App app(
+      "Linkwright finds linkages: all four-bars that guide a body through given poses, in one solution region.",
+      "linkwright");
   app.set_version_flag("--version", "linkwright " LINKWRIGHT_VERSION);
   app.require_subcommand(0, 1);
   SolveArguments solve_arguments;

@@ -72,10 +72,10 @@ std::string length_words(double length, std::string_view unit) {
 }
 
 std::string way_out_words(const FreedPosition& way, const Requirements& requirements, std::string_view unit) {
-  const std::string start = fmt::format("  Free position {}: ", way.pose + 1);
+  const std::string start = fmt::format("  Relax position {}: ", way.pose + 1);
   if (!way.linkage) return wrapped(start + (way.reason ? way.reason->message : "nothing was found."), 4);
   const FourBarSolution& found = *way.linkage;
-  return wrapped(fmt::format("{}the nearest four-bar{} misses it by {} and {}° ({}, γ {}).", start,
+  return wrapped(fmt::format("{}the nearest four-bar{} is off by {} and {}° ({}, γ {}).", start,
                              requirements.no_defects ? " free of defects" : "", length_words(way.miss.distance, unit),
                              significant_text(degrees(way.miss.angle), 3), short_label(found.report.type),
                              task_gamma(found.report)),
@@ -97,7 +97,7 @@ std::string side_link_words(const FourBarAnswer& answer) {
                    length_or_slider(dyad, given.frame(), decimals), fmt::format("{}", point.multiplicity),
                    significant_text(point.condition, condition_digits)});
   }
-  return "\nSide links through all five positions, moving pivots as they lie in position 1:\n" + table.text();
+  return "\nDyads of all five positions, moving pivots in position 1:\n" + table.text();
 }
 
 std::string pair_words(const FourBarAnswer& answer, std::string_view heading) {
@@ -114,12 +114,13 @@ std::string miss_words(const Problem& problem, const FourBarAnswer& answer) {
     table.add_row({fmt::format("{}", i + 1), miss ? length_words(miss->distance, problem.length_unit) : "–",
                    miss ? significant_text(degrees(miss->angle), 3) + "°" : "–"});
   }
-  return "How near they come to the freed position:\n" + table.text();
+  return "Position and orientation error at the relaxed position:\n" + table.text();
 }
 
 std::string ways_out_words(const Problem& problem, const MotionAnswer& answer) {
   if (answer.freed.empty()) return "";
-  std::string text = "\nWays out, nearest first: four-bars through four of the positions that meet the requirements.\n";
+  std::string text =
+      "\nAlternatives, nearest first: four-bars through four of the positions that meet the requirements.\n";
   for (const FreedPosition& way : answer.freed) text += way_out_words(way, answer.requirements, problem.length_unit);
   return text +
          wrapped(fmt::format("With \"freed_pose\": {} in the task all such four-bars are shown, and what each misses.",

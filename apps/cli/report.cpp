@@ -54,25 +54,25 @@ std::string curve_words(const FourBarAnswer& answer, const CurveNames& names) {
 
 /// Where the four-bars lie that are counted.
 std::string map_words(const MotionAnswer& answer) {
-  const std::string_view map = answer.family()->axis(Side::output).is_discrete() ? "The board of {} × {} side links"
-                                                                                 : "The region of {} × {} pairs of "
-                                                                                   "side links";
+  const std::string_view map = answer.family()->axis(Side::output).is_discrete()
+                                   ? "The solution region of {} × {} dyads"
+                                   : "The solution region of {} × {} pairs of dyads";
   return fmt::format(fmt::runtime(map), answer.region.rows(), answer.region.columns());
 }
 
 std::string map_words(const FunctionAnswer& answer) {
-  if (answer.family()->axis(Side::input).is_discrete()) return "The map of all linkages";
+  if (answer.family()->axis(Side::input).is_discrete()) return "The solution region of all linkages";
   const std::size_t rows = answer.region.rows(), columns = answer.region.columns();
   return answer.family()->axis(Side::output).is_discrete()
-             ? fmt::format("The curve of couplers at {} places", rows)
-             : fmt::format("The map of {} places of the coupler × {} values of the free number", rows, columns);
+             ? fmt::format("The curve of couplers, sampled at {} points,", rows)
+             : fmt::format("The solution region of {} couplers × {} values of the free parameter", rows, columns);
 }
 
-/// Pairs of one curve always make something; elsewhere a place may have no side links at all.
+/// Pairs of one curve always make something; elsewhere a cell may have no dyads at all.
 std::string degenerate_words(const FourBarFamily& family, std::int64_t count) {
   if (count == 0) return "";
   if (family.is_symmetric()) return fmt::format(" and {} sliders or zero links", grouped_text(count));
-  return fmt::format(", and none at {} {}", grouped_text(count), count == 1 ? "place" : "places");
+  return fmt::format(", and none in {} {}", grouped_text(count), count == 1 ? "cell" : "cells");
 }
 
 std::string counts_words(const Problem& problem, const FourBarAnswer& answer, const std::string& map) {
@@ -101,7 +101,7 @@ std::string best_heading(const FourBarAnswer& answer) {
     case Objective::min_transmission_angle:
       break;
   }
-  return "Best linkages, largest least transmission angle over the task (γ) first:\n";
+  return "Best linkages, largest minimum transmission angle over the task (γ) first:\n";
 }
 
 std::string dimension_table(const std::vector<FourBarSolution>& linkages, int decimals) {
@@ -116,7 +116,7 @@ std::string dimension_table(const std::vector<FourBarSolution>& linkages, int de
   return table.text();
 }
 
-/// Where linkages are told.
+/// The position in which linkages are given.
 std::string first_pose(const FourBarAnswer& answer) {
   if (answer.linkages.front().function) return "at the first pair";
   return fmt::format("in position {}", answer.given.told_position());
@@ -151,7 +151,7 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
 std::string why_the_best(const Problem& problem, const FourBarAnswer& answer, int decimals) {
   const auto& linkages = answer.linkages;
   const Objective objective = answer.options.objective;
-  constexpr std::array<std::string_view, 4> superlatives = {"largest least transmission angle", "smallest link ratio",
+  constexpr std::array<std::string_view, 4> superlatives = {"largest minimum transmission angle", "smallest link ratio",
                                                             "smallest longest link", "smallest structural error"};
   const std::string_view what = superlatives[static_cast<std::size_t>(objective)];
   std::string text = fmt::format("Linkage 1 has the {}, {}", what, score_words(objective, linkages[0], decimals));
@@ -174,14 +174,14 @@ std::string check_words(const FourBarAnswer& answer) {
   const std::string of_derivatives = worst_of_derivatives ? fmt::format(", and their derivatives vanish to {}",
                                                                         significant_text(*worst_of_derivatives, 2))
                                                           : "";
-  const std::string kept = are_functions
-                               ? fmt::format("Driven through the range, {}", precision_words(answer))
-                               : fmt::format("Side links keep their lengths over the positions to {} of themselves{}",
-                                             significant_text(worst, 2), of_derivatives);
+  const std::string kept =
+      are_functions ? fmt::format("In simulation over the range, {}", precision_words(answer))
+                    : fmt::format("The grounded links keep their lengths over the positions to a relative {}{}",
+                                  significant_text(worst, 2), of_derivatives);
   return wrapped(
       fmt::format("{}; {}.", kept,
-                  all_driven ? "driving every linkage listed through the task confirmed the table"
-                             : "driving did not confirm every linkage listed, which is our mistake: please report it"));
+                  all_driven ? "simulation of the motion verified every linkage listed"
+                             : "simulation of the motion disagrees with the table, which is a bug: please report it"));
 }
 
 std::string linkages_words(const Problem& problem, const FourBarAnswer& answer) {
@@ -204,7 +204,7 @@ std::string nothing_words(const Problem& problem, const FourBarAnswer& answer) {
   return text;
 }
 
-/// Told with the free numbers.
+/// Reported with the free parameters.
 bool is_chosen_length(const Notice& notice) { return notice.code == "chosen_length"; }
 
 std::string warnings_words(const Findings& answer) {
@@ -222,8 +222,9 @@ std::string chosen_words(const FourBarAnswer& answer) {
   const auto* side = std::get_if<std::string>(&found->values[0].value);
   const auto* length = std::get_if<double>(&found->values[1].value);
   if (side == nullptr || length == nullptr) return "";
-  return fmt::format("; the {}'s length {} was chosen, the best of {} tried (give a length to see another)", *side,
-                     significant_text(*length, 4), ChosenLength::rungs);
+  return fmt::format(
+      "; the length {1} of the {0} link was chosen, the best of {2} tried (give a length to get another)", *side,
+      significant_text(*length, 4), ChosenLength::rungs);
 }
 
 /// What the task leaves open: of three positions and of functions, where it depends on what is given.
@@ -231,19 +232,21 @@ std::string free_words(const MotionAnswer& answer) {
   if (!answer.family() || !answer.task.given) return "";
   const std::string chosen = chosen_words(answer);
   const std::string_view shown = std::holds_alternative<SideLengths>(*answer.task.given)
-                                     ? "the directions of the side links in position 1"
+                                     ? "the directions of the grounded links in position 1"
                                  : std::holds_alternative<SideAngle>(*answer.task.given)
-                                     ? "the direction of the input side link and the length of the output"
-                                     : "the places of the side links on their curve";
-  return wrapped(chosen.empty() ? fmt::format("2 numbers are free, and the map shows both: {}.", shown)
-                                : fmt::format("3 numbers are free, and the map shows 2 of them: {}{}.", shown, chosen));
+                                     ? "the direction of the input link and the length of the output link"
+                                     : "the positions of the dyads on their curve";
+  return wrapped(chosen.empty() ? fmt::format("2 parameters are free, the axes of the solution region: {}.", shown)
+                                : fmt::format("3 parameters are free, 2 of them the axes of the solution region: {}{}.",
+                                              shown, chosen));
 }
 
 std::string free_words(const FunctionAnswer& answer) {
   if (!answer.family() || position_count(answer.task.pairs) == 5) return "";
-  return wrapped(answer.task.free ? "2 numbers are free, and the map shows both: the coupler's place on its curve and "
-                                    "the number left free."
-                                  : "1 number is free: the coupler's place on its curve.");
+  return wrapped(answer.task.free
+                     ? "2 parameters are free, the axes of the solution region: the coupler's position on its "
+                       "curve and the parameter left free in the task."
+                     : "1 parameter is free: the coupler's position on its curve.");
 }
 
 /// The map is spoken of only where there is one.
@@ -255,14 +258,14 @@ std::string counts_of(const Problem& problem, const KindAnswer& answer) {
 std::string report_of_kind(const Problem& problem, const MotionAnswer& answer) {
   return heading(problem, point_count(answer)) + curve_words(answer, {}) + free_words(answer) +
          counts_of(problem, answer) + warnings_words(answer) + side_link_words(answer) +
-         pair_words(answer, "Their pairs as four-bars, the first of each drives, best first:\n") +
+         pair_words(answer, "Their pairs as four-bars, the first dyad the input link, best first:\n") +
          linkages_words(problem, answer) + nothing_words(problem, answer) + ways_out_words(problem, answer);
 }
 
 std::string report_of_kind(const Problem& problem, const FunctionAnswer& answer) {
   return heading(problem, point_count(answer)) + curve_words(answer, coupler_curves) + free_words(answer) +
          counts_of(problem, answer) + warnings_words(answer) + side_link_words(answer) +
-         pair_words(answer, "All linkages through the five precision points, best first:\n") +
+         pair_words(answer, "All linkages that satisfy the five precision points, best first:\n") +
          linkages_words(problem, answer) + nothing_words(problem, answer);
 }
 

@@ -51,8 +51,7 @@ std::vector<std::string> limits_of_size(const Requirements& requirements, double
   if (least_gamma > 0 && gamma <= (1 + touching) * least_gamma) {
     touched.push_back("transmission angle at least " + angle_words(least_gamma));
   }
-  if (least_gamma == 0 && gamma < radians(1))
-    touched.push_back("the edge of locking, its transmission angle all but 0");
+  if (least_gamma == 0 && gamma < radians(1)) touched.push_back("a dead point, its transmission angle all but 0");
   if (ratio >= (1 - touching) * requirements.max_link_ratio) {
     touched.push_back("link ratio at most " + significant_text(requirements.max_link_ratio, limit_digits));
   }
@@ -125,8 +124,8 @@ std::vector<std::string> limits_touched(const Requirements& requirements, const 
 }
 
 std::string held_back_words(const std::vector<std::string>& limits) {
-  if (limits.empty()) return "touches no limit: none of them holds it back.";
-  return fmt::format("lies at a limit that holds it back: {}.", fmt::join(limits, "; "));
+  if (limits.empty()) return "is at no limit of the requirements.";
+  return fmt::format("is at a limit of the requirements: {}.", fmt::join(limits, "; "));
 }
 
 std::string relaxation_words(const Relaxation& relaxation, std::string_view unit) {

@@ -32,23 +32,22 @@ std::string search_words(const Problem& problem, const SixBarAnswer& answer, con
                                  counted(search.chains_tried, "chain", "chains"), grouped_text(search.chains_drawn),
                                  answer.options.seed);
   if (answer.options.box) text += ", pivots in " + box_words(*answer.options.box);
-  text += fmt::format("): {} with all pivots in the box, {} driven, {} of these free of defects. Wanted: {}.",
+  text += fmt::format("): {} with all pivots in the box, {} simulated, {} of these free of defects. Requirements: {}.",
                       counted(search.six_bars, "six-bar", "six-bars"), grouped_text(search.driven),
                       grouped_text(search.defect_free), requirement_words(answer.requirements, problem.length_unit));
   text = wrapped(text);
   if (search.interrupted)
-    text +=
-        wrapped(fmt::format("Stopped early, after {} of {} chains: {}", grouped_text(search.chains_tried),
-                            grouped_text(answer.options.effort),
-                            answer.linkages.empty() ? "nothing is found so far."
-                                                    : "this is the best so far, checked and driven, but not refined."));
+    text += wrapped(fmt::format(
+        "Stopped early, after {} of {} chains: {}", grouped_text(search.chains_tried),
+        grouped_text(answer.options.effort),
+        answer.linkages.empty() ? "nothing is found so far." : "this is the best so far, verified but not refined."));
   return text;
 }
 
 std::string six_bar_map_words(const Problem& problem, const SixBarAnswer& answer) {
   const RegionCounts& counts = answer.counts;
   const std::int64_t degenerate = counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
-  std::string text = fmt::format("The map of {} × {} pairs of added links holds {}", answer.region.rows(),
+  std::string text = fmt::format("The solution region of {} × {} pairs of added links holds {}", answer.region.rows(),
                                  answer.region.columns(), counted(counts.pairs - degenerate, "six-bar", "six-bars"));
   if (degenerate > 0) text += fmt::format(" and {} pairs that make none", grouped_text(degenerate));
   text += fmt::format(". {} free of defects; {}: {}.", counted(counts.defect_free, "is", "are"),
@@ -58,9 +57,9 @@ std::string six_bar_map_words(const Problem& problem, const SixBarAnswer& answer
 }
 
 std::string best_heading(Objective objective) {
-  constexpr std::array<std::string_view, 4> orders = {"largest least transmission angle over the task (γ) first",
+  constexpr std::array<std::string_view, 4> orders = {"largest minimum transmission angle over the task (γ) first",
                                                       "smallest link ratio first", "smallest longest link first",
-                                                      "largest least transmission angle over the task (γ) first"};
+                                                      "largest minimum transmission angle over the task (γ) first"};
   return fmt::format("Best six-bars, {}:\n", orders[static_cast<std::size_t>(objective)]);
 }
 
@@ -104,7 +103,7 @@ std::string hinge_table(const Solutions& found, std::initializer_list<SixBar::Jo
 }
 
 constexpr std::string_view body_words =
-    "Bodies: 0 the ground, 1 the driver, 2 the link between, 3 the guided body; 4 and 5 the added links.";
+    "Bodies: 0 the ground, 1 the driver, 2 the floating link, 3 the guided body; 4 and 5 the added links.";
 
 std::string chain_words(const SixBarAnswer& answer, int decimals) {
   const Solutions& found = answer.linkages;
@@ -139,11 +138,11 @@ std::string check_words(const Solutions& all) {
     confirmed = confirmed && found.verified_by_driving;
   }
   return wrapped(fmt::format(
-      "All distances between the hinges of a link stay the same over the positions to {} of themselves, and the body "
-      "misses no pose by more than {} of the longest link; {}.",
+      "The distances between the hinges of a link stay the same over the positions to a relative {}, and the position "
+      "error of the body is at most {} of the longest link; {}.",
       significant_text(length, 2), significant_text(pose, 2),
-      confirmed ? "driving every six-bar listed through the task, another way, confirmed the table"
-                : "driving did not confirm every six-bar listed, which is our mistake: please report it"));
+      confirmed ? "an independent simulation of the motion verified every six-bar listed"
+                : "simulation of the motion disagrees with the table, which is a bug: please report it"));
 }
 
 std::string no_six_bar_words(const Problem& problem, const SixBarAnswer& answer) {
@@ -167,7 +166,7 @@ std::string range_words(const SixBarMotion& motion) {
   if (motion.full_turn) return "The driver turns fully; it has no dead points.\n";
   if (motion.states.empty()) return "";
   return wrapped(
-      fmt::format("The driver swings from {} to {} ({} in all) about position 1, counter-clockwise "
+      fmt::format("The driver rocks from {} to {} ({} in all) about position 1, counter-clockwise "
                   "positive, between two dead points.",
                   angle_text(motion.states.front().place.turn, 2), angle_text(motion.states.back().place.turn, 2),
                   angle_text(motion.states.back().place.turn - motion.states.front().place.turn, 2)));
@@ -179,8 +178,8 @@ std::string travel_words(const SixBarAnalysis& analysis) {
     return wrapped("Driven by body 1 it does not pass all poses of the file in their order.");
   const double turn = analysis.travel.states.back().place.turn;
   return wrapped(
-      fmt::format("Through all {} poses of the file the driver turns {} {}; the least transmission angle on "
-                  "the way is {}.",
+      fmt::format("Through all {} poses of the file the driver turns {} {}; the minimum transmission angle "
+                  "on the way is {}.",
                   analysis.linkage.poses.size(), angle_text(std::abs(turn), 2),
                   turn < 0 ? "clockwise" : "counter-clockwise", angle_of(analysis.travel.least_sine())));
 }
@@ -189,10 +188,10 @@ std::string transmission_words(const SixBarAnalysis& analysis) {
   const std::string_view what =
       analysis.motion.dyadic
           ? "Transmission angle (the smaller of its two dyads)"
-          : "Transmission measure (its bodies move all together: asin √(|det| / Π|columns|) of the loops)";
-  std::string text = fmt::format("{} as it lies: {}", what, angle_text(analysis.transmission_angle, 2));
+          : "Transmission index (the loops do not separate into dyads: asin √(|det| / Π|columns|) of their Jacobian)";
+  std::string text = fmt::format("{} in the position given: {}", what, angle_text(analysis.transmission_angle, 2));
   text += analysis.motion.full_turn
-              ? fmt::format("; least over the full turn: {}.", angle_of(analysis.motion.least_sine()))
+              ? fmt::format("; minimum over the full turn: {}.", angle_of(analysis.motion.least_sine()))
               : "; it is 0 at the dead points.";
   return wrapped(text);
 }
@@ -218,7 +217,7 @@ std::string six_bar_words(const SixBarAnalysis& analysis) {
   return wrapped(fmt::format("{}: {}, driven by body 1 at hinge a", title, row_label(linkage.row))) +
          (unit.empty() ? std::string("Lengths:\n") : fmt::format("Lengths in {}:\n", unit)) +
          length_table(analysis, decimals) +
-         wrapped(fmt::format("Longest over shortest: {}. The four-bar loop by itself: {}.",
+         wrapped(fmt::format("Longest over shortest: {}. Its four-bar loop: {}.",
                              rounded_text(analysis.shape.link_ratio, 3), label(analysis.shape.type))) +
          range_words(analysis.motion) + travel_words(analysis) + transmission_words(analysis) + wrapped(body_words);
 }

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "report.hpp"
 #include "commands.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
+#include "report.hpp"
 
 namespace linkwright::cli {
 namespace {
