@@ -162,9 +162,10 @@ Notice order_notice(const std::vector<int>& order) {
 std::optional<Notice> defect_notice(Defects defects, const PoseVisits& visits) {
   if (defects.none()) return std::nullopt;
   if (const int pose = visits.first_on_another_circuit(); defects.circuit() && pose > 0)
-    return gap_notice("circuit_defect", "Circuit defect: positions {} and {} need taking it apart.", pose);
+    return gap_notice("circuit_defect",
+                      "Circuit defect: positions {} and {} lie on different circuits; reassembly needed.", pose);
   if (const int pose = visits.first_on_another_branch(); defects.branch() && pose > 0)
-    return gap_notice("branch_defect", "Branch defect: it locks (dead point) between positions {} and {}.", pose);
+    return gap_notice("branch_defect", "Branch defect: it passes a dead point between positions {} and {}.", pose);
   if (defects.order() && std::is_sorted(visits.order.begin(), visits.order.end()))
     return Notice{"direction_defect", "Order defect: it passes a position against its direction of travel.", {}};
   if (defects.order()) return order_notice(visits.order);

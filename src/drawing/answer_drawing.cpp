@@ -20,8 +20,10 @@ using namespace solution_sheet;
 constexpr PixelBox region_card{836, 84, 580, 664};
 
 std::string_view region_heading(const LinkageFamily* family) {
-  if (is_board(family)) return is_ribbon(family) ? "Every cell is one four-bar" : "Every cell is a pair of side links";
-  return is_ribbon(family) ? "Solution ribbon: every place is one four-bar"
+  if (is_board(family))
+    return is_ribbon(family) ? "Solution region: every cell is one four-bar"
+                             : "Solution region: every cell is a pair of dyads";
+  return is_ribbon(family) ? "Solution region: every value is one four-bar"
                            : "Solution region: every point is one four-bar";
 }
 
@@ -50,11 +52,12 @@ void draw_map_and_plot(SvgCanvas& svg, const DrawnRegion& region, const TaskScen
 
 /// Why there is no map to see.
 std::string_view no_region_words(const MotionAnswer& answer) {
-  return position_count(answer.task.poses) == 4 ? "There is no region: the dyads of this task do not form a curve."
-                                                : "There is no region: no two side links do this task.";
+  return position_count(answer.task.poses) == 4
+             ? "There is no solution region: the dyads of this task do not form a curve."
+             : "There is no solution region: no two dyads do this task.";
 }
 std::string_view no_region_words(const FunctionAnswer& /*answer*/) {
-  return "There is no region: no two side links do this task.";
+  return "There is no solution region: no two dyads do this task.";
 }
 
 template <class KindAnswer>

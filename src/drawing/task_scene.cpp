@@ -229,7 +229,7 @@ TaskScene task_scene(const MotionAnswer& answer) {
   } else if (const FreedPosition* way_out = way_to_show(answer); way_out != nullptr && way_out->linkage) {
     scene.linkage = &*way_out->linkage;
     scene.served = freed_task(task, way_out->pose).task.poses;
-    scene.heading = fmt::format("A way out: without position {}", way_out->pose + 1);
+    scene.heading = fmt::format("Alternative: without position {}", way_out->pose + 1);
   }
   if (!scene.served.empty()) scene.traced = scene.served.front().pose.origin;
   return scene;

@@ -118,7 +118,7 @@ void explain_dependence(const PoseConditions& conditions, BurmesterPoints& resul
     const std::string kind(name(curve->kind()));
     result.degeneracy = {"dependent_rows",
                          fmt::format("The conditions of the five positions depend on each other: {} are independent, "
-                                     "and a whole curve of side links ({}) passes through all five. Solve them as a "
+                                     "and a whole curve of dyads ({}) satisfies all five. Solve them as a "
                                      "task of four positions, or move one.",
                                      conditions.rank, kind),
                          {{"rank", static_cast<double>(conditions.rank)}, {"curve", kind}}};
@@ -128,15 +128,15 @@ void explain_dependence(const PoseConditions& conditions, BurmesterPoints& resul
 
 Notice common_component() {
   return {"common_component",
-          "The five positions lie on one motion that more than separate side links can guide: a whole curve of them "
-          "passes through all five. Leave one position out and solve the other four, or move one.",
+          "The five positions are satisfied by more than isolated dyads: a whole curve of dyads passes through all "
+          "five. Drop one position and solve the other four, or move one.",
           {}};
 }
 
 Notice double_side_link(std::size_t index, int multiplicity) {
   return {"double_point",
-          fmt::format("Side link {} counts {} times: solutions have run together there, and a small change of a pose "
-                      "moves it far, parts it, or makes it vanish.",
+          fmt::format("Dyad {} is a solution of multiplicity {}: a small change of a pose moves it far, splits "
+                      "it, or makes it vanish.",
                       index + 1, multiplicity),
           {{"point", static_cast<double>(index + 1)}, {"multiplicity", static_cast<double>(multiplicity)}}};
 }

@@ -48,18 +48,19 @@ std::optional<Notice> shared_center(const PoseConditions& conditions) {
   const double size = conditions.frame.scale;
   if (centers && agree(*centers)) {
     const Point pole = tidy(conditions.frame.to_user((*centers)[0]), size);
-    return with_point("common_pole", pole,
-                      fmt::format("All poses are turns about one common pole, {}: every point of the body runs on a "
-                                  "circle about it. One hinge there does the task; no four-bar is needed.",
-                                  written(pole)));
+    return with_point(
+        "common_pole", pole,
+        fmt::format("All poses are rotations about one common pole, {}: every point of the body moves on a "
+                    "circle about it. A single hinge there suffices; no four-bar is needed.",
+                    written(pole)));
   }
   const auto offset_of = [&](std::size_t i) { return (*centers)[i] - probes[i]; };
   if (centers && conditions.only_translations && agree({offset_of(0), offset_of(1), offset_of(2)})) {
     const Point offset = tidy(size * offset_of(0), size);
     return with_point("translations_on_circle", offset,
                       fmt::format("All poses are parallel and their origins lie on one circle: every point of the body "
-                                  "is a circle point, its centre lies {} from it. Any two make a parallelogram linkage "
-                                  "that does the task.",
+                                  "is a circle point with its centre at {} from it. Any two dyads make a parallelogram "
+                                  "linkage that does the task.",
                                   written(offset)));
   }
   return std::nullopt;
@@ -68,15 +69,16 @@ std::optional<Notice> shared_center(const PoseConditions& conditions) {
 Notice every_point_reason(const PoseConditions& conditions) {
   if (auto shared = shared_center(conditions)) return *std::move(shared);
   return {"every_point",
-          "The conditions of the poses depend on each other: the dyads form more than a curve. Move one pose.",
+          "The conditions of the poses depend on each other: infinitely many dyads satisfy them, more than a curve. "
+          "Move one pose.",
           {}};
 }
 
 Notice only_translations_reason() {
   return {"only_translations",
-          "All poses are parallel and their origins lie on no common circle: the body only shifts, and every dyad "
-          "has both its points at infinity. No four-bar with pivots does this; two sliders at an angle, or a "
-          "linkage of more links, do.",
+          "All poses are parallel and their origins lie on no common circle: the motion is a pure translation, and "
+          "every dyad has both its points at infinity. No four-bar with pivots does this; two sliders at an angle, or "
+          "a linkage with more links, do.",
           {}};
 }
 

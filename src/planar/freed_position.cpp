@@ -86,8 +86,7 @@ Notice nothing_meets(const RegionMap& map, const Requirements& requirements) {
   const auto counted = [](std::int64_t count) {
     return std::vector<Notice::Value>{{"count", static_cast<double>(count)}};
   };
-  if (whole == 0)
-    return {"no_pair", "No pair of side links through the other poses makes a four-bar with four pivots.", {}};
+  if (whole == 0) return {"no_pair", "No pair of dyads of the other poses makes a four-bar with four pivots.", {}};
   if (counts.defect_free == 0 && requirements.no_defects)
     return {"none_defect_free",
             fmt::format("None of the four-bars through the other poses ({}) is free of defects.", grouped_text(whole)),

@@ -59,14 +59,14 @@ std::optional<Notice> function_degeneracy(const FunctionConditions& given) {
   if (!dependent && !given.conditions.only_translations) return std::nullopt;
   if (is_parallelogram(given))
     return Notice{"parallelogram",
-                  "The output turns by the same angles as the input: every parallelogram on these fixed pivots does "
-                  "it, two equal arms and a coupler as long as the ground link. There is nothing to choose between; "
-                  "mind its change points, where it may turn over.",
+                  "The output turns by the same angles as the input: every parallelogram linkage on these fixed pivots "
+                  "does it, two equal cranks and a coupler as long as the ground link. There is nothing to choose; "
+                  "beware of its change points, where it may change its assembly mode.",
                   {}};
   if (!dependent) return std::nullopt;
   return Notice{"every_point",
-                "The conditions of the pairs depend on each other: the linkages form a wider family than the pairs "
-                "should leave. Move one pair.",
+                "The conditions of the pairs depend on each other: infinitely many linkages satisfy them, more than a "
+                "curve. Move one pair.",
                 {}};
 }
 

@@ -11,11 +11,12 @@ namespace linkwright {
 namespace {
 
 Notice double_linkage(std::size_t number, int multiplicity) {
-  return {"double_point",
-          fmt::format("Linkage {} counts {} times: solutions have run together there, and a small change of an angle "
-                      "moves it far, parts it, or makes it vanish.",
-                      number, multiplicity),
-          {{"point", static_cast<double>(number)}, {"multiplicity", static_cast<double>(multiplicity)}}};
+  return {
+      "double_point",
+      fmt::format("Linkage {} is a solution of multiplicity {}: a small change of an angle moves it far, splits it, "
+                  "or makes it vanish.",
+                  number, multiplicity),
+      {{"point", static_cast<double>(number)}, {"multiplicity", static_cast<double>(multiplicity)}}};
 }
 
 void take_points(FunctionCouplers& couplers) {
@@ -66,12 +67,12 @@ FunctionCouplers function_couplers(const FunctionTask& task) {
   if (couplers.degeneracy) return couplers;
   const double condition = couplers.given.conditions.condition();
   if (couplers.given.conditions.are_independent() && condition > tolerance::ill_conditioned)
-    couplers.warnings.push_back(
-        {"ill_conditioned",
-         fmt::format("The pairs are so close that rounding shows (condition {:.1e}); replace pairs that lie close "
-                     "together by one pair with derivatives (rates).",
-                     condition),
-         {{"condition", condition}}});
+    couplers.warnings.push_back({"ill_conditioned",
+                                 fmt::format("The pairs are so close together that round-off dominates (condition "
+                                             "number {:.1e}); replace pairs that lie close "
+                                             "together by one pair with derivatives (rates).",
+                                             condition),
+                                 {{"condition", condition}}});
   if (position_count(task.pairs) == 4)
     couplers.curve = std::make_shared<const BurmesterCurve>(couplers.given.conditions);
   else

@@ -209,8 +209,9 @@ Notice words(const SixBarSearchResult& result, bool any) {
       "",
       {count("chains", result.chains_tried), count("six_bars", result.six_bars),
        count("defect_free", result.defect_free), count("found", static_cast<std::int64_t>(result.linkages.size()))}};
-  notice.message = fmt::format("{} chains that reach all poses were tried, {} six-bars with all pivots in the box; ",
-                               grouped_text(result.chains_tried), grouped_text(result.six_bars));
+  notice.message =
+      fmt::format("{} chains that reach all poses were tried, with {} six-bars with all pivots in the box; ",
+                  grouped_text(result.chains_tried), grouped_text(result.six_bars));
   if (result.chains_drawn == 0 && !result.interrupted) {
     notice.code = "no_chain";
     notice.message = "The box for the pivots and the boxes of the requirements have nothing in common.";

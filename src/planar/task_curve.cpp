@@ -28,10 +28,10 @@ Notice near_common_pole(const WorkingFrame& frame, const PoleView& view) {
   const Point pole = frame.to_user(view.frame.origin);
   const double miss = frame.scale * view.miss;
   return {"near_common_pole",
-          fmt::format("The positions nearly share a pole, ({:.6g}, {:.6g}): a hinge there does the task and misses no "
-                      "position by more than {:.2g}. The four-bars that do it exactly are as small as that, or have "
-                      "two pivots about as close to the pole. If you mean a four-bar, set the positions further off "
-                      "such a turn.",
+          fmt::format("The positions nearly share a pole, ({:.6g}, {:.6g}): a single hinge there suffices, with a "
+                      "position error of at most {:.2g}. The four-bars that do it exactly are as small as that, or "
+                      "have two pivots about as close to the pole. For a four-bar, choose positions that differ more "
+                      "from a rotation about one point.",
                       pole.real(), pole.imag(), miss),
           {{"x", pole.real()}, {"y", pole.imag()}, {"miss", miss}}};
 }
@@ -60,13 +60,12 @@ std::vector<std::string> parallel_groups(const std::vector<PrescribedPose>& pose
 std::vector<Notice> pose_warnings(const std::vector<PrescribedPose>& poses, const PoseConditions& conditions) {
   std::vector<Notice> warnings;
   if (conditions.are_independent() && conditions.condition() > tolerance::ill_conditioned)
-    warnings.push_back(
-        {"ill_conditioned",
-         fmt::format(
-             "The poses are so close that rounding shows (condition {:.1e}); replace poses that lie close together by "
-             "one pose with derivatives (direction of travel, curvature).",
-             conditions.condition()),
-         {{"condition", conditions.condition()}}});
+    warnings.push_back({"ill_conditioned",
+                        fmt::format("The poses are so close together that round-off dominates (condition number "
+                                    "{:.1e}); replace poses that lie close together by "
+                                    "one pose with derivatives (direction of travel, curvature).",
+                                    conditions.condition()),
+                        {{"condition", conditions.condition()}}});
   if (conditions.near_pole) warnings.push_back(near_common_pole(conditions.frame, *conditions.near_pole));
   for (const auto& group : parallel_groups(poses))
     warnings.push_back({"parallel_poses",

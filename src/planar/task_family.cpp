@@ -28,11 +28,11 @@ TaskFamily family_of_curve(const MotionTask& task) {
 Notice too_few_points(std::size_t count) {
   if (count == 0)
     return {"no_burmester_point",
-            "No real Burmester point: no side link, and so no four-bar, passes exactly through these five positions. "
-            "Free one of them.",
+            "No real Burmester point: no dyad, and so no four-bar, passes exactly through these five positions. "
+            "Relax one of them.",
             {}};
   return {"one_burmester_point",
-          "Only one side link passes exactly through these five positions, and a four-bar needs two. Free one of them.",
+          "Only one dyad passes exactly through these five positions, and a four-bar needs two. Relax one of them.",
           {}};
 }
 

@@ -56,33 +56,32 @@ std::optional<double> nearest_length(const ThreePoseDyads& dyads, double length)
 std::optional<Notice> no_side_link(const Start& start, double length, std::string_view side) {
   if (has_dyads(*start.dyads, length / start.frame.scale)) return std::nullopt;
   Notice notice{"no_side_link_of_length",
-                fmt::format("No {} side link of length {:.6g} can be carried through the poses, in whatever direction.",
-                            side, length),
+                fmt::format("No {} link of length {:.6g} satisfies the poses, in any direction.", side, length),
                 {{"side", std::string(side)}, {"length", length}}};
   if (const auto nearest = nearest_length(*start.dyads, length / start.frame.scale)) {
     const double value = *nearest * start.frame.scale;
-    notice.message += fmt::format(" The nearest length that can is {:.6g}.", value);
+    notice.message += fmt::format(" The nearest length that does is {:.6g}.", value);
     notice.values.push_back({"nearest", value});
   } else {
-    notice.message += " Nor can others; move a pose.";
+    notice.message += " No other length does; move a pose.";
   }
   return notice;
 }
 
 Notice chosen_notice(std::string_view side, double length) {
-  return {
-      "chosen_length",
-      fmt::format("The length of the {} side link was left open. Of {} lengths that were tried the map of {:.6g} has "
-                  "the best linkage; give a length to see another.",
-                  side, ChosenLength::rungs, length),
-      {{"side", std::string(side)}, {"length", length}}};
+  return {"chosen_length",
+          fmt::format("The length of the {} link was left open. Of {} lengths tried, {:.6g} gives the best linkage; "
+                      "give a length to get another solution region.",
+                      side, ChosenLength::rungs, length),
+          {{"side", std::string(side)}, {"length", length}}};
 }
 
 Notice fixed_direction_notice(const ThreePoseDyads& dyads) {
   return {
       "fixed_direction",
-      fmt::format("From the first pose to another the body only shifts: that fixes {} of a side link, and its fixed "
-                  "pivot may lie anywhere on a circle. The map runs round these circles.",
+      fmt::format("From the first pose to another the motion is a pure translation: that fixes {} of a grounded link, "
+                  "and its fixed pivot may lie anywhere on a circle. The axes of the solution region run round "
+                  "these circles.",
                   dyads.length_of(0) || dyads.length_of(pi / 2) || dyads.length_of(pi) || dyads.length_of(-pi / 2)
                       ? "the direction that goes with a length"
                       : "the direction"),
@@ -110,12 +109,13 @@ bool has_output(const ThreePoseDyads& dyads, const SideAngle& given, double inpu
 }
 
 Notice no_side_link_at_angle(double input_length) {
-  return {"no_side_link_at_angle",
-          fmt::format("From the first pose to another the body only shifts, which fixes the direction of an input side "
-                      "link of length {:.6g}, and none at the given angle from it can be carried through the poses. "
-                      "Change the angle or the length, or turn a pose.",
-                      input_length),
-          {{"length", input_length}}};
+  return {
+      "no_side_link_at_angle",
+      fmt::format("From the first pose to another the motion is a pure translation, which fixes the direction of an "
+                  "input link of length {:.6g}, and no output link at the given angle from it satisfies the "
+                  "poses. Change the angle or the length, or rotate a pose.",
+                  input_length),
+      {{"length", input_length}}};
 }
 
 }  // namespace

@@ -163,10 +163,10 @@ TEST(SvgDrawing, OfFivePositionsIsABoardWithBeads) {
   expect_whole(svg);
   EXPECT_THAT(svg, HasSubstr("4 Burmester points"));
   EXPECT_EQ(count_of(svg, "r=\"4.5\""), 7u + 2u) << "the fourth fixed pivot is metres away; two in the key";
-  EXPECT_THAT(svg, HasSubstr("Every cell is a pair of side links"));
+  EXPECT_THAT(svg, HasSubstr("every cell is a pair of dyads"));
   EXPECT_THAT(svg, HasSubstr("branch defect"));
   EXPECT_THAT(svg, HasSubstr("γ 46.6°"));
-  EXPECT_THAT(svg, HasSubstr("side links, by their numbers"));
+  EXPECT_THAT(svg, HasSubstr("dyads, by their numbers"));
 }
 
 TEST(SvgDrawing, OfFivePositionsWithoutAnswerShowsAWayOut) {

@@ -45,7 +45,7 @@ class Files(AttitudeTest):
         status, output, error = run("attitude", "convert", "-", "-o", self.folder / "out.json", "--svg", self.folder / "out.svg",
                                     input='{"linkwright": 1, "orientation": {"mrp": [0, 0, 0.1]}} // a comment')
         self.assertEqual((status, error), (0, ""))
-        self.assertIn("One turn by", output)
+        self.assertIn("Rotation by", output)
         self.assertEqual(load(self.folder / "out.json")["mrp"], [0, 0, 0.1])
         xml.etree.ElementTree.parse(self.folder / "out.svg")
 

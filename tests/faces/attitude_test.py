@@ -66,7 +66,7 @@ class Convert(AttitudeTest):
     def test_the_axis_of_no_turn_is_undefined(self):
         found = self.convert({"rotation_vector": [0, 0, 0]})
         self.assertEqual((found["axis_defined"], found["angle_deg"], found["rodrigues"]), (False, 0, [0, 0, 0]))
-        self.assertIn("No turn", run("attitude", "convert", "--rotation-vector", "0,0,0")[1])
+        self.assertIn("No rotation", run("attitude", "convert", "--rotation-vector", "0,0,0")[1])
 
     def test_a_half_turn_has_no_rodrigues_vector(self):
         found = self.convert({"quaternion": [0, -1, 0, 0]})
@@ -146,7 +146,7 @@ class Screw(AttitudeTest):
         self.assert_close(self.flags("screw", "--matrix", matrix)["screw"]["point"], [1, 0, 0])
         self.assertEqual(self.flags("screw", "--axis", "0,0,1", "--angle", 90, "--translation", "1,2,3")["translation"], [1, 2, 3])
         self.assertEqual(self.flags("screw", "--translation", "1,2,2")["screw"]["kind"], "pure_translation")
-        self.assertIn("A turn by 90.0000°", run("attitude", "screw", "--matrix", matrix)[1])
+        self.assertIn("Rotation by 90.0000°", run("attitude", "screw", "--matrix", matrix)[1])
 
 
 class Rates(AttitudeTest):

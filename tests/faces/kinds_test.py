@@ -98,11 +98,11 @@ class Kinds(FaceTest):
         self.assertEqual(len(result["pairs"]), 6)
         self.assertEqual(result["freed"], [])
         self.assertIn("five positions (P-P-P-P-P): 4 Burmester points", words)
-        self.assertIn("Side links through all five positions", words)
+        self.assertIn("Dyads of all five positions", words)
         for pair in result["pairs"]:
             self.assertEqual("reason" in pair, any(pair["defects"].values()))
             self.assertIn(pair.get("reason", ""), words)
-        self.assertIn("Every cell is a pair of side links", picture)
+        self.assertIn("every cell is a pair of dyads", picture)
         self.check_exports(result, 5)
 
     def test_five_positions_without_answer_have_ways_out(self):
@@ -112,15 +112,15 @@ class Kinds(FaceTest):
         ways = [way for way in result["freed"] if way["linkage"]]
         self.assertTrue(ways)
         for way in ways:
-            self.assertRegex(words, rf"Free position {way['pose']}: the nearest four-bar free of defects misses it by ")
-        self.assertIn("A way out: without position ", picture)
+            self.assertRegex(words, rf"Relax position {way['pose']}: the nearest four-bar free of defects is off by ")
+        self.assertIn("Alternative: without position ", picture)
 
         # The way named is open: the same four-bars, with what they miss.
         pose = ways[0]["pose"]
         self.assertIn(f'"freed_pose": {pose}', words)
         freed, words, _ = self.solve(motion(FIVE, freed_pose=pose), "--samples", 80)
         self.assertTrue(freed["linkages"])
-        self.assertIn("How near they come to the freed position", words)
+        self.assertIn("Position and orientation error at the relaxed position", words)
         least = ways[0]["miss"]["combined"]
         self.assertTrue(all(linkage["miss"]["combined"] > 0.999 * least for linkage in freed["linkages"]))
         self.check_exports(freed, 4)

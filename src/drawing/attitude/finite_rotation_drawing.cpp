@@ -101,8 +101,8 @@ std::string draw_finite_rotation(const OrientationReport& report) {
   const AxisAngle turn = drawn_turn(report);
   const Vector3 p = turn.axis(), a0 = shown_vector(report, turn), center = dot(p, a0) * p;
   const std::string title =
-      turn.axis_defined() ? fmt::format("One turn by θ = {} about p = {}", degrees_text(turn.angle()), vector_text(p))
-                          : "No turn: the two triads coincide";
+      turn.axis_defined() ? fmt::format("Rotation by θ = {} about p = {}", degrees_text(turn.angle()), vector_text(p))
+                          : "No rotation: the two triads coincide";
   std::vector<Vector3> points = helix(center, p, a0 - center, two_pi);
   points.insert(points.end(), {{}, 1.75 * p, -0.4 * p, center});
   for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
@@ -119,7 +119,7 @@ std::string draw_finite_rotation(const OrientationReport& report) {
   figure.dot({}, palette::ink);
   figure.finish();
   svg.text({20, rotation_height - 16},
-           "grey: frame 0, before; blue: frame 1, after the turn; a = A·a₀ runs on a cone about p",
+           "grey: frame 0, before; blue: frame 1, after the rotation; a = A·a₀ moves on a cone about p",
            {.size = 13, .color = palette::ink2});
   return svg.file();
 }

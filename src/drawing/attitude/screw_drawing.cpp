@@ -102,7 +102,7 @@ std::string title_of(const DisplacementReport& report, const Scene& scene) {
   const std::string unit = report.task.length_unit.empty() ? "" : " " + report.task.length_unit;
   const std::string slide = significant_text(scene.screw.translation, 5) + unit;
   if (scene.turns)
-    return fmt::format("Screw: a turn by θ = {} and a slide by s = {}", degrees_text(scene.screw.angle), slide);
+    return fmt::format("Screw: rotation by θ = {} and translation by s = {}", degrees_text(scene.screw.angle), slide);
   return report.screw.kind == ScrewKind::identity ? "Nothing moves" : fmt::format("Pure translation by {}", slide);
 }
 
@@ -125,7 +125,7 @@ std::string draw_displacement(const DisplacementReport& report) {
   figure.finish();
   svg.text({20, screw_height - 16},
            scene.turns && !scene.near_axis ? "grey: before; blue: after; the axis lies too far away to be shown"
-                                           : "grey: before; blue: after; black: the way of a point of the body",
+                                           : "grey: before; blue: after; black: the path of a point of the body",
            {.size = 13, .color = palette::ink2});
   return svg.file();
 }

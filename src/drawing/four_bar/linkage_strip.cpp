@@ -25,7 +25,8 @@ void draw_type(SvgCanvas& svg, Point corner, const FourBarSolution& found) {
   }
   const std::string angle = fmt::format("{}°", rounded_text(degrees(found.report.min_transmission_angle), 1));
   svg.text(corner + Point{0, 70}, angle, {.size = 28, .weight = 650});
-  svg.text(corner + Point{text_width(angle, 28) + 16, 58}, "least transmission", {.size = 12, .color = palette::ink2});
+  svg.text(corner + Point{text_width(angle, 28) + 16, 58}, "minimum transmission",
+           {.size = 12, .color = palette::ink2});
   svg.text(corner + Point{text_width(angle, 28) + 16, 73}, "angle over the task", {.size = 12, .color = palette::ink2});
 }
 
@@ -104,19 +105,19 @@ std::string place_text(const FourBarFamily& family, Side side, double tau) {
 std::string_view place_name(const FourBarFamily& family) {
   switch (family.axis(Side::output).quantity) {
     case AxisQuantity::burmester_point:
-      return "side links, by their numbers";
+      return "dyads, by their numbers";
     case AxisQuantity::side_direction:
       return "directions β₁ and β₂";
     case AxisQuantity::side_length:
       return "direction β₁ and length R₂";
     case AxisQuantity::output_scale:
-      return "place τ and factor on the output";
+      return "coupler τ and output scale";
     case AxisQuantity::pair_output:
-      return "place τ and free output angle";
+      return "coupler τ and free output angle";
     case AxisQuantity::nothing:
-      return family.axis(Side::input).is_discrete() ? "which of the linkages" : "place of the coupler, τ";
+      return family.axis(Side::input).is_discrete() ? "which of the linkages" : "coupler τ";
     default:
-      return "place on the curves, τ₁ and τ₂";
+      return "coordinates on the curves, τ₁ and τ₂";
   }
 }
 
@@ -132,14 +133,15 @@ void add_place(NumberRows& checks, const FourBarAnswer& answer) {
 void add_motion_checks(NumberRows& checks, const FourBarAnswer& answer) {
   const FourBarSolution& found = answer.linkages.front();
   checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
-  checks.row("driver turns through the task", drive_text(found.report));
+  checks.row("input rotation range", drive_text(found.report));
   if (found.miss)
-    checks.row("misses the freed position by",
+    checks.row("error at the relaxed position",
                fmt::format("{} and {}", significant_text(found.miss->distance, 3), small_angle(found.miss->angle)));
   else
     add_place(checks, answer);
-  checks.row("relative error at the positions", fmt::format("{}{}", significant_text(found.residual, 2),
-                                                            found.verified_by_driving ? ", checked by driving" : ""));
+  checks.row("relative error at the positions",
+             fmt::format("{}{}", significant_text(found.residual, 2),
+                         found.verified_by_driving ? ", verified by simulation" : ""));
 }
 
 void add_function_checks(NumberRows& checks, const FourBarAnswer& answer, const FunctionError& error) {
@@ -153,7 +155,7 @@ void add_function_checks(NumberRows& checks, const FourBarAnswer& answer, const 
   checks.row("driver turns through the task", drive_text(found.report));
   add_place(checks, answer);
   const std::string_view reach = !has_function || error.unreached.empty() ? "" : ", not the whole range";
-  checks.row("error at the pairs, by driving",
+  checks.row("error at the pairs, by simulation",
              (error.reaches_pairs ? significant_text(degrees(error.precision_error), 2) + "°" : "not reached") +
                  std::string(reach));
 }
@@ -161,13 +163,12 @@ void add_function_checks(NumberRows& checks, const FourBarAnswer& answer, const 
 void draw_ways_out(SvgCanvas& svg, const PixelBox& card, const std::vector<FreedPosition>& ways,
                    std::string_view unit) {
   const double left = card.left + card.width / 2, column = card.width / 2 - 18;
-  svg.text({left, card.top + 29}, "Ways out: what freeing one position comes to", {.size = 14, .weight = 650});
+  svg.text({left, card.top + 29}, "Alternatives: relaxing one position", {.size = 14, .weight = 650});
   constexpr double leading = 14.5, first = 45;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const FreedPosition& way = ways[i];
-    const std::string words = way.linkage
-                                  ? fmt::format("missed by {}{}{} and {}", significant_text(way.miss.distance, 3),
-                                                unit.empty() ? "" : " ", unit, small_angle(way.miss.angle))
+    const std::string words = way.linkage  ? fmt::format("error {}{}{} and {}", significant_text(way.miss.distance, 3),
+                                                        unit.empty() ? "" : " ", unit, small_angle(way.miss.angle))
                               : way.reason ? way.reason->message
                                            : "nothing was found";
     const Point at{left, card.top + first + leading * static_cast<double>(i)};

@@ -137,7 +137,7 @@ void draw_strip(SvgCanvas& svg, const SixBarAnswer& answer) {
     const std::string angle = fmt::format("{}°", rounded_text(degrees(best.rating.min_transmission_angle()), 1));
     const double beside = text_width(angle, 28) + 16;
     svg.text(corner + Point{0, 81}, angle, {.size = 28, .weight = 650});
-    svg.text(corner + Point{beside, 69}, "least transmission", {.size = 12, .color = palette::ink2});
+    svg.text(corner + Point{beside, 69}, "minimum transmission", {.size = 12, .color = palette::ink2});
     svg.text(corner + Point{beside, 84}, "angle over the task", {.size = 12, .color = palette::ink2});
   } else {
     svg.text(corner + Point{0, 81}, "has a defect", {.size = 18, .color = palette::bad, .weight = 650});

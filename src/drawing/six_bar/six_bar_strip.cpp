@@ -24,7 +24,7 @@ std::string angle_text(double angle) { return fmt::format("{}°", rounded_text(d
 
 /// "0-2": what a link joins, or what a body of the chain is.
 std::string body_name(const SixBar& six_bar, int body) {
-  constexpr std::array<std::string_view, 4> names = {"ground", "driver", "link between", "guided body"};
+  constexpr std::array<std::string_view, 4> names = {"ground", "driver", "floating link", "guided body"};
   if (body < 4) return fmt::format("{}  {}", body, names.at(static_cast<std::size_t>(body)));
   return fmt::format("{}  added link {}", body, text(six_bar.added()[static_cast<std::size_t>(body - 4)]));
 }
@@ -81,7 +81,7 @@ void draw_six_bar_table(SvgCanvas& svg, Point corner, double width, const SixBar
       svg.text(corner + Point{ends[i] * width, row_height * static_cast<double>(row)}, cells[i],
                {.size = size, .color = color, .anchor = "end", .weight = weight});
   };
-  put_row(0, {"#", "the driver turns", "γ", "ratio", "longest"}, palette::ink2, 650);
+  put_row(0, {"#", "input rotation", "γ", "ratio", "longest"}, palette::ink2, 650);
   for (std::size_t i = 0; i < std::min(answer.linkages.size(), most_rows); ++i) {
     const SixBarRating& rating = answer.linkages[i].rating;
     const bool driven = rating.drive.sense != DriveSense::none;
