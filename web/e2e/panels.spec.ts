@@ -2,9 +2,10 @@
 // linkage in hand.
 import {readFileSync} from "node:fs";
 import type {Page} from "@playwright/test";
-import {requirement_keys, type TauPair} from "../src/engine/protocol";
+import type {RequirementKey, TauPair} from "../src/engine/protocol";
 import type {Pose} from "../src/state/task";
 import type {MotionTask} from "../src/tasks/motion/task";
+import {planar_requirements} from "../src/tasks/planar";
 import {
   example,
   expect,
@@ -244,14 +245,15 @@ test.describe("requirements", () => {
   });
 
   test("each is worth exactly what it says", async ({page}) => {
-    const asked = requirement_keys.slice(2);
+    const keys = Object.keys(planar_requirements) as RequirementKey[],
+      asked = keys.slice(2);
     await page.getByTestId("req.types.double_crank").click();
     await type_into(page, "req.max_length", "300");
     await until_settled(page);
     let worth_something = 0;
-    for (const key of ["types", ...asked] as const) {
+    for (const key of ["types" as const, ...asked]) {
       const before = await meeting(page),
-        only = await read_state(page, (workbench, bit) => workbench.census!.only[bit], requirement_keys.indexOf(key));
+        only = await read_state(page, (workbench, bit) => workbench.census!.only[bit], keys.indexOf(key));
       const drop = page.getByTestId(`req.without.${key}`);
       await expect(drop).toHaveText(`+${grouped(only!)} if dropped`);
       await drop.click();

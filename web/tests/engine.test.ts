@@ -8,13 +8,13 @@ import {beforeAll, describe, expect, test} from "vitest";
 import {create_linkwright} from "../src/engine/module";
 import {
   linkage_types,
-  properties,
   state_width,
   whole,
   type Kind,
   type Linkage,
   type MapAnswer,
   type Mistake,
+  type Property,
   type ReplyMessage,
   type Replies,
   type RequestMessage,
@@ -28,6 +28,7 @@ import {roomy_squares} from "../src/state/halo_follower";
 import {engine_text} from "../src/state/problem";
 import {read_problem} from "../src/state/problem_shape";
 import {poses_of} from "../src/state/task";
+import {property_descriptions} from "../src/tasks/kinds";
 import {round_of, rounds_of} from "../src/tasks/six_bar/search.svelte";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
@@ -35,6 +36,7 @@ const program = join(root, "build/release/bin/linkwright");
 const scratch = mkdtempSync(join(tmpdir(), "linkwright-"));
 const wasm = new URL("../src/engine/generated/linkwright.wasm", import.meta.url);
 const tailgate = readFileSync(join(root, "examples/tailgate.json"), "utf8");
+const all_properties = Object.keys(property_descriptions) as Property[];
 const coarse = 100;
 const locked_deg = 1e-3; // so near a dead point a last bit decides whether it is passed
 
@@ -164,7 +166,7 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
   const six_bar = result?.problem.task.mechanism === "six_bar"; // tests/bindings compares its map and linkages
   const has_map = result?.region?.type && !six_bar,
     exactly = samples === coarse;
-  const shared_properties = has_map ? properties.filter((property) => property in result.region.properties) : [];
+  const shared_properties = has_map ? all_properties.filter((property) => property in result.region.properties) : [];
   const their_defects = has_map ? decoded(result.region.defects) : new Uint8Array();
   const same_defects = (map: MapAnswer, {ours, theirs}: Pair) => map.defects[ours] === their_defects[theirs];
   // Sines of two C libraries differ in the last bit; the conditions of the task magnify that.

@@ -23,30 +23,20 @@ export type LinkageType = (typeof linkage_types)[number];
 
 export const defect_bits = {order: 1, branch: 2, circuit: 4} as const;
 
-/** Bits of what a cell fails, in this order (bit i); a degenerate cell has all bits set. */
-export const requirement_keys = [
-  "types",
-  "no_defects",
-  "min_transmission_angle_deg",
-  "max_link_ratio",
-  "max_length",
-  "min_length",
-  "ground_pivots_within",
-  "moving_pivots_within",
-] as const;
-export type RequirementKey = (typeof requirement_keys)[number];
+/** What can be required of a linkage. In a cell's bits of what it fails (a degenerate cell has all set), and in counts by
+ *  requirement, they come in the order in which the kind of the task has them (tasks/kind.ts). */
+export type RequirementKey = Exclude<keyof Requirements, "respect_direction">;
 
-/** What a colour of the map can stand for, beside the type. Values as f32; 0 where not defined, never NaN. */
-export const properties = [
-  "min_transmission_angle_deg",
-  "min_transmission_angle_full_turn_deg",
-  "link_ratio",
-  "longest_link",
-  "driver_sweep_deg",
-  "max_structural_error_deg", // of a named function, where no number is free; lesser is better
-  "pose_miss", // by how much the freed pose is missed, user's unit; of tasks that have one, in cells that meet everything
-] as const;
-export type Property = (typeof properties)[number];
+/** What a colour of the map can stand for, beside the type: values as f32, 0 where not defined, never NaN. Kinds of tasks
+ *  add theirs (tasks/<kind>/replies.ts). */
+export interface Properties {
+  min_transmission_angle_deg: number;
+  min_transmission_angle_full_turn_deg: number;
+  link_ratio: number;
+  longest_link: number;
+  driver_sweep_deg: number;
+}
+export type Property = keyof Properties;
 
 /** A sentence to be worded by the page: texts hold `<code>` with {placeholders} for `values`. `message` is the same
  *  sentence in English as the command line prints it, for codes that the texts do not know. */
@@ -166,7 +156,7 @@ export interface Relaxation {
   leaves: number;
 }
 export interface MissedBox {
-  requirement: "ground_pivots_within" | "moving_pivots_within";
+  requirement: RequirementKey;
   nearest: Point;
   beyond: Point;
 }
@@ -183,7 +173,7 @@ export interface Census {
   meeting_types: number[];
   /** By requirement: cells that fail only this one ("without it +N"). */
   only: number[];
-  /** By requirement, in the order of requirement_keys: cells left after it and all before it. */
+  /** By requirement: cells left after it and all before it. */
   left: number[];
   /** Defect bits of cells that fail by defects: share per kind, for the sentence "64 % fail by order". */
   relax: Relaxation[]; // dearest first; only if meeting = 0
@@ -285,6 +275,7 @@ export interface Box {
   x: [number, number];
   y: [number, number];
 }
+/** Kinds of tasks add theirs (tasks/<kind>/replies.ts). */
 export interface Requirements {
   types?: LinkageType[];
   no_defects?: boolean;
@@ -323,8 +314,8 @@ export interface Requests {
   /** Reads a problem file: its normal form or its mistakes. */
   read: {text: string};
 }
-/** One of the best. */
-export interface Ranked {
+/** One of the best, with what it is on the map by name. */
+export interface Ranked extends Partial<Record<Property, number | null>> {
   tau: TauPair;
   type: LinkageType;
   min_transmission_angle_deg: number;
@@ -332,8 +323,6 @@ export interface Ranked {
   longest: number;
   /** Of a four-bar both ends of input and output, of a longer linkage all its hinges. */
   pivots: Point[];
-  /** Of a generator. */
-  max_structural_error_deg?: number | null;
 }
 export interface Replies {
   explore: {task: TaskAnswer; map: MapAnswer | null; engine_ms: number};

@@ -1,8 +1,8 @@
 // How the numbers of a linkage are said.
 import type {Linkage, LinkageType, Point, RequirementKey, Requirements, TaskAnswer} from "../engine/protocol";
-import {requirement_names, value_text} from "../requirements/requirements";
+import {value_text} from "../requirements/requirements";
 import type {Task} from "../state/task";
-import {called, made_up, name_of} from "../tasks/kinds";
+import {called, made_up, name_of, requirement_descriptions} from "../tasks/kinds";
 import en from "../texts/en.json";
 import {degrees_text, length_text, significant} from "../texts/numbers";
 import {t, type TextKey} from "../texts/texts.svelte";
@@ -67,7 +67,7 @@ export function defect_key(defects: Linkage["defects"]): TextKey {
 /** "Transmission angle at least 30°" with the value asked for. */
 export function requirement_words(key: RequirementKey, requirements: Requirements, unit: string): string {
   const value = requirements[key],
-    name = t(requirement_names[key]);
+    name = t(requirement_descriptions[key].name);
   return typeof value === "number" ? `${name} ${value_text(key, value, unit)}` : name;
 }
 /** "Crank-rocker, no defects, γ 41.3°": the same bars, driven from the other side. */

@@ -1,6 +1,7 @@
 import {describe, expect, it} from "vitest";
 import type {Box, Linkage, TaskAnswer} from "../engine/protocol";
 import type {Problem} from "../state/problem";
+import {new_problem} from "../tasks/motion/kind";
 import {
   all_dropped,
   box_around,
@@ -19,6 +20,8 @@ import {
 
 const linkage = (fails: number, defects = {order: false, branch: false, circuit: false}, type = "crank_rocker") =>
   ({fails, defects, type}) as Linkage;
+
+const {task} = new_problem();
 
 describe("requirements", () => {
   it("takes the engine's defaults where the file is silent", () => {
@@ -49,13 +52,15 @@ describe("requirements", () => {
     expect(value_text("max_link_ratio", 8.25, "mm")).toBe("8.25");
   });
   it("names what fails", () => {
-    expect(failing(linkage(0b0010100))).toEqual(["min_transmission_angle_deg", "max_length"]);
-    expect(failing(linkage(0b0000110, {order: true, branch: false, circuit: false}))).toEqual([]);
-    expect(failing(linkage(0b10000110, {order: false, branch: true, circuit: true}))).toEqual(["moving_pivots_within"]);
-    expect(failing(linkage(0xff, undefined, "degenerate"))).toEqual([]);
+    expect(failing(linkage(0b0010100), task)).toEqual(["min_transmission_angle_deg", "max_length"]);
+    expect(failing(linkage(0b0000110, {order: true, branch: false, circuit: false}), task)).toEqual([]);
+    expect(failing(linkage(0b10000110, {order: false, branch: true, circuit: true}), task)).toEqual([
+      "moving_pivots_within",
+    ]);
+    expect(failing(linkage(0xff, undefined, "degenerate"), task)).toEqual([]);
   });
   it("says what is not met and what to relax", () => {
-    const problem = {requirements: {min_transmission_angle_deg: 89, max_length: 400}} as Problem,
+    const problem = {task, requirements: {min_transmission_angle_deg: 89, max_length: 400}} as Problem,
       asked = {problem, task: null, unit: "mm"};
     expect(unmet_text(linkage(0), asked)).toBeNull();
     expect(unmet_text(linkage(0b1010100), asked)).toBe(

@@ -1,7 +1,6 @@
 // Requirements as the panel sees them: which are asked, how one is dropped or relaxed, and the words for it.
 import {
   linkage_types,
-  requirement_keys,
   type Box,
   type Census,
   type Linkage,
@@ -12,24 +11,10 @@ import {
 } from "../engine/protocol";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
-import {text_for} from "../tasks/kinds";
+import {requirement_descriptions, requirements_of, text_for} from "../tasks/kinds";
 import {grouped, significant} from "../texts/numbers";
-import {t, type TextKey} from "../texts/texts.svelte";
+import {t} from "../texts/texts.svelte";
 import {least_of, most_of} from "../state/ends";
-
-/** Names of the rows; `req.short.<key>` is for sentences. */
-export const requirement_names: Record<RequirementKey, TextKey> = {
-  types: "req.types",
-  no_defects: "defect.none",
-  min_transmission_angle_deg: "req.min_transmission",
-  max_link_ratio: "req.max_ratio",
-  max_length: "req.max_length",
-  min_length: "req.min_length",
-  ground_pivots_within: "req.ground_box",
-  moving_pivots_within: "req.moving_box",
-};
-
-export const is_length = (key: RequirementKey) => key === "max_length" || key === "min_length";
 
 /** What is asked: the file's own requirements, where they are silent the defaults that the engine used. */
 export function in_force({problem, task}: Pick<Workbench, "problem" | "task">): Requirements {
@@ -39,27 +24,30 @@ export function in_force({problem, task}: Pick<Workbench, "problem" | "task">): 
   return {...task?.requirements, ...defined};
 }
 export function is_asked(requirements: Requirements, key: RequirementKey): boolean {
-  switch (key) {
+  const value = requirements[key],
+    described = requirement_descriptions[key],
+    is_positive = typeof value === "number" && value > 0;
+  switch (described.control) {
     case "types":
       return (requirements.types?.length ?? 0) > 0;
     case "no_defects":
       return requirements.no_defects ?? true;
-    case "min_transmission_angle_deg":
-    case "min_length":
-      return (requirements[key] ?? 0) > 0;
+    case "transmission_angle":
+      return is_positive;
+    case "limit":
+      return described.bound === "least" ? is_positive : value != null;
     default:
-      return requirements[key] !== null && requirements[key] !== undefined;
+      return value != null;
   }
 }
 /** The change that drops a requirement. The transmission angle over the task is defined only without defects. */
 export function dropped(key: RequirementKey): Partial<Requirements> {
-  switch (key) {
+  switch (requirement_descriptions[key].control) {
     case "types":
-      return {types: undefined};
+    case "transmission_angle":
+      return {[key]: undefined};
     case "no_defects":
       return {no_defects: false, min_transmission_angle_deg: undefined};
-    case "min_transmission_angle_deg":
-      return {min_transmission_angle_deg: undefined};
     default:
       return {[key]: null};
   }
@@ -75,19 +63,26 @@ export function relaxed(key: RequirementKey, value: number | Box | null): Partia
 export function all_dropped(keys: readonly RequirementKey[]): Partial<Requirements> {
   return Object.assign({}, ...keys.map(dropped));
 }
+/** The unit of what can be typed in. */
+export function unit_of(key: RequirementKey, unit: string): string {
+  const described = requirement_descriptions[key];
+  if (described.control === "transmission_angle") return "°";
+  if (described.control !== "limit" || described.quantity === "ratio") return "";
+  return described.quantity === "angle" ? "°" : unit;
+}
 export function value_text(key: RequirementKey, value: number | Box, unit: string): string {
   if (typeof value !== "number")
     return (["x", "y"] as const)
       .map((axis) => `${axis} ${value[axis].map((end) => significant(end, 4)).join(" … ")}`)
       .join(", ");
-  if (key === "min_transmission_angle_deg") return `${significant(Number(value.toFixed(2)), 4)}°`;
-  return significant(value, 6) + (is_length(key) && unit ? ` ${unit}` : "");
+  const of = unit_of(key, unit);
+  return of === "°" ? `${significant(Number(value.toFixed(2)), 4)}°` : significant(value, 6) + (of && ` ${of}`);
 }
 
 /** Requirements that a linkage fails. A defect stands for itself: the transmission angle is not defined then. */
-export function failing(linkage: Linkage): RequirementKey[] {
+export function failing(linkage: Linkage, task: Task): RequirementKey[] {
   if (linkage.type === "degenerate") return [];
-  const keys = requirement_keys.filter((_, bit) => linkage.fails & (1 << bit));
+  const keys = requirements_of(task).filter((_, bit) => linkage.fails & (1 << bit));
   const {order, branch, circuit} = linkage.defects;
   return order || branch || circuit
     ? keys.filter((key) => key !== "min_transmission_angle_deg" && key !== "no_defects")
@@ -98,18 +93,17 @@ export function failing(linkage: Linkage): RequirementKey[] {
 
 /** "transmission angle (89° at least)" */
 function asked_for(key: RequirementKey, requirements: Requirements, unit: string): string {
-  const name = t(`req.short.${key}`),
+  const described = requirement_descriptions[key],
+    name = t(described.short),
     value = requirements[key];
   if (typeof value !== "number") return name;
-  return t(key === "min_transmission_angle_deg" || key === "min_length" ? "req.at_least" : "req.at_most", {
-    name,
-    value: value_text(key, value, unit),
-  });
+  const at_most = described.control === "limit" && described.bound === "most";
+  return t(at_most ? "req.at_most" : "req.at_least", {name, value: value_text(key, value, unit)});
 }
 /** "Not met: link ratio (8 at most), box for fixed pivots", or nothing. */
 export function unmet_text(linkage: Linkage, workbench: Pick<Workbench, "problem" | "task" | "unit">): string | null {
   const requirements = in_force(workbench);
-  const names = failing(linkage).map((key) => asked_for(key, requirements, workbench.unit));
+  const names = failing(linkage, workbench.problem.task).map((key) => asked_for(key, requirements, workbench.unit));
   return names.length > 0 ? t("req.unmet", {names: names.join(t("req.comma"))}) : null;
 }
 /** "The link ratio is the most restrictive; 8.2 leaves 34." `value` stands for the relaxed value. */
@@ -118,13 +112,13 @@ export function relaxation_text(
   dearest: boolean,
   value: string,
 ): string {
-  const values = {name: t(`req.short.${requirement}`), value, n: grouped(leaves)};
+  const values = {name: t(requirement_descriptions[requirement].short), value, n: grouped(leaves)};
   if (relaxed === null) return t(dearest ? "state.without_leaves" : "state.also_without", values);
   return t(dearest ? "state.costs_most" : "state.also", values);
 }
 /** "No single requirement is to blame: without the longest link and the box for fixed pivots together, 12 are left." */
 export function together_text({requirements, leaves}: NonNullable<Census["relax_together"]>): string {
-  const names = requirements.map((key) => t(`req.short.${key}`)),
+  const names = requirements.map((key) => t(requirement_descriptions[key].short)),
     last = names.pop()!;
   return t("req.relax_together", {
     names: names.length ? `${names.join(t("req.comma"))}${t("req.and")}${last}` : last,
@@ -140,10 +134,11 @@ export function missed_box_text({requirement, nearest, beyond}: MissedBox, unit:
       [beyond[1], "down", "up"],
     ] as const
   ).flatMap(([by, back, ahead]) => (by === 0 ? [] : [t(`req.further_${by < 0 ? back : ahead}`, {length: length(by)})]));
-  const curve = t(requirement === "ground_pivots_within" ? "req.curve_center" : "req.curve_circle");
+  const described = requirement_descriptions[requirement],
+    of_centers = described.control === "box" && described.end === "center";
   return t("req.missed_box", {
-    curve,
-    name: t(`req.short.${requirement}`),
+    curve: t(of_centers ? "req.curve_center" : "req.curve_circle"),
+    name: t(described.short),
     place: nearest.map((v) => significant(v, 4)).join(", "),
     way: ways.join(t("req.comma")),
   });

@@ -1,15 +1,15 @@
 // The colours of a small map: in full what meets everything, washed what is only free of defects, grey the rest.
-import {linkage_types, requirement_keys} from "../engine/protocol";
+import {linkage_types} from "../engine/protocol";
 import type {Thumbnail} from "../engine/stored";
 import {mixed, rgb_of, washed_share} from "../region/palette";
 
 const degenerate = linkage_types.indexOf("degenerate");
-const defect = 1 << requirement_keys.indexOf("no_defects");
 
-/** Pixels from the top: the input's place upwards, the output's to the right. */
+/** Pixels from the top: the input's place upwards, the output's to the right. `defect`: the bit of what has one. */
 export function painted(
   {rows, columns, type, fails}: Pick<Thumbnail, "rows" | "columns" | "type" | "fails">,
   colors: Record<string, string>,
+  defect: number,
 ): Uint8ClampedArray<ArrayBuffer> {
   const paper = rgb_of(colors.paper!),
     grey = rgb_of(colors.hatch!);

@@ -1,9 +1,10 @@
 // For tests: states of the page as they can come about, drawn at random.
 import fc, {type Arbitrary} from "fast-check";
-import {linkage_types, properties, type Requirements} from "../engine/protocol";
+import {linkage_types, type Property, type Requirements} from "../engine/protocol";
 import {box, far_point, found, number, pair, points, positive, record, text} from "./arbitrary_values";
 import {from_problem, to_problem, type Document} from "./document";
-import {objectives, type Background, type Options, type Pin, type Problem, type View} from "./problem";
+import {objective_descriptions, property_descriptions} from "../tasks/kinds";
+import type {Background, Objective, Options, Pin, Problem, View} from "./problem";
 import type {Task} from "./task";
 
 /** Of all kinds. */
@@ -33,7 +34,7 @@ const options = record<Options>(
   {
     region_samples: fc.integer({min: 8, max: 20_000}),
     spacing: fc.constantFrom("coordinate", "arc_length"),
-    objective: fc.constantFrom(...objectives),
+    objective: fc.constantFrom(...(Object.keys(objective_descriptions) as Objective[])),
     best: fc.integer({min: 0, max: 1000}),
     box,
     seed: fc.integer({min: 0, max: 999_999_999}),
@@ -105,4 +106,4 @@ export const steps = fc.array(document, {minLength: 1, maxLength: 8}).chain((all
     future: all.slice(0, present),
   })),
 );
-export const property = fc.constantFrom("type" as const, ...properties);
+export const property = fc.constantFrom("type" as const, ...(Object.keys(property_descriptions) as Property[]));

@@ -1,5 +1,5 @@
 // How this person likes to see things on this machine: kept between visits, not part of the task, not undoable.
-import {properties, type Property} from "../engine/protocol";
+import type {Property} from "../engine/protocol";
 import {browser_store} from "./browser_store";
 import {is_number, is_object} from "./shape";
 
@@ -84,7 +84,7 @@ const checks = {
   defect_kinds: flag,
   only_meeting: flag,
   ridges: flag,
-  colour_by: one_of("type", ...properties),
+  colour_by: (value: unknown) => typeof value === "string" && /^[a-z_]{1,60}$/.test(value), // kinds of tasks know which there are,
   speed: one_of(...speeds),
   repeat: one_of("reverse", "loop", "once"),
   left_width: width,

@@ -54,7 +54,7 @@ describe("preferences", () => {
       theme: 3,
       snap: "yes",
       speed: 0,
-      colour_by: "constructor",
+      colour_by: "<b>",
       repeat: null,
       left_width: 1e300,
       grid: false,

@@ -2,8 +2,13 @@
 import type {Box, LinkageType, Point, Requirements, TauPair} from "../engine/protocol";
 import {diagonal_of, poses_of, type Pose, type Task} from "./task";
 
-export const objectives = ["min_transmission_angle", "link_ratio", "size", "structural_error"] as const;
-export type Objective = (typeof objectives)[number];
+/** What linkages can be the best by. Kinds of tasks add theirs (tasks/<kind>/replies.ts). */
+export interface Objectives {
+  min_transmission_angle: true;
+  link_ratio: true;
+  size: true;
+}
+export type Objective = keyof Objectives;
 export interface Options {
   region_samples?: number;
   spacing?: "coordinate" | "arc_length";

@@ -1,9 +1,10 @@
 // What comes from outside (a link, a file, the browser's store) as a problem, or nothing. The engine says what is wrong
 // with a task; the view, which it keeps and never reads, is looked through here: what does not fit is left out.
 import {linkage_types, type Point, type TauPair} from "../engine/protocol";
-import {read_task, task_of_poses} from "../tasks/kinds";
+import {objective_descriptions, read_task, requirement_descriptions, task_of_poses} from "../tasks/kinds";
+import type {RequirementDescription} from "../tasks/kind";
 import {unused_name} from "./pins";
-import {most_pins, objectives, type Background, type Pin, type Problem, type View} from "./problem";
+import {most_pins, type Background, type Pin, type Problem, type View} from "./problem";
 import {is_finite, is_number, is_object, is_pair, read_list, type Object} from "./shape";
 
 const most_points = 10_000,
@@ -109,21 +110,32 @@ const or_null =
   (value) =>
     value === null || check(value);
 
+function requirement_check(described: RequirementDescription): Check {
+  switch (described.control) {
+    case "types":
+      return or_null((value) => Array.isArray(value) && value.every(is_one_of(linkage_types)));
+    case "no_defects":
+      return is_flag;
+    case "transmission_angle":
+      return or_null(is_between(0, 90));
+    case "limit":
+      return or_null(is_between(described.from, 1e12));
+    case "box":
+      return or_null(is_box);
+    case "own":
+      return or_null(described.is_value);
+  }
+}
 const requirement_checks: Record<string, Check> = {
-  types: or_null((value) => Array.isArray(value) && value.every(is_one_of(linkage_types))),
-  no_defects: is_flag,
-  min_transmission_angle_deg: or_null(is_between(0, 90)),
-  max_link_ratio: or_null(is_between(1, 1e12)),
-  max_length: or_null(is_between(0, 1e12)),
-  min_length: or_null(is_between(0, 1e12)),
-  ground_pivots_within: or_null(is_box),
-  moving_pivots_within: or_null(is_box),
+  ...Object.fromEntries(
+    Object.entries(requirement_descriptions).map(([key, described]) => [key, requirement_check(described)]),
+  ),
   respect_direction: is_flag,
 };
 const option_checks: Record<string, Check> = {
   region_samples: is_between(8, 20_000),
   spacing: is_one_of(["coordinate", "arc_length"]),
-  objective: is_one_of(objectives),
+  objective: is_one_of(Object.keys(objective_descriptions)),
   best: is_between(0, 1000),
   window: or_null(Array.isArray),
   box: or_null(is_box),

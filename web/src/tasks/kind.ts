@@ -1,5 +1,6 @@
 // What a kind of task brings: the frame asks it through kinds.ts, its views through views.ts, and knows none by name.
-import type {Linkage, Point, Property, Requirements} from "../engine/protocol";
+import type {Linkage, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
+import type {End} from "../figure/figure";
 import type {Objective, Problem} from "../state/problem";
 import type {Object} from "../state/shape";
 import type {Pose, Task} from "../state/task";
@@ -33,13 +34,16 @@ export interface NamedJoint {
   on_ground: boolean;
   color: string;
 }
-/** What a colour of the map stands for. */
-export interface PropertyDescription {
+/** What a colour of the map stands for. `T`: the kind's tasks, here and below. */
+export interface PropertyDescription<T extends Task = Task> {
+  /** Not all of the kind's tasks have it. */
+  is_of?(task: T): boolean;
   text: TextKey;
   short: TextKey;
   term: TermName | null;
   larger_is_better: boolean;
-  requirement: "min_transmission_angle_deg" | "max_link_ratio" | "max_length" | null;
+  /** Which limits it. */
+  requirement: RequirementKey | null;
   quantity: "angle" | "fine_angle" | "ratio" | "length";
   /** Known of cells that meet everything only. */
   of_meeting?: boolean;
@@ -47,6 +51,29 @@ export interface PropertyDescription {
   span(requirements: Requirements, typical: number): [number, number];
   /** Contour levels within the span. */
   levels(span: readonly [number, number]): number[];
+}
+interface NamedRequirement {
+  /** Of its row, and in sentences. */
+  name: TextKey;
+  short: TextKey;
+  term: TermName | null;
+}
+/** What can be required of a linkage: by `control` how it is set, and with it what its value is. */
+export type RequirementDescription = NamedRequirement &
+  (
+    | {control: "types" | "no_defects" | "transmission_angle"}
+    | {control: "limit"; bound: "least" | "most"; quantity: "angle" | "ratio" | "length"; from: number}
+    /** Where pivots at these ends of the side links are to lie. */
+    | {control: "box"; end: End}
+    /** By the kind's own component (view.ts). */
+    | {control: "own"; is_value(value: unknown): boolean}
+  );
+/** What linkages can be the best by. */
+export interface ObjectiveDescription<T extends Task = Task> {
+  name: TextKey;
+  /** On the map. */
+  measure: Property;
+  is_of?(task: T): boolean;
 }
 /** All but the views. */
 export interface TaskKind<T extends Task = Task> {
@@ -73,16 +100,14 @@ export interface TaskKind<T extends Task = Task> {
   default_max_length(problem: Problem): number;
   /** What the map is of: a linkage keeps its place on the map from task to task only where this stays. */
   map_of(task: T): string;
-  /** What the map's colours can stand for beside what they always can. */
-  properties?(task: T): readonly Property[];
-  /** Those of them that no other kind has. */
-  described?: Partial<Record<Property, PropertyDescription>>;
+  /** In the order in which C walks through them. */
+  properties: Partial<Record<Property, PropertyDescription<T>>>;
+  /** In the order of the engine's bits. */
+  requirements: Partial<Record<RequirementKey, RequirementDescription>>;
+  /** In the order of the list to choose from. */
+  objectives: Partial<Record<Objective, ObjectiveDescription<T>>>;
   /** The fixed frame seen from elsewhere: points by `point`; poses are the frame's matter. */
   moved(task: T, point: (p: Point) => Point): T;
-  /** What a linkage can be the best by beside the usual. */
-  objectives?(task: T): readonly Objective[];
-  /** What they are measured by on the map. */
-  measures?: Partial<Record<Objective, Property>>;
   /** What all its linkages are, a text's key, where it is the task that says so; otherwise a linkage is called by its type. */
   make_up?(task: T): TextKey | null;
   /** For the printed sheet. */

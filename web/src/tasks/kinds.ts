@@ -1,23 +1,23 @@
 // What the frame asks the kind of the task at hand.
-import type {Linkage, LinkageType, Notice, Point, Property} from "../engine/protocol";
+import type {Linkage, LinkageType, Notice, Point, Property, RequirementKey} from "../engine/protocol";
 import {with_options, with_task, type Objective, type Problem} from "../state/problem";
 import {is_object} from "../state/shape";
 import {diagonal_of, poses_of, type Pose, type Task} from "../state/task";
 import {notice_text, type TextKey} from "../texts/texts.svelte";
 import type {TermName} from "../terms/pictures";
-import type {Incomplete, NamedJoint, NamedLength, PropertyDescription, TaskKind} from "./kind";
+import type {
+  Incomplete,
+  NamedJoint,
+  NamedLength,
+  ObjectiveDescription,
+  PropertyDescription,
+  RequirementDescription,
+  TaskKind,
+} from "./kind";
 import {task_modules} from "./registry";
 
 /** None is asked of another's task. */
 export const task_kinds = task_modules as unknown as readonly TaskKind[];
-
-const common_properties: readonly Property[] = [
-  "min_transmission_angle_deg",
-  "link_ratio",
-  "longest_link",
-  "min_transmission_angle_full_turn_deg",
-  "driver_sweep_deg",
-];
 
 export function kind_of(task: Task): TaskKind {
   return task_kinds.find((kind) => kind.is(task)) ?? (task_modules[0] as unknown as TaskKind);
@@ -61,31 +61,44 @@ export function anchors_of(task: Task): Point[] {
 export function extent_of(task: Task): number {
   return diagonal_of(anchors_of(task)) || 1;
 }
+/** Keys of what this task has of a kind's list. */
+function keys_of<K extends string>(list: Partial<Record<K, {is_of?(task: Task): boolean}>>, task: Task): K[] {
+  return (Object.keys(list) as K[]).filter((key) => list[key]!.is_of?.(task) ?? true);
+}
 /** What a colour of the map can stand for, beside the type. */
 export function properties_of(task: Task): Property[] {
-  return [...common_properties, ...(kind_of(task).properties?.(task) ?? [])];
+  return keys_of(kind_of(task).properties, task);
 }
-const common_measures: Partial<Record<Objective, Property>> = {
-  min_transmission_angle: "min_transmission_angle_deg",
-  link_ratio: "link_ratio",
-  size: "longest_link",
-};
+/** What can be required of a linkage of this task: a requirement's place among them is its bit. */
+export function requirements_of(task: Task): RequirementKey[] {
+  return Object.keys(kind_of(task).requirements) as RequirementKey[];
+}
+export function requirement_bit(task: Task, key: RequirementKey): number {
+  const place = requirements_of(task).indexOf(key);
+  return place < 0 ? 0 : 1 << place;
+}
+export function objectives_of(task: Task): Objective[] {
+  return keys_of(kind_of(task).objectives, task);
+}
 /** What the objective is measured by, where the map has it. */
 export function measure_of({task, options}: Problem): Property {
   const {objective = "min_transmission_angle"} = options ?? {},
-    measure = kind_of(task).measures?.[objective] ?? common_measures[objective];
-  return measure && properties_of(task).includes(measure) ? measure : "min_transmission_angle_deg";
+    has = properties_of(task),
+    measure = kind_of(task).objectives[objective]?.measure;
+  return measure && has.includes(measure) ? measure : (has[0] ?? "min_transmission_angle_deg");
 }
-/** In words and numbers, what kinds of tasks bring. */
-export const own_descriptions: Partial<Record<Property, PropertyDescription>> = Object.assign(
-  {},
-  ...task_kinds.map(({described}) => described),
-);
+/** Of all kinds, in words and numbers. */
+export const property_descriptions = in_all("properties") as Record<Property, PropertyDescription>;
+export const requirement_descriptions = in_all("requirements") as Record<RequirementKey, RequirementDescription>;
+export const objective_descriptions = in_all("objectives") as Record<Objective, ObjectiveDescription>;
+function in_all(list: "properties" | "requirements" | "objectives"): object {
+  return Object.assign({}, ...task_kinds.map((kind) => kind[list]));
+}
 /** The problem with another task; what linkages can be the best by only in the old one is no objective any more. */
 export function with_other_task<T extends Task>(problem: Problem, task: T): Problem {
   const changed = with_task(problem, task),
-    objectives = (of: Task) => kind_of(of).objectives?.(of) ?? [];
-  const lost = objectives(problem.task).filter((objective) => !objectives(task).includes(objective));
+    has = objectives_of(task),
+    lost = objectives_of(problem.task).filter((objective) => !has.includes(objective));
   return lost.some((objective) => objective === problem.options?.objective)
     ? with_options(changed, {objective: undefined})
     : changed;

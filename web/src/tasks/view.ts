@@ -2,7 +2,7 @@
 import type {Component} from "svelte";
 import type {Handle} from "../drawing/handles";
 import type {Surface} from "../drawing/surface";
-import type {Linkage} from "../engine/protocol";
+import type {Linkage, RequirementKey, Requirements} from "../engine/protocol";
 import type {Mechanism} from "../figure/mechanism";
 import type {Task} from "../state/task";
 import type {PlotChoice} from "../transport/plot";
@@ -10,6 +10,12 @@ import type {PlotChoice} from "../transport/plot";
 export interface EditorProperties {
   /** A sentence about a field, or that there is nothing to say about it any more. */
   report: (place: string, sentence: string | null) => void;
+}
+export interface RequirementProperties {
+  key: RequirementKey;
+  /** What is in force. */
+  requirements: Requirements;
+  report: (sentence: string | null) => void;
 }
 export interface TaskView {
   /** How its linkages are put together, and so drawn everywhere: on the drawing, in small, in films and in 3-D. */
@@ -30,6 +36,8 @@ export interface TaskView {
 
   /** In the task panel. */
   Editor: Component<EditorProperties>;
+  /** The control of what can be required in a way that no other kind has (kind.ts: "own"). */
+  Requirement?: Component<RequirementProperties>;
   /** In place of the map of the solution region; null: there is none. */
   Region?: Component | null;
   /** Under the sentence that says why there is no map, or nothing wanted on it: ways on. */

@@ -6,6 +6,7 @@ import {diagonal_of, pattern_of, position_count, type Range} from "../../state/t
 import {is_function, type AnglePair, type FreeNumber, type FunctionTask, type NamedFunction} from "./task";
 import {significant} from "../../texts/numbers";
 import type {TaskKind} from "../kind";
+import {planar_objectives, planar_properties, planar_requirements} from "../planar";
 
 const most_pairs = 10_000;
 
@@ -146,9 +147,10 @@ export const function_kind: TaskKind<FunctionTask> = {
     ...task,
     ground_pivots: {input: point(ground_pivots_of(task).input), output: point(ground_pivots_of(task).output)},
   }),
-  properties: ({function: named, free}) => (named && !free ? ["max_structural_error_deg"] : []),
-  described: {
+  properties: {
+    ...planar_properties,
     max_structural_error_deg: {
+      is_of: ({function: named, free}) => named !== undefined && !free,
       text: "function.max_error",
       short: "function.error",
       term: "structural_error",
@@ -159,8 +161,15 @@ export const function_kind: TaskKind<FunctionTask> = {
       levels: () => [0.1, 0.2, 0.5, 1],
     },
   },
-  objectives: ({function: named}) => (named ? ["structural_error"] : []),
-  measures: {structural_error: "max_structural_error_deg"},
+  requirements: planar_requirements,
+  objectives: {
+    structural_error: {
+      name: "req.objective.structural_error",
+      measure: "max_structural_error_deg",
+      is_of: ({function: named}) => named !== undefined,
+    },
+    ...planar_objectives,
+  },
   table({pairs, function: named}) {
     if (!named)
       return {

@@ -6,6 +6,14 @@ declare module "../../engine/protocol" {
   interface Linkage {
     function: GeneratedFunction | null;
   }
+  interface Properties {
+    max_structural_error_deg: number; // of a named function, where no number is free
+  }
+}
+declare module "../../state/problem" {
+  interface Objectives {
+    structural_error: true;
+  }
 }
 
 /** Input and output angle, degrees on the task's dials. */

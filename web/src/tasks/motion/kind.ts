@@ -6,6 +6,7 @@ import {diagonal_of, pattern_of, poses_of, position_count, served_poses, type Po
 import {is_motion, type Given, type MotionTask} from "./task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
+import {planar_objectives, planar_properties, planar_requirements} from "../planar";
 import {form_of} from "./given";
 
 const most_poses = 10_000; // the engine takes five; what was typed is kept until it is set right
@@ -120,9 +121,10 @@ export const motion_kind: TaskKind<MotionTask> = {
   default_max_length,
   map_of: ({poses, given, freed_pose}) =>
     `motion ${freed_pose === undefined ? position_count(poses) : "freed"} ${given ? form_of(given) + ("directed" in given ? given.directed : "") : ""}`,
-  properties: ({freed_pose}) => (freed_pose === undefined ? [] : ["pose_miss"]),
-  described: {
+  properties: {
+    ...planar_properties,
     pose_miss: {
+      is_of: ({freed_pose}) => freed_pose !== undefined,
       text: "region.by_miss",
       short: "region.by_miss",
       term: "missed_pose",
@@ -134,6 +136,8 @@ export const motion_kind: TaskKind<MotionTask> = {
       levels: length_levels,
     },
   },
+  requirements: planar_requirements,
+  objectives: planar_objectives,
   moved: (task, point) =>
     task.given && "instant_center" in task.given
       ? {...task, given: {...task.given, instant_center: point(task.given.instant_center)}}
