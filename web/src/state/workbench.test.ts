@@ -1,6 +1,6 @@
 // The one state with the real engine behind it, in this thread.
 import {readFileSync} from "node:fs";
-import {beforeAll, describe, expect, it} from "vitest";
+import {afterEach, beforeAll, describe, expect, it} from "vitest";
 import {create_linkwright} from "../engine/module";
 import type {ReplyMessage, RequestMessage} from "../engine/protocol";
 import {Server} from "../engine/serve";
@@ -67,6 +67,12 @@ beforeAll(async () => {
   preferences.colour_by = "type";
 });
 
+const open: Workbench[] = [];
+/** Nobody waits for the fine map of a test that is over. */
+afterEach(() => {
+  for (const {engine, driver_client} of open.splice(0)) for (const client of [engine, driver_client]) client?.close();
+});
+
 interface Bench {
   workbench: Workbench;
   asked: RequestMessage[];
@@ -78,11 +84,12 @@ function bench(problem: Problem, cores = 2): Bench {
     asked: RequestMessage[] = [],
     machine: Machine = {map_ms: null, best_ms: 0, mute: false};
   const workbench = new Workbench(problem, () => now.time);
+  open.push(workbench);
   let started = 0;
   workbench.connect(() => new Thread(servers[started++ % 2]!(), asked, machine) as unknown as Worker, cores);
   return {workbench, asked, now, machine};
 }
-async function until(what: () => unknown, ms = 8000): Promise<void> {
+async function until(what: () => unknown, ms = 20_000): Promise<void> {
   const end = performance.now() + ms;
   while (!what()) {
     if (performance.now() > end) throw new Error(`never: ${what}`);
