@@ -57,7 +57,7 @@ int position_of(std::size_t pose, const PickedLinkage& picked) {
 /// The values of a defect's notice, which counts the poses served.
 void renumber(Notice& notice, const PickedLinkage& picked) {
   const auto position = [&](int served) { return position_of(static_cast<std::size_t>(served - 1), picked); };
-  for (Notice::Value& value : notice.values)
+  for (NamedValue& value : notice.values)
     if (auto* number = std::get_if<double>(&value.value))
       *number = position(static_cast<int>(*number));
     else

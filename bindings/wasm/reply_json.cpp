@@ -20,6 +20,19 @@ void write_box(JsonWriter& json, std::string_view key, const std::optional<Box>&
   box ? linkwright::write_box(json, *box) : json.null();
 }
 
+void write_values(JsonWriter& json, const Values& values) {
+  json.key("values");
+  json.begin_object(Layout::one_line);
+  for (const auto& [name, value] : values) {
+    json.key(name);
+    if (const auto* number = std::get_if<double>(&value))
+      json.value(*number);
+    else
+      json.value(std::string_view(std::get<std::string>(value)));
+  }
+  json.end_object();
+}
+
 }  // namespace
 
 std::string json_of(const std::function<void(JsonWriter&)>& write) {
@@ -34,16 +47,7 @@ std::string json_of(const std::function<void(JsonWriter&)>& write) {
 void write_notice(JsonWriter& json, const Notice& notice) {
   json.begin_object(Layout::one_line);
   json.member("code", std::string_view(notice.code));
-  json.key("values");
-  json.begin_object(Layout::one_line);
-  for (const Notice::Value& value : notice.values) {
-    json.key(value.name);
-    if (const auto* number = std::get_if<double>(&value.value))
-      json.value(*number);
-    else
-      json.value(std::string_view(std::get<std::string>(value.value)));
-  }
-  json.end_object();
+  write_values(json, notice.values);
   json.member("message", std::string_view(notice.message));
   json.end_object();
 }
@@ -55,6 +59,7 @@ std::string mistakes_json(const std::vector<Error>& mistakes) {
       json.begin_object(Layout::one_line);
       json.member("code", std::string_view(mistake.code));
       json.member("place", std::string_view(mistake.place));
+      write_values(json, mistake.values);
       json.member("message", std::string_view(mistake.message));
       json.end_object();
     }

@@ -19,7 +19,7 @@ namespace linkwright::wasm {
 
 /// {"code", "values", "message"}.
 void write_notice(JsonWriter& json, const Notice& notice);
-/// [{"code", "place", "message"}, …].
+/// [{"code", "place", "values", "message"}, …].
 [[nodiscard]] std::string mistakes_json(const std::vector<Error>& mistakes);
 /// [x, y], null for none.
 void write_point(JsonWriter& json, const std::optional<Point>& point);

@@ -11,11 +11,13 @@ Error not_finite() {
   return {"not_finite", "derivative", "an element is not a number or infinite: give nine finite numbers"};
 }
 
-Error not_a_derivative(const char* place, const char* what, double defect, double size) {
-  return {"not_a_derivative", place,
+Error not_a_derivative(const char* code, const char* place, const char* what, double defect, double size) {
+  return {code,
+          place,
           fmt::format("not a derivative of this rotation: {}, off by {:.3g} of {:.3g}; give the matrix and its "
                       "derivatives at the same time, in the same order of frames",
-                      what, defect, size)};
+                      what, defect, size),
+          {{"defect", defect}, {"size", size}}};
 }
 
 Matrix3x3 symmetric_part(const Matrix3x3& a) { return 0.5 * (a + transposed(a)); }
@@ -40,7 +42,7 @@ Result<AngularMotionFit> angular_velocity(const Rotation& c_ij, const Matrix3x3&
   fit.velocity_defect = frobenius_norm(symmetric_part(omega));
   const double size = frobenius_norm(omega);
   if (!(fit.velocity_defect <= largest_defect * size))
-    return not_a_derivative("first", "Ċ Cᵀ has to be skew-symmetric", fit.velocity_defect, size);
+    return not_a_derivative("not_a_derivative", "first", "Ċ Cᵀ has to be skew-symmetric", fit.velocity_defect, size);
   fit.in_i.velocity = axial_vector(omega);
   fit.in_j.velocity = c_ij.apply_inverse(fit.in_i.velocity);
   return fit;
@@ -56,7 +58,8 @@ Result<AngularMotionFit> angular_motion(const Rotation& c_ij, const RotationDeri
   fit->acceleration_defect = frobenius_norm(symmetric_part(acceleration - centripetal));
   const double size = std::max(frobenius_norm(acceleration), frobenius_norm(centripetal));
   if (!(fit->acceleration_defect <= largest_defect * size))
-    return not_a_derivative("second", "the symmetric part of C̈ Cᵀ has to be [ω]×²", fit->acceleration_defect, size);
+    return not_a_derivative("not_a_second_derivative", "second", "the symmetric part of C̈ Cᵀ has to be [ω]×²",
+                            fit->acceleration_defect, size);
   fit->in_i.acceleration = axial_vector(acceleration);
   fit->in_j.acceleration = c_ij.apply_inverse(fit->in_i.acceleration);
   return fit;

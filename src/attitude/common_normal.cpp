@@ -46,7 +46,7 @@ std::optional<Error> mistake_in(const Line& line, std::string place) {
   if (!is_finite(line.point) || !is_finite(line.direction))
     return Error{"not_finite", std::move(place), "a coordinate is not a number or infinite: give finite numbers"};
   if (line.direction == Vector3{})
-    return Error{"zero_axis", std::move(place),
+    return Error{"zero_direction", std::move(place),
                  "the direction is the null vector, which has no direction: give any other length"};
   return std::nullopt;
 }
@@ -66,7 +66,8 @@ Result<CommonNormal> common_normal(const Line& first, const Line& second) {
   CommonNormal normal =
       parallel ? parallel_normal(first.point, u, second.point, v) : crossing_normal(first.point, u, second.point, v);
   if (!is_finite(normal.foot_on_first) || !is_finite(normal.foot_on_second))
-    return Error{"not_finite", "first", "the lines lie farther apart than numbers reach: take a larger unit of length"};
+    return Error{"lines_too_far_apart", "first",
+                 "the lines lie farther apart than numbers reach: take a larger unit of length"};
   return normal;
 }
 

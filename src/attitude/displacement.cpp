@@ -21,10 +21,12 @@ Result<Displacement> Displacement::from_matrix(const Matrix4x4& t, double larges
     if (!std::all_of(row.begin(), row.end(), [](double element) { return std::isfinite(element); }))
       return Error{"not_finite", "matrix", "an element is not a number or infinite: give sixteen finite numbers"};
   if (!is_point_row(t[3], largest_error))
-    return Error{"last_row", "matrix",
+    return Error{"last_row",
+                 "matrix",
                  fmt::format("not a displacement: the last row is [{:.9g}, {:.9g}, {:.9g}, {:.9g}] instead of "
                              "[0, 0, 0, 1]; divide by the last element, or transpose a matrix of rows that are columns",
-                             t[3][0], t[3][1], t[3][2], t[3][3])};
+                             t[3][0], t[3][1], t[3][2], t[3][3]),
+                 {{"a", t[3][0]}, {"b", t[3][1]}, {"c", t[3][2]}, {"d", t[3][3]}}};
   const Matrix3x3 c{{{{t[0][0], t[0][1], t[0][2]}, {t[1][0], t[1][1], t[1][2]}, {t[2][0], t[2][1], t[2][2]}}}};
   const Result<Rotation> rotation = Rotation::from_matrix(c, largest_error);
   if (!rotation) return rotation.errors();

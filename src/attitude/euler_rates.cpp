@@ -116,7 +116,7 @@ Result<EulerRatesFit> euler_rates(const EulerAngles& angles, const AngularMotion
   std::tie(acceleration, fit.acceleration_residual) = triad.solve(in_i.acceleration - triad.carried(rate));
   if (!is_intrinsic(angles)) fit.rates = reversed(fit.rates);
   if (!is_finite(fit.rates))
-    return Error{"not_finite", "motion", "the rates are larger than numbers reach: take a larger unit of time"};
+    return Error{"rates_too_large", "motion", "the rates are larger than numbers reach: take a larger unit of time"};
   return fit;
 }
 

@@ -36,10 +36,12 @@ Result<EulerSequence> EulerSequence::named(std::string_view name, Turning turnin
     const auto a = axis_of(letters[0]), b = axis_of(letters[1]), c = axis_of(letters[2]);
     if (a && b && c && a != b && b != c) return EulerSequence(*a, *b, *c, turning);
   }
-  return Error{"unknown_sequence", "sequence",
+  return Error{"unknown_sequence",
+               "sequence",
                fmt::format("\"{}\" is no sequence of three turns about axes: take xyz, xzy, yxz, yzx, zxy, zyx, xyx, "
                            "xzx, yxy, yzy, zxz or zyz",
-                           name)};
+                           name),
+               {{"given", fmt::format("\"{}\"", name)}}};
 }
 
 const std::array<EulerSequence, 12>& EulerSequence::all(Turning turning) {

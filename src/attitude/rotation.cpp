@@ -13,27 +13,38 @@
 namespace linkwright {
 namespace {
 
-/// "the nearest rotation, 0.01 away, is [[…], […], […]]".
-std::string offer(const NearestRotation& nearest) {
+/// "[[…], […], […]]".
+std::string rows_text(const Matrix3x3& a) {
   // + 0.0 makes 0 of −0.
   const auto row = [](Vector3 r) { return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", r.x + 0.0, r.y + 0.0, r.z + 0.0); };
-  const Matrix3x3& a = nearest.rotation.matrix();
-  return fmt::format("{} rotation, {:.3g} away, is [{}, {}, {}]", nearest.unique ? "the nearest" : "a nearest",
-                     nearest.distance, row(a.row[0]), row(a.row[1]), row(a.row[2]));
+  return fmt::format("[{}, {}, {}]", row(a.row[0]), row(a.row[1]), row(a.row[2]));
+}
+
+/// "the nearest rotation, 0.01 away, is [[…], […], […]]".
+std::string offer(const NearestRotation& nearest) {
+  return fmt::format("{} rotation, {:.3g} away, is {}", nearest.unique ? "the nearest" : "a nearest", nearest.distance,
+                     rows_text(nearest.rotation.matrix()));
 }
 
 Error not_orthogonal(double error, double det, const NearestRotation& nearest) {
-  return {"not_orthogonal", "matrix",
+  return {"not_orthogonal",
+          "matrix",
           fmt::format("not a rotation: its columns are not orthonormal, AᵀA differs from the identity by {:.3g}{}; {}",
-                      error, det < 0 ? ", and its determinant is negative" : "", offer(nearest))};
+                      error, det < 0 ? ", and its determinant is negative" : "", offer(nearest)),
+          {{"error", error},
+           {"determinant", det},
+           {"distance", nearest.distance},
+           {"nearest", rows_text(nearest.rotation.matrix())}}};
 }
 
 Error reflection(const NearestRotation& nearest) {
   return {
-      "reflection", "matrix",
+      "reflection",
+      "matrix",
       fmt::format("not a rotation but a reflection: its determinant is −1, so one of the frames is left-handed; turn "
                   "the sign of one axis, or take another: {}",
-                  offer(nearest))};
+                  offer(nearest)),
+      {{"distance", nearest.distance}, {"nearest", rows_text(nearest.rotation.matrix())}}};
 }
 
 }  // namespace

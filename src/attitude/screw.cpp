@@ -44,7 +44,7 @@ Result<Screw> screw_of(const Displacement& displacement, double no_turn) {
   screw.point = 0.5 * ((q.w() / sine) * moment - cross(p, moment));
   if (!is_finite(screw.point))
     return Error{
-        "not_finite", "screw",
+        "axis_too_far", "screw",
         "the axis lies farther away than numbers reach: take a larger unit of length, or count so small a turn "
         "as none"};
   screw.kind = pi - angle <= no_turn ? ScrewKind::half_turn : ScrewKind::general;

@@ -14,17 +14,20 @@ std::optional<Error> refuse_version(const JsonValue& root) {
   const double version = found->get<double>();
   if (!(version > file_version)) return std::nullopt;
   return Error{
-      "newer_version", "linkwright",
+      "newer_version",
+      "linkwright",
       fmt::format("this file was written by a newer Linkwright (version {}; this is {}); use the newer program",
-                  version, file_version)};
+                  version, file_version),
+      {{"version", version}, {"known", file_version}}};
 }
 
 void check_version(const JsonObject& file) {
-  const auto version =
-      file.require("linkwright", fmt::format("the version of the file: \"linkwright\": {}", file_version));
+  const auto version = file.require(
+      "linkwright", {"file_version", fmt::format("the version of the file: \"linkwright\": {}", file_version)});
   const auto number = version ? version->as_number() : std::nullopt;
   if (number && *number != file_version) {
-    version->mistake("unknown_version", fmt::format("there is no version {}; this is {}", *number, file_version));
+    version->mistake("unknown_version", fmt::format("there is no version {}; this is {}", *number, file_version),
+                     {{"version", *number}, {"known", file_version}});
   }
 }
 

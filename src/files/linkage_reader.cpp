@@ -34,12 +34,12 @@ std::optional<FourBar> checked(const FourBar& four_bar, const JsonValue& value) 
   for (const Point pivot :
        {four_bar.input_center, four_bar.input_circle, four_bar.output_center, four_bar.output_circle}) {
     if (in_range(pivot)) continue;
-    value.mistake("out_of_range",
-                  fmt::format("the coordinates of a pivot lie between ±{}", limit_text(largest_number)));
+    value.mistake("pivot_range", fmt::format("the coordinates of a pivot lie between ±{}", limit_text(largest_number)),
+                  {{"most", limit_text(largest_number)}});
     return std::nullopt;
   }
   if (linkage_type(four_bar.lengths()) != LinkageType::degenerate) return four_bar;
-  value.mistake("degenerate_linkage", "two pivots joined by a link coincide; every link of a four-bar has a length");
+  value.mistake("degenerate_four_bar", "two pivots joined by a link coincide; every link of a four-bar has a length");
   return std::nullopt;
 }
 
@@ -66,11 +66,11 @@ FourBar laid_out(const LinkLengths& lengths, const AngleRange& range) {
 std::optional<FourBar> read_lengths(const JsonValue& value, Mistakes& mistakes) {
   const JsonObject object(value, mistakes, {"ground", "input", "coupler", "output"});
   const auto length = [&](std::string_view key) -> std::optional<double> {
-    const auto found = object.require(key, "a length");
+    const auto found = object.require(key, {"length", "a length"});
     const auto number = found ? found->as_number() : std::nullopt;
     if (!number || (*number > 0 && *number <= largest_number)) return number;
-    found->mistake("out_of_range",
-                   fmt::format("a length is greater than 0 and at most {}", limit_text(largest_number)));
+    found->mistake("length_range", fmt::format("a length is greater than 0 and at most {}", limit_text(largest_number)),
+                   {{"most", limit_text(largest_number)}});
     return std::nullopt;
   };
   const auto ground = length("ground"), input = length("input"), coupler = length("coupler"), output = length("output");
@@ -78,19 +78,21 @@ std::optional<FourBar> read_lengths(const JsonValue& value, Mistakes& mistakes) 
   const LinkLengths lengths{*ground, *input, *coupler, *output};
   const auto ranges = input_ranges(lengths);
   if (ranges.empty()) {
+    const double longest = lengths.longest(), others = lengths.perimeter() - longest;
     value.mistake("cannot_be_assembled",
                   fmt::format("the longest link ({:g}) is longer than the other three together ({:g}), so "
                               "they do not close; shorten it or lengthen another",
-                              lengths.longest(), lengths.perimeter() - lengths.longest()));
+                              longest, others),
+                  {{"longest", longest}, {"others", others}});
     return std::nullopt;
   }
   return checked(laid_out(lengths, ranges.front()), value);
 }
 
 std::optional<Point> read_dyad_point(const JsonObject& dyad, std::string_view key) {
-  const auto found = dyad.require(key, "two numbers [x, y]");
+  const auto found = dyad.require(key, {"two_coordinates", "two numbers [x, y]"});
   if (!found) return std::nullopt;
-  if (!found->is_null()) return found->as_pair("[x, y]");
+  if (!found->is_null()) return found->as_pair({"[x, y]"});
   found->mistake("slider",
                  "this pivot lies at infinity (a slider); only linkages with four pivots can be drawn or analysed");
   return std::nullopt;
@@ -99,7 +101,8 @@ std::optional<Point> read_dyad_point(const JsonObject& dyad, std::string_view ke
 std::optional<FourBar> read_dyads(const JsonObject& element, const JsonValue& value, Mistakes& mistakes) {
   std::vector<Point> points;
   for (const std::string_view side : {"input", "output"}) {
-    const auto found = element.require(side, "a side link {\"center_point\": [x, y], \"circle_point\": [x, y]}");
+    const auto found =
+        element.require(side, {"side_link", "a side link {\"center_point\": [x, y], \"circle_point\": [x, y]}"});
     if (!found) continue;
     const JsonObject dyad(*found, mistakes, {});
     for (const std::string_view key : {"center_point", "circle_point"}) {
@@ -117,10 +120,11 @@ std::optional<FourBar> read_four_bar(const JsonValue& value, Mistakes& mistakes)
   if (const auto mechanism = element.find("mechanism")) {
     const auto name = mechanism->as_text();
     if (name && *name != "four_bar") {
-      mechanism->mistake("not_available",
+      mechanism->mistake("other_mechanism",
                          fmt::format("only a \"four_bar\" and a \"six_bar\" can be analysed and exported; this is a "
-                                     "\"{}\", whose pivots stand in the result file",
-                                     presentable(*name)));
+                                     "{}, whose pivots stand in the result file",
+                                     in_quotes(*name)),
+                         {{"given", in_quotes(*name)}});
       return std::nullopt;
     }
   }
@@ -133,10 +137,11 @@ std::optional<FourBar> read_four_bar(const JsonValue& value, Mistakes& mistakes)
 
 void read_linkage_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
   if (value.json().is_array() && value.json().size() > most_poses) {
-    value.mistake("pose_count", fmt::format("at most {} poses are read; remove the others", most_poses));
+    value.mistake("poses_read", fmt::format("at most {} poses are read; remove the others", most_poses),
+                  {{"most", most_poses}});
     return;
   }
-  value.for_each("a list of poses", [&](const JsonValue& item) {
+  value.for_each({"poses", "a list of poses"}, [&](const JsonValue& item) {
     if (auto pose = read_pose(item, mistakes, OtherMembers::ignored)) poses.push_back(*std::move(pose));
   });
 }
@@ -241,10 +246,10 @@ Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view 
                  "this is a problem file, not a result; solve it first: linkwright solve PROBLEM.json -o RESULT.json"};
   }
   std::vector<AnyStoredLinkage> linkages;
-  const auto list = file.require("linkages", "the list of linkages of a result file");
+  const auto list = file.require("linkages", {"linkages_of_result", "the list of linkages of a result file"});
   if (list) {
     const StoredLinkage of_the_problem = read_problem_echo(file, mistakes);
-    list->for_each("a list of linkages", [&](const JsonValue& item) {
+    list->for_each({"linkages", "a list of linkages"}, [&](const JsonValue& item) {
       StoredLinkage surroundings = of_the_problem;
       read_own_poses(item, mistakes, surroundings);
       auto linkage = read_element(item, surroundings, mistakes);

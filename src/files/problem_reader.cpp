@@ -10,6 +10,7 @@
 #include "files/json/json_object.hpp"
 #include "files/json/mistakes.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/nearest_name.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/text_file.hpp"
 #include "task_reader.hpp"
@@ -52,12 +53,13 @@ void read_box(const JsonObject& object, std::string_view key, Mistakes& mistakes
 void read_types(const JsonObject& object, std::vector<LinkageType>& types) {
   const auto found = object.find("types");
   if (!found || found->is_null()) return;
-  found->for_each("a list of linkage types", [&](const JsonValue& item) {
+  found->for_each({"types", "a list of linkage types"}, [&](const JsonValue& item) {
     const auto written = item.as_one_of(linkage_type_names);
     if (!written) return;
     const LinkageType type = *linkage_type_named(*written);
     if (std::find(types.begin(), types.end(), type) != types.end()) {
-      item.mistake("repeated_type", fmt::format("\"{}\" is listed twice; keep one", *written));
+      item.mistake("repeated_type", fmt::format("{} is listed twice; keep one", in_quotes(*written)),
+                   {{"given", in_quotes(*written)}});
     } else {
       types.push_back(type);
     }
@@ -100,11 +102,11 @@ void read_name(const JsonObject& object, std::string_view key, std::initializer_
 std::optional<MapWindow> read_window(const JsonValue& value) {
   std::vector<Point> intervals;
   if (!value.json().is_array() || value.json().size() != 2) {
-    value.wrong_type("a pair of intervals [[low, high], [low, high]]");
+    value.wrong_type({"intervals", "a pair of intervals [[low, high], [low, high]]"});
     return std::nullopt;
   }
-  value.for_each("a pair of intervals", [&](const JsonValue& item) {
-    if (const auto interval = item.as_pair("[low, high]")) intervals.push_back(*interval);
+  value.for_each({"intervals", "a pair of intervals"}, [&](const JsonValue& item) {
+    if (const auto interval = item.as_pair({"low_high", "[low, high]"})) intervals.push_back(*interval);
   });
   if (intervals.size() != 2) return std::nullopt;
   return MapWindow{{intervals[0].real(), intervals[0].imag()}, {intervals[1].real(), intervals[1].imag()}};
@@ -132,7 +134,7 @@ void read_view(const JsonValue& value, std::string& view) {
   if (value.is_object()) {
     view = value.json().dump();
   } else {
-    value.wrong_type("an object { … }");
+    value.wrong_type({"object_in_braces", "an object { … }"});
   }
 }
 
@@ -143,7 +145,7 @@ void read_problem_members(const JsonObject& file, Mistakes& mistakes, Problem& p
     read_requirements(*requirements, mistakes, problem.requirements);
   }
   if (const auto options = file.find("options")) read_options(*options, mistakes, problem.options);
-  if (const auto task = file.require("task", "the task: \"task\": {\"kind\": \"motion\", …}"))
+  if (const auto task = file.require("task", {"task", "the task: \"task\": {\"kind\": \"motion\", …}"}))
     problem.task = read_task(*task, problem.options.box, mistakes);
   if (mistakes.empty()) mistakes.add(mistakes_in(problem.task, problem.options));
   if (const auto view = file.find("view")) read_view(*view, problem.view);

@@ -22,25 +22,28 @@ constexpr std::size_t most_poses_looked_at =
 
 std::optional<std::string_view> required_name(const JsonObject& task, std::string_view key,
                                               std::span<const std::string_view> names) {
-  const auto found = task.require(key, fmt::format("\"{}\": \"{}\"", key, names.front()));
+  const auto found = task.require(key, {fmt::format("\"{}\": \"{}\"", key, names.front())});
   return found ? found->as_one_of(names) : std::nullopt;
 }
 
-void not_available(const JsonObject& task, std::string_view key, std::string_view what) {
+void not_available(const JsonObject& task, std::string_view key, std::string_view name) {
   if (const auto found = task.find(key))
-    found->mistake("not_available", fmt::format("{} not available in this version; {}", what, what_is_available));
+    found->mistake("not_available",
+                   fmt::format("{} is not available in this version; {}", in_quotes(name), what_is_available),
+                   {{"name", in_quotes(name)}});
 }
 
 /// The poses, and whether every one could be read.
 bool read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
   if (value.json().is_array() && value.json().size() > most_poses_looked_at) {
-    value.mistake("pose_count", fmt::format("{} poses are given; five positions are the most that can be solved, "
-                                            "remove the others",
-                                            value.json().size()));
+    value.mistake("pose_count",
+                  fmt::format("{} poses are given; five positions are the most that can be solved, remove the others",
+                              value.json().size()),
+                  {{"count", value.json().size()}});
     return false;
   }
   bool complete = true;
-  const bool is_list = value.for_each("a list of poses", [&](const JsonValue& item) {
+  const bool is_list = value.for_each({"poses", "a list of poses"}, [&](const JsonValue& item) {
     const auto pose = read_pose(item, mistakes, OtherMembers::refused);
     if (pose) poses.push_back(*pose);
     complete = complete && pose.has_value();
@@ -50,7 +53,8 @@ bool read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<Prescrib
 
 bool read_poses(const JsonObject& task, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
   const auto found = task.require(
-      "poses", "a list of poses {\"x\": …, \"y\": …, \"theta_deg\": …}, some of them with \"derivatives\"");
+      "poses",
+      {"poses_in_full", "a list of poses {\"x\": …, \"y\": …, \"theta_deg\": …}, some of them with \"derivatives\""});
   return found && read_poses(*found, mistakes, poses);
 }
 
@@ -98,13 +102,14 @@ std::optional<ThreePoseGiven> read_given(const JsonValue& value, Mistakes& mista
   for (const std::string_view form : forms_of_given)
     if (any.find(form)) there.push_back(form);
   if (there.size() > 1) {
-    value.mistake("two_given",
-                  fmt::format("\"{}\" and \"{}\" are two ways to say what is given; keep one", there[0], there[1]));
+    const std::string first = in_quotes(there[0]), second = in_quotes(there[1]);
+    value.mistake("two_given", fmt::format("{} and {} are two ways to say what is given; keep one", first, second),
+                  {{"first", first}, {"second", second}});
     return std::nullopt;
   }
   if (const auto lengths = any.find("side_lengths")) {
     const JsonObject object(value, mistakes, {"side_lengths"});
-    const auto pair = lengths->as_pair("[input, output]");
+    const auto pair = lengths->as_pair({"input_output", "[input, output]"});
     return pair ? std::optional<ThreePoseGiven>(SideLengths{pair->real(), pair->imag()}) : std::nullopt;
   }
   if (const auto length = any.find("side_length")) {
@@ -121,7 +126,7 @@ std::optional<ThreePoseGiven> read_given(const JsonValue& value, Mistakes& mista
       value, mistakes,
       {"side_lengths", "side_length", "side_angle_deg", "directed", "input_length", "instant_center", "at_infinity"});
   if (mistakes.size() == before)
-    value.mistake("missing_given",
+    value.mistake("no_given",
                   "one of \"side_lengths\": [input, output], \"side_length\", \"side_angle_deg\" and "
                   "\"instant_center\": [x, y] belongs here");
   return std::nullopt;
@@ -159,12 +164,13 @@ std::optional<AnglePair> read_pair(const JsonValue& value, Mistakes& mistakes) {
   bool complete = input && output;
   if (const auto derivatives = object.find("derivatives")) {
     if (derivatives->json().is_array() && derivatives->json().size() > most_derivatives) {
-      derivatives->mistake("derivative_count", fmt::format("{} derivatives are given; a pair has at most {}, remove "
-                                                           "the others",
-                                                           derivatives->json().size(), most_derivatives));
+      derivatives->mistake("derivative_count_of_pair",
+                           fmt::format("{} derivatives are given; a pair has at most {}, remove the others",
+                                       derivatives->json().size(), most_derivatives),
+                           {{"count", derivatives->json().size()}, {"most", most_derivatives}});
       return std::nullopt;
     }
-    complete = derivatives->for_each("a list of derivatives [{\"input\": …, \"output\": …}, …]",
+    complete = derivatives->for_each({"rates", "a list of derivatives [{\"input\": …, \"output\": …}, …]"},
                                      [&](const JsonValue& item) {
                                        const auto rates = read_rates(item, mistakes);
                                        if (rates) pair.derivatives.push_back(*rates);
@@ -181,13 +187,15 @@ std::optional<AnglePair> read_pair(const JsonValue& value, Mistakes& mistakes) {
 bool read_pairs(const JsonValue& value, Mistakes& mistakes, std::vector<AnglePair>& pairs) {
   bool complete = true;
   if (value.json().is_array() && value.json().size() > most_poses_looked_at) {
-    value.mistake("pair_count", fmt::format("{} pairs are given; five are the most that can be solved, remove the "
-                                            "others, or give them as \"function\": {{\"table\": …}}",
-                                            value.json().size()));
+    value.mistake("pair_count",
+                  fmt::format("{} pairs are given; five are the most that can be solved, remove the others, or give "
+                              "them as \"function\": {{\"table\": …}}",
+                              value.json().size()),
+                  {{"count", value.json().size()}});
     return false;
   }
   const bool is_list =
-      value.for_each("a list of pairs {\"input_deg\": …, \"output_deg\": …}", [&](const JsonValue& item) {
+      value.for_each({"pairs", "a list of pairs {\"input_deg\": …, \"output_deg\": …}"}, [&](const JsonValue& item) {
         const auto pair = read_pair(item, mistakes);
         if (pair) pairs.push_back(*pair);
         complete = complete && pair;
@@ -199,22 +207,22 @@ bool read_pairs(const JsonValue& value, Mistakes& mistakes, std::vector<AnglePai
 bool read_range(const JsonObject& object, std::string_view key, std::optional<std::array<double, 2>>& range) {
   const auto found = object.find(key);
   if (!found || found->is_null()) return true;
-  const auto pair = found->as_pair("[low, high]");
+  const auto pair = found->as_pair({"low_high", "[low, high]"});
   if (pair) range = {pair->real(), pair->imag()};
   return pair.has_value();
 }
 
 bool read_dial(const JsonObject& object, std::string_view key, std::array<double, 2>& range) {
-  const auto found = object.require(key, "two angles [first, last]");
-  const auto pair = found ? found->as_pair("[first, last]") : std::nullopt;
+  const auto found = object.require(key, {"two_angles", "two angles [first, last]"});
+  const auto pair = found ? found->as_pair({"first_last", "[first, last]"}) : std::nullopt;
   if (pair) range = {radians(pair->real()), radians(pair->imag())};
   return pair.has_value();
 }
 
 bool read_table(const JsonValue& value, std::vector<std::array<double, 2>>& table) {
   bool complete = true;
-  const bool is_list = value.for_each("a list of rows [x, y]", [&](const JsonValue& item) {
-    const auto row = item.as_pair("[x, y]");
+  const bool is_list = value.for_each({"rows", "a list of rows [x, y]"}, [&](const JsonValue& item) {
+    const auto row = item.as_pair({"[x, y]"});
     if (row) table.push_back({row->real(), row->imag()});
     complete = complete && row;
   });
@@ -233,9 +241,10 @@ bool read_what_it_is(const JsonObject& object, const JsonValue& value, NamedFunc
   auto text = expression->as_text();
   if (!text) return false;
   if (text->empty() || presentable(*text) != *text) {  // no line breaks in messages
-    expression->mistake("unknown_expression", fmt::format("{} is no expression; write \"x^2\", \"sqrt\", \"log\", "
-                                                          "\"sin\", …",
-                                                          in_quotes(*text)));
+    expression->mistake(
+        "no_expression",
+        fmt::format("{} is no expression; write \"x^2\", \"sqrt\", \"log\", \"sin\", …", in_quotes(*text)),
+        {{"given", in_quotes(*text)}});
     return false;
   }
   function.expression = *std::move(text);
@@ -262,7 +271,7 @@ bool read_spacing(const JsonObject& object, NamedFunction& function) {
   }
   function.spacing = PointSpacing::given;
   bool complete = true;
-  found->for_each("a list of x", [&](const JsonValue& item) {
+  found->for_each({"list_of_x", "a list of x"}, [&](const JsonValue& item) {
     const auto x = item.as_number();
     if (x) function.given_points.push_back(*x);
     complete = complete && x;
@@ -305,7 +314,7 @@ bool read_pair_number(const JsonValue& value, FreeNumber& free) {
   const auto number = value.as_whole_number();
   if (!number) return false;
   if (*number < 1) {
-    value.mistake("out_of_range", "pairs count from 1");
+    value.mistake("pair_number", "pairs count from 1");
     return false;
   }
   free.pair = static_cast<std::size_t>(*number) - 1;
@@ -315,13 +324,13 @@ bool read_pair_number(const JsonValue& value, FreeNumber& free) {
 std::optional<FreeNumber> read_free(const JsonValue& value, Mistakes& mistakes) {
   constexpr std::array names = {std::string_view("output_scale"), std::string_view("pair_output")};
   const JsonObject object(value, mistakes, {"number", "pair", "range"});
-  const auto written = object.require("number", "\"number\": \"output_scale\"");
+  const auto written = object.require("number", {"\"number\": \"output_scale\""});
   const auto kind = written ? written->as_one_of(names) : std::nullopt;
   if (!kind) return std::nullopt;
   FreeNumber free;
   free.kind = free_number_named(*kind).value_or(free.kind);
   if (free.kind == FreeNumber::Kind::pair_output) {
-    const auto pair = object.require("pair", "which pair it is, counted from 1");
+    const auto pair = object.require("pair", {"pair_number", "which pair it is, counted from 1"});
     const bool ranged = read_dial(object, "range", free.range);
     return pair && read_pair_number(*pair, free) && ranged ? std::optional(free) : std::nullopt;
   }
@@ -380,36 +389,39 @@ bool read_elbows(const JsonObject& object, std::array<int, 4>& elbow) {
   if (!found) return true;
   std::size_t count = 0;
   bool complete = true;
-  const bool is_list = found->for_each("a list of four signs", [&](const JsonValue& item) {
+  const bool is_list = found->for_each({"signs", "a list of four signs"}, [&](const JsonValue& item) {
     const auto sign = item.as_whole_number();
     if (sign && count < elbow.size()) elbow[count] = *sign;
     complete = complete && sign;
     ++count;
   });
   if (is_list && complete && count != elbow.size()) {
-    found->mistake("elbow_count", fmt::format("{} signs are given; one to each of the four poses belongs here", count));
+    found->mistake("elbow_count", fmt::format("{} signs are given; one to each of the four poses belongs here", count),
+                   {{"count", count}});
     return false;
   }
   return is_list && complete;
 }
 
 bool read_added(const JsonObject& object, std::array<BodyPair, 2>& added) {
-  const auto found = object.require("added", "\"added\": [\"0-2\", \"0-3\"]");
+  const auto found = object.require("added", {"\"added\": [\"0-2\", \"0-3\"]"});
   if (!found) return false;
   std::vector<BodyPair> pairs;
   bool complete = true;
-  const bool is_list = found->for_each("two pairs of bodies", [&](const JsonValue& item) {
+  const bool is_list = found->for_each({"bodies", "two pairs of bodies"}, [&](const JsonValue& item) {
     const auto text = item.as_text();
     const auto pair = text ? body_pair_from(*text) : std::nullopt;
     if (text && !pair)
-      item.mistake("unknown_bodies", fmt::format("{} names no two bodies; write them as in \"0-2\"", in_quotes(*text)));
+      item.mistake("unknown_bodies", fmt::format("{} names no two bodies; write them as in \"0-2\"", in_quotes(*text)),
+                   {{"given", in_quotes(*text)}});
     if (pair) pairs.push_back(*pair);
     complete = complete && pair;
   });
   if (!is_list || !complete) return false;
   if (pairs.size() != added.size()) {
     found->mistake("added_count",
-                   fmt::format("{} added links are given; a six-bar has two beside the chain", pairs.size()));
+                   fmt::format("{} added links are given; a six-bar has two beside the chain", pairs.size()),
+                   {{"count", pairs.size()}});
     return false;
   }
   added = {pairs[0], pairs[1]};
@@ -439,15 +451,18 @@ Task read_task(const JsonValue& value, const std::optional<Box>& options_box, Mi
   const auto mechanism = required_name(any, "mechanism", mechanism_names);
   if (!kind || !mechanism) return MotionTask{};
   if (*kind == "straight_line") {
-    not_available(any, "kind", fmt::format("kind \"{}\" is", *kind));
+    not_available(any, "kind", *kind);
   } else if (*mechanism == "spherical_four_bar") {
-    not_available(any, "mechanism", fmt::format("mechanism \"{}\" is", *mechanism));
+    not_available(any, "mechanism", *mechanism);
   } else if (*mechanism == "four_bar") {
     return *kind == "motion" ? read_motion(value, mistakes) : read_function_task(value, mistakes);
   } else if (*kind == "motion") {
     return read_six_bar(value, options_box, mistakes);
   } else {
-    not_available(any, "mechanism", "function generation by a six_bar is");
+    any.find("mechanism")
+        ->mistake(
+            "no_six_bar_function",
+            fmt::format("function generation by a six_bar is not available in this version; {}", what_is_available));
   }
   return MotionTask{};  // other kinds have other keys
 }
@@ -466,8 +481,8 @@ std::optional<ThreeLinkChain> read_chain(const JsonValue& value, Mistakes& mista
 std::optional<Box> read_box(const JsonValue& value, Mistakes& mistakes) {
   const JsonObject object(value, mistakes, {"x", "y"});
   const auto interval = [&](std::string_view key) {
-    const auto found = object.require(key, "two numbers [low, high]");
-    return found ? found->as_pair("[low, high]") : std::nullopt;
+    const auto found = object.require(key, {"two_limits", "two numbers [low, high]"});
+    return found ? found->as_pair({"low_high", "[low, high]"}) : std::nullopt;
   };
   const auto x = interval("x");
   const auto y = interval("y");

@@ -83,9 +83,7 @@ std::vector<MapPoint> low_cells(const RegionMap& map, const std::vector<float>& 
 Notice nothing_meets(const RegionMap& map, const Requirements& requirements) {
   const RegionCounts counts = map.counts();
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
-  const auto counted = [](std::int64_t count) {
-    return std::vector<Notice::Value>{{"count", static_cast<double>(count)}};
-  };
+  const auto counted = [](std::int64_t count) { return Values{{"count", static_cast<double>(count)}}; };
   if (whole == 0) return {"no_pair", "No pair of dyads of the other poses makes a four-bar with four pivots.", {}};
   if (counts.defect_free == 0 && requirements.no_defects)
     return {"none_defect_free",

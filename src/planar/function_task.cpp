@@ -18,15 +18,18 @@ std::string place_of_pair(std::size_t pair) { return fmt::format("task.pairs[{}]
 
 void check_number(double value, std::string_view what, const std::string& place, std::vector<Error>& found) {
   if (std::abs(value) <= largest_coordinate) return;
-  found.push_back({"out_of_range", place,
-                   fmt::format("{0} must be a number between −{1} and {1}", what, limit_text(largest_coordinate))});
+  const std::string most = limit_text(largest_coordinate);
+  found.push_back({"number_range",
+                   place,
+                   fmt::format("{0} must be a number between −{1} and {1}", what, most),
+                   {{"name", what}, {"most", most}}});
 }
 
 // A first derivative must move the input: the output is a function of it.
 void check_first_derivative(const AngleDerivative& first, const std::string& place, std::vector<Error>& found) {
   if (std::abs(first.input) >= smallest_direction) return;
   if (std::abs(first.output) < smallest_direction)
-    found.push_back({"zero_derivative", place,
+    found.push_back({"zero_rates", place,
                      "the first derivative is zero: neither link moves; give the rates of both, of any size, or leave "
                      "derivatives out"});
   else
@@ -72,25 +75,33 @@ std::string count_words(const FunctionTask& task, int count) {
 }
 
 void check_count(const FunctionTask& task, std::vector<Error>& found) {
-  const int count = position_count(task.pairs);
-  if (count < 4)
-    found.push_back(
-        {"too_few_pairs", "task.pairs",
-         fmt::format("{} and 4 or 5 are needed; add {} (rates at a pair, \"derivatives\", count as one more)",
-                     count_words(task, count), 4 - count)});
-  if (count > 5)
-    found.push_back({"too_many_pairs", "task.pairs",
-                     fmt::format("{} and 5 can be met; remove {}", count_words(task, count), count - 5)});
+  constexpr int fewest = 4, most = 5;
+  const int count = position_count(task.pairs), pairs = static_cast<int>(task.pairs.size());
+  const bool plain = count == pairs;
+  const Values values = {{"count", count},   {"pairs", pairs}, {"derivatives", count - pairs},
+                         {"fewest", fewest}, {"most", most},   {"change", std::max(fewest - count, count - most)}};
+  if (count < fewest)
+    found.push_back({plain ? "too_few_pairs" : "too_few_pair_positions", "task.pairs",
+                     fmt::format("{} and {} or {} are needed; add {} (rates at a pair, \"derivatives\", count as one "
+                                 "more)",
+                                 count_words(task, count), fewest, most, fewest - count),
+                     values});
+  if (count > most)
+    found.push_back({plain ? "too_many_pairs" : "too_many_pair_positions", "task.pairs",
+                     fmt::format("{} and {} can be met; remove {}", count_words(task, count), most, count - most),
+                     values});
 }
 
 void check_repetitions(const FunctionTask& task, std::vector<Error>& found) {
   for (std::size_t j = 1; j < task.pairs.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (std::abs(wrap_signed(task.pairs[j].input - task.pairs[i].input)) < repeated_input_angle) {
-        found.push_back({"repeated_input", place_of_pair(j) + ".input_deg",
+        found.push_back({"repeated_input",
+                         place_of_pair(j) + ".input_deg",
                          fmt::format("pairs[{}] and pairs[{}] have the same input angle, and one input has one output; "
                                      "change one of them, or give rates (\"derivatives\") at one pair instead",
-                                     i, j)});
+                                     i, j),
+                         {{"i", i}, {"j", j}}});
         break;
       }
 }
@@ -121,16 +132,20 @@ void check_free(const FunctionTask& task, std::vector<Error>& found) {
     found.push_back({"free_number_of_five", "task.free",
                      "a number can be left free with four positions; five already leave nothing to choose"});
   if (!(std::abs(low) <= most && std::abs(high) <= most && low < high))
-    found.push_back({"out_of_range", "task.free.range",
+    found.push_back({"range_order",
+                     "task.free.range",
                      fmt::format("the range is [low, high] with low below high, both numbers between −{0} and {0}",
-                                 limit_text(largest_coordinate))});
+                                 limit_text(largest_coordinate)),
+                     {{"most", limit_text(largest_coordinate)}}});
   else if (scales && low < 1 / largest_coordinate)
-    found.push_back({"out_of_range", "task.free.range",
+    found.push_back({"scale_range", "task.free.range",
                      "the output's travel is multiplied by a positive number; turn the signs of the outputs round to "
                      "let it turn the other way"});
   if (!scales && task.free->pair >= task.pairs.size())
-    found.push_back({"out_of_range", "task.free.pair",
-                     fmt::format("there are only {} pairs; name one of them", task.pairs.size())});
+    found.push_back({"no_such_pair",
+                     "task.free.pair",
+                     fmt::format("there are only {} pairs; name one of them", task.pairs.size()),
+                     {{"count", task.pairs.size()}}});
 }
 
 }  // namespace

@@ -15,8 +15,11 @@ std::string place_of_pose(std::size_t pose) { return fmt::format("task.poses[{}]
 
 void check_number(double value, double limit, const char* what, const std::string& place, std::vector<Error>& found) {
   if (std::abs(value) <= limit) return;
-  found.push_back(
-      {"out_of_range", place, fmt::format("{0} must be a number between −{1} and {1}", what, limit_text(limit))});
+  const std::string most = limit_text(limit);
+  found.push_back({"number_range",
+                   place,
+                   fmt::format("{0} must be a number between −{1} and {1}", what, most),
+                   {{"name", what}, {"most", most}}});
 }
 
 bool is_zero(const PoseDerivative& d) {
@@ -47,29 +50,43 @@ void check_numbers(const MotionTask& task, std::vector<Error>& found) {
   }
 }
 
+std::string short_pattern(const MotionTask& task) {
+  constexpr std::size_t most = 12;
+  const std::string text = pattern(task.poses);
+  return text.size() <= most ? text : text.substr(0, most) + "…";
+}
+
 // "5 positions were given (PPP-P-P: 3 poses and 2 derivatives)"; without derivatives the poses are the positions.
 std::string count_words(const MotionTask& task, int count) {
   const std::size_t poses = task.poses.size(), derivatives = static_cast<std::size_t>(count) - poses;
   if (derivatives == 0) return fmt::format("{} {} given", poses, poses == 1 ? "pose was" : "poses were");
-  constexpr int longest_pattern = 12;
-  return fmt::format("{} positions were given ({}{} pose{} and {} derivative{}, each counting as one)", count,
-                     count <= longest_pattern ? pattern(task.poses) + ": " : "", poses, poses == 1 ? "" : "s",
-                     derivatives, derivatives == 1 ? "" : "s");
+  return fmt::format("{} positions were given ({}: {} pose{} and {} derivative{}, each counting as one)", count,
+                     short_pattern(task), poses, poses == 1 ? "" : "s", derivatives, derivatives == 1 ? "" : "s");
 }
 
 void check_count(const MotionTask& task, std::vector<Error>& found) {
   constexpr int fewest = 3, most = 5;
-  const int count = position_count(task.poses);
+  const int count = position_count(task.poses), poses = static_cast<int>(task.poses.size());
+  const bool plain = count == poses;
+  const Values values = {{"count", count},
+                         {"pattern", short_pattern(task)},
+                         {"poses", poses},
+                         {"derivatives", count - poses},
+                         {"fewest", fewest},
+                         {"most", most},
+                         {"change", std::max(fewest - count, count - most)}};
   if (count < fewest)
     found.push_back(
-        {"too_few_poses", "task.poses",
+        {plain ? "too_few_poses" : "too_few_positions", "task.poses",
          fmt::format("{} and {} to {} are needed; add {} (a direction of travel at a pose, \"derivatives\", counts "
                      "as one more)",
-                     count_words(task, count), fewest, most, fewest - count)});
+                     count_words(task, count), fewest, most, fewest - count),
+         values});
   if (count > most)
-    found.push_back({"too_many_poses", "task.poses",
+    found.push_back({plain ? "too_many_poses" : "too_many_positions", "task.poses",
                      fmt::format("{} and {} are the most that a four-bar can pass exactly; remove {}",
-                                 count_words(task, count), most, count - most)});
+                                 count_words(task, count), most, count - most),
+                     values});
 }
 
 bool has_derivatives(const MotionTask& task) {
@@ -86,13 +103,15 @@ void check_given(const MotionTask& task, std::vector<Error>& found) {
                      "{\"instant_center\": [x, y]}, or add a fourth position"});
   if (!task.given) return;
   if (!three)
-    found.push_back({"unneeded_given", "task.given",
-                     fmt::format("\"given\" belongs to three positions, and {}; leave it out",
-                                 count_words(task, position_count(task.poses)))});
+    found.push_back({"unneeded_given",
+                     "task.given",
+                     fmt::format("\"given\" belongs to three positions, and {} are given; leave it out",
+                                 position_count(task.poses)),
+                     {{"count", position_count(task.poses)}}});
   const std::vector<Error> of_given = mistakes_in(*task.given);
   found.insert(found.end(), of_given.begin(), of_given.end());
   if (three && std::holds_alternative<InstantCenter>(*task.given) && has_derivatives(task))
-    found.push_back({"unneeded_given", "task.given.instant_center",
+    found.push_back({"unneeded_center", "task.given.instant_center",
                      "an instant centre goes with three poses without derivatives; a direction of travel in position 1 "
                      "says the same, so leave one of the two out"});
 }
@@ -115,10 +134,12 @@ void check_repetitions(const MotionTask& task, std::vector<Error>& found) {
   for (std::size_t j = 1; j < task.poses.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (same_pose(task.poses[i].pose, task.poses[j].pose, extent)) {
-        found.push_back({"repeated_pose", place_of_pose(j),
+        found.push_back({"repeated_pose",
+                         place_of_pose(j),
                          fmt::format("poses[{}] and poses[{}] are the same; move one of them, or give a direction of "
                                      "travel at one pose instead of repeating it",
-                                     i, j)});
+                                     i, j),
+                         {{"i", i}, {"j", j}}});
         break;
       }
 }
@@ -126,8 +147,10 @@ void check_repetitions(const MotionTask& task, std::vector<Error>& found) {
 void check_freed(const MotionTask& task, std::vector<Error>& found) {
   if (!task.freed) return;
   if (*task.freed >= task.poses.size())
-    found.push_back(
-        {"out_of_range", "task.freed_pose", fmt::format("there are {} poses; the first is 1", task.poses.size())});
+    found.push_back({"no_such_pose",
+                     "task.freed_pose",
+                     fmt::format("there are {} poses; the first is 1", task.poses.size()),
+                     {{"count", task.poses.size()}}});
   else if (position_count(task.poses) != 5 || !task.poses[*task.freed].derivatives.empty())
     found.push_back({"unneeded_freed_pose", "task.freed_pose",
                      "a pose is freed of five positions, and one without derivatives; leave \"freed_pose\" out"});

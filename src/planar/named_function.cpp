@@ -38,15 +38,17 @@ bool are_inside(const std::array<double, 2>& range, double most) {
 void check_range(const std::array<double, 2>& range, double unit, double most, std::string_view key,
                  std::vector<Error>& found) {
   if (!are_inside({range[0] / unit, range[1] / unit}, most))
-    found.push_back(
-        {"out_of_range", place(key), fmt::format("a range is two numbers between −{0} and {0}", limit_text(most))});
+    found.push_back({"range_numbers",
+                     place(key),
+                     fmt::format("a range is two numbers between −{0} and {0}", limit_text(most)),
+                     {{"most", limit_text(most)}}});
   else if (range[0] == range[1])
     found.push_back({"empty_range", place(key), "the range is empty; give two different numbers"});
 }
 
 void check_rising(const std::array<double, 2>& range, std::string_view key, std::vector<Error>& found) {
   if (are_inside(range, largest_value) && range[0] > range[1])
-    found.push_back({"out_of_range", place(key),
+    found.push_back({"falling_range", place(key),
                      "the range is written with the lower number first; turn the dial's range in degrees round to let "
                      "the link turn the other way"});
 }
@@ -54,9 +56,11 @@ void check_rising(const std::array<double, 2>& range, std::string_view key, std:
 void check_expression(std::string_view expression, std::vector<Error>& found) {
   const FormulaReading reading = read_formula(expression);
   if (reading.formula) return;
-  found.push_back({"unknown_expression", place("expression"),
+  found.push_back({"unknown_expression",
+                   place("expression"),
                    fmt::format("\"{}\" is not understood from character {} on; there are {}, and tables", expression,
-                               reading.wrong_at, known_expressions)});
+                               reading.wrong_at, known_expressions),
+                   {{"given", fmt::format("\"{}\"", expression)}, {"at", reading.wrong_at}}});
 }
 
 void check_table(const NamedFunction& function, std::vector<Error>& found) {
@@ -67,8 +71,10 @@ void check_table(const NamedFunction& function, std::vector<Error>& found) {
   }
   for (std::size_t i = 0; i < table.size(); ++i)
     if (!are_inside(table[i], largest_value))
-      found.push_back({"out_of_range", fmt::format("task.function.table[{}]", i),
-                       fmt::format("x and y must be numbers between −{0} and {0}", limit_text(largest_value))});
+      found.push_back({"table_numbers",
+                       fmt::format("task.function.table[{}]", i),
+                       fmt::format("x and y must be numbers between −{0} and {0}", limit_text(largest_value)),
+                       {{"most", limit_text(largest_value)}}});
     else if (i > 0 && table[i][0] <= table[i - 1][0])
       found.push_back({"table_out_of_order", fmt::format("task.function.table[{}]", i),
                        "the rows of a table go by rising x, no x twice; sort them"});
@@ -86,29 +92,48 @@ void check_dials(const NamedFunction& function, std::vector<Error>& found) {
   check_range(function.output_range, radians(1), largest_coordinate, "output_range_deg", found);
   constexpr double room = 1e-9;
   if (std::abs(function.input_range[1] - function.input_range[0]) > two_pi + room)
-    found.push_back({"out_of_range", place("input_range_deg"),
+    found.push_back({"dial_turn", place("input_range_deg"),
                      "the input's dial has more than a whole turn; a linkage repeats itself after one"});
 }
 
 void check_count(const NamedFunction& function, std::vector<Error>& found) {
   if (function.points != 4 && function.points != 5)
-    found.push_back({"out_of_range", place("points"), "four or five precision points can be met"});
+    found.push_back({"precision_points", place("points"), "four or five precision points can be met"});
 }
 
 void check_points(const NamedFunction& function, const std::array<double, 2>& x, std::vector<Error>& found) {
   if (function.spacing != PointSpacing::given) return;
   const std::vector<double>& given = function.given_points;
   if (static_cast<int>(given.size()) != function.points)
-    found.push_back({"wrong_count", place("spacing"),
-                     fmt::format("{} precision points are listed and points is {}", given.size(), function.points)});
+    found.push_back({"wrong_count",
+                     place("spacing"),
+                     fmt::format("{} precision points are listed and points is {}", given.size(), function.points),
+                     {{"count", given.size()}, {"points", function.points}}});
   for (std::size_t i = 0; i < given.size(); ++i) {
     const std::string here = fmt::format("task.function.spacing[{}]", i);
     if (!(given[i] >= x[0] && given[i] <= x[1]))
-      found.push_back(
-          {"out_of_range", here, fmt::format("the point lies outside of the range {:g} to {:g} of x", x[0], x[1])});
+      found.push_back({"point_outside",
+                       here,
+                       fmt::format("the point lies outside of the range {:g} to {:g} of x", x[0], x[1]),
+                       {{"low", x[0]}, {"high", x[1]}}});
     else if (i > 0 && !(given[i] > given[i - 1]))
       found.push_back({"points_out_of_order", here, "precision points go by rising x, none twice; sort them"});
   }
+}
+
+Error outside_of_table(double low, double high) {
+  return {"outside_of_table",
+          place("x"),
+          fmt::format("the table runs from {:g} to {:g}; keep x within", low, high),
+          {{"low", low}, {"high", high}}};
+}
+
+Error not_defined(const std::string& expression, double low, double high) {
+  return {"not_defined",
+          place("x"),
+          fmt::format("\"{}\" has no value, or no finite one, somewhere from {:g} to {:g}; choose another range",
+                      expression, low, high),
+          {{"given", fmt::format("\"{}\"", expression)}, {"low", low}, {"high", high}}};
 }
 
 std::vector<double> chebyshev_points(double low, double high, int count) {
@@ -307,12 +332,8 @@ std::vector<Error> mistakes_in(const NamedFunction& function) {
   const DialFunction dial(function);
   const auto [low, high] = dial.x_;
   if (!dial.exists_over(low, high) || !are_inside(dial.least_and_greatest(), largest_value)) {
-    found.push_back({"not_defined", place("x"),
-                     is_table ? fmt::format("the table runs from {:g} to {:g}; keep x within",
-                                            function.table.front()[0], function.table.back()[0])
-                              : fmt::format("{} has no value, or no finite one, somewhere from {:g} to {:g}; choose "
-                                            "another range",
-                                            function.expression, low, high)});
+    found.push_back(is_table ? outside_of_table(function.table.front()[0], function.table.back()[0])
+                             : not_defined(function.expression, low, high));
     return found;
   }
   const auto [least, greatest] = dial.least_and_greatest();

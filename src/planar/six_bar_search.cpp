@@ -202,7 +202,7 @@ std::vector<ThreeLinkChain> next_chains(const SixBarTask& task, const ChainBoxes
 /// `any`: some six-bar meets the requirements, whether one was asked for or not.
 Notice words(const SixBarSearchResult& result, bool any) {
   const auto count = [](std::string name, std::int64_t value) {
-    return Notice::Value{std::move(name), static_cast<double>(value)};
+    return NamedValue{std::move(name), static_cast<double>(value)};
   };
   Notice notice{
       "searched",

@@ -31,30 +31,36 @@ bool is_inside(Point p) { return std::abs(p.real()) <= largest_coordinate && std
 void check_pivot(Point p, const char* key, std::vector<Error>& found) {
   if (!is_inside(p))
     found.push_back(
-        {"out_of_range", fmt::format("task.chain.{}", key),
-         fmt::format("both coordinates must be numbers between −{0} and {0}", limit_text(largest_coordinate))});
+        {"coordinates_range",
+         fmt::format("task.chain.{}", key),
+         fmt::format("both coordinates must be numbers between −{0} and {0}", limit_text(largest_coordinate)),
+         {{"most", limit_text(largest_coordinate)}}});
 }
 
 void check_elbow(const ThreeLinkChain& chain, std::vector<Error>& found) {
   for (std::size_t j = 0; j < chain.elbow.size(); ++j)
     if (chain.elbow[j] != 0 && std::abs(chain.elbow[j]) != 1)
-      found.push_back({"out_of_range", fmt::format("task.chain.elbow[{}]", j),
+      found.push_back({"elbow_range", fmt::format("task.chain.elbow[{}]", j),
                        "an elbow is 1 (b to the left of the line from a to d) or -1 (to its right)"});
   const int drawn = chain.elbow_in_position_1();
   if (chain.elbow[0] == -drawn)
-    found.push_back({"wrong_elbow", "task.chain.elbow[0]",
+    found.push_back({"wrong_elbow",
+                     "task.chain.elbow[0]",
                      fmt::format("in position 1, where a, b and d are given, the elbow is {}; write {} or move b to "
                                  "the other side of the line from a to d",
-                                 drawn, drawn)});
+                                 drawn, drawn),
+                     {{"elbow", drawn}}});
 }
 
 void check_shape(const ThreeLinkChain& chain, std::vector<Error>& found) {
   const double first = chain.first_length(), second = chain.second_length(), size = chain.size();
   const double least = tolerance::change_point * size;
   if (!(first > least))
-    found.push_back({"zero_length", "task.chain.b", "a and b coincide and body 1 has no length; move b away from a"});
+    found.push_back(
+        {"zero_first_body", "task.chain.b", "a and b coincide and body 1 has no length; move b away from a"});
   if (!(second > least))
-    found.push_back({"zero_length", "task.chain.d", "b and d coincide and body 2 has no length; move d away from b"});
+    found.push_back(
+        {"zero_second_body", "task.chain.d", "b and d coincide and body 2 has no length; move d away from b"});
   if (first > least && second > least &&
       std::abs(cross(chain.d - chain.a, chain.b - chain.a)) <= tolerance::change_point * size * size)
     found.push_back({"stretched_chain", "task.chain.b",
@@ -69,11 +75,13 @@ void check_reach(const SixBarTask& task, const ThreeLinkChain& chain, std::vecto
     if (distance < first + second && distance > std::abs(first - second)) continue;
     const bool too_far = distance >= first + second;
     found.push_back(
-        {"out_of_reach", "task.chain",
+        {too_far ? "too_far" : "too_near",
+         "task.chain",
          fmt::format("the chain cannot reach pose {}: its links are {:.4g} and {:.4g} long and the distance "
                      "from a to d is {:.4g} there; {}",
                      j + 1, first, second, distance,
-                     too_far ? "make them longer or move a" : "make their lengths less different")});
+                     too_far ? "make them longer or move a" : "make their lengths less different"),
+         {{"pose", j + 1}, {"first", first}, {"second", second}, {"distance", distance}}});
   }
 }
 
@@ -101,15 +109,19 @@ void check_added(const std::array<BodyPair, 2>& added, std::vector<Error>& found
   if (six_bar_row(added)) return;
   const std::string seconds = allowed_seconds(added[0]);
   if (seconds.empty())
-    found.push_back({"unknown_six_bar", "task.added[0]",
+    found.push_back({"unknown_first_link",
+                     "task.added[0]",
                      fmt::format("no six-bar begins with a link between bodies {}; the first added link is \"0-2\", "
                                  "\"0-3\" or \"1-3\"",
-                                 text(added[0]))});
+                                 text(added[0])),
+                     {{"first", text(added[0])}}});
   else
-    found.push_back({"unknown_six_bar", "task.added[1]",
+    found.push_back({"unknown_second_link",
+                     "task.added[1]",
                      fmt::format("with \"{}\" as the first, \"{}\" makes no six-bar that guides body 3; the second "
                                  "added link is one of {}",
-                                 text(added[0]), text(added[1]), seconds)});
+                                 text(added[0]), text(added[1]), seconds),
+                     {{"first", text(added[0])}, {"second", text(added[1])}, {"seconds", seconds}}});
 }
 
 void check_box(const SixBarTask& task, std::vector<Error>& found) {
@@ -128,10 +140,13 @@ void check_poses(const SixBarTask& task, std::vector<Error>& found) {
   constexpr std::size_t wanted = 4;
   const std::size_t count = task.poses.size();
   if (count != wanted) {
-    found.push_back(
-        {count < wanted ? "too_few_poses" : "too_many_poses", "task.poses",
-         fmt::format("{} pose{} given; a six_bar is found for {}: {} {}", count, count == 1 ? " was" : "s were", wanted,
-                     count < wanted ? "add" : "remove", count < wanted ? wanted - count : count - wanted)});
+    const bool few = count < wanted;
+    const std::size_t change = few ? wanted - count : count - wanted;
+    found.push_back({few ? "too_few_for_six_bar" : "too_many_for_six_bar",
+                     "task.poses",
+                     fmt::format("{} pose{} given; a six_bar is found for {}: {} {}", count,
+                                 count == 1 ? " was" : "s were", wanted, few ? "add" : "remove", change),
+                     {{"count", count}, {"wanted", wanted}, {"change", change}}});
     return;
   }
   for (std::size_t j = 0; j < count; ++j)
@@ -160,8 +175,10 @@ std::optional<SixBarRow> six_bar_row(std::array<BodyPair, 2> added) {
 
 std::vector<Error> mistakes_in_search_box(const Box& box) {
   if (!is_inside({box.x_low, box.y_low}) || !is_inside({box.x_high, box.y_high}))
-    return {{"out_of_range", "options.box",
-             fmt::format("its borders must be numbers between −{0} and {0}", limit_text(largest_coordinate))}};
+    return {{"box_range",
+             "options.box",
+             fmt::format("its borders must be numbers between −{0} and {0}", limit_text(largest_coordinate)),
+             {{"most", limit_text(largest_coordinate)}}}};
   if (!(box.x_low < box.x_high && box.y_low < box.y_high))
     return {{"empty_box", "options.box", "the box is empty; each of x and y is [low, high] with low below high"}};
   return {};

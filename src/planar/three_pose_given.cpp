@@ -14,10 +14,12 @@ namespace {
 void check_length(double length, const std::string& place, std::vector<Error>& found) {
   if (length > 0 && length <= largest_coordinate) return;
   found.push_back(
-      {"out_of_range", place,
+      {"side_length_range",
+       place,
        fmt::format("the length of a side link is a number above 0 and up to {}; give the distance from its fixed to "
                    "its moving pivot",
-                   limit_text(largest_coordinate))});
+                   limit_text(largest_coordinate)),
+       {{"most", limit_text(largest_coordinate)}}});
 }
 
 void check(const SideLengths& given, std::vector<Error>& found) {
@@ -27,20 +29,24 @@ void check(const SideLengths& given, std::vector<Error>& found) {
 
 void check(const SideAngle& given, std::vector<Error>& found) {
   if (!(std::abs(degrees(given.angle)) <= largest_coordinate))
-    found.push_back({"out_of_range", "task.given.side_angle_deg",
+    found.push_back({"side_angle_range",
+                     "task.given.side_angle_deg",
                      fmt::format("the angle between the side links is a number between −{0} and {0} degrees",
-                                 limit_text(largest_coordinate))});
+                                 limit_text(largest_coordinate)),
+                     {{"most", limit_text(largest_coordinate)}}});
   if (given.input_length) check_length(*given.input_length, "task.given.input_length", found);
 }
 
 void check(const InstantCenter& given, std::vector<Error>& found) {
   if (!(std::abs(given.point.real()) <= largest_coordinate && std::abs(given.point.imag()) <= largest_coordinate))
-    found.push_back({"out_of_range", "task.given.instant_center",
+    found.push_back({"center_range",
+                     "task.given.instant_center",
                      fmt::format("coordinates lie between −{0} and {0}; a centre at infinity is given by the "
                                  "direction in which it lies",
-                                 limit_text(largest_coordinate))});
+                                 limit_text(largest_coordinate)),
+                     {{"most", limit_text(largest_coordinate)}}});
   else if (given.at_infinity && std::abs(given.point) < smallest_direction)
-    found.push_back({"out_of_range", "task.given.instant_center",
+    found.push_back({"center_direction", "task.given.instant_center",
                      "a centre at infinity needs a direction; give two numbers that are not both zero"});
 }
 

@@ -13,9 +13,9 @@ void check_box(const std::optional<Box>& box, const char* place, std::vector<Err
   const auto check = [&](double low, double high, const char* axis) {
     const std::string where = std::string(place) + "." + axis;
     if (!std::isfinite(low) || !std::isfinite(high))
-      found.push_back({"out_of_range", where, "the limits must be finite numbers"});
+      found.push_back({"limits_finite", where, "the limits must be finite numbers"});
     else if (low > high)
-      found.push_back({"contradiction", where, "the lower limit is above the upper one; write them as [low, high]"});
+      found.push_back({"limits_order", where, "the lower limit is above the upper one; write them as [low, high]"});
   };
   check(box->x_low, box->x_high, "x");
   check(box->y_low, box->y_high, "y");
@@ -36,24 +36,24 @@ std::vector<Error> mistakes_in(const Requirements& wanted) {
   };
   for (const LinkageType type : wanted.types)
     if (type == LinkageType::degenerate)
-      mistake("contradiction", "requirements.types",
+      mistake("degenerate_wanted", "requirements.types",
               "a degenerate linkage cannot be wanted; name some of the nine others");
   if (!(wanted.min_transmission_angle >= 0 && wanted.min_transmission_angle < pi / 2))
-    mistake("out_of_range", "requirements.min_transmission_angle_deg",
+    mistake("transmission_angle_range", "requirements.min_transmission_angle_deg",
             "the transmission angle lies between 0 and 90 degrees, 90 itself is never kept; 30 to 50 is usual");
   if (wanted.min_transmission_angle > 0 && !wanted.no_defects)
-    mistake("contradiction", "requirements.min_transmission_angle_deg",
+    mistake("transmission_angle_of_defects", "requirements.min_transmission_angle_deg",
             "the transmission angle over the task is defined only where there is no defect; drop it or set no_defects "
             "to true");
   if (!(wanted.max_link_ratio >= 1))
-    mistake("out_of_range", "requirements.max_link_ratio", "the longest over the shortest link is at least 1");
+    mistake("link_ratio_range", "requirements.max_link_ratio", "the longest over the shortest link is at least 1");
   if (wanted.max_length && !(*wanted.max_length > 0))
-    mistake("out_of_range", "requirements.max_length", "the longest link must be allowed a positive length");
+    mistake("max_length_range", "requirements.max_length", "the longest link must be allowed a positive length");
   if (wanted.min_length && !(*wanted.min_length >= 0 && std::isfinite(*wanted.min_length)))
-    mistake("out_of_range", "requirements.min_length",
+    mistake("min_length_range", "requirements.min_length",
             "the shortest link must be a positive length; null lets any length pass");
   if (wanted.min_length && wanted.max_length && *wanted.min_length > *wanted.max_length)
-    mistake("contradiction", "requirements.min_length",
+    mistake("min_length_order", "requirements.min_length",
             "the shortest link is asked to be longer than max_length lets any be; lower it, or raise max_length");
   check_box(wanted.ground_pivots_within, "requirements.ground_pivots_within", found);
   check_box(wanted.moving_pivots_within, "requirements.moving_pivots_within", found);

@@ -84,7 +84,7 @@ TEST(CommonNormal, DoesNotDependOnTheLengthsGiven) {
 TEST(CommonNormal, RefusesWhatIsNoLine) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Line good;
-  EXPECT_EQ(common_normal({{}, {}}, good).errors().front().code, "zero_axis");
+  EXPECT_EQ(common_normal({{}, {}}, good).errors().front().code, "zero_direction");
   EXPECT_EQ(common_normal(good, {{}, {}}).errors().front().place, "second");
   EXPECT_EQ(common_normal(good, {{nan, 0, 0}, {1, 0, 0}}).errors().front().code, "not_finite");
 }

@@ -168,7 +168,8 @@ TEST_F(SessionTest, RefusesInTheWordsOfTheCommandLine) {
   EXPECT_FALSE(session.set_problem(with(tailgate(), "\"x\": -125", "\"x\": 1e10")));
   const json mistakes = json::parse(session.mistakes());
   ASSERT_EQ(mistakes.size(), 1u);
-  EXPECT_EQ(mistakes[0]["code"], "out_of_range");
+  EXPECT_EQ(mistakes[0]["code"], "number_range");
+  EXPECT_EQ(mistakes[0]["values"], json({{"name", "x"}, {"most", "1 000 000 000"}}));
   EXPECT_EQ(mistakes[0]["place"], "task.poses[1].x");
   EXPECT_EQ(session.read("{"), "");
   EXPECT_NE(json::parse(session.mistakes())[0]["message"].get<std::string>().find("breaks off"), std::string::npos);

@@ -9,7 +9,7 @@ namespace linkwright::result_test {
 namespace {
 
 Result<int> half(int number) {
-  if (number % 2 != 0) return Error{"odd", "number", "the number is odd: give an even one"};
+  if (number % 2 != 0) return Error{"odd", "number", "the number is odd: give an even one", {{"number", number}}};
   return number / 2;
 }
 
@@ -27,6 +27,7 @@ TEST(Result, HoldsTheMistakeWithItsPlaceAndTheWayOut) {
   ASSERT_EQ(result.errors().size(), 1u);
   EXPECT_EQ(result.errors()[0].code, "odd");
   EXPECT_EQ(result.errors()[0].place, "number");
+  EXPECT_EQ(std::get<double>(result.errors()[0].values.at(0).value), 7);
 }
 
 TEST(Result, HoldsAllMistakes) {

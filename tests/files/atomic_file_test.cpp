@@ -67,7 +67,7 @@ TEST(AtomicFile, RefusesWhatIsNoRegularFile) {
   for (const auto& [path, reason] : refused) {
     const auto failure = write_atomically(path, "text");
     ASSERT_TRUE(failure) << path;
-    EXPECT_EQ(failure->code, "unwritable_output");
+    EXPECT_EQ(failure->code, "not_a_regular_file");
     EXPECT_THAT(failure->message, HasSubstr(reason));
   }
   EXPECT_EQ(folder.file_count(), 3u);

@@ -43,6 +43,34 @@ TEST(JsonDocument, EveryDuplicateIsReported) {
   EXPECT_EQ(tree.errors()[3].place, "a");
 }
 
+TEST(JsonDocument, AMistakeHasACodeOfItsOwn) {
+  const auto code = [](std::string_view text) { return parse_json(text, {}).errors()[0].code; };
+  EXPECT_EQ(code(""), "empty_file");
+  EXPECT_EQ(code("{"), "cut_short");
+  EXPECT_EQ(code(R"({"a": "b)"), "cut_inside_text");
+  EXPECT_EQ(code("{'a': 1}"), "single_quotes");
+  EXPECT_EQ(code("{a: 1}"), "no_key");
+  EXPECT_EQ(code(R"({"a" 1})"), "missing_colon");
+  EXPECT_EQ(code(R"({"a": 1 "b": 2})"), "unclosed_object");
+  EXPECT_EQ(code("[1 2]"), "unclosed_list");
+  EXPECT_EQ(code(R"({"a": 1,})"), "trailing_comma");
+  EXPECT_EQ(code("[1,]"), "no_last_value");
+  EXPECT_EQ(code("[,1]"), "no_value");
+  EXPECT_EQ(code("[NaN]"), "not_a_value");
+  EXPECT_EQ(code("[1.]"), "invalid_number");
+  EXPECT_EQ(code(R"(["\x"])"), "unknown_escape");
+  EXPECT_EQ(code(R"(["\u12"])"), "short_escape");
+  EXPECT_EQ(code(R"(["\ud800"])"), "half_escape");
+  EXPECT_EQ(code("[] []"), "two_documents");
+}
+
+TEST(JsonDocument, TheNumbersOfASentenceAreItsValues) {
+  const auto deep = parse_json("[[[]]]", {.most_bytes = 1000, .deepest_nesting = 2, .kept = {}});
+  EXPECT_EQ(std::get<double>(deep.errors()[0].values.at(0).value), 2);
+  const auto large = parse_json("[1e999]", {});
+  EXPECT_EQ(std::get<std::string>(large.errors()[0].values.at(0).value), "\"1e999\"");
+}
+
 TEST(JsonDocument, ColumnsCountCharacters) {
   const auto tree = parse_json("{\"Tür\": \"门门\",\n \"ü\" 1}", {});
   ASSERT_FALSE(tree.ok());

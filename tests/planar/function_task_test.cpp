@@ -47,14 +47,14 @@ TEST(FunctionTask, NumbersAreFinite) {
   task.pairs[1].derivatives = {{nan, 1}};
   task.input_pivot = {0, std::numeric_limits<double>::infinity()};
   EXPECT_EQ(codes(task),
-            "out_of_range@pairs[1].derivatives[0].input out_of_range@pairs[2].output_deg "
-            "out_of_range@ground_pivots.input[1]");
+            "number_range@pairs[1].derivatives[0].input number_range@pairs[2].output_deg "
+            "number_range@ground_pivots.input[1]");
 }
 
 TEST(FunctionTask, TheInputMovesWhereRatesAreGiven) {
   FunctionTask task = four_pairs();
   task.pairs[1].derivatives = {{0, 0}};
-  EXPECT_EQ(codes(task), "zero_derivative@pairs[1].derivatives[0]");
+  EXPECT_EQ(codes(task), "zero_rates@pairs[1].derivatives[0]");
   task.pairs[1].derivatives = {{0, 1}};
   EXPECT_EQ(codes(task), "input_at_rest@pairs[1].derivatives[0].input");
   task.pairs[1].derivatives = {{1, 0}};
@@ -130,11 +130,11 @@ TEST(FunctionTask, AFreeNumberIsSpacedOverItsRange) {
 TEST(FunctionTask, AFreeNumberIsChecked) {
   FunctionTask task = four_pairs();
   task.free = FreeNumber{FreeNumber::Kind::output_scale, {0, 2}};
-  EXPECT_EQ(codes(task), "out_of_range@free.range");
+  EXPECT_EQ(codes(task), "scale_range@free.range");
   task.free->range = {2, 1};
-  EXPECT_EQ(codes(task), "out_of_range@free.range");
+  EXPECT_EQ(codes(task), "range_order@free.range");
   task.free = FreeNumber{FreeNumber::Kind::pair_output, {0, 1}, 4};
-  EXPECT_EQ(codes(task), "out_of_range@free.pair");
+  EXPECT_EQ(codes(task), "no_such_pair@free.pair");
   task = four_pairs();
   task.pairs[0].derivatives = {{1, 1}};
   task.free = FreeNumber{};

@@ -96,36 +96,36 @@ TEST(NamedFunction, RangesPointsAndTablesAreChecked) {
   NamedFunction f = function("x^2", 1, 1);
   EXPECT_EQ(codes(f), "empty_range@x");
   f.x = {2, 1};
-  EXPECT_EQ(codes(f), "out_of_range@x");
+  EXPECT_EQ(codes(f), "falling_range@x");
   f.x = {0, nan};
-  EXPECT_EQ(codes(f), "out_of_range@x");
+  EXPECT_EQ(codes(f), "range_numbers@x");
   f.x.reset();
   EXPECT_EQ(codes(f), "missing_range@x");
   f = function("x^2", 0, 1);
   f.y = {3, 3};
   f.input_range = {0, 7};
   f.output_range = {1, 1};
-  EXPECT_EQ(codes(f), "empty_range@y empty_range@output_range_deg out_of_range@input_range_deg");
+  EXPECT_EQ(codes(f), "empty_range@y empty_range@output_range_deg dial_turn@input_range_deg");
   f = function("x^2", 0, 1);
   f.points = 3;
-  EXPECT_EQ(codes(f), "out_of_range@points");
+  EXPECT_EQ(codes(f), "precision_points@points");
   f.points = 1'000'000'000;  // that many are not laid out first
-  EXPECT_EQ(codes(f), "out_of_range@points");
+  EXPECT_EQ(codes(f), "precision_points@points");
   f.points = 4;
   f.spacing = PointSpacing::given;
   f.given_points = {0.1, 0.5, 0.4, 1.1};
-  EXPECT_EQ(codes(f), "points_out_of_order@spacing[2] out_of_range@spacing[3]");
+  EXPECT_EQ(codes(f), "points_out_of_order@spacing[2] point_outside@spacing[3]");
   f.given_points = {0.1, 0.5, 0.9};
   EXPECT_EQ(codes(f), "wrong_count@spacing");
   f.table = {{0, 0}, {1, 1}};
   EXPECT_EQ(codes(f), "two_functions@table");
   EXPECT_EQ(codes(table({{0, 0}}, TableInterpolation::linear)), "table_too_short@table");
   EXPECT_EQ(codes(table({{0, 0}, {1, nan}, {2, 2}, {2, 3}}, TableInterpolation::linear)),
-            "out_of_range@table[1] table_out_of_order@table[3]");
+            "table_numbers@table[1] table_out_of_order@table[3]");
   EXPECT_EQ(codes(table({{0, 2}, {1, 2}}, TableInterpolation::linear)), "constant_function@x");
   f = table({{0, 0}, {1, 2}}, TableInterpolation::linear);
   f.x = {0, 1.5};
-  EXPECT_EQ(codes(f), "not_defined@x");
+  EXPECT_EQ(codes(f), "outside_of_table@x");
 }
 
 TEST(NamedFunction, ChebyshevPointsAreThoseOfTheClosedForm) {

@@ -44,16 +44,16 @@ TEST(SixBarTask, RowsAgreeWithTheJointsOfTheirSixBars) {
 TEST(SixBarTask, RefusesOtherPairsOfLinks) {
   SixBarTask task = sound_task();
   task.added = {BodyPair{2, 3}, BodyPair{0, 3}};
-  EXPECT_TRUE(has(task, "unknown_six_bar", "task.added[0]"));
+  EXPECT_TRUE(has(task, "unknown_first_link", "task.added[0]"));
   task.added = {BodyPair{0, 2}, BodyPair{0, 2}};
-  ASSERT_TRUE(has(task, "unknown_six_bar", "task.added[1]"));
+  ASSERT_TRUE(has(task, "unknown_second_link", "task.added[1]"));
   EXPECT_NE(mistakes_in(task)[0].message.find("\"0-3\", \"1-3\", \"4-3\""), std::string::npos);
 }
 
 TEST(SixBarTask, TellsWhichPoseTheChainCannotReach) {
   SixBarTask task = sound_task();
   task.poses[2].pose.origin = {50, 0};
-  ASSERT_TRUE(has(task, "out_of_reach", "task.chain"));
+  ASSERT_TRUE(has(task, "too_far", "task.chain"));
   EXPECT_NE(mistakes_in(task)[0].message.find("the chain cannot reach pose 3: its links are 3.734 and 3.27 long"),
             std::string::npos);
 }
@@ -63,16 +63,16 @@ TEST(SixBarTask, RefusesAChainWithoutAnElbow) {
   task.chain->b = (task.chain->a + task.chain->d) / 2.0;
   EXPECT_TRUE(has(task, "stretched_chain", "task.chain.b"));
   task.chain->b = task.chain->a;
-  EXPECT_TRUE(has(task, "zero_length", "task.chain.b"));
+  EXPECT_TRUE(has(task, "zero_first_body", "task.chain.b"));
   task = sound_task();
   task.chain->d = task.chain->b;
-  EXPECT_TRUE(has(task, "zero_length", "task.chain.d"));
+  EXPECT_TRUE(has(task, "zero_second_body", "task.chain.d"));
 }
 
 TEST(SixBarTask, ChecksElbows) {
   SixBarTask task = sound_task();
   task.chain->elbow = {1, 1, 2, 1};
-  EXPECT_TRUE(has(task, "out_of_range", "task.chain.elbow[2]"));
+  EXPECT_TRUE(has(task, "elbow_range", "task.chain.elbow[2]"));
   task.chain->elbow = {-1, 1, 1, 1};
   EXPECT_TRUE(has(task, "wrong_elbow", "task.chain.elbow[0]"));
   task.chain->elbow = {1, -1, 1, 1};
@@ -82,10 +82,10 @@ TEST(SixBarTask, ChecksElbows) {
 TEST(SixBarTask, ChecksNumbersAndPoses) {
   SixBarTask task = sound_task();
   task.chain->d = {0, std::numeric_limits<double>::quiet_NaN()};
-  EXPECT_TRUE(has(task, "out_of_range", "task.chain.d"));
+  EXPECT_TRUE(has(task, "coordinates_range", "task.chain.d"));
   task = sound_task();
   task.poses.pop_back();  // three would do for a four-bar
-  EXPECT_TRUE(has(task, "too_few_poses", "task.poses"));
+  EXPECT_TRUE(has(task, "too_few_for_six_bar", "task.poses"));
   task = sound_task();
   task.poses[1].derivatives.push_back({{1, 0}, 0});
   EXPECT_TRUE(has(task, "derivatives_not_supported", "task.poses[1].derivatives"));
@@ -98,7 +98,7 @@ TEST(SixBarTask, AsksForABoxWhereThereIsNoChain) {
   task.box = Box{0, 10, 5, 5};
   EXPECT_TRUE(has(task, "empty_box", "options.box"));
   task.box = Box{0, std::numeric_limits<double>::infinity(), 0, 5};
-  EXPECT_TRUE(has(task, "out_of_range", "options.box"));
+  EXPECT_TRUE(has(task, "box_range", "options.box"));
   task.box = Box{0, 10, 0, 5};
   EXPECT_TRUE(mistakes_in(task).empty());
 }

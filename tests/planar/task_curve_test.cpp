@@ -12,7 +12,7 @@ namespace {
 using testing::motion_task;
 
 double number(const Notice& notice, const std::string& name) {
-  for (const Notice::Value& value : notice.values)
+  for (const NamedValue& value : notice.values)
     if (value.name == name) return std::get<double>(value.value);
   ADD_FAILURE() << "no value " << name;
   return 0;

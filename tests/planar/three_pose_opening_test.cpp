@@ -16,7 +16,7 @@ ThreePoseOpening opening(const std::vector<PrescribedPose>& poses, const Given& 
 }
 
 double number(const Notice& notice, const std::string& name) {
-  for (const Notice::Value& value : notice.values)
+  for (const NamedValue& value : notice.values)
     if (value.name == name) return std::get<double>(value.value);
   ADD_FAILURE() << notice.code << " has no value " << name;
   return 0;

@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "linkwright/core/precondition.hpp"
+#include "linkwright/core/values.hpp"
 
 namespace linkwright {
 
 /// The caller's mistake: what is wrong, where, and the way out.
 struct Error {
-  std::string code;     ///< stable identifier, e.g. `repeated_pose`
+  std::string code;     ///< stable identifier, one to a sentence, e.g. `repeated_pose`
   std::string place;    ///< where, e.g. `task.poses[2].theta_deg`; empty when it is the whole input
   std::string message;  ///< one sentence: what is wrong and the way out
+  Values values{};      ///< the numbers and words in the message
 };
 
 /// A value, or the caller's mistakes (at least one). Mathematics that says "no" is a value, not an error.

@@ -28,10 +28,12 @@ std::optional<PointMotion> read_point(const JsonValue& value, Mistakes& mistakes
 
 void read_points(const JsonValue& value, Mistakes& mistakes, std::vector<PointMotion>& points) {
   if (value.json().is_array() && value.json().size() > most_points) {
-    value.mistake("too_many", fmt::format("{} points are given; give at most {}", value.json().size(), most_points));
+    value.mistake("too_many_points",
+                  fmt::format("{} points are given; give at most {}", value.json().size(), most_points),
+                  {{"count", value.json().size()}, {"most", most_points}});
     return;
   }
-  value.for_each("a list of points [{\"position\": [x, y, z]}, …]", [&](const JsonValue& item) {
+  value.for_each({"points", "a list of points [{\"position\": [x, y, z]}, …]"}, [&](const JsonValue& item) {
     if (const auto point = read_point(item, mistakes)) points.push_back(*point);
   });
 }
@@ -53,21 +55,22 @@ bool is_bounded(const Matrix3x3& matrix) { return frobenius_norm(matrix) <= larg
 std::optional<Matrix3x3> read_derivative(const JsonValue& value) {
   const auto matrix = read_matrix3x3(value);
   if (!matrix || is_bounded(*matrix)) return matrix;
-  value.mistake("out_of_range",
-                fmt::format("the elements lie between ±{}; take a smaller unit of time", limit_text(largest_quantity)));
+  value.mistake("derivative_range",
+                fmt::format("the elements lie between ±{}; take a smaller unit of time", limit_text(largest_quantity)),
+                {{"most", limit_text(largest_quantity)}});
   return std::nullopt;
 }
 
 /// Errors of the library, each at the derivative that it names.
 void report_errors(const std::vector<Error>& errors, const JsonValue& first, const std::optional<JsonValue>& second) {
   for (const Error& error : errors) {
-    (second && error.place == "second" ? *second : first).mistake(error.code, error.message);
+    (second && error.place == "second" ? *second : first).mistake(error.code, error.message, error.values);
   }
 }
 
 /// `matrix_first`, `matrix_second`.
 void read_matrices(const JsonObject& motion, AngularMotionTask& task) {
-  const auto first = motion.require("matrix_first", "the first derivative of the matrix, three rows");
+  const auto first = motion.require("matrix_first", {"matrix_rate", "the first derivative of the matrix, three rows"});
   const auto second = motion.find("matrix_second");
   const auto c1 = first ? read_derivative(*first) : std::nullopt;
   const auto c2 = second ? read_derivative(*second) : std::optional(Matrix3x3{});
@@ -85,14 +88,17 @@ std::optional<QuaternionRate> read_quaternion_rate(const JsonValue& value) {
   if (!numbers) return std::nullopt;
   const QuaternionRate rate{(*numbers)[0], {(*numbers)[1], (*numbers)[2], (*numbers)[3]}};
   if (std::abs(rate.w) <= largest_quantity && norm(rate.v) <= largest_quantity) return rate;
-  value.mistake("out_of_range", fmt::format("the components lie between ±{}; take a smaller unit of time",
-                                            limit_text(largest_quantity)));
+  value.mistake(
+      "quaternion_rate_range",
+      fmt::format("the components lie between ±{}; take a smaller unit of time", limit_text(largest_quantity)),
+      {{"most", limit_text(largest_quantity)}});
   return std::nullopt;
 }
 
 /// `quaternion_first`, `quaternion_second`.
 void read_quaternions(const JsonObject& motion, AngularMotionTask& task) {
-  const auto first = motion.require("quaternion_first", "the first derivative of the quaternion [w, x, y, z]");
+  const auto first =
+      motion.require("quaternion_first", {"quaternion_rate", "the first derivative of the quaternion [w, x, y, z]"});
   const auto second = motion.find("quaternion_second");
   const auto q1 = first ? read_quaternion_rate(*first) : std::nullopt;
   const auto q2 = second ? read_quaternion_rate(*second) : std::optional(QuaternionRate{});
@@ -139,7 +145,7 @@ void read_motion(const JsonValue& value, Mistakes& mistakes, AngularMotionTask& 
     return;
   }
   if (const auto frame = any.find("frame"); frame && !vectors) {
-    frame->mistake("stray_key", "this belongs to \"velocity\" and \"acceleration\"; remove it");
+    frame->mistake("stray_frame", "this belongs to \"velocity\" and \"acceleration\"; remove it");
   }
   if (vectors) read_vectors(any, task);
   if (matrices) read_matrices(any, task);
@@ -150,8 +156,8 @@ void read_motion(const JsonValue& value, Mistakes& mistakes, AngularMotionTask& 
 AngularMotionTask read_motion_members(const JsonObject& file, Mistakes& mistakes) {
   AngularMotionTask task;
   const auto orientation =
-      file.require("orientation", "the orientation: \"orientation\": {\"axis\": …, \"angle_deg\": …}");
-  const auto motion = file.require("motion", "the motion: \"motion\": {\"velocity\": [x, y, z]}");
+      file.require("orientation", {"orientation", "the orientation: \"orientation\": {\"axis\": …, \"angle_deg\": …}"});
+  const auto motion = file.require("motion", {"motion", "the motion: \"motion\": {\"velocity\": [x, y, z]}"});
   const auto read = orientation ? read_orientation(*orientation, mistakes) : std::nullopt;
   if (read) task.orientation = *read;
   if (read && motion) read_motion(*motion, mistakes, task);

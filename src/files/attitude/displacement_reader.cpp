@@ -21,8 +21,9 @@ bool read_matrix(const JsonValue& value, DisplacementTask& task) {
   const auto displacement = matrix ? accepted(value, Displacement::from_matrix(*matrix)) : std::nullopt;
   if (!displacement) return false;
   if (!is_bounded(displacement->translation)) {
-    value.mistake("out_of_range",
-                  fmt::format("a translation lies between ±{}; take a larger unit", limit_text(largest_quantity)));
+    value.mistake("translation_range",
+                  fmt::format("a translation lies between ±{}; take a larger unit", limit_text(largest_quantity)),
+                  {{"most", limit_text(largest_quantity)}});
     return false;
   }
   task.displacement = *displacement;
@@ -48,7 +49,7 @@ std::optional<double> optional_quantity(const JsonObject& object, std::string_vi
 
 bool read_screw(const JsonValue& value, Mistakes& mistakes, DisplacementTask& task) {
   const JsonObject object(value, mistakes, {"axis", "point", "angle_deg", "slide"});
-  const auto axis = object.require("axis", "the direction [x, y, z] of the axis");
+  const auto axis = object.require("axis", {"axis", "the direction [x, y, z] of the axis"});
   const auto place = object.find("point");
   const auto direction = axis ? read_vector(*axis) : std::nullopt;
   const auto point = place ? read_bounded_vector(*place) : std::optional(Vector3{});
@@ -65,8 +66,8 @@ bool read_screw(const JsonValue& value, Mistakes& mistakes, DisplacementTask& ta
 /// `from` and `to`: T_02 T_01⁻¹.
 bool read_displacement_poses(const JsonObject& object, Mistakes& mistakes, DisplacementTask& task) {
   DisplacementTask first, second;
-  const auto from = object.require("from", "the first pose, a displacement");
-  const auto to = object.require("to", "the second pose, a displacement");
+  const auto from = object.require("from", {"first_pose", "the first pose, a displacement"});
+  const auto to = object.require("to", {"second_pose", "the second pose, a displacement"});
   const bool first_read = from && read_displacement(*from, mistakes, first);
   const bool second_read = to && read_displacement(*to, mistakes, second);
   if (!first_read || !second_read) return false;
@@ -106,7 +107,8 @@ Result<DisplacementTask> read_displacement_task(std::string_view text) {
       text, {"linkwright", "title", "length_unit", "displacement", "points", "directions"},
       [](const JsonObject& file, Mistakes& mistakes) {
         DisplacementTask task;
-        const auto displacement = file.require("displacement", "the displacement: \"displacement\": {\"screw\": …}");
+        const auto displacement =
+            file.require("displacement", {"displacement", "the displacement: \"displacement\": {\"screw\": …}"});
         const auto unit = file.find("length_unit"), points = file.find("points"), directions = file.find("directions");
         if (displacement) read_displacement(*displacement, mistakes, task);
         if (unit) task.length_unit = unit->as_text().value_or("");

@@ -59,7 +59,11 @@ void write_members(JsonWriter& json, const DisplacementReport& report) {
 
 Result<DisplacementReport> displacement_report(const DisplacementTask& task) {
   const auto screw = screw_of(task.displacement, task.small_turns_exact ? 0 : tolerance::no_turn);
-  if (!screw) return Error{screw.errors().front().code, "displacement", screw.errors().front().message};
+  if (!screw) {
+    Error error = screw.errors().front();
+    error.place = "displacement";
+    return error;
+  }
   DisplacementReport report{.task = task, .screw = *screw, .displaced_points = {}, .displaced_directions = {}};
   for (const Vector3 point : task.points) {
     report.displaced_points.push_back(task.displacement.apply_to_point(point));

@@ -28,11 +28,11 @@ std::optional<HartenbergDenavit> read_link(const JsonValue& value, Mistakes& mis
 
 void read_links(const JsonValue& value, Mistakes& mistakes, std::vector<HartenbergDenavit>& links) {
   if (value.json().is_array() && (value.json().empty() || value.json().size() > most_links)) {
-    value.mistake("link_count",
-                  fmt::format("{} links are given; a chain has 1 to {}", value.json().size(), most_links));
+    value.mistake("link_count", fmt::format("{} links are given; a chain has 1 to {}", value.json().size(), most_links),
+                  {{"count", value.json().size()}, {"most", most_links}});
     return;
   }
-  value.for_each("a list of links [{\"theta_deg\": …, \"d\": …, \"a\": …, \"alpha_deg\": …}, …]",
+  value.for_each({"links", "a list of links [{\"theta_deg\": …, \"d\": …, \"a\": …, \"alpha_deg\": …}, …]"},
                  [&](const JsonValue& item) {
                    if (const auto link = read_link(item, mistakes)) links.push_back(*link);
                  });
@@ -60,8 +60,9 @@ LinkChainTask read_chain_members(const JsonObject& file, Mistakes& mistakes) {
     }
     return task;
   }
-  const auto links =
-      file.require("links", "the links: \"links\": [{\"theta_deg\": …, \"d\": …, \"a\": …, \"alpha_deg\": …}, …]");
+  const auto links = file.require(
+      "links",
+      {"links_in_full", "the links: \"links\": [{\"theta_deg\": …, \"d\": …, \"a\": …, \"alpha_deg\": …}, …]"});
   if (links) read_links(*links, mistakes, task.links);
   return task;
 }

@@ -50,8 +50,8 @@ std::optional<StoredOrientation> read_matrix(const JsonObject& object, const Jso
 
 /// `axis` and `angle_deg`.
 std::optional<AxisAngle> read_turn(const JsonObject& object) {
-  const auto axis = object.require("axis", "the axis [x, y, z]");
-  const auto angle = object.require("angle_deg", "the angle about the axis, degrees");
+  const auto axis = object.require("axis", {"axis", "the axis [x, y, z]"});
+  const auto angle = object.require("angle_deg", {"angle", "the angle about the axis, degrees"});
   const auto vector = axis ? read_vector(*axis) : std::nullopt;
   const auto number = angle ? read_angle(*angle) : std::nullopt;
   return vector && number ? accepted(*axis, AxisAngle::of(*vector, *number)) : std::nullopt;
@@ -75,7 +75,7 @@ std::optional<StoredOrientation> read_quaternion(const JsonValue& value) {
 
 std::optional<EulerSequence> read_sequence(const JsonObject& object) {
   constexpr std::array<std::string_view, 2> turnings = {"intrinsic", "extrinsic"};
-  const auto found = object.require("sequence", "the order of the axes, like \"zxz\" or \"xyz\"");
+  const auto found = object.require("sequence", {"sequence", "the order of the axes, like \"zxz\" or \"xyz\""});
   const auto name = found ? found->as_text() : std::nullopt;
   const auto turning = object.find("turning");
   const auto word = turning ? turning->as_one_of(turnings) : std::optional(turnings[0]);
@@ -97,13 +97,14 @@ std::optional<StoredOrientation> read_euler(const JsonObject& object, const Json
 
 std::optional<StoredOrientation> read_turns(const JsonValue& value, Mistakes& mistakes) {
   if (value.json().is_array() && value.json().size() > most_turns) {
-    value.mistake("too_many", fmt::format("{} turns are given; give at most {}", value.json().size(), most_turns));
+    value.mistake("too_many_turns", fmt::format("{} turns are given; give at most {}", value.json().size(), most_turns),
+                  {{"count", value.json().size()}, {"most", most_turns}});
     return std::nullopt;
   }
   UnitQuaternion q;
   bool complete = true;
   const bool is_list =
-      value.for_each("a list of turns [{\"axis\": …, \"angle_deg\": …}, …]", [&](const JsonValue& item) {
+      value.for_each({"turns", "a list of turns [{\"axis\": …, \"angle_deg\": …}, …]"}, [&](const JsonValue& item) {
         const JsonObject object(item, mistakes, {"axis", "angle_deg"});
         const auto turn = read_turn(object);
         complete = complete && turn;
@@ -115,7 +116,8 @@ std::optional<StoredOrientation> read_turns(const JsonValue& value, Mistakes& mi
 std::optional<StoredOrientation> read_triads(const JsonValue& value, Mistakes& mistakes) {
   const JsonObject object(value, mistakes, {"fixed", "moving"});
   const auto triad = [&](std::string_view key) -> std::optional<Triad> {
-    const auto found = object.require(key, "the axes of a frame [x, y, z], each [a, b, c] in one common frame");
+    const auto found =
+        object.require(key, {"triad", "the axes of a frame [x, y, z], each [a, b, c] in one common frame"});
     const auto axes = found ? read_matrix3x3(*found) : std::nullopt;
     return axes ? std::optional(axes->row) : std::nullopt;
   };
@@ -163,7 +165,8 @@ const Form* form_of(const JsonObject& object, const JsonValue& value) {
     const auto found = object.find(form.key);
     if (found && given != nullptr) {
       found->mistake("two_orientations",
-                     fmt::format("an orientation is given already, by \"{}\"; keep one of the two", given->key));
+                     fmt::format("an orientation is given already, by \"{}\"; keep one of the two", given->key),
+                     {{"first", given->key}});
       return nullptr;
     }
     if (found) given = &form;
@@ -186,7 +189,8 @@ bool has_strays(const JsonObject& object, const Form& given) {
       const auto found = object.find(key);
       if (found)
         found->mistake("stray_key",
-                       fmt::format("this belongs to \"{}\", not to \"{}\"; remove it", form.key, given.key));
+                       fmt::format("this belongs to \"{}\", not to \"{}\"; remove it", form.key, given.key),
+                       {{"form", form.key}, {"given", given.key}});
       any = any || found;
     }
   }
@@ -211,8 +215,8 @@ Result<OrientationTask> read_orientation_task(std::string_view text) {
   return read_attitude_task<OrientationTask>(
       text, {"linkwright", "title", "orientation", "vectors"}, [](const JsonObject& file, Mistakes& mistakes) {
         OrientationTask task;
-        const auto orientation =
-            file.require("orientation", "the orientation: \"orientation\": {\"axis\": …, \"angle_deg\": …}");
+        const auto orientation = file.require(
+            "orientation", {"orientation", "the orientation: \"orientation\": {\"axis\": …, \"angle_deg\": …}"});
         const auto vectors = file.find("vectors");
         const auto read = orientation ? read_orientation(*orientation, mistakes) : std::nullopt;
         if (read) task.orientation = *read;

@@ -40,7 +40,7 @@ inline constexpr double largest_quantity = 1e12;
 template <class T>
 [[nodiscard]] std::optional<T> accepted(const JsonValue& value, const Result<T>& result) {
   if (result) return *result;
-  for (const Error& error : result.errors()) value.mistake(error.code, error.message);
+  for (const Error& error : result.errors()) value.mistake(error.code, error.message, error.values);
   return std::nullopt;
 }
 

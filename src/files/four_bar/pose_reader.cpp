@@ -28,18 +28,20 @@ std::optional<PoseDerivative> read_derivative(const JsonValue& value, Mistakes& 
 std::optional<std::vector<PoseDerivative>> read_derivatives(const JsonValue& value, Mistakes& mistakes,
                                                             OtherMembers others) {
   if (value.json().is_array() && value.json().size() > most_derivatives) {
-    value.mistake("derivative_count", fmt::format("{} derivatives are given; a pose has at most {}, remove the others",
-                                                  value.json().size(), most_derivatives));
+    value.mistake("derivative_count_of_pose",
+                  fmt::format("{} derivatives are given; a pose has at most {}, remove the others", value.json().size(),
+                              most_derivatives),
+                  {{"count", value.json().size()}, {"most", most_derivatives}});
     return std::nullopt;
   }
   std::vector<PoseDerivative> derivatives;
   bool complete = true;
-  const bool is_list =
-      value.for_each("a list of derivatives [{\"x\": …, \"y\": …, \"theta\": …}, …]", [&](const JsonValue& item) {
-        const auto derivative = read_derivative(item, mistakes, others);
-        if (derivative) derivatives.push_back(*derivative);
-        complete = complete && derivative.has_value();
-      });
+  const bool is_list = value.for_each({"derivatives", "a list of derivatives [{\"x\": …, \"y\": …, \"theta\": …}, …]"},
+                                      [&](const JsonValue& item) {
+                                        const auto derivative = read_derivative(item, mistakes, others);
+                                        if (derivative) derivatives.push_back(*derivative);
+                                        complete = complete && derivative.has_value();
+                                      });
   if (!is_list || !complete) return std::nullopt;
   return derivatives;
 }

@@ -126,22 +126,23 @@ std::string TreeBuilder::place() const {
 
 /// The parser's reasons by a part of its message, first match wins, and what we say instead.
 struct Saying {
-  std::string_view part, message;
+  std::string_view part, code, message;
 };
 constexpr Saying sayings[] = {
-    {"unexpected end of input", "the file breaks off here; it was cut short, or a bracket is not closed"},
-    {"missing closing quote", "the file breaks off inside a text; it was cut short, or a quote is not closed"},
-    {"ill-formed UTF-8", "this is not UTF-8 text; save the file in UTF-8"},
-    {"control character", "a line break or tab stands inside a text; write it as \\n or \\t"},
-    {"surrogate", "this \\u escape is half of a pair; write the character itself"},
-    {"forbidden character after backslash", "JSON has no such escape; write a backslash as \\\\"},
-    {"'\\u' must be followed", "four hexadecimal digits must follow \\u"},
-    {"invalid number", "JSON numbers are finite and written like 12, -0.5 or 1e-3"},
-    {"invalid comment", "this comment is not closed; comments start with //"},
-    {"; expected end of input", "something follows the end of the JSON; remove it"},
-    {"; expected ':'", "a colon is missing between a key and its value"},
-    {"; expected '}'", "a comma or } is missing here"},
-    {"; expected ']'", "a comma or ] is missing here"},
+    {"unexpected end of input", "cut_short", "the file breaks off here; it was cut short, or a bracket is not closed"},
+    {"missing closing quote", "cut_inside_text",
+     "the file breaks off inside a text; it was cut short, or a quote is not closed"},
+    {"ill-formed UTF-8", "not_utf8", "this is not UTF-8 text; save the file in UTF-8"},
+    {"control character", "line_break", "a line break or tab stands inside a text; write it as \\n or \\t"},
+    {"surrogate", "half_escape", "this \\u escape is half of a pair; write the character itself"},
+    {"forbidden character after backslash", "unknown_escape", "JSON has no such escape; write a backslash as \\\\"},
+    {"'\\u' must be followed", "short_escape", "four hexadecimal digits must follow \\u"},
+    {"invalid number", "invalid_number", "JSON numbers are finite and written like 12, -0.5 or 1e-3"},
+    {"invalid comment", "open_comment", "this comment is not closed; comments start with //"},
+    {"; expected end of input", "two_documents", "something follows the end of the JSON; remove it"},
+    {"; expected ':'", "missing_colon", "a colon is missing between a key and its value"},
+    {"; expected '}'", "unclosed_object", "a comma or } is missing here"},
+    {"; expected ']'", "unclosed_list", "a comma or ] is missing here"},
 };
 
 bool belongs_to_word(char c) {
@@ -162,31 +163,38 @@ std::size_t start_of_token(std::string_view text, std::size_t end) {
   return start;
 }
 
+constexpr Saying single_quotes = {"", "single_quotes", "texts and keys stand in double quotes"};
+constexpr Saying no_key = {"", "no_key", "a key in double quotes is missing here"};
+constexpr Saying no_value = {"", "no_value", "a value is missing here"};
+constexpr Saying not_a_value = {"", "not_a_value",
+                                "this is not a JSON value; values are finite numbers like -12.5 (no NaN, no Infinity, "
+                                "no leading + or point), texts "
+                                "in double quotes, true, false, null, [ … ] and { … }"};
+constexpr Saying trailing_comma = {"", "trailing_comma", "a comma stands before the closing bracket; remove it"};
+constexpr Saying no_last_value = {"", "no_last_value",
+                                  "a value is missing before the closing bracket; add it or remove the comma"};
+
 /// What is wrong where the parser stopped, `here` being the character it stopped at.
-std::string syntax_message(char here, std::string_view parsers_words) {
+Saying syntax_saying(char here, std::string_view parsers_words) {
   const auto says = [&](std::string_view part) { return parsers_words.find(part) != std::string_view::npos; };
-  if (here == '\'') return "texts and keys stand in double quotes";
-  if (says("object key") && says("invalid literal")) return "a key in double quotes is missing here";
+  if (here == '\'') return single_quotes;
+  if (says("object key") && says("invalid literal")) return no_key;
   for (const Saying& saying : sayings) {
-    if (says(saying.part)) return std::string(saying.message);
+    if (says(saying.part)) return saying;
   }
-  if (says("invalid literal")) {
-    return "this is not a JSON value; values are finite numbers like -12.5 (no NaN, no Infinity, no leading + or "
-           "point), "
-           "texts in double quotes, true, false, null, [ … ] and { … }";
-  }
+  if (says("invalid literal")) return not_a_value;
   const bool closes = here == '}' || here == ']';
-  if (closes && says("object key")) return "a comma stands before the closing bracket; remove it";
-  if (closes && says("parsing value"))
-    return "a value is missing before the closing bracket; add it or remove the comma";
-  return says("object key") ? "a key in double quotes is missing here" : "a value is missing here";
+  if (closes && says("object key")) return trailing_comma;
+  if (closes && says("parsing value")) return no_last_value;
+  return says("object key") ? no_key : no_value;
 }
 
 bool TreeBuilder::parse_error(std::size_t position, const std::string& token, const json::exception& exception) {
   constexpr int number_overflow = 406;
   if (exception.id == number_overflow) {
     mistakes_.add("number_too_large", place(),
-                  fmt::format("{} is too large for a number; the most is about 1e308", in_quotes(token)));
+                  fmt::format("{} is too large for a number; the most is about 1e308", in_quotes(token)),
+                  {{"given", in_quotes(token)}});
   } else {
     const std::string_view words = exception.what();
     std::size_t offset = position == 0 ? 0 : position - 1;
@@ -194,7 +202,8 @@ bool TreeBuilder::parse_error(std::size_t position, const std::string& token, co
     const bool is_inside_text = words.find("invalid string") != std::string_view::npos;
     if (is_inside && !is_inside_text) offset = start_of_token(text_, offset);
     const char here = is_inside ? text_[offset] : ' ';
-    mistakes_.add("invalid_json", line_and_column(text_, offset), syntax_message(here, words));
+    const Saying saying = syntax_saying(here, words);
+    mistakes_.add(std::string(saying.code), line_and_column(text_, offset), std::string(saying.message));
   }
   return false;
 }

@@ -11,12 +11,12 @@
 namespace linkwright {
 namespace {
 
-std::string_view type_words(const nlohmann::json& value) {
-  if (value.is_number()) return "a number";
-  if (value.is_string()) return "a text";
-  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
-  if (value.is_array()) return "a list";
-  return value.is_object() ? "an object" : "null";
+Wanted type_of(const nlohmann::json& value) {
+  if (value.is_number()) return {"number", "a number"};
+  if (value.is_string()) return {"text", "a text"};
+  if (value.is_boolean()) return {value.get<bool>() ? "true" : "false"};
+  if (value.is_array()) return {"list", "a list"};
+  return value.is_object() ? Wanted{"object", "an object"} : Wanted{"null"};
 }
 
 std::string member_place(const std::string& place, std::string_view key) {
@@ -28,41 +28,43 @@ std::string member_place(const std::string& place, std::string_view key) {
 bool JsonValue::is_null() const { return value_->is_null(); }
 bool JsonValue::is_object() const { return value_->is_object(); }
 
-void JsonValue::mistake(std::string code, std::string message) const {
-  mistakes_->add(std::move(code), place_, std::move(message));
+void JsonValue::mistake(std::string code, std::string message, Values values) const {
+  mistakes_->add(std::move(code), place_, std::move(message), std::move(values));
 }
 
-void JsonValue::wrong_type(std::string_view wanted) const {
-  mistake("wrong_type", fmt::format("{} belongs here, not {}", wanted, type_words(*value_)));
+void JsonValue::wrong_type(Wanted wanted) const {
+  const Wanted found = type_of(*value_);
+  mistake("wrong_type", fmt::format("{} belongs here, not {}", wanted.words, found.words),
+          {{"wanted", wanted.name}, {"found", found.name}});
 }
 
 std::optional<double> JsonValue::as_number() const {
   if (value_->is_number()) return value_->get<double>();
-  wrong_type("a number");
+  wrong_type({"number", "a number"});
   return std::nullopt;
 }
 
 std::optional<int> JsonValue::as_whole_number() const {
   constexpr double most = 1e9;
   if (!value_->is_number()) {
-    wrong_type("a whole number");
+    wrong_type({"whole_number", "a whole number"});
     return std::nullopt;
   }
   const double number = value_->get<double>();
   if (number == std::floor(number)) return static_cast<int>(std::clamp(number, -most, most));
-  mistake("wrong_type", fmt::format("a whole number belongs here, not {}", number));
+  mistake("not_whole", fmt::format("a whole number belongs here, not {}", number), {{"found", number}});
   return std::nullopt;
 }
 
 std::optional<bool> JsonValue::as_flag() const {
   if (value_->is_boolean()) return value_->get<bool>();
-  wrong_type("true or false");
+  wrong_type({"flag", "true or false"});
   return std::nullopt;
 }
 
 std::optional<std::string> JsonValue::as_text() const {
   if (value_->is_string()) return value_->get<std::string>();
-  wrong_type("a text in double quotes");
+  wrong_type({"quoted_text", "a text in double quotes"});
   return std::nullopt;
 }
 
@@ -71,12 +73,13 @@ std::optional<std::string_view> JsonValue::as_one_of(std::span<const std::string
   if (!text) return std::nullopt;
   const auto found = std::find(names.begin(), names.end(), *text);
   if (found != names.end()) return *found;
-  mistake("unknown_name", fmt::format("{} is not known here; the nearest known name is \"{}\"", in_quotes(*text),
-                                      nearest_name(*text, names)));
+  const std::string given = in_quotes(*text), nearest = in_quotes(nearest_name(*text, names));
+  mistake("unknown_name", fmt::format("{} is not known here; the nearest known name is {}", given, nearest),
+          {{"given", given}, {"name", nearest}});
   return std::nullopt;
 }
 
-bool JsonValue::for_each(std::string_view what, const std::function<void(const JsonValue&)>& element) const {
+bool JsonValue::for_each(Wanted what, const std::function<void(const JsonValue&)>& element) const {
   if (!value_->is_array()) {
     wrong_type(what);
     return false;
@@ -86,13 +89,13 @@ bool JsonValue::for_each(std::string_view what, const std::function<void(const J
   return true;
 }
 
-std::optional<Point> JsonValue::as_pair(std::string_view what) const {
+std::optional<Point> JsonValue::as_pair(Wanted form) const {
   if (!value_->is_array() || value_->size() != 2) {
-    mistake("wrong_type", fmt::format("two numbers {} belong here", what));
+    mistake("two_numbers", fmt::format("two numbers {} belong here", form.words), {{"form", form.name}});
     return std::nullopt;
   }
   std::vector<double> numbers;
-  for_each(what, [&](const JsonValue& item) {
+  for_each(form, [&](const JsonValue& item) {
     if (const auto number = item.as_number()) numbers.push_back(*number);
   });
   if (numbers.size() != 2) return std::nullopt;
@@ -102,15 +105,15 @@ std::optional<Point> JsonValue::as_pair(std::string_view what) const {
 JsonObject::JsonObject(const JsonValue& value, Mistakes& mistakes, std::initializer_list<std::string_view> known)
     : value_(value), mistakes_(&mistakes) {
   if (!value.is_object()) {
-    value.wrong_type("an object { … }");
+    value.wrong_type({"object_in_braces", "an object { … }"});
     return;
   }
   if (known.size() == 0) return;
   for (const auto& member : value.json().items()) {
     if (std::find(known.begin(), known.end(), member.key()) != known.end()) continue;
+    const std::string nearest = in_quotes(nearest_name(member.key(), {known.begin(), known.size()}));
     mistakes.add("unknown_key", member_place(value.place(), member.key()),
-                 fmt::format("this key is not known here; the nearest known one is \"{}\"",
-                             nearest_name(member.key(), {known.begin(), known.size()})));
+                 fmt::format("this key is not known here; the nearest known one is {}", nearest), {{"name", nearest}});
   }
 }
 
@@ -121,22 +124,23 @@ std::optional<JsonValue> JsonObject::find(std::string_view key) const {
   return JsonValue(*found, member_place(value_.place(), key), *mistakes_);
 }
 
-std::optional<JsonValue> JsonObject::require(std::string_view key, std::string_view what) const {
+std::optional<JsonValue> JsonObject::require(std::string_view key, Wanted what) const {
   auto found = find(key);
   if (!found && value_.is_object()) {
-    mistakes_->add("missing_key", member_place(value_.place(), key), fmt::format("this is missing; add {}", what));
+    mistakes_->add("missing_key", member_place(value_.place(), key), fmt::format("this is missing; add {}", what.words),
+                   {{"what", what.name}});
   }
   return found;
 }
 
 std::optional<double> JsonObject::require_number(std::string_view key) const {
-  const auto found = require(key, "a number");
+  const auto found = require(key, {"number", "a number"});
   return found ? found->as_number() : std::nullopt;
 }
 
 std::optional<Point> JsonObject::require_point(std::string_view key) const {
-  const auto found = require(key, "two numbers [x, y]");
-  return found ? found->as_pair("[x, y]") : std::nullopt;
+  const auto found = require(key, {"two_coordinates", "two numbers [x, y]"});
+  return found ? found->as_pair({"[x, y]"}) : std::nullopt;
 }
 
 }  // namespace linkwright

@@ -13,6 +13,15 @@
 
 namespace linkwright {
 
+/// What belongs in a place of a file: the name by which others word it, and in English.
+struct Wanted {
+  Wanted(std::string_view its_name, std::string_view in_english) : name(its_name), words(in_english) {}
+  /// Something to copy, the same in all languages.
+  Wanted(std::string_view example) : name(example), words(example) {}
+
+  std::string_view name, words;
+};
+
 /// A value of the file being read, where it stands, and where its mistakes go. Every `as_…` gives the value, or notes a
 /// mistake and gives nothing.
 class JsonValue {
@@ -32,13 +41,13 @@ class JsonValue {
   [[nodiscard]] std::optional<std::string> as_text() const;
   [[nodiscard]] std::optional<std::string_view> as_one_of(std::span<const std::string_view> names) const;
   /// Calls `element` for each element; false, with a mistake, when it is no array.
-  bool for_each(std::string_view what, const std::function<void(const JsonValue&)>& element) const;
-  /// [a, b]; `what` says what the two are.
-  [[nodiscard]] std::optional<Point> as_pair(std::string_view what) const;
+  bool for_each(Wanted what, const std::function<void(const JsonValue&)>& element) const;
+  /// [a, b]; `form` shows the two: "[x, y]".
+  [[nodiscard]] std::optional<Point> as_pair(Wanted form) const;
 
-  void mistake(std::string code, std::string message) const;
+  void mistake(std::string code, std::string message, Values values = {}) const;
   /// "… belongs here, not …".
-  void wrong_type(std::string_view wanted) const;
+  void wrong_type(Wanted wanted) const;
 
  private:
   const nlohmann::json* value_;
@@ -54,7 +63,7 @@ class JsonObject {
 
   [[nodiscard]] std::optional<JsonValue> find(std::string_view key) const;
   /// As find(), but notes a mistake when the key is missing; `what` says what belongs there ("a number").
-  [[nodiscard]] std::optional<JsonValue> require(std::string_view key, std::string_view what) const;
+  [[nodiscard]] std::optional<JsonValue> require(std::string_view key, Wanted what) const;
   [[nodiscard]] std::optional<double> require_number(std::string_view key) const;
   [[nodiscard]] std::optional<Point> require_point(std::string_view key) const;
 

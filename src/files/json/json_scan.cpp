@@ -58,9 +58,11 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
 
 std::optional<Error> scan_json(std::string_view text, const JsonLimits& limits) {
   if (text.size() > limits.most_bytes) {
-    return Error{"file_too_large", "",
+    return Error{"file_too_large",
+                 "",
                  fmt::format("this file is larger than {} MiB, the most that is read; a Linkwright file is far smaller",
-                             limits.most_bytes >> 20)};
+                             limits.most_bytes >> 20),
+                 {{"most", limits.most_bytes >> 20}}};
   }
   std::string_view content = text;
   if (content.substr(0, byte_order_mark.size()) == byte_order_mark) content.remove_prefix(byte_order_mark.size());
@@ -68,12 +70,14 @@ std::optional<Error> scan_json(std::string_view text, const JsonLimits& limits) 
     return Error{"empty_file", "", "this file is empty; it should hold a JSON object that starts with {"};
   }
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
-    return Error{"invalid_character", line_and_column(text, zero),
+    return Error{"zero_byte", line_and_column(text, zero),
                  "a zero byte stands here; this is not a JSON text in UTF-8, save it as one"};
   }
   if (const auto place = too_deep_at(text, limits.deepest_nesting)) {
-    return Error{"nested_too_deep", line_and_column(text, *place),
-                 fmt::format("brackets are nested deeper than {}, the most that is read", limits.deepest_nesting)};
+    return Error{"nested_too_deep",
+                 line_and_column(text, *place),
+                 fmt::format("brackets are nested deeper than {}, the most that is read", limits.deepest_nesting),
+                 {{"most", limits.deepest_nesting}}};
   }
   return std::nullopt;
 }

@@ -13,7 +13,8 @@ class Mistakes {
  public:
   static constexpr std::size_t most_listed = 100;
 
-  void add(std::string code, std::string place, std::string message);
+  void add(std::string code, std::string place, std::string message, Values values = {});
+  void add(Error error);
   void add(const std::vector<Error>& errors);
   /// Those of the errors that are not in the list: two readers may look at the same member.
   void add_new(const std::vector<Error>& errors);

@@ -20,35 +20,38 @@ struct WrittenLink {
 };
 
 std::optional<BodyPair> read_between(const JsonObject& link) {
-  const auto found = link.require("between", "two bodies, as in \"0-2\"");
+  const auto found = link.require("between", {"two_bodies", "two bodies, as in \"0-2\""});
   const auto text = found ? found->as_text() : std::nullopt;
   if (!text) return std::nullopt;
   const auto pair = body_pair_from(*text);
   if (!pair)
-    found->mistake("unknown_bodies", fmt::format("{} names no two bodies; write them as in \"0-2\"", in_quotes(*text)));
+    found->mistake("unknown_bodies", fmt::format("{} names no two bodies; write them as in \"0-2\"", in_quotes(*text)),
+                   {{"given", in_quotes(*text)}});
   return pair;
 }
 
 std::optional<std::array<Point, 2>> read_points(const JsonObject& link) {
-  const auto found = link.require("points", "the two hinges [[x, y], [x, y]]");
+  const auto found = link.require("points", {"two_hinges", "the two hinges [[x, y], [x, y]]"});
   if (!found) return std::nullopt;
   std::vector<Point> points;
-  const bool is_list = found->for_each("two hinges [[x, y], [x, y]]", [&](const JsonValue& item) {
-    if (const auto point = item.as_pair("[x, y]")) points.push_back(*point);
+  const bool is_list = found->for_each({"two_hinges", "two hinges [[x, y], [x, y]]"}, [&](const JsonValue& item) {
+    if (const auto point = item.as_pair({"[x, y]"})) points.push_back(*point);
   });
   if (!is_list) return std::nullopt;
   if (points.size() == 2 && found->json().size() == 2) return std::array{points[0], points[1]};
   if (points.size() == found->json().size())
-    found->mistake("hinge_count", fmt::format("{} hinges are given; an added link has two", points.size()));
+    found->mistake("hinge_count", fmt::format("{} hinges are given; an added link has two", points.size()),
+                   {{"count", points.size()}});
   return std::nullopt;
 }
 
 std::optional<std::vector<WrittenLink>> read_added_links(const JsonObject& element, Mistakes& mistakes) {
-  const auto found = element.require("added", "the two added links with \"between\" and \"points\"");
+  const auto found =
+      element.require("added", {"two_added_links", "the two added links with \"between\" and \"points\""});
   if (!found) return std::nullopt;
   std::vector<WrittenLink> links;
   bool complete = true;
-  const bool is_list = found->for_each("the two added links", [&](const JsonValue& item) {
+  const bool is_list = found->for_each({"two_added_links", "the two added links"}, [&](const JsonValue& item) {
     const JsonObject link(item, mistakes, {});
     const auto between = item.is_object() ? read_between(link) : std::nullopt;
     const auto points = item.is_object() ? read_points(link) : std::nullopt;
@@ -58,7 +61,8 @@ std::optional<std::vector<WrittenLink>> read_added_links(const JsonObject& eleme
   if (!is_list || !complete) return std::nullopt;
   if (links.size() == 2) return links;
   found->mistake("added_count",
-                 fmt::format("{} added links are given; a six-bar has two beside the chain", links.size()));
+                 fmt::format("{} added links are given; a six-bar has two beside the chain", links.size()),
+                 {{"count", links.size()}});
   return std::nullopt;
 }
 
@@ -85,7 +89,7 @@ bool says_six_bar(const JsonValue& value) {
 std::optional<StoredSixBar> read_six_bar(const JsonValue& value, Mistakes& mistakes) {
   const JsonObject element(value, mistakes, {});
   const auto written_chain =
-      element.require("chain", "the guiding chain {\"a\": [x, y], \"b\": [x, y], \"d\": [x, y]}");
+      element.require("chain", {"chain", "the guiding chain {\"a\": [x, y], \"b\": [x, y], \"d\": [x, y]}"});
   const auto chain = written_chain ? read_chain(*written_chain, mistakes) : std::nullopt;
   const auto links = read_added_links(element, mistakes);
   if (!chain || !links) return std::nullopt;
@@ -94,7 +98,8 @@ std::optional<StoredSixBar> read_six_bar(const JsonValue& value, Mistakes& mista
     value.mistake("unknown_row",
                   fmt::format("links {} and {} do not make a six-bar that body 1 drives and body 3 is guided by; "
                               "\"0-2\" and \"0-3\" do",
-                              text((*links)[0].between), text((*links)[1].between)));
+                              text((*links)[0].between), text((*links)[1].between)),
+                  {{"first", text((*links)[0].between)}, {"second", text((*links)[1].between)}});
     return std::nullopt;
   }
   StoredSixBar stored;
@@ -104,10 +109,10 @@ std::optional<StoredSixBar> read_six_bar(const JsonValue& value, Mistakes& mista
   stored.six_bar = SixBar::of({chain->a, chain->b, chain->d}, row->added, ordered((*links)[0], row->added[0]),
                               ordered((*links)[1], row->added[1]));
   if (!in_range(stored.six_bar)) {
-    value.mistake("out_of_range",
-                  fmt::format("the coordinates of a hinge lie between ±{}", limit_text(largest_number)));
+    value.mistake("hinge_range", fmt::format("the coordinates of a hinge lie between ±{}", limit_text(largest_number)),
+                  {{"most", limit_text(largest_number)}});
   } else if (shape_of(stored.six_bar).type == LinkageType::degenerate) {
-    value.mistake("degenerate_linkage", "two hinges of one body coincide; every link of a six-bar has a length");
+    value.mistake("degenerate_six_bar", "two hinges of one body coincide; every link of a six-bar has a length");
   } else {
     return stored;
   }

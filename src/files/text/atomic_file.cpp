@@ -15,8 +15,10 @@ constexpr std::size_t file_buffer_bytes = 1 << 20;
 constexpr int usual_mode = 0666;  // less the umask
 
 Error not_regular(std::string_view kind) {
-  return {"unwritable_output", "",
-          fmt::format("this output path is {}, not a regular file; it was left alone, name another file", kind)};
+  return {"not_a_regular_file",
+          "",
+          fmt::format("this output path is {}, not a regular file; it was left alone, name another file", kind),
+          {{"kind", kind}}};
 }
 
 std::string_view kind_of(mode_t mode) {
@@ -72,8 +74,11 @@ void AtomicFile::open_temporary(int mode) {
 
 void AtomicFile::fail(std::string_view what, int error_number) {
   if (!failure_) {
-    failure_ =
-        Error{"unwritable_output", "", fmt::format("{}: {}; nothing was written", what, std::strerror(error_number))};
+    const char* const reason = std::strerror(error_number);
+    failure_ = Error{"unwritable_output",
+                     "",
+                     fmt::format("{}: {}; nothing was written", what, reason),
+                     {{"what", what}, {"reason", reason}}};
   }
   abandon();
 }

@@ -10,15 +10,19 @@ namespace linkwright {
 namespace {
 
 Error cannot_read(int error_number) {
-  return {"unreadable_file", "",
-          fmt::format("this file cannot be read: {}; check its name and that you may read it",
-                      std::strerror(error_number))};
+  return {
+      "unreadable_file",
+      "",
+      fmt::format("this file cannot be read: {}; check its name and that you may read it", std::strerror(error_number)),
+      {{"reason", std::strerror(error_number)}}};
 }
 
 Error too_large(std::size_t most_bytes) {
-  return {"file_too_large", "",
+  return {"file_too_large",
+          "",
           fmt::format("this file is larger than {} MiB, the most that is read; a Linkwright file is far smaller",
-                      most_bytes >> 20)};
+                      most_bytes >> 20),
+          {{"most", most_bytes >> 20}}};
 }
 
 Result<std::string> read_all(std::FILE* file, std::size_t most_bytes) {
