@@ -82,7 +82,8 @@ TEST(MotionTask, DerivativesCountAsPositions) {
       "6 positions were given (PP-PP-PP: 3 poses and 3 derivatives, each counting as one) and 5 are the most that "
       "a four-bar can pass exactly; remove 1");
   EXPECT_EQ(mistakes_in(mixed({100}))[0].message,
-            "100 positions were given (PPPPPPPPPPPP…: 1 pose and 99 derivatives, each counting as one) and 5 are the most that a "
+            "100 positions were given (PPPPPPPPPPPP…: 1 pose and 99 derivatives, each counting as one) and 5 are the "
+            "most that a "
             "four-bar can pass exactly; remove 95");
 }
 

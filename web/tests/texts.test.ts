@@ -14,6 +14,8 @@ const english: Record<string, string> = en,
 const placeholders = (text: string) => [...text.matchAll(/\{(\w*)\}/g)].map((match) => match[1]).sort();
 const without_placeholders = (text: string) => text.replace(/\{\w+(:[^{}|]+\|[^{}|]+)?\}/g, "");
 
+const shows_json = (key: string) => /^(mistake|word)\./.test(key);
+
 describe("texts", () => {
   it("have the same keys in both languages", () => {
     expect(Object.keys(zh).sort()).toEqual(Object.keys(en).sort());
@@ -27,7 +29,7 @@ describe("texts", () => {
   it("are written out", () => {
     for (const [key, text] of [...Object.entries(en), ...Object.entries(zh)]) {
       expect(text.trim(), key).not.toBe("");
-      expect(without_placeholders(text), key).not.toMatch(/[{}]/);
+      if (!shows_json(key)) expect(without_placeholders(text), key).not.toMatch(/[{}]/);
     }
   });
 

@@ -45,11 +45,9 @@ export interface Notice {
   values: Record<string, number | string>;
   message: string;
 }
-/** The caller's mistake, as the command line says it. */
-export interface Mistake {
-  code: string;
+/** The caller's mistake, as the command line says it: worded like a notice, and where it is. */
+export interface Mistake extends Notice {
   place: string;
-  message: string;
 }
 
 // ---- the task -------------------------------------------------------------------------------------------------

@@ -26,6 +26,7 @@ const nearest_order = -1;
 const no_dyads: Mistake = {
   code: "no_dyads",
   place: "task.poses",
+  values: {},
   message: "these positions have no side links to pair; move one of them",
 };
 const extensions = {svg: ".svg", dxf: ".dxf", csv: ".csv", json: ".json", result: ".json"};
@@ -136,7 +137,7 @@ export class Server {
     const text = this.holding(problem).exported(...tau, format);
     if (!text)
       throw new Mistaken([
-        {code: "no_four_bar", place: "", message: "a slider or zero link cannot be written as a four-bar"},
+        {code: "no_four_bar", place: "", values: {}, message: "a slider or zero link cannot be written as a four-bar"},
       ]);
     return {text, extension: extensions[format]};
   }

@@ -13,18 +13,20 @@ import {other_work, read_before, write_before, type Kept} from "./storage";
 
 const most_bytes = 16 * 1024 * 1024;
 
+function page_mistake(code: string, place: string, message: string): Mistake {
+  return {code, place, values: {}, message};
+}
+
 /** The problem in a file's text, or the engine's mistakes; nothing when another file came meanwhile. */
 export async function read_text(workbench: Workbench, text: string): Promise<Problem | Mistake[] | null> {
   const engine = workbench.driver_client;
-  if (!engine) return [{code: "no_engine", place: "", message: t("state.engine_missing")}];
+  if (!engine) return [page_mistake("no_engine", "", t("state.engine_missing"))];
   try {
     const {problem} = await engine.follow("read", {text});
-    return (
-      read_problem(JSON.parse(problem)) ?? [{code: "not_available", place: "task", message: t("mistake.not_available")}]
-    );
+    return read_problem(JSON.parse(problem)) ?? [page_mistake("not_on_page", "task", t("file.not_on_page"))];
   } catch (error) {
     if (error instanceof Refusal) return error.mistakes;
-    if (error instanceof Crashed) return [{code: "crashed", place: "", message: t("file.crashed")}];
+    if (error instanceof Crashed) return [page_mistake("crashed", "", t("file.crashed"))];
     if (error instanceof Superseded) return null;
     throw error;
   }
@@ -49,7 +51,7 @@ export function work_elsewhere({slot}: Workbench): Kept[] {
 }
 
 function newer_version([first]: readonly Mistake[]): string | null {
-  return first?.code === "newer_version" ? (/version ([\d.e+]+)/.exec(first.message)?.[1] ?? "") : null;
+  return first?.code === "newer_version" ? String(first.values.version) : null;
 }
 /** Says why a file or link was not opened. */
 export function say_refused(workbench: Workbench, mistakes: readonly Mistake[], name: string | null): void {
@@ -78,9 +80,7 @@ export async function open_file(workbench: Workbench, file: File): Promise<void>
   const found = told(name, start, text);
   if (!("text" in found)) return workbench.say(`state.is_${found.kind}`, {name});
   const read =
-    text === null
-      ? [{code: "not_utf8", place: "", message: "this is not UTF-8 text; save the file in UTF-8"}]
-      : await read_text(workbench, found.text);
+    text === null ? [page_mistake("not_utf8", "", t("mistake.not_utf8"))] : await read_text(workbench, found.text);
   if (read === null) return;
   if (Array.isArray(read)) return say_refused(workbench, read, name);
   const words = {problem: "file.opened", result: "file.opened_result", linkage: "file.opened_linkage"} as const;

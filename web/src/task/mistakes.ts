@@ -1,16 +1,14 @@
 // The engine's refusals, by place in the problem file.
 import type {Mistake} from "../engine/protocol";
 import {mistake_text} from "../texts/mistakes";
-import {t, type TextKey} from "../texts/texts.svelte";
-
-const worded: Record<string, TextKey> = {repeated_pose: "mistake.repeated_pose"};
+import {t} from "../texts/texts.svelte";
 
 /** The sentence of a mistake, its positions counted from 1. */
 export function mistake_sentence(mistake: Mistake): string {
   const {code, place} = mistake,
     words = mistake_text({...mistake, place: ""});
   const position = place_of_pose(place)?.index;
-  if (worded[code] && position !== undefined) return t(worded[code], {j: position + 1});
+  if (code === "repeated_pose" && position !== undefined) return t("task.same_position", {j: position + 1});
   return position === undefined ? words : `${t("task.position")} ${position + 1}: ${words}`;
 }
 export function place_of_pose(place: string): {index: number; key: string | null} | null {

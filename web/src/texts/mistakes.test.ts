@@ -5,6 +5,7 @@ import {afterEach, beforeAll, describe, expect, it} from "vitest";
 import {create_linkwright} from "../engine/module";
 import type {Mistake} from "../engine/protocol";
 import {preferences} from "../state/preferences.svelte";
+import en from "./en.json";
 import {mistake_text, mistakes_text} from "./mistakes";
 
 const root = fileURLToPath(new URL("../../../", import.meta.url));
@@ -32,6 +33,58 @@ const files = readdirSync(folder)
     }
   });
 
+/** What those files leave out: what a task says more, and texts that are no file at all. */
+const motion = (members: string) =>
+  `{"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar", "poses": [${members}}}`;
+const pose = (x: number) => `{"x": ${x}, "y": 0, "theta_deg": ${x * x}}`;
+const poses = (count: number) => Array.from({length: count}, (_, i) => pose(i)).join(", ");
+const directed = '{"x": 0, "y": 0, "theta_deg": 0, "derivatives": [{"x": 1, "y": 0, "theta": 0}]}';
+const chain = (d: string) =>
+  `{"linkwright": 1, "task": {"kind": "motion", "mechanism": "six_bar", "added": ["0-2", "0-3"],
+    "poses": [${poses(4)}], "chain": {"a": [0, 0], "b": [1, 5], "d": ${d}}}}`;
+const lengths = (members: string) => `${motion(`${poses(4)}]`).slice(0, -1)}, "requirements": {${members}}}`;
+const further = {
+  "a list without a comma": "[1 2]",
+  "a list without a first value": "[, 1]",
+  "an object with a comma too many": '{"linkwright": 1,}',
+  "half of a pair of escapes": '{"title": "\\ud800"}',
+  "a short escape": '{"title": "\\u12"}',
+  "17 MiB of blanks": " ".repeat(17 << 20),
+  "a hundred unknown keys": `{${Array.from({length: 103}, (_, i) => `"key ${i}": 0`).join(", ")}}`,
+  "a freed pose that is not there": motion(`${poses(5)}], "freed_pose": 6`),
+  "a freed pose of four": motion(`${poses(4)}], "freed_pose": 1`),
+  "one pose with a direction": motion(`${directed}]`),
+  "one pair with rates": `{"linkwright": 1, "task": {"kind": "function", "mechanism": "four_bar",
+    "pairs": [{"input_deg": 0, "output_deg": 0, "derivatives": [{"input": 1, "output": 1}]}]}}`,
+  "a chain that is too far away": chain("[1e10, 0]"),
+  "a chain with unlike links": chain("[1.1, 5.2]").replace('"x": 3, "y": 0', '"x": 0, "y": -3'),
+  "a chain without a second link": chain("[1, 5]"),
+  "a length below zero": lengths('"min_length": -1'),
+  "a shortest link longer than the longest": lengths('"min_length": 5, "max_length": 4'),
+};
+const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name, text}))];
+
+/** Sentences that no text provokes: what JSON cannot say or a reader catches, and what the page finds itself. */
+const unprovoked = ["limits_finite", "two_functions", "no_dyads", "not_utf8"];
+
+/** The codes in the sources of what reads and checks problem files: those before a place, and those of a value read. */
+function codes_of_sources(): string[] {
+  const sources = readdirSync(`${root}src`, {recursive: true, encoding: "utf8"}).filter(
+    (name) =>
+      name.endsWith(".cpp") && !/attitude|files\/(linkage|text|six_bar)|synthesis\/(solve|six_bar_answer)/.test(name),
+  );
+  const made =
+    /\b(?:mistake|mistakes_?(?:\.|->)add)\(\s*"(\w+)"|(?:[{(]\s*|"(\w+)" : )"(\w+)",\s+(?:place|here|where|"task\.|"options\.|"requirements\.|"linkwright"|fmt::format\("task\.)/g;
+  return sources.flatMap((name) =>
+    [...readFileSync(`${root}src/${name}`, "utf8").matchAll(made)].flatMap((found) => found.slice(1).filter(Boolean)),
+  );
+}
+
+/** Numbers at three digits, as the page tells them. */
+const shortened = (text: string) =>
+  text.replace(/\d+\.\d+/g, (number) => String(Number(Number(number).toPrecision(3))));
+const without_place = (mistake: Mistake) => mistake_text({...mistake, place: ""});
+
 describe("the engine's sentences about files", () => {
   it("are the program's in English", () => {
     expect(existsSync(program), "build/release is built first").toBe(true);
@@ -45,7 +98,25 @@ describe("the engine's sentences about files", () => {
       for (const mistake of read(readFileSync(folder + name, "utf8"))) expect(said).toContain(mistake_text(mistake));
     }
   });
-  it.each(files)("are Chinese in Chinese: $name", ({text}) => {
+  it.each(texts)("are their texts with their values: $name", ({text}) => {
+    const mistakes = read(text);
+    expect(mistakes.length).toBeGreaterThan(0);
+    for (const mistake of mistakes) {
+      expect(en, mistake.message).toHaveProperty([`mistake.${mistake.code}`]);
+      expect(shortened(without_place(mistake))).toBe(shortened(mistake.message));
+    }
+  });
+  it("all have a text", () => {
+    const codes = codes_of_sources();
+    expect(codes.length).toBeGreaterThan(90);
+    expect(codes.filter((code) => !(`mistake.${code}` in en))).toEqual([]);
+  });
+  it("are all that there are texts for", () => {
+    const provoked = new Set(texts.flatMap(({text}) => read(text)).map(({code}) => code));
+    const worded = Object.keys(en).flatMap((key) => (key.startsWith("mistake.") ? [key.slice("mistake.".length)] : []));
+    expect(worded.filter((code) => !provoked.has(code)).sort()).toEqual(unprovoked.sort());
+  });
+  it.each(texts)("are Chinese in Chinese: $name", ({text}) => {
     preferences.language = "zh";
     const mistakes = read(text);
     expect(mistakes.length).toBeGreaterThan(0);
@@ -54,17 +125,28 @@ describe("the engine's sentences about files", () => {
       expect(said).toMatch(/\p{Script=Han}/u);
       expect(
         said.replace(
-          /"[^"]*"|JSON|UTF|NaN|Infinity|null|true|false|Linkwright|no_defects|poses|(in|out)put_deg|MiB|theta|\b[xyτ]\b|\\[nt]/g,
+          /"[^"]*"|JSON|UTF|NaN|Infinity|null|true|false|Linkwright|no_defects|poses|pairs|(in|out)put_deg|MiB|theta|\b[xyτ]\b|\\[nt]/g,
           "",
         ),
         mistake.message,
       ).not.toMatch(/[a-z]{3}/i);
     }
   });
+  it("are told in the engine's words where there is no text", () => {
+    preferences.language = "zh";
+    const mistake = {code: "quite_new", place: "task", values: {}, message: "this is quite new"};
+    expect(mistake_text(mistake)).toBe("task：this is quite new");
+  });
+  it("keep what a file says as it stands there", () => {
+    preferences.language = "zh";
+    const [mistake] = read(lengths('"types": ["{name}, number and input"]'));
+    expect(mistake_text(mistake!)).toContain('"{name}, number and input"');
+  });
   it("are counted where there are many", () => {
     const many: Mistake[] = Array.from({length: 7}, (_, i) => ({
       code: "missing_key",
       place: `task.poses[${i}].x`,
+      values: {what: "number"},
       message: "this is missing; add a number",
     }));
     const told = mistakes_text(many);
