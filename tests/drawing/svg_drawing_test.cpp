@@ -173,16 +173,16 @@ TEST(SvgDrawing, OfFivePositionsWithoutAnswerShowsAWayOut) {
   const auto& [problem, answer] = testing::five_without_answer();
   const std::string svg = draw_answer(problem, answer);
   expect_whole(svg);
-  EXPECT_THAT(svg, HasSubstr("A way out: without position "));
+  EXPECT_THAT(svg, HasSubstr("Alternative: without position "));
   EXPECT_THAT(svg, HasSubstr("No linkage to show"));
-  EXPECT_THAT(svg, HasSubstr("missed by "));
+  EXPECT_THAT(svg, HasSubstr("error "));
 }
 
 TEST(SvgDrawing, OfAFunctionHasItsRibbonDialsAndError) {
   const auto& [problem, answer] = testing::function();
   const std::string svg = draw_answer(problem, answer);
   expect_whole(svg);
-  EXPECT_THAT(svg, HasSubstr("Solution ribbon: every place is one four-bar"));
+  EXPECT_THAT(svg, HasSubstr("Solution region: every value is one four-bar"));
   EXPECT_THAT(svg, HasSubstr("Structural error of linkage 1"));
   EXPECT_THAT(svg, HasSubstr("Input, degrees"));
   EXPECT_THAT(svg, HasSubstr("largest structural error"));
@@ -207,7 +207,7 @@ TEST(SvgDrawing, OfOtherKindsIsWhole) {
       {function_start + pairs + R"(, "free": {"number": "output_scale", "range": [0.5, 2]}})", "Factor on the output"},
       {function_start + R"("function": {"expression": "log", "x": [1, 10], "input_range_deg": [0, 60],
         "output_range_deg": [0, 60], "points": 5}})",
-       "Every cell is one four-bar"},
+       "every cell is one four-bar"},
   };
   for (const auto& [task, words] : tasks) {
     SCOPED_TRACE(task);

@@ -152,7 +152,7 @@ void add_function_checks(NumberRows& checks, const FourBarAnswer& answer, const 
                                                        rounded_text(degrees(error.worst_input), 1)));
   else
     checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
-  checks.row("driver turns through the task", drive_text(found.report));
+  checks.row("input rotation range", drive_text(found.report));
   add_place(checks, answer);
   const std::string_view reach = !has_function || error.unreached.empty() ? "" : ", not the whole range";
   checks.row("error at the pairs, by simulation",
