@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/six_bar/six_bar_kind.hpp"
 #include "files/task_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/pose_conditions.hpp"

@@ -9,6 +9,7 @@
 #include "axis_ticks.hpp"
 #include "drawing/six_bar/six_bar_figure.hpp"
 #include "files/json/base64.hpp"
+#include "files/kinds.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"

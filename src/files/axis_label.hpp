@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "linkwright/region/map_axis.hpp"
-#include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright {
 
-/// How an axis of a map is spoken of.
+/// How an axis of a map is spoken of; the kinds give theirs by axis_label().
 struct AxisLabel {
   std::string name;           ///< in files: "input side link, place on its curve"
   std::string title;          ///< at the axis of a drawing: "Driving side link, τ₁"
@@ -17,9 +16,6 @@ struct AxisLabel {
   std::string_view quantity;  ///< in files
   std::vector<CurveBranch> branches;
 };
-[[nodiscard]] AxisLabel axis_label(const MotionAnswer& answer, Side side, std::string_view length_unit);
-[[nodiscard]] AxisLabel axis_label(const FunctionAnswer& answer, Side side, std::string_view length_unit);
-[[nodiscard]] AxisLabel axis_label(const SixBarAnswer& answer, Side side, std::string_view length_unit);
 
 /// The numbers along the axis are read, not τ itself.
 [[nodiscard]] bool has_values(AxisQuantity quantity);

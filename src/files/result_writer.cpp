@@ -4,10 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "axis_label.hpp"
-#include "files/four_bar/four_bar_answer_writer.hpp"
 #include "files/json/json_writer.hpp"
-#include "files/six_bar/six_bar_answer_writer.hpp"
+#include "kinds.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/result_file.hpp"

@@ -14,8 +14,4 @@ namespace linkwright {
 /// `{"x": [low, high], "y": [low, high]}`.
 [[nodiscard]] std::optional<Box> read_box(const JsonValue& value, Mistakes& mistakes);
 
-/// `{"a": [x, y], "b": [x, y], "d": [x, y], "elbow": [four signs]}`, the elbow optional; nothing, with mistakes, where
-/// it is something else.
-[[nodiscard]] std::optional<ThreeLinkChain> read_chain(const JsonValue& value, Mistakes& mistakes);
-
 }  // namespace linkwright

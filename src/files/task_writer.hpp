@@ -12,8 +12,6 @@ void write_task(JsonWriter& json, const Task& task);
 void write_pose(JsonWriter& json, const PrescribedPose& pose);
 /// The member `poses`.
 void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses);
-/// The object `chain` of a six-bar's task.
-void write_chain(JsonWriter& json, const ThreeLinkChain& chain);
 /// `[x, y]`, on one line.
 void write_point(JsonWriter& json, Point point);
 /// `[low, high]`, on one line.

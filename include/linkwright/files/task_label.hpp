@@ -13,6 +13,9 @@ namespace linkwright {
 /// The same without particulars: "three positions", "function on 4 precision points".
 [[nodiscard]] std::string short_task_label(const Task& task);
 
+/// "three positions".
+[[nodiscard]] std::string positions_text(int count);
+
 /// Kind of a six-bar, and the bodies that its added links join: "Watt I by 0-2 and 1-3".
 [[nodiscard]] std::string row_label(const SixBarRow& row);
 

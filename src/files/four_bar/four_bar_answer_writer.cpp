@@ -1,9 +1,8 @@
-#include "four_bar_answer_writer.hpp"
-
 #include <span>
 
 #include "files/four_bar/four_bar_writer.hpp"
 #include "files/result_writer.hpp"
+#include "four_bar_kind.hpp"
 #include "linkwright/planar/freed_position.hpp"
 
 namespace linkwright {
@@ -96,6 +95,16 @@ void write_lists(JsonWriter& json, const FourBarAnswer& answer) {
   write_four_bars(json, answer.pairs, answer.given);
 }
 
+StoredLinkage stored(const FourBarSolution& found, const FourBarAnswer& answer,
+                     const std::vector<PrescribedPose>& poses) {
+  const FourBarNotes notes = notes_on(found, answer.given);
+  StoredLinkage linkage;
+  linkage.four_bar = found.four_bar;
+  linkage.poses = notes.poses.empty() ? poses : notes.poses;
+  linkage.record = json_text_of([&](JsonWriter& json) { write_four_bar(json, found, answer.given.frame(), notes); });
+  return linkage;
+}
+
 }  // namespace
 
 void write_dyads(JsonWriter& json, const MotionAnswer& answer) {
@@ -122,5 +131,11 @@ void write_linkages(JsonWriter& json, const FunctionAnswer& answer) {
   json.begin_list();
   json.end_list();
 }
+
+StoredLinkage stored(const FourBarSolution& found, const MotionAnswer& answer) {
+  return stored(found, answer, answer.task.poses);
+}
+
+StoredLinkage stored(const FourBarSolution& found, const FunctionAnswer& answer) { return stored(found, answer, {}); }
 
 }  // namespace linkwright

@@ -59,4 +59,33 @@ std::optional<PrescribedPose> read_pose(const JsonValue& value, Mistakes& mistak
   return PrescribedPose{.pose = {{*x, *y}, radians(*theta)}, .derivatives = *std::move(derivatives)};
 }
 
+namespace {
+
+/// The poses, and whether every one could be read.
+bool read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
+  if (value.json().is_array() && value.json().size() > most_positions_looked_at) {
+    value.mistake("pose_count",
+                  fmt::format("{} poses are given; five positions are the most that can be solved, remove the others",
+                              value.json().size()),
+                  {{"count", value.json().size()}});
+    return false;
+  }
+  bool complete = true;
+  const bool is_list = value.for_each({"poses", "a list of poses"}, [&](const JsonValue& item) {
+    const auto pose = read_pose(item, mistakes, OtherMembers::refused);
+    if (pose) poses.push_back(*pose);
+    complete = complete && pose.has_value();
+  });
+  return is_list && complete;
+}
+
+}  // namespace
+
+bool read_poses(const JsonObject& task, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
+  const auto found = task.require(
+      "poses",
+      {"poses_in_full", "a list of poses {\"x\": …, \"y\": …, \"theta_deg\": …}, some of them with \"derivatives\""});
+  return found && read_poses(*found, mistakes, poses);
+}
+
 }  // namespace linkwright

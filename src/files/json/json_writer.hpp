@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,5 +69,8 @@ class JsonWriter {
 
 /// JSON text of a string, quotes included; bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(std::string_view text);
+
+/// What `write` writes.
+[[nodiscard]] std::string json_text_of(const std::function<void(JsonWriter&)>& write);
 
 }  // namespace linkwright

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "files/json/json_writer.hpp"
+#include "files/six_bar/six_bar_kind.hpp"
 #include "files/task_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/problem_file.hpp"

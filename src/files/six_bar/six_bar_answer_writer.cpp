@@ -1,5 +1,4 @@
-#include "six_bar_answer_writer.hpp"
-
+#include "six_bar_kind.hpp"
 #include "six_bar_writer.hpp"
 
 namespace linkwright {
@@ -30,6 +29,17 @@ void write_linkages(JsonWriter& json, const SixBarAnswer& answer) {
   json.end_list();
   write_empty_list(json, "pairs");
   write_empty_list(json, "freed");
+}
+
+StoredSixBar stored(const SixBarSolution& found, const SixBarAnswer& answer) {
+  StoredSixBar linkage;
+  linkage.six_bar = found.member.six_bar;
+  linkage.row = found.row;
+  for (std::size_t j = 0; j < linkage.elbow.size(); ++j)
+    linkage.elbow[j] = (found.chain.elbow[j] > 0 ? 1 : 0) - (found.chain.elbow[j] < 0 ? 1 : 0);
+  linkage.poses = answer.task.poses;
+  linkage.record = json_text_of([&](JsonWriter& json) { write_six_bar(json, found); });
+  return linkage;
 }
 
 }  // namespace linkwright

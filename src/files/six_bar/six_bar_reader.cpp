@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "files/task_reader.hpp"
 #include "files/vocabulary.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/files/nearest_name.hpp"
+#include "six_bar_kind.hpp"
 
 namespace linkwright {
 namespace {

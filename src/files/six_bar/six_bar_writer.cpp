@@ -5,6 +5,7 @@
 
 #include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
+#include "files/six_bar/six_bar_kind.hpp"
 #include "linkwright/analysis/six_bar_position.hpp"
 #include "linkwright/core/angle.hpp"
 

@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include "files/four_bar/four_bar_kind.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/number_text.hpp"
+#include "linkwright/files/task_label.hpp"
+
+// How tasks of four-bars, and the axes of their maps, are spoken of.
+namespace linkwright {
+namespace {
+
+constexpr int digits = 6;
+
+std::string number(double value) { return significant_text(value, digits); }
+
+std::string given_words(const SideLengths& given) {
+  if (!given.output) return fmt::format("input side link {}", number(given.input));
+  return fmt::format("side links {} and {}", number(given.input), number(*given.output));
+}
+
+std::string given_words(const SideAngle& given) {
+  const std::string angle =
+      fmt::format("{} at {}°", given.directed ? "side links" : "lines of the side links", number(degrees(given.angle)));
+  return given.input_length ? fmt::format("{}, input {}", angle, number(*given.input_length)) : angle;
+}
+
+std::string given_words(const InstantCenter& given) {
+  const std::string point = fmt::format("({}, {})", number(given.point.real()), number(given.point.imag()));
+  return given.at_infinity ? "instant centre at infinity in direction " + point : "instant centre " + point;
+}
+
+std::string on_points(const FunctionTask& task) {
+  const std::string counted = fmt::format("{} precision points", position_count(task.pairs));
+  const std::string multiplicities = pattern(task.pairs);
+  return multiplicities.find("PP") == std::string::npos ? counted : fmt::format("{} ({})", counted, multiplicities);
+}
+
+std::string titled(std::string_view title, std::string_view unit) {
+  return unit.empty() ? std::string(title) : fmt::format("{}, {}", title, unit);
+}
+
+/// Of three positions between some of which the body only shifts: the branches run round a circle.
+bool runs_round_a_circle(const MapAxis& axis) {
+  if (axis.branches.empty()) return false;
+  const std::string& name = axis.branches.front().name;
+  return name.rfind("direct", 0) == 0;
+}
+
+struct Words {
+  std::string name, title, unit;
+};
+
+Words coupler_words(AxisQuantity quantity) {
+  if (quantity == AxisQuantity::burmester_point) return {"coupler, one of a few", "Linkage", "1"};
+  return {"coupler, place on its curve", "Coupler's place on its curve, τ", "tau"};
+}
+
+Words free_words(AxisQuantity quantity, const FunctionTask& task) {
+  if (quantity == AxisQuantity::output_scale)
+    return {"factor on the output's travel", "Factor on the output's travel", "1"};
+  if (quantity != AxisQuantity::pair_output) return {"nothing is free", "", "1"};
+  const std::string name = fmt::format("output angle of pair {}", task.free ? task.free->pair + 1 : 1);
+  return {name, "O" + name.substr(1) + ", degrees", "deg"};
+}
+
+Words side_link_words(const MapAxis& axis, Side side, std::string_view length_unit) {
+  const bool drives = side == Side::input;
+  const std::string link = drives ? "input side link, " : "output side link, ";
+  const std::string_view title = drives ? "Driving side link" : "Other side link", index = drives ? "₁" : "₂";
+  switch (axis.quantity) {
+    case AxisQuantity::burmester_point:
+      return {link + "one of the Burmester points", fmt::format("{}, by its number", title), "1"};
+    case AxisQuantity::side_direction:
+      return {link + "direction in position 1", fmt::format("{}: direction β{} in position 1, degrees", title, index),
+              "deg"};
+    case AxisQuantity::side_length:
+      return {link + "length", titled(fmt::format("{}: length R{}", title, index), length_unit),
+              std::string(length_unit)};
+    default:
+      break;
+  }
+  if (runs_round_a_circle(axis))
+    return {link + "place round its circle", fmt::format("{}, place τ{} round its circle", title, index), "tau"};
+  return {link + "place on its curve", fmt::format("{}, τ{}", title, index), "tau"};
+}
+
+MapAxis axis_of(const FourBarAnswer& answer, Side side) {
+  return answer.given.family ? answer.given.family->axis(side) : MapAxis{};
+}
+
+AxisLabel label_of(MapAxis axis, Words words) {
+  return {std::move(words.name), std::move(words.title), std::move(words.unit), name(axis.quantity),
+          std::move(axis.branches)};
+}
+
+}  // namespace
+
+std::string label_of(const MotionTask& task) {
+  std::string text = fmt::format("{} ({})", positions_text(position_count(task.poses)), pattern(task.poses));
+  if (task.freed) text += fmt::format(", position {} free", *task.freed + 1);
+  if (task.given) text += ", " + std::visit([](const auto& given) { return given_words(given); }, *task.given);
+  return text;
+}
+
+std::string label_of(const FunctionTask& task) {
+  std::string what = "function";
+  if (task.function)
+    what += task.function->table.empty() ? " " + task.function->expression
+                                         : fmt::format(" of a table with {} rows", task.function->table.size());
+  std::string text = fmt::format("{} on {}", what, on_points(task));
+  if (!task.free) return text;
+  return text + (task.free->kind == FreeNumber::Kind::output_scale
+                     ? ", the output's travel free"
+                     : fmt::format(", the output of pair {} free", task.free->pair + 1));
+}
+
+std::string short_label_of(const MotionTask& task) { return positions_text(position_count(task.poses)); }
+
+std::string short_label_of(const FunctionTask& task) {
+  return fmt::format("function on {} precision points", position_count(task.pairs));
+}
+
+AxisLabel axis_label(const MotionAnswer& answer, Side side, std::string_view length_unit) {
+  const MapAxis axis = axis_of(answer, side);
+  return label_of(axis, side_link_words(axis, side, length_unit));
+}
+
+AxisLabel axis_label(const FunctionAnswer& answer, Side side, std::string_view /*length_unit*/) {
+  const MapAxis axis = axis_of(answer, side);
+  return label_of(axis, side == Side::input ? coupler_words(axis.quantity) : free_words(axis.quantity, answer.task));
+}
+
+}  // namespace linkwright
