@@ -85,8 +85,8 @@ Answer search_chain(SixBarAnswer answer, const Progress& progress) {
 
 }  // namespace
 
-Result<Answer> solve_six_bars(const SixBarTask& task, const Requirements& requirements, const SynthesisOptions& options,
-                              const Progress& progress) {
+Result<Answer> solve_of_kind(const SixBarTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                             const Progress& progress) {
   const PoseConditions conditions = pose_conditions(task.poses);
   SixBarAnswer answer;
   answer.task = task;

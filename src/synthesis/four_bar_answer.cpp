@@ -1,0 +1,170 @@
+#include "four_bar_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <span>
+
+#include "linkage_search.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
+#include "linkwright/planar/function_family.hpp"
+#include "linkwright/planar/function_search.hpp"
+#include "reason.hpp"
+#include "region_count.hpp"
+#include "warnings.hpp"
+
+namespace linkwright {
+namespace {
+
+std::vector<Dyad> curve_samples(const TaskFamily& given, const SynthesisOptions& options) {
+  std::vector<Dyad> dyads;
+  if (!given.curve) return dyads;
+  for (const double tau : given.curve->samples(options.region_samples, options.spacing))
+    dyads.push_back(given.frame().to_user(given.curve->dyad(tau)));
+  return dyads;
+}
+
+// No defects, then the larger least transmission angle, then the smaller coordinate.
+bool is_better(const FourBarSolution& a, const FourBarSolution& b) {
+  if (a.report.defects.none() != b.report.defects.none()) return a.report.defects.none();
+  const double angle = a.report.min_transmission_angle, other = b.report.min_transmission_angle;
+  return angle != other ? angle > other : a.input.coordinate < b.input.coordinate;
+}
+
+// Five positions: every pair of side links as a four-bar, the better driver first named, best first.
+std::vector<FourBarSolution> all_pairs(const FourBarAnswer& answer) {
+  constexpr bool verify = true;
+  const Requirements& wanted = answer.requirements;
+  const std::vector<double> places = answer.given.family->samples(Side::input, 0, Spacing::coordinate);
+  std::vector<FourBarSolution> pairs;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = i + 1; j < places.size(); ++j) {
+      auto one = make_four_bar(answer.given, {places[i], places[j]}, wanted.respect_direction, verify);
+      auto other = make_four_bar(answer.given, {places[j], places[i]}, wanted.respect_direction, verify);
+      if (one && other) pairs.push_back(is_better(*other, *one) ? *other : *one);
+    }
+  std::sort(pairs.begin(), pairs.end(), is_better);
+  return pairs;
+}
+
+Error cancelled() { return {"cancelled", "", "stopped before the answer was complete"}; }
+
+// What is found of a family of four-bars; false where it was cancelled.
+bool find_four_bars(FourBarAnswer& answer, const Progress& progress, const TaskWords& words) {
+  const TaskFamily& given = answer.given;
+  answer.samples = curve_samples(given, answer.options);
+  if (!given.family) {
+    answer.status = given.has_no_dyads ? SolutionStatus::no_solution : SolutionStatus::degenerate;
+    answer.reason = given.degeneracy.value_or(Notice{});
+    return true;
+  }
+  const RequirementFilter filter =
+      count_region(answer, *given.family, {answer.options.region_samples, answer.options.window}, progress);
+  warn_of_map(answer);
+  if (answer.meeting_requirements == 0) answer.missed_boxes = missed_boxes(*given.family, answer.requirements);
+  BestLinkages best = best_linkages(answer, filter, progress);
+  answer.linkages = std::move(best.linkages);
+  answer.left_out = best.left_out;
+  if (!given.points.empty() && !given.curve) answer.pairs = all_pairs(answer);
+  if (progress.is_cancelled()) return false;
+  state_reason(answer, words);
+  progress(1);
+  return true;
+}
+
+// An answer of the kind, before anything is searched for.
+template <class KindAnswer, class KindTask>
+KindAnswer begin_answer(const KindTask& task, TaskFamily given, const Requirements& requirements,
+                        const SynthesisOptions& options) {
+  KindAnswer answer;
+  answer.task = task;
+  answer.pattern = given.pattern;
+  answer.condition = given.conditions.condition();
+  answer.characteristic_length = given.frame().scale;
+  answer.warnings = given.warnings;
+  answer.requirements = with_defaults(requirements, given);
+  answer.options = options;
+  answer.given = std::move(given);
+  return answer;
+}
+
+// The way from one share of `progress`, which must outlive it, to another.
+Progress part_of(const Progress& progress, double from, double to) {
+  return {[&progress, from, to](double done) { progress(from + (to - from) * done); }, progress.cancelled};
+}
+
+std::vector<FourBarSolution> generators(const FunctionFamily& family, const FourBarAnswer& answer,
+                                        const Progress& progress) {
+  constexpr bool verify = true;
+  GeneratorSearchOptions search;
+  search.most = answer.options.best;
+  search.window = answer.options.window;
+  search.threads = answer.options.region.threads;
+  std::vector<FourBarSolution> found;
+  for (const RankedGenerator& ranked : best_generators(family, answer.requirements, search, progress))
+    if (auto made = make_four_bar(answer.given, ranked.place, answer.requirements.respect_direction, verify)) {
+      made->local_optimum = true;
+      found.push_back(*std::move(made));
+    }
+  return found;
+}
+
+// Where driving a generator free of defects confirms it, it must also have brought the output to each pair.
+void measure_function(FourBarSolution& found, const FunctionFamily& family) {
+  constexpr double right = 1e-6;  // radians; close to a dead point rounding of the input shows this much
+  found.function = family.error_of(found.four_bar, {found.input.coordinate, found.output.coordinate});
+  if (found.report.defects.none())
+    found.verified_by_driving =
+        found.verified_by_driving && found.function->reaches_pairs && found.function->precision_error <= right;
+}
+
+// Five precision points: the few linkages there are, whatever their defects.
+std::vector<FourBarSolution> all_generators(const FourBarAnswer& answer) {
+  constexpr bool verify = true;
+  const FourBarFamily& family = *answer.given.family;
+  std::vector<FourBarSolution> found;
+  if (family.axis(Side::input).quantity != AxisQuantity::burmester_point) return found;
+  const double only = family.samples(Side::output, 0, Spacing::coordinate).front();
+  for (const double place : family.samples(Side::input, 0, Spacing::coordinate))
+    if (auto made = make_four_bar(answer.given, {place, only}, answer.requirements.respect_direction, verify))
+      found.push_back(*std::move(made));
+  std::sort(found.begin(), found.end(), is_better);
+  return found;
+}
+
+}  // namespace
+
+// Five positions that no usable four-bar passes: which of them to free, and what its error becomes.
+Result<Answer> solve_of_kind(const MotionTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                             const Progress& progress) {
+  const bool five = position_count(task.poses) == 5;
+  const double here = five ? 0.5 : 1;
+  auto answer =
+      begin_answer<MotionAnswer>(task, task_family(task, requirements, options.objective), requirements, options);
+  if (!find_four_bars(answer, part_of(progress, 0, here), {})) return cancelled();
+  if (five && !answer.given.curve && answer.linkages.empty() && options.best > 0) {
+    answer.freed = nearest_relaxations(task, requirements, {.region = options.region}, part_of(progress, here, 1));
+    if (progress.is_cancelled()) return cancelled();
+  }
+  if (five) progress(1);
+  return Answer(std::move(answer));
+}
+
+// The input is the task's, and so are the ground pivots: what is left to measure is the function.
+Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requirements,
+                             const SynthesisOptions& options, const Progress& progress) {
+  auto answer = begin_answer<FunctionAnswer>(task, task_family(task), requirements, options);
+  if (!find_four_bars(answer, progress, function_words)) return cancelled();
+  const auto* family = dynamic_cast<const FunctionFamily*>(answer.given.family.get());
+  if (!family) return Answer(std::move(answer));
+  if (options.objective == Objective::structural_error) answer.linkages = generators(*family, answer, progress);
+  if (progress.is_cancelled()) return cancelled();
+  answer.pairs = all_generators(answer);
+  for (std::vector<FourBarSolution>* list : {&answer.linkages, &answer.pairs})
+    for (FourBarSolution& found : *list) measure_function(found, *family);
+  return Answer(std::move(answer));
+}
+
+}  // namespace linkwright
