@@ -36,7 +36,7 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   const error = () => read_state(page, (workbench) => workbench.hand!.function!.max_structural_error_deg!);
   expect(await error()).toBeCloseTo(best.max_structural_error_deg, 6);
   await expect(page.getByTestId("num.max_error")).toHaveText("0.056°");
-  await expect(page.getByTestId("num.reach")).toHaveText("reached whole");
+  await expect(page.getByTestId("num.reach")).toHaveText("whole range");
   await expect(page.getByTestId("plot.error")).toHaveAttribute("aria-selected", "true");
   expect(
     await read_state(page, (workbench) => workbench.hand!.function!.pairs.every(([, , off]) => Math.abs(off!) < 1e-9)),

@@ -80,7 +80,7 @@ test.describe("table of positions", () => {
     await type_into(page, "task.y.2", "12elve", "Tab"); // a letter alone is handed on to the page
     await expect(page.getByTestId("task.y.2")).toHaveAttribute("aria-invalid", "true");
     await expect(page.getByTestId("task.fault")).toContainText(
-      "must be a number between −1 000 000 000 and 1 000 000 000. The last good value stays.",
+      "must be a number between −1 000 000 000 and 1 000 000 000. The last valid value is kept.",
     );
     expect(await poses(page)).toEqual(before);
     await page.getByTestId("task.y.2").focus();

@@ -105,12 +105,12 @@ test("1 · the linkage opens once, and the tour goes with what one does and neve
   });
   await expect(disc).toBeAttached();
   await read_state(page, (workbench) => workbench.end_gesture());
-  await expect(page.locator(".tour_hint")).toContainText("2 of 3 · Move over the map.");
+  await expect(page.locator(".tour_hint")).toContainText("2 of 3 · Move over the solution region.");
   const from = await map_pixel(page, [0.7, 0.1]),
     to = await map_pixel(page, [0.3, 0.4]);
   await page.mouse.move(from.x, from.y);
   await page.mouse.move(to.x, to.y, {steps: 24});
-  await expect(page.locator(".tour_hint")).toContainText("3 of 3 · Click to keep it,");
+  await expect(page.locator(".tour_hint")).toContainText("3 of 3 · Click to select it,");
   await page.mouse.click(to.x, to.y);
   await expect(page.locator(".tour_hint")).toBeHidden();
   await page.reload();
@@ -213,7 +213,7 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
       }),
   );
   await killed;
-  await expect(toasts(page)).toContainText("The engine stopped and was started again. Nothing was lost.");
+  await expect(toasts(page)).toContainText("The engine stopped and was restarted. Nothing was lost.");
   await page.waitForFunction(
     () => globalThis.__linkwright!.ready && globalThis.__linkwright!.workbench.map!.samples === 1000,
     null,

@@ -67,7 +67,7 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   await expect(page.getByTestId("drawing.linkage")).toHaveAttribute("data-fails", "false");
 
   // Its bodies and hinges have names, on the drawing too.
-  await expect(page.getByTestId("num.title")).toContainText(/middle link b–d.*c₄ · \w/s);
+  await expect(page.getByTestId("num.title")).toContainText(/floating link b–d.*c₄ · \w/s);
   await expect(page.getByTestId("drawing.joint_c4")).toContainText("c₄");
   await expect(page.getByTestId("drawing.linkage")).toContainText("guided body");
 

@@ -35,7 +35,7 @@ async function expect_no_linkage(page: Page): Promise<void> {
     const {is_current, task} = globalThis.__linkwright!.workbench;
     return is_current && task !== null && task.status !== "solved";
   });
-  await expect(page.getByTestId("num.none")).toHaveText("This task has no linkage; the map says why.");
+  await expect(page.getByTestId("num.none")).toHaveText("This task has no linkage; the solution region says why.");
   await expect(page.getByTestId("region.notice")).toBeVisible();
   for (const gone of ["num.verified", "num.verdict", "chip.title", "region.ring", "status.tau"])
     await expect(page.getByTestId(gone)).toHaveCount(0);
@@ -61,9 +61,7 @@ test("a task without a linkage shows none: no numbers, no verdict, no counts of 
   await page.getByTestId("given.length_input").fill("5");
   await page.keyboard.press("Enter");
   await expect_no_linkage(page);
-  await expect(page.getByTestId("region.notice")).toContainText(
-    "No input side link of length 5 can be carried through the positions",
-  );
+  await expect(page.getByTestId("region.notice")).toContainText("No input link of length 5 satisfies the positions");
   await keep_screenshot(page, "no-linkage");
   await page.getByTestId("edit.undo").click();
   await until_settled(page);

@@ -20,18 +20,18 @@ describe("a notice", () => {
   };
   it("is worded with its values", () => {
     expect(notice_text(length)).toBe(
-      "No output side link of length 12.3 can be carried through the positions, in whatever direction. The nearest length that can is 40.",
+      "No output link of length 12.3 satisfies the positions, in any direction. The nearest length that does is 40.",
     );
     preferences.language = "zh";
-    expect(notice_text(length)).toBe("杆长 12.3 的输出连架杆在任何方向都无法通过各位置。最接近的可行杆长为 40。");
+    expect(notice_text(length)).toBe("杆长 12.3 的输出杆在任何方向都无法通过各位置。最接近的可行杆长为 40。");
   });
   it("says nothing of what the engine did not give", () => {
     const {nearest: _, ...values} = length.values;
     expect(notice_text({...length, values})).toBe(
-      "No output side link of length 12.3 can be carried through the positions, in whatever direction.",
+      "No output link of length 12.3 satisfies the positions, in any direction.",
     );
     preferences.language = "zh";
-    expect(notice_text({...length, values})).toBe("杆长 12.3 的输出连架杆在任何方向都无法通过各位置。");
+    expect(notice_text({...length, values})).toBe("杆长 12.3 的输出杆在任何方向都无法通过各位置。");
   });
   it("of an unknown code is the engine's own sentence", () => {
     expect(notice_text({...length, code: "new"})).toBe(length.message);

@@ -15,6 +15,6 @@ it("names hinges by the bodies that they join, and distances by their body", () 
   expect(joint_words({joints, bodies}, 0)).toBe("a · ground – driver");
   expect(joint_words({joints, bodies}, 3)).toBe("c₄ · ground – added link 4");
   expect(joint_words({joints, bodies}, 6)).toBe("z₅ · guided body – added link 5");
-  expect(length_words("2:b-d")).toBe("middle link b–d");
+  expect(length_words("2:b-d")).toBe("floating link b–d");
   expect(length_words("0:a-c4")).toBe("ground a–c₄");
 });
