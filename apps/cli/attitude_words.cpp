@@ -130,7 +130,7 @@ std::string sequence_table(const OrientationReport& report) {
     table.add_row({angles.sequence.name(), angle(angles.first), angle(angles.second), angle(angles.third),
                    locked ? "locked" : significant_text(found.lock_distance, 3)});
   }
-  return "Three rotations about moving (intrinsic) axes; about fixed (extrinsic) axes, the same in reverse order:\n" +
+  return "Three rotations about moving (intrinsic) axes (about fixed axes: the same in reverse order):\n" +
          table.text();
 }
 

@@ -76,7 +76,7 @@ class Convert(AttitudeTest):
 
     def test_a_locked_sequence_says_so(self):
         output = run("attitude", "convert", "--euler", "xyz", "30,90,40")[1].replace("\n", " ")
-        self.assertIn("Gimbal lock of xyz: the first axis and the third lie in one line, so that only first + third = 70.0000°", output)
+        self.assertIn("Gimbal lock of xyz: the first and the third axis coincide, so that only first + third = 70.0000°", output)
         found = self.convert({"euler_deg": [30, -90, 40], "sequence": "xyz"})
         self.assertTrue(found["locked"]["xyz"])
         self.assertEqual(found["determined"]["xyz"]["combination"], "first - third")
@@ -249,4 +249,4 @@ class HartenbergDenavit(AttitudeTest):
         for piece in ("Chain of 1 link", "lengths in mm", "30.0000°", "screw axis"):
             self.assertIn(piece, output)
         missed = run("attitude", "dh", "--matrix", "1,0,0,0, 0,0,-1,5, 0,1,0,6, 0,0,0,1")[1].replace("\n", " ")
-        self.assertIn("Four parameters cannot say all of it", missed)
+        self.assertIn("Four parameters cannot describe it", missed)

@@ -70,7 +70,7 @@ class Kinds(FaceTest):
         given = motion(THREE, given={"side_length": 80})
         result, words, _ = self.solve(given, "--samples", 60)
         chosen = result["linkages"][0]["lengths"]["output"]
-        self.assertIn("3 numbers are free, and the map shows 2 of them", words)
+        self.assertIn("3 parameters are free, 2 of them the axes of the solution region", words)
         self.assertRegex(words, rf"the output's length {chosen:.4g} was chosen")
 
     def test_other_givens_of_three_positions(self):
@@ -89,7 +89,7 @@ class Kinds(FaceTest):
         result, words, _ = self.solve(motion(THREE, given={"side_angle_deg": 60, "input_length": 70}), "--samples", 60)
         empty = result["region"]["counts"]["degenerate"]
         self.assertGreater(empty, 0)
-        self.assertIn(f"four-bars, and none at {f'{empty:,}'.replace(',', ' ')} places.", words)
+        self.assertIn(f"four-bars, and none in {f'{empty:,}'.replace(',', ' ')} cells.", words)
         self.assertNotIn("slider", words)
 
     def test_five_positions(self):
@@ -146,7 +146,7 @@ class Kinds(FaceTest):
     def test_a_function(self):
         result, words, picture = self.solve(ROOT / "examples/sine_generator.json")
         self.assertIn("function sin_deg on 4 precision points", words)
-        self.assertIn("Driven through the range, the output stands right at every pair", words)
+        self.assertIn("In simulation over the range, the output is exact at every pair", words)
         for linkage in result["linkages"]:
             self.assertIs(linkage["verified_by_driving"], True)
             self.assertLess(linkage["precision_error_deg"], 1e-9)
@@ -180,7 +180,7 @@ class Kinds(FaceTest):
         result, words, picture = self.solve(ROOT / "examples/log_generator.json")
         self.assertEqual(len(result["pairs"]), len(result["region"]["input_coordinate"]))
         self.assertIn("on 5 precision points", words)
-        self.assertIn("Every cell is one four-bar", picture)
+        self.assertIn("every cell is one four-bar", picture)
         self.check_exports(result, 5)
 
     def test_linkages_of_other_kinds_are_refused_by_name(self):

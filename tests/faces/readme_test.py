@@ -128,7 +128,7 @@ class Readme(FaceTest):
 class Architecture(unittest.TestCase):
     def test_the_order_of_the_folders_is_the_one_that_is_enforced(self):
         ranks = [ranked[0] if len(ranked) == 1 else "{" + ", ".join(ranked) + "}" for ranked in lint_tree.RANKS]
-        self.assertIn("\n    " + " < ".join([*ranks, "faces"]) + "\n", text_of("docs/architecture.md"))
+        self.assertIn("\n    " + " < ".join([*ranks, "front ends"]) + "\n", text_of("docs/architecture.md"))
 
     def test_the_folders_are_those_of_the_tree(self):
         rows = re.findall(r"^\| (`.+?) \|.*\| (.+?) \|$", text_of("docs/architecture.md"), re.MULTILINE)
