@@ -9,6 +9,7 @@ export default defineConfig({
   test: {
     include: ["src/**/*.test.ts", "tests/**/*.test.ts"],
     testTimeout: 30_000,
+    hookTimeout: 60_000,
     // One place for all files: starting one for each would take as long as the tests.
     pool: "threads",
     isolate: false,

@@ -32,7 +32,7 @@ export function picture_of(
   colors: FigureColors,
 ): Picture | null {
   const {drive} = linkage;
-  if (!drive || !linkage.input.center || !linkage.output.center) return null;
+  if (!drive) return null;
   const shown = shown_configurations(mechanism, linkage, drive, whole),
     positions = positions_of(poses, outline),
     traces: Trace[] = [{name: "path", role: "path", points: shown.map(({pose}): Point => [pose.x, pose.y])}];

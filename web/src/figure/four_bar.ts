@@ -139,7 +139,11 @@ export const four_bar: Mechanism = {
     if (!a0 || !a || !b0 || !b || more.length) return empty_figure;
     return linked({input: {center: a0, circle: a}, output: {center: b0, circle: b}});
   },
-  ghost({input_center, input_circle, output_center, output_circle}: Pin["pivots"], poses, stage) {
+  ghost(
+    {input_center = null, input_circle = null, output_center = null, output_circle = null}: Pin["pivots"],
+    poses,
+    stage,
+  ) {
     const [first = at_rest] = poses,
       pose = nearest(poses, stage) ?? first;
     const ends: Ends = {

@@ -14,14 +14,14 @@ export function figure_at_stage(
   outline: readonly Point[],
   stage: number,
 ): Figure | null {
-  const {drive, input, output} = linkage;
-  if (!drive || !input.center || !output.center) return null;
+  const {drive} = linkage;
+  if (!drive) return null;
   return mechanism.figure(linkage, at_angle(mechanism, linkage, drive, angle_at_stage(drive, stage)), outline);
 }
 /** Its pivots between the first position and the last, or wherever it can be driven. */
 export function reach_of(mechanism: Mechanism, linkage: Linkage): Point[] {
-  const {drive, input, output} = linkage;
-  if (!drive || !input.center || !output.center) return [];
+  const {drive} = linkage;
+  if (!drive) return [];
   const [first, last] = task_rows(drive) ?? [0, row_count(drive) - 1],
     points: Point[] = [];
   for (let row = first; row <= last; row += every) points.push(...at_row(mechanism, linkage, drive, row).joints);

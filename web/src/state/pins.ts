@@ -1,10 +1,10 @@
 // Pins as values: each belongs to the task in which it was made.
 import type {Linkage, TauPair} from "../engine/protocol";
+import {kept_pivots} from "../tasks/kinds";
 import type {Pin, Problem} from "./problem";
 import {same_task, type Task} from "./task";
 
 export function new_pin(linkage: Linkage, problem: Problem, name: string, place: TauPair | null): Pin {
-  const {input, output} = linkage;
   return {
     name,
     tau: linkage.tau,
@@ -15,12 +15,7 @@ export function new_pin(linkage: Linkage, problem: Problem, name: string, place:
     link_ratio: linkage.link_ratio,
     longest: linkage.longest,
     lengths: linkage.lengths,
-    pivots: {
-      input_center: input.center,
-      input_circle: input.circle,
-      output_center: output.center,
-      output_circle: output.circle,
-    },
+    pivots: kept_pivots(problem.task, linkage),
   };
 }
 /** A … Z, A1 … Z1, A2 …: the first that no pin has. */

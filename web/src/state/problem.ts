@@ -34,12 +34,8 @@ export interface Pin {
   link_ratio: number | null;
   longest: number | null;
   lengths: {ground: number; input: number; coupler: number; output: number} | null;
-  pivots: {
-    input_center: Point | null;
-    input_circle: Point | null;
-    output_center: Point | null;
-    output_circle: Point | null;
-  };
+  /** By name, as its kind keeps them (tasks/kind.ts); null: at infinity. */
+  pivots: Readonly<Record<string, Point | null>>;
 }
 export interface Background {
   image: string; // data: URL

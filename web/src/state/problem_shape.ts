@@ -8,6 +8,7 @@ import {most_pins, type Background, type Pin, type Problem, type View} from "./p
 import {is_finite, is_number, is_object, is_pair, read_list, type Object} from "./shape";
 
 const most_points = 10_000,
+  most_pivots = 20,
   longest_name = 100,
   longest_text = 10_000;
 
@@ -22,7 +23,7 @@ function read_pin(value: unknown): Pin | null {
   const task = value.task === undefined ? task_of_poses(value.poses) : read_task(value.task); // pins used to have poses
   const type = linkage_types.find((name) => name === value.type);
   if (!task || !type) return null;
-  const pivots = is_object(value.pivots) ? value.pivots : {};
+  const pivots = is_object(value.pivots) ? Object.entries(value.pivots).slice(0, most_pivots) : [];
   const number = (key: string) => (is_finite(value[key]) ? value[key] : null);
   return {
     name: value.name.trim().slice(0, longest_name),
@@ -36,12 +37,7 @@ function read_pin(value: unknown): Pin | null {
     link_ratio: number("link_ratio"),
     longest: number("longest"),
     lengths: read_lengths(value.lengths),
-    pivots: {
-      input_center: read_pivot(pivots.input_center),
-      input_circle: read_pivot(pivots.input_circle),
-      output_center: read_pivot(pivots.output_center),
-      output_circle: read_pivot(pivots.output_circle),
-    },
+    pivots: Object.fromEntries(pivots.map(([name, at]) => [name, read_pivot(at)])),
   };
 }
 /** However far away: it is what the engine found. */

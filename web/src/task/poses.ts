@@ -105,18 +105,8 @@ function referred_pose(pose: Pose, origin: Pose): Pose {
   };
 }
 function referred_pin(pin: Pin, task: Task, point: (p: Point) => Point): Pin {
-  const {input_center, input_circle, output_center, output_circle} = pin.pivots,
-    moved = (p: Point | null) => p && point(p);
-  return {
-    ...pin,
-    task,
-    pivots: {
-      input_center: moved(input_center),
-      input_circle: moved(input_circle),
-      output_center: moved(output_center),
-      output_circle: moved(output_circle),
-    },
-  };
+  const pivots = Object.entries(pin.pivots).map(([name, at]) => [name, at && point(at)]);
+  return {...pin, task, pivots: Object.fromEntries(pivots)};
 }
 /** A turned box is no box: the smallest one around it. */
 function referred_box(box: Box, origin: Pose): Box {

@@ -1,7 +1,7 @@
 // What a kind of task brings: the frame asks it through kinds.ts, its views through views.ts, and knows none by name.
 import type {Linkage, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
 import type {End} from "../figure/figure";
-import type {Objective, Problem} from "../state/problem";
+import type {Objective, Pin, Problem} from "../state/problem";
 import type {Object} from "../state/shape";
 import type {Pose, Task} from "../state/task";
 import type {TermName} from "../terms/pictures";
@@ -115,6 +115,9 @@ export interface TaskKind<T extends Task = Task> {
   beginnings: readonly Beginning[];
   /** What it says in place of a text of the frame. */
   texts?: Partial<Record<TextKey, TextKey>>;
+
+  /** What a pin keeps of a linkage, to show it without the engine (Mechanism.ghost); else the ends of its side links. */
+  kept_pivots?(linkage: Linkage): Pin["pivots"];
 
   // Of a linkage, where it is one of this kind and not told like any four-bar; otherwise null.
   called?(linkage: Linkage): TextKey | null;

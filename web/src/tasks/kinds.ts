@@ -1,6 +1,6 @@
 // What the frame asks the kind of the task at hand.
 import type {Linkage, LinkageType, Notice, Point, Property, RequirementKey} from "../engine/protocol";
-import {with_options, with_task, type Objective, type Problem} from "../state/problem";
+import {with_options, with_task, type Objective, type Pin, type Problem} from "../state/problem";
 import {is_object} from "../state/shape";
 import {diagonal_of, poses_of, type Pose, type Task} from "../state/task";
 import {notice_text, type TextKey} from "../texts/texts.svelte";
@@ -128,6 +128,19 @@ export function name_of(task: Task, type: LinkageType): TextKey {
 }
 export function map_of(task: Task): string {
   return kind_of(task).map_of(task);
+}
+
+/** What a pin of this task keeps of a linkage. */
+export function kept_pivots(task: Task, linkage: Linkage): Pin["pivots"] {
+  const own = kind_of(task).kept_pivots?.(linkage);
+  if (own) return own;
+  const {input, output} = linkage;
+  return {
+    input_center: input.center,
+    input_circle: input.circle,
+    output_center: output.center,
+    output_circle: output.circle,
+  };
 }
 
 // ---- of a linkage, which tells by what it carries whose it is -------------------------------------------------------

@@ -112,7 +112,7 @@ export const six_bar: Mechanism = {
     };
   },
   /** A pin keeps the added links in position 1. */
-  ghost({input_center, input_circle, output_center, output_circle}) {
+  ghost({input_center = null, input_circle = null, output_center = null, output_circle = null}) {
     const link = (role: Side, center: Point | null, circle: Point | null): Figure => ({
       ...empty_figure,
       bodies: center && circle ? [bar(role, [center, circle])] : [],
