@@ -22,7 +22,7 @@ Result<AnyStoredLinkage> read_linkage_file(const std::string& path) {
 }
 
 std::string table_of(const LinkageAnalysis& analysis) { return motion_table(tabulated_cycle(analysis.linkage)); }
-std::string table_of(const SixBarAnalysis& analysis) { return motion_table(analysis.motion); }
+std::string table_of(const StoredSixBarAnalysis& analysis) { return motion_table(analysis.motion); }
 
 template <class Analysis>
 bool write_report(const std::string& path, const Analysis& analysis) {
@@ -32,7 +32,7 @@ bool write_report(const std::string& path, const Analysis& analysis) {
 }
 
 std::string words(const LinkageAnalysis& analysis, std::string_view drive) { return linkage_words(analysis, drive); }
-std::string words(const SixBarAnalysis& analysis, std::string_view /*drive*/) { return six_bar_words(analysis); }
+std::string words(const StoredSixBarAnalysis& analysis, std::string_view /*drive*/) { return six_bar_words(analysis); }
 
 template <class Stored>
 int report_on(const Stored& linkage, const AnalyzeArguments& arguments) {

@@ -153,7 +153,7 @@ std::string no_six_bar_words(const Problem& problem, const SixBarAnswer& answer)
   return text;
 }
 
-std::string length_table(const SixBarAnalysis& analysis, int decimals) {
+std::string length_table(const StoredSixBarAnalysis& analysis, int decimals) {
   TextTable table({"<link", "<hinges", "distance"});
   for (const SixBarLength& length : analysis.lengths)
     table.add_row({fmt::format("{}", length.body),
@@ -172,7 +172,7 @@ std::string range_words(const SixBarMotion& motion) {
                   angle_text(motion.states.back().place.turn - motion.states.front().place.turn, 2)));
 }
 
-std::string travel_words(const SixBarAnalysis& analysis) {
+std::string travel_words(const StoredSixBarAnalysis& analysis) {
   if (analysis.linkage.poses.size() < 2) return "";
   if (analysis.travel.states.empty())
     return wrapped("Driven by body 1 it does not pass all poses of the file in their order.");
@@ -184,7 +184,7 @@ std::string travel_words(const SixBarAnalysis& analysis) {
                   turn < 0 ? "clockwise" : "counter-clockwise", angle_of(analysis.travel.least_sine())));
 }
 
-std::string transmission_words(const SixBarAnalysis& analysis) {
+std::string transmission_words(const StoredSixBarAnalysis& analysis) {
   const std::string_view what =
       analysis.motion.dyadic
           ? "Transmission angle (the smaller of its two dyads)"
@@ -209,7 +209,7 @@ std::string six_bar_report(const Problem& problem, const SixBarAnswer& answer) {
          hinge_words(answer, decimals) + "\n" + limits_words(problem, answer) + check_words(found);
 }
 
-std::string six_bar_words(const SixBarAnalysis& analysis) {
+std::string six_bar_words(const StoredSixBarAnalysis& analysis) {
   const StoredSixBar& linkage = analysis.linkage;
   const std::string title = linkage.title.empty() ? "Six-bar linkage" : printable(linkage.title);
   const std::string unit = printable(linkage.length_unit);

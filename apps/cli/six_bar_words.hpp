@@ -13,6 +13,6 @@ namespace linkwright::cli {
 [[nodiscard]] std::string six_bar_report(const Problem& problem, const SixBarAnswer& answer);
 
 /// The analysis of one six-bar in words for people.
-[[nodiscard]] std::string six_bar_words(const SixBarAnalysis& analysis);
+[[nodiscard]] std::string six_bar_words(const StoredSixBarAnalysis& analysis);
 
 }  // namespace linkwright::cli

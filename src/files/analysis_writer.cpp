@@ -1,7 +1,6 @@
 #include <functional>
 
 #include "files/json/json_writer.hpp"
-#include "linkwright/analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
@@ -93,17 +92,7 @@ void write_members(JsonWriter& json, const LinkageAnalysis& analysis) {
 }  // namespace
 
 LinkageAnalysis analyze(const StoredLinkage& linkage) {
-  LinkageAnalysis analysis{.linkage = linkage, .lengths = linkage.four_bar.lengths()};
-  const LinkLengths& lengths = analysis.lengths;
-  analysis.type = linkage_type(lengths);
-  analysis.change_point = change_point_kind(lengths);
-  analysis.excesses = grashof_excesses(lengths);
-  analysis.input_ranges = input_ranges(lengths);
-  analysis.dead_points = dead_points(lengths);
-  analysis.transmission_angle = transmission_angle(lengths, configuration_of(linkage.four_bar));
-  analysis.min_transmission_angle_full_turn = least_transmission_angle_full_turn(lengths);
-  analysis.motion = tabulated_motion(linkage.four_bar, traced_point(linkage));
-  return analysis;
+  return {analyze(linkage.four_bar, traced_point(linkage)), linkage};
 }
 
 std::string write_analysis(const LinkageAnalysis& analysis) {

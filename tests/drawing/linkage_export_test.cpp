@@ -27,7 +27,7 @@ TEST(LinkageExport, OfASixBar) {
                                {Point{6, -4}, Point{8, 3}});
   EXPECT_EQ(exported(linkage, "svg"), draw_linkage(linkage));
   EXPECT_EQ(exported(linkage, "dxf"), draw_dxf(linkage));
-  EXPECT_EQ(exported(linkage, "csv"), motion_table(tabulated_motion(linkage)));
+  EXPECT_EQ(exported(linkage, "csv"), motion_table(tabulated_motion(linkage.six_bar, framed_poses(linkage))));
   EXPECT_EQ(exported(linkage, "json"), write_linkage(linkage));
 }
 

@@ -102,16 +102,6 @@ TEST(CsvTable, BeginsAtPositionOneAndHasARowAtEachPosition) {
   EXPECT_EQ(columns["position"].front(), "1");
 }
 
-TEST(CsvTable, PivotsKeepTheirDistances) {
-  const LinkLengths lengths = triple_rocker.lengths();
-  for (const MotionState& state : tabulated_motion(triple_rocker, {1, 1})) {
-    EXPECT_NEAR(state.four_bar.lengths().coupler, lengths.coupler, 1e-9);
-    EXPECT_NEAR(state.four_bar.lengths().output, lengths.output, 1e-9);
-    EXPECT_NEAR(std::abs(state.coupler_point - state.four_bar.input_circle),
-                std::abs(Point(1, 1) - triple_rocker.input_circle), 1e-9);
-  }
-}
-
 TEST(CsvTable, TracesTheMovingFramesOrigin) {
   StoredLinkage linkage;
   linkage.four_bar = crank_rocker;

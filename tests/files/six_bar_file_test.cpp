@@ -222,7 +222,7 @@ TEST(SixBarFile, ReadersOfFourBarsRefuseIt) {
 
 TEST(SixBarFile, TableFollowsTheTravel) {
   const StoredSixBar linkage = stored();
-  const auto rows = cells(motion_table(tabulated_motion(linkage)));
+  const auto rows = cells(motion_table(tabulated_motion(linkage.six_bar, framed_poses(linkage))));
   ASSERT_GT(rows.size(), 60u);
   EXPECT_EQ(rows[0].size(), 20u);
   EXPECT_EQ(rows[0].back(), "position");
@@ -250,14 +250,14 @@ TEST(SixBarFile, TableFollowsTheTravel) {
 }
 
 TEST(SixBarFile, WithoutPosesTheTableIsTheWholeMotion) {
-  const SixBarMotion motion = tabulated_motion(crank());
+  const SixBarMotion motion = tabulated_motion(crank().six_bar, framed_poses(crank()));
   EXPECT_TRUE(motion.full_turn);
   EXPECT_GE(motion.states.size(), 361u);
   EXPECT_EQ(motion.states.front().place.body.origin, crank().six_bar.at(SixBar::d));
 }
 
 TEST(SixBarFile, AnalysisKnowsTravelAndRange) {
-  const SixBarAnalysis analysis = analyze(stored());
+  const StoredSixBarAnalysis analysis = analyze(stored());
   const SixBarRating& rating = solved().six_bars()[0].rating;
   EXPECT_NEAR(std::asin(analysis.travel.least_sine()), rating.min_transmission_angle(), radians(0.1));
   EXPECT_LE(analysis.motion.states.front().place.turn, 0);

@@ -1,29 +1,18 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "linkwright/analysis/coupler_curve.hpp"
-#include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/analysis/position.hpp"
+#include "linkwright/analysis/four_bar_analysis.hpp"
 #include "linkwright/files/linkage_file.hpp"
 
 namespace linkwright {
 
-/// What can be said of one linkage as it is, driven by its input. Angles in radians, from the ground link's direction.
-struct LinkageAnalysis {
+/// The analysis of a four-bar and the file that it came from.
+struct LinkageAnalysis : FourBarAnalysis {
   StoredLinkage linkage;
-  LinkLengths lengths;
-  LinkageType type = LinkageType::degenerate;
-  ChangePointKind change_point = ChangePointKind::none;
-  GrashofExcesses excesses;
-  std::vector<AngleRange> input_ranges;
-  std::vector<DeadPoint> dead_points;
-  double transmission_angle = 0;                ///< as the linkage lies
-  double min_transmission_angle_full_turn = 0;  ///< of a crank; 0 for other types
-  std::vector<MotionState> motion;              ///< tabulated_motion()
 };
 
+/// Traced is traced_point().
 [[nodiscard]] LinkageAnalysis analyze(const StoredLinkage& linkage);
 
 /// The analysis as JSON text: angles in degrees with `_deg`, columns of the motion by name.

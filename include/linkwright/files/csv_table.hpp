@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/analysis/coupler_curve.hpp"
 #include "linkwright/analysis/task_cycle.hpp"
 #include "linkwright/files/linkage_file.hpp"
 
@@ -24,10 +23,6 @@ namespace linkwright {
 /// The poses of a linkage; where the file does not say, the one in which it lies, the frame at the input's moving
 /// pivot.
 [[nodiscard]] std::vector<PrescribedPose> framed_poses(const StoredLinkage& linkage);
-
-/// The whole motion cycle in 361 states: a state a degree for a crank; from dead point to dead point and back on the
-/// other assembly for all others.
-[[nodiscard]] std::vector<MotionState> tabulated_motion(const FourBar& four_bar, Point traced);
 
 /// The point of the coupler that is traced: the moving frame's origin where the poses are known, else the input's
 /// moving pivot. Fixed frame, position 1.

@@ -12,6 +12,7 @@
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
+#include "linkwright/planar/six_bar_analysis.hpp"
 #include "linkwright/planar/six_bar_solution.hpp"
 #include "linkwright/synthesis/answer.hpp"
 #include "linkwright/synthesis/problem.hpp"
@@ -53,22 +54,13 @@ using AnyStoredLinkage = std::variant<StoredLinkage, StoredSixBar>;
 /// The poses, or where the file has none a moving frame in hinge d.
 [[nodiscard]] std::vector<PrescribedPose> framed_poses(const StoredSixBar& linkage);
 
-/// The travel through all poses, states a degree of the driver apart or less; without such a travel all that the
-/// six-bar can do.
-[[nodiscard]] SixBarMotion tabulated_motion(const StoredSixBar& linkage);
-
-/// What can be said of one six-bar as it is, driven by body 1. Angles in radians.
-struct SixBarAnalysis {
+/// The analysis of a six-bar and the file that it came from.
+struct StoredSixBarAnalysis : SixBarAnalysis {
   StoredSixBar linkage;
-  SixBarShape shape;
-  std::vector<SixBarLength> lengths;
-  double transmission_angle = 0;  ///< as it lies
-  SixBarMotion travel;            ///< through all poses; no states where there are none, or no such travel
-  SixBarMotion motion;            ///< all that it can do: a full turn, or from dead point to dead point
 };
-[[nodiscard]] SixBarAnalysis analyze(const StoredSixBar& linkage);
+[[nodiscard]] StoredSixBarAnalysis analyze(const StoredSixBar& linkage);
 
 /// The analysis as JSON text: angles in degrees with `_deg`, columns of the motion by name.
-[[nodiscard]] std::string write_analysis(const SixBarAnalysis& analysis);
+[[nodiscard]] std::string write_analysis(const StoredSixBarAnalysis& analysis);
 
 }  // namespace linkwright

@@ -55,7 +55,7 @@ void write_range(JsonWriter& json, const SixBarMotion& motion) {
 
 }  // namespace
 
-std::string write_analysis(const SixBarAnalysis& analysis) {
+std::string write_analysis(const StoredSixBarAnalysis& analysis) {
   std::string text;
   {
     const StoredSixBar& linkage = analysis.linkage;

@@ -8,12 +8,15 @@
 namespace linkwright {
 
 std::string label_of(const SixBarTask& task) {
-  std::string text = fmt::format("six-bar for {} ({})", positions_text(position_count(task.poses)), pattern(task.poses));
+  std::string text =
+      fmt::format("six-bar for {} ({})", positions_text(position_count(task.poses)), pattern(task.poses));
   if (const auto row = six_bar_row(task.added)) text += ", " + row_label(*row);
   return text;
 }
 
-std::string short_label_of(const SixBarTask& task) { return "six-bar for " + positions_text(position_count(task.poses)); }
+std::string short_label_of(const SixBarTask& task) {
+  return "six-bar for " + positions_text(position_count(task.poses));
+}
 
 std::string row_label(const SixBarRow& row) {
   return fmt::format("{} by {} and {}", label(row.topology), text(row.added[0]), text(row.added[1]));

@@ -9,8 +9,6 @@
 namespace linkwright {
 namespace {
 
-constexpr double six_bar_row_step = radians(1);
-
 std::string six_bar_header() {
   std::string text = "driver_turn_from_position_1_deg";
   for (std::size_t joint = 0; joint < SixBar::joint_count; ++joint)
@@ -46,21 +44,8 @@ std::vector<PrescribedPose> framed_poses(const StoredSixBar& linkage) {
   return {{{linkage.six_bar.at(SixBar::d), 0}, {}}};
 }
 
-SixBarMotion tabulated_motion(const StoredSixBar& linkage) {
-  const std::vector<PrescribedPose> poses = framed_poses(linkage);
-  SixBarMotion travel;
-  if (poses.size() > 1) travel = travel_through(linkage.six_bar, poses, six_bar_row_step);
-  return travel.states.empty() ? six_bar_motion(linkage.six_bar, poses, six_bar_row_step) : travel;
-}
-
-SixBarAnalysis analyze(const StoredSixBar& linkage) {
-  SixBarAnalysis analysis{.linkage = linkage, .shape = shape_of(linkage.six_bar), .lengths = linkage.six_bar.lengths()};
-  const std::vector<PrescribedPose> poses = framed_poses(linkage);
-  const SixBarTransmission as_it_lies = six_bar_transmission(linkage.six_bar, {1, 1, 1, 1, 1, 1});
-  analysis.transmission_angle = std::asin(std::min(as_it_lies.sine, 1.0));
-  if (poses.size() > 1) analysis.travel = travel_through(linkage.six_bar, poses, six_bar_row_step);
-  analysis.motion = six_bar_motion(linkage.six_bar, poses, six_bar_row_step);
-  return analysis;
+StoredSixBarAnalysis analyze(const StoredSixBar& linkage) {
+  return {analyze(linkage.six_bar, framed_poses(linkage)), linkage};
 }
 
 }  // namespace linkwright

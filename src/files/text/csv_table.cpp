@@ -57,13 +57,6 @@ std::vector<PrescribedPose> framed_poses(const StoredLinkage& linkage) {
   return {{{linkage.four_bar.input_circle, 0}, {}}};
 }
 
-std::vector<MotionState> tabulated_motion(const FourBar& four_bar, Point traced) {
-  constexpr int rows = 361;
-  const auto ranges = input_ranges(four_bar.lengths());
-  const bool turns_fully = !ranges.empty() && ranges.front().is_full_turn();
-  return motion_cycle(four_bar, traced, turns_fully ? rows : (rows + 1) / 2);
-}
-
 Point traced_point(const StoredLinkage& linkage) {
   return linkage.poses.empty() ? linkage.four_bar.input_circle : linkage.poses.front().pose.origin;
 }
