@@ -1,8 +1,7 @@
-// The page as a whole: first start, languages, phones, keys, and an engine that dies. The numbers of the tests are the
+// The page as a whole: first start, languages, keys, and an engine that dies. The numbers of the tests are the
 // walk-throughs'.
 import type {Page} from "@playwright/test";
 import {join} from "node:path";
-import {tau_at} from "../src/state/axis";
 import {
   bad_problems,
   drag,
@@ -289,111 +288,6 @@ test("21 · the browser's own language and theme come first", async ({browser}) 
   await expect(page.locator("html")).toHaveAttribute("lang", "zh-CN");
   await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
   await context.close();
-});
-
-// ---- 22 ---------------------------------------------------------------------------------------------------------
-
-test.describe("22 · on a phone", () => {
-  test.use({viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true});
-
-  /** Controls with less than 44 px in one direction, the drawing's handles apart (they have a reach of their own). */
-  function small_controls(page: Page): Promise<string[]> {
-    return page.evaluate(() => {
-      const all = [
-        ...document.querySelectorAll<HTMLElement>(
-          "button, a[href], input, select, summary, [role=tab], [role=slider], [role=menuitem]",
-        ),
-      ];
-      const shown = all.filter(
-        (element) =>
-          element.checkVisibility({visibilityProperty: true, opacityProperty: true}) &&
-          !element.closest("svg, .unseen"),
-      );
-      const reach = (element: HTMLElement) => (element.closest("label") ?? element).getBoundingClientRect();
-      return shown
-        .filter((element) => {
-          const box = reach(element),
-            own = element.getBoundingClientRect();
-          return own.width > 0 && (Math.max(box.width, own.width) < 43.5 || Math.max(box.height, own.height) < 43.5);
-        })
-        .map(
-          (element) =>
-            `${element.tagName} ${element.dataset.testid ?? element.ariaLabel ?? element.textContent} ${JSON.stringify(reach(element))}`,
-        );
-    });
-  }
-  const sideways = (page: Page) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-
-  test("drawing and map are in sight together, and every control has room for a finger", async ({page}) => {
-    await open_workbench(page);
-    await shown(page);
-    for (const place of ["drawing.canvas", "region.map", "drive.title"]) {
-      const box = (await page.getByTestId(place).boundingBox())!;
-      expect(box.x, place).toBeGreaterThanOrEqual(-1);
-      expect(box.x + box.width, place).toBeLessThanOrEqual(391);
-      expect(box.y + box.height, place).toBeLessThanOrEqual(844);
-      expect(Math.min(box.width, box.height), place).toBeGreaterThan(40);
-    }
-    expect(await sideways(page)).toBe(0);
-    expect(await small_controls(page)).toEqual([]);
-    await expect_accessible(page);
-    await keep_screenshot(page, "phone");
-
-    // What the colours mean, and how many there are.
-    await expect(page.getByTestId("chip.title")).toHaveText("25\u202f608 left");
-    await expect(page.getByTestId("type.double_crank")).toBeInViewport();
-
-    const play = (await page.getByTestId("drive.title").boundingBox())!;
-    for (const tab of ["tab.task", "tab.limits", "tab.numbers", "tab.pins"]) {
-      await page.getByTestId(tab).tap();
-      const sheet = (await page.locator("aside.sheet").boundingBox())!;
-      expect(sheet.y, tab).toBeGreaterThanOrEqual(play.y + play.height - 1); // it covers the map, not the drawing and not Play
-      expect(await sideways(page), tab).toBe(0);
-      expect(await small_controls(page), tab).toEqual([]);
-    }
-    await page.getByTestId("tab.map").tap();
-    await expect(page.locator("aside.sheet")).toHaveCount(0);
-    await page.getByTestId("file.menu").tap();
-    expect(await small_controls(page)).toEqual([]);
-  });
-
-  test("a finger on the map looks 56 px above itself, and picks there", async ({page}) => {
-    await open_workbench(page);
-    await shown(page);
-    const aim = await map_pixel(page, [0.7, 0.3]);
-    const session = await page.context().newCDPSession(page);
-    const touch = (type: string, points: {x: number; y: number}[]) =>
-      session.send("Input.dispatchTouchEvent", {type: type as "touchStart", touchPoints: points});
-    await touch("touchStart", [{x: aim.x - 30, y: aim.y + 30}]);
-    await touch("touchMove", [{x: aim.x - 10, y: aim.y + 50}]);
-    await touch("touchMove", [{x: aim.x, y: aim.y + 56}]);
-    const axis = await read_state(page, (workbench) => workbench.task!.axes.input),
-      aimed_at = [tau_at(axis, 0.7)!, tau_at(axis, 0.3)!] as const;
-    const off = (of: "hovered" | "picked") =>
-      read_state(
-        page,
-        ({hovered, picked}, [which, [a, b]]) => {
-          const tau = which === "hovered" ? hovered : picked!.tau;
-          return tau ? Math.hypot(tau[0] - a, tau[1] - b) : Infinity;
-        },
-        [of, aimed_at] as const,
-      );
-    await expect.poll(() => off("hovered")).toBeLessThan(0.02);
-    await touch("touchEnd", []);
-    await expect.poll(() => off("picked")).toBeLessThan(0.02);
-    expect(await read_state(page, (workbench) => workbench.hovered)).toBeNull();
-  });
-
-  test("on its side, drawing and map stand beside each other", async ({page}) => {
-    await page.setViewportSize({width: 844, height: 390});
-    await open_workbench(page);
-    const drawing = (await page.getByTestId("drawing.canvas").boundingBox())!,
-      map = (await page.getByTestId("region.map").boundingBox())!;
-    expect(drawing.x + drawing.width).toBeLessThanOrEqual(map.x);
-    expect(map.y + map.height).toBeLessThanOrEqual(390);
-    expect(await sideways(page)).toBe(0);
-    await keep_screenshot(page, "phone-landscape");
-  });
 });
 
 // ---- the frame --------------------------------------------------------------------------------------------------

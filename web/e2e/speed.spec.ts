@@ -7,6 +7,8 @@ import type {Page} from "@playwright/test";
 import {expect, map_hash, open_workbench, test, until_settled} from "./support";
 import type {MotionTask} from "../src/tasks/motion/task";
 
+test.use({fresh: true}); // what is timed is what a visitor waits for
+
 const served = resolve(process.env.LINKWRIGHT_WEB ?? "../build/web");
 
 function median(values: number[]): number {

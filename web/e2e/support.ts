@@ -7,6 +7,7 @@ import {tmpdir} from "node:os";
 import {dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
 import type {TauPair} from "../src/engine/protocol";
+import type {Pose} from "../src/state/task";
 import type {Workbench} from "../src/state/workbench.svelte";
 import type {MotionTask} from "../src/tasks/motion/task";
 
@@ -60,8 +61,37 @@ export class Complaints {
   }
 }
 
-/** The tests' `test`: with the complaints of the page, which must be none in the end. */
-export const test = base.extend<{complaints: Complaints}>({
+interface Fixtures {
+  complaints: Complaints;
+  /** In a browser profile that has never seen the workbench. */
+  fresh: boolean;
+}
+/** The tests' `test`: with the complaints of the page, which must be none in the end, and with one page for all tests of a
+ *  worker, which begins for each as new; a page that has had the workbench before opens it in a third of the time. */
+export const test = base.extend<Fixtures, {lent: Page}>({
+  fresh: [false, {option: true}],
+  lent: [
+    async ({browser}, use, {project}) => {
+      const {baseURL, viewport, locale, timezoneId, colorScheme} = project.use,
+        context = await browser.newContext({baseURL, viewport, locale, timezoneId, colorScheme});
+      await use(await context.newPage());
+      await context.close();
+    },
+    {scope: "worker"},
+  ],
+  page: async ({lent, browser, fresh, hasTouch, viewport, colorScheme}, use) => {
+    if (fresh || hasTouch) {
+      const context = await browser.newContext();
+      await use(await context.newPage());
+      return context.close();
+    }
+    const forget_scripts = remembered_scripts(lent);
+    await lent.setViewportSize(viewport!);
+    await use(lent);
+    await forget_scripts();
+    await made_new(lent, colorScheme!);
+  },
+  context: async ({page}, use) => use(page.context()),
   complaints: [
     async ({page}, use) => {
       const complaints = new Complaints(page);
@@ -71,6 +101,35 @@ export const test = base.extend<{complaints: Complaints}>({
     {auto: true},
   ],
 });
+/** Returns how to take back what a test gives to the page to run at its start. */
+function remembered_scripts(page: Page): () => Promise<void> {
+  const given: {dispose(): Promise<void>}[] = [],
+    add = page.addInitScript;
+  page.addInitScript = async (...script: Parameters<typeof add>) => {
+    const disposable = await add.apply(page, script);
+    given.push(disposable);
+    return disposable;
+  };
+  return async () => {
+    page.addInitScript = add;
+    for (const script of given) await script.dispose();
+  };
+}
+/** Nothing is left of what a test did: neither handlers nor screen nor what the browser has stored. */
+async function made_new(page: Page, color_scheme: "light" | "dark" | "no-preference" | null): Promise<void> {
+  const context = page.context();
+  page.removeAllListeners();
+  await page.unrouteAll();
+  await page.mouse.move(0, 0);
+  for (const other of context.pages()) if (other !== page) await other.close();
+  await context.clearPermissions();
+  await page.emulateMedia({media: null, colorScheme: color_scheme, reducedMotion: null, forcedColors: null});
+  await page.goto("/icon.svg"); // there is no workbench that would keep its work
+  const session = await context.newCDPSession(page);
+  await session.send("Storage.clearDataForOrigin", {origin: new URL(page.url()).origin, storageTypes: "all"});
+  await session.detach();
+  await page.evaluate(() => sessionStorage.clear());
+}
 export {expect};
 
 /** Opens the page and waits until the engine has answered. */
@@ -185,6 +244,25 @@ export async function move_a_pose(page: Page, x = -222): Promise<void> {
     },
     x,
   );
+}
+
+// ---- panels -----------------------------------------------------------------------------------------------------
+
+/** Opens the page in English, and waits until all of it is that of the first example. */
+export async function open_settled(page: Page): Promise<void> {
+  await page.addInitScript(() =>
+    localStorage.setItem("linkwright.preferences", JSON.stringify({language: "en", theme: "light", toured: true})),
+  );
+  await open_workbench(page);
+  await until_settled(page);
+}
+export const poses_of_page = (page: Page): Promise<Pose[]> =>
+  read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses as Pose[]);
+export async function type_into(page: Page, name: string, text: string, key = "Enter"): Promise<void> {
+  await page.getByTestId(name).click();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.type(text);
+  await page.keyboard.press(key);
 }
 
 // ---- files and sentences ----------------------------------------------------------------------------------------

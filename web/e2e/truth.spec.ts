@@ -128,6 +128,7 @@ test("every canvas has the pixels of its place, at five sizes and two pixel rati
   await expect(page.locator(".solid canvas")).toBeVisible();
   await check(1024, 768, 2);
   await check(1366, 768, 1);
+  await session.detach();
 });
 
 test("what was typed stays until it is valid or taken back, and no number moves by itself", async ({page}) => {

@@ -1,0 +1,141 @@
+// What the drawing has beside positions and pivots: outlines, traced points, pictures; and handles by keys.
+import type {Locator, Page} from "@playwright/test";
+import type {MotionTask} from "../src/tasks/motion/task";
+import {drag, expect, middle_of, open_workbench, read_state, test, type Pixel} from "./support";
+
+const handle = (page: Page, id: string): Locator => page.getByTestId(`drawing.${id}`);
+const poses = (page: Page) =>
+  read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses.map((pose) => ({...pose})));
+async function canvas(page: Page): Promise<Pixel & {width: number; height: number}> {
+  return (await page.getByTestId("drawing.canvas").boundingBox())!;
+}
+
+test.beforeEach(async ({page}) => {
+  await open_workbench(page);
+  await read_state(page, (workbench) => {
+    workbench.tour = null; // its hint lies over the drawing
+  });
+});
+
+test("handles are reached by Tab and moved by the arrow keys", async ({page}) => {
+  await handle(page, "disc_2").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  const step = await read_state(page, (workbench) => workbench.grid_step);
+  expect((await poses(page))[1]!.x).toBeCloseTo(-125 + 2 * step, 9);
+  await page.keyboard.press("Shift+ArrowUp");
+  expect((await poses(page))[1]!.y).toBeCloseTo(75 + 10 * step, 9);
+  while (await read_state(page, (workbench) => workbench.can_undo)) await page.keyboard.press("Control+z");
+  expect((await poses(page))[1]).toMatchObject({x: -125, y: 75});
+  await page.keyboard.press("Tab");
+  await expect(handle(page, "knob_2")).toBeFocused();
+  await page.keyboard.press("Alt+ArrowLeft");
+  expect((await poses(page))[1]!.theta_deg).toBeCloseTo(-24.9, 9);
+  await page.keyboard.press("Shift+Tab");
+  await expect(handle(page, "disc_2")).toBeFocused();
+  expect(await read_state(page, (workbench) => workbench.selected_pose)).toBe(1);
+});
+
+test("the outline is edited at its corners, traced points draw their curves", async ({page}) => {
+  await page.getByTestId("drawing.tools").click();
+  await page.getByTestId("task.outline").last().click();
+  const outline = () => read_state(page, (workbench) => workbench.problem.view?.outline ?? []);
+  const corners = (await outline()).length;
+  await handle(page, "midpoint_1").focus();
+  const middle = await middle_of(handle(page, "midpoint_1"));
+  await page.mouse.click(middle.x, middle.y);
+  expect(await outline()).toHaveLength(corners + 1);
+  const second = await middle_of(handle(page, "corner_2"));
+  await drag(page, second, {x: second.x + 10, y: second.y + 30});
+  await handle(page, "corner_2").focus();
+  await page.keyboard.press("Delete");
+  expect(await outline()).toHaveLength(corners);
+  await page.getByTestId("drawing.outline_redraw").click();
+  const disc = await middle_of(handle(page, "disc_1"));
+  for (const [dx, dy] of [
+    [-40, 20],
+    [60, 20],
+    [60, -30],
+  ])
+    await page.mouse.click(disc.x + dx!, disc.y + dy!);
+  await page.keyboard.press("Enter");
+  expect(await outline()).toHaveLength(3);
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("t");
+  await page.mouse.click(disc.x + 30, disc.y + 5);
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("drawing.traced_1")).toBeAttached();
+  expect(await read_state(page, (workbench) => workbench.problem.view!.traced!.length)).toBe(1);
+});
+
+test("two positions that are the same are refused in words, the map gone with the marks on it", async ({page}) => {
+  await read_state(page, (workbench) =>
+    workbench.edit((problem) => ({
+      ...problem,
+      task: {...problem.task, poses: (problem.task as MotionTask).poses.slice(0, 3)},
+    })),
+  );
+  await expect(page.getByTestId("region.crosshair_row")).toHaveCount(0);
+  await read_state(page, (workbench) =>
+    workbench.edit((problem) => ({
+      ...problem,
+      task: {...problem.task, poses: [...(problem.task as MotionTask).poses, (problem.task as MotionTask).poses[2]!]},
+    })),
+  );
+  await expect(page.getByTestId("region.notice")).toHaveText(/Position 4 is the same as an earlier one/);
+});
+
+test("an empty task is clicked together", async ({page}) => {
+  await read_state(page, (workbench) =>
+    workbench.open({linkwright: 1, length_unit: "mm", task: {kind: "motion", mechanism: "four_bar", poses: []}}),
+  );
+  await expect(page.getByTestId("drawing.missing")).toBeVisible();
+  const area = await canvas(page);
+  for (const [x, y] of [
+    [0.4, 0.8],
+    [0.3, 0.6],
+    [0.25, 0.45],
+    [0.35, 0.25],
+  ])
+    await page.mouse.click(area.x + x! * area.width, area.y + y! * area.height);
+  expect(await poses(page)).toHaveLength(4);
+  for (let k = 2; k <= 4; ++k) {
+    await handle(page, `knob_${k}`).focus();
+    for (let i = 0; i < k; ++i) await page.keyboard.press("Shift+ArrowLeft");
+  }
+  await page.waitForFunction(() => (globalThis as any).__linkwright.workbench.task?.status === "solved");
+  await expect(page.getByTestId("drawing.missing")).toBeHidden();
+  await page.mouse.wheel(0, 0);
+  await page.getByTestId("view.fit").click();
+});
+
+test("a picture dropped on the drawing lies behind it and is brought to scale", async ({page}) => {
+  const area = await canvas(page);
+  await page.evaluate(async () => {
+    const canvas = document.createElement("canvas");
+    canvas.width = 3000;
+    canvas.height = 1500;
+    canvas.getContext("2d")!.fillRect(100, 100, 2000, 900);
+    const blob = await new Promise<Blob>((resolve) => canvas.toBlob((b) => resolve(b!), "image/png"));
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([blob], "car.png", {type: "image/png"}));
+    document
+      .querySelector(".drawing_card")!
+      .dispatchEvent(new DragEvent("drop", {dataTransfer: transfer, bubbles: true, cancelable: true}));
+  });
+  await page.waitForFunction(() => !!(globalThis as any).__linkwright.workbench.problem.view?.background);
+  const background = () => read_state(page, (workbench) => workbench.problem.view!.background!);
+  const before = await background();
+  expect(before.image.startsWith("data:image/jpeg")).toBe(true);
+  expect(before.image.length).toBeLessThanOrEqual(400_000);
+  expect(before.aspect).toBeCloseTo(0.5, 9);
+  await page.mouse.click(area.x + 100, area.y + area.height - 120);
+  await page.mouse.click(area.x + 300, area.y + area.height - 120);
+  const scale = await page.getByTestId("drawing.ground_box").evaluate((box) => Number(box.getAttribute("width")) / 360);
+  await page.getByTestId("drawing.mark_length").fill("1000");
+  await page.keyboard.press("Enter");
+  expect((await background()).width / before.width).toBeCloseTo(1000 / (200 / scale), 2);
+  await page.getByTestId("drawing.done").click();
+  await page.keyboard.press("Control+z");
+  expect((await background()).width).toBe(before.width);
+});
