@@ -35,6 +35,7 @@ enum class CubicKind {
   line,                        ///< only one line is real
   every_point,                 ///< the cubic vanishes
 };
+/// Key in result files: "one_branch", "two_branches", …
 [[nodiscard]] std::string_view name(CubicKind kind);
 
 /// A connected piece of a curve: coordinates τ in [from, to), closed through its ends; a single point where from == to.

@@ -13,9 +13,11 @@ namespace linkwright {
 struct Homogeneous {
   double w = 0, x = 0, y = 0;
 
+  /// The finite point p as (1, x, y).
   [[nodiscard]] static Homogeneous of(Point p) { return {1, p.real(), p.imag()}; }
   [[nodiscard]] static Homogeneous at_infinity(Point direction) { return {0, direction.real(), direction.imag()}; }
 
+  /// (x, y): the direction of a point at infinity, of any length.
   [[nodiscard]] Point vector() const { return {x, y}; }
   friend bool operator==(const Homogeneous&, const Homogeneous&) = default;
 };
@@ -73,6 +75,7 @@ struct HomogeneousMatrix {
             {m.row[0].y, m.row[1].y, m.row[2].y}}}};
 }
 
+/// a·(b × c): zero where three points lie on one line.
 [[nodiscard]] inline double determinant(Homogeneous a, Homogeneous b, Homogeneous c) { return dot(a, cross(b, c)); }
 
 }  // namespace linkwright

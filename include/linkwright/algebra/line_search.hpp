@@ -74,6 +74,7 @@ struct Flank {
 /// flanks, parabolas give way to a golden section of the longer side: at a sharp top they close in from one side only.
 class Section {
  public:
+  /// The next point to evaluate.
   [[nodiscard]] double next(const Flank& low, const Flank& top, const Flank& high, double resolution) {
     const double width = high.at - low.at;
     const bool shrinks = width < 0.5 * widths_[turn_ % widths_.size()];

@@ -73,6 +73,7 @@ struct Matrix3x3 {
   return norm(Vector3{norm(a.row[0]), norm(a.row[1]), norm(a.row[2])});
 }
 
+/// All nine elements are finite numbers.
 [[nodiscard]] inline bool is_finite(const Matrix3x3& a) {
   return is_finite(a.row[0]) && is_finite(a.row[1]) && is_finite(a.row[2]);
 }

@@ -17,6 +17,7 @@ using Point = std::complex<double>;
 /// e^{iθ}, θ in radians.
 [[nodiscard]] inline Point direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
+/// Both coordinates are finite numbers.
 [[nodiscard]] inline bool is_finite(Point p) { return std::isfinite(p.real()) && std::isfinite(p.imag()); }
 
 }  // namespace linkwright

@@ -37,6 +37,7 @@ struct Vector3 {
   return std::hypot(std::hypot(a.x, a.y), a.z);
 }
 
+/// All three coordinates are finite numbers.
 [[nodiscard]] inline bool is_finite(Vector3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

@@ -13,7 +13,7 @@ struct DriveThroughOptions {
   double step = 5e-2;          ///< longest arc length of a step on the unit torus of the three link angles, radians;
                                ///< steps are shorter where strands of the curve pass close to each other
   double corrector = 1e-13;    ///< loop closure error, relative to the perimeter, at which a corrector step ends
-  double miss = 1e-3;          ///< most by which a configuration may miss a pose (radians on the torus) and meet it
+  double miss = 1e-3;          ///< largest distance from a pose that counts as met, radians on the torus
   int most_steps = 4'000'000;  ///< for one circuit
 
   /// A pose with derivatives must be passed in the direction of its first one, to within `miss` radians: it is compared

@@ -13,6 +13,7 @@ struct DriverOrder {
   bool ccw = false, cw = false;
   double sweep_ccw = 0;  ///< angle from the first to the last pose turning counter-clockwise, radians in [0, 2π)
 
+  /// The same turning clockwise, radians in [0, 2π).
   [[nodiscard]] double sweep_cw() const { return sweep_ccw > 0 ? two_pi - sweep_ccw : 0; }
   /// Half a turn or more, turning that way.
   [[nodiscard]] bool is_wide_ccw() const { return sweep_ccw >= pi; }

@@ -29,9 +29,11 @@ inline constexpr std::array<std::string_view, 10> linkage_type_names = {
     "crank_rocker",        "rocker_crank",          "double_crank",         "double_rocker", "triple_rocker_ground",
     "triple_rocker_input", "triple_rocker_coupler", "triple_rocker_output", "change_point",  "degenerate"};
 
+/// Key in files: "crank_rocker", …
 [[nodiscard]] inline std::string_view name(LinkageType type) {
   return linkage_type_names[static_cast<std::size_t>(type)];
 }
+/// The type of a key; nothing where there is none of that name.
 [[nodiscard]] std::optional<LinkageType> linkage_type_named(std::string_view name);
 
 /// The three excesses T₁ = g + h − a − b, T₂ = g + b − a − h, T₃ = h + b − g − a of ground g, input a, coupler h,
@@ -67,6 +69,7 @@ enum class ChangePointKind : std::uint8_t {
   parallelogram_or_kite,  ///< two excesses vanish
   rhombus,                ///< all three vanish
 };
+/// `none` unless linkage_type() is change_point.
 [[nodiscard]] ChangePointKind change_point_kind(const LinkLengths& lengths);
 [[nodiscard]] std::string_view name(ChangePointKind kind);
 

@@ -23,6 +23,7 @@ struct PoseMiss {
   double angle = 0;     ///< radians in [0, π]
   double turn = 0;      ///< of the input there, from the first pose served, radians in the sense of travel
 
+  /// √(distance² + (size · angle)²), user's unit; `size` as FreedPose::size.
   [[nodiscard]] double combined(double size) const { return std::hypot(distance, size * angle); }
 };
 

@@ -18,7 +18,7 @@ namespace linkwright {
 /// in which fewer poses with derivatives are passed against their direction.
 struct PoseVisits {
   std::vector<FourBar> four_bars;  ///< at each pose
-  std::vector<bool> on_circuit;    ///< by pose: reached from pose 0 without taking apart
+  std::vector<bool> on_circuit;    ///< by pose: reached from pose 0 without reassembly
   std::vector<bool> on_branch;     ///< by pose: reached from pose 0 without passing a dead point
   std::vector<double> turn;        ///< by pose; only where on_branch
   std::vector<int> order;          ///< the poses on the branch of pose 0 as they are met; a crank's from pose 0 on

@@ -40,6 +40,7 @@ struct Configuration {
 /// A closed range of input angles [from, to], radians, from ≤ to; a full turn has to − from = 2π.
 struct AngleRange {
   double from = 0, to = 0;
+  /// At least a whole turn.
   [[nodiscard]] bool is_full_turn() const;
 };
 

@@ -17,8 +17,8 @@ struct SixBarState {
 };
 
 struct SixBarCheckOptions {
-  double step = 0.02;  ///< of the driver, radians, at most; steps are shorter where a hinge moves fast
-  double miss = 1e-6;  ///< most by which the guided body may miss a pose and meet it, as a share of the longest link
+  double step = 0.02;       ///< of the driver, radians, at most; steps are shorter where a hinge moves fast
+  double miss = 1e-6;       ///< largest pose error that counts as met, over the longest link
   bool to_the_end = false;  ///< drives on when all poses are met, to a dead point or a whole turn
 };
 

@@ -17,7 +17,7 @@ struct SixBarDriveOptions {
   /// Corrections to a closure error of 1e-13 at every step; otherwise one of Newton's steps a step of the walk, which
   /// is as safe and four times as fast, with γ to three digits or so.
   bool exact_steps = false;
-  double miss = 1e-3;       ///< most by which the walk may miss a configuration (radians) and meet it
+  double miss = 1e-3;       ///< largest distance from a configuration that counts as met, radians
   int most_steps = 50'000;  ///< a walk is given up after these
 };
 

@@ -25,7 +25,7 @@ using SixBarTurns = std::array<Point, SixBar::bodies>;
 /// How well the driver moves a six-bar in a configuration. The loops that close over links 4 and 5 are two complex
 /// equations in the turns; bodies 2 … 5 are unknown. Where they fall apart into two dyads that follow one after the
 /// other (`dyadic`: both of Watt's ways to be driven, and the rows whose second link does not tie body 3 a second
-/// time), each has a joint with an angle between its two links. Otherwise the four hang together.
+/// time), each has a joint with an angle between its two links. Otherwise the four do not separate.
 struct SixBarTransmission {
   bool dyadic = false;
   /// Sign of the determinant of the loops by bodies 2 … 5: constant between dead points of the driver.

@@ -23,6 +23,7 @@ struct Displacement {
   Rotation rotation;      ///< C_ij
   Vector3 translation{};  ///< d: origin of frame j in frame i, in the user's unit of length
 
+  /// Pure translation by d.
   [[nodiscard]] static constexpr Displacement translated(Vector3 d) { return {Rotation(), d}; }
 
   /// A checked 4×4 matrix. Errors: `not_finite`, `last_row` (it is not 0 0 0 1 to `largest_error`), and those of

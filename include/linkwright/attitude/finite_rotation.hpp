@@ -14,6 +14,7 @@ namespace linkwright {
 /// e^(0), before) and in frame j (e^(1), after): the matrix of direction cosines C_ij = A^(01).
 class FiniteRotation {
  public:
+  /// The rotation by an angle about an axis.
   explicit FiniteRotation(const AxisAngle& turn);
 
   [[nodiscard]] const AxisAngle& turn() const { return turn_; }

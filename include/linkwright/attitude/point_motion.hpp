@@ -16,6 +16,7 @@ struct BodyMotion {
   AngularMotion angular;  ///< ω and ε of j against i, in i
   PointMotion origin;     ///< of the origin of j
 
+  /// Takes coordinates in j to coordinates in i.
   [[nodiscard]] Displacement pose() const { return {attitude, origin.position}; }
 };
 

@@ -7,6 +7,7 @@ namespace linkwright {
 inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double two_pi = 2 * pi;
 
+/// Degrees in radians.
 [[nodiscard]] constexpr double radians(double degrees) { return degrees * (pi / 180); }
 [[nodiscard]] constexpr double degrees(double radians) { return radians * (180 / pi); }
 

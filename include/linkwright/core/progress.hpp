@@ -10,6 +10,7 @@ struct Progress {
   std::function<void(double done)> report;       ///< done in [0, 1]; called from the calling thread only
   const std::atomic<bool>* cancelled = nullptr;  ///< looked at between rows of a region and between refinements
 
+  /// The caller asks to stop; may be asked from any thread.
   [[nodiscard]] bool is_cancelled() const { return cancelled && cancelled->load(std::memory_order_relaxed); }
   void operator()(double done) const {
     if (report) report(done);

@@ -28,6 +28,7 @@ class [[nodiscard]] Result {
     require(!this->errors().empty(), "a result without a value says why");
   }
 
+  /// There is a value, and so there are no errors.
   [[nodiscard]] bool ok() const { return std::holds_alternative<T>(content_); }
   explicit operator bool() const { return ok(); }
 

@@ -41,8 +41,9 @@ inline constexpr double vanishing_coefficient = 1e-10;
 /// the coefficients that it hangs on vanish.
 inline constexpr double node = 1e-11;
 
-/// Distance of the poses' poles from one point, over the characteristic length, below which dyads are computed as seen
-/// from there: rounding of the conditions, 1e-16, shows in a side link of that length as 1e-16 over its square.
+/// Distance of the poses' poles from one point, over the characteristic length, below which dyads are computed in
+/// the pole-centred frame: rounding of the conditions, 1e-16, shows in a side link of that length as 1e-16 over its
+/// square.
 inline constexpr double near_common_pole = 1e-3;
 
 /// Change of a side link's length over the positions, as a share of it, above which it is none: seven digits, as

@@ -22,6 +22,7 @@ struct LinkLengths {
 struct FourBar {
   Point input_center{}, input_circle{}, output_center{}, output_circle{};
 
+  /// Distances of the pivots, user's unit.
   [[nodiscard]] LinkLengths lengths() const {
     return {std::abs(output_center - input_center), std::abs(input_circle - input_center),
             std::abs(output_circle - input_circle), std::abs(output_circle - output_center)};

@@ -35,6 +35,7 @@ struct SixBarJoint {
   Point point{};
 };
 
+/// One of its two bodies is the ground.
 [[nodiscard]] inline bool is_on_ground(const SixBarJoint& joint) {
   return joint.bodies[0] == 0 || joint.bodies[1] == 0;
 }
@@ -60,6 +61,7 @@ struct SixBar {
   [[nodiscard]] static SixBar of(std::array<Point, 3> chain, std::array<BodyPair, 2> added, std::array<Point, 2> link_4,
                                  std::array<Point, 2> link_5);
 
+  /// Where a hinge lies in position 1, fixed frame.
   [[nodiscard]] Point at(JointIndex joint) const { return joints[joint].point; }
   [[nodiscard]] std::array<BodyPair, 2> added() const;
   /// Indices of the hinges of a body, ascending: two of a binary link, three of a ternary one.

@@ -64,7 +64,8 @@ class BurmesterCurve {
   [[nodiscard]] Homogeneous center_of(Homogeneous circle) const;
   [[nodiscard]] Homogeneous circle_of(Homogeneous center) const;
 
-  /// Largest |Zᵀ M C| over the conditions for unit Z and C; where the poses nearly share a pole, as seen from there.
+  /// Largest |Zᵀ M C| over the conditions for unit Z and C; where the poses nearly share a pole, in the pole-centred
+  /// frame.
   [[nodiscard]] double residual(const Dyad& dyad) const;
 
  private:

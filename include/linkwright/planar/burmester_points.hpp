@@ -15,10 +15,10 @@
 
 namespace linkwright {
 
-/// One of the side links that pass through five positions.
+/// One of the dyads of five positions.
 struct BurmesterPoint {
   Dyad dyad;             ///< working frame, unit vectors; coordinate = index + ½
-  int multiplicity = 1;  ///< 2 and more: so many solutions have run together (tolerance::double_point)
+  int multiplicity = 1;  ///< 2 and more: multiplicity of the solution (tolerance::double_point)
   double residual = 0;   ///< largest |Zᵀ M C| over the conditions
   /// How far the pair of unit vectors moves, at most, for each unit that the rows of the conditions (unit length,
   /// before they are made orthonormal) move: rounding costs about condition × 1e-16. Finite; of a multiple point it is
@@ -26,7 +26,7 @@ struct BurmesterPoint {
   double condition = 1;
 };
 
-/// All side links that pass through five positions, finite or mixed. They are four, counted with their multiplicity,
+/// All dyads of five positions, finite or mixed. They are four, counted with their multiplicity,
 /// those with complex points included.
 struct BurmesterPoints {
   /// The nearer the circle point lies to the moving frame's origin in position 1, the earlier: an order that neither
@@ -34,7 +34,7 @@ struct BurmesterPoints {
   std::vector<BurmesterPoint> points;
   int complex_roots = 0;  ///< with multiplicity, 0, 2 or 4
 
-  /// Why there are more side links than separate points: common_pole {x, y}, translations_on_circle {x, y},
+  /// Why there are more dyads than isolated points: common_pole {x, y}, translations_on_circle {x, y},
   /// every_point, only_translations, dependent_rows {rank, curve}, common_component. In the last case `points` has what
   /// there is beside the component.
   std::optional<Notice> degeneracy;

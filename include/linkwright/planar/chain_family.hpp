@@ -15,6 +15,7 @@ namespace linkwright {
 /// one that is there already, is degenerate. Each cell is driven through, but not round its whole circuit.
 class ChainFamily : public LinkageFamily {
  public:
+  /// As SixBarFamily: `added` in an order of six_bar_rows(), `bodies` from chain_positions(); fixed frame, user's unit.
   ChainFamily(const ThreeLinkChain& chain, std::array<BodyPair, 2> added, std::array<BodyPositions, 4> bodies);
   /// Of a task; nothing without a chain, or with one that does not reach all poses.
   [[nodiscard]] static std::shared_ptr<const ChainFamily> of(const SixBarTask& task);

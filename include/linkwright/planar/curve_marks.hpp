@@ -26,6 +26,7 @@ struct CurveMark {
   std::vector<double> tau;              ///< dyads that have it as centre point, circle point or both; none for foci
   std::optional<Point> center, circle;  ///< on the fixed curve, on the moving curve in position 1; fixed frame
 };
+/// "pole", "node", …
 [[nodiscard]] std::string_view name(CurveMark::Kind kind);
 
 /// Poles by pose pairs, then nodes, points at infinity by τ, foci. `polygon`: the curve's, in its own frame, along

@@ -44,6 +44,7 @@ class DisplayOrder {
   [[nodiscard]] static DisplayOrder nearest(const BurmesterCurve& curve, Spacing spacing, const WorkingFrame& frame,
                                             const DisplayOrder& before);
 
+  /// 0 as defined above, 1 with the two blocks exchanged.
   [[nodiscard]] int code() const { return code_; }
 
   /// By rising place, without gaps; none where the curve has no coordinates.

@@ -15,6 +15,7 @@ struct Formula {
   double unit = 1;      ///< of x in radians, for sine, cosine, tangent
   double factor = 1, addend = 0;
 
+  /// Not finite where the function is not defined at x.
   [[nodiscard]] double y(double x) const;
 };
 

@@ -28,14 +28,15 @@ struct SideLinks {
 /// pointer picks from. The dyads are in the working frame, their circle points in position 1.
 class FourBarFamily : public LinkageFamily {
  public:
+  /// `frame`: in which the dyads are given; the axes as LinkageFamily has them.
   FourBarFamily(WorkingFrame frame, MapAxis input, MapAxis output)
       : LinkageFamily(std::move(input), std::move(output)), frame_(frame) {}
 
   [[nodiscard]] const WorkingFrame& frame() const { return frame_; }
 
-  /// The side links at a place; nothing where the family has none there. They may be sliders.
+  /// The pair of dyads at a map point; nothing where the family has none there. They may be sliders.
   [[nodiscard]] virtual std::optional<SideLinks> side_links(MapPoint place) const = 0;
-  /// The same; of side links known already those serve again whose coordinates are the place's.
+  /// The same, reusing those of the known dyads whose coordinates are the point's.
   [[nodiscard]] virtual std::optional<SideLinks> side_links_beside(MapPoint place, const SideLinks& /*known*/) const {
     return side_links(place);
   }
@@ -51,7 +52,7 @@ class FourBarFamily : public LinkageFamily {
   [[nodiscard]] virtual std::vector<PrescribedPose> user_poses(MapPoint place, const FourBar& bars) const = 0;
   [[nodiscard]] virtual std::vector<PrescribedPose> working_poses(MapPoint place, const FourBar& bars) const = 0;
 
-  /// The side links at coordinates of an axis, no_dyad() where there is none; empty where they depend on the other
+  /// The dyads at coordinates of an axis, no_dyad() where there is none; empty where they depend on the other
   /// coordinate.
   [[nodiscard]] virtual std::vector<Dyad> dyads(Side /*side*/, std::span<const double> /*coordinates*/) const {
     return {};
@@ -67,7 +68,7 @@ class FourBarFamily : public LinkageFamily {
   WorkingFrame frame_;
 };
 
-/// The four-bar of a pair of side links; nothing where a pivot is at infinity.
+/// The four-bar of a pair of dyads; nothing where a pivot is at infinity.
 [[nodiscard]] std::optional<FourBar> four_bar_of(const SideLinks& links);
 
 /// The family of a motion task: every four-bar is to visit the same poses.
@@ -90,7 +91,7 @@ class MotionFamily : public FourBarFamily {
   std::vector<PrescribedPose> user_poses_, working_poses_;
 };
 
-/// Each side link depends on its own coordinate alone.
+/// Each dyad depends on its own coordinate alone.
 class ProductFamily : public MotionFamily {
  public:
   using MotionFamily::MotionFamily;
@@ -113,9 +114,10 @@ class ProductFamily : public MotionFamily {
             const RegionOptions& options, const Progress& progress) const override;
 };
 
-/// Four positions: both side links from the same Burmester curve.
+/// Four positions: both dyads from the same Burmester curve.
 class CurveFamily : public ProductFamily {
  public:
+  /// Poses in the user's frame; `curve` in `frame`.
   CurveFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
               std::shared_ptr<const BurmesterCurve> curve);
 
@@ -132,6 +134,7 @@ class CurveFamily : public ProductFamily {
 /// A few dyads, any two of which make a four-bar: the i-th fills the branch [i, i + 1).
 class PointFamily : public ProductFamily {
  public:
+  /// Poses in the user's frame; `dyads` in `frame`, each with the coordinate index + ½.
   PointFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses, std::vector<Dyad> dyads);
 
   [[nodiscard]] bool is_symmetric() const override { return true; }

@@ -22,16 +22,17 @@ struct FreedTask {
   MotionTask task;
   FreedPose freed;
 };
+/// `pose` has no derivatives.
 [[nodiscard]] FreedTask freed_task(const MotionTask& task, std::size_t pose);
 
-/// The combined miss of each cell that passes a map's requirements (no bit of its `failures`), user's unit; −1 of the
-/// others. `family` of the task without the freed pose, `map` over two axes of dyads; `values` has a place for each
-/// cell. About 3 µs a passing cell and thread; 0 threads: as many as the machine has. Cells left out because `progress`
-/// was cancelled are −1 too.
+/// The combined position and orientation error of each cell that passes a map's requirements (no bit of its
+/// `failures`), user's unit; −1 of the others. `family` of the task without the freed pose, `map` over two axes of
+/// dyads; `values` has a place for each cell. About 3 µs a passing cell and thread; 0 threads: as many as the machine
+/// has. Cells left out because `progress` was cancelled are −1 too.
 void pose_misses(const FourBarFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
                  const FreedPose& freed, std::span<float> values, int threads = 0, const Progress& progress = {});
 
-/// What a five-position task comes to if one of its poses is given up.
+/// The alternative to a five-position task when one of its poses is relaxed.
 struct FreedPosition {
   std::size_t pose = 0;  ///< which one, counted from 0
   /// The four-bar through the others that meets the requirements and comes nearest to the freed pose. It lies in the
@@ -46,7 +47,7 @@ struct FreedPosition {
 
 struct FreedPositionOptions {
   int region_samples = 160;  ///< N of each N×N map
-  int starts = 6;            ///< how many cells of a map the miss is lessened from
+  int starts = 6;            ///< number of cells of a map from which the error is minimised
   /// Least transmission angle (radians) that is asked for beyond the requirements, wherever a linkage has it: the
   /// nearest of all lies at the edge of what is allowed.
   double usable_transmission_angle = pi / 9;

@@ -31,7 +31,7 @@ struct AnglePair {
   friend bool operator==(const AnglePair&, const AnglePair&) = default;
 };
 
-/// One number of the task that is left open, for a map of two parameters.
+/// A parameter of the task that is left open: the second axis of the map.
 struct FreeNumber {
   enum class Kind : std::uint8_t {
     output_scale,  ///< factor s > 0 on the output's travel: ψⱼ − ψ₁ becomes s(ψⱼ − ψ₁); spaced by its logarithm
@@ -47,6 +47,7 @@ struct FreeNumber {
 
   friend bool operator==(const FreeNumber&, const FreeNumber&) = default;
 };
+/// Key in problem files: "output_scale", "pair_output".
 [[nodiscard]] std::string_view name(FreeNumber::Kind kind);
 [[nodiscard]] std::optional<FreeNumber::Kind> free_number_named(std::string_view name);
 

@@ -16,14 +16,14 @@ namespace linkwright {
 struct MotionTask {
   std::vector<PrescribedPose> poses;
   std::optional<ThreePoseGiven> given;  ///< three positions: what else is known; otherwise nothing
-  /// Of five positions, the pose (index) that need not be passed exactly: the others are a task of four, and by how
-  /// much a linkage misses this one is told.
+  /// Of five positions, the pose (index) that need not be passed exactly: the others are a task of four, and the
+  /// error of a linkage at this one is reported.
   std::optional<std::size_t> freed;
 
   friend bool operator==(const MotionTask&, const MotionTask&) = default;
 };
 
-/// Largest coordinate (user's unit), angle (degrees) and derivative that is taken seriously.
+/// Largest coordinate (user's unit), angle (degrees) and derivative that is accepted.
 inline constexpr double largest_coordinate = 1e9;
 
 /// A first derivative none of whose three numbers is this large is zero: no direction.

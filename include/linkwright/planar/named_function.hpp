@@ -18,6 +18,7 @@ namespace linkwright {
 /// (F. N. Fritsch and J. Butland, "A method for constructing local monotone piecewise cubic interpolants", 1984), or
 /// straight lines.
 enum class TableInterpolation : std::uint8_t { monotone_cubic, linear };
+/// Key in problem files: "monotone_cubic", "linear".
 [[nodiscard]] std::string_view name(TableInterpolation interpolation);
 [[nodiscard]] std::optional<TableInterpolation> table_interpolation_named(std::string_view name);
 
@@ -70,12 +71,14 @@ class DialFunction {
   /// `function` without mistakes.
   explicit DialFunction(const NamedFunction& function);
 
+  /// The function itself, x in x_range().
   [[nodiscard]] double y(double x) const;
   [[nodiscard]] double input_at(double x) const;   ///< radians
   [[nodiscard]] double x_at(double input) const;   ///< the reading of the input's dial
   [[nodiscard]] double output_of(double x) const;  ///< radians, wanted of the linkage
   [[nodiscard]] double output_at(double input) const { return output_of(x_at(input)); }
 
+  /// Ends of the scales, low first for x and y; those of the input in radians, as given.
   [[nodiscard]] std::array<double, 2> x_range() const { return x_; }
   [[nodiscard]] std::array<double, 2> y_range() const { return y_; }
   [[nodiscard]] std::array<double, 2> input_range() const { return input_range_; }

@@ -16,6 +16,7 @@ struct WorkingFrame {
   Point origin{};
   double scale = 1;  ///< L, user's unit
 
+  /// Between this frame and the one in which it is defined.
   [[nodiscard]] Point to_user(Point p) const { return origin + scale * p; }
   [[nodiscard]] Point to_working(Point p) const { return (p - origin) / scale; }
   [[nodiscard]] Homogeneous to_user(Homogeneous p) const;
@@ -27,14 +28,14 @@ struct WorkingFrame {
   [[nodiscard]] std::vector<PrescribedPose> to_working(const std::vector<PrescribedPose>& poses) const;
 };
 
-/// Poses that nearly turn about one pole, seen from there: the working frame has little but rounding left of what sets
-/// them apart, this frame shows it whole.
+/// Pole-centred frame of poses that are nearly rotations about one pole: in the working frame little but round-off is
+/// left of their differences, in this frame all of it.
 struct PoleView {
   /// Within the working frame: origin at the point that the poses move least, lengths divided by the distance at which
   /// their poles lie from it (rms|a| / rms|1 − r|, a measured from there).
   WorkingFrame frame;
   std::vector<HomogeneousMatrix> rows;  ///< as PoseConditions::rows, in this frame
-  double miss = 0;  ///< working frame: largest distance of a pose's origin from where a turn about the pole takes it
+  double miss = 0;                      ///< working frame: largest position error of a rotation about the pole
 };
 
 /// What the task asks of a dyad (circle point Z, centre point C, working frame): Zᵀ M C = 0 for every M.
@@ -47,9 +48,10 @@ struct PoseConditions {
   std::vector<double> singular_values;
   int rank = 0;                    ///< rows that are independent to tolerance::dependent_rows
   bool only_translations = false;  ///< all poses are parallel
-  /// Four positions with poles closer together than tolerance::near_common_pole, where the view from there helps.
+  /// Four positions with poles closer together than tolerance::near_common_pole, where that frame helps.
   std::optional<PoleView> near_pole;
 
+  /// The rank is full.
   [[nodiscard]] bool are_independent() const { return rank == static_cast<int>(rows.size()); }
   /// Largest over smallest singular value, infinite or nearly so where they are dependent; above
   /// tolerance::ill_conditioned the poses are too close for the arithmetic.

@@ -13,6 +13,7 @@ namespace linkwright {
 /// are refused or degenerate count 0. Where no max_length is given, each moved task has its own default.
 class PoseHalo {
  public:
+  /// `task` without mistakes; maps of `samples` × `samples` cells.
   PoseHalo(MotionTask task, Requirements requirements, Spacing spacing, int samples);
 
   /// Pose `pose` (from 0) moved by a grid of steps × steps offsets, evenly over ±reach (user's unit) in x and y;

@@ -72,7 +72,7 @@ class SixBarFamily {
 
   [[nodiscard]] const std::array<BodyPositions, 4>& bodies() const { return bodies_; }
   [[nodiscard]] const AddedLinks& first() const { return first_; }
-  /// Link 5 hangs on link 4, so that its curve is another for each link 4.
+  /// Link 5 is joined to link 4, so that its curve depends on link 4.
   [[nodiscard]] bool second_depends_on_first() const { return added_[1].a == 4 || added_[1].b == 4; }
 
   /// The links 5 whatever link 4 is; null where they depend on it.

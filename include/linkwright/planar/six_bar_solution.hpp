@@ -22,6 +22,7 @@ struct SixBarShape {
   double link_ratio = 0;  ///< longest over shortest distance between two hinges of a body; infinite where one is zero
   double longest = 0;     ///< user's unit
 };
+/// Of its hinges in position 1.
 [[nodiscard]] SixBarShape shape_of(const SixBar& six_bar);
 
 /// Shape, and what driving showed.

@@ -12,7 +12,7 @@
 
 namespace linkwright {
 
-/// What a four-position task says before any two side links are paired: its conditions and all dyads that meet them.
+/// What is known of a four-position task before any two dyads are paired: its conditions and all dyads that meet them.
 struct TaskCurve {
   std::string pattern;  ///< as pattern()
   PoseConditions conditions;

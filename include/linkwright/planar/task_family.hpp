@@ -17,7 +17,7 @@
 
 namespace linkwright {
 
-/// What a task says before any two side links are paired: its conditions, and the family of four-bars that meet them.
+/// What is known of a task before any two dyads are paired: its conditions, and the family of four-bars that meet them.
 struct TaskFamily {
   std::string pattern;  ///< as pattern()
   PoseConditions conditions;
@@ -30,14 +30,14 @@ struct TaskFamily {
   std::optional<FreedPose> freed;               ///< the pose of a five-position task that need not be passed, user's
                                                 ///< frame
   bool has_directions = false;                  ///< some position prescribes how it is passed (derivatives)
-  bool has_no_dyads = false;                    ///< because no two side links do the task
+  bool has_no_dyads = false;                    ///< because no two dyads do the task
   std::shared_ptr<const FourBarFamily> family;  ///< none where degenerate
 
-  /// What a long link is measured by, user's unit: the characteristic length, for functions the ground link.
+  /// The reference for long and short links, user's unit: the characteristic length, for functions the ground link.
   double size = 1;
 
   [[nodiscard]] const WorkingFrame& frame() const { return conditions.frame; }
-  /// The position, from 1, as in which linkages are told, their moving pivots too: the first that is passed exactly.
+  /// The position, from 1, in which linkages and their moving pivots are given: the first that is passed exactly.
   [[nodiscard]] int told_position() const { return freed && freed->place == 0 ? 2 : 1; }
 };
 

@@ -9,11 +9,11 @@
 
 namespace linkwright {
 
-/// What two conditions leave of the side link's direction.
+/// What two conditions leave of the dyad's direction.
 enum class DirectionFreedom {
   free,         ///< to each arm (length and direction) 0, 1 or 2 dyads
-  of_length,    ///< from position 1 to another the body only shifts: the length leaves at most two directions, and to
-                ///< each of them a circle (or a line) of centres
+  of_length,    ///< the motion from position 1 to another is a pure translation: the length leaves at most two
+                ///< directions, and to each of them a circle (or a line) of centres
   only_shifts,  ///< all poses are parallel: at most one arm, and any centre
 };
 
@@ -51,7 +51,7 @@ class ThreePoseDyads {
   [[nodiscard]] std::vector<DirectionArc> directions(double length) const;
 
   /// DirectionFreedom::of_length: the length that goes with a direction β. Nothing where there is none, or where any
-  /// would do (a body that starts with a shift asks for the direction alone).
+  /// would do (a motion that starts with a translation prescribes the direction alone).
   [[nodiscard]] std::optional<double> length_of(double beta) const;
 
   /// DirectionFreedom::of_length: the dyad with this arm at `turn` in [0, 1) round the circle (or along the line, from

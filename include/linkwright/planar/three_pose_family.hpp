@@ -12,10 +12,11 @@ namespace linkwright {
 /// The dyads of three positions whose side link has one length R, along an axis of a map. Working frame.
 ///
 /// In general the branches are sheet_1 and sheet_2, on both of which the direction of the side link in position 1 is
-/// β = 2π (τ mod 1). Where the body only shifts from position 1 to another, β has one or two values: the branches are
-/// direction_1 and direction_2, and τ mod 1 runs round the circle of the centres that are left.
+/// β = 2π (τ mod 1). Where the motion from position 1 to another is a pure translation, β has one or two values: the
+/// branches are direction_1 and direction_2, and τ mod 1 runs round the circle of the centres that are left.
 class SideLinksOfLength {
  public:
+  /// `length` > 0, working frame.
   SideLinksOfLength(std::shared_ptr<const ThreePoseDyads> dyads, double length);
 
   [[nodiscard]] double length() const { return length_; }
@@ -66,8 +67,8 @@ class SideLengthsFamily : public ProductFamily {
 /// Three positions, the angle γ between the side links and the length R₁ of the input: all four-bars over the input's
 /// place (as for given lengths) and the output's length R₂ = R₁ tan(π/2 · (τ mod 1)); the output's direction is β + γ.
 /// Its branches are sheet_1 and sheet_2, and, where the angle is one of lines, sheet_1_opposite and sheet_2_opposite
-/// for β + γ + π. Where the body only shifts from position 1 to another, R₂ follows from the direction: the branches
-/// are direct (and opposite), and τ mod 1 runs round the circle of the centres.
+/// for β + γ + π. Where the motion from position 1 to another is a pure translation, R₂ follows from the direction: the
+/// branches are direct (and opposite), and τ mod 1 runs round the circle of the centres.
 class SideAngleFamily : public MotionFamily {
  public:
   /// Poses and length in the user's frame; angle in radians.

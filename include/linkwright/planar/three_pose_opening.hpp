@@ -13,7 +13,7 @@
 
 namespace linkwright {
 
-/// What three positions and their given number or two open.
+/// The family of a task of three positions with its additional constraint.
 struct ThreePoseOpening {
   std::shared_ptr<const FourBarFamily> family;  ///< none where degenerate
   std::vector<Notice> notices;                  ///< chosen_length {side, length}, fixed_direction

@@ -12,6 +12,7 @@ namespace linkwright {
 /// generators of a named function the smallest structural error, which no map holds: its cells are ranked by the
 /// transmission angle.
 enum class Objective { min_transmission_angle, link_ratio, size, structural_error };
+/// Key in problem files: "min_transmission_angle", …
 [[nodiscard]] std::string_view name(Objective objective);
 
 /// The measure that ranks the cells of a map; a larger or a smaller one is better, as the measure says.

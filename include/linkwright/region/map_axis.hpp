@@ -31,11 +31,13 @@ enum class AxisQuantity {
   pair_output,       ///< output angle of one pair, degrees
   nothing,           ///< one place only
 };
+/// "curve_coordinate", "side_direction", …
 [[nodiscard]] std::string_view name(AxisQuantity quantity);
 
 /// How samples are laid along an axis: equal steps of its coordinate, or equal steps of the sum of the great-circle
 /// lengths run by the unit vectors of circle point and centre point.
 enum class Spacing { coordinate, arc_length };
+/// Key in problem files: "coordinate", "arc_length".
 [[nodiscard]] std::string_view name(Spacing spacing);
 
 /// The stretch of an axis of a map that a climb keeps to: a branch of a curve.
@@ -52,6 +54,7 @@ struct MapAxis {
   AxisQuantity quantity = AxisQuantity::curve_coordinate;
   std::vector<CurveBranch> branches;
 
+  /// End of the range of the coordinate; 0 without branches.
   [[nodiscard]] double coordinate_length() const { return branches.empty() ? 0 : branches.back().to; }
   /// The end of a branch is its beginning.
   [[nodiscard]] bool is_closed() const {

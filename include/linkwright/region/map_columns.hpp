@@ -17,6 +17,7 @@ struct FreeCells {
 template <class T>
 class Column {
  public:
+  /// Values are lost where the size changes. Throws std::bad_alloc, and then the column is empty.
   void resize(std::size_t size) {
     if (size == size_) return;
     size_ = 0;

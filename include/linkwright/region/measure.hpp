@@ -32,7 +32,7 @@ inline constexpr Measure min_transmission_angle_full_turn{"min_transmission_angl
 inline constexpr Measure link_ratio{"link_ratio"};
 /// User's unit; 0 degenerate.
 inline constexpr Measure longest_link{"longest_link"};
-/// Angle that the driver turns from the first to the last position; every map tells it, none keeps it.
+/// Angle that the driver turns from the first to the last position; every map computes it, none keeps it.
 inline constexpr Measure driver_sweep{"driver_sweep_deg"};
 }  // namespace measures
 

@@ -67,6 +67,7 @@ class RegionMap {
   /// cells do not fit in memory, and then the map is empty.
   void lay(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
            bool of_pairs, const RegionOptions& options);
+  /// Where to write, from this cell on in row-major order.
   [[nodiscard]] Cells cells(std::size_t row, std::size_t column = 0);
   void set_driver(std::size_t row, DriverTravel travel) { drivers_[row] = travel; }
   /// For each row, the column in which the same grounded link stands a second time; none: no such.
@@ -97,7 +98,7 @@ class RegionMap {
   [[nodiscard]] std::span<const float> values(const Measure& measure) const;
   /// Those that the map holds, in order.
   [[nodiscard]] const std::vector<Measure>& measures() const { return measures_; }
-  /// Those and what is told without being held: driver_sweep.
+  /// Those and what is computed without being held: driver_sweep.
   [[nodiscard]] std::vector<Measure> told_measures() const;
 
   [[nodiscard]] LinkageType type(std::size_t cell) const { return static_cast<LinkageType>(type_[cell]); }
@@ -108,6 +109,7 @@ class RegionMap {
   [[nodiscard]] double driver_sweep(std::size_t row, std::size_t column) const;
   [[nodiscard]] DriveSense drive_sense(std::size_t row, std::size_t column) const;
 
+  /// Counts the cells anew at each call, by threads().
   [[nodiscard]] RegionCounts counts() const;
 
   /// RegionOptions::threads of the last computation: what goes over the cells afterwards takes as many.

@@ -13,6 +13,7 @@ namespace linkwright {
 /// Axis-parallel rectangle, borders included, user's unit.
 struct Box {
   double x_low = 0, x_high = 0, y_low = 0, y_high = 0;
+  /// Borders included.
   [[nodiscard]] bool contains(Point p) const {
     return p.real() >= x_low && p.real() <= x_high && p.imag() >= y_low && p.imag() <= y_high;
   }
