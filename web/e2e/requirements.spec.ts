@@ -94,9 +94,12 @@ test("the slider is live, one drag is one undo, Esc takes it back", async ({page
   const at = (share: number) => [box.x + 8 + share * (box.width - 16), box.y + box.height / 2] as const;
   await page.mouse.move(...at(30 / 89));
   await page.mouse.down();
-  const seen = new Set<number>();
+  const seen = new Set<number>(),
+    asked = () => read_state(page, (workbench) => workbench.problem.requirements!.min_transmission_angle_deg);
   for (const share of [0.45, 0.6, 0.75]) {
+    const last = await asked();
     await page.mouse.move(...at(share));
+    await expect.poll(asked).not.toBe(last); // a slider hears of the pointer with the next frame
     await until_settled(page);
     seen.add(await meeting(page));
   }

@@ -26,6 +26,12 @@ import type {MotionTask} from "../src/tasks/motion/task";
 // ---- 1 ----------------------------------------------------------------------------------------------------------
 
 test("1 · first start: a map, a count, the tour, nothing in anyone's way", async ({page}) => {
+  let release = (): void => {};
+  const colored = new Promise<void>((resolve) => (release = resolve));
+  await page.route(/\.wasm$/, async (route) => {
+    await colored;
+    await route.continue();
+  });
   await page.goto("/");
   const colors = () =>
     page
@@ -47,7 +53,9 @@ test("1 · first start: a map, a count, the tour, nothing in anyone's way", asyn
         for (let i = 0; i < data.length; i += 4) found.add((data[i]! << 16) | (data[i + 1]! << 8) | data[i + 2]!);
         return wanted.filter((color) => found.has(color)).length;
       });
-  await expect.poll(colors, {timeout: 2000}).toBeGreaterThanOrEqual(3);
+  await expect.poll(colors).toBeGreaterThanOrEqual(3); // before there is an engine
+  expect(await page.evaluate(() => globalThis.__linkwright!.ready)).toBe(false);
+  release();
   await expect(page.getByTestId("chip.title")).toContainText(
     /159.600 four-bars.*97.477 free of defects.*25.608 meet your requirements/,
   );
