@@ -112,7 +112,7 @@ test("15 · two tabs keep their work apart", async ({page, context}) => {
   const other = await context.newPage();
   await open_workbench(other);
   await read_state(other, (workbench) => workbench.edit((problem) => ({...problem, title: "The other tab"})));
-  await expect(toasts(page)).toContainText("This work is open in another tab too.");
+  await expect(toasts(page)).toContainText("This work is also open in another tab.");
   await read_state(page, (workbench) => workbench.edit((problem) => ({...problem, title: "This tab"})));
   await page.reload();
   await expect(page).toHaveTitle(/This tab/);

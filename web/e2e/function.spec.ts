@@ -108,7 +108,7 @@ test("the sine generator: ribbon, error, dials, undo, files, Chinese, phone", as
   expect(moved).not.toHaveProperty("function");
   expect(moved.pairs![1]!.output_deg).toBe(Math.round(moved.pairs![1]!.output_deg));
   expect(await map_hash(page)).not.toBe(hash);
-  await expect(page.getByTestId("toast.title").filter({hasText: "pairs of their own"})).toBeVisible();
+  await expect(page.getByTestId("toast.title").filter({hasText: "independent pairs"})).toBeVisible();
   await expect(page.getByTestId("plot.error")).toHaveCount(0);
   await page.keyboard.press("Control+z");
   await until_settled(page);

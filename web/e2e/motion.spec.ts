@@ -94,7 +94,7 @@ test("three positions: lengths as rings, an angle as a wedge, the instant centre
 
   // One length: the engine chooses the other, says which, and it can be taken in hand.
   await page.getByTestId("given.side_length").click();
-  await expect(page.getByTestId("task.warning")).toContainText(/length of the output side link was left open/);
+  await expect(page.getByTestId("task.warning")).toContainText(/length of the output link was left open/);
   await until_settled(page);
   const chosen = (await hand(page)).output.length!;
   await expect(page.getByTestId("given.length_output")).toHaveAttribute("placeholder", /\d/);
