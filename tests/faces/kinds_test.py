@@ -62,7 +62,7 @@ class Kinds(FaceTest):
         result, words, picture = self.solve(ROOT / "examples/latch.json")
         self.assertIsNone(result["curve"])
         self.assertIn("three positions (P-P-P), side links 18 and 24", words)
-        self.assertIn("2 numbers are free, and the map shows both", words)
+        self.assertIn("2 parameters are free, the axes of the solution region", words)
         self.assertNotIn("our positions", words + picture)
         self.check_exports(result, 3)
 
