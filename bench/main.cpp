@@ -1,5 +1,5 @@
 // linkwright_bench [options of Google Benchmark]
-// linkwright_bench --dump TASK SAMPLES     the sampled side links and the kernel's counts, JSON, for the peers
+// linkwright_bench --dump TASK SAMPLES     the sampled grounded links and the kernel's counts, JSON, for the peers
 // linkwright_bench --dump-five COUNT       random tasks of five poses and their Burmester points, JSON, for the peer
 
 #include <benchmark/benchmark.h>

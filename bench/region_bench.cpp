@@ -1,4 +1,4 @@
-// The region kernel: every pair of side links of a task classified, all columns.
+// The region kernel: every pair of grounded links of a task classified, all columns.
 
 #include <benchmark/benchmark.h>
 #include <chrono>

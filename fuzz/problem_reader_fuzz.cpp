@@ -52,7 +52,7 @@ void check_same(const SixBarTask& again, const SixBarTask& task) {
   check_same_poses(again.poses, task.poses);
   require(again.added == task.added);
   require(again.chain.has_value() == task.chain.has_value() && again.box.has_value() == task.box.has_value());
-  if (task.chain) require(again.chain->b == task.chain->b && again.chain->elbow == task.chain->elbow);
+  if (task.chain) require(again.chain->b == task.chain->b && again.chain->assembly_mode == task.chain->assembly_mode);
 }
 
 void check_same_task(const Task& again, const Task& task) {

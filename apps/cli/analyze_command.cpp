@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "linkage_words.hpp"
+#include "linkage_report.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/files/text_file.hpp"
-#include "six_bar_words.hpp"
+#include "six_bar_report.hpp"
 
 namespace linkwright::cli {
 namespace {
@@ -17,7 +17,7 @@ bool ends_with(std::string_view text, std::string_view end) {
 }
 
 Result<AnyStoredLinkage> read_linkage_file(const std::string& path) {
-  const auto text = read_text_file(path, most_result_bytes);
+  const auto text = read_text_file(path, max_result_bytes);
   return text ? read_any_linkage(*text) : Result<AnyStoredLinkage>(text.errors());
 }
 

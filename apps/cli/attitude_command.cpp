@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "attitude_flags.hpp"
-#include "attitude_words.hpp"
+#include "attitude_report.hpp"
 #include "commands.hpp"
 #include "linkwright/drawing/attitude_drawing.hpp"
 #include "linkwright/files/problem_file.hpp"
@@ -16,7 +16,7 @@ class Source {
   explicit Source(const AttitudeArguments& arguments) : arguments_(&arguments) {}
 
   [[nodiscard]] Result<std::string> text() const {
-    if (arguments_->flags.empty()) return read_text_file(arguments_->input, most_file_bytes);
+    if (arguments_->flags.empty()) return read_text_file(arguments_->input, max_file_bytes);
     return file_of_flags(arguments_->command, arguments_->flags);
   }
   void tell(const std::vector<Error>& mistakes) const {

@@ -9,7 +9,7 @@ namespace linkwright::cli {
 namespace {
 
 Result<std::vector<AnyStoredLinkage>> read_linkages(const std::string& path) {
-  const auto text = read_text_file(path, most_result_bytes);
+  const auto text = read_text_file(path, max_result_bytes);
   return text ? read_any_result_linkages(*text) : Result<std::vector<AnyStoredLinkage>>(text.errors());
 }
 

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "four_bar_columns.hpp"
-#include "function_words.hpp"
+#include "function_report.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
 #include "linkwright/planar/chosen_length.hpp"
-#include "pair_words.hpp"
-#include "requirement_words.hpp"
-#include "six_bar_words.hpp"
+#include "pair_report.hpp"
+#include "requirement_report.hpp"
+#include "six_bar_report.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {
@@ -86,7 +86,7 @@ std::string counts_words(const Problem& problem, const FourBarAnswer& answer, co
   text += fmt::format(". {} {} free of defects", four_bars(counts.defect_free), counts.defect_free == 1 ? "is" : "are");
   text += fmt::format("; {} {}: {}.", grouped_text(answer.meeting_requirements),
                       answer.meeting_requirements == 1 ? "meets the requirements" : "meet the requirements",
-                      requirement_words(answer.requirements, problem.length_unit, answer.given.told_position()));
+                      requirement_words(answer.requirements, problem.length_unit, answer.given.reference_position()));
   return wrapped(text);
 }
 
@@ -119,7 +119,7 @@ std::string dimension_table(const std::vector<FourBarSolution>& linkages, int de
 /// The position in which linkages are given.
 std::string first_pose(const FourBarAnswer& answer) {
   if (answer.linkages.front().function) return "at the first pair";
-  return fmt::format("in position {}", answer.given.told_position());
+  return fmt::format("in position {}", answer.given.reference_position());
 }
 
 std::string pivot_table(const FourBarAnswer& answer, int decimals) {
@@ -187,7 +187,7 @@ std::string check_words(const FourBarAnswer& answer) {
 std::string linkages_words(const Problem& problem, const FourBarAnswer& answer) {
   if (answer.linkages.empty()) return "";
   const int decimals = decimals_for(answer.linkages);
-  const std::string errors = function_error_words(answer) + miss_words(problem, answer);
+  const std::string errors = function_error_words(answer) + pose_error_words(problem, answer);
   return "\n" + best_heading(answer) + dimension_table(answer.linkages, decimals) + "\n" +
          (errors.empty() ? "" : errors + "\n") + pivot_table(answer, decimals) + "\n" +
          why_the_best(problem, answer, decimals) + check_words(answer);
@@ -224,7 +224,7 @@ std::string chosen_words(const FourBarAnswer& answer) {
   if (side == nullptr || length == nullptr) return "";
   return fmt::format(
       "; the length {1} of the {0} link was chosen, the best of {2} tried (give a length to get another)", *side,
-      significant_text(*length, 4), ChosenLength::rungs);
+      significant_text(*length, 4), ChosenLength::trials);
 }
 
 /// What the task leaves open: of three positions and of functions, where it depends on what is given.
@@ -257,14 +257,14 @@ std::string counts_of(const Problem& problem, const KindAnswer& answer) {
 
 std::string report_of_kind(const Problem& problem, const MotionAnswer& answer) {
   return heading(problem, point_count(answer)) + curve_words(answer, {}) + free_words(answer) +
-         counts_of(problem, answer) + warnings_words(answer) + side_link_words(answer) +
+         counts_of(problem, answer) + warnings_words(answer) + dyad_words(answer) +
          pair_words(answer, "Their pairs as four-bars, the first dyad the input link, best first:\n") +
          linkages_words(problem, answer) + nothing_words(problem, answer) + ways_out_words(problem, answer);
 }
 
 std::string report_of_kind(const Problem& problem, const FunctionAnswer& answer) {
   return heading(problem, point_count(answer)) + curve_words(answer, coupler_curves) + free_words(answer) +
-         counts_of(problem, answer) + warnings_words(answer) + side_link_words(answer) +
+         counts_of(problem, answer) + warnings_words(answer) + dyad_words(answer) +
          pair_words(answer, "All linkages that satisfy the five precision points, best first:\n") +
          linkages_words(problem, answer) + nothing_words(problem, answer);
 }

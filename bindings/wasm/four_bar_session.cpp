@@ -14,7 +14,7 @@
 namespace linkwright::wasm {
 namespace {
 
-// With a free number the curve is another at each value of it.
+// With a free parameter the curve is another at each value of it.
 bool lies_along_its_curve(const TaskFamily& task, Side side) {
   if (!task.curve || !task.family) return task.curve != nullptr;
   const MapAxis& axis = task.family->axis(side);
@@ -25,7 +25,7 @@ bool lies_along_its_curve(const TaskFamily& task, Side side) {
 constexpr int samples_of_an_order = 400;
 
 // Of a map with a curve of its own to each column.
-constexpr int most_samples_over_a_free_number = 500;
+constexpr int max_samples_over_a_free_parameter = 500;
 
 const std::vector<PrescribedPose> no_poses;
 
@@ -39,7 +39,7 @@ const Notice& FourBarSession::no_map() const {
 const Notice& FourBarSession::nothing_on_map() const {
   static const Notice no_pair{
       "no_pair",
-      "No pair of side links makes a four-bar: in every pair a pivot is at infinity or a link has no length.",
+      "No pair of dyads makes a four-bar: in every pair a pivot is at infinity or a link has no length.",
       {}};
   return no_pair;
 }
@@ -145,17 +145,17 @@ bool MotionSession::serves(const Task& task) const {
   return motion && *motion == task_ && !task_.given;  // of what is given a length is chosen by the requirements
 }
 
-bool MotionSession::measure(JudgedMap& map, std::string_view property) const {
-  if (property != "pose_miss" || !given().freed) return false;
+bool MotionSession::measure(EvaluatedMap& map, std::string_view property) const {
+  if (property != "pose_miss" || !given().relaxed) return false;
   map.show([&](std::span<float> values) {
-    pose_misses(*given().family, map.map(), map.fails(), *given().freed, values);
+    pose_errors(*given().family, map.map(), map.fails(), *given().relaxed, values);
     for (float& value : values) value = std::max(value, 0.0F);
   });
   return true;
 }
 
 std::vector<std::uint32_t> MotionSession::halo(const HaloRequest& request, const Problem& problem) const {
-  const PoseHalo halo(task_, problem.requirements, problem.options.spacing, request.samples);
+  const FeasibleOffsets halo(task_, problem.requirements, problem.options.spacing, request.samples);
   const auto pose = static_cast<std::size_t>(request.pose);
   return request.turn ? halo.turned(pose, request.reach, request.steps)
                       : halo.moved(pose, request.reach, request.steps);
@@ -187,10 +187,10 @@ TaskReply FunctionSession::about() const {
 }
 
 int FunctionSession::map_samples(int asked) const {
-  return task_.free ? std::min(asked, most_samples_over_a_free_number) : asked;
+  return task_.free ? std::min(asked, max_samples_over_a_free_parameter) : asked;
 }
 
-bool FunctionSession::measure(JudgedMap& map, std::string_view property) const {
+bool FunctionSession::measure(EvaluatedMap& map, std::string_view property) const {
   if (property != "max_structural_error_deg" || !task_.function || task_.free) return false;
   map.show([&](std::span<float> values) { structural_errors_deg(*family_, map.map(), values); });
   return true;

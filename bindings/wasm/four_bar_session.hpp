@@ -58,7 +58,7 @@ class MotionSession final : public FourBarSession {
   MotionSession(const MotionTask& task, const Problem& problem);
 
   [[nodiscard]] bool serves(const Task& task) const override;
-  bool measure(JudgedMap& map, std::string_view property) const override;
+  bool measure(EvaluatedMap& map, std::string_view property) const override;
   [[nodiscard]] std::vector<std::uint32_t> halo(const HaloRequest& request, const Problem& problem) const override;
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const override;
 
@@ -75,7 +75,7 @@ class FunctionSession final : public FourBarSession {
   [[nodiscard]] bool serves(const Task& task) const override;
   [[nodiscard]] TaskReply about() const override;
   [[nodiscard]] int map_samples(int asked) const override;
-  bool measure(JudgedMap& map, std::string_view property) const override;
+  bool measure(EvaluatedMap& map, std::string_view property) const override;
   [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Requirements& wanted,
                                                  Objective objective) const override;
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const override;

@@ -30,11 +30,11 @@ void write_wanted_function(JsonWriter& json, const FunctionTask& task) {
   json.key("curve");
   json.begin_list(Layout::one_line);
   if (task.function) {
-    const DialFunction dial(*task.function);
-    const auto [from, to] = dial.input_range();
+    const ScaledFunction scaled(*task.function);
+    const auto [from, to] = scaled.input_range();
     for (int i = 0; i <= steps_of_a_curve; ++i) {
       const double input = from + (to - from) * i / steps_of_a_curve;
-      write_numbers(json, std::array{degrees(input), degrees(dial.output_at(input))});
+      write_numbers(json, std::array{degrees(input), degrees(scaled.output_at(input))});
     }
   }
   json.end_list();

@@ -15,7 +15,7 @@ namespace linkwright::wasm {
 /// WantedFunction: the pairs, and the named function between them.
 void write_wanted_function(JsonWriter& json, const FunctionTask& task);
 
-/// GeneratedFunction: what a four-bar makes of `task`, whose free number is fixed.
+/// GeneratedFunction: what a four-bar makes of `task`, whose free parameter is fixed.
 void write_generated_function(JsonWriter& json, const FunctionTask& task, const FunctionError& error);
 
 }  // namespace linkwright::wasm

@@ -20,7 +20,7 @@ void write_or_null(JsonWriter& json, std::string_view key, bool defined, double 
   defined ? json.value(value) : json.null();
 }
 
-void write_side_link(JsonWriter& json, const Dyad& dyad, const WorkingFrame& frame) {
+void write_dyad(JsonWriter& json, const Dyad& dyad, const WorkingFrame& frame) {
   const auto center = frame.finite_user_point(dyad.center), circle = frame.finite_user_point(dyad.circle);
   json.begin_object();
   json.member("coordinate", dyad.coordinate);
@@ -39,7 +39,7 @@ void write_side_link(JsonWriter& json, const Dyad& dyad, const WorkingFrame& fra
 Notice degenerate_notice(const PickedLinkage& picked, const WorkingFrame& frame) {
   const auto at_infinity = [&](Homogeneous point) { return is_at_infinity(frame.to_working(point)); };
   if (picked.input.circle == Homogeneous{} || picked.output.circle == Homogeneous{})
-    return {"no_linkage", "There is no linkage here: no side link of this length can have this direction.", {}};
+    return {"no_linkage", "There is no linkage here: no grounded link of this length can have this direction.", {}};
   if (at_infinity(picked.input.center) || at_infinity(picked.output.center))
     return {"slider_fixed", "Slider: the fixed pivot is at infinity; the pin moves on a straight guide.", {}};
   if (at_infinity(picked.input.circle) || at_infinity(picked.output.circle))
@@ -48,9 +48,9 @@ Notice degenerate_notice(const PickedLinkage& picked, const WorkingFrame& frame)
   return {"zero_link", "A link has no length: this is no four-bar.", {}};
 }
 
-/// Positions as the task counts them, from 1: the freed pose is none of those that are served.
+/// Positions as the task counts them, from 1: the relaxed pose is none of those that are served.
 int position_of(std::size_t pose, const PickedLinkage& picked) {
-  const bool behind = picked.freed_place && pose >= *picked.freed_place;
+  const bool behind = picked.relaxed_index && pose >= *picked.relaxed_index;
   return static_cast<int>(pose) + (behind ? 2 : 1);
 }
 
@@ -110,13 +110,13 @@ void write_swapped(JsonWriter& json, const PickedLinkage& picked) {
 }
 
 /// Of the pose that was freed.
-void write_miss(JsonWriter& json, const PickedLinkage& picked) {
+void write_pose_error(JsonWriter& json, const PickedLinkage& picked) {
   json.key("miss");
-  if (!picked.bars || !picked.bars->miss) return json.null();
+  if (!picked.bars || !picked.bars->pose_error) return json.null();
   json.begin_object(Layout::one_line);
-  json.member("distance", picked.bars->miss->distance);
-  json.member("angle_deg", degrees(picked.bars->miss->angle));
-  json.member("input_deg", degrees(picked.bars->miss->turn));
+  json.member("distance", picked.bars->pose_error->distance);
+  json.member("angle_deg", degrees(picked.bars->pose_error->angle));
+  json.member("input_deg", degrees(picked.bars->pose_error->turn));
   json.end_object();
 }
 
@@ -171,10 +171,10 @@ void write_drive(JsonWriter& json, const PickedLinkage& picked) {
 
 PickedLinkage picked_linkage(const TaskFamily& given, MapPoint place, bool respect_direction) {
   const WorkingFrame& frame = given.frame();
-  const SideLinks none{{{}, {}, place.input}, {{}, {}, place.output}};
-  const SideLinks links = given.family->side_links(place).value_or(none);
+  const DyadPair none{{{}, {}, place.input}, {{}, {}, place.output}};
+  const DyadPair links = given.family->dyad_pair(place).value_or(none);
   PickedLinkage picked{frame.to_user(links.input), frame.to_user(links.output), {}, {}, {}};
-  if (given.freed) picked.freed_place = given.freed->place;
+  if (given.relaxed) picked.relaxed_index = given.relaxed->index;
   constexpr bool verify = false;
   picked.bars = make_four_bar(given, place, respect_direction, verify);
   if (!picked.bars) return picked;
@@ -198,16 +198,16 @@ std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame)
     write_defects(json, picked.bars ? picked.bars->report.defects : Defects{});
     write_reason(json, picked, frame);
     json.key("input");
-    write_side_link(json, picked.input, frame);
+    write_dyad(json, picked.input, frame);
     json.key("output");
-    write_side_link(json, picked.output, frame);
+    write_dyad(json, picked.output, frame);
     write_lengths(json, picked);
     write_verdict(json, picked);
     json.member("residual", picked.bars ? std::max(picked.bars->input_residual * picked.bars->lengths.input,
                                                    picked.bars->output_residual * picked.bars->lengths.output)
                                         : 0.0);
     write_swapped(json, picked);
-    write_miss(json, picked);
+    write_pose_error(json, picked);
     write_function(json, picked);
     json.member("fails", int{picked.fails});
     write_drive(json, picked);

@@ -12,15 +12,15 @@
 
 namespace linkwright::wasm {
 
-/// One pair of side links of a task, and all there is to say of it.
+/// One pair of grounded links of a task, and all there is to say of it.
 struct PickedLinkage {
   Dyad input, output;                   ///< fixed frame
   std::optional<FourBarSolution> bars;  ///< nothing for a slider or a zero link
   PoseVisits visits;
   DriveTable drive;
   std::uint8_t fails = 0;
-  std::optional<FunctionTask> task;        ///< of generators, the free number fixed
-  std::optional<std::size_t> freed_place;  ///< how many of the poses served come before the freed one, if one is
+  std::optional<FunctionTask> task;          ///< of generators, the free parameter fixed
+  std::optional<std::size_t> relaxed_index;  ///< how many of the poses served come before the freed one, if one is
 };
 
 /// `given` with a family.

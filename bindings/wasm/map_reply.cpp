@@ -46,13 +46,13 @@ void write_missed_box(JsonWriter& json, const MissedBox& missed) {
 
 }  // namespace
 
-void JudgedMap::classify(const std::function<void(RegionMap&)>& fill) {
+void EvaluatedMap::classify(const std::function<void(RegionMap&)>& fill) {
   fill(map_);
   counts_ = map_.counts();
   values_.clear();
 }
 
-void JudgedMap::judge(const RequirementFilter& filter) {
+void EvaluatedMap::evaluate(const RequirementFilter& filter) {
   fails_.resize(map_.rows() * map_.columns());
   filter.failures_of_all(fails_);
   census_ = filter.census(fails_);
@@ -61,8 +61,8 @@ void JudgedMap::judge(const RequirementFilter& filter) {
   missed_boxes_.clear();
 }
 
-void JudgedMap::measure(std::string_view key) {
-  const std::vector<Measure> told = map_.told_measures();
+void EvaluatedMap::measure(std::string_view key) {
+  const std::vector<Measure> told = map_.reported_measures();
   const auto named = std::find(told.begin(), told.end(), Measure{key});
   const Measure& shown = named == told.end() ? told.front() : *named;
   values_.resize(map_.rows() * map_.columns());
@@ -71,14 +71,14 @@ void JudgedMap::measure(std::string_view key) {
   ridges_ = linkwright::ridges(values_, fails_, map_.columns(), shown.larger_is_better);
 }
 
-void JudgedMap::show(const std::function<void(std::span<float> values)>& fill) {
+void EvaluatedMap::show(const std::function<void(std::span<float> values)>& fill) {
   constexpr bool larger_is_better = false;
   values_.assign(map_.rows() * map_.columns(), 0);
   fill(values_);
   ridges_ = linkwright::ridges(values_, fails_, map_.columns(), larger_is_better);
 }
 
-std::string JudgedMap::census_json() const {
+std::string EvaluatedMap::census_json() const {
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     write_counts(json, "types", counts_.types);

@@ -15,12 +15,12 @@
 namespace linkwright::wasm {
 
 /// A map under requirements, coloured by a property.
-class JudgedMap {
+class EvaluatedMap {
  public:
   /// Takes over the memory of the map before.
   void classify(const std::function<void(RegionMap&)>& fill);
   /// `filter` of map().
-  void judge(const RequirementFilter& filter);
+  void evaluate(const RequirementFilter& filter);
   /// Told where nothing is left.
   void note_missed_boxes(std::vector<MissedBox> missed) { missed_boxes_ = std::move(missed); }
   /// One of the map's measures, or the first where it has no such.

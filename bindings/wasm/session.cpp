@@ -83,7 +83,7 @@ void Session::compute_map(const ExploreRequest& request) {
     map_.classify([&](RegionMap& map) { classify(map, input_tau_, output_tau_); });
     mapped_ = wanted;
   }
-  map_.judge(filter(map_.map()));
+  map_.evaluate(filter(map_.map()));
   if (map_.census().meeting == 0) map_.note_missed_boxes(task().missed_boxes(requirements_));
   if (!task().measure(map_, request.property)) map_.measure(request.property);
 }

@@ -20,7 +20,7 @@ struct ExploreReply {
   std::string task, census;  ///< JSON text; no census: there is no map
   const DrawnCurves* input_curves = nullptr;
   const DrawnCurves* output_curves = nullptr;  ///< none: the same
-  const JudgedMap* map = nullptr;
+  const EvaluatedMap* map = nullptr;
   std::span<const double> input_tau, output_tau;
 };
 struct LiveReply {
@@ -78,7 +78,7 @@ class Session {
     friend bool operator==(const MapKey&, const MapKey&) = default;
   };
   std::optional<MapKey> mapped_;  ///< what map_ shows of the present task
-  JudgedMap map_;
+  EvaluatedMap map_;
   std::vector<double> input_tau_, output_tau_;
   RegionMap strip_, cell_;  ///< a row or a column, and a single cell
 };

@@ -111,7 +111,7 @@ void write_joints(JsonWriter& json, const SixBar& six_bar) {
   json.end_list();
 }
 
-/// The two added links take the places of the side links: their coordinates are those of the map.
+/// The two added links take the places of the grounded links: their coordinates are those of the map.
 void write_added_link(JsonWriter& json, const char* side, double coordinate, const std::array<std::size_t, 2>& ends,
                       const std::optional<SixBarSolution>& found) {
   const auto end = [&](std::size_t which) {
@@ -159,7 +159,7 @@ void write_lengths(JsonWriter& json, const SixBarSolution& found) {
 Notice defect_reason(Defects defects) {
   if (defects.circuit()) return {"six_bar_circuit", "Circuit defect: some position needs taking it apart.", {}};
   if (defects.branch())
-    return {"six_bar_branch", "Branch defect: it locks (dead point) before it has passed all positions.", {}};
+    return {"six_bar_branch", "Branch defect: it passes a dead point before it has passed all positions.", {}};
   return {"six_bar_order", "Order defect: it comes to the positions in another order.", {}};
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "linkwright/planar/pose_halo.hpp"
+#include "linkwright/planar/feasible_offsets.hpp"
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/synthesis/answer.hpp"
 #include "linkwright/synthesis/problem.hpp"
@@ -76,7 +76,7 @@ class TaskSession {
   /// Where requirements leave nothing.
   [[nodiscard]] virtual std::vector<MissedBox> missed_boxes(const Requirements& /*wanted*/) const { return {}; }
   /// Colours the map by a property of the task's own; false where it has no such.
-  virtual bool measure(JudgedMap& /*map*/, std::string_view /*property*/) const { return false; }
+  virtual bool measure(EvaluatedMap& /*map*/, std::string_view /*property*/) const { return false; }
 
   [[nodiscard]] virtual LinkageReply linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const = 0;
   [[nodiscard]] virtual Verification verify(MapPoint place, bool respect_direction) const = 0;

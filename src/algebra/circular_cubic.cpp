@@ -163,7 +163,7 @@ void CircularCubic::classify_proper(const PlaneCubic& cubic) {
   focal_.s0 = std::sqrt(sum);
   focal_.kappa = (a * a * a * a - 4 * a * a * d - 4 * e * e) / (sum * sum);
   kappa_ = focal_.kappa;
-  // What κ hangs on: near a line and a circle a and e are small, κ is of their second order and so is its rounding.
+  // What κ depends on: near a line and a circle a and e are small, κ is of their second order and so is its rounding.
   const double share = std::min(1.0, a / focal_.scale + std::abs(e) / (focal_.scale * focal_.scale));
   if (std::abs(focal_.kappa) < tolerance::node * share) {
     kind_ = CubicKind::nodal;

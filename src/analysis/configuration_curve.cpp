@@ -9,7 +9,7 @@
 namespace linkwright {
 namespace {
 
-constexpr int most_corrections = 8;  // quadratic from a certified start: four do
+constexpr int max_corrections = 8;  // quadratic from a certified start: four do
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 
 double wrapped(double angle) { return angle > pi ? angle - two_pi : angle < -pi ? angle + two_pi : angle; }
@@ -72,7 +72,7 @@ std::optional<TorusVector> ConfigurationCurve::advanced(const Strand& strand, do
   const double enough = std::max(rounding, std::min(accuracy, 0.01 * strand.singular_value * strand.reach));
   const TorusVector t = strand.tangent;
   TorusVector p = strand.point + along * t;
-  for (int i = 0; i < most_corrections; ++i) {
+  for (int i = 0; i < max_corrections; ++i) {
     const Loop loop = loop_at(p);
     if (std::abs(loop.closure) <= enough) return p;
     const TorusVector u = real_row(loop.by_input, loop.by_coupler, loop.by_output);

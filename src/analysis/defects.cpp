@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/triangle.hpp"
-#include "linkwright/analysis/driver_order.hpp"
+#include "linkwright/analysis/driver_sequence.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::array<std::string_view, 4> sense_names = {"", "ccw", "cw", "either"};
 
-struct SideLink {
+struct GroundedLink {
   Point center, circle;
   std::vector<Point> arm;  // from centre to circle point at each pose
 };
 
-SideLink side_link(Point center, Point circle, std::span<const PrescribedPose> poses) {
-  SideLink link{center, circle, {}};
+GroundedLink grounded_link(Point center, Point circle, std::span<const PrescribedPose> poses) {
+  GroundedLink link{center, circle, {}};
   for (const PrescribedPose& pose : poses)
     link.arm.push_back(displaced(circle, poses.front().pose, pose.pose) - center);
   return link;
@@ -36,7 +36,7 @@ double& only(double& value) { return value; }
 double& only(double (&values)[1]) { return values[0]; }
 
 template <class Side>
-void place(Side& side, const SideLink& link) {
+void place(Side& side, const GroundedLink& link) {
   only(side.center_x) = link.center.real();
   only(side.center_y) = link.center.imag();
   only(side.circle_x) = link.circle.real();
@@ -49,7 +49,7 @@ void place(Side& side, const SideLink& link) {
 }
 
 // From the vectors themselves: near a dead point a cosine has lost half the digits of its angle.
-double angle_at_ends(const SideLink& input, const SideLink& output) {
+double angle_at_ends(const GroundedLink& input, const GroundedLink& output) {
   const auto angle_at = [&](std::size_t j) {
     const Point coupler = (output.center + output.arm[j]) - (input.center + input.arm[j]);
     return acute(std::atan2(std::abs(cross(coupler, output.arm[j])), dot(coupler, output.arm[j])));
@@ -69,18 +69,19 @@ double angle_on_the_way(const LinkLengths& l, bool passes_0, bool passes_pi) {
 int bits(bool ccw, bool cw) { return (ccw ? isa_single::ccw_bit : 0) | (cw ? isa_single::cw_bit : 0); }
 
 template <int Poses>
-isa_single::PairVerdict<1> verdict(const SideLink& input, const SideLink& output, const DriverOrder& order) {
+isa_single::PairVerdict<1> verdict(const GroundedLink& input, const GroundedLink& output, const DriverSequence& order) {
   isa_single::Driver<Poses> driver{};
   isa_single::DrivenLinks<Poses, 1> driven{};
   place(driver, input);
   place(driven, output);
-  driver.senses = bits(order.ccw, order.cw);
-  driver.wide = bits(order.is_wide_ccw(), order.is_wide_cw());
+  driver.admissible_directions = bits(order.ccw, order.cw);
+  driver.at_least_half_turn = bits(order.is_at_least_half_turn_ccw(), order.is_at_least_half_turn_cw());
   return isa_single::pair_verdict<1>(driver, driven, 0, isa_single::distances<1>(driver, driven, 0),
                                      tolerance::change_point);
 }
 
-isa_single::PairVerdict<1> verdict_of(const SideLink& input, const SideLink& output, const DriverOrder& order) {
+isa_single::PairVerdict<1> verdict_of(const GroundedLink& input, const GroundedLink& output,
+                                      const DriverSequence& order) {
   switch (input.arm.size()) {
     case 1:
       return verdict<1>(input, output, order);
@@ -107,9 +108,9 @@ DriveSense drive_sense(bool ccw, bool cw) {
 
 DefectReport find_defects(const FourBar& four_bar, std::span<const PrescribedPose> poses, bool respect_direction) {
   require(!poses.empty() && poses.size() <= 5, "one to five poses are judged");
-  const SideLink input = side_link(four_bar.input_center, four_bar.input_circle, poses);
-  const SideLink output = side_link(four_bar.output_center, four_bar.output_circle, poses);
-  const DriverOrder order = driver_order(input.center, four_bar.input_circle, poses, respect_direction);
+  const GroundedLink input = grounded_link(four_bar.input_center, four_bar.input_circle, poses);
+  const GroundedLink output = grounded_link(four_bar.output_center, four_bar.output_circle, poses);
+  const DriverSequence order = driver_sequence(input.center, four_bar.input_circle, poses, respect_direction);
   const auto v = verdict_of(input, output, order);
   DefectReport report;
   report.type = static_cast<LinkageType>(v.type);

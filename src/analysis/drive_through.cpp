@@ -101,7 +101,7 @@ class Tracer {
 
   void walk() {
     Strand here = strand_at(start_);
-    for (int i = 0; steps_ < options_.most_steps && !circuit_.closed; ++i, ++steps_) {
+    for (int i = 0; steps_ < options_.max_steps && !circuit_.closed; ++i, ++steps_) {
       const auto next = step(here, i > 0);
       if (!next) break;
       here = *next;
@@ -155,7 +155,7 @@ class Tracer {
       const auto along = distance_to(target.configuration, here, length);
       if (!along) continue;
       const auto point = curve_.advanced(here, *along, options_.corrector);
-      const double most = std::min(options_.miss, here.reach / 4);
+      const double most = std::min(options_.pose_tolerance, here.reach / 4);
       if (point && norm(shortest_way(*point, target.configuration)) <= most)
         meet(target, strand_at(*point), *along, here);
     }
@@ -194,8 +194,8 @@ class Tracer {
                            wanted.output_circle / rates_norm(wanted) - share * found.output_circle / rates_norm(found)};
     const double error = lengths > 0 ? std::atan2(rates_norm(aside), std::abs(share)) : pi / 2;
     circuit_.worst_direction_error = std::max(circuit_.worst_direction_error, error);
-    meeting.forwards = error <= options_.miss && way_ * along > 0;
-    meeting.backwards = error <= options_.miss && way_ * along < 0;
+    meeting.forwards = error <= options_.pose_tolerance && way_ * along > 0;
+    meeting.backwards = error <= options_.pose_tolerance && way_ * along < 0;
   }
 
   ConfigurationCurve curve_;

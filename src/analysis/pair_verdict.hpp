@@ -1,7 +1,7 @@
 #pragma once
 
-// The verdict over one pair of side links, or several at once: type, defects and what ranks it, by sign tests alone.
-// docs/theory/planar.md derives them. One source for find_defects (one pair) and for the region kernels (packs).
+// The verdict over one pair of grounded links, or several at once: type, defects and what ranks it, by sign tests
+// alone. docs/theory/planar.md derives them. One source for find_defects (one pair) and for the region kernels (packs).
 //
 // Neighbours on a map mostly share their fate, so what no lane of a pack asks for is left out; what is left out never
 // shows in the verdict.
@@ -13,17 +13,17 @@ namespace linkwright::LINKWRIGHT_ISA {
 /// Senses of rotation, as bits.
 inline constexpr int ccw_bit = 1, cw_bit = 2;
 
-/// A driving side link at each pose; everything that does not depend on the partner.
+/// A driving link at each pose; everything that does not depend on the partner.
 template <int Poses>
 struct Driver {
   double center_x, center_y, length;
   double circle_x, circle_y;          ///< circle point at the first pose
   double arm_x[Poses], arm_y[Poses];  ///< from the centre to the circle point
-  int senses;                         ///< turning that way, the poses come in order within one turn
-  int wide;                           ///< turning that way, half a turn or more from first to last pose
+  int admissible_directions;          ///< turning that way, the poses come in order within one turn
+  int at_least_half_turn;             ///< turning that way, half a turn or more from first to last pose
 };
 
-/// `Count` other side links at each pose.
+/// `Count` other grounded links at each pose.
 template <int Poses, int Count>
 struct DrivenLinks {
   double center_x[Count], center_y[Count], length[Count];
@@ -178,11 +178,12 @@ struct Travel {
 /// The turn from one arm to another in one sense. `turn_in`, `turn_out`: vector products of the frame's direction with
 /// the arm that comes first and last when turning counter-clockwise. An arm exactly along the frame is on neither side.
 template <int Width, class Real = typename Pack<Width>::Real>
-LINKWRIGHT_INLINE Travel<Width> travel(Real turn_in, Real turn_out, bool wide, const DriverLimits<Width>& limits) {
+LINKWRIGHT_INLINE Travel<Width> travel(Real turn_in, Real turn_out, bool at_least_half_turn,
+                                       const DriverLimits<Width>& limits) {
   const Mask in_negative = less<Width>(turn_in, Real{}), in_positive = less<Width>(Real{}, turn_in);
   const Mask out_negative = less<Width>(turn_out, Real{}), out_positive = less<Width>(Real{}, turn_out);
-  const Mask passes_0 = wide ? in_negative | out_positive : in_negative & out_positive;
-  const Mask passes_pi = wide ? in_positive | out_negative : in_positive & out_negative;
+  const Mask passes_0 = at_least_half_turn ? in_negative | out_positive : in_negative & out_positive;
+  const Mask passes_pi = at_least_half_turn ? in_positive | out_negative : in_positive & out_negative;
   const Mask blocked = (passes_0 & ~limits.can_pass_0) | (passes_pi & ~limits.can_pass_pi);
   const Real worst_0 = where<Width>(passes_0, limits.worst_0), worst_pi = where<Width>(passes_pi, limits.worst_pi);
   return {negated<Width>(blocked), passes_0, passes_pi, larger(limits.worst_at_ends, larger(worst_0, worst_pi))};
@@ -215,17 +216,21 @@ LINKWRIGHT_INLINE PairVerdict<Width> pair_verdict(const Driver<Poses>& driver, c
   };
   const Real worst_0 = magnitude<Width>(still + swing), worst_pi = magnitude<Width>(still - swing);
   Travel<Width> ccw, cw, best;
-  if (driver.senses && lost.branch != all_lanes<Width>) {
+  if (driver.admissible_directions && lost.branch != all_lanes<Width>) {
     const Real first_turn = pairs.at_input_center(0), last_turn = pairs.at_input_center(Poses - 1);
     const DriverLimits<Width> limits = {s.input_meets_frame(), s.p3, larger(at_pose(0), at_pose(Poses - 1)), worst_0,
                                         worst_pi};
-    if (driver.senses & ccw_bit) ccw = travel<Width>(first_turn, last_turn, driver.wide & ccw_bit, limits);
-    if (driver.senses & cw_bit) cw = travel<Width>(last_turn, first_turn, driver.wide & cw_bit, limits);
-    best = driver.senses == ccw_bit ? ccw : driver.senses == cw_bit ? cw : better(ccw, cw);
+    if (driver.admissible_directions & ccw_bit)
+      ccw = travel<Width>(first_turn, last_turn, driver.at_least_half_turn & ccw_bit, limits);
+    if (driver.admissible_directions & cw_bit)
+      cw = travel<Width>(last_turn, first_turn, driver.at_least_half_turn & cw_bit, limits);
+    best = driver.admissible_directions == ccw_bit  ? ccw
+           : driver.admissible_directions == cw_bit ? cw
+                                                    : better(ccw, cw);
   }
   const Mask in_order = ccw.possible | cw.possible;
   // A change point between the poses stops the drive like a dead point.
-  if (driver.senses) lost.branch |= s.change_point & ~in_order;
+  if (driver.admissible_directions) lost.branch |= s.change_point & ~in_order;
   const Mask lost_order = negated<Width>(lost.branch | in_order);
 
   PairVerdict<Width> verdict;

@@ -42,34 +42,34 @@ int inversions(const std::vector<int>& order) {
 }
 
 /// The travel in one sense: input turns at the poses, and the poses on the branch in the order of their turns.
-struct Way {
+struct Traversal {
   std::vector<double> turn;
   std::vector<int> order;
 };
 
-Way way_of(const PoseVisits& visits, const std::vector<double>& input_angles, double sense) {
-  Way way;
+Traversal traversal_of(const PoseVisits& visits, const std::vector<double>& input_angles, double sense) {
+  Traversal traversal;
   const double middle = (visits.travel.from + visits.travel.to) / 2;
   for (std::size_t j = 0; j < input_angles.size(); ++j) {
     const double plain = sense * (input_angles[j] - input_angles[0]);
     if (visits.full_turn) {
-      way.turn.push_back(j == 0 ? 0 : wrap_positive(plain));
+      traversal.turn.push_back(j == 0 ? 0 : wrap_positive(plain));
     } else {
       // The travel lies about its middle by less than half a turn either way.
       const double in_range = middle + wrap_signed(input_angles[j] - middle);
       const double first = middle + wrap_signed(input_angles[0] - middle);
-      way.turn.push_back(sense * (std::clamp(in_range, visits.travel.from, visits.travel.to) -
-                                  std::clamp(first, visits.travel.from, visits.travel.to)));
+      traversal.turn.push_back(sense * (std::clamp(in_range, visits.travel.from, visits.travel.to) -
+                                        std::clamp(first, visits.travel.from, visits.travel.to)));
     }
-    if (visits.on_branch[j]) way.order.push_back(static_cast<int>(j));
+    if (visits.on_branch[j]) traversal.order.push_back(static_cast<int>(j));
   }
-  const auto passed_at = [&](int pose) { return std::pair(way.turn[static_cast<std::size_t>(pose)], pose); };
-  std::sort(way.order.begin(), way.order.end(), [&](int i, int j) { return passed_at(i) < passed_at(j); });
-  return way;
+  const auto passed_at = [&](int pose) { return std::pair(traversal.turn[static_cast<std::size_t>(pose)], pose); };
+  std::sort(traversal.order.begin(), traversal.order.end(), [&](int i, int j) { return passed_at(i) < passed_at(j); });
+  return traversal;
 }
 
-double last_turn(const Way& way) {
-  return way.order.empty() ? 0 : way.turn[static_cast<std::size_t>(way.order.back())];
+double last_turn(const Traversal& traversal) {
+  return traversal.order.empty() ? 0 : traversal.turn[static_cast<std::size_t>(traversal.order.back())];
 }
 
 /// How many poses with derivatives the input would pass against their direction, turning in a sense.
@@ -86,16 +86,16 @@ int passed_against(const PoseVisits& visits, std::span<const PrescribedPose> pos
 }
 
 void choose_sense(PoseVisits& visits, const std::vector<double>& input_angles, std::span<const PrescribedPose> poses) {
-  const Way ccw = way_of(visits, input_angles, 1), cw = way_of(visits, input_angles, -1);
-  const auto faults = [&](const Way& way, double sense) {
-    return std::pair(inversions(way.order), passed_against(visits, poses, sense));
+  const Traversal ccw = traversal_of(visits, input_angles, 1), cw = traversal_of(visits, input_angles, -1);
+  const auto faults = [&](const Traversal& traversal, double sense) {
+    return std::pair(inversions(traversal.order), passed_against(visits, poses, sense));
   };
   visits.counter_clockwise = faults(ccw, 1) <= faults(cw, -1);
-  const Way& way = visits.counter_clockwise ? ccw : cw;
-  visits.turn = way.turn;
-  visits.order = way.order;
+  const Traversal& traversal = visits.counter_clockwise ? ccw : cw;
+  visits.turn = traversal.turn;
+  visits.order = traversal.order;
   if (visits.full_turn) {
-    const double before = (two_pi - last_turn(way)) / 2;
+    const double before = (two_pi - last_turn(traversal)) / 2;
     visits.travel = {-before, two_pi - before};
   } else {
     const double middle = (visits.travel.from + visits.travel.to) / 2;

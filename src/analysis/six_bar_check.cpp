@@ -11,9 +11,9 @@ namespace linkwright {
 namespace {
 
 using Joints = std::array<Point, SixBar::joint_count>;
-constexpr int most_unknowns = 2 * static_cast<int>(SixBar::joint_count);
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
-using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
+constexpr int max_unknowns = 2 * static_cast<int>(SixBar::joint_count);
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_unknowns, max_unknowns>;
+using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_unknowns, 1>;
 
 /// The hinges' coordinates under the constraints that bodies set: a distance, and where a third hinge lies to two
 /// others.
@@ -34,9 +34,9 @@ class HingeSystem {
 
   /// Hinges near `guess` with the driver turned by `turn`; nothing where Newton's method fails.
   [[nodiscard]] std::optional<Joints> solved(Joints joints, double turn) const {
-    constexpr int most_corrections = 12;
+    constexpr int max_corrections = 12;
     const double enough = 1e-9 * size_;  // the next correction would be its square
-    for (int i = 0; i < most_corrections; ++i) {
+    for (int i = 0; i < max_corrections; ++i) {
       const auto [jacobian, error] = equations(joints, turn);
       const Vector change = jacobian.partialPivLu().solve(-error);
       if (!change.allFinite()) return std::nullopt;
@@ -175,13 +175,13 @@ class Drive {
 
   SixBarCheck run() && {
     constexpr double shortest_step = 1e-7;
-    constexpr std::size_t most_states = 100'000;  // thousands are many; each step is noted
+    constexpr std::size_t max_states = 100'000;  // thousands are many; each step is noted
     note(joints_, 0, 0);
     double step = options_.step;
     while (two_pi - std::abs(turn_) > shortest_step &&
-           (options_.to_the_end || check_.visited.size() + 1 < targets_.size())) {
+           (options_.full_travel || check_.visited.size() + 1 < targets_.size())) {
       step = std::min(step, two_pi - std::abs(turn_));
-      if (check_.states.size() >= most_states) {
+      if (check_.states.size() >= max_states) {
         check_.stopped = true;
         break;
       }
@@ -242,17 +242,17 @@ class Drive {
       way = std::max(way, std::abs(to[i] - from[i]));
       off = std::max(off, std::abs(target.hinges[i] - from[i]));
     }
-    return off <= 2 * way + options_.miss * system_.size();
+    return off <= 2 * way + options_.pose_tolerance * system_.size();
   }
 
   /// Turns the driver, from here on and at most half a step beyond the step, to where the guided body is nearest to the
   /// target (Gauss–Newton): is it there?
   bool comes_to(const HingeTarget& target, double step) {
-    constexpr int most_corrections = 30;
+    constexpr int max_corrections = 30;
     constexpr double beyond = 0.5;
     Joints at = joints_;
     double turn = 0;
-    for (int i = 0; i < most_corrections; ++i) {
+    for (int i = 0; i < max_corrections; ++i) {
       const auto rates = system_.rates(at, turn_ + turn);
       if (!rates) return false;
       const auto here = body(at), rate = body(rates->velocity);
@@ -264,17 +264,17 @@ class Drive {
       }
       const double change = square > 0 ? along / square : 0;
       if (std::abs(change) < 1e-12) {
-        if (off > options_.miss * system_.size()) return false;
+        if (off > options_.pose_tolerance * system_.size()) return false;
         check_.worst_pose = std::max(check_.worst_pose, off / system_.size());
         note(at, turn_ + turn, static_cast<int>(&target - targets_.data()));
         return true;
       }
       if ((turn + change) * sense_ < -beyond * step || (turn + change) * sense_ > (1 + beyond) * step) return false;
       // Shortly before a dead point the whole correction may lead beyond it.
-      constexpr int most_halvings = 10;
+      constexpr int max_halvings = 10;
       std::optional<Joints> next;
       double part = change;
-      for (int k = 0; k < most_halvings && !next; ++k, part /= next ? 1 : 2)
+      for (int k = 0; k < max_halvings && !next; ++k, part /= next ? 1 : 2)
         next = system_.solved(at, turn_ + turn + part);
       if (!next) return false;
       turn += part;

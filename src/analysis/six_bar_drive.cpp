@@ -130,7 +130,7 @@ void Walker::meet(const SixBarStrand& here, const TurnVector& ahead, double leng
     if (!along) continue;
     const auto point = corrected(loops_, stepped(here.turns, times(*along, ahead)), accuracy);
     if (!point) continue;
-    if (!(norm(shortest_way(point->turns, wanted_[j])) <= std::min(options_.miss, here.reach / 4))) continue;
+    if (!(norm(shortest_way(point->turns, wanted_[j])) <= std::min(options_.pose_tolerance, here.reach / 4))) continue;
     walk.meetings[j] = PositionMet{walk.length + *along, walk.turn + turn_between(here.turns, wanted_[j])};
   }
 }
@@ -142,7 +142,7 @@ std::optional<Walk> Walker::walk(int sense, Until until) const {
   const bool home_positive = here->positive();
   const double along_tangent = (home_positive ? 1 : -1) * sense;
   Walk walk(wanted_.size());
-  for (; walk.steps < options_.most_steps; ++walk.steps) {
+  for (; walk.steps < options_.max_steps; ++walk.steps) {
     if (!(here->reach > tolerance::crossing_strands_radius)) return std::nullopt;
     if (until == Until::dead_point) walk.samples.push_back({walk.length, sines_of(loops_, here->values)});
     const TurnVector ahead = times(along_tangent, here->tangent);
@@ -176,11 +176,11 @@ SixBarDriveReport free_of_defects(const Walker& walker, const Walk& walk, int se
   report.completed = true;
   report.sense = sense > 0 ? DriveSense::ccw : DriveSense::cw;
   report.sweep = std::abs(last.turn);
-  report.least_sines = walker.sines_at_wanted();
+  report.min_sines = walker.sines_at_wanted();
   for (const Sample& sample : walk.samples)
     if (sample.arc <= last.arc)
-      for (std::size_t i = 0; i < 2; ++i) report.least_sines[i] = std::min(report.least_sines[i], sample.sine[i]);
-  report.least_sine = std::min(report.least_sines[0], report.least_sines[1]);
+      for (std::size_t i = 0; i < 2; ++i) report.min_sines[i] = std::min(report.min_sines[i], sample.sine[i]);
+  report.min_sine = std::min(report.min_sines[0], report.min_sines[1]);
   return report;
 }
 
@@ -233,7 +233,7 @@ SixBarDriveReport drive(const Walker& walker, int sense, bool circuits) {
 
 }  // namespace
 
-std::optional<double> sine_at_most(const SixBar& six_bar, std::span<const SixBarTurns> wanted) {
+std::optional<double> sine_upper_bound(const SixBar& six_bar, std::span<const SixBarTurns> wanted) {
   if (wanted.empty()) return std::nullopt;
   const Walker walker(six_bar, wanted, {});
   if (!walker.signs_agree()) return std::nullopt;

@@ -28,7 +28,7 @@ LinearForm operator-(LinearForm x, const LinearForm& y) {
 }
 
 /// The point of `body` that lies at `point` in position 1, reached from the ground along the chain, or from the body
-/// that an added link hangs on.
+/// that an added link depends on.
 LinearForm point_on(const SixBar& six_bar, int body, Point point) {
   if (body == 0) {
     LinearForm form;

@@ -30,7 +30,7 @@ bool passes_in_order(const SixBarCheck& check, std::size_t poses) {
 
 }  // namespace
 
-double SixBarMotion::least_sine() const {
+double SixBarMotion::min_sine() const {
   double least = states.empty() ? 0 : 1;
   for (const SixBarMotionState& state : states) least = std::min(least, state.sine);
   return least;
@@ -52,7 +52,7 @@ SixBarTurns turns_of(const SixBar& six_bar, const std::array<Point, SixBar::join
 SixBarMotion six_bar_motion(const SixBar& six_bar, std::span<const PrescribedPose> poses, double step) {
   SixBarCheckOptions options;
   options.step = step;
-  options.to_the_end = true;
+  options.full_travel = true;
   SixBarCheck ccw = check_by_driving(six_bar, poses, +1, options);
   sort_by_travel(ccw.states);
   if (!ccw.stopped) {

@@ -11,7 +11,7 @@ namespace {
 
 using Joints = std::array<Point, SixBar::joint_count>;
 
-// The hinge by which a body hangs on the one before it.
+// The hinge by which a body depends on the one before it.
 constexpr std::array<SixBar::JointIndex, SixBar::bodies> hanging = {SixBar::a, SixBar::a,  SixBar::b,
                                                                     SixBar::d, SixBar::c4, SixBar::c5};
 
@@ -60,12 +60,12 @@ SixBarTransmission six_bar_transmission(const SixBar& six_bar, const SixBarTurns
 }
 
 std::optional<SixBarTurns> closed(const SixBar& six_bar, const SixBarTurns& guess) {
-  constexpr int most_corrections = 20;
+  constexpr int max_corrections = 20;
   constexpr double accuracy = 2e-15, enough = 1e-12;
   const SixBarLoops loops(six_bar);
   SixBarTurns turns = guess;
   double error = 1;
-  for (int step = 0; step < most_corrections; ++step) {
+  for (int step = 0; step < max_corrections; ++step) {
     const LoopValues at(loops, turns);
     error = std::max(std::abs(at.f), std::abs(at.g));
     if (error <= accuracy) return turns;

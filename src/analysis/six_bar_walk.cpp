@@ -118,10 +118,10 @@ SixBarStrand strand_at(const SixBarLoops& loops, const SixBarTurns& turns) {
 }
 
 std::optional<SixBarStrand> corrected(const SixBarLoops& loops, const SixBarTurns& turns, double accuracy) {
-  constexpr int most_corrections = 12;
+  constexpr int max_corrections = 12;
   constexpr double rounding = 1e-14;
   SixBarStrand strand = strand_at(loops, turns);
-  for (int i = 0; i < most_corrections; ++i) {
+  for (int i = 0; i < max_corrections; ++i) {
     if (!(strand.reach > 0)) return std::nullopt;
     const double size = norm(strand.correction);
     // Near singular places rounding of the loops, 1e-15, is magnified as the reach is diminished.

@@ -78,7 +78,7 @@ bool is_even(AxisQuantity quantity) {
 
 std::vector<double> candidates(const Readings& readings, AxisQuantity quantity, double length) {
   const double low = readings.values.front(), high = readings.values.back();
-  // Directions without a side link take no room: the steps are those where there are some.
+  // Directions without a grounded link take no room: the steps are those where there are some.
   if (is_even(quantity))
     return even_ticks(low, high, length * (high - low) / std::max(readings.covered(), 1e-9), closest, true);
   constexpr std::size_t few = 3;

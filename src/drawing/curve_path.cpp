@@ -8,7 +8,7 @@ namespace linkwright {
 namespace {
 
 constexpr int first_steps = 256;     // of a branch
-constexpr int most_halvings = 12;    // of a first step
+constexpr int max_halvings = 12;     // of a first step
 constexpr double longest_step = 3;   // px
 constexpr double longest_line = 60;  // px of what is seen
 
@@ -42,7 +42,7 @@ class CurveTracer {
     Sample last = sample(at(0));
     for (int step = 1; step <= first_steps; ++step) {
       const Sample next = sample(step < first_steps ? at(step) : at(0));  // branches are closed
-      connect(last, next, branch, at(step), most_halvings);
+      connect(last, next, branch, at(step), max_halvings);
       last = next;
       last.tau = at(step);
     }
@@ -130,8 +130,8 @@ std::vector<Path> paths_of(std::span<const Dyad> dyads, Homogeneous Dyad::*point
   return paths;
 }
 
-/// Two sheets meet where a direction ceases to have side links, between samples: each path goes on to the nearest end.
-/// Ends are looked through from left to right: of curves that leap from sample to sample there are thousands.
+/// Two sheets meet where a direction ceases to have grounded links, between samples: each path goes on to the nearest
+/// end. Ends are looked through from left to right: of curves that leap from sample to sample there are thousands.
 void join_ends(std::vector<Path>& paths) {
   struct End {
     Point at;

@@ -18,8 +18,8 @@ struct CurvePaths {
 [[nodiscard]] CurvePaths visible_curves(const BurmesterCurve& curve, const WorkingFrame& frame,
                                         const PlaneWindow& window);
 
-/// The pivots of side links along an axis of a map (fixed frame, by rising coordinate), joined where they follow each
-/// other on one branch.
+/// The pivots of grounded links along an axis of a map (fixed frame, by rising coordinate), joined where they follow
+/// each other on one branch.
 [[nodiscard]] CurvePaths visible_polygon(std::span<const Dyad> dyads, const PlaneWindow& window);
 
 }  // namespace linkwright

@@ -63,7 +63,7 @@ void draw_blocks(SvgCanvas& svg, const DrawnAxis& axis, const AxisPlace& place) 
   }
 }
 
-/// Of a few side links: their numbers.
+/// Of a few grounded links: their numbers.
 void draw_numbers(SvgCanvas& svg, const DrawnAxis& axis, const AxisPlace& place) {
   for (const RegionScale::Block& block : axis.scale.blocks()) {
     svg.line(place.at(block.from_px, axis_distance), place.at(block.to_px, axis_distance), stroke(axis.color, 2));

@@ -37,10 +37,10 @@ struct DrawnRegion {
 /// best linkages carry rings with their numbers. `map`: the rectangle of the cells; axes stand left of and below it.
 void draw_region(SvgCanvas& svg, const DrawnRegion& region, const PixelBox& map);
 
-/// One column only: a function without a free number.
+/// One column only: a function without a free parameter.
 [[nodiscard]] bool is_ribbon(const LinkageFamily* family);
 
-/// A few cells only: side links, or linkages, that can be counted.
+/// A few cells only: grounded links, or linkages, that can be counted.
 [[nodiscard]] bool is_board(const LinkageFamily* family);
 
 /// Cells that are linkages, with all their pivots.

@@ -20,7 +20,7 @@ class RegionScale {
     double from_px = 0, to_px = 0;    ///< from the start of the axis
   };
 
-  /// `coordinates` by rising τ, `length` px in all. `dyads`: the same samples' side links, or none.
+  /// `coordinates` by rising τ, `length` px in all. `dyads`: the same samples' grounded links, or none.
   RegionScale(const std::vector<CurveBranch>& branches, std::span<const double> coordinates,
               std::span<const Dyad> dyads, double length);
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "curve_path.hpp"
+#include "drawing/four_bar/angle_scale_figure.hpp"
 #include "drawing/four_bar/bead_figure.hpp"
-#include "drawing/four_bar/dial_figure.hpp"
 #include "drawing/four_bar/linkage_figure.hpp"
 #include "drawing/four_bar/linkage_positions.hpp"
 #include "drawing/four_bar/linkage_strip.hpp"
@@ -19,8 +19,8 @@
 namespace linkwright {
 namespace {
 
-/// Side links between the last one of an arc of directions and the arc's end, half a step on, where two sheets meet:
-/// closer and closer, as the pivots run faster and faster.
+/// Grounded links between the last one of an arc of directions and the arc's end, half a step on, where two sheets
+/// meet: closer and closer, as the pivots run faster and faster.
 void add_end_of_arc(std::vector<Dyad>& links, const ProductFamily& family, Side side, double last, double half_step) {
   constexpr int looks = 9;
   for (int k = 1; k <= looks; ++k)
@@ -71,10 +71,10 @@ std::vector<Dyad> links_along(const FourBarFamily& family, Side side) {
 }
 
 /// The nearest that keeps away from dead points, or the nearest.
-const FreedPosition* way_to_show(const MotionAnswer& answer) {
+const RelaxedPosition* way_to_show(const MotionAnswer& answer) {
   constexpr double least_angle = radians(10);
-  const FreedPosition* nearest = nullptr;
-  for (const FreedPosition& way : answer.freed) {
+  const RelaxedPosition* nearest = nullptr;
+  for (const RelaxedPosition& way : answer.relaxed) {
     if (!way.linkage) continue;
     if (way.linkage->report.min_transmission_angle > least_angle) return &way;
     if (nearest == nullptr) nearest = &way;
@@ -100,7 +100,7 @@ std::vector<Point> points_of_interest(const TaskScene& scene, double size) {
   if (scene.traced)
     for (const Point p : path_of_task(best, scene.served, *scene.traced)) points.push_back(p);
   if (scene.function)
-    for (const Point p : dial_points(best, *scene.function)) points.push_back(p);
+    for (const Point p : angle_scale_points(best, *scene.function)) points.push_back(p);
   return points;
 }
 
@@ -225,10 +225,10 @@ TaskScene task_scene(const MotionAnswer& answer) {
     if (!given.family->is_symmetric()) scene.output_links = links_along(*given.family, Side::output);
   }
   if (scene.linkage != nullptr) {
-    scene.served = task.freed ? freed_task(task, *task.freed).task.poses : task.poses;
-  } else if (const FreedPosition* way_out = way_to_show(answer); way_out != nullptr && way_out->linkage) {
+    scene.served = task.relaxed ? relaxed_task(task, *task.relaxed).task.poses : task.poses;
+  } else if (const RelaxedPosition* way_out = way_to_show(answer); way_out != nullptr && way_out->linkage) {
     scene.linkage = &*way_out->linkage;
-    scene.served = freed_task(task, way_out->pose).task.poses;
+    scene.served = relaxed_task(task, way_out->pose).task.poses;
     scene.heading = fmt::format("Alternative: without position {}", way_out->pose + 1);
   }
   if (!scene.served.empty()) scene.traced = scene.served.front().pose.origin;
@@ -270,7 +270,8 @@ void draw_task_scene(SvgCanvas& svg, const TaskScene& scene, const Problem& prob
   draw_bead_links(svg, window, frame, scene.beads);
   if (scene.linkage != nullptr) draw_motion(svg, scene, window);
   if (scene.linkage != nullptr) draw_bars(svg, window, scene.linkage->four_bar);
-  if (scene.linkage != nullptr && scene.function) draw_dials(svg, window, scene.linkage->four_bar, *scene.function);
+  if (scene.linkage != nullptr && scene.function)
+    draw_angle_scales(svg, window, scene.linkage->four_bar, *scene.function);
   draw_frames(svg, scene, window);
   std::vector<Point> origins;
   for (const PrescribedPose& pose : scene.frames) origins.push_back(window.to_px(pose.pose.origin));

@@ -19,9 +19,9 @@ struct TaskScene {
   const FourBarSolution* linkage = nullptr;     ///< the best one, or the nearest way out
   std::vector<PrescribedPose> served;           ///< what its coupler visits; it lies in the first
   std::optional<Point> traced;                  ///< point of the coupler there whose path is drawn
-  std::vector<Dyad> beads;                      ///< a few side links
-  std::optional<FunctionTask> function;         ///< the linkage's own, its free number fixed
-  std::shared_ptr<const BurmesterCurve> curve;  ///< of side links, or of couplers
+  std::vector<Dyad> beads;                      ///< a few grounded links
+  std::optional<FunctionTask> function;         ///< the linkage's own, its free parameter fixed
+  std::shared_ptr<const BurmesterCurve> curve;  ///< of grounded links, or of couplers
   WorkingFrame curve_frame;                     ///< its frame
   std::vector<Dyad> input_links, output_links;  ///< along the axes of the map, where there is no curve
 };

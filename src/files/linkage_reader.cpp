@@ -23,7 +23,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::size_t most_poses = 5;  // what find_defects judges
+constexpr std::size_t max_poses = 5;  // what find_defects judges
 
 bool in_range(Point point) {
   return std::abs(point.real()) <= largest_number && std::abs(point.imag()) <= largest_number;
@@ -102,7 +102,7 @@ std::optional<FourBar> read_dyads(const JsonObject& element, const JsonValue& va
   std::vector<Point> points;
   for (const std::string_view side : {"input", "output"}) {
     const auto found =
-        element.require(side, {"side_link", "a side link {\"center_point\": [x, y], \"circle_point\": [x, y]}"});
+        element.require(side, {"side_link", "a grounded link {\"center_point\": [x, y], \"circle_point\": [x, y]}"});
     if (!found) continue;
     const JsonObject dyad(*found, mistakes, {});
     for (const std::string_view key : {"center_point", "circle_point"}) {
@@ -136,9 +136,9 @@ std::optional<FourBar> read_four_bar(const JsonValue& value, Mistakes& mistakes)
 }
 
 void read_linkage_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
-  if (value.json().is_array() && value.json().size() > most_poses) {
-    value.mistake("poses_read", fmt::format("at most {} poses are read; remove the others", most_poses),
-                  {{"most", most_poses}});
+  if (value.json().is_array() && value.json().size() > max_poses) {
+    value.mistake("poses_read", fmt::format("at most {} poses are read; remove the others", max_poses),
+                  {{"most", max_poses}});
     return;
   }
   value.for_each({"poses", "a list of poses"}, [&](const JsonValue& item) {
@@ -204,7 +204,7 @@ Result<StoredLinkage> as_four_bar(AnyStoredLinkage linkage) {
 }  // namespace
 
 Result<AnyStoredLinkage> read_any_linkage(std::string_view text) {
-  const auto tree = parse_json(text, {.most_bytes = most_result_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
+  const auto tree = parse_json(text, {.max_bytes = max_result_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
   if (!tree) return tree.errors();
   Mistakes mistakes;
   const JsonValue root(*tree, "", mistakes);
@@ -233,7 +233,7 @@ Result<StoredLinkage> read_linkage(std::string_view text) {
 }
 
 Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view text) {
-  const auto tree = parse_json(text, {.most_bytes = most_result_bytes,
+  const auto tree = parse_json(text, {.max_bytes = max_result_bytes,
                                       .deepest_nesting = deepest_nesting,
                                       .kept = {"linkwright", "problem", "linkages", "task", "lengths", "pivots"}});
   if (!tree) return tree.errors();

@@ -46,7 +46,7 @@ std::string write_linkage(const StoredSixBar& linkage) {
   return written(linkage, [&linkage](JsonWriter& json) {
     json.begin_object();
     json.member("mechanism", "six_bar");
-    write_make_up(json, linkage.six_bar, linkage.elbow, {});
+    write_make_up(json, linkage.six_bar, linkage.assembly_mode, {});
     json.end_object();
   });
 }

@@ -154,7 +154,7 @@ void read_problem_members(const JsonObject& file, Mistakes& mistakes, Problem& p
 }  // namespace
 
 Result<Problem> read_problem(std::string_view text) {
-  const auto tree = parse_json(text, {.most_bytes = most_file_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
+  const auto tree = parse_json(text, {.max_bytes = max_file_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
   if (!tree) return tree.errors();
 
   Mistakes mistakes;
@@ -172,7 +172,7 @@ Result<Problem> read_problem(std::string_view text) {
 }
 
 Result<Problem> read_problem_file(const std::filesystem::path& path) {
-  const auto text = read_text_file(path, most_file_bytes);
+  const auto text = read_text_file(path, max_file_bytes);
   return text ? read_problem(*text) : Result<Problem>(text.errors());
 }
 

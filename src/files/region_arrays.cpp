@@ -62,7 +62,7 @@ void write_region_arrays(JsonWriter& json, const RegionMap& region) {
   RegionMap empty;  // of a task without a map, whose columns are there all the same
   if (region.measures().empty()) empty.lay({}, {}, planar_measures, false, {});
   const RegionMap& shown = region.measures().empty() ? empty : region;
-  for (const Measure& measure : shown.told_measures()) write_property(json, shown, measure);
+  for (const Measure& measure : shown.reported_measures()) write_property(json, shown, measure);
   json.end_object();
 }
 

@@ -26,7 +26,7 @@ PlaneCubic cubic_of(const PoseConditions& conditions, const std::vector<Homogene
   return determinant_cubic(of_centers ? transposed(three) : three);
 }
 
-const std::vector<HomogeneousMatrix>& seen_rows(const PoseConditions& conditions) {
+const std::vector<HomogeneousMatrix>& solving_rows(const PoseConditions& conditions) {
   return conditions.near_pole ? conditions.near_pole->rows : conditions.rows;
 }
 
@@ -79,24 +79,24 @@ double run_between(const Dyad& a, const Dyad& b) {
 
 }  // namespace
 
-BurmesterCurve::Seen::Seen(const PoseConditions& asked, const std::vector<HomogeneousMatrix>& rows)
+BurmesterCurve::SolvingFrame::SolvingFrame(const PoseConditions& asked, const std::vector<HomogeneousMatrix>& rows)
     : conditions(first_three(rows)),
       circle_curve(cubic_of(asked, rows, false)),
       center_curve(cubic_of(asked, rows, true)) {}
 
 BurmesterCurve::BurmesterCurve(const PoseConditions& conditions)
-    : view_(conditions.near_pole ? std::optional(conditions.near_pole->frame) : std::nullopt),
-      seen_(conditions, seen_rows(conditions)),
+    : pole_frame_(conditions.near_pole ? std::optional(conditions.near_pole->frame) : std::nullopt),
+      solving_(conditions, solving_rows(conditions)),
       circle_curve_(cubic_of(conditions, conditions.rows, false)),
       center_curve_(cubic_of(conditions, conditions.rows, true)),
-      branches_(seen_.circle_curve.branches()) {
+      branches_(solving_.circle_curve.branches()) {
   if (kind() != CubicKind::every_point) find_partner_lines();
 }
 
 void BurmesterCurve::find_partner_lines() {
   const double first = coordinate_length();
-  for (const Homogeneous circle : seen_.circle_curve.double_points()) {
-    const auto rows = dyad_system(seen_.conditions, circle);
+  for (const Homogeneous circle : solving_.circle_curve.double_points()) {
+    const auto rows = dyad_system(solving_.conditions, circle);
     const Homogeneous longest =
         *std::max_element(rows.begin(), rows.end(), [](Homogeneous a, Homogeneous b) { return dot(a, a) < dot(b, b); });
     double independent = 0;
@@ -113,24 +113,24 @@ void BurmesterCurve::find_partner_lines() {
   }
 }
 
-Homogeneous BurmesterCurve::to_seen(Homogeneous working) const {
-  return view_ ? normalized(view_->to_working(working)) : working;
+Homogeneous BurmesterCurve::to_solving_frame(Homogeneous working) const {
+  return pole_frame_ ? normalized(pole_frame_->to_working(working)) : working;
 }
 
 Homogeneous BurmesterCurve::to_working(Homogeneous seen) const {
-  return view_ ? normalized(view_->to_user(seen)) : seen;
+  return pole_frame_ ? normalized(pole_frame_->to_user(seen)) : seen;
 }
 
 Homogeneous BurmesterCurve::center_of(Homogeneous circle) const {
-  return to_working(null_vector(dyad_system(seen_.conditions, to_seen(circle))));
+  return to_working(null_vector(dyad_system(solving_.conditions, to_solving_frame(circle))));
 }
 
 Homogeneous BurmesterCurve::circle_of(Homogeneous center) const {
-  return to_working(null_vector(dyad_system(transposed(seen_.conditions), to_seen(center))));
+  return to_working(null_vector(dyad_system(transposed(solving_.conditions), to_solving_frame(center))));
 }
 
 std::optional<double> BurmesterCurve::coordinate_of(Homogeneous circle) const {
-  return seen_.circle_curve.coordinate_of(to_seen(circle));
+  return solving_.circle_curve.coordinate_of(to_solving_frame(circle));
 }
 
 Dyad BurmesterCurve::dyad(double tau) const {
@@ -145,17 +145,18 @@ Dyad BurmesterCurve::dyad(double tau) const {
     const double t = pi * (on_curve - own_length - static_cast<double>(which));
     return {to_working(std::cos(t) * line.from + std::sin(t) * line.to), to_working(line.circle), on_curve};
   }
-  Homogeneous circle = seen_.circle_curve.point(on_curve);
-  Homogeneous center = null_vector(dyad_system(seen_.conditions, circle));
+  Homogeneous circle = solving_.circle_curve.point(on_curve);
+  Homogeneous center = null_vector(dyad_system(solving_.conditions, circle));
   for (int step = 0; step < 2; ++step)
-    if (!newton_step(seen_.conditions, circle, center)) break;
+    if (!newton_step(solving_.conditions, circle, center)) break;
   return {to_working(center), to_working(circle), on_curve};
 }
 
 double BurmesterCurve::residual(const Dyad& dyad) const {
-  const Homogeneous circle = normalized(to_seen(dyad.circle)), center = normalized(to_seen(dyad.center));
+  const Homogeneous circle = normalized(to_solving_frame(dyad.circle)),
+                    center = normalized(to_solving_frame(dyad.center));
   double worst = 0;
-  for (const HomogeneousMatrix& m : seen_.conditions) worst = std::max(worst, std::abs(dot(circle, m * center)));
+  for (const HomogeneousMatrix& m : solving_.conditions) worst = std::max(worst, std::abs(dot(circle, m * center)));
   return worst;
 }
 
@@ -170,12 +171,12 @@ std::vector<double> BurmesterCurve::samples(int count, Spacing spacing) const {
 
 /// Where one of the two points passes infinity: excursions of the curve lead there, however short in τ.
 std::vector<Dyad> BurmesterCurve::dyads_at_infinity() const {
-  const CircularCubic &circles = seen_.circle_curve, &centers = seen_.center_curve;
+  const CircularCubic &circles = solving_.circle_curve, &centers = solving_.center_curve;
   std::vector<Dyad> found;
   if (const auto asymptote = circles.asymptote())
     found.push_back(dyad(*circles.coordinate_of(Homogeneous::at_infinity((*asymptote)[1]))));
   if (const auto asymptote = centers.asymptote(); asymptote && circles.kappa()) {
-    const auto rows = dyad_system(transposed(seen_.conditions), Homogeneous::at_infinity((*asymptote)[1]));
+    const auto rows = dyad_system(transposed(solving_.conditions), Homogeneous::at_infinity((*asymptote)[1]));
     found.push_back(dyad(*circles.coordinate_of(null_vector(rows))));
   }
   return found;
@@ -219,9 +220,9 @@ void BurmesterCurve::walk(int first_sides, double longest_side, const Visit& vis
   }
 }
 
-BurmesterCurve::Run BurmesterCurve::run(double longest_side) const {
+BurmesterCurve::ArcLengthTable BurmesterCurve::arc_length_table(double longest_side) const {
   constexpr int first_sides = 256;
-  Run run;
+  ArcLengthTable run;
   double total = 0;
   walk(first_sides, longest_side, [&](const Dyad& dyad, double length) {
     total += length;
@@ -239,7 +240,7 @@ std::vector<Dyad> BurmesterCurve::polygon(double longest_side) const {
 }
 
 std::vector<double> BurmesterCurve::evenly_by_length(int count) const {
-  const auto [tau, run] = this->run();
+  const auto [tau, run] = this->arc_length_table();
   std::vector<double> coordinates;
   std::size_t side = 1;
   for (int i = 0; i < count; ++i) {

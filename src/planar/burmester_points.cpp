@@ -72,9 +72,9 @@ struct Linearized {
 
 // Newton on the conditions themselves for as long as it helps.
 Dyad polished(const PoseConditions& conditions, Dyad dyad) {
-  constexpr int most_steps = 4;
+  constexpr int max_steps = 4;
   double residual = residual_of(conditions, dyad);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const Dyad next = Linearized(conditions, dyad).corrected(dyad);
     const double then = residual_of(conditions, next);
     if (!(then < residual)) break;

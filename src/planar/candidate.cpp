@@ -11,21 +11,21 @@ bool is_locked(const DefectReport& report) { return report.min_transmission_angl
 
 }  // namespace
 
-double Judge::largest_coordinate() const {
+double CellEvaluator::largest_coordinate() const {
   return std::max(family_.axis(Side::input).coordinate_length(), family_.axis(Side::output).coordinate_length());
 }
 
-std::optional<Candidate> Judge::candidate(MapPoint place) const {
-  const auto links = family_.side_links(place);
-  return links ? judged(place, *links) : std::nullopt;
+std::optional<Candidate> CellEvaluator::candidate(MapPoint place) const {
+  const auto links = family_.dyad_pair(place);
+  return links ? evaluated(place, *links) : std::nullopt;
 }
 
-std::optional<Candidate> Judge::candidate(MapPoint place, const SideLinks& known) const {
-  const auto links = family_.side_links_beside(place, known);
-  return links ? judged(place, *links) : std::nullopt;
+std::optional<Candidate> CellEvaluator::candidate(MapPoint place, const DyadPair& known) const {
+  const auto links = family_.dyad_pair_reusing(place, known);
+  return links ? evaluated(place, *links) : std::nullopt;
 }
 
-std::optional<Candidate> Judge::judged(MapPoint place, const SideLinks& links) const {
+std::optional<Candidate> CellEvaluator::evaluated(MapPoint place, const DyadPair& links) const {
   const Requirements& wanted = requirements_;
   const auto four_bar = four_bar_of(links);
   if (!four_bar || !is_within(family_, window_, place)) return std::nullopt;
@@ -48,13 +48,13 @@ std::optional<Candidate> Judge::judged(MapPoint place, const SideLinks& links) c
   return Candidate{place, links, bars, report, score, false};
 }
 
-bool Judge::inside(const std::optional<Box>& box, Point p, Point q) const {
+bool CellEvaluator::inside(const std::optional<Box>& box, Point p, Point q) const {
   return !box || (box->contains(family_.frame().to_user(p)) && box->contains(family_.frame().to_user(q)));
 }
 
-Candidate Judge::from_better_side(const Candidate& here) const {
+Candidate CellEvaluator::from_better_side(const Candidate& here) const {
   if (!family_.is_symmetric()) return here;
-  auto there = judged({here.place.output, here.place.input}, {here.links.output, here.links.input});
+  auto there = evaluated({here.place.output, here.place.input}, {here.links.output, here.links.input});
   if (!there) return here;
   there->local_optimum = here.local_optimum;
   if (here.report.defects.none() != there->report.defects.none()) return here.report.defects.none() ? here : *there;

@@ -17,7 +17,7 @@ namespace linkwright {
 /// A linkage that meets the requirements. Working frame.
 struct Candidate {
   MapPoint place;
-  SideLinks links;
+  DyadPair links;
   FourBar bars;
   DefectReport report;
   double score = 0;  ///< as score_of
@@ -25,11 +25,11 @@ struct Candidate {
 };
 
 /// Judges any place of the map by the same rules as its cells. Refers to the family, which must outlive it.
-class Judge {
+class CellEvaluator {
  public:
   /// `requirements` with both lengths set. Places outside `window` are refused; nothing: none.
-  Judge(const FourBarFamily& family, const Requirements& requirements, Objective objective,
-        std::optional<MapWindow> window = {})
+  CellEvaluator(const FourBarFamily& family, const Requirements& requirements, Objective objective,
+                std::optional<MapWindow> window = {})
       : family_(family), requirements_(requirements), objective_(objective), window_(window) {}
 
   [[nodiscard]] const FourBarFamily& family() const { return family_; }
@@ -37,15 +37,15 @@ class Judge {
 
   /// The linkage at a place, or nothing where it does not meet the requirements or lies outside the window.
   [[nodiscard]] std::optional<Candidate> candidate(MapPoint place) const;
-  /// The same; of side links known already those serve again whose coordinates are the place's.
-  [[nodiscard]] std::optional<Candidate> candidate(MapPoint place, const SideLinks& known) const;
+  /// The same; of grounded links known already those serve again whose coordinates are the place's.
+  [[nodiscard]] std::optional<Candidate> candidate(MapPoint place, const DyadPair& known) const;
 
   /// The same bars driven from the better side that meets the requirements: no defects, score, transmission angle,
   /// smaller coordinate; as they are where the family names the input.
   [[nodiscard]] Candidate from_better_side(const Candidate& here) const;
 
  private:
-  [[nodiscard]] std::optional<Candidate> judged(MapPoint place, const SideLinks& links) const;
+  [[nodiscard]] std::optional<Candidate> evaluated(MapPoint place, const DyadPair& links) const;
   [[nodiscard]] bool inside(const std::optional<Box>& box, Point p, Point q) const;
 
   const FourBarFamily& family_;
@@ -54,7 +54,7 @@ class Judge {
   std::optional<MapWindow> window_;
 };
 
-/// A search stops where the type would hang on this share of the perimeter: near a change point the numbers look best
+/// A search stops where the type would depend on this share of the perimeter: near a change point the numbers look best
 /// and a workshop's tolerances decide what the linkage does.
 inline constexpr double buildable_margin = 1e-3;
 
@@ -64,7 +64,8 @@ inline constexpr double buildable_margin = 1e-3;
 /// The two axes of a family, the one whose coordinate is dearer to change first, as a climb takes them.
 class OrderedAxes {
  public:
-  explicit OrderedAxes(const FourBarFamily& family) : family_(family), swapped_(family.dearer_side() == Side::output) {}
+  explicit OrderedAxes(const FourBarFamily& family)
+      : family_(family), swapped_(family.costlier_side() == Side::output) {}
 
   [[nodiscard]] std::array<double, 2> both(double of_input, double of_output) const {
     return swapped_ ? std::array{of_output, of_input} : std::array{of_input, of_output};
@@ -91,7 +92,7 @@ struct Ascent {
 };
 
 /// Climbs from a linkage to the top of its hill (climb_hill), keeping branch, type and requirements.
-[[nodiscard]] Candidate climbed(const Judge& judge, const Candidate& start, const Ascent& ascent,
+[[nodiscard]] Candidate climbed(const CellEvaluator& evaluator, const Candidate& start, const Ascent& ascent,
                                 const Progress& progress = {});
 
 }  // namespace linkwright

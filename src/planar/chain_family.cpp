@@ -101,7 +101,7 @@ void ChainFamily::fill(RegionMap& map, std::span<const double> input, std::span<
     const auto found = six_bars_.member(*first, six_bars_.second_tau(*first, output[column]));
     return found ? rating_of(*found, circuits).cell() : MapCell{};
   };
-  map.judge_cells(input, output, planar_measures, driver_travel(six_bars_), cell_at, options, progress);
+  map.evaluate_cells(input, output, planar_measures, driver_travel(six_bars_), cell_at, options, progress);
 }
 
 }  // namespace linkwright

@@ -18,17 +18,18 @@ Hill OrderedAxes::hill(std::function<std::optional<double>(double, double)> scor
   return {std::move(score_at), first, second};
 }
 
-Candidate climbed(const Judge& judge, const Candidate& start, const Ascent& ascent, const Progress& progress) {
+Candidate climbed(const CellEvaluator& evaluator, const Candidate& start, const Ascent& ascent,
+                  const Progress& progress) {
   const double least_margin = std::min(buildable_margin, change_point_margin(start.bars));
-  SideLinks known = start.links;
+  DyadPair known = start.links;
   const auto allowed = [&](MapPoint place) -> std::optional<Candidate> {
-    const auto found = judge.candidate(place, known);
+    const auto found = evaluator.candidate(place, known);
     if (found) known = found->links;
     if (!found || found->report.type != start.report.type) return std::nullopt;
     if (change_point_margin(found->bars) < least_margin) return std::nullopt;
     return found;
   };
-  const FourBarFamily& family = judge.family();
+  const FourBarFamily& family = evaluator.family();
   const OrderedAxes axes(family);
   const auto score_at = [&](double first, double second) -> std::optional<double> {
     const auto found = allowed(axes.place({first, second}));
@@ -37,7 +38,7 @@ Candidate climbed(const Judge& judge, const Candidate& start, const Ascent& asce
   const auto score = ascent.score(start);
   if (!score) return start;
   const auto step = [&](Side side) { return family.axis(side).is_discrete() ? 0.0 : ascent.first_step; };
-  constexpr int turns = HillClimbOptions{}.most_turns;
+  constexpr int turns = HillClimbOptions{}.max_evaluations;
   const HillTop top =
       climb_hill(axes.hill(score_at, start.place), axes.coordinates(start.place), *score,
                  {axes.both(step(Side::input), step(Side::output)), ascent.resolution, turns, ascent.across}, progress);

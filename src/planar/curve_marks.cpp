@@ -83,8 +83,8 @@ class Marker {
     };
     const bool nowhere_finite = is_at_infinity(low.*point) && is_at_infinity(high.*point);
     if (nowhere_finite || (w_of(low) < 0) == (w_of(high) < 0)) return;
-    constexpr int most_halvings = 60;
-    for (int i = 0; i < most_halvings; ++i) {
+    constexpr int max_halvings = 60;
+    for (int i = 0; i < max_halvings; ++i) {
       const double middle = (low.coordinate + high.coordinate) / 2;
       if (!(middle > low.coordinate && middle < high.coordinate)) break;
       const Dyad dyad = curve_.dyad(middle);

@@ -59,10 +59,10 @@ class BranchShare {
 };
 
 // Few enough to send to a page with every frame.
-constexpr std::size_t most_bends = 200;
+constexpr std::size_t max_bends = 200;
 
 Knots thinned(const Knots& knots) {
-  const std::size_t step = (knots.size() + most_bends - 1) / most_bends;
+  const std::size_t step = (knots.size() + max_bends - 1) / max_bends;
   Knots kept;
   for (std::size_t i = 0; i + 1 < knots.size(); i += step)
     if (kept.empty() || (knots[i][0] > kept.back()[0] && knots[i][1] > kept.back()[1])) kept.push_back(knots[i]);
@@ -72,7 +72,7 @@ Knots thinned(const Knots& knots) {
 }
 
 std::vector<BranchShare> shares_by_length(const BurmesterCurve& curve) {
-  const BurmesterCurve::Run run = curve.run();
+  const BurmesterCurve::ArcLengthTable run = curve.arc_length_table();
   std::vector<BranchShare> shares;
   std::size_t at = 0;
   for (const CurveBranch& branch : curve.branches()) {
@@ -98,32 +98,32 @@ std::vector<BranchShare> shares_of(const BurmesterCurve& curve, Spacing spacing)
 }
 
 /// A way along a branch, from one unwrapped coordinate to another.
-struct Way {
+struct BranchPath {
   std::size_t branch = 0;
   double start = 0, end = 0;
 };
 
-std::vector<Way> ways_of(const BurmesterCurve& curve) {
-  std::vector<Way> ways;
+std::vector<BranchPath> branch_paths(const BurmesterCurve& curve) {
+  std::vector<BranchPath> paths;
   switch (curve.kind()) {
     case CubicKind::one_branch:
-      ways = {{0, 0.75, 0.25}, {0, 0.75, 1.25}};
+      paths = {{0, 0.75, 0.25}, {0, 0.75, 1.25}};
       break;
     case CubicKind::two_branches:
-      ways = {{0, -0.5, 0.5}, {1, 1.5, 2.5}};
+      paths = {{0, -0.5, 0.5}, {1, 1.5, 2.5}};
       break;
     case CubicKind::nodal:
-      ways = {{0, 0.25, 0.75}, {0, 0.75, 1.25}};
+      paths = {{0, 0.25, 0.75}, {0, 0.75, 1.25}};
       break;
     default:
       break;
   }
-  const std::size_t laid = ways.empty() ? 0 : ways.back().branch + 1;
+  const std::size_t laid = paths.empty() ? 0 : paths.back().branch + 1;
   for (std::size_t b = laid; b < curve.branches().size(); ++b) {
     const CurveBranch& branch = curve.branches()[b];
-    if (branch.from < branch.to) ways.push_back({b, branch.from, branch.to});
+    if (branch.from < branch.to) paths.push_back({b, branch.from, branch.to});
   }
-  return ways;
+  return paths;
 }
 
 // Branches without length take no share, so indices of shares skip them.
@@ -148,22 +148,24 @@ double wrapped(double tau, const CurveBranch& branch) {
 class Layout {
  public:
   Layout(const BurmesterCurve& curve, Spacing spacing, const WorkingFrame& frame)
-      : curve_(curve), frame_(frame), shares_(shares_of(curve, spacing)), ways_(ways_of(curve)) {}
+      : curve_(curve), frame_(frame), shares_(shares_of(curve, spacing)), paths_(branch_paths(curve)) {}
 
-  [[nodiscard]] bool can_be_exchanged() const { return ways_.size() == 2; }
-  void exchange() { std::swap(ways_.front(), ways_.back()); }
-  [[nodiscard]] const std::vector<Way>& ways() const { return ways_; }
-  [[nodiscard]] const BranchShare& share(const Way& way) const { return shares_[share_index(curve_, way.branch)]; }
+  [[nodiscard]] bool can_be_exchanged() const { return paths_.size() == 2; }
+  void exchange() { std::swap(paths_.front(), paths_.back()); }
+  [[nodiscard]] const std::vector<BranchPath>& paths() const { return paths_; }
+  [[nodiscard]] const BranchShare& share(const BranchPath& path) const {
+    return shares_[share_index(curve_, path.branch)];
+  }
 
   /// Dyads evenly by place, fixed frame.
-  [[nodiscard]] std::vector<Dyad> probes(const Way& way) const {
+  [[nodiscard]] std::vector<Dyad> probes(const BranchPath& path) const {
     constexpr int count = 16;
-    const BranchShare& share = this->share(way);
-    const double first = share.share(way.start), last = share.share(way.end);
+    const BranchShare& share = this->share(path);
+    const double first = share.share(path.start), last = share.share(path.end);
     std::vector<Dyad> found;
     for (int i = 0; i < count; ++i) {
       const double tau = share.tau(first + (last - first) * (i + 0.5) / count);
-      found.push_back(frame_.to_user(curve_.dyad(wrapped(tau, curve_.branches()[way.branch]))));
+      found.push_back(frame_.to_user(curve_.dyad(wrapped(tau, curve_.branches()[path.branch]))));
     }
     return found;
   }
@@ -172,18 +174,18 @@ class Layout {
   const BurmesterCurve& curve_;
   const WorkingFrame& frame_;
   std::vector<BranchShare> shares_;
-  std::vector<Way> ways_;
+  std::vector<BranchPath> paths_;
 };
 
-OrderBlock block_of(const Way& way, const BranchShare& share, double from) {
-  const double first = share.share(way.start);
+OrderBlock block_of(const BranchPath& path, const BranchShare& share, double from) {
+  const double first = share.share(path.start);
   const auto place = [&](double tau) { return from + std::abs(share.share(tau) - first); };
-  OrderBlock block{way.branch, from, place(way.end), {{from, way.start}}};
-  std::vector<double> bends = share.bends(std::min(way.start, way.end), std::max(way.start, way.end));
-  if (way.end < way.start) std::reverse(bends.begin(), bends.end());
+  OrderBlock block{path.branch, from, place(path.end), {{from, path.start}}};
+  std::vector<double> bends = share.bends(std::min(path.start, path.end), std::max(path.start, path.end));
+  if (path.end < path.start) std::reverse(bends.begin(), bends.end());
   for (const double tau : bends)
     if (place(tau) > block.knots.back()[0] && place(tau) < block.to) block.knots.push_back({place(tau), tau});
-  block.knots.push_back({block.to, way.end});
+  block.knots.push_back({block.to, path.end});
   return block;
 }
 
@@ -197,10 +199,10 @@ DisplayOrder::DisplayOrder(const BurmesterCurve& curve, Spacing spacing, const W
     code_ = 1;
   }
   double place = 0;
-  for (const Way& way : layout.ways()) {
-    blocks_.push_back(block_of(way, layout.share(way), place));
+  for (const BranchPath& path : layout.paths()) {
+    blocks_.push_back(block_of(path, layout.share(path), place));
     place = blocks_.back().to;
-    probes_.push_back(layout.probes(way));
+    probes_.push_back(layout.probes(path));
   }
   if (!blocks_.empty()) blocks_.back().to = blocks_.back().knots.back()[0] = 1;
 }

@@ -6,7 +6,7 @@
 
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
-#include "planar/side_link.hpp"
+#include "planar/length_check.hpp"
 
 namespace linkwright {
 namespace {
@@ -22,7 +22,7 @@ MapAxis point_axis(std::size_t count) {
 
 }  // namespace
 
-std::optional<FourBar> four_bar_of(const SideLinks& links) {
+std::optional<FourBar> four_bar_of(const DyadPair& links) {
   const auto a = finite_point(links.input.center), b = finite_point(links.input.circle);
   const auto c = finite_point(links.output.center), d = finite_point(links.output.circle);
   if (!a || !b || !c || !d) return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<FourBar> four_bar_of(const SideLinks& links) {
 }
 
 MapPivots FourBarFamily::pivots(const RegionMap& map) const {
-  const auto links_at = links_of_cells(map.input_coordinates(), map.output_coordinates());
+  const auto links_at = dyad_pairs_of_cells(map.input_coordinates(), map.output_coordinates());
   const auto of_cell = [this, links_at](std::size_t row, std::size_t column) -> std::optional<Pivots> {
     const auto links = links_at(row, column);
     const auto bars = links ? four_bar_of(*links) : std::nullopt;
@@ -42,11 +42,9 @@ MapPivots FourBarFamily::pivots(const RegionMap& map) const {
   return {{}, {}, of_cell};
 }
 
-FourBarFamily::LinksOfCells FourBarFamily::links_of_cells(std::span<const double> input,
-                                                          std::span<const double> output) const {
-  return [this, input, output](std::size_t row, std::size_t column) {
-    return side_links({input[row], output[column]});
-  };
+FourBarFamily::DyadPairsOfCells FourBarFamily::dyad_pairs_of_cells(std::span<const double> input,
+                                                                   std::span<const double> output) const {
+  return [this, input, output](std::size_t row, std::size_t column) { return dyad_pair({input[row], output[column]}); };
 }
 
 MotionFamily::MotionFamily(WorkingFrame frame, std::vector<PrescribedPose> poses, MapAxis input, MapAxis output)
@@ -54,17 +52,17 @@ MotionFamily::MotionFamily(WorkingFrame frame, std::vector<PrescribedPose> poses
       user_poses_(std::move(poses)),
       working_poses_(frame.to_working(user_poses_)) {}
 
-std::optional<SideLinks> ProductFamily::side_links(MapPoint place) const {
+std::optional<DyadPair> ProductFamily::dyad_pair(MapPoint place) const {
   const auto input = dyad(Side::input, place.input), output = dyad(Side::output, place.output);
   if (!input || !output) return std::nullopt;
-  return SideLinks{*input, *output};
+  return DyadPair{*input, *output};
 }
 
-std::optional<SideLinks> ProductFamily::side_links_beside(MapPoint place, const SideLinks& known) const {
+std::optional<DyadPair> ProductFamily::dyad_pair_reusing(MapPoint place, const DyadPair& known) const {
   const auto input = known.input.coordinate == place.input ? known.input : dyad(Side::input, place.input);
   if (!input) return std::nullopt;
   const auto output = known.output.coordinate == place.output ? known.output : dyad(Side::output, place.output);
-  return output ? std::optional(SideLinks{*input, *output}) : std::nullopt;
+  return output ? std::optional(DyadPair{*input, *output}) : std::nullopt;
 }
 
 MapPivots ProductFamily::pivots(const RegionMap& map) const {
@@ -99,11 +97,11 @@ std::vector<Dyad> ProductFamily::dyads(Side side, std::span<const double> coordi
   return found;
 }
 
-FourBarFamily::LinksOfCells ProductFamily::links_of_cells(std::span<const double> input,
-                                                          std::span<const double> output) const {
+FourBarFamily::DyadPairsOfCells ProductFamily::dyad_pairs_of_cells(std::span<const double> input,
+                                                                   std::span<const double> output) const {
   return [rows = dyads(Side::input, input), columns = dyads(Side::output, output)](
-             std::size_t row, std::size_t column) -> std::optional<SideLinks> {
-    return SideLinks{rows[row], columns[column]};
+             std::size_t row, std::size_t column) -> std::optional<DyadPair> {
+    return DyadPair{rows[row], columns[column]};
   };
 }
 

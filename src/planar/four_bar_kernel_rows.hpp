@@ -24,8 +24,8 @@ LINKWRIGHT_INLINE Driver<Poses> driver_of(const KernelAxis& axis, std::size_t ro
     driver.arm_x[j] = axis.arm_x[j][row];
     driver.arm_y[j] = axis.arm_y[j][row];
   }
-  driver.senses = axis.senses[row];
-  driver.wide = axis.wide[row];
+  driver.admissible_directions = axis.admissible_directions[row];
+  driver.at_least_half_turn = axis.at_least_half_turn[row];
   return driver;
 }
 
@@ -90,10 +90,10 @@ LINKWRIGHT_INLINE void put_some(const PairVerdict<Width>& v, float unit, const K
 
 /// Senses in which the first `count` pairs do the task.
 template <int Width>
-LINKWRIGHT_INLINE void put_senses(const PairVerdict<Width>& v, std::uint8_t* to, std::size_t count) {
-  std::uint8_t senses[Width];
-  store<Width>(bytes<Width>(v.travels_ccw) * ccw_bit | bytes<Width>(v.travels_cw) * cw_bit, senses);
-  __builtin_memcpy(to, senses, count);
+LINKWRIGHT_INLINE void put_directions(const PairVerdict<Width>& v, std::uint8_t* to, std::size_t count) {
+  std::uint8_t admissible_directions[Width];
+  store<Width>(bytes<Width>(v.travels_ccw) * ccw_bit | bytes<Width>(v.travels_cw) * cw_bit, admissible_directions);
+  __builtin_memcpy(to, admissible_directions, count);
 }
 
 /// Asks for the memory of cells that will be written soon. The machine does not see six columns, in runs of a block,
@@ -126,9 +126,9 @@ void four_bar_rows(const KernelTask& task) {
         const auto verdict = pair_verdict<Width>(driver, driven, at, here, task.zero_share);
         // Three poses or more come in order one way only; two may do so both ways, and the pair has a say in it.
         if constexpr (Poses == 2)
-          if (task.cells.senses)
-            put_senses<Width>(verdict, task.cells.senses + cell,
-                              static_cast<std::size_t>(count - at < Width ? count - at : Width));
+          if (task.cells.admissible_directions)
+            put_directions<Width>(verdict, task.cells.admissible_directions + cell,
+                                  static_cast<std::size_t>(count - at < Width ? count - at : Width));
         if (at + Width <= count)
           put<Width>(verdict, unit, task.cells, cell);
         else

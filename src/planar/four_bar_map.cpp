@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "linkwright/algebra/homogeneous.hpp"
-#include "linkwright/analysis/driver_order.hpp"
+#include "linkwright/analysis/driver_sequence.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -23,8 +23,8 @@ KernelAxis plain_arrays(const DyadAxis& axis) {
                    axis.length.data(),
                    {},
                    {},
-                   axis.senses.data(),
-                   axis.wide.data()};
+                   axis.admissible_directions.data(),
+                   axis.at_least_half_turn.data()};
   for (std::size_t j = 0; j < axis.pose_count(); ++j) {
     plain.arm_x[j] = axis.arm_x[j].data();
     plain.arm_y[j] = axis.arm_y[j].data();
@@ -42,12 +42,12 @@ std::vector<double> coordinates_of(const std::vector<Dyad>& dyads) {
 }
 
 DriverTravel travel_of(const DyadAxis& axis, std::size_t sample) {
-  return {axis.senses[sample], axis.sweep_ccw[sample]};
+  return {axis.admissible_directions[sample], axis.sweep_ccw[sample]};
 }
 
 KernelCells kernel_cells(const RegionMap::Cells& cells) {
-  return {cells.type,        cells.defects,     cells.measures[0], cells.measures[1],
-          cells.measures[2], cells.measures[3], cells.senses};
+  return {cells.type,        cells.defects,     cells.measures[0],          cells.measures[1],
+          cells.measures[2], cells.measures[3], cells.admissible_directions};
 }
 
 std::vector<std::uint32_t> diagonal_of(const DyadAxis& input, const DyadAxis& output) {
@@ -69,7 +69,7 @@ std::vector<std::uint32_t> diagonal_of(const DyadAxis& input, const DyadAxis& ou
 bool pairs_decide(const DyadAxis& input) {
   if (input.pose_count() != 2) return false;
   for (std::size_t i = 0; i < input.size(); ++i)
-    if (input.senses[i] == (DriverTravel::ccw | DriverTravel::cw) && input.sweep_ccw[i] > 0) return true;
+    if (input.admissible_directions[i] == (DriverTravel::ccw | DriverTravel::cw) && input.sweep_ccw[i] > 0) return true;
   return false;
 }
 
@@ -89,20 +89,21 @@ void classify_row(RegionMap& map, std::size_t row, const FourBarRow& sides, doub
   for (std::size_t column = 0; column < sides.enlarge.size(); ++column) cells.longest[column] *= sides.enlarge[column];
   const DriverTravel travel = travel_of(sides.input, 0);
   map.set_driver(row, travel);
-  if (sides.input.pose_count() != 2) std::fill_n(cells.senses, map.columns(), travel.senses);
+  if (sides.input.pose_count() != 2)
+    std::fill_n(cells.admissible_directions, map.columns(), travel.admissible_directions);
 }
 
 }  // namespace
 
 DyadAxis::DyadAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> poses, bool respect_direction, Role role)
     : dyads(std::move(samples)) {
-  require(!poses.empty() && poses.size() <= most_poses, "one to five poses are judged");
+  require(!poses.empty() && poses.size() <= max_poses, "one to five poses are judged");
   const std::size_t count = dyads.size();
   for (std::vector<double>* column : {&center_x, &center_y, &circle_x, &circle_y, &length}) column->assign(count, 0);
   arm_x.assign(poses.size(), std::vector<double>(count, 0));
   arm_y.assign(poses.size(), std::vector<double>(count, 0));
-  senses.assign(count, 0);
-  wide.assign(count, 0);
+  admissible_directions.assign(count, 0);
+  at_least_half_turn.assign(count, 0);
   sweep_ccw.assign(count, 0);
   const Pose& first = poses.front().pose;
   std::vector<Point> turns;
@@ -121,9 +122,9 @@ DyadAxis::DyadAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> po
       arm_y[j][i] = arm.imag();
     }
     if (role == Role::driven) continue;
-    const DriverOrder order = driver_order(*center, *circle, poses, respect_direction);
-    senses[i] = bits(order.ccw, order.cw);
-    wide[i] = bits(order.is_wide_ccw(), order.is_wide_cw());
+    const DriverSequence order = driver_sequence(*center, *circle, poses, respect_direction);
+    admissible_directions[i] = bits(order.ccw, order.cw);
+    at_least_half_turn[i] = bits(order.is_at_least_half_turn_ccw(), order.is_at_least_half_turn_cw());
     sweep_ccw[i] = static_cast<float>(order.sweep_ccw);
   }
 }

@@ -6,13 +6,13 @@
 #include "linkwright/analysis/drive_through.hpp"
 #include "linkwright/analysis/pose_visits.hpp"
 #include "linkwright/core/tolerance.hpp"
-#include "planar/side_link.hpp"
+#include "planar/length_check.hpp"
 
 namespace linkwright {
 namespace {
 
-// By how much the side links, at unit scale, fail to keep still to the orders that the derivatives prescribe.
-std::optional<double> derivative_residual(const std::vector<HomogeneousMatrix>& rows, const SideLinks& links) {
+// By how much the grounded links, at unit scale, fail to keep still to the orders that the derivatives prescribe.
+std::optional<double> derivative_residual(const std::vector<HomogeneousMatrix>& rows, const DyadPair& links) {
   if (rows.empty()) return std::nullopt;
   double worst = 0;
   for (const Dyad& dyad : {links.input, links.output}) {
@@ -22,7 +22,7 @@ std::optional<double> derivative_residual(const std::vector<HomogeneousMatrix>& 
   return worst;
 }
 
-std::optional<FourBar> user_four_bar(const SideLinks& links, const WorkingFrame& frame) {
+std::optional<FourBar> user_four_bar(const DyadPair& links, const WorkingFrame& frame) {
   const auto bars = four_bar_of(links);
   if (!bars) return std::nullopt;
   return FourBar{frame.to_user(bars->input_center), frame.to_user(bars->input_circle),
@@ -33,7 +33,7 @@ std::optional<FourBar> user_four_bar(const SideLinks& links, const WorkingFrame&
 
 std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, MapPoint place, bool respect_direction,
                                              bool verify) {
-  const auto links = given.family ? given.family->side_links(place) : std::nullopt;
+  const auto links = given.family ? given.family->dyad_pair(place) : std::nullopt;
   const WorkingFrame& frame = given.frame();
   const auto bars = links ? user_four_bar(*links, frame) : std::nullopt;
   if (!bars) return std::nullopt;
@@ -50,13 +50,13 @@ std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, MapPoint p
   solution.input_residual = lengths.residual(bars->input_center, bars->input_circle);
   solution.output_residual = lengths.residual(bars->output_center, bars->output_circle);
   solution.residual = std::max(solution.input_residual, solution.output_residual);
-  if (given.freed) solution.miss = pose_miss(*bars, poses, *given.freed);
+  if (given.relaxed) solution.pose_error = pose_error(*bars, poses, *given.relaxed);
   solution.residual_derivatives = derivative_residual(given.derivative_rows, *links);
   if (verify) {
     // Hundreds of times as many as an ordinary circuit takes: beside a short link steps get as short.
-    constexpr int most_steps = 50'000;
+    constexpr int max_steps = 50'000;
     const DriveThroughReport driven =
-        drive_through(*bars, poses, {.most_steps = most_steps, .respect_direction = respect_direction});
+        drive_through(*bars, poses, {.max_steps = max_steps, .respect_direction = respect_direction});
     solution.verified_by_driving = driven.completed && driven.defects == solution.report.defects;
   }
   return solution;

@@ -18,10 +18,11 @@ double turned_into(double angle, double from) { return from + wrap_positive(angl
 /// Error of one four-bar along its range of inputs.
 class ErrorCurve {
  public:
-  ErrorCurve(const GeneratedFunction& generated, const DialFunction& dial) : generated_(&generated), dial_(&dial) {}
+  ErrorCurve(const GeneratedFunction& generated, const ScaledFunction& scaled)
+      : generated_(&generated), scaled_function_(&scaled) {}
 
   [[nodiscard]] ErrorSample sample(double input) const {
-    const double wanted = dial_->output_at(input);
+    const double wanted = scaled_function_->output_at(input);
     return {input, wanted, generated_->output_at(input, wanted)};
   }
 
@@ -34,11 +35,11 @@ class ErrorCurve {
   /// The largest magnitude in an interval that holds one hill: golden sections, each turn of which leaves 0.618 of the
   /// interval. So many leave 4e-14 of it, whatever rounding makes of its ends.
   [[nodiscard]] std::pair<double, double> top_between(double low, double high, double tolerance) const {
-    constexpr int most_turns = 64;
+    constexpr int max_evaluations = 64;
     const double ratio = (std::sqrt(5.0) - 1) / 2;
     double left = high - ratio * (high - low), right = low + ratio * (high - low);
     double at_left = magnitude(left), at_right = magnitude(right);
-    for (int turn = 0; turn < most_turns && high - low > tolerance; ++turn) {
+    for (int turn = 0; turn < max_evaluations && high - low > tolerance; ++turn) {
       if (at_left >= at_right) {
         high = right;
         right = left;
@@ -58,7 +59,7 @@ class ErrorCurve {
 
  private:
   const GeneratedFunction* generated_;
-  const DialFunction* dial_;
+  const ScaledFunction* scaled_function_;
 };
 
 // The pieces of [low, high] that the reach covers, ascending; it repeats with every turn.
@@ -86,17 +87,17 @@ std::vector<AngleRange> gaps_between(const std::vector<AngleRange>& parts, doubl
 }
 
 // Rows of a table in the range, all or as many by even steps.
-void add_rows(const DialFunction& dial, std::size_t most, std::vector<double>& inputs) {
-  const auto rows = dial.rows();
+void add_rows(const ScaledFunction& scaled, std::size_t most, std::vector<double>& inputs) {
+  const auto rows = scaled.rows();
   const std::size_t count = std::min(rows.size(), most);
-  for (std::size_t i = 0; i < count; ++i) inputs.push_back(dial.input_at(rows[i * rows.size() / count][0]));
+  for (std::size_t i = 0; i < count; ++i) inputs.push_back(scaled.input_at(rows[i * rows.size() / count][0]));
 }
 
-std::vector<double> inputs_looked_at(const DialFunction& dial, const std::vector<AngleRange>& parts, double low,
+std::vector<double> inputs_looked_at(const ScaledFunction& scaled, const std::vector<AngleRange>& parts, double low,
                                      double high, const ErrorSampling& sampling) {
   std::vector<double> inputs;
   for (int i = 0; i < sampling.steps; ++i) inputs.push_back(low + (high - low) * i / (sampling.steps - 1));
-  add_rows(dial, sampling.most_rows, inputs);
+  add_rows(scaled, sampling.max_rows, inputs);
   for (const AngleRange& part : parts) inputs.insert(inputs.end(), {part.from, part.to});
   std::sort(inputs.begin(), inputs.end());
   inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
@@ -105,8 +106,8 @@ std::vector<double> inputs_looked_at(const DialFunction& dial, const std::vector
 
 // Samples that no neighbour exceeds, highest first: all that may become the highest when they are climbed.
 std::vector<std::size_t> highest_hills(const std::vector<ErrorSample>& samples) {
-  constexpr double worth_a_look = 0.8;    // of the highest sample: no smooth hill hides more between two of them
-  constexpr std::size_t most_hills = 64;  // beyond that they are rows of a table, too close for hills between them
+  constexpr double worth_a_look = 0.8;   // of the highest sample: no smooth hill hides more between two of them
+  constexpr std::size_t max_hills = 64;  // beyond that they are rows of a table, too close for hills between them
   std::vector<double> heights;
   for (const ErrorSample& sample : samples) heights.push_back(ErrorCurve::magnitude(sample));
   const double least = worth_a_look * *std::max_element(heights.begin(), heights.end());
@@ -115,7 +116,7 @@ std::vector<std::size_t> highest_hills(const std::vector<ErrorSample>& samples) 
     const std::size_t before = i > 0 ? i - 1 : i, after = i + 1 < samples.size() ? i + 1 : i;
     if (heights[i] >= std::max({least, 0.0, heights[before], heights[after]})) hills.push_back(i);
   }
-  const auto shown = hills.begin() + static_cast<std::ptrdiff_t>(std::min(hills.size(), most_hills));
+  const auto shown = hills.begin() + static_cast<std::ptrdiff_t>(std::min(hills.size(), max_hills));
   std::partial_sort(hills.begin(), shown, hills.end(), [&](std::size_t a, std::size_t b) {
     return heights[a] != heights[b] ? heights[a] > heights[b] : a < b;
   });
@@ -158,13 +159,13 @@ void thin_out(std::vector<ErrorSample>& samples) {
   samples = std::move(kept);
 }
 
-void add_structural_error(const GeneratedFunction& generated, const DialFunction& dial, const ErrorSampling& sampling,
-                          FunctionError& error) {
-  const auto [low, high] = std::minmax({dial.input_range()[0], dial.input_range()[1]});
+void add_structural_error(const GeneratedFunction& generated, const ScaledFunction& scaled,
+                          const ErrorSampling& sampling, FunctionError& error) {
+  const auto [low, high] = std::minmax({scaled.input_range()[0], scaled.input_range()[1]});
   const std::vector<AngleRange> parts = reached_parts(generated.reach(), low, high);
   error.unreached = gaps_between(parts, low, high);
-  const ErrorCurve curve(generated, dial);
-  for (const double input : inputs_looked_at(dial, parts, low, high, sampling))
+  const ErrorCurve curve(generated, scaled);
+  for (const double input : inputs_looked_at(scaled, parts, low, high, sampling))
     error.samples.push_back(curve.sample(input));
   find_worst(curve, error);
   thin_out(error.samples);
@@ -202,7 +203,7 @@ std::optional<double> GeneratedFunction::output_at(double input, double near) co
   return near + wrap_signed(configuration->output_angle - output_offset_ - near);
 }
 
-FunctionError function_error(const FourBar& four_bar, std::span<const AnglePair> pairs, const DialFunction* function,
+FunctionError function_error(const FourBar& four_bar, std::span<const AnglePair> pairs, const ScaledFunction* function,
                              const ErrorSampling& sampling) {
   require(!pairs.empty() && sampling.steps >= 2, "an error is that at pairs, over two samples or more");
   const GeneratedFunction generated(four_bar, pairs.front());
@@ -220,8 +221,8 @@ FunctionError function_error(const FourBar& four_bar, std::span<const AnglePair>
 
 FunctionError function_error(const FourBar& four_bar, const FunctionTask& task, const ErrorSampling& sampling) {
   if (!task.function) return function_error(four_bar, task.pairs, nullptr, sampling);
-  const DialFunction dial(*task.function);
-  return function_error(four_bar, task.pairs, &dial, sampling);
+  const ScaledFunction scaled(*task.function);
+  return function_error(four_bar, task.pairs, &scaled, sampling);
 }
 
 }  // namespace linkwright

@@ -14,7 +14,7 @@
 namespace linkwright {
 namespace {
 
-// Values of the free number at which the branches of its curves are counted.
+// Values of the free parameter at which the branches of its curves are counted.
 constexpr int looks_along_the_range = 33;
 
 std::vector<CurveBranch> point_branches(std::size_t count) {
@@ -38,7 +38,7 @@ MapAxis coupler_axis(const FunctionTask& task, const FunctionCouplers& couplers)
 
 MapAxis free_axis(const FunctionTask& task) {
   if (!task.free) return {AxisQuantity::nothing, {{"point", 0, 1}}};
-  const bool scale = task.free->kind == FreeNumber::Kind::output_scale;
+  const bool scale = task.free->kind == FreeParameter::Kind::output_scale;
   return {scale ? AxisQuantity::output_scale : AxisQuantity::pair_output, {{"range", 0, 1}}};
 }
 
@@ -60,8 +60,8 @@ DyadAxis empty_axis(std::size_t size, const std::vector<PrescribedPose>& poses) 
     values->resize(size);
   for (auto* arms : {&axis.arm_x, &axis.arm_y})
     for (auto& arm : *arms) arm.resize(size);
-  axis.senses.resize(size);
-  axis.wide.resize(size);
+  axis.admissible_directions.resize(size);
+  axis.at_least_half_turn.resize(size);
   axis.sweep_ccw.resize(size);
   return axis;
 }
@@ -113,7 +113,7 @@ FunctionFamily::FunctionFamily(FunctionTask task, std::shared_ptr<const Function
     : FourBarFamily(couplers->frame(), coupler_axis(without_function(task), *couplers), free_axis(task)),
       task_(std::move(task)),
       bare_(without_function(task_)),
-      dial_(task_.function ? std::optional(DialFunction(*task_.function)) : std::nullopt),
+      scaled_function_(task_.function ? std::optional(ScaledFunction(*task_.function)) : std::nullopt),
       couplers_(std::move(couplers)),
       recent_(std::make_unique<RecentColumns>()),
       ground_((task_.output_pivot - task_.input_pivot) / frame().scale) {}
@@ -128,9 +128,10 @@ std::vector<AnglePair> FunctionFamily::pairs_at(double tau) const {
 
 FunctionError FunctionFamily::error_of(const FourBar& bars, MapPoint place, const ErrorSampling& sampling) const {
   const std::vector<AnglePair> pairs = pairs_at(place.output);
-  if (!dial_ || !task_.free || task_.free->kind != FreeNumber::Kind::output_scale)
-    return function_error(bars, pairs, dial_ ? &*dial_ : nullptr, sampling);
-  const DialFunction stretched = dial_->stretched(pairs.front().output, task_.free->at(wrap_period(place.output, 1)));
+  if (!scaled_function_ || !task_.free || task_.free->kind != FreeParameter::Kind::output_scale)
+    return function_error(bars, pairs, scaled_function_ ? &*scaled_function_ : nullptr, sampling);
+  const ScaledFunction stretched =
+      scaled_function_->stretched(pairs.front().output, task_.free->at(wrap_period(place.output, 1)));
   return function_error(bars, pairs, &stretched, sampling);
 }
 
@@ -158,24 +159,24 @@ std::optional<Dyad> FunctionFamily::coupler(const Column& column, double tau) co
   return found;
 }
 
-std::optional<SideLinks> FunctionFamily::side_links(MapPoint place) const {
-  return side_links(recent_column_at(place.output), place);
+std::optional<DyadPair> FunctionFamily::dyad_pair(MapPoint place) const {
+  return dyad_pair(recent_column_at(place.output), place);
 }
 
-FourBarFamily::LinksOfCells FunctionFamily::links_of_cells(std::span<const double> input,
-                                                           std::span<const double> output) const {
+FourBarFamily::DyadPairsOfCells FunctionFamily::dyad_pairs_of_cells(std::span<const double> input,
+                                                                    std::span<const double> output) const {
   constexpr int any_threads = 0;
   const auto columns = std::make_shared<const std::vector<Column>>(columns_at(output, any_threads));
   return [this, input, output, columns](std::size_t row, std::size_t column) {
-    return side_links((*columns)[column], {input[row], output[column]});
+    return dyad_pair((*columns)[column], {input[row], output[column]});
   };
 }
 
-std::optional<SideLinks> FunctionFamily::side_links(const Column& column, MapPoint place) const {
+std::optional<DyadPair> FunctionFamily::dyad_pair(const Column& column, MapPoint place) const {
   const auto found = coupler(column, place.input);
   if (!found) return std::nullopt;
-  return SideLinks{{Homogeneous::of(0), found->circle, place.input},
-                   {Homogeneous::of(ground_), found->center, place.output}};
+  return DyadPair{{Homogeneous::of(0), found->circle, place.input},
+                  {Homogeneous::of(ground_), found->center, place.output}};
 }
 
 std::vector<PrescribedPose> FunctionFamily::user_poses(MapPoint place, const FourBar& bars) const {
@@ -189,7 +190,7 @@ std::vector<PrescribedPose> FunctionFamily::working_poses(MapPoint place, const 
 double FunctionFamily::axis_value(Side side, double tau) const {
   if (side == Side::input || !task_.free) return tau;
   const double value = task_.free->at(tau);
-  return task_.free->kind == FreeNumber::Kind::pair_output ? degrees(value) : value;
+  return task_.free->kind == FreeParameter::Kind::pair_output ? degrees(value) : value;
 }
 
 std::vector<double> FunctionFamily::samples(Side side, int count, Spacing spacing) const {
@@ -250,7 +251,7 @@ void structural_errors_deg(const FunctionFamily& family, const RegionMap& map, s
       values[cell] = 0;
       if (map.defects()[cell] != 0) continue;
       const MapPoint place{map.input_coordinates()[row], map.output_coordinates()[column]};
-      const auto links = family.side_links(place);
+      const auto links = family.dyad_pair(place);
       const auto bars = links ? four_bar_of(*links) : std::nullopt;
       if (!bars) continue;
       const FunctionError error = family.error_of(*bars, place, ErrorSampling::coarse());

@@ -20,7 +20,7 @@ constexpr double alike = 0.02;
 // The last word looks at every row of a table, the search at some.
 constexpr int last_word = 181;
 ErrorSampling sampling_of(int error_samples) {
-  return {error_samples, error_samples < last_word ? ErrorSampling::coarse().most_rows : ErrorSampling::every_row};
+  return {error_samples, error_samples < last_word ? ErrorSampling::coarse().max_rows : ErrorSampling::every_row};
 }
 
 struct Generator {
@@ -40,13 +40,13 @@ class GeneratorSearch {
  public:
   GeneratorSearch(const FunctionFamily& family, const Requirements& requirements, const GeneratorSearchOptions& options)
       : family_(family),
-        judge_(family, requirements, Objective::min_transmission_angle, options.window),
+        evaluator_(family, requirements, Objective::min_transmission_angle, options.window),
         options_(options),
         inputs_(samples_within(family, Side::input, options.window, options.input_samples, Spacing::coordinate)),
         values_(samples_within(family, Side::output, options.window, options.free_samples, Spacing::coordinate)) {}
 
   [[nodiscard]] std::optional<Generator> at(MapPoint place, int error_samples) const {
-    const auto candidate = judge_.candidate(place);
+    const auto candidate = evaluator_.candidate(place);
     if (!candidate) return std::nullopt;
     const FourBar bars = to_user(family_.frame(), candidate->bars);
     const FunctionError error = family_.error_of(bars, place, sampling_of(error_samples));
@@ -72,7 +72,7 @@ class GeneratorSearch {
     const auto same_type = [&](std::size_t row, std::size_t column, std::size_t other_row, std::size_t other_column) {
       return cell_at(row, column)->type == cell_at(other_row, other_column)->type;
     };
-    const HillTopOptions tops = {1, 3 * static_cast<std::size_t>(options_.most), options_.threads};
+    const HillTopOptions tops = {1, 3 * static_cast<std::size_t>(options_.max_count), options_.threads};
     std::vector<Generator> found;
     for (const RankedCell& cell : hill_tops(rows, columns, tops, score, same_type))
       found.push_back(*cell_at(cell.row, cell.column));
@@ -100,7 +100,7 @@ class GeneratorSearch {
   }
 
   const FunctionFamily& family_;
-  Judge judge_;
+  CellEvaluator evaluator_;
   GeneratorSearchOptions options_;
   std::vector<double> inputs_, values_;
 };
@@ -136,9 +136,9 @@ constexpr double coarse_resolution = 1e-2, fine_resolution = 1e-7;
 
 std::vector<RankedGenerator> best_generators(const FunctionFamily& family, const Requirements& requirements,
                                              const GeneratorSearchOptions& options, const Progress& progress) {
-  if (!family.task_at({}).function || options.most <= 0) return {};
+  if (!family.task_at({}).function || options.max_count <= 0) return {};
   const GeneratorSearch search(family, requirements, options);
-  const auto most = static_cast<std::size_t>(options.most);
+  const auto most = static_cast<std::size_t>(options.max_count);
   const auto climbed = [&](std::vector<Generator> hills, double resolution) {
     parallel_for(hills.size(), options.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && !progress.is_cancelled(); ++i)

@@ -126,7 +126,7 @@ void check_function(const FunctionTask& task, std::vector<Error>& found) {
 void check_free(const FunctionTask& task, std::vector<Error>& found) {
   if (!task.free) return;
   const auto [low, high] = task.free->range;
-  const bool scales = task.free->kind == FreeNumber::Kind::output_scale;
+  const bool scales = task.free->kind == FreeParameter::Kind::output_scale;
   const double most = scales ? largest_coordinate : radians(largest_coordinate);
   if (position_count(task.pairs) != 4)
     found.push_back({"free_number_of_five", "task.free",
@@ -150,22 +150,22 @@ void check_free(const FunctionTask& task, std::vector<Error>& found) {
 
 }  // namespace
 
-double FreeNumber::at(double t) const {
+double FreeParameter::at(double t) const {
   const auto [low, high] = range;
   return kind == Kind::output_scale ? low * std::pow(high / low, t) : low + (high - low) * t;
 }
 
-double FreeNumber::place_of(double value) const {
+double FreeParameter::place_of(double value) const {
   const auto [low, high] = range;
   return kind == Kind::output_scale ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
 }
 
-std::string_view name(FreeNumber::Kind kind) { return free_names[static_cast<std::size_t>(kind)]; }
+std::string_view name(FreeParameter::Kind kind) { return free_names[static_cast<std::size_t>(kind)]; }
 
-std::optional<FreeNumber::Kind> free_number_named(std::string_view name) {
+std::optional<FreeParameter::Kind> free_parameter_named(std::string_view name) {
   const auto found = std::find(free_names.begin(), free_names.end(), name);
   if (found == free_names.end()) return std::nullopt;
-  return static_cast<FreeNumber::Kind>(found - free_names.begin());
+  return static_cast<FreeParameter::Kind>(found - free_names.begin());
 }
 
 std::vector<Error> mistakes_in(const FunctionTask& task) {
@@ -184,11 +184,11 @@ std::vector<Error> mistakes_in(const FunctionTask& task) {
 }
 
 std::vector<AnglePair> precision_pairs(const NamedFunction& function) {
-  const DialFunction dial(function);
+  const ScaledFunction scaled(function);
   std::vector<AnglePair> pairs;
-  for (const double x : dial.precision_points()) {
-    const double input = dial.input_at(x);
-    pairs.push_back({input, dial.output_of(x), {}});
+  for (const double x : scaled.precision_points()) {
+    const double input = scaled.input_at(x);
+    pairs.push_back({input, scaled.output_of(x), {}});
   }
   return pairs;
 }
@@ -199,7 +199,7 @@ FunctionTask task_at(const FunctionTask& task, double value) {
   fixed.free.reset();
   const double datum = task.pairs.front().output;
   switch (task.free->kind) {
-    case FreeNumber::Kind::output_scale:
+    case FreeParameter::Kind::output_scale:
       for (AnglePair& pair : fixed.pairs) {
         pair.output = datum + value * (pair.output - datum);
         for (AngleDerivative& derivative : pair.derivatives) derivative.output *= value;
@@ -207,7 +207,7 @@ FunctionTask task_at(const FunctionTask& task, double value) {
       if (fixed.function)
         for (double& end : fixed.function->output_range) end = datum + value * (end - datum);
       break;
-    case FreeNumber::Kind::pair_output:
+    case FreeParameter::Kind::pair_output:
       fixed.pairs[task.free->pair].output = value;
       break;
   }

@@ -8,10 +8,10 @@ std::optional<MapPoint> improved_linkage(const FourBarFamily& family, const Requ
                                          Objective objective, MapPoint start) {
   constexpr double first_step_share = 1.0 / 400;  // a cell of the usual map
   constexpr double fine = 1e-8;
-  const Judge judge(family, requirements, objective);
-  const auto foot = judge.candidate(start);
+  const CellEvaluator evaluator(family, requirements, objective);
+  const auto foot = evaluator.candidate(start);
   if (!foot) return std::nullopt;
-  const Candidate top = climbed(judge, *foot, {first_step_share * judge.largest_coordinate(), fine});
+  const Candidate top = climbed(evaluator, *foot, {first_step_share * evaluator.largest_coordinate(), fine});
   return top.score > foot->score ? std::optional(top.place) : std::nullopt;
 }
 

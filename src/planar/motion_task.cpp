@@ -97,10 +97,11 @@ bool has_derivatives(const MotionTask& task) {
 void check_given(const MotionTask& task, std::vector<Error>& found) {
   const bool three = position_count(task.poses) == 3;
   if (three && !task.given)
-    found.push_back({"missing_given", "task.given",
-                     "three positions leave four numbers free; give the side links' lengths {\"side_lengths\": [input, "
-                     "output]}, the angle between them {\"side_angle_deg\": …} or the instant centre "
-                     "{\"instant_center\": [x, y]}, or add a fourth position"});
+    found.push_back(
+        {"missing_given", "task.given",
+         "three positions leave four numbers free; give the grounded links' lengths {\"side_lengths\": [input, "
+         "output]}, the angle between them {\"side_angle_deg\": …} or the instant centre "
+         "{\"instant_center\": [x, y]}, or add a fourth position"});
   if (!task.given) return;
   if (!three)
     found.push_back({"unneeded_given",
@@ -145,13 +146,13 @@ void check_repetitions(const MotionTask& task, std::vector<Error>& found) {
 }
 
 void check_freed(const MotionTask& task, std::vector<Error>& found) {
-  if (!task.freed) return;
-  if (*task.freed >= task.poses.size())
+  if (!task.relaxed) return;
+  if (*task.relaxed >= task.poses.size())
     found.push_back({"no_such_pose",
                      "task.freed_pose",
                      fmt::format("there are {} poses; the first is 1", task.poses.size()),
                      {{"count", task.poses.size()}}});
-  else if (position_count(task.poses) != 5 || !task.poses[*task.freed].derivatives.empty())
+  else if (position_count(task.poses) != 5 || !task.poses[*task.relaxed].derivatives.empty())
     found.push_back({"unneeded_freed_pose", "task.freed_pose",
                      "a pose is freed of five positions, and one without derivatives; leave \"freed_pose\" out"});
 }

@@ -201,7 +201,7 @@ std::optional<PointSpacing> point_spacing_named(std::string_view name) {
   return named<PointSpacing>(spacing_names, name);
 }
 
-bool DialFunction::exists_over(double low, double high) const {
+bool ScaledFunction::exists_over(double low, double high) const {
   using Kind = Formula::Kind;
   if (is_table()) return low >= table_->rows.front()[0] && high <= table_->rows.back()[0];
   const double p = formula_.exponent, quarter = pi / 2;
@@ -222,7 +222,7 @@ bool DialFunction::exists_over(double low, double high) const {
   }
 }
 
-std::vector<double> DialFunction::turning_points() const {
+std::vector<double> ScaledFunction::turning_points() const {
   std::vector<double> points;
   const auto add = [&](double x) {
     if (x > x_[0] && x < x_[1]) points.push_back(x);
@@ -249,20 +249,20 @@ std::vector<double> DialFunction::turning_points() const {
   return points;
 }
 
-std::array<double, 2> DialFunction::least_and_greatest() const {
+std::array<double, 2> ScaledFunction::least_and_greatest() const {
   std::vector<double> values = {y(x_[0]), y(x_[1])};
   for (const double x : turning_points()) values.push_back(y(x));
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   return {*least, *greatest};
 }
 
-void DialFunction::take_table(const NamedFunction& function) {
+void ScaledFunction::take_table(const NamedFunction& function) {
   const bool is_cubic = function.interpolation == TableInterpolation::monotone_cubic;
   table_ = std::make_shared<const Table>(
       Table{function.table, is_cubic ? monotone_slopes(function.table) : std::vector<double>{}});
 }
 
-DialFunction::DialFunction(const NamedFunction& function)
+ScaledFunction::ScaledFunction(const NamedFunction& function)
     : input_range_(function.input_range), output_range_(function.output_range) {
   if (function.expression.empty())
     take_table(function);
@@ -273,7 +273,7 @@ DialFunction::DialFunction(const NamedFunction& function)
   points_ = points_of(function, x_);
 }
 
-std::span<const std::array<double, 2>> DialFunction::rows() const {
+std::span<const std::array<double, 2>> ScaledFunction::rows() const {
   if (!table_) return {};
   const auto& rows = table_->rows;
   const auto first =
@@ -282,13 +282,13 @@ std::span<const std::array<double, 2>> DialFunction::rows() const {
   return std::span(rows).subspan(static_cast<std::size_t>(first - rows.begin()), static_cast<std::size_t>(end - first));
 }
 
-DialFunction DialFunction::stretched(double about, double factor) const {
-  DialFunction wider = *this;
+ScaledFunction ScaledFunction::stretched(double about, double factor) const {
+  ScaledFunction wider = *this;
   for (double& end : wider.output_range_) end = about + factor * (end - about);
   return wider;
 }
 
-double DialFunction::table_value(double x) const {
+double ScaledFunction::table_value(double x) const {
   const auto& [rows, slopes] = *table_;
   const auto above = std::upper_bound(rows.begin() + 1, rows.end() - 1, x,
                                       [](double value, const std::array<double, 2>& row) { return value < row[0]; });
@@ -300,18 +300,18 @@ double DialFunction::table_value(double x) const {
   return from + t * (s0 + t * ((3 * rise - 2 * s0 - s1) + t * (s0 + s1 - 2 * rise)));
 }
 
-double DialFunction::y(double x) const { return is_table() ? table_value(x) : formula_.y(x); }
+double ScaledFunction::y(double x) const { return is_table() ? table_value(x) : formula_.y(x); }
 
-double DialFunction::input_at(double x) const {
+double ScaledFunction::input_at(double x) const {
   return input_range_[0] + (input_range_[1] - input_range_[0]) * ((x - x_[0]) / (x_[1] - x_[0]));
 }
 
-double DialFunction::x_at(double input) const {
+double ScaledFunction::x_at(double input) const {
   const double share = (input - input_range_[0]) / (input_range_[1] - input_range_[0]);
   return std::clamp(x_[0] + (x_[1] - x_[0]) * share, x_[0], x_[1]);
 }
 
-double DialFunction::output_of(double x) const {
+double ScaledFunction::output_of(double x) const {
   const double share = (y(x) - y_[0]) / (y_[1] - y_[0]);
   return output_range_[0] + (output_range_[1] - output_range_[0]) * share;
 }
@@ -329,19 +329,19 @@ std::vector<Error> mistakes_in(const NamedFunction& function) {
   check_count(function, found);
   if (!found.empty()) return found;
 
-  const DialFunction dial(function);
-  const auto [low, high] = dial.x_;
-  if (!dial.exists_over(low, high) || !are_inside(dial.least_and_greatest(), largest_value)) {
+  const ScaledFunction scaled(function);
+  const auto [low, high] = scaled.x_;
+  if (!scaled.exists_over(low, high) || !are_inside(scaled.least_and_greatest(), largest_value)) {
     found.push_back(is_table ? outside_of_table(function.table.front()[0], function.table.back()[0])
                              : not_defined(function.expression, low, high));
     return found;
   }
-  const auto [least, greatest] = dial.least_and_greatest();
+  const auto [least, greatest] = scaled.least_and_greatest();
   constexpr double rounding = 1e-12;
   if (greatest - least <= rounding * std::max(std::abs(least), std::abs(greatest)))
     found.push_back({"constant_function", place("x"),
                      "the function does not change over this range: a link that stands still needs no linkage"});
-  check_points(function, dial.x_, found);
+  check_points(function, scaled.x_, found);
   return found;
 }
 

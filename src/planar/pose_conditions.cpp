@@ -117,12 +117,12 @@ Point common_pole(const std::vector<PlanarDisplacement>& moves) {
 }
 
 // `moves` of the working frame, `condition` of their rows there.
-std::optional<PoleView> view_from_pole(std::vector<PlanarDisplacement> moves, int count, double condition) {
-  PoleView view;
+std::optional<PoleFrame> view_from_pole(std::vector<PlanarDisplacement> moves, int count, double condition) {
+  PoleFrame view;
   view.frame.origin = common_pole(moves);
   for (std::size_t j = 0; j < moves.size(); ++j) {
     for (std::size_t m = 0; m < moves[j].a.size(); ++m) moves[j].a[m] -= moves[j].q[m] * view.frame.origin;
-    view.miss = std::max(view.miss, std::abs(moves[j].a.front()));
+    view.deviation = std::max(view.deviation, std::abs(moves[j].a.front()));
   }
   const Lengths left = typical_lengths(moves);
   view.frame.scale = left.a / left.q;

@@ -10,14 +10,15 @@ namespace {
 
 constexpr std::size_t positions = 4;
 
-/// Where b lies when d is at `d`: the meet of two circles, on the side of the line from a to d that `elbow` says.
-std::optional<Point> elbow_at(const ThreeLinkChain& chain, Point d, int elbow) {
+/// Where b lies when d is at `d`: the meet of two circles, on the side of the line from a to d that `assembly_mode`
+/// says.
+std::optional<Point> middle_hinge_at(const ThreeLinkChain& chain, Point d, int assembly_mode) {
   const double first = chain.first_length(), second = chain.second_length(), reach = std::abs(d - chain.a);
   if (!(reach > 0)) return std::nullopt;
   const double along = (reach * reach + (first - second) * (first + second)) / (2 * reach);
   const double square = (first - along) * (first + along);
   if (!(square >= 0)) return std::nullopt;
-  return chain.a + (d - chain.a) / reach * Point{along, elbow * std::sqrt(square)};
+  return chain.a + (d - chain.a) / reach * Point{along, assembly_mode * std::sqrt(square)};
 }
 
 Point unit(Point v) { return v / std::abs(v); }
@@ -55,8 +56,9 @@ std::optional<std::array<BodyPositions, 4>> chain_positions(const std::vector<Pr
   for (std::size_t j = 0; j < positions; ++j) {
     const Pose &first = poses[0].pose, &pose = poses[j].pose;
     const Point d = displaced(chain.d, first, pose);
-    const int elbow = chain.elbow[j] != 0 ? chain.elbow[j] : chain.elbow_in_position_1();
-    const auto b = j == 0 ? std::optional(chain.b) : elbow_at(chain, d, elbow);
+    const int assembly_mode =
+        chain.assembly_mode[j] != 0 ? chain.assembly_mode[j] : chain.assembly_mode_in_position_1();
+    const auto b = j == 0 ? std::optional(chain.b) : middle_hinge_at(chain, d, assembly_mode);
     if (!b) return std::nullopt;
     bodies[0].at[j] = {chain.a, 1};
     bodies[1].at[j] = {*b, j == 0 ? 1 : unit((*b - chain.a) / (chain.b - chain.a))};

@@ -97,10 +97,10 @@ class Search {
 /// A score that driving cannot better; nothing where it need not be driven.
 std::optional<Search::Bounded> Search::bounded(const SixBarMember& member, const Requirements& wanted) const {
   SixBarRating best{shape_of(member.six_bar), {}};
-  const auto sine = sine_at_most(member.six_bar, member.turns);
+  const auto sine = sine_upper_bound(member.six_bar, member.turns);
   if (!sine && wanted.no_defects) return std::nullopt;
   best.drive.completed = true;
-  best.drive.least_sine = sine.value_or(0);
+  best.drive.min_sine = sine.value_or(0);
   if (!meets(wanted, member.six_bar, best)) return std::nullopt;
   return Bounded{score_of(objective_, best), member.coordinates[0], member.coordinates[1], member};
 }

@@ -65,11 +65,11 @@ SixBarShape shape_of(const SixBar& six_bar) {
 }
 
 double SixBarRating::versine() const {
-  const double sine = drive.least_sine;
+  const double sine = drive.min_sine;
   return sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
 }
 
-double SixBarRating::min_transmission_angle() const { return std::asin(std::min(1.0, drive.least_sine)); }
+double SixBarRating::min_transmission_angle() const { return std::asin(std::min(1.0, drive.min_sine)); }
 
 MapCell SixBarRating::cell() const {
   if (shape.type == LinkageType::degenerate) return {};

@@ -25,9 +25,9 @@ AxisStretch branch_of(const BurmesterCurve& curve, double tau, double unit) {
 }
 
 /// Judges any place of a chain's map.
-class ChainJudge {
+class ChainEvaluator {
  public:
-  ChainJudge(const ChainFamily& family, const Requirements& wanted, Objective objective)
+  ChainEvaluator(const ChainFamily& family, const Requirements& wanted, Objective objective)
       : chain_(family.chain()),
         family_(family.six_bars()),
         wanted_(wanted),
@@ -58,7 +58,8 @@ class ChainJudge {
     };
     const Hill hill{score_at, branch_of(*family_.first().curve, start.place[0], 1),
                     branch_of(second, start.prospect.tau[1], unit)};
-    const HillTop top = climb_hill(hill, start.place, start.prospect.score, {step, resolution, most_turns}, progress);
+    const HillTop top =
+        climb_hill(hill, start.place, start.prospect.score, {step, resolution, max_evaluations}, progress);
     Placed best = at(top.place).value_or(start);
     best.prospect.local_optimum = top.end == SearchEnd::settled;
     return best;
@@ -67,7 +68,7 @@ class ChainJudge {
  private:
   // Each place is driven through, which takes a hundred times as long as to judge a four-bar.
   static constexpr double resolution = 1e-2;  // of the step from cell to cell
-  static constexpr int most_turns = 24;
+  static constexpr int max_evaluations = 24;
 
   [[nodiscard]] std::optional<Placed> at(const SixBarFamily::WithFirst& first, std::array<double, 2> place) const {
     const double tau = family_.second_tau(first, place[1]);
@@ -94,7 +95,7 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ChainFam
                                           const Progress& progress) {
   const auto row = six_bar_row(task.added);
   if (!row || choice.best <= 0 || map.rows() == 0 || map.columns() == 0) return {};
-  const ChainJudge judge(family, requirements, choice.objective);
+  const ChainEvaluator evaluator(family, requirements, choice.objective);
   const std::array<double, 2> step = {
       family.axis(Side::input).coordinate_length() / static_cast<double>(map.rows()),
       family.axis(Side::output).coordinate_length() / static_cast<double>(map.columns())};
@@ -105,9 +106,9 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ChainFam
   const std::vector<RankedCell> feet = hill_tops(map, filter, choice.objective, 3 * wanted);
   parallel_for(feet.size(), choice.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !progress.is_cancelled(); ++i) {
-      const auto foot = judge.at({map.input_coordinates()[feet[i].row], map.output_coordinates()[feet[i].column]});
+      const auto foot = evaluator.at({map.input_coordinates()[feet[i].row], map.output_coordinates()[feet[i].column]});
       if (!foot) continue;
-      const SixBarProspect top = judge.climbed(*foot, step, progress).prospect;
+      const SixBarProspect top = evaluator.climbed(*foot, step, progress).prospect;
       const std::lock_guard lock(adding);
       tops.push_back(top);
     }
@@ -120,13 +121,13 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ChainFam
 std::optional<MapPoint> improved_six_bar(const ChainFamily& family, const Requirements& requirements,
                                          Objective objective, MapPoint start) {
   constexpr double first_step = 1.0 / 60;  // of an axis: a cell of the usual map
-  const ChainJudge judge(family, requirements, objective);
-  const auto foot = judge.at({start.input, start.output});
+  const ChainEvaluator evaluator(family, requirements, objective);
+  const auto foot = evaluator.at({start.input, start.output});
   if (!foot) return std::nullopt;
-  const auto top = judge.climbed(*foot,
-                                 {first_step * family.axis(Side::input).coordinate_length(),
-                                  first_step * family.axis(Side::output).coordinate_length()},
-                                 {});
+  const auto top = evaluator.climbed(*foot,
+                                     {first_step * family.axis(Side::input).coordinate_length(),
+                                      first_step * family.axis(Side::output).coordinate_length()},
+                                     {});
   if (!(top.prospect.score > foot->prospect.score)) return std::nullopt;
   return MapPoint{top.place[0], top.place[1]};
 }

@@ -38,12 +38,12 @@ void check_pivot(Point p, const char* key, std::vector<Error>& found) {
 }
 
 void check_elbow(const ThreeLinkChain& chain, std::vector<Error>& found) {
-  for (std::size_t j = 0; j < chain.elbow.size(); ++j)
-    if (chain.elbow[j] != 0 && std::abs(chain.elbow[j]) != 1)
+  for (std::size_t j = 0; j < chain.assembly_mode.size(); ++j)
+    if (chain.assembly_mode[j] != 0 && std::abs(chain.assembly_mode[j]) != 1)
       found.push_back({"elbow_range", fmt::format("task.chain.elbow[{}]", j),
                        "an elbow is 1 (b to the left of the line from a to d) or -1 (to its right)"});
-  const int drawn = chain.elbow_in_position_1();
-  if (chain.elbow[0] == -drawn)
+  const int drawn = chain.assembly_mode_in_position_1();
+  if (chain.assembly_mode[0] == -drawn)
     found.push_back({"wrong_elbow",
                      "task.chain.elbow[0]",
                      fmt::format("in position 1, where a, b and d are given, the elbow is {}; write {} or move b to "

@@ -24,16 +24,16 @@ std::optional<Notice> degeneracy_of(const PoseConditions& conditions, const Burm
 }
 
 // What is hardly more than a turn about one pole is done by a hinge, but for a miss that is soon within tolerance.
-Notice near_common_pole(const WorkingFrame& frame, const PoleView& view) {
+Notice near_common_pole(const WorkingFrame& frame, const PoleFrame& view) {
   const Point pole = frame.to_user(view.frame.origin);
-  const double miss = frame.scale * view.miss;
+  const double deviation = frame.scale * view.deviation;
   return {"near_common_pole",
           fmt::format("The positions nearly share a pole, ({:.6g}, {:.6g}): a single hinge there suffices, with a "
                       "position error of at most {:.2g}. The four-bars that do it exactly are as small as that, or "
                       "have two pivots about as close to the pole. For a four-bar, choose positions that differ more "
                       "from a rotation about one point.",
-                      pole.real(), pole.imag(), miss),
-          {{"x", pole.real()}, {"y", pole.imag()}, {"miss", miss}}};
+                      pole.real(), pole.imag(), deviation),
+          {{"x", pole.real()}, {"y", pole.imag()}, {"miss", deviation}}};
 }
 
 // Groups of parallel poses, in words: "1 and 3", "1, 2 and 4".

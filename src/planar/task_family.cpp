@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "linkwright/planar/freed_position.hpp"
 #include "linkwright/planar/instant_center.hpp"
+#include "linkwright/planar/relaxed_position.hpp"
 #include "linkwright/planar/task_curve.hpp"
-#include "linkwright/planar/three_pose_opening.hpp"
+#include "linkwright/planar/three_pose_setup.hpp"
 
 namespace linkwright {
 namespace {
 
-// Four positions: both side links from one Burmester curve.
+// Four positions: both grounded links from one Burmester curve.
 TaskFamily family_of_curve(const MotionTask& task) {
   TaskCurve found = task_curve(task);
   TaskFamily given;
@@ -36,7 +36,7 @@ Notice too_few_points(std::size_t count) {
           {}};
 }
 
-// Five positions: any two of at most four side links. Where two conditions say the same, what is left is a curve.
+// Five positions: any two of at most four grounded links. Where two conditions say the same, what is left is a curve.
 TaskFamily family_of_points(const MotionTask& task) {
   TaskFamily given;
   given.pattern = pattern(task.poses);
@@ -78,16 +78,16 @@ TaskFamily family_of_center(const MotionTask& task, const InstantCenter& center)
 
 // Three positions and lengths, or an angle and a length.
 template <class Given>
-TaskFamily family_of_lengths(const MotionTask& task, const Given& of_side_links, const Requirements& requirements,
+TaskFamily family_of_lengths(const MotionTask& task, const Given& of_grounded_links, const Requirements& requirements,
                              Objective objective) {
   TaskFamily given;
   given.pattern = pattern(task.poses);
   given.conditions = pose_conditions(task.poses);
   given.derivative_rows = derivative_conditions(task.poses, given.frame());
-  ThreePoseOpening opening = three_pose_opening(given.conditions, task.poses, of_side_links, requirements, objective);
-  given.family = std::move(opening.family);
-  given.degeneracy = std::move(opening.degeneracy);
-  given.warnings = std::move(opening.notices);
+  ThreePoseSetup setup = three_pose_setup(given.conditions, task.poses, of_grounded_links, requirements, objective);
+  given.family = std::move(setup.family);
+  given.degeneracy = std::move(setup.degeneracy);
+  given.warnings = std::move(setup.notices);
   if (!given.degeneracy)
     for (Notice& warning : pose_warnings(task.poses, given.conditions)) given.warnings.push_back(std::move(warning));
   return given;
@@ -104,10 +104,10 @@ TaskFamily family_of_three(const MotionTask& task, const Requirements& requireme
 }  // namespace
 
 TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective) {
-  if (task.freed) {
-    const FreedTask left = freed_task(task, *task.freed);
+  if (task.relaxed) {
+    const RelaxedTask left = relaxed_task(task, *task.relaxed);
     TaskFamily given = task_family(left.task, requirements, objective);
-    given.freed = left.freed;
+    given.relaxed = left.relaxed;
     return given;
   }
   const int positions = position_count(task.poses);

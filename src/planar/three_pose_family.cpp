@@ -60,19 +60,19 @@ std::vector<double> evenly(const MapAxis& axis, int count) {
 
 }  // namespace
 
-SideLinksOfLength::SideLinksOfLength(std::shared_ptr<const ThreePoseDyads> dyads, double length)
+DyadsOfLength::DyadsOfLength(std::shared_ptr<const ThreePoseDyads> dyads, double length)
     : dyads_(std::move(dyads)),
       length_(length),
       arcs_(dyads_->directions(length)),
       axis_(axis_of_length(dyads_->freedom(), arcs_.size())) {}
 
-double SideLinksOfLength::side_direction(double tau) const {
+double DyadsOfLength::side_direction(double tau) const {
   if (dyads_->freedom() == DirectionFreedom::free) return two_pi * place_in_branch(tau);
   if (arcs_.empty()) return 0;
   return arcs_[std::min(static_cast<std::size_t>(std::max(tau, 0.0)), arcs_.size() - 1)].from;
 }
 
-std::optional<Dyad> SideLinksOfLength::dyad(double tau) const {
+std::optional<Dyad> DyadsOfLength::dyad(double tau) const {
   if (is_empty() || !(tau >= 0 && tau < axis_.coordinate_length())) return std::nullopt;
   const Point arm = length_ * direction(side_direction(tau));
   auto found = dyads_->freedom() == DirectionFreedom::free ? dyads_->dyad(arm, static_cast<int>(tau))
@@ -81,11 +81,11 @@ std::optional<Dyad> SideLinksOfLength::dyad(double tau) const {
   return found;
 }
 
-double SideLinksOfLength::axis_value(double tau) const {
+double DyadsOfLength::axis_value(double tau) const {
   return axis_.quantity == AxisQuantity::side_direction ? 360 * place_in_branch(tau) : tau;
 }
 
-std::vector<double> SideLinksOfLength::samples(int count) const {
+std::vector<double> DyadsOfLength::samples(int count) const {
   if (is_empty() || dyads_->freedom() != DirectionFreedom::free) return evenly(axis_, count);
   const auto intervals = intervals_of(arcs_);
   double width = 0;
@@ -98,7 +98,7 @@ std::vector<double> SideLinksOfLength::samples(int count) const {
   return coordinates;
 }
 
-std::vector<Dyad> SideLinksOfLength::polygon() const {
+std::vector<Dyad> DyadsOfLength::polygon() const {
   constexpr int corners_of_a_branch = 512;
   constexpr double inside = 1e-9;  // the ends themselves are double roots, which rounding may lose
   std::vector<double> coordinates;
@@ -124,11 +124,11 @@ std::vector<Dyad> SideLinksOfLength::polygon() const {
 SideLengthsFamily::SideLengthsFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
                                      const std::shared_ptr<const ThreePoseDyads>& dyads, double input_length,
                                      double output_length)
-    : SideLengthsFamily(frame, std::move(poses), SideLinksOfLength(dyads, input_length / frame.scale),
-                        SideLinksOfLength(dyads, output_length / frame.scale)) {}
+    : SideLengthsFamily(frame, std::move(poses), DyadsOfLength(dyads, input_length / frame.scale),
+                        DyadsOfLength(dyads, output_length / frame.scale)) {}
 
-SideLengthsFamily::SideLengthsFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
-                                     SideLinksOfLength input, SideLinksOfLength output)
+SideLengthsFamily::SideLengthsFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses, DyadsOfLength input,
+                                     DyadsOfLength output)
     : ProductFamily(frame, std::move(poses), input.axis(), output.axis()),
       input_(std::move(input)),
       output_(std::move(output)) {}
@@ -141,11 +141,11 @@ SideAngleFamily::SideAngleFamily(const WorkingFrame& frame, std::vector<Prescrib
                                  const std::shared_ptr<const ThreePoseDyads>& dyads, double angle, bool directed,
                                  double input_length)
     : SideAngleFamily(frame, std::move(poses), dyads, angle, directed,
-                      SideLinksOfLength(dyads, input_length / frame.scale)) {}
+                      DyadsOfLength(dyads, input_length / frame.scale)) {}
 
 SideAngleFamily::SideAngleFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
                                  std::shared_ptr<const ThreePoseDyads> dyads, double angle, bool directed,
-                                 SideLinksOfLength input)
+                                 DyadsOfLength input)
     : MotionFamily(frame, std::move(poses), input.axis(), axis_at_angle(dyads->freedom(), directed)),
       dyads_(std::move(dyads)),
       input_(std::move(input)),
@@ -170,12 +170,12 @@ std::optional<Dyad> SideAngleFamily::output_at(double input_direction, double ta
   return found;
 }
 
-std::optional<SideLinks> SideAngleFamily::side_links(MapPoint place) const {
+std::optional<DyadPair> SideAngleFamily::dyad_pair(MapPoint place) const {
   const auto input = input_.dyad(place.input);
   if (!input) return std::nullopt;
   const auto output = output_at(input_.side_direction(place.input), place.output);
   if (!output) return std::nullopt;
-  return SideLinks{*input, *output};
+  return DyadPair{*input, *output};
 }
 
 double SideAngleFamily::axis_value(Side side, double tau) const {

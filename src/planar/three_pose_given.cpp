@@ -16,9 +16,10 @@ void check_length(double length, const std::string& place, std::vector<Error>& f
   found.push_back(
       {"side_length_range",
        place,
-       fmt::format("the length of a side link is a number above 0 and up to {}; give the distance from its fixed to "
-                   "its moving pivot",
-                   limit_text(largest_coordinate)),
+       fmt::format(
+           "the length of a grounded link is a number above 0 and up to {}; give the distance from its fixed to "
+           "its moving pivot",
+           limit_text(largest_coordinate)),
        {{"most", limit_text(largest_coordinate)}}});
 }
 
@@ -31,7 +32,7 @@ void check(const SideAngle& given, std::vector<Error>& found) {
   if (!(std::abs(degrees(given.angle)) <= largest_coordinate))
     found.push_back({"side_angle_range",
                      "task.given.side_angle_deg",
-                     fmt::format("the angle between the side links is a number between −{0} and {0} degrees",
+                     fmt::format("the angle between the grounded links is a number between −{0} and {0} degrees",
                                  limit_text(largest_coordinate)),
                      {{"most", limit_text(largest_coordinate)}}});
   if (given.input_length) check_length(*given.input_length, "task.given.input_length", found);

@@ -20,13 +20,13 @@ class Climb {
 
   [[nodiscard]] HillTop top(std::array<double, 2> start, double score) {
     // A further search from the top on takes up what a bend of the ridge or of an edge of what is allowed hid at first.
-    constexpr int most_passes = 20;
+    constexpr int max_passes = 20;
     constexpr double worth_another = 1e-6;
     Place best{start[0], {start[1], score}};
     HillTop top;
-    top.end = SearchEnd::out_of_turns;
+    top.end = SearchEnd::evaluation_limit;
     double step = options_.first_step[0];
-    for (int pass = 0; pass < most_passes && !progress_.is_cancelled(); ++pass) {
+    for (int pass = 0; pass < max_passes && !progress_.is_cancelled(); ++pass) {
       const Place before = best;
       best = pass_from(best, step).top;
       const bool gained = best.found.score > before.found.score + worth_another * std::abs(before.found.score);
@@ -49,7 +49,7 @@ class Climb {
     last_at_ = from.at;
     last_second_ = from.found.second;
     if (!(step > 0)) return {from};
-    return climb_line(from, {step, options_.resolution * options_.first_step[0], options_.most_turns},
+    return climb_line(from, {step, options_.resolution * options_.first_step[0], options_.max_evaluations},
                       [&](double first, const Place& best) { return best_at(first, best); });
   }
 
@@ -87,7 +87,7 @@ class Climb {
     const double resolution =
         options_.across * step;  // the gains of the first coordinate must not be noise of this search
     const auto found =
-        climb_line(LinePlace<Crossed>{from.found.second, from.found}, {step, resolution, options_.most_turns},
+        climb_line(LinePlace<Crossed>{from.found.second, from.found}, {step, resolution, options_.max_evaluations},
                    [&](double second, const LinePlace<Crossed>&) { return at(from.at, second); });
     return {from.at, {found.top.at, found.top.found.score}};
   }

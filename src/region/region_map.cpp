@@ -4,7 +4,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "linkwright/analysis/driver_order.hpp"
+#include "linkwright/analysis/driver_sequence.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/precondition.hpp"
@@ -13,7 +13,7 @@ namespace linkwright {
 
 void RegionMap::lay(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
                     bool of_pairs, const RegionOptions& options) {
-  require(measures.size() <= MapCell::most_measures, "a map has eight measures at most");
+  require(measures.size() <= MapCell::max_measures, "a map has eight measures at most");
   const std::size_t cells = input.size() * output.size();
   rows_ = columns_ = 0;
   type_.resize(cells);
@@ -21,7 +21,7 @@ void RegionMap::lay(std::span<const double> input, std::span<const double> outpu
   measures_.assign(measures.begin(), measures.end());
   values_.resize(measures.size());
   for (Column<float>& column : values_) column.resize(cells);
-  cell_senses_.resize(of_pairs ? cells : 0);
+  cell_directions_.resize(of_pairs ? cells : 0);
   input_.assign(input.begin(), input.end());
   output_.assign(output.begin(), output.end());
   drivers_.assign(input.size(), {});
@@ -38,15 +38,15 @@ RegionMap::Cells RegionMap::cells(std::size_t row, std::size_t column) {
   Cells found{type_.data() + cell,
               defects_.data() + cell,
               {},
-              cell_senses_.view().empty() ? nullptr : cell_senses_.data() + cell};
+              cell_directions_.view().empty() ? nullptr : cell_directions_.data() + cell};
   for (std::size_t i = 0; i < values_.size(); ++i) found.measures[i] = values_[i].data() + cell;
   return found;
 }
 
-void RegionMap::judge_cells(std::span<const double> input, std::span<const double> output,
-                            std::span<const Measure> measures, DriverTravel travel,
-                            const std::function<MapCell(std::size_t row, std::size_t column)>& cell_at,
-                            const RegionOptions& options, const Progress& progress) {
+void RegionMap::evaluate_cells(std::span<const double> input, std::span<const double> output,
+                               std::span<const Measure> measures, DriverTravel travel,
+                               const std::function<MapCell(std::size_t row, std::size_t column)>& cell_at,
+                               const RegionOptions& options, const Progress& progress) {
   lay(input, output, measures, false, options);
   drivers_.assign(rows_, travel);
   parallel_for(rows_, options.threads, [&](std::size_t begin, std::size_t end) {
@@ -79,7 +79,7 @@ std::span<const float> RegionMap::values(const Measure& measure) const {
   return values_[static_cast<std::size_t>(found - measures_.begin())].view();
 }
 
-std::vector<Measure> RegionMap::told_measures() const {
+std::vector<Measure> RegionMap::reported_measures() const {
   std::vector<Measure> told = measures_;
   told.push_back(measures::driver_sweep);
   return told;
@@ -90,15 +90,15 @@ double RegionMap::min_transmission_angle(std::size_t cell) const {
 }
 
 bool RegionMap::pair_decides_sense(std::size_t row) const {
-  return drivers_[row].senses == (DriverTravel::ccw | DriverTravel::cw) && drivers_[row].sweep_ccw > 0;
+  return drivers_[row].admissible_directions == (DriverTravel::ccw | DriverTravel::cw) && drivers_[row].sweep_ccw > 0;
 }
 
 DriveSense RegionMap::drive_sense(std::size_t row, std::size_t column) const {
   const std::size_t cell = index(row, column);
   if (type(cell) == LinkageType::degenerate || !defects(cell).none()) return DriveSense::none;
-  const bool by_pair = pair_decides_sense(row) && !cell_senses_.view().empty();
-  const unsigned senses = by_pair ? cell_senses_[cell] : drivers_[row].senses;
-  return linkwright::drive_sense(senses & DriverTravel::ccw, senses & DriverTravel::cw);
+  const bool by_pair = pair_decides_sense(row) && !cell_directions_.view().empty();
+  const unsigned admissible_directions = by_pair ? cell_directions_[cell] : drivers_[row].admissible_directions;
+  return linkwright::drive_sense(admissible_directions & DriverTravel::ccw, admissible_directions & DriverTravel::cw);
 }
 
 double RegionMap::driver_sweep(std::size_t row, std::size_t column) const {

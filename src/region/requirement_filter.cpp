@@ -23,7 +23,7 @@ constexpr std::uint8_t bit(RequirementKind kind) {
 }
 constexpr std::uint8_t all_failures = (1u << requirement_kinds) - 1;
 
-// Of the points of a side link, user's frame; nothing at infinity.
+// Of the points of a grounded link, user's frame; nothing at infinity.
 std::uint8_t box_failures(const std::optional<Point>& center, const std::optional<Point>& circle,
                           const Requirements& wanted) {
   const auto outside = [](const std::optional<Box>& box, const std::optional<Point>& p) {

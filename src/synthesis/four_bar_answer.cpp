@@ -33,7 +33,7 @@ bool is_better(const FourBarSolution& a, const FourBarSolution& b) {
   return angle != other ? angle > other : a.input.coordinate < b.input.coordinate;
 }
 
-// Five positions: every pair of side links as a four-bar, the better driver first named, best first.
+// Five positions: every pair of grounded links as a four-bar, the better driver first named, best first.
 std::vector<FourBarSolution> all_pairs(const FourBarAnswer& answer) {
   constexpr bool verify = true;
   const Requirements& wanted = answer.requirements;
@@ -99,7 +99,7 @@ std::vector<FourBarSolution> generators(const FunctionFamily& family, const Four
                                         const Progress& progress) {
   constexpr bool verify = true;
   GeneratorSearchOptions search;
-  search.most = answer.options.best;
+  search.max_count = answer.options.best;
   search.window = answer.options.window;
   search.threads = answer.options.region.threads;
   std::vector<FourBarSolution> found;
@@ -145,7 +145,7 @@ Result<Answer> solve_of_kind(const MotionTask& task, const Requirements& require
       begin_answer<MotionAnswer>(task, task_family(task, requirements, options.objective), requirements, options);
   if (!find_four_bars(answer, part_of(progress, 0, here), {})) return cancelled();
   if (five && !answer.given.curve && answer.linkages.empty() && options.best > 0) {
-    answer.freed = nearest_relaxations(task, requirements, {.region = options.region}, part_of(progress, here, 1));
+    answer.relaxed = drop_one_position(task, requirements, {.region = options.region}, part_of(progress, here, 1));
     if (progress.is_cancelled()) return cancelled();
   }
   if (five) progress(1);

@@ -18,8 +18,8 @@ struct Pace {
   double step, resolution, across;
 };
 constexpr Pace coarse = {1, 1e-3, 1e-3}, fine = {0.1, 1e-6, 1e-7};
-constexpr std::size_t least_feet = 30;     // whatever number is asked for, the first is the same
-constexpr std::size_t most_left_out = 60;  // each has been driven as long as a drive may last
+constexpr std::size_t least_feet = 30;    // whatever number is asked for, the first is the same
+constexpr std::size_t max_left_out = 60;  // each has been driven as long as a drive may last
 
 // Largest distance of a pivot between two linkages.
 double farthest_pivot(const FourBar& a, const FourBar& b) {
@@ -27,7 +27,7 @@ double farthest_pivot(const FourBar& a, const FourBar& b) {
                    std::abs(a.output_center - b.output_center), std::abs(a.output_circle - b.output_circle)});
 }
 
-// The same, whichever side link is named first.
+// The same, whichever grounded link is named first.
 double distance(const FourBar& a, const FourBar& b) {
   return std::min(farthest_pivot(a, b), farthest_pivot(a, b.swapped()));
 }
@@ -60,8 +60,8 @@ class LinkageSearch {
         options_(answer.options),
         filter_(filter),
         progress_(progress),
-        judge_(*answer.given.family, answer.requirements, options_.objective, options_.window),
-        first_step_(judge_.largest_coordinate() / static_cast<double>(std::max(map_.rows(), map_.columns()))) {}
+        evaluator_(*answer.given.family, answer.requirements, options_.objective, options_.window),
+        first_step_(evaluator_.largest_coordinate() / static_cast<double>(std::max(map_.rows(), map_.columns()))) {}
 
   /// The tops of the hills, then the best that differ clearly from all before.
   [[nodiscard]] BestLinkages best() && {
@@ -88,13 +88,13 @@ class LinkageSearch {
 
  private:
   [[nodiscard]] bool goes_on(std::size_t wanted) const {
-    return held_.size() < wanted && left_out_.size() < most_left_out && !progress_.is_cancelled();
+    return held_.size() < wanted && left_out_.size() < max_left_out && !progress_.is_cancelled();
   }
   // The map's numbers are single: a cell on the very edge of a requirement may fail here.
   [[nodiscard]] std::vector<Candidate> candidates_at(const std::vector<RankedCell>& cells) const {
     std::vector<Candidate> found;
     for (const RankedCell& cell : cells)
-      if (const auto candidate = judge_.candidate(place_of(cell))) found.push_back(*candidate);
+      if (const auto candidate = evaluator_.candidate(place_of(cell))) found.push_back(*candidate);
     return found;
   }
   [[nodiscard]] MapPoint place_of(const RankedCell& cell) const {
@@ -119,7 +119,7 @@ class LinkageSearch {
   [[nodiscard]] std::vector<Candidate> climbed_from(std::vector<Candidate> feet, const Pace& pace) const {
     parallel_for(feet.size(), options_.region.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && !progress_.is_cancelled(); ++i)
-        feet[i] = judge_.from_better_side(climbed(judge_, feet[i], ascent_of(pace), progress_));
+        feet[i] = evaluator_.from_better_side(climbed(evaluator_, feet[i], ascent_of(pace), progress_));
     });
     std::sort(feet.begin(), feet.end(), better);
     return feet;
@@ -167,12 +167,12 @@ class LinkageSearch {
     const double least = clearly_different_design * (held_.empty() ? size_ : design_size(held_));
     for (const RankedCell& cell : tile_bests(map_, filter_, options_.objective, tiles)) {
       if (!goes_on(wanted)) return;
-      const auto foot = judge_.candidate(place_of(cell));
+      const auto foot = evaluator_.candidate(place_of(cell));
       if (!foot || !differs(*foot, held_, least) || !is_new(*foot)) continue;
       const auto score = [&](const Candidate& c) {
         return differs(c, held_, least) ? std::optional(c.score) : std::nullopt;
       };
-      Candidate end = judge_.from_better_side(climbed(judge_, *foot, ascent_of(coarse, score), progress_));
+      Candidate end = evaluator_.from_better_side(climbed(evaluator_, *foot, ascent_of(coarse, score), progress_));
       end.local_optimum = false;
       hold({end});
     }
@@ -188,7 +188,7 @@ class LinkageSearch {
   const SynthesisOptions& options_;
   const RequirementFilter& filter_;
   const Progress& progress_;
-  Judge judge_;
+  CellEvaluator evaluator_;
   double first_step_;
   double size_ = 0;              ///< design_size of the hills
   std::vector<Candidate> held_;  ///< as in found_

@@ -7,18 +7,17 @@ namespace linkwright {
 
 std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   std::vector<Error> found;
-  if (options.region_samples < SynthesisOptions::least_samples ||
-      options.region_samples > SynthesisOptions::most_samples)
+  if (options.region_samples < SynthesisOptions::min_samples || options.region_samples > SynthesisOptions::max_samples)
     found.push_back({"samples_range",
                      "options.region_samples",
                      fmt::format("the region takes {} to {} samples a side; 400 is usual",
-                                 SynthesisOptions::least_samples, SynthesisOptions::most_samples),
-                     {{"low", SynthesisOptions::least_samples}, {"high", SynthesisOptions::most_samples}}});
-  if (options.best < 0 || options.best > SynthesisOptions::most_best)
+                                 SynthesisOptions::min_samples, SynthesisOptions::max_samples),
+                     {{"low", SynthesisOptions::min_samples}, {"high", SynthesisOptions::max_samples}}});
+  if (options.best < 0 || options.best > SynthesisOptions::max_best)
     found.push_back({"best_range",
                      "options.best",
-                     fmt::format("the number of linkages to return lies between 0 and {}", SynthesisOptions::most_best),
-                     {{"most", SynthesisOptions::most_best}}});
+                     fmt::format("the number of linkages to return lies between 0 and {}", SynthesisOptions::max_best),
+                     {{"most", SynthesisOptions::max_best}}});
   if (options.window)
     for (const auto& [low, high] : {options.window->input, options.window->output})
       if (!(std::isfinite(low) && std::isfinite(high) && low < high))
@@ -26,18 +25,18 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
             {"window_range", "options.window", "each interval of the window is [low, high] in τ with low below high"});
   if (options.box)
     for (Error& mistake : mistakes_in_search_box(*options.box)) found.push_back(std::move(mistake));
-  if (options.seed < 0 || options.seed > SynthesisOptions::most_seed)
+  if (options.seed < 0 || options.seed > SynthesisOptions::max_seed)
     found.push_back(
         {"seed_range",
          "options.seed",
-         fmt::format("a seed is a whole number from 0 to {}; any of them will do", SynthesisOptions::most_seed),
-         {{"most", SynthesisOptions::most_seed}}});
-  if (options.effort < 1 || options.effort > SynthesisOptions::most_effort)
+         fmt::format("a seed is a whole number from 0 to {}; any of them will do", SynthesisOptions::max_seed),
+         {{"most", SynthesisOptions::max_seed}}});
+  if (options.effort < 1 || options.effort > SynthesisOptions::max_effort)
     found.push_back({"effort_range",
                      "options.effort",
                      fmt::format("the number of chains to try lies between 1 and {}; {} is usual",
-                                 SynthesisOptions::most_effort, SynthesisOptions{}.effort),
-                     {{"most", SynthesisOptions::most_effort}, {"usual", SynthesisOptions{}.effort}}});
+                                 SynthesisOptions::max_effort, SynthesisOptions{}.effort),
+                     {{"most", SynthesisOptions::max_effort}, {"usual", SynthesisOptions{}.effort}}});
   return found;
 }
 

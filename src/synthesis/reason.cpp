@@ -23,9 +23,9 @@ Notice nothing_defect_free(const FourBarAnswer& answer, const TaskWords& words) 
   const auto blame = [&](std::int64_t cells, std::string_view what) {
     if (cells > 0) causes.push_back(fmt::format("{} {}", percent(cells, whole), what));
   };
-  blame(counts.circuit, "need taking apart (circuit)");
+  blame(counts.circuit, "cannot be reached without reassembly (circuit)");
   blame(counts.branch - counts.circuit, words.lock);
-  blame(counts.order, directed ? "visit them in another order, or against a direction" : "visit them in another order");
+  blame(counts.order, directed ? "reach them in another order, or against a direction" : "reach them in another order");
   return {"none_defect_free",
           fmt::format("None of the {} ({}) is free of defects: {}. ", words.four_bars, grouped_text(whole),
                       fmt::join(causes, ", ")) +
@@ -42,7 +42,7 @@ Notice nothing_left(const FourBarAnswer& answer) {
   for (const MissedBox& missed : answer.missed_boxes) notice.message += " " + missed_box_text(missed);
   if (!answer.relax.empty()) {
     const Relaxation& dearest = answer.relax.front();
-    notice.message += fmt::format(" {} costs most: without it {} would be left.", key(dearest.requirement),
+    notice.message += fmt::format(" {} is the most restrictive: without it {} would be left.", key(dearest.requirement),
                                   grouped_text(dearest.only_this));
   } else if (answer.relax_together) {
     notice.message += " " + joint_relaxation_text(*answer.relax_together);
@@ -60,19 +60,19 @@ void explain_empty_list(Findings& found, bool nothing_listed) {
   const auto meeting = static_cast<double>(found.meeting_requirements);
   if (found.left_out > 0)
     found.reason = {"none_confirmed",
-                    "What meets all requirements stands so near a change point or a dead point that rounding decides "
-                    "what it does: driving it through the task confirmed none. Ask for a transmission angle.",
+                    "What meets all requirements lies so near a change point or a dead point that round-off decides "
+                    "what it does: simulation of the motion verified none. Require a minimum transmission angle.",
                     {{"count", meeting}}};
   else if (found.options.objective == Objective::structural_error)
     found.reason = {
         "none_reaches",
-        fmt::format("Of the four-bars that meet all requirements ({}) none takes its input through the whole "
+        fmt::format("Of the four-bars that meet all requirements ({}) none moves its input through the whole "
                     "range of the function. Shorten the range, or move the precision points.",
                     grouped_text(found.meeting_requirements)),
         {{"count", meeting}}};
   else
     found.reason = {"none_left",
-                    "What meets all requirements does so by rounding alone: it lies on the very edge of a limit. Relax "
+                    "What meets all requirements does so by round-off alone: it lies exactly at a limit. Relax "
                     "one of them a little.",
                     {{"count", meeting}}};
 }
@@ -85,9 +85,9 @@ void state_reason(FourBarAnswer& answer, const TaskWords& words) {
     const bool some_left_out = answer.dyads_left_out > 0;
     answer.reason = {
         "no_pair",
-        fmt::format("No pair of side links makes a four-bar: in every pair a pivot is at infinity{} or a link has no "
+        fmt::format("No pair of dyads makes a four-bar: in every pair a pivot is at infinity{} or a link has no "
                     "length.",
-                    some_left_out ? ", a side link was left out" : ""),
+                    some_left_out ? ", a dyad was discarded" : ""),
         {}};
   } else if (counts.defect_free == 0 && answer.requirements.no_defects) {
     answer.reason = nothing_defect_free(answer, words);

@@ -13,7 +13,7 @@ namespace {
 // The map's cells are driven through one by one, so it is coarser than that of four-bars.
 int samples_of(const SynthesisOptions& options) {
   constexpr int four_bar_cells_to_a_cell = 4;
-  return std::max(options.region_samples / four_bar_cells_to_a_cell, SynthesisOptions::least_samples);
+  return std::max(options.region_samples / four_bar_cells_to_a_cell, SynthesisOptions::min_samples);
 }
 
 Notice nothing_found(const SixBarAnswer& answer) {
@@ -37,7 +37,7 @@ Notice nothing_found(const SixBarAnswer& answer) {
           {{"count", static_cast<double>(answer.counts.defect_free)}}};
 }
 
-void judge(SixBarAnswer& answer) {
+void evaluate(SixBarAnswer& answer) {
   const std::int64_t whole =
       answer.counts.pairs - answer.counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   if (whole == 0) answer.status = SolutionStatus::no_solution;
@@ -66,7 +66,7 @@ Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
   answer.linkages = best_six_bars(answer.task, *answer.chain, answer.region, answer.requirements,
                                   {options.objective, options.best, options.region.threads}, progress);
   if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
-  judge(answer);
+  evaluate(answer);
   return Answer(std::move(answer));
 }
 

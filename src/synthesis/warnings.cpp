@@ -11,23 +11,23 @@
 namespace linkwright {
 namespace {
 
-// Side links of the map that rounding keeps from being any.
+// Grounded links of the map that rounding keeps from being any.
 std::vector<Notice> left_out_warning(FourBarAnswer& answer) {
   const FourBarFamily& family = *answer.given.family;
   const std::span<const double> looked_at = answer.region.input_coordinates();
   if (!answer.given.curve || !family.is_symmetric()) return {};
   const auto count = std::count_if(looked_at.begin(), looked_at.end(), [&](double tau) {
-    return !family.side_links({tau, tau}).has_value();
+    return !family.dyad_pair({tau, tau}).has_value();
   });
   if (count == 0) return {};
   answer.dyads_left_out = count;
-  return {{"side_links_left_out",
-           fmt::format(
-               "Left out are {} of the {} side links looked at, so short or so far away that rounding changes their "
-               "lengths over the positions by more than a millionth. Set the positions further "
-               "off a turn about one pole, or off a mere shift.",
-               grouped_text(count), grouped_text(static_cast<std::int64_t>(looked_at.size()))),
-           {{"count", static_cast<double>(count)}, {"of", static_cast<double>(looked_at.size())}}}};
+  return {
+      {"side_links_left_out",
+       fmt::format("{} of the {} sampled dyads were discarded: so short or so far away that round-off changes their "
+                   "lengths over the positions by more than a millionth. Choose positions further "
+                   "from a rotation about one pole, or from a pure translation.",
+                   grouped_text(count), grouped_text(static_cast<std::int64_t>(looked_at.size()))),
+       {{"count", static_cast<double>(count)}, {"of", static_cast<double>(looked_at.size())}}}};
 }
 
 // Where the best by another measure stand at the edge of locking: what keeps them away from it, and what that leaves.
@@ -48,11 +48,11 @@ std::vector<Notice> locking_warning(const FourBarAnswer& answer, const Progress&
   }
   Notice notice{
       "held_by_locking",
-      fmt::format("The best linkage stands at the edge of locking: its transmission angle is {:.2g}°.", degrees(angle)),
+      fmt::format("The best linkage is next to a dead point: its transmission angle is {:.2g}°.", degrees(angle)),
       {{"angle", degrees(angle)}}};
   if (left > 0) {
     const double proposed = degrees(wanted.min_transmission_angle);
-    notice.message += fmt::format(" Ask for a transmission angle of at least {:.0f}°: {} four-bars have it.", proposed,
+    notice.message += fmt::format(" Require a transmission angle of at least {:.0f}°: {} four-bars have it.", proposed,
                                   grouped_text(left));
     notice.values.push_back({"proposed", proposed});
     notice.values.push_back({"leaves", static_cast<double>(left)});
@@ -61,7 +61,7 @@ std::vector<Notice> locking_warning(const FourBarAnswer& answer, const Progress&
 }
 
 // The longest way along the curve from one of the rising coordinates to the next.
-double longest_step(const BurmesterCurve::Run& run, std::span<const double> coordinates) {
+double longest_step(const BurmesterCurve::ArcLengthTable& run, std::span<const double> coordinates) {
   double longest = 0, before = 0;
   for (std::size_t i = 0, corner = 0; i < coordinates.size(); ++i) {
     while (corner + 1 < run.tau.size() && run.tau[corner] < coordinates[i]) ++corner;
@@ -78,15 +78,16 @@ std::vector<Notice> skipped_stretch_warning(const FourBarAnswer& answer) {
   const BurmesterCurve* curve = answer.given.curve.get();
   const std::span<const double> looked_at = answer.region.input_coordinates();
   if (curve == nullptr || answer.options.window || answer.options.spacing == Spacing::arc_length) return {};
-  const BurmesterCurve::Run run = curve->run(short_side);
+  const BurmesterCurve::ArcLengthTable run = curve->arc_length_table(short_side);
   if (run.tau.empty()) return {};
   const double usual = run.length.back() / static_cast<double>(looked_at.size());
   const double longest = longest_step(run, looked_at);
   if (!(longest > long_stretch && longest > long_beside_others * usual)) return {};
-  return {{"stretch_between_samples",
-           "A long stretch of the curve of side links lies between two of its samples: the map does not show it, and "
-           "good linkages may lie there. Choose \"spacing\": \"arc_length\" to see it.",
-           {}}};
+  return {
+      {"stretch_between_samples",
+       "A long part of the curve of dyads lies between two of its samples: the solution region does not show it, and "
+       "good linkages may lie there. Choose \"spacing\": \"arc_length\" to see it.",
+       {}}};
 }
 
 void warn_of_left_out(Findings& found, bool near_pole) {

@@ -68,7 +68,7 @@ TEST(LineSearch, NoiseBelowRoundingIsNoGain) {
 TEST(LineSearch, EndsAfterItsTurnsWhateverTheFunction) {
   const auto endless = [](double x) { return x; };
   const auto found = top_of(endless, 0, {1e-10, 1e-20, 80});
-  EXPECT_EQ(found.end, SearchEnd::out_of_turns);
+  EXPECT_EQ(found.end, SearchEnd::evaluation_limit);
   EXPECT_LE(found.turns, 82);
   double better = 0;
   const auto always = [&](double) { return better += 1; };

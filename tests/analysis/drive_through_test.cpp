@@ -397,7 +397,7 @@ TEST(DriveThrough, MeetsPosesThatAreNearlyTheSame) {
 
 TEST(DriveThrough, StopsAfterTheStepsItIsGranted) {
   const Task task = task_of(crank_rocker, {{0}, {60}});
-  EXPECT_FALSE(drive_through(task.four_bar, task.poses, {.most_steps = 10}).completed);
+  EXPECT_FALSE(drive_through(task.four_bar, task.poses, {.max_steps = 10}).completed);
   EXPECT_FALSE(drive_through(task.four_bar, task.poses, {.step = 0}).completed);
   EXPECT_FALSE(drive_through(task.four_bar, task.poses, {.step = std::nan("")}).completed);
 }

@@ -58,15 +58,15 @@ TEST(SixBarCheck, MarksPosesAndDrivesOnIfAsked) {
   const auto there = closed(six_bar, {1, direction(0.5), 1, 1, 1, 1});
   ASSERT_TRUE(there);
   const std::vector<PrescribedPose> poses = {{first, {}}, {guided_pose(six_bar, *there, first), {}}};
-  for (const bool to_the_end : {false, true}) {
+  for (const bool full_travel : {false, true}) {
     SixBarCheckOptions options;
-    options.to_the_end = to_the_end;
+    options.full_travel = full_travel;
     const SixBarCheck check = check_by_driving(six_bar, poses, +1, options);
     EXPECT_EQ(check.states.front().pose, 0);
     const auto met = std::find_if(check.states.begin(), check.states.end(), [](const auto& s) { return s.pose == 1; });
     ASSERT_NE(met, check.states.end());
     EXPECT_NEAR(met->turn, 0.5, 1e-9);
-    EXPECT_NEAR(check.states.back().turn, to_the_end ? two_pi : 0.51, to_the_end ? 1e-6 : 0.02);
+    EXPECT_NEAR(check.states.back().turn, full_travel ? two_pi : 0.51, full_travel ? 1e-6 : 0.02);
   }
 }
 

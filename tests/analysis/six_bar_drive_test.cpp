@@ -34,7 +34,7 @@ int bits_of(DriveSense sense) {
 /// Too near a dead point for steps of the driver to tell on which side of it a pose lies.
 bool is_borderline(const SixBarMember& member) {
   constexpr double half_a_degree = 0.01;
-  const auto sine = sine_at_most(member.six_bar, member.turns);
+  const auto sine = sine_upper_bound(member.six_bar, member.turns);
   const double measure = six_bar_transmission(member.six_bar, member.turns[0]).dyadic ? 1 : 10;
   return sine && *sine < half_a_degree * measure;
 }
@@ -51,7 +51,7 @@ TEST(SixBarDrive, AgreesWithDenseStepsOfTheHinges) {
       const SixBarDriveReport report = drive_six_bar(given.member.six_bar, given.member.turns, options);
       EXPECT_TRUE(report.completed);
       EXPECT_EQ(bits_of(report.sense), senses_by_dense_steps(given))
-          << text(row.added[0]) << " " << text(row.added[1]) << " " << i << ", sine " << report.least_sine;
+          << text(row.added[0]) << " " << text(row.added[1]) << " " << i << ", sine " << report.min_sine;
       ++(report.defects.none() ? free_ones : others);
     }
   EXPECT_GT(free_ones, 20);
@@ -70,7 +70,7 @@ TEST(SixBarDrive, ExactStepsSayTheSame) {
                               other = drive_six_bar(member.six_bar, member.turns, exact);
       EXPECT_EQ(one.defects, other.defects);
       EXPECT_EQ(one.sense, other.sense);
-      EXPECT_NEAR(one.least_sine, other.least_sine, 2e-3);
+      EXPECT_NEAR(one.min_sine, other.min_sine, 2e-3);
       EXPECT_NEAR(one.sweep, other.sweep, 1e-9);
     }
 }

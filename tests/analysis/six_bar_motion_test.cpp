@@ -36,7 +36,7 @@ TEST(SixBarMotion, OfACrankIsAFullTurn) {
   EXPECT_GE(motion.states.size(), 361u);
   EXPECT_EQ(motion.states.front().place.turn, 0);
   EXPECT_NEAR(motion.states.back().place.turn, two_pi, 1e-6);
-  EXPECT_GT(motion.least_sine(), 0.1);
+  EXPECT_GT(motion.min_sine(), 0.1);
 }
 
 TEST(SixBarMotion, EndsAtDeadPoints) {
@@ -81,7 +81,7 @@ TEST(SixBarMotion, TravelsAsTheDriveReportSays) {
       if (motion.states.empty()) continue;
       EXPECT_EQ(motion.states.back().place.pose, 3);
       EXPECT_NEAR(std::abs(motion.states.back().place.turn), report.sweep, 1e-6);
-      EXPECT_NEAR(motion.least_sine(), report.least_sine, 0.01);
+      EXPECT_NEAR(motion.min_sine(), report.min_sine, 0.01);
     }
   EXPECT_GT(travelled, 5);
   EXPECT_GT(stuck, 20);

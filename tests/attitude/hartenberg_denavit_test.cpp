@@ -185,10 +185,10 @@ TEST(HartenbergDenavit, ParametersOfAxesPutTheAxesBack) {
     for (Line& line : axes) line = {testing::random_direction(random), testing::random_direction(random)};
     const Result<LinkChain> chain = hartenberg_denavit_of_axes(axes);
     ASSERT_TRUE(chain.ok());
-    double least_sine = 1;
+    double min_sine = 1;
     for (const auto& link : chain->links)
-      if (link.alpha != 0) least_sine = std::min(least_sine, std::fabs(std::sin(link.alpha)));
-    expect_axes(*chain, axes, 1e-13 / (least_sine * least_sine));
+      if (link.alpha != 0) min_sine = std::min(min_sine, std::fabs(std::sin(link.alpha)));
+    expect_axes(*chain, axes, 1e-13 / (min_sine * min_sine));
   }
 }
 

@@ -149,7 +149,7 @@ TEST(SvgDrawing, OfThreePositionsHasDirectionsInDegrees) {
   const auto& [problem, answer] = testing::three_positions();
   const std::string svg = draw_answer(problem, answer);
   expect_whole(svg);
-  EXPECT_THAT(svg, HasSubstr("Three positions (P-P-P), side links 18 and 24"));
+  EXPECT_THAT(svg, HasSubstr("Three positions (P-P-P), grounded links 18 and 24"));
   EXPECT_THAT(svg, HasSubstr("direction β₁ in position 1, degrees"));
   EXPECT_THAT(svg, HasSubstr("sheet 2"));
   EXPECT_THAT(svg, HasSubstr(">150</text>"));
@@ -201,10 +201,10 @@ TEST(SvgDrawing, OfOtherKindsIsWhole) {
   const std::pair<std::string, std::string> tasks[] = {
       {motion_start + poses + R"(, "given": {"side_angle_deg": 60, "directed": false}})", "length R₂"},
       {motion_start + poses + R"(, "given": {"instant_center": [-20, 120]}})", "Burmester curve: "},
-      {motion_start + shifts + R"(, "given": {"side_lengths": [80, 60]}})", "round its circle"},
+      {motion_start + shifts + R"(, "given": {"side_lengths": [80, 60]}})", "on its circle"},
       {motion_start + poses + R"(, "given": {"side_lengths": [1e-3, 60]}})", "No linkage to show"},
       {function_start + pairs + "}", "output over input"},
-      {function_start + pairs + R"(, "free": {"number": "output_scale", "range": [0.5, 2]}})", "Factor on the output"},
+      {function_start + pairs + R"(, "free": {"number": "output_scale", "range": [0.5, 2]}})", "Output scale"},
       {function_start + R"("function": {"expression": "log", "x": [1, 10], "input_range_deg": [0, 60],
         "output_range_deg": [0, 60], "points": 5}})",
        "every cell is one four-bar"},

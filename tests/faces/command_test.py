@@ -73,7 +73,7 @@ class Solve(FaceTest):
         status, output, error = run("solve", self.write("problem.json", problem))
         self.assertEqual((status, error), (0, ""))
         words = " ".join(output.split())
-        self.assertIn("ground_pivots_within costs most: without it ", words)
+        self.assertIn("ground_pivots_within is the most restrictive: without it ", words)
         self.assertNotIn("Without ground_pivots_within", words)
 
     def test_translations_are_an_answer(self):

@@ -61,7 +61,7 @@ class Kinds(FaceTest):
     def test_three_positions(self):
         result, words, picture = self.solve(ROOT / "examples/latch.json")
         self.assertIsNone(result["curve"])
-        self.assertIn("three positions (P-P-P), side links 18 and 24", words)
+        self.assertIn("three positions (P-P-P), grounded links 18 and 24", words)
         self.assertIn("2 parameters are free, the axes of the solution region", words)
         self.assertNotIn("our positions", words + picture)
         self.check_exports(result, 3)
@@ -71,11 +71,11 @@ class Kinds(FaceTest):
         result, words, _ = self.solve(given, "--samples", 60)
         chosen = result["linkages"][0]["lengths"]["output"]
         self.assertIn("3 parameters are free, 2 of them the axes of the solution region", words)
-        self.assertRegex(words, rf"the output's length {chosen:.4g} was chosen")
+        self.assertRegex(words, rf"the length {chosen:.4g} of the output link was chosen")
 
     def test_other_givens_of_three_positions(self):
         for given, quantities, said in (
-                ({"side_angle_deg": 60, "directed": False}, ["side_direction", "side_length"], "lines of the side links at 60°"),
+                ({"side_angle_deg": 60, "directed": False}, ["side_direction", "side_length"], "lines of the grounded links at 60°"),
                 ({"side_angle_deg": 60, "directed": True, "input_length": 70}, ["side_direction", "side_length"], "input 70"),
                 ({"instant_center": [-20, 120]}, ["curve_coordinate"] * 2, "instant centre (-20, 120)")):
             with self.subTest(given):
@@ -169,7 +169,7 @@ class Kinds(FaceTest):
     def test_a_free_number_is_told(self):
         free = {"number": "output_scale", "range": [0.5, 2]}
         result, words, _ = self.solve(function(pairs=PAIRS, free=free), "--samples", 30, "--region")
-        self.assertIn("the output's travel free", words)
+        self.assertIn("the output scale free", words)
         axis = result["region"]["axes"][1]
         self.assertEqual((axis["quantity"], len(axis["values"])), ("output_scale", 30))
         for linkage in result["linkages"]:

@@ -27,7 +27,7 @@ TEST(JsonDocument, NestingIsCountedOutsideTextsAndComments) {
 }
 
 TEST(JsonDocument, SkippedMembersAreCheckedAndDropped) {
-  const JsonLimits limits{.most_bytes = 1000, .deepest_nesting = 64, .kept = {"a"}};
+  const JsonLimits limits{.max_bytes = 1000, .deepest_nesting = 64, .kept = {"a"}};
   const auto tree = parse_json(R"({"big": [1, [2, {"a": 3}]], "a": {"b": [4], "a": 5}, "c": "x"})", limits);
   ASSERT_TRUE(tree.ok());
   EXPECT_EQ(*tree, nlohmann::json::parse(R"({"a": {"b": [4], "a": 5}})"));
@@ -65,7 +65,7 @@ TEST(JsonDocument, AMistakeHasACodeOfItsOwn) {
 }
 
 TEST(JsonDocument, TheNumbersOfASentenceAreItsValues) {
-  const auto deep = parse_json("[[[]]]", {.most_bytes = 1000, .deepest_nesting = 2, .kept = {}});
+  const auto deep = parse_json("[[[]]]", {.max_bytes = 1000, .deepest_nesting = 2, .kept = {}});
   EXPECT_EQ(std::get<double>(deep.errors()[0].values.at(0).value), 2);
   const auto large = parse_json("[1e999]", {});
   EXPECT_EQ(std::get<std::string>(large.errors()[0].values.at(0).value), "\"1e999\"");

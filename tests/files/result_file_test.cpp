@@ -370,7 +370,7 @@ TEST(ResultFile, OfFivePositionsWithoutAnswerNamesTheWaysOut) {
 
 TEST(ResultFile, OfAFreedPositionSaysWhatIsMissed) {
   Problem problem = testing::five_without_answer().problem;
-  motion(problem).freed = 0;
+  motion(problem).relaxed = 0;
   problem.options.region_samples = 80;
   const Answer answer = testing::answer_of(problem);
   const std::string text = write_result(problem, answer, false);
@@ -379,7 +379,7 @@ TEST(ResultFile, OfAFreedPositionSaysWhatIsMissed) {
   EXPECT_TRUE(result["curve"]["kind"].is_string());
   ASSERT_GT(result["linkages"].size(), 0u);
   EXPECT_EQ(result["linkages"][0]["miss"]["distance"].get<double>(),
-            testing::four_bars(answer).linkages[0].miss->distance);
+            testing::four_bars(answer).linkages[0].pose_error->distance);
   const auto linkages = read_result_linkages(text);
   ASSERT_TRUE(linkages.ok());
   ASSERT_EQ(linkages.value()[0].poses.size(), 4u) << "not the freed one, though the problem has it";

@@ -83,7 +83,7 @@ TEST(SixBarFile, ResultReadsBackBitIdentical) {
     EXPECT_EQ(read.length_unit, "mm");
     EXPECT_EQ(read.poses.size(), 4u);
     EXPECT_EQ(read.poses[1].pose.angle, std::get<SixBarTask>(solved().problem.task).poses[1].pose.angle);
-    EXPECT_EQ(read.elbow, (std::array{1, 1, 1, 1}));
+    EXPECT_EQ(read.assembly_mode, (std::array{1, 1, 1, 1}));
   }
 }
 
@@ -92,7 +92,7 @@ TEST(SixBarFile, ResultSaysWhatWasFound) {
   EXPECT_TRUE(result["curve"].is_null());
   EXPECT_FALSE(result.contains("search"));
   EXPECT_EQ(result["region"]["samples"], 15);
-  EXPECT_EQ(result["region"]["axes"][0]["name"], "link 4 between 0 and 2, place on its curve");
+  EXPECT_EQ(result["region"]["axes"][0]["name"], "link 4 between 0 and 2, coordinate on its curve");
   EXPECT_EQ(result["region"]["counts"]["defect_free"], findings(solved().answer).counts.defect_free);
   EXPECT_TRUE(result["region"].contains("type"));
   const auto& linkage = result["linkages"][0];
@@ -118,7 +118,7 @@ std::size_t outlines(const std::string& picture) {
   return count;
 }
 
-/// A link 5 that hangs on link 4: another axis, and another way to find its positions.
+/// A link 5 that depends on link 4: another axis, and another way to find its positions.
 TEST(SixBarFile, ALinkOnALinkIsWrittenAndDrawn) {
   for (const BodyPair fifth : {BodyPair{4, 3}, BodyPair{3, 4}}) {
     Problem problem = solved().problem;
@@ -167,7 +167,7 @@ TEST(SixBarFile, LinkageReadsBackBitIdentical) {
     const auto& again = std::get<StoredSixBar>(*read);
     EXPECT_TRUE(same_hinges(again.six_bar, linkage.six_bar));
     EXPECT_EQ(again.title, linkage.title);
-    EXPECT_EQ(again.elbow, linkage.elbow);
+    EXPECT_EQ(again.assembly_mode, linkage.assembly_mode);
     EXPECT_EQ(again.poses.size(), linkage.poses.size());
     const auto twice = read_any_linkage(write_linkage(again));
     ASSERT_TRUE(twice.ok());
@@ -259,7 +259,7 @@ TEST(SixBarFile, WithoutPosesTheTableIsTheWholeMotion) {
 TEST(SixBarFile, AnalysisKnowsTravelAndRange) {
   const StoredSixBarAnalysis analysis = analyze(stored());
   const SixBarRating& rating = solved().six_bars()[0].rating;
-  EXPECT_NEAR(std::asin(analysis.travel.least_sine()), rating.min_transmission_angle(), radians(0.1));
+  EXPECT_NEAR(std::asin(analysis.travel.min_sine()), rating.min_transmission_angle(), radians(0.1));
   EXPECT_LE(analysis.motion.states.front().place.turn, 0);
   EXPECT_GE(analysis.motion.states.back().place.turn, rating.drive.sweep);
   const auto json = nlohmann::json::parse(write_analysis(analysis));

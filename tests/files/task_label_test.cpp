@@ -17,11 +17,11 @@ MotionTask three(const ThreePoseGiven& given) {
 }
 
 TEST(TaskLabel, SaysWhatThreePositionsAreGiven) {
-  EXPECT_EQ(task_label(three(SideLengths{80, 60})), "three positions (P-P-P), side links 80 and 60");
-  EXPECT_EQ(task_label(three(SideLengths{0.5, {}})), "three positions (P-P-P), input side link 0.5");
-  EXPECT_EQ(task_label(three(SideAngle{radians(60), true, {}})), "three positions (P-P-P), side links at 60°");
+  EXPECT_EQ(task_label(three(SideLengths{80, 60})), "three positions (P-P-P), grounded links 80 and 60");
+  EXPECT_EQ(task_label(three(SideLengths{0.5, {}})), "three positions (P-P-P), input link 0.5");
+  EXPECT_EQ(task_label(three(SideAngle{radians(60), true, {}})), "three positions (P-P-P), grounded links at 60°");
   EXPECT_EQ(task_label(three(SideAngle{radians(60), false, 7.5})),
-            "three positions (P-P-P), lines of the side links at 60°, input 7.5");
+            "three positions (P-P-P), lines of the grounded links at 60°, input 7.5");
   EXPECT_EQ(task_label(three(InstantCenter{{3, -4}})), "three positions (P-P-P), instant centre (3, -4)");
   EXPECT_EQ(task_label(three(InstantCenter{{1, 0}, true})),
             "three positions (P-P-P), instant centre at infinity in direction (1, 0)");
@@ -32,8 +32,8 @@ TEST(TaskLabel, CountsPositionsNotPoses) {
   EXPECT_EQ(task_label(testing::hood_hinge().task), "four positions (PP-P-P)");
   Problem five = testing::five_without_answer().problem;
   EXPECT_EQ(task_label(five.task), "five positions (P-P-P-P-P)");
-  motion(five).freed = 2;
-  EXPECT_EQ(task_label(five.task), "five positions (P-P-P-P-P), position 3 free");
+  motion(five).relaxed = 2;
+  EXPECT_EQ(task_label(five.task), "five positions (P-P-P-P-P), position 3 relaxed");
   EXPECT_EQ(short_task_label(five.task), "five positions");
 }
 
@@ -42,13 +42,12 @@ TEST(TaskLabel, NamesTheFunction) {
   FunctionTask task;
   task.pairs = {{0, 0, {{1, 0.5}}}, {0.5, 0.2, {}}, {1, 1, {}}};
   EXPECT_EQ(task_label(task), "function on 4 precision points (PP-P-P)");
-  task.free = FreeNumber{FreeNumber::Kind::pair_output, {0, 1}, 2};
+  task.free = FreeParameter{FreeParameter::Kind::pair_output, {0, 1}, 2};
   EXPECT_EQ(task_label(task), "function on 4 precision points (PP-P-P), the output of pair 3 free");
-  task.free = FreeNumber{};
+  task.free = FreeParameter{};
   task.function = NamedFunction{};
   task.function->table = {{{0, 0}, {1, 1}, {2, 4}}};
-  EXPECT_EQ(task_label(task),
-            "function of a table with 3 rows on 4 precision points (PP-P-P), the output's travel free");
+  EXPECT_EQ(task_label(task), "function of a table with 3 rows on 4 precision points (PP-P-P), the output scale free");
   EXPECT_EQ(short_task_label(task), "function on 4 precision points");
 }
 

@@ -1,4 +1,4 @@
-// What holds for the side links through any five positions, finite or infinitesimally close.
+// What holds for the grounded links through any five positions, finite or infinitesimally close.
 
 #include <algorithm>
 #include <cmath>

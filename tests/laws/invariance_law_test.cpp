@@ -1,4 +1,5 @@
-// What must not change the answer: where the drawing lies, how big it is, which of the two side links is named first.
+// What must not change the answer: where the drawing lies, how big it is, which of the two grounded links is named
+// first.
 
 #include <cmath>
 #include <gtest/gtest.h>

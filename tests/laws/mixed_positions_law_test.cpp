@@ -1,5 +1,5 @@
-// Mixed positions are what they are said to be: limits of finite ones, and prescriptions of how a side link keeps its
-// length.
+// Mixed positions are what they are said to be: limits of finite ones, and prescriptions of how a grounded link keeps
+// its length.
 
 #include <algorithm>
 #include <array>

@@ -77,7 +77,7 @@ TEST(ThreePosesLaw, LinkagesKeepWhatIsGivenAndAreDrivenThroughThePoses) {
       const MotionAnswer answer = solved({poses, all[kind]});
       EXPECT_EQ(answer.given.pattern, "P-P-P");
       for (const FourBarSolution& linkage : answer.linkages) {
-        // Two side links on one ray from an instant centre are flat in position 1: a dead point there has no sign.
+        // Two grounded links on one ray from an instant centre are flat in position 1: a dead point there has no sign.
         if (linkage.report.type == LinkageType::change_point) continue;
         EXPECT_TRUE(linkage.verified_by_driving);
         EXPECT_LT(linkage.residual, 1e-9);

@@ -35,7 +35,7 @@ MUTANTS = [
     ("angle along the frame and opposite exchanged", "passes_0 ? angle_at(std::abs(l.ground - l.input))",
      "passes_0 ? angle_at(l.ground + l.input)"),
     ("what the driver passes exchanged", "verdict.passes_0 = best.passes_0;", "verdict.passes_0 = best.passes_pi;"),
-    ("sense of the drive exchanged", "driver.wide & ccw_bit", "driver.wide & cw_bit"),
+    ("sense of the drive exchanged", "driver.at_least_half_turn & ccw_bit", "driver.at_least_half_turn & cw_bit"),
 ]
 
 

@@ -142,7 +142,7 @@ TEST(BurmesterCurve, NearACommonPoleItsRunGoesToInfinityAndBack) {
   std::mt19937_64 random(13);
   for (const double deviation : {1e-3, 1e-5, 1e-7, 1e-9}) {
     const BurmesterCurve curve(pose_conditions(testing::nearly_common_pole(random, deviation)));
-    EXPECT_NEAR(curve.run().length.back(), two_pi, 100 * deviation) << deviation;
+    EXPECT_NEAR(curve.arc_length_table().length.back(), two_pi, 100 * deviation) << deviation;
     int far = 0;
     for (const double tau : curve.samples(100, Spacing::arc_length)) {
       const Dyad dyad = curve.dyad(tau);
@@ -155,11 +155,12 @@ TEST(BurmesterCurve, NearACommonPoleItsRunGoesToInfinityAndBack) {
 TEST(BurmesterCurve, NearMirrorSymmetryItRunsAlongTheCurveOfTheMirroredPoses) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     std::mt19937_64 same(seed);
-    const double mirrored = BurmesterCurve(pose_conditions(testing::nearly_mirrored(same, 0))).run().length.back();
+    const double mirrored =
+        BurmesterCurve(pose_conditions(testing::nearly_mirrored(same, 0))).arc_length_table().length.back();
     for (const double deviation : {1e-10, 1e-8, 1e-6, 1e-5}) {
       std::mt19937_64 random(seed);
       const BurmesterCurve curve(pose_conditions(testing::nearly_mirrored(random, deviation)));
-      EXPECT_NEAR(curve.run().length.back() / mirrored, 1, 0.02) << deviation;
+      EXPECT_NEAR(curve.arc_length_table().length.back() / mirrored, 1, 0.02) << deviation;
       for (const double tau : curve.samples(400, Spacing::arc_length))
         EXPECT_LT(curve.residual(curve.dyad(tau)), 1e-15) << deviation << " at " << tau;
     }
@@ -306,7 +307,7 @@ TEST(BurmesterCurve, ItsPolygonIsDenseAndClosed) {
 
 TEST(BurmesterCurve, ItsRunGrowsWithTheCoordinate) {
   const BurmesterCurve curve(pose_conditions(testing::planar_case("landing_gear").poses));
-  const auto run = curve.run();
+  const auto run = curve.arc_length_table();
   ASSERT_EQ(run.tau.size(), run.length.size());
   EXPECT_TRUE(std::is_sorted(run.tau.begin(), run.tau.end()));
   EXPECT_TRUE(std::is_sorted(run.length.begin(), run.length.end()));

@@ -45,8 +45,8 @@ TEST(ChosenLength, IsTheRungWithTheBestLinkage) {
       chosen_length(given.family_of(2), given.conditions.frame, given.requirements, Objective::min_transmission_angle);
   EXPECT_GT(chosen.meeting, 0);
   double best_rung = 0, best = -1;
-  for (int rung = 0; rung < 25; rung += 1) {
-    const double length = scale * std::pow(10, rung / 12.0 - 1), angle = given.best(2, length);
+  for (int trial = 0; trial < 25; trial += 1) {
+    const double length = scale * std::pow(10, trial / 12.0 - 1), angle = given.best(2, length);
     if (angle > best) {
       best = angle;
       best_rung = length;

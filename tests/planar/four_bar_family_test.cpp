@@ -18,7 +18,7 @@ class FourBarFamilyTest : public ::testing::Test {
 };
 
 TEST_F(FourBarFamilyTest, CurvePairsAreItsDyads) {
-  const auto links = curve.side_links({1.3125, 1.1125});
+  const auto links = curve.dyad_pair({1.3125, 1.1125});
   ASSERT_TRUE(links);
   EXPECT_TRUE(same_points(links->input, given.curve->dyad(1.3125)));
   EXPECT_TRUE(same_points(links->output, given.curve->dyad(1.1125)));
@@ -51,7 +51,7 @@ TEST_F(FourBarFamilyTest, PointsFillTheirBranches) {
   EXPECT_TRUE(same_points(*points.dyad(Side::output, 1.01), given.curve->dyad(1.1125)));
   EXPECT_FALSE(points.dyad(Side::input, 3));
   EXPECT_FALSE(points.dyad(Side::input, -0.1));
-  EXPECT_FALSE(points.side_links({0.5, std::nan("")}));
+  EXPECT_FALSE(points.dyad_pair({0.5, std::nan("")}));
   RegionMap map;
   const auto tau = points.samples(Side::input, 3, Spacing::coordinate);
   points.classify(map, tau, tau, true);

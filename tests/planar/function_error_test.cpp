@@ -90,7 +90,7 @@ TEST(FunctionError, TheWorstIsThatOfADenseSearch) {
   for (const auto& [expression, low, high] :
        {std::tuple{"x^2", 0.0, 1.0}, {"log", 1.0, 2.0}, {"sin_deg", 0.0, 90.0}, {"exp", 0.0, 1.0}}) {
     const FunctionTask task = named_task(expression, {low, high}, 60, 80);
-    const DialFunction dial(*task.function);
+    const ScaledFunction scaled(*task.function);
     int compared = 0;
     for (const FourBar& bars : linkages_of(task, 30)) {
       if (!find_defects(bars, coupler_poses(bars, task.pairs)).defects.none()) continue;
@@ -109,7 +109,7 @@ TEST(FunctionError, TheWorstIsThatOfADenseSearch) {
         double nearest = 10;
         for (const double side : {-1, 1}) {
           const double output = std::arg(d) + side * std::acos(cosine) - std::arg(b0) + task.pairs[0].output;
-          const double off = wrap_signed(output - dial.output_at(input));
+          const double off = wrap_signed(output - scaled.output_at(input));
           // The assembly of the first pair is the one that continues the curve.
           if (std::abs(wrap_signed(off - last)) < std::abs(wrap_signed(nearest - last))) nearest = off;
         }
@@ -306,12 +306,12 @@ TEST(FunctionError, LooksAtEveryRowOfALongTable) {
       function.table.push_back({x, x * x + (i == spike ? 0.01 : 0)});
     }
     const FourBar bars = linkages_of(task, 9).front();
-    const DialFunction dial(function);
+    const ScaledFunction scaled(function);
     const GeneratedFunction generated(bars, task.pairs.front());
     double worst = 0;
     for (const auto& [x, y] : function.table)
-      if (const auto output = generated.output_at(dial.input_at(x), dial.output_of(x)))
-        worst = std::max(worst, std::abs(*output - dial.output_of(x)));
+      if (const auto output = generated.output_at(scaled.input_at(x), scaled.output_of(x)))
+        worst = std::max(worst, std::abs(*output - scaled.output_of(x)));
     const FunctionError error = function_error(bars, task);
     ASSERT_TRUE(error.max_structural_error);
     EXPECT_GE(*error.max_structural_error, worst);

@@ -38,7 +38,7 @@ void expect_map_of_verdicts(const FourBarFamily& family, int count, bool respect
   for (std::size_t row = 0; row < map.rows(); ++row)
     for (std::size_t column = 0; column < map.columns(); ++column) {
       const MapPoint place{input[row], output[column]};
-      const auto links = family.side_links(place);
+      const auto links = family.dyad_pair(place);
       const auto bars = links ? four_bar_of(*links) : std::nullopt;
       const std::size_t cell = map.index(row, column);
       if (!bars) {
@@ -80,12 +80,12 @@ TEST(FunctionFamily, TheRibbonHasTheVerdictOfEachLinkage) {
 
 TEST(FunctionFamily, SoHasTheMapOfAFreeNumber) {
   FunctionTask task = squares();
-  task.free = FreeNumber{};
+  task.free = FreeParameter{};
   const TaskFamily given = task_family(task);
   EXPECT_EQ(given.family->axis(Side::output).quantity, AxisQuantity::output_scale);
   EXPECT_NEAR(given.family->axis_value(Side::output, 0.5), 1, 1e-15);
   expect_map_of_verdicts(*given.family, 40, true);
-  task.free = FreeNumber{FreeNumber::Kind::pair_output, {0.5, 1.0}, 2};
+  task.free = FreeParameter{FreeParameter::Kind::pair_output, {0.5, 1.0}, 2};
   const TaskFamily other = task_family(task);
   EXPECT_NEAR(other.family->axis_value(Side::output, 0.5), degrees(0.75), 1e-12);
   expect_map_of_verdicts(*other.family, 40, true);
@@ -105,10 +105,10 @@ TEST(FunctionFamily, RandomTasksOfAllPatterns) {
 TEST(FunctionFamily, AFreeNumberAtItsOwnValueIsTheTask) {
   FunctionTask task = squares();
   const TaskFamily plain = task_family(task);
-  task.free = FreeNumber{};
+  task.free = FreeParameter{};
   const TaskFamily free = task_family(task);
   for (const double tau : {0.1, 0.4, 0.7}) {
-    const auto a = plain.family->side_links({tau, 0.5}), b = free.family->side_links({tau, 0.5});
+    const auto a = plain.family->dyad_pair({tau, 0.5}), b = free.family->dyad_pair({tau, 0.5});
     ASSERT_TRUE(a && b);
     const auto bars = four_bar_of(*a), others = four_bar_of(*b);
     ASSERT_TRUE(bars && others);
@@ -131,7 +131,7 @@ TEST(FunctionFamily, FivePairsMakeAMapOfPoints) {
 TEST(FunctionFamily, LinkagesFoundStandOnTheGroundPivotsAndGenerateThePairs) {
   for (const bool free : {false, true}) {
     FunctionTask task = squares();
-    if (free) task.free = FreeNumber{};
+    if (free) task.free = FreeParameter{};
     const TaskFamily given = task_family(task);
     int checked = 0;
     for (double tau = 0.05; tau < 1; tau += 0.1) {
@@ -155,16 +155,16 @@ TEST(FunctionFamily, LinkagesFoundStandOnTheGroundPivotsAndGenerateThePairs) {
 
 TEST(FunctionFamily, HasTheLinksOfEachCellOfAMap) {
   FunctionTask task = squares();
-  task.free = FreeNumber{};
+  task.free = FreeParameter{};
   const TaskFamily given = task_family(task);
   const FourBarFamily& family = *given.family;
   const auto input = family.samples(Side::input, 20, Spacing::coordinate),
              output = family.samples(Side::output, 9, Spacing::coordinate);
-  const auto links_at = family.links_of_cells(input, output);
+  const auto links_at = family.dyad_pairs_of_cells(input, output);
   int compared = 0;
   for (std::size_t row = 0; row < input.size(); ++row)
     for (std::size_t column = 0; column < output.size(); ++column) {
-      const auto links = links_at(row, column), same = family.side_links({input[row], output[column]});
+      const auto links = links_at(row, column), same = family.dyad_pair({input[row], output[column]});
       ASSERT_EQ(links.has_value(), same.has_value());
       if (!links) continue;
       EXPECT_TRUE(same_points(links->input, same->input) && same_points(links->output, same->output));
@@ -175,9 +175,9 @@ TEST(FunctionFamily, HasTheLinksOfEachCellOfAMap) {
 }
 
 TEST(FunctionFamily, MeasuresTheErrorOfTheTaskAtEachPlace) {
-  for (const auto kind : {FreeNumber::Kind::output_scale, FreeNumber::Kind::pair_output}) {
+  for (const auto kind : {FreeParameter::Kind::output_scale, FreeParameter::Kind::pair_output}) {
     FunctionTask task = testing::named_task("x^2", {0, 1}, 60, 90);
-    task.free = FreeNumber{kind, {0.5, 2}, 1};
+    task.free = FreeParameter{kind, {0.5, 2}, 1};
     const TaskFamily given = task_family(task);
     int compared = 0;
     for (double tau = 0.05; tau < 1; tau += 0.1) {
@@ -200,20 +200,20 @@ TEST(FunctionFamily, CurvesOfPivotsRunThroughTheLinkages) {
   ASSERT_EQ(input.size(), output.size());
   ASSERT_GT(input.size(), 50u);
   for (std::size_t i = 0; i < input.size(); i += 17) {
-    const auto links = given.family->side_links({input[i].coordinate, 0.5});
+    const auto links = given.family->dyad_pair({input[i].coordinate, 0.5});
     ASSERT_TRUE(links);
     EXPECT_LT(norm(cross(links->input.circle, input[i].circle)), 1e-12);
     EXPECT_LT(norm(cross(links->output.circle, output[i].circle)), 1e-12);
   }
   FunctionTask task = squares();
-  task.free = FreeNumber{};
+  task.free = FreeParameter{};
   EXPECT_TRUE(task_family(task).family->polygon(Side::input).empty());
 }
 
 TEST(FunctionFamily, ALinkageCanBeImproved) {
   for (const bool free : {false, true}) {
     FunctionTask task = squares();
-    if (free) task.free = FreeNumber{};
+    if (free) task.free = FreeParameter{};
     const TaskFamily given = task_family(task);
     Requirements wanted;
     wanted.max_length = 10 * std::abs(task.output_pivot - task.input_pivot);

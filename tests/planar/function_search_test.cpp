@@ -38,7 +38,7 @@ TEST(FunctionSearch, NoSampleOfTheRibbonBettersTheBest) {
     const auto& family = dynamic_cast<const FunctionFamily&>(*given.family);
     double least = 10;
     for (const double tau : family.samples(Side::input, 1500, Spacing::coordinate)) {
-      const auto links = family.side_links({tau, 0.5});
+      const auto links = family.dyad_pair({tau, 0.5});
       const auto bars = links ? four_bar_of(*links) : std::nullopt;
       if (!bars) continue;
       const LinkLengths lengths = bars->lengths();
@@ -57,11 +57,11 @@ TEST(FunctionSearch, NoSampleOfTheRibbonBettersTheBest) {
 TEST(FunctionSearch, AFreeNumberLowersTheError) {
   FunctionTask task = named_task("x^2", {0, 1}, 60, 90);
   const auto fixed = best_of(task, usual());
-  task.free = FreeNumber{};
+  task.free = FreeParameter{};
   const auto free = best_of(task, usual(), {60, 10, 31, 1});
   ASSERT_FALSE(fixed.empty() || free.empty());
   // Of the travel that it has.
-  const double scale = FreeNumber{}.at(free.front().place.output);
+  const double scale = FreeParameter{}.at(free.front().place.output);
   EXPECT_LT(free.front().max_structural_error, fixed.front().max_structural_error);
   EXPECT_GE(scale, 0.5);
   EXPECT_LE(scale, 2);

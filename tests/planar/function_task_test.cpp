@@ -97,7 +97,7 @@ TEST(FunctionTask, PairsComeFromTheFunction) {
 TEST(FunctionTask, AFreeNumberChangesThePairs) {
   FunctionTask task = squares();
   task.pairs[1].derivatives = {{1, 3}};
-  task.free = FreeNumber{};
+  task.free = FreeParameter{};
   FunctionTask fixed = task_at(task, 2);
   auto pairs = fixed.pairs;
   for (std::size_t j = 0; j < 4; ++j) {
@@ -106,38 +106,38 @@ TEST(FunctionTask, AFreeNumberChangesThePairs) {
   }
   EXPECT_EQ(pairs[1].derivatives[0].output, 6);
   EXPECT_FALSE(fixed.free);
-  const DialFunction stretched(*fixed.function);
+  const ScaledFunction stretched(*fixed.function);
   for (const AnglePair& pair : pairs) EXPECT_NEAR(stretched.output_at(pair.input), pair.output, 1e-15);
-  task.free = FreeNumber{FreeNumber::Kind::pair_output, {0, 1}, 2};
+  task.free = FreeParameter{FreeParameter::Kind::pair_output, {0, 1}, 2};
   pairs = task_at(task, 0.75).pairs;
   EXPECT_EQ(pairs[2].output, 0.75);
   EXPECT_EQ(pairs[2].input, task.pairs[2].input);
 }
 
 TEST(FunctionTask, AFreeNumberIsSpacedOverItsRange) {
-  const FreeNumber scale;
+  const FreeParameter scale;
   EXPECT_DOUBLE_EQ(scale.at(0), 0.5);
   EXPECT_DOUBLE_EQ(scale.at(0.5), 1) << "by its logarithm";
   EXPECT_DOUBLE_EQ(scale.at(1), 2);
-  const FreeNumber output{FreeNumber::Kind::pair_output, {-1, 3}};
+  const FreeParameter output{FreeParameter::Kind::pair_output, {-1, 3}};
   EXPECT_DOUBLE_EQ(output.at(0.25), 0);
-  for (const FreeNumber& free : {scale, output})
+  for (const FreeParameter& free : {scale, output})
     for (const double t : {0.0, 0.3, 1.0}) EXPECT_NEAR(free.place_of(free.at(t)), t, 1e-15);
-  for (const auto kind : {FreeNumber::Kind::output_scale, FreeNumber::Kind::pair_output})
-    EXPECT_EQ(free_number_named(name(kind)), kind);
+  for (const auto kind : {FreeParameter::Kind::output_scale, FreeParameter::Kind::pair_output})
+    EXPECT_EQ(free_parameter_named(name(kind)), kind);
 }
 
 TEST(FunctionTask, AFreeNumberIsChecked) {
   FunctionTask task = four_pairs();
-  task.free = FreeNumber{FreeNumber::Kind::output_scale, {0, 2}};
+  task.free = FreeParameter{FreeParameter::Kind::output_scale, {0, 2}};
   EXPECT_EQ(codes(task), "scale_range@free.range");
   task.free->range = {2, 1};
   EXPECT_EQ(codes(task), "range_order@free.range");
-  task.free = FreeNumber{FreeNumber::Kind::pair_output, {0, 1}, 4};
+  task.free = FreeParameter{FreeParameter::Kind::pair_output, {0, 1}, 4};
   EXPECT_EQ(codes(task), "no_such_pair@free.pair");
   task = four_pairs();
   task.pairs[0].derivatives = {{1, 1}};
-  task.free = FreeNumber{};
+  task.free = FreeParameter{};
   EXPECT_EQ(codes(task), "free_number_of_five@free");
 }
 

@@ -18,7 +18,7 @@ class MissedBoxes : public ::testing::Test {
   [[nodiscard]] std::vector<Point> curve(Homogeneous Dyad::*end) const {
     std::vector<Point> points;
     for (const double tau : family.samples(Side::input, 20'000, Spacing::arc_length))
-      if (const auto links = family.side_links({tau, tau}))
+      if (const auto links = family.dyad_pair({tau, tau}))
         if (const auto p = finite_point(links->input.*end)) points.push_back(family.frame().to_user(*p));
     return points;
   }

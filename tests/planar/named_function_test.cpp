@@ -54,7 +54,7 @@ TEST(NamedFunction, ExpressionsHaveTheirValues) {
   for (const auto& [expression, value] : values) {
     const NamedFunction f = function(expression, 0.5, 1.5);
     ASSERT_EQ(codes(f), "") << expression;
-    EXPECT_NEAR(DialFunction(f).y(x), value, 1e-15) << expression;
+    EXPECT_NEAR(ScaledFunction(f).y(x), value, 1e-15) << expression;
   }
 }
 
@@ -70,8 +70,8 @@ TEST(NamedFunction, AFactorStretchesTheReadingOfTheDial) {
   NamedFunction f = function("2x + 1", 0, 1);
   f.y = std::array{1.0, 5.0};  // of which 2x + 1 covers the first half
   ASSERT_EQ(codes(f), "");
-  const DialFunction dial(f);
-  EXPECT_NEAR(dial.output_of(1), (f.output_range[0] + f.output_range[1]) / 2, 1e-15);
+  const ScaledFunction scaled(f);
+  EXPECT_NEAR(scaled.output_of(1), (f.output_range[0] + f.output_range[1]) / 2, 1e-15);
   EXPECT_EQ(codes(function("0x", 0, 1)), "constant_function@x");
 }
 
@@ -133,43 +133,43 @@ TEST(NamedFunction, ChebyshevPointsAreThoseOfTheClosedForm) {
   // cos π/8 = √(2 + √2)/2, cos 3π/8 = √(2 − √2)/2.
   const double outer = std::sqrt(2 + std::sqrt(2.0)) / 2, inner = std::sqrt(2 - std::sqrt(2.0)) / 2;
   const std::vector<double> four = {2 - outer, 2 - inner, 2 + inner, 2 + outer};
-  const auto points = DialFunction(f).precision_points();
+  const auto points = ScaledFunction(f).precision_points();
   ASSERT_EQ(points.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(points[i], four[i], 1e-15);
   f.points = 5;
-  const auto five = DialFunction(f).precision_points();
+  const auto five = ScaledFunction(f).precision_points();
   ASSERT_EQ(five.size(), 5u);
   // cos π/10 = √(10 + 2√5)/4, cos 3π/10 = √(10 − 2√5)/4.
   EXPECT_NEAR(five[0], 2 - std::sqrt(10 + 2 * std::sqrt(5.0)) / 4, 1e-15);
   EXPECT_NEAR(five[1], 2 - std::sqrt(10 - 2 * std::sqrt(5.0)) / 4, 1e-15);
   EXPECT_NEAR(five[2], 2, 1e-15);
   f.spacing = PointSpacing::even;
-  EXPECT_EQ(DialFunction(f).precision_points(), (std::vector{1.0, 1.5, 2.0, 2.5, 3.0}));
+  EXPECT_EQ(ScaledFunction(f).precision_points(), (std::vector{1.0, 1.5, 2.0, 2.5, 3.0}));
 }
 
 TEST(NamedFunction, TheDialsRunFromEndToEnd) {
-  const DialFunction rising(function("x^2", 1, 3));
+  const ScaledFunction rising(function("x^2", 1, 3));
   EXPECT_DOUBLE_EQ(rising.input_at(1), 0.1);
   EXPECT_DOUBLE_EQ(rising.input_at(3), 1.3);
   EXPECT_DOUBLE_EQ(rising.output_at(0.1), -0.2);
   EXPECT_DOUBLE_EQ(rising.output_at(1.3), 0.9);
   EXPECT_NEAR(rising.output_of(2), -0.2 + 1.1 * 3 / 8, 1e-15);
   EXPECT_NEAR(rising.x_at(0.7), 2, 1e-15);
-  const DialFunction falling(function("x^-1", 1, 2));
+  const ScaledFunction falling(function("x^-1", 1, 2));
   EXPECT_DOUBLE_EQ(falling.output_of(1), 0.9) << "the greatest y stands at the dial's end";
   NamedFunction f = function("x^2", 0, 1);
   f.y = {0, 2};
-  EXPECT_NEAR(DialFunction(f).output_of(1), 0.35, 1e-15) << "half of the dial";
+  EXPECT_NEAR(ScaledFunction(f).output_of(1), 0.35, 1e-15) << "half of the dial";
 }
 
 TEST(NamedFunction, TheOutputDialHoldsTheTurningPoints) {
-  const DialFunction sine(function("sin_deg", 10, 340));
+  const ScaledFunction sine(function("sin_deg", 10, 340));
   EXPECT_NEAR(sine.y_range()[0], -1, 1e-15);
   EXPECT_NEAR(sine.y_range()[1], 1, 1e-15);
-  const DialFunction cosine(function("cos", 0.5, 4));
+  const ScaledFunction cosine(function("cos", 0.5, 4));
   EXPECT_NEAR(cosine.y_range()[0], -1, 1e-15);
   EXPECT_NEAR(cosine.y_range()[1], std::cos(0.5), 1e-15);
-  EXPECT_EQ(DialFunction(function("x^2", -1, 2)).y_range(), (std::array{0.0, 4.0}));
+  EXPECT_EQ(ScaledFunction(function("x^2", -1, 2)).y_range(), (std::array{0.0, 4.0}));
 }
 
 TEST(NamedFunction, TablesPassThroughTheirRowsAndDoNotOvershoot) {
@@ -177,24 +177,25 @@ TEST(NamedFunction, TablesPassThroughTheirRowsAndDoNotOvershoot) {
   for (const auto interpolation : {TableInterpolation::monotone_cubic, TableInterpolation::linear}) {
     const NamedFunction f = table(rows, interpolation);
     ASSERT_EQ(codes(f), "");
-    const DialFunction dial(f);
-    for (const auto& [x, y] : rows) EXPECT_NEAR(dial.y(x), y, 1e-15);
+    const ScaledFunction scaled(f);
+    for (const auto& [x, y] : rows) EXPECT_NEAR(scaled.y(x), y, 1e-15);
     for (std::size_t i = 0; i + 1 < rows.size(); ++i)
       for (double t = 0; t <= 1; t += 1.0 / 64) {
-        const double y = dial.y(rows[i][0] + t * (rows[i + 1][0] - rows[i][0]));
+        const double y = scaled.y(rows[i][0] + t * (rows[i + 1][0] - rows[i][0]));
         EXPECT_GE(y, std::min(rows[i][1], rows[i + 1][1]) - 1e-15);
         EXPECT_LE(y, std::max(rows[i][1], rows[i + 1][1]) + 1e-15);
       }
-    EXPECT_EQ(dial.rows().size(), 3u) << "those inside";
+    EXPECT_EQ(scaled.rows().size(), 3u) << "those inside";
   }
-  EXPECT_NEAR(DialFunction(table({{0, 1}, {2, 5}}, TableInterpolation::monotone_cubic)).y(0.5), 2, 1e-15);
+  EXPECT_NEAR(ScaledFunction(table({{0, 1}, {2, 5}}, TableInterpolation::monotone_cubic)).y(0.5), 2, 1e-15);
 }
 
 TEST(NamedFunction, ACubicTableHasNoCorners) {
-  const DialFunction dial(table({{0, 0}, {1, 0.1}, {2, 3}, {2.5, 3.4}, {4, 2}}, TableInterpolation::monotone_cubic));
+  const ScaledFunction scaled(
+      table({{0, 0}, {1, 0.1}, {2, 3}, {2.5, 3.4}, {4, 2}}, TableInterpolation::monotone_cubic));
   const double h = 1e-6;
   for (const double x : {1.0, 2.0, 2.5})
-    EXPECT_NEAR((dial.y(x + h) - dial.y(x)) / h, (dial.y(x) - dial.y(x - h)) / h, 1e-4) << x;
+    EXPECT_NEAR((scaled.y(x + h) - scaled.y(x)) / h, (scaled.y(x) - scaled.y(x - h)) / h, 1e-4) << x;
 }
 
 TEST(NamedFunction, NamesReadBack) {

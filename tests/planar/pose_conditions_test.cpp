@@ -31,7 +31,7 @@ TEST(PoseConditions, AreSeenFromAPoleThatIsNearlyShared) {
     const PoseConditions conditions = pose_conditions(poses);
     EXPECT_GT(conditions.condition(), 0.1 / deviation);
     ASSERT_TRUE(conditions.near_pole) << deviation;
-    const PoleView& view = *conditions.near_pole;
+    const PoleFrame& view = *conditions.near_pole;
     EXPECT_EQ(view.rows.size(), 3u);
     const Point pole = conditions.frame.to_user(view.frame.origin);
     double miss = 0;
@@ -39,7 +39,7 @@ TEST(PoseConditions, AreSeenFromAPoleThatIsNearlyShared) {
       const Point turned = pole + direction(pose.pose.angle - poses[0].pose.angle) * (poses[0].pose.origin - pole);
       miss = std::max(miss, std::abs(pose.pose.origin - turned));
     }
-    EXPECT_NEAR(conditions.frame.scale * view.miss / miss, 1, 1e-5);
+    EXPECT_NEAR(conditions.frame.scale * view.deviation / miss, 1, 1e-5);
     EXPECT_LT(miss, 5 * deviation);
   }
 }

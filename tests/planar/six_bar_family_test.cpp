@@ -30,7 +30,7 @@ struct WorkedCase {
       poses.push_back({{point_of(position[0]), position[0][2].get<double>()}, {}});
     const json& c = content["chain"];
     chain = {point_of(c["A"]), point_of(c["B1"]), point_of(c["D1"]), {}};
-    for (std::size_t j = 0; j < 4; ++j) chain.elbow[j] = c["elbow"][j].get<int>();
+    for (std::size_t j = 0; j < 4; ++j) chain.assembly_mode[j] = c["elbow"][j].get<int>();
     const auto pair = [&](const char* link) {
       const json& between = content[link]["between"];
       return BodyPair{between[0].get<int>(), between[1].get<int>()};
@@ -84,7 +84,7 @@ TEST_P(SixBarFamilyOfAWorkedCase, HasTheStatedLinks) {
   for (const json& candidate : stated_second["candidates"]) {
     const auto member = family.member(*first, candidate["tau"].get<double>());
     ASSERT_TRUE(member);
-    EXPECT_EQ(sine_at_most(member->six_bar, member->turns).has_value(),
+    EXPECT_EQ(sine_upper_bound(member->six_bar, member->turns).has_value(),
               candidate["reaches_all_four_positions"].get<bool>())
         << "in the assembly of position 1, τ = " << candidate["tau"];
   }
@@ -155,7 +155,7 @@ TEST(SixBarFamily, TurnsAndScalesWithTheDrawing) {
 TEST(SixBarFamily, TakesTheElbowsThatItIsGiven) {
   const WorkedCase worked("watt1");
   ThreeLinkChain chain = worked.chain;
-  chain.elbow = {1, 1, -1, 1};
+  chain.assembly_mode = {1, 1, -1, 1};
   const auto bodies = chain_positions(worked.poses, chain);
   ASSERT_TRUE(bodies);
   for (std::size_t j = 0; j < 4; ++j) {

@@ -22,7 +22,7 @@ TEST(SixBarSolution, IsCheckedInTheUsersCoordinates) {
       EXPECT_LT(solution.pose_residual, 1e-12);
       const SixBarRating quick = rating_of(member, true);
       EXPECT_EQ(quick.drive.defects, solution.rating.drive.defects);
-      if (!solution.rating.drive.defects.none() || solution.rating.drive.least_sine < 0.05) continue;
+      if (!solution.rating.drive.defects.none() || solution.rating.drive.min_sine < 0.05) continue;
       ++free_ones;
       EXPECT_TRUE(solution.verified_by_driving) << text(row.added[0]) << text(row.added[1]) << i;
     }
@@ -60,7 +60,7 @@ TEST(SixBarSolution, MeetsRequirementsOrNot) {
                                     {Point{4, 0}, Point{4, 3}}, {Point{9, -4}, Point{8, 3}});
   SixBarRating rating{shape_of(six_bar)};
   rating.drive.completed = true;
-  rating.drive.least_sine = 0.5;
+  rating.drive.min_sine = 0.5;
   Requirements wanted;
   EXPECT_TRUE(meets(wanted, six_bar, rating));
   EXPECT_NEAR(rating.min_transmission_angle(), radians(30), 1e-12);

@@ -71,11 +71,11 @@ TEST(SixBarTask, RefusesAChainWithoutAnElbow) {
 
 TEST(SixBarTask, ChecksElbows) {
   SixBarTask task = sound_task();
-  task.chain->elbow = {1, 1, 2, 1};
+  task.chain->assembly_mode = {1, 1, 2, 1};
   EXPECT_TRUE(has(task, "elbow_range", "task.chain.elbow[2]"));
-  task.chain->elbow = {-1, 1, 1, 1};
+  task.chain->assembly_mode = {-1, 1, 1, 1};
   EXPECT_TRUE(has(task, "wrong_elbow", "task.chain.elbow[0]"));
-  task.chain->elbow = {1, -1, 1, 1};
+  task.chain->assembly_mode = {1, -1, 1, 1};
   EXPECT_TRUE(mistakes_in(task).empty());
 }
 

@@ -48,7 +48,7 @@ struct Task {
       if (const auto dyad = dyads.dyad(arm / conditions.frame.scale, sheet)) found.push_back(user(*dyad));
     return found;
   }
-  // Worst relative change of the side link's length over the finite poses.
+  // Worst relative change of the grounded link's length over the finite poses.
   [[nodiscard]] double residual(const Links& links) const {
     const double length = std::abs(links.circle - links.center);
     double worst = 0;
@@ -268,7 +268,7 @@ TEST(ThreePoseDyads, ArcsLeaveNoDirectionOut) {
   }
 }
 
-// Free length, given direction: the centres lie on the circular cubic of the theory (angle between the side links).
+// Free length, given direction: the centres lie on the circular cubic of the theory (angle between the grounded links).
 TEST(ThreePoseDyads, CentresOfADirectionLieOnTheCubic) {
   std::mt19937_64 random(12);
   for (int trial = 0; trial < 300; ++trial) {
@@ -307,7 +307,7 @@ TEST(ThreePoseDyads, OneShiftLeavesTwoDirectionsToALength) {
     }
     EXPECT_FALSE(task.dyads.dyad_round(2 / frame.scale * direction(arc.from + 0.1), 0));
   }
-  EXPECT_FALSE(task.dyads.length_of(std::arg(shift)));  // the side link would have to point the other way
+  EXPECT_FALSE(task.dyads.length_of(std::arg(shift)));  // the grounded link would have to point the other way
 }
 
 TEST(ThreePoseDyads, AStartWithAShiftLeavesOneLineOfDirections) {

@@ -30,7 +30,7 @@ SideAngleFamily angle_family(const std::vector<PrescribedPose>& poses, double an
   return {conditions.frame, poses, dyads_of(conditions), angle, directed, input};
 }
 
-FourBar user_bars(const FourBarFamily& family, const SideLinks& links) {
+FourBar user_bars(const FourBarFamily& family, const DyadPair& links) {
   const FourBar bars = four_bar_of(links).value();
   const WorkingFrame& frame = family.frame();
   return {frame.to_user(bars.input_center), frame.to_user(bars.input_circle), frame.to_user(bars.output_center),
@@ -58,7 +58,7 @@ TEST(SideLengthsFamily, KeepsBothLengthsAndTheDirectionsOnItsAxes) {
   int found = 0;
   for (const double u : family.samples(Side::input, 20, Spacing::coordinate))
     for (const double v : family.samples(Side::output, 20, Spacing::coordinate)) {
-      const auto links = family.side_links({u, v});
+      const auto links = family.dyad_pair({u, v});
       ASSERT_TRUE(links);
       const FourBar bars = user_bars(family, *links);
       EXPECT_NEAR(bars.lengths().input, 2, 1e-12);
@@ -79,7 +79,7 @@ TEST(SideLengthsFamily, SheetsHaveTheSameDirections) {
   for (std::size_t i = 0; i < 40; ++i) EXPECT_NEAR(samples[i] + 1, samples[i + 40], 1e-15);
   // There are none between about 180° and 270°, and none are laid there.
   for (const double tau : samples) EXPECT_FALSE(tau > 0.5 && tau < 0.75) << tau;
-  EXPECT_FALSE(family.side_links({0.6, 0.1}));
+  EXPECT_FALSE(family.dyad_pair({0.6, 0.1}));
 }
 
 TEST(SideLengthsFamily, SmallTurnsFillTheMapToo) {
@@ -101,7 +101,7 @@ TEST(SideLengthsFamily, OneShiftLeavesTheCirclesOfCentres) {
   int found = 0;
   for (const double u : family.samples(Side::input, 12, Spacing::coordinate))
     for (const double v : family.samples(Side::output, 12, Spacing::coordinate)) {
-      const auto links = family.side_links({u, v});
+      const auto links = family.dyad_pair({u, v});
       if (!links) continue;
       const FourBar bars = user_bars(family, *links);
       EXPECT_NEAR(bars.lengths().input, 2, 1e-12);
@@ -114,7 +114,7 @@ TEST(SideLengthsFamily, OneShiftLeavesTheCirclesOfCentres) {
 
 TEST(SideLengthsFamily, HasNothingWhereNoDyadHasTheLength) {
   const auto family = lengths_family(shifted_poses, 0.1, 2);
-  EXPECT_FALSE(family.side_links({0.3, 0.3}));
+  EXPECT_FALSE(family.dyad_pair({0.3, 0.3}));
   EXPECT_TRUE(family.polygon(Side::input).empty());
   EXPECT_FALSE(family.polygon(Side::output).empty());
 }
@@ -132,7 +132,7 @@ TEST_P(SideAngle, IsKeptByEveryFourBar) {
     EXPECT_EQ(family.axis(Side::output).branches.size(), directed ? 2u : 4u);
     for (const double u : family.samples(Side::input, 8, Spacing::coordinate))
       for (const double v : family.samples(Side::output, 40, Spacing::coordinate)) {
-        const auto links = family.side_links({u, v});
+        const auto links = family.dyad_pair({u, v});
         if (!links) continue;
         const FourBar bars = user_bars(family, *links);
         const double size = std::abs(bars.output_center) + std::abs(bars.input_center);
@@ -162,12 +162,12 @@ TEST(SideAngleFamily, FindsTheFourBarsOfGivenLengths) {
                output = lengths.samples(Side::output, 4, Spacing::coordinate);
     for (const double u : input)
       for (const double v : output) {
-        const auto links = lengths.side_links({u, v});
+        const auto links = lengths.dyad_pair({u, v});
         if (!links) continue;
         const double angle = two_pi * (v - u);
         const auto family = angle_family(poses, angle, true, 1.3);
         const double place = std::floor(v) + 2 / pi * std::atan2(0.8, 1.3);
-        const auto same = family.side_links({u, place});
+        const auto same = family.dyad_pair({u, place});
         ASSERT_TRUE(same);
         EXPECT_LT(std::abs(*finite_point(same->output.center) - *finite_point(links->output.center)), 1e-6);
         ++found;
@@ -185,7 +185,7 @@ TEST(SideAngleFamily, ClassifiesEachCellAsAloneItWouldBe) {
   int compared = 0;
   for (std::size_t row = 0; row < input.size(); ++row)
     for (std::size_t column = 0; column < output.size(); ++column) {
-      const auto links = family.side_links({input[row], output[column]});
+      const auto links = family.dyad_pair({input[row], output[column]});
       const auto bars = links ? four_bar_of(*links) : std::nullopt;
       const std::size_t cell = map.index(row, column);
       if (!bars) {
@@ -206,7 +206,7 @@ TEST(SideAngleFamily, OneShiftTakesTheLengthFromTheDirection) {
   int found = 0;
   for (const double u : family.samples(Side::input, 10, Spacing::coordinate))
     for (const double v : family.samples(Side::output, 10, Spacing::coordinate)) {
-      const auto links = family.side_links({u, v});
+      const auto links = family.dyad_pair({u, v});
       if (!links) continue;
       const FourBar bars = user_bars(family, *links);
       EXPECT_LT(residual(shifted_poses, bars.output_center, bars.output_circle), 1e-12);

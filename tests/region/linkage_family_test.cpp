@@ -29,7 +29,7 @@ class ToyFamily : public LinkageFamily {
     const auto cell_at = [&](std::size_t row, std::size_t /*column*/) {
       return MapCell{LinkageType::crank_rocker, {}, {static_cast<float>(input[row] / 2)}};
     };
-    map.judge_cells(input, output, kept, {}, cell_at, options, progress);
+    map.evaluate_cells(input, output, kept, {}, cell_at, options, progress);
   }
 };
 

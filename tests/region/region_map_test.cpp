@@ -24,7 +24,7 @@ MapCell cell_at(std::size_t row, std::size_t column) {
 
 RegionMap judged(const RegionOptions& options = {}, const Progress& progress = {}) {
   RegionMap map;
-  map.judge_cells(rows, columns, kept, {DriverTravel::cw, 1.0F}, cell_at, options, progress);
+  map.evaluate_cells(rows, columns, kept, {DriverTravel::cw, 1.0F}, cell_at, options, progress);
   return map;
 }
 
@@ -38,7 +38,7 @@ TEST(RegionMap, KeepsVerdictAndMeasuresOfEachCell) {
   EXPECT_EQ(map.values(kept[1])[map.index(1, 1)], 11.0F);
   EXPECT_NEAR(map.min_transmission_angle(map.index(0, 0)), pi / 2, 1e-7);
   EXPECT_TRUE(map.values(measures::link_ratio).empty());
-  EXPECT_EQ(map.told_measures().back(), measures::driver_sweep);
+  EXPECT_EQ(map.reported_measures().back(), measures::driver_sweep);
 }
 
 TEST(RegionMap, TurnsTheDriverAsItsRowsSay) {
@@ -74,7 +74,7 @@ TEST(RegionMap, RowsLeftOutAreDegenerate) {
 TEST(RegionMap, IsEmptyWhereTheCellsDoNotFit) {
   RegionMap map = judged();
   const std::vector<double> many(std::size_t{1} << 24, 0.5);
-  EXPECT_THROW(map.judge_cells(many, many, kept, {}, cell_at), std::bad_alloc);
+  EXPECT_THROW(map.evaluate_cells(many, many, kept, {}, cell_at), std::bad_alloc);
   EXPECT_EQ(map.rows() * map.columns(), 0u);
 }
 #endif

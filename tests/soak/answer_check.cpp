@@ -67,7 +67,7 @@ void look_for_nulls(const json& value, const std::string& key, Wrongs& wrongs) {
 
 void check_region_values(const RegionMap& map, Wrongs& wrongs) {
   std::vector<float> values(map.columns());
-  for (const Measure& measure : map.told_measures())
+  for (const Measure& measure : map.reported_measures())
     for (std::size_t row = 0; row < map.rows(); ++row) {
       row_values(map, measure, row, values);
       if (std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); })) continue;
@@ -159,7 +159,7 @@ double coordinate_rounding(Point a, Point b) {
   return 1e-14 * (std::abs(a) + std::abs(b)) / std::max(std::abs(b - a), 1e-300);
 }
 
-/// Worst relative change of a side link's length over finite poses.
+/// Worst relative change of a grounded link's length over finite poses.
 double length_change(const std::vector<PrescribedPose>& poses, Point center, Point circle) {
   const double length = std::abs(circle - center);
   double worst = 0;
@@ -170,8 +170,8 @@ double length_change(const std::vector<PrescribedPose>& poses, Point center, Poi
   return worst;
 }
 
-void check_side_link(const std::vector<PrescribedPose>& poses, const json& dyad, const std::string& which,
-                     Wrongs& wrongs) {
+void check_grounded_link(const std::vector<PrescribedPose>& poses, const json& dyad, const std::string& which,
+                         Wrongs& wrongs) {
   constexpr double most = 1e-6;  // what the solver leaves out by its own word
   if (dyad["center_point"].is_null() || dyad["circle_point"].is_null()) return;
   const Point center = point_of(dyad["center_point"]), circle = point_of(dyad["circle_point"]);
@@ -206,12 +206,12 @@ Looked six_bar_looked_at(const json& entry) {
 }
 
 void check_residuals(const json& entry, Wrongs& wrongs) {
-  constexpr double most = 1e-6, most_degrees = 1e-4;
+  constexpr double most = 1e-6, max_degrees = 1e-4;
   for (const char* key : {"residual", "pose_residual", "residual_derivatives"})
     if (entry.contains(key) && !(entry[key].get<double>() <= most))
       wrongs.push_back(fmt::format("{} is {:.1e}", key, entry[key].get<double>()));
   if (entry.contains("precision_error_deg") && no_defects(entry) &&
-      !(entry["precision_error_deg"].get<double>() <= most_degrees))
+      !(entry["precision_error_deg"].get<double>() <= max_degrees))
     wrongs.push_back(fmt::format("precision_error_deg is {:.1e}", entry["precision_error_deg"].get<double>()));
 }
 
@@ -220,7 +220,7 @@ std::vector<PrescribedPose> passed_poses(const Problem& problem) {
   const auto* motion = std::get_if<MotionTask>(&problem.task);
   if (motion == nullptr) return {};
   std::vector<PrescribedPose> poses = motion->poses;
-  if (motion->freed) poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(*motion->freed));
+  if (motion->relaxed) poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(*motion->relaxed));
   return poses;
 }
 
@@ -236,7 +236,7 @@ void check_linkages(const Problem& problem, const json& result, Wrongs& wrongs) 
     check_residuals(entry, found);
     check_requirements(wanted, is_four_bar ? four_bar_looked_at(entry) : six_bar_looked_at(entry), found);
     if (is_four_bar && !poses.empty())
-      for (const char* side : {"input", "output"}) check_side_link(poses, entry[side], side, found);
+      for (const char* side : {"input", "output"}) check_grounded_link(poses, entry[side], side, found);
     for (const std::string& wrong : found) wrongs.push_back(fmt::format("{}: {}", which, wrong));
   }
   number = 0;

@@ -95,8 +95,8 @@ Json written_chain(Draw& draw, const ThreeLinkChain& chain) {
   Json written = {
       {"a", written_point(exact, chain.a)}, {"b", written_point(exact, chain.b)}, {"d", written_point(exact, chain.d)}};
   if (draw.chance(0.3)) {
-    written["elbow"] = {draw.chance(0.5) ? 0 : chain.elbow_in_position_1(), draw.whole(-1, 1), draw.whole(-1, 1),
-                        draw.whole(-1, 1)};
+    written["elbow"] = {draw.chance(0.5) ? 0 : chain.assembly_mode_in_position_1(), draw.whole(-1, 1),
+                        draw.whole(-1, 1), draw.whole(-1, 1)};
   }
   return written;
 }
@@ -139,9 +139,9 @@ Json drawn_five_positions(Draw& draw, const Sheet& sheet, std::string_view kind)
   if (kind == "five_freed" && std::find(pattern.begin(), pattern.end(), 1) == pattern.end()) pattern = {1, 1, 1, 1, 1};
   Json task = four_bar_task(drawn_poses(draw, sheet, pattern));
   if (kind != "five_freed") return task;
-  int freed = draw.whole(0, static_cast<int>(pattern.size()) - 1);
-  while (pattern[static_cast<std::size_t>(freed)] != 1) freed = (freed + 1) % static_cast<int>(pattern.size());
-  task["freed_pose"] = freed + 1;
+  int relaxed = draw.whole(0, static_cast<int>(pattern.size()) - 1);
+  while (pattern[static_cast<std::size_t>(relaxed)] != 1) relaxed = (relaxed + 1) % static_cast<int>(pattern.size());
+  task["freed_pose"] = relaxed + 1;
   return task;
 }
 

@@ -11,7 +11,7 @@ namespace linkwright::testing {
 [[nodiscard]] DyadAxis axis_of(const std::vector<PrescribedPose>& poses, const std::vector<Dyad>& dyads);
 [[nodiscard]] DyadAxis axis_of(const std::vector<PrescribedPose>& poses, int samples);
 
-/// The map of all pairs of side links.
+/// The map of all pairs of grounded links.
 [[nodiscard]] RegionMap map_of(const DyadAxis& input, const DyadAxis& output, double unit,
                                const RegionOptions& options = {}, const Progress& progress = {});
 

@@ -22,7 +22,7 @@ namespace linkwright::testing {
   return best;
 }
 
-/// Worst change of a side link's length over the finite poses, relative to the length.
+/// Worst change of a grounded link's length over the finite poses, relative to the length.
 [[nodiscard]] inline double relative_length_change(const std::vector<PrescribedPose>& poses, Point center,
                                                    Point circle) {
   const double length = std::abs(circle - center);

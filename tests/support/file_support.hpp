@@ -38,7 +38,7 @@ class Folder {
 /// One of examples/, with a small region.
 [[nodiscard]] Problem example(const std::string& name, int region_samples);
 
-/// examples/latch.json: three positions and both side links; examples/nose_gear.json: five positions;
+/// examples/latch.json: three positions and both grounded links; examples/nose_gear.json: five positions;
 /// examples/sine_generator.json: a function on four precision points. With their answers on small regions.
 struct Solved {
   Problem problem;

@@ -26,7 +26,7 @@ TEST(Answer, ItsFindingsAreTheSameWhateverTheKind) {
 TEST(Answer, PointsOfLinkagesLieOnTheMap) {
   const FourBarAnswer& answer = testing::four_bars(testing::solved_tailgate());
   for (const FourBarSolution& found : answer.linkages) {
-    const auto links = answer.family()->side_links(answer.point_of(found));
+    const auto links = answer.family()->dyad_pair(answer.point_of(found));
     ASSERT_TRUE(links.has_value());
     EXPECT_LT(std::abs(four_bar_of(*links)->lengths().ground * answer.characteristic_length / found.lengths.ground - 1),
               1e-9);

@@ -128,7 +128,7 @@ TEST(SolveMotion, SaysWhichRequirementCostsMostWhenNothingIsLeft) {
   const MotionAnswer answer = solved(tailgate_task(), wanted);
   EXPECT_EQ(answer.status, SolutionStatus::solved);
   EXPECT_TRUE(answer.linkages.empty());
-  EXPECT_NE(answer.reason.message.find("min_transmission_angle_deg costs most"), std::string::npos)
+  EXPECT_NE(answer.reason.message.find("min_transmission_angle_deg is the most restrictive"), std::string::npos)
       << answer.reason.message;
   ASSERT_FALSE(answer.relax.empty());
   wanted.min_transmission_angle = *answer.relax[0].value;
@@ -299,7 +299,7 @@ TEST(SolveMotion, TellsHowFarItIs) {
 TEST(SolveMotion, FivePositionsAreSolvedWithoutSteppingBack) {
   std::mt19937_64 random(3);
   MotionTask task{testing::random_poses(random, 5)};
-  while (solved(task).freed.empty()) task.poses = testing::random_poses(random, 5);
+  while (solved(task).relaxed.empty()) task.poses = testing::random_poses(random, 5);
   std::vector<double> reports;
   std::atomic<bool> stop = false;
   Progress progress;
@@ -353,7 +353,7 @@ TEST(SolveMotion, KeepsADirectionOfTravel) {
     EXPECT_TRUE(found.verified_by_driving);
     ASSERT_TRUE(found.residual_derivatives);
     EXPECT_LT(*found.residual_derivatives, 1e-14);
-    // The instant centre, where the side links meet, is the one that was prescribed: (250, 0).
+    // The instant centre, where the grounded links meet, is the one that was prescribed: (250, 0).
     const FourBar& bars = found.four_bar;
     const Point a = bars.input_circle - bars.input_center, b = bars.output_circle - bars.output_center;
     const Point gap = bars.output_center - bars.input_center;

@@ -343,7 +343,9 @@ test("a held position shows where it may go, and nowhere else are linkages", asy
   expect(await read_state(page, (workbench) => workbench.census!.meeting)).toBeGreaterThan(0);
 });
 
-test("a place on a curve shows its side link; a click puts the nearer one there, Shift the other", async ({page}) => {
+test("a place on a curve shows its grounded link; a click puts the nearer one there, Shift the other", async ({
+  page,
+}) => {
   await until_at_rest(page);
   // A place of the circle-point curve that nothing else is near to.
   const spot = await page.getByTestId("curve.circle_path").evaluate((path) => {

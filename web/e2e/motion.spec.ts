@@ -104,7 +104,7 @@ test("three positions: lengths as rings, an angle as a wedge, the instant centre
   const taken = ((await given(page)) as {side_lengths: [number, number]}).side_lengths[1];
   expect(taken).toBeGreaterThan(chosen);
 
-  // The angle: stepped, and the side links of the linkage in hand stand at it.
+  // The angle: stepped, and the grounded links of the linkage in hand stand at it.
   await page.getByTestId("req.reset").click(); // the boxes leave none at this angle
   await page.getByTestId("given.side_angle").click();
   await page.getByTestId("given.length_input").fill("18");
@@ -166,7 +166,7 @@ test("20 · five positions: a board of as many four-bars as the program finds, a
 
   const exact = await hand(page);
 
-  // Every cell under the pointer is the linkage of its side links; arrow keys go from cell to cell.
+  // Every cell under the pointer is the linkage of its grounded links; arrow keys go from cell to cell.
   const axes = await read_state(page, ({task}) => task!.axes);
   const at = (row: number, column: number) => places_of(axes, [row + 0.5, column + 0.5] as TauPair)!;
   const {x, y} = await map_pixel(page, at(0, 2));

@@ -276,7 +276,7 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
       expect(linkage.swapped!.type).toBe(wanted.swapped.type);
       const size = Math.max(...(Object.values(wanted.lengths) as number[]));
       for (const link of ["ground", "input", "coupler", "output"] as const) {
-        // Where the directions of a side link end, the fixed pivot runs with all speed.
+        // Where the directions of a grounded link end, the fixed pivot runs with all speed.
         expect_near(linkage.lengths![link], wanted.lengths[link], (exactly ? precision : 1e-6) * size, link);
       }
     }
@@ -339,7 +339,7 @@ describe("the tailgate", () => {
     }
     expect(task).toEqual([ticks[0]!.state, ticks[3]!.state]);
   });
-  test("exchanges its side links with its drivers", () => {
+  test("exchanges its grounded links with its drivers", () => {
     const {linkage} = ask("linkage", at),
       mirrored = ask("linkage", {problem: tailgate, tau: [1.1125, 1.3125]}).linkage;
     expect(mirrored.lengths!.input).toBe(linkage.lengths!.output);

@@ -13,14 +13,14 @@ namespace linkwright {
 
 /// Why a search ended.
 enum class SearchEnd : std::uint8_t {
-  settled,       ///< nothing better lies farther away than the resolution
-  out_of_turns,  ///< the bound on its turns was reached first
+  settled,           ///< nothing better lies farther away than the resolution
+  evaluation_limit,  ///< the bound on its turns was reached first
 };
 
 struct LineSearchOptions {
-  double first_step = 1;  ///< > 0: how far from the start it looks first
-  double resolution = 0;  ///< ≥ 0: how closely the top is to be bracketed
-  int most_turns = 100;   ///< evaluations of the function, at most
+  double first_step = 1;      ///< > 0: how far from the start it looks first
+  double resolution = 0;      ///< ≥ 0: how closely the top is to be bracketed
+  int max_evaluations = 100;  ///< evaluations of the function, at most
 };
 
 /// A place on a line and what was found there; `found` has a member `score`, larger is better.
@@ -123,17 +123,17 @@ LineSearchResult<Found> climb_line(LinePlace<Found> start, const LineSearchOptio
 
   double step = options.first_step;
   if (look(top.at + step)) {
-    while (result.turns < options.most_turns && look(top.at + step)) step = std::min(2 * step, doubled_at_most);
+    while (result.turns < options.max_evaluations && look(top.at + step)) step = std::min(2 * step, doubled_at_most);
   } else if (look(top.at - step)) {
-    while (result.turns < options.most_turns && look(top.at - step)) step = std::min(2 * step, doubled_at_most);
+    while (result.turns < options.max_evaluations && look(top.at - step)) step = std::min(2 * step, doubled_at_most);
   }
   line_search::Section section;
-  while (result.turns < options.most_turns && high.at - low.at > 2 * options.resolution) {
+  while (result.turns < options.max_evaluations && high.at - low.at > 2 * options.resolution) {
     const double next = section.next(low, {top.at, top.found.score}, high, options.resolution);
     if (next == top.at || next <= low.at || next >= high.at) return result;
     look(next);
   }
-  if (result.turns >= options.most_turns) result.end = SearchEnd::out_of_turns;
+  if (result.turns >= options.max_evaluations) result.end = SearchEnd::evaluation_limit;
   return result;
 }
 

@@ -10,11 +10,11 @@
 namespace linkwright {
 
 struct DriveThroughOptions {
-  double step = 5e-2;          ///< longest arc length of a step on the unit torus of the three link angles, radians;
-                               ///< steps are shorter where strands of the curve pass close to each other
-  double corrector = 1e-13;    ///< loop closure error, relative to the perimeter, at which a corrector step ends
-  double miss = 1e-3;          ///< largest distance from a pose that counts as met, radians on the torus
-  int most_steps = 4'000'000;  ///< for one circuit
+  double step = 5e-2;            ///< longest arc length of a step on the unit torus of the three link angles, radians;
+                                 ///< steps are shorter where strands of the curve pass close to each other
+  double corrector = 1e-13;      ///< loop closure error, relative to the perimeter, at which a corrector step ends
+  double pose_tolerance = 1e-3;  ///< largest distance from a pose that counts as met, radians on the torus
+  int max_steps = 4'000'000;     ///< for one circuit
 
   /// A pose with derivatives must be passed in the direction of its first one, to within `miss` radians: it is compared
   /// with the numerically differentiated drive.
@@ -25,7 +25,7 @@ struct DriveThroughOptions {
 struct DriveThroughReport {
   /// The circuit closed, or all poses lie on the arc around pose 0 on which it can be followed: where it crosses
   /// itself, at a change point (tolerance::crossing_strands), that arc ends. Otherwise the rest is meaningless: no
-  /// linkage, poses beyond a crossing, most_steps.
+  /// linkage, poses beyond a crossing, max_steps.
   bool completed = false;
   Defects defects;
   /// Pose indices on the circuit, in the order in which the input meets them from pose 0, in the sense that reaches

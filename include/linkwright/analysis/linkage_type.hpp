@@ -48,7 +48,7 @@ struct GrashofExcesses {
 /// degenerate where a link is.
 [[nodiscard]] LinkageType linkage_type(const LinkLengths& lengths);
 
-/// Type of the same bars driven from the other side link.
+/// Type of the same bars driven from the other grounded link.
 [[nodiscard]] LinkageType swapped(LinkageType type);
 
 /// True for the four Grashof types.

@@ -17,9 +17,9 @@ struct SixBarState {
 };
 
 struct SixBarCheckOptions {
-  double step = 0.02;       ///< of the driver, radians, at most; steps are shorter where a hinge moves fast
-  double miss = 1e-6;       ///< largest pose error that counts as met, over the longest link
-  bool to_the_end = false;  ///< drives on when all poses are met, to a dead point or a whole turn
+  double step = 0.02;            ///< of the driver, radians, at most; steps are shorter where a hinge moves fast
+  double pose_tolerance = 1e-6;  ///< largest pose error that counts as met, over the longest link
+  bool full_travel = false;      ///< drives on when all poses are met, to a dead point or a whole turn
 };
 
 /// What happened on the way.

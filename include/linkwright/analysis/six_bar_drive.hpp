@@ -17,8 +17,8 @@ struct SixBarDriveOptions {
   /// Corrections to a closure error of 1e-13 at every step; otherwise one of Newton's steps a step of the walk, which
   /// is as safe and four times as fast, with γ to three digits or so.
   bool exact_steps = false;
-  double miss = 1e-3;       ///< largest distance from a configuration that counts as met, radians
-  int most_steps = 50'000;  ///< a walk is given up after these
+  double pose_tolerance = 1e-3;  ///< largest distance from a configuration that counts as met, radians
+  int max_steps = 50'000;        ///< a walk is given up after these
 };
 
 /// Order, branch and circuit of a six-bar driven by body 1, over the configurations that it shall pass.
@@ -31,9 +31,9 @@ struct SixBarDriveReport {
   double sweep = 0;                     ///< angle that the driver turns from first to last, radians; 0 with a defect
   /// Least SixBarTransmission::sine over the travel from the first to the last, at the steps of the walk and at the
   /// configurations themselves; 0 with a defect.
-  double least_sine = 0;
+  double min_sine = 0;
   /// Dyadic six-bars: of the dyad that follows the driver, and of the one that follows that; otherwise the same twice.
-  std::array<double, 2> least_sines{};
+  std::array<double, 2> min_sines{};
   int steps = 0;  ///< that the walk took
 };
 
@@ -46,8 +46,8 @@ struct SixBarDriveReport {
 [[nodiscard]] SixBarDriveReport drive_six_bar(const SixBar& six_bar, std::span<const SixBarTurns> wanted,
                                               const SixBarDriveOptions& options = {});
 
-/// What SixBarDriveReport::least_sine cannot exceed, from the wanted configurations alone; nothing where their signs
+/// What SixBarDriveReport::min_sine cannot exceed, from the wanted configurations alone; nothing where their signs
 /// tell that there is a branch defect. Cheap.
-[[nodiscard]] std::optional<double> sine_at_most(const SixBar& six_bar, std::span<const SixBarTurns> wanted);
+[[nodiscard]] std::optional<double> sine_upper_bound(const SixBar& six_bar, std::span<const SixBarTurns> wanted);
 
 }  // namespace linkwright

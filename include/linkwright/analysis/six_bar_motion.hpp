@@ -22,7 +22,7 @@ struct SixBarMotion {
   bool full_turn = false;                 ///< the driver turns fully: states go from 0 to 2π
   bool dyadic = false;                    ///< SixBarTransmission::dyadic
 
-  [[nodiscard]] double least_sine() const;  ///< over all states; 0 without any
+  [[nodiscard]] double min_sine() const;  ///< over all states; 0 without any
 };
 
 /// From dead point to dead point, or one full turn, in steps of the driver of at most `step` radians; the states where

@@ -44,7 +44,7 @@ struct Screw {
 [[nodiscard]] Result<Displacement> screw_displacement(Vector3 direction, Vector3 point, double angle,
                                                       double translation);
 
-/// As above by the screw's own parameters; its kind is not looked at.
+/// As above by the screw's own parameters; its kind is ignored.
 [[nodiscard]] Result<Displacement> screw_displacement(const Screw& screw);
 
 }  // namespace linkwright

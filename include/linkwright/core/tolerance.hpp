@@ -37,16 +37,16 @@ inline constexpr double ill_conditioned = 1e9;
 /// magnified by the conditioning of real tasks).
 inline constexpr double vanishing_coefficient = 1e-10;
 
-/// |κ| below which the two branches of a focal cubic meet: a node. κ carries 1e-13, and less in the measure in which
-/// the coefficients that it hangs on vanish.
+/// |κ| below which the two branches of a focal cubic meet: a node. κ carries 1e-13, and less in proportion as
+/// the coefficients that it depends on vanish.
 inline constexpr double node = 1e-11;
 
 /// Distance of the poses' poles from one point, over the characteristic length, below which dyads are computed in
-/// the pole-centred frame: rounding of the conditions, 1e-16, shows in a side link of that length as 1e-16 over its
+/// the pole-centred frame: rounding of the conditions, 1e-16, shows in a grounded link of that length as 1e-16 over its
 /// square.
 inline constexpr double near_common_pole = 1e-3;
 
-/// Change of a side link's length over the positions, as a share of it, above which it is none: seven digits, as
+/// Change of a grounded link's length over the positions, as a share of it, above which it is none: seven digits, as
 /// ill_conditioned leaves. Ordinary tasks keep twelve.
 inline constexpr double side_link_length = 1e-6;
 

@@ -30,7 +30,7 @@ struct AngularMotionTask {
 /// orientation and motion optional. The motion is one of `velocity` and `acceleration` (vectors, radians; `frame`
 /// "fixed" (default) or "moving"), `matrix_first` and `matrix_second` (derivatives of C_ij), `quaternion_first` and
 /// `quaternion_second`, `euler_rates_deg` and `euler_accelerations_deg` (of an orientation by `euler_deg`); the second
-/// of each may be missing: a zero acceleration, or of derivatives, one that is not looked at. Points and origin have
+/// of each may be missing: a zero acceleration, or of derivatives, one that is ignored. Points and origin have
 /// `position`, `velocity`, `acceleration`, what is missing being 0.
 [[nodiscard]] Result<AngularMotionTask> read_angular_motion_task(std::string_view text);
 

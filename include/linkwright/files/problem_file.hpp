@@ -10,7 +10,7 @@
 namespace linkwright {
 
 inline constexpr int file_version = 1;
-inline constexpr std::size_t most_file_bytes = 16u << 20;
+inline constexpr std::size_t max_file_bytes = 16u << 20;
 inline constexpr int deepest_nesting = 64;
 
 /// Reads a problem from JSON text (`//` comments allowed): schema/problem.schema.json. All mistakes are reported, each

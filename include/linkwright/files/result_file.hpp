@@ -21,7 +21,7 @@ void write_result(const TextSink& sink, const Problem& problem, const Answer& an
 [[nodiscard]] std::string write_result(const Problem& problem, const Answer& answer, bool with_region);
 
 /// Result files may be larger than problem files: the arrays of a region.
-inline constexpr std::size_t most_result_bytes = std::size_t{1} << 30;
+inline constexpr std::size_t max_result_bytes = std::size_t{1} << 30;
 
 /// The linkages of a result file, read from its `linkages` and `problem`; the rest is skipped.
 [[nodiscard]] Result<std::vector<StoredLinkage>> read_result_linkages(std::string_view text);

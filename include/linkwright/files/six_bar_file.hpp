@@ -21,12 +21,12 @@ namespace linkwright {
 
 /// A six-bar as files carry it.
 struct StoredSixBar {
-  SixBar six_bar;                     ///< as it lies in position 1
-  SixBarRow row;                      ///< how it is put together
-  std::array<int, 4> elbow{};         ///< of the chain, as ThreeLinkChain::elbow
-  std::string title, length_unit;     ///< empty when the file does not say
-  std::vector<PrescribedPose> poses;  ///< empty when the file does not say
-  std::string record;                 ///< the element of a result's `linkages` it came from, JSON text; or empty
+  SixBar six_bar;                      ///< as it lies in position 1
+  SixBarRow row;                       ///< how it is put together
+  std::array<int, 4> assembly_mode{};  ///< of the chain, as ThreeLinkChain::assembly_mode
+  std::string title, length_unit;      ///< empty when the file does not say
+  std::vector<PrescribedPose> poses;   ///< empty when the file does not say
+  std::string record;                  ///< the element of a result's `linkages` it came from, JSON text; or empty
 };
 
 using AnyStoredLinkage = std::variant<StoredLinkage, StoredSixBar>;

@@ -6,7 +6,7 @@
 
 namespace linkwright {
 
-/// What a task asks, for people: "three positions (P-P-P), side links 80 and 60", "four positions (PP-P-P)",
+/// What a task asks, for people: "three positions (P-P-P), grounded links 80 and 60", "four positions (PP-P-P)",
 /// "function x^2 on 4 precision points", "six-bar for four positions (P-P-P-P), Watt I by 0-2 and 1-3", ….
 [[nodiscard]] std::string task_label(const Task& task);
 

@@ -4,8 +4,8 @@
 
 namespace linkwright {
 
-/// A side link: the centre point (fixed pivot) and the circle point (moving pivot, as it lies in position 1), both in
-/// the fixed frame and homogeneous. Centre at infinity: the moving pivot slides on a fixed line normal to (x, y).
+/// A grounded link: the centre point (fixed pivot) and the circle point (moving pivot, as it lies in position 1), both
+/// in the fixed frame and homogeneous. Centre at infinity: the moving pivot slides on a fixed line normal to (x, y).
 /// Circle point at infinity: a guide of the body, normal to (x, y) in position 1, slides through the fixed pivot.
 struct Dyad {
   Homogeneous center;

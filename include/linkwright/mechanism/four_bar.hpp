@@ -13,12 +13,12 @@ struct LinkLengths {
   [[nodiscard]] double perimeter() const { return ground + input + coupler + output; }
   [[nodiscard]] double longest() const { return std::max({ground, input, coupler, output}); }
   [[nodiscard]] double shortest() const { return std::min({ground, input, coupler, output}); }
-  /// The same bars driven from the other side link.
+  /// The same bars driven from the other grounded link.
   [[nodiscard]] LinkLengths swapped() const { return {ground, output, coupler, input}; }
 };
 
-/// A planar four-bar as it lies in position 1, fixed frame: the input (driving) side link turns about `input_center`
-/// and carries `input_circle`; the output side link likewise; the coupler joins the two circle points.
+/// A planar four-bar as it lies in position 1, fixed frame: the input (driving) grounded link turns about
+/// `input_center` and carries `input_circle`; the output link likewise; the coupler joins the two circle points.
 struct FourBar {
   Point input_center{}, input_circle{}, output_center{}, output_circle{};
 
@@ -27,7 +27,7 @@ struct FourBar {
     return {std::abs(output_center - input_center), std::abs(input_circle - input_center),
             std::abs(output_circle - input_circle), std::abs(output_circle - output_center)};
   }
-  /// The same bars driven from the other side link.
+  /// The same bars driven from the other grounded link.
   [[nodiscard]] FourBar swapped() const { return {output_center, output_circle, input_center, input_circle}; }
 };
 

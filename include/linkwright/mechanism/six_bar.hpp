@@ -69,7 +69,7 @@ struct SixBar {
   /// All distances between hinges of one body, by body: one of a binary link, three of a ternary one; ten in all.
   [[nodiscard]] std::vector<SixBarLength> lengths() const;
   /// The four hinges of a loop of four bodies, of which each six-bar has one or two: as those of a four-bar, the first
-  /// two on the input side link, the second and third on the coupler, the first and last on the frame. The loop of
+  /// two on the input link, the second and third on the coupler, the first and last on the frame. The loop of
   /// ground and driver where there is one, with the driver as the input; otherwise the body with the lowest number is
   /// the frame, and its neighbour with the lower number the input.
   [[nodiscard]] std::optional<std::array<std::size_t, 4>> four_bar_loop() const;

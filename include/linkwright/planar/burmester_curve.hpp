@@ -26,9 +26,9 @@ class BurmesterCurve {
   /// `conditions` has three rows. Rank below three gives kind every_point and no branches.
   explicit BurmesterCurve(const PoseConditions& conditions);
 
-  [[nodiscard]] CubicKind kind() const { return seen_.circle_curve.kind(); }
-  [[nodiscard]] CubicKind center_kind() const { return seen_.center_curve.kind(); }
-  [[nodiscard]] std::optional<double> kappa() const { return seen_.circle_curve.kappa(); }
+  [[nodiscard]] CubicKind kind() const { return solving_.circle_curve.kind(); }
+  [[nodiscard]] CubicKind center_kind() const { return solving_.center_curve.kind(); }
+  [[nodiscard]] std::optional<double> kappa() const { return solving_.circle_curve.kappa(); }
   [[nodiscard]] const std::vector<CurveBranch>& branches() const { return branches_; }
   /// As the working frame shows them; where the poses nearly share a pole, the dyads are more exact.
   [[nodiscard]] const CircularCubic& circle_curve() const { return circle_curve_; }
@@ -50,10 +50,10 @@ class BurmesterCurve {
   /// `longest_side` (radians); between its corners the length can be interpolated linearly, exactly to the eye where
   /// they are as short as by default. A branch without length has no entry. Excursions of the curve to infinity are in
   /// it however short they are in τ; any other that is shorter than 1/256 of a branch may be passed over.
-  struct Run {
+  struct ArcLengthTable {
     std::vector<double> tau, length;
   };
-  [[nodiscard]] Run run(double longest_side = 2e-3) const;
+  [[nodiscard]] ArcLengthTable arc_length_table(double longest_side = 2e-3) const;
 
   /// Dyads along all branches, by rising τ, each branch closed by its first dyad again (its coordinate just short of
   /// the branch's end), so dense that the two unit vectors together run at most `longest_side` (radians) from one to
@@ -73,12 +73,12 @@ class BurmesterCurve {
     Homogeneous circle, from, to;  ///< centres from·cos πt + to·sin πt
   };
   /// The curves in the frame in which dyads are computed.
-  struct Seen {
-    Seen(const PoseConditions& asked, const std::vector<HomogeneousMatrix>& rows);
+  struct SolvingFrame {
+    SolvingFrame(const PoseConditions& asked, const std::vector<HomogeneousMatrix>& rows);
     std::array<HomogeneousMatrix, 3> conditions;
     CircularCubic circle_curve, center_curve;
   };
-  [[nodiscard]] Homogeneous to_seen(Homogeneous working) const;
+  [[nodiscard]] Homogeneous to_solving_frame(Homogeneous working) const;
   [[nodiscard]] Homogeneous to_working(Homogeneous seen) const;
   [[nodiscard]] std::vector<Dyad> dyads_at_infinity() const;
   void find_partner_lines();
@@ -86,8 +86,8 @@ class BurmesterCurve {
   template <class Visit>
   void walk(int first_sides, double longest_side, const Visit& visit) const;
 
-  std::optional<WorkingFrame> view_;  ///< PoseConditions::near_pole; nothing: the working frame itself
-  Seen seen_;
+  std::optional<WorkingFrame> pole_frame_;  ///< PoseConditions::near_pole; nothing: the working frame itself
+  SolvingFrame solving_;
   CircularCubic circle_curve_, center_curve_;  ///< working frame
   std::vector<CurveBranch> branches_;
   std::vector<PartnerLine> partner_lines_;

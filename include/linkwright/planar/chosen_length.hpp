@@ -12,7 +12,7 @@ namespace linkwright {
 
 /// A length that the task leaves open, chosen so that the map over the rest has something to show.
 struct ChosenLength {
-  static constexpr int rungs = 25;       ///< lengths that are tried, in equal ratios
+  static constexpr int trials = 25;      ///< lengths that are tried, in equal ratios
   static constexpr double longest = 10;  ///< in characteristic lengths; max_length where that is less
   static constexpr double range = 100;   ///< longest over shortest
   static constexpr int samples = 100;    ///< a side of the map that is made for each

@@ -20,7 +20,7 @@ namespace linkwright {
 
 class LengthCheck;
 
-struct SideLinks {
+struct DyadPair {
   Dyad input, output;
 };
 
@@ -35,17 +35,17 @@ class FourBarFamily : public LinkageFamily {
   [[nodiscard]] const WorkingFrame& frame() const { return frame_; }
 
   /// The pair of dyads at a map point; nothing where the family has none there. They may be sliders.
-  [[nodiscard]] virtual std::optional<SideLinks> side_links(MapPoint place) const = 0;
+  [[nodiscard]] virtual std::optional<DyadPair> dyad_pair(MapPoint place) const = 0;
   /// The same, reusing those of the known dyads whose coordinates are the point's.
-  [[nodiscard]] virtual std::optional<SideLinks> side_links_beside(MapPoint place, const SideLinks& /*known*/) const {
-    return side_links(place);
+  [[nodiscard]] virtual std::optional<DyadPair> dyad_pair_reusing(MapPoint place, const DyadPair& /*known*/) const {
+    return dyad_pair(place);
   }
 
   /// The same at each cell of a map over these coordinates, which it outlives no more than the family: what the cells
   /// of a row or a column share is worked out once. May be called from several threads.
-  using LinksOfCells = std::function<std::optional<SideLinks>(std::size_t row, std::size_t column)>;
-  [[nodiscard]] virtual LinksOfCells links_of_cells(std::span<const double> input,
-                                                    std::span<const double> output) const;
+  using DyadPairsOfCells = std::function<std::optional<DyadPair>(std::size_t row, std::size_t column)>;
+  [[nodiscard]] virtual DyadPairsOfCells dyad_pairs_of_cells(std::span<const double> input,
+                                                             std::span<const double> output) const;
 
   /// What the coupler of `bars`, those at a place, is to visit, position 1 being the one in which they lie; user's
   /// frame or working frame, as the bars are.
@@ -69,7 +69,7 @@ class FourBarFamily : public LinkageFamily {
 };
 
 /// The four-bar of a pair of dyads; nothing where a pivot is at infinity.
-[[nodiscard]] std::optional<FourBar> four_bar_of(const SideLinks& links);
+[[nodiscard]] std::optional<FourBar> four_bar_of(const DyadPair& links);
 
 /// The family of a motion task: every four-bar is to visit the same poses.
 class MotionFamily : public FourBarFamily {
@@ -99,11 +99,11 @@ class ProductFamily : public MotionFamily {
   /// Nothing where the axis has no dyad there.
   [[nodiscard]] virtual std::optional<Dyad> dyad(Side side, double tau) const = 0;
 
-  [[nodiscard]] std::optional<SideLinks> side_links(MapPoint place) const override;
-  [[nodiscard]] std::optional<SideLinks> side_links_beside(MapPoint place, const SideLinks& known) const override;
+  [[nodiscard]] std::optional<DyadPair> dyad_pair(MapPoint place) const override;
+  [[nodiscard]] std::optional<DyadPair> dyad_pair_reusing(MapPoint place, const DyadPair& known) const override;
   [[nodiscard]] std::vector<Dyad> dyads(Side side, std::span<const double> coordinates) const override;
-  [[nodiscard]] LinksOfCells links_of_cells(std::span<const double> input,
-                                            std::span<const double> output) const override;
+  [[nodiscard]] DyadPairsOfCells dyad_pairs_of_cells(std::span<const double> input,
+                                                     std::span<const double> output) const override;
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
   /// Evenly in τ; a place without a dyad is left out.
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;

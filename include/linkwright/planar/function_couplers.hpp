@@ -32,7 +32,7 @@ struct FunctionCouplers {
   [[nodiscard]] std::optional<double> ground_coordinate() const;
 };
 
-/// `task` without mistakes; a free number in it plays no part.
+/// `task` without mistakes; a free parameter in it plays no part.
 [[nodiscard]] FunctionCouplers function_couplers(const FunctionTask& task);
 
 /// The four-bar on the task's ground pivots with a coupler, at the first pair, user's frame. Nothing where a moving

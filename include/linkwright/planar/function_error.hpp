@@ -60,8 +60,8 @@ struct FunctionError {
 struct ErrorSampling {
   static constexpr std::size_t every_row = std::numeric_limits<std::size_t>::max();
 
-  int steps = 181;                    ///< even steps of the range, ≥ 2
-  std::size_t most_rows = every_row;  ///< of a table; of more than these, as many by even steps
+  int steps = 181;                   ///< even steps of the range, ≥ 2
+  std::size_t max_rows = every_row;  ///< of a table; of more than these, as many by even steps
 
   /// For the errors of many linkages, that are to be told one from another.
   [[nodiscard]] static constexpr ErrorSampling coarse() { return {61, 200}; }
@@ -70,7 +70,7 @@ struct ErrorSampling {
 /// `four_bar` stands at the first of the pairs. `function`, where there is one, is looked at as `sampling` says, and
 /// where the reach ends; from the highest hills of its error the top is sought to 1e-10 of the range.
 [[nodiscard]] FunctionError function_error(const FourBar& four_bar, std::span<const AnglePair> pairs,
-                                           const DialFunction* function, const ErrorSampling& sampling = {});
+                                           const ScaledFunction* function, const ErrorSampling& sampling = {});
 
 /// The same of a task: builds its function anew; of many linkages of a family, FunctionFamily::error_of() is quicker.
 [[nodiscard]] FunctionError function_error(const FourBar& four_bar, const FunctionTask& task,

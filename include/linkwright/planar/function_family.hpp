@@ -14,10 +14,10 @@
 namespace linkwright {
 
 /// The four-bars that generate a function: the rows of their map are places on the curve of couplers (or, with five
-/// positions, its one or three points), the columns the free number of the task, or one only. The input is named by the
-/// task: nothing is driven from the other side.
+/// positions, its one or three points), the columns the free parameter of the task, or one only. The input is named by
+/// the task: nothing is driven from the other side.
 ///
-/// Where the free number changes the number of the curve's branches, the axis has the most that occur, and the cells
+/// Where the free parameter changes the number of the curve's branches, the axis has the most that occur, and the cells
 /// beyond are empty.
 class FunctionFamily : public FourBarFamily {
  public:
@@ -25,28 +25,28 @@ class FunctionFamily : public FourBarFamily {
   FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers);
   ~FunctionFamily() override;
 
-  [[nodiscard]] Side dearer_side() const override { return Side::output; }
+  [[nodiscard]] Side costlier_side() const override { return Side::output; }
 
-  /// The task at a place: its free number fixed.
+  /// The task at a place: its free parameter fixed.
   [[nodiscard]] FunctionTask task_at(MapPoint place) const;
 
   /// How well a linkage from there, user's frame, generates the task's pairs and its named function.
   [[nodiscard]] FunctionError error_of(const FourBar& bars, MapPoint place, const ErrorSampling& sampling = {}) const;
 
   /// Input: ground pivot and moving pivot of the input link; output likewise; both carry their axis' coordinate.
-  [[nodiscard]] std::optional<SideLinks> side_links(MapPoint place) const override;
-  [[nodiscard]] LinksOfCells links_of_cells(std::span<const double> input,
-                                            std::span<const double> output) const override;
+  [[nodiscard]] std::optional<DyadPair> dyad_pair(MapPoint place) const override;
+  [[nodiscard]] DyadPairsOfCells dyad_pairs_of_cells(std::span<const double> input,
+                                                     std::span<const double> output) const override;
   [[nodiscard]] std::vector<PrescribedPose> user_poses(MapPoint place, const FourBar& bars) const override;
   [[nodiscard]] std::vector<PrescribedPose> working_poses(MapPoint place, const FourBar& bars) const override;
   [[nodiscard]] double axis_value(Side side, double tau) const override;
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
 
-  /// Input: the input links along the curve; output: the output links along it. None with a free number.
+  /// Input: the input links along the curve; output: the output links along it. None with a free parameter.
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
 
  private:
-  /// The couplers of the task at one value of the free number.
+  /// The couplers of the task at one value of the free parameter.
   struct Column {
     std::vector<AnglePair> pairs;
     std::shared_ptr<const FunctionCouplers> couplers;
@@ -59,7 +59,7 @@ class FunctionFamily : public FourBarFamily {
   [[nodiscard]] Column recent_column_at(double tau) const;
   [[nodiscard]] std::vector<Column> columns_at(std::span<const double> output, int threads,
                                                const Progress& progress = {}) const;
-  [[nodiscard]] std::optional<SideLinks> side_links(const Column& column, MapPoint place) const;
+  [[nodiscard]] std::optional<DyadPair> dyad_pair(const Column& column, MapPoint place) const;
   [[nodiscard]] std::optional<Dyad> coupler(const Column& column, double tau) const;
   [[nodiscard]] FourBarRow row_at(double tau, std::span<const Column> columns, std::span<const double> coordinates,
                                   bool respect_direction) const;
@@ -67,8 +67,8 @@ class FunctionFamily : public FourBarFamily {
             const RegionOptions& options, const Progress& progress) const override;
 
   FunctionTask task_;
-  FunctionTask bare_;                 ///< the task without its function, whose table may be long
-  std::optional<DialFunction> dial_;  ///< of the function
+  FunctionTask bare_;                              ///< the task without its function, whose table may be long
+  std::optional<ScaledFunction> scaled_function_;  ///< of the function
   std::shared_ptr<const FunctionCouplers> couplers_;
   std::unique_ptr<RecentColumns> recent_;
   Point ground_;  ///< the output's ground pivot, working frame; the input's is at 0

@@ -19,9 +19,9 @@ struct RankedGenerator {
 
 struct GeneratorSearchOptions {
   int input_samples = 400;          ///< along the curve of couplers
-  int free_samples = 40;            ///< along the free number, where there is one
+  int free_samples = 40;            ///< along the free parameter, where there is one
   int error_samples = 61;           ///< of each error curve while searching; the last word has 181
-  int most = 10;                    ///< how many, best first
+  int max_count = 10;               ///< how many, best first
   std::optional<MapWindow> window;  ///< nothing: the whole map
   int threads = 0;                  ///< 0: as many as the machine has
 };

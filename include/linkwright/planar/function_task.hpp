@@ -32,7 +32,7 @@ struct AnglePair {
 };
 
 /// A parameter of the task that is left open: the second axis of the map.
-struct FreeNumber {
+struct FreeParameter {
   enum class Kind : std::uint8_t {
     output_scale,  ///< factor s > 0 on the output's travel: ψⱼ − ψ₁ becomes s(ψⱼ − ψ₁); spaced by its logarithm
     pair_output,  ///< output angle of one pair, radians
@@ -45,11 +45,11 @@ struct FreeNumber {
   [[nodiscard]] double at(double t) const;
   [[nodiscard]] double place_of(double value) const;
 
-  friend bool operator==(const FreeNumber&, const FreeNumber&) = default;
+  friend bool operator==(const FreeParameter&, const FreeParameter&) = default;
 };
 /// Key in problem files: "output_scale", "pair_output".
-[[nodiscard]] std::string_view name(FreeNumber::Kind kind);
-[[nodiscard]] std::optional<FreeNumber::Kind> free_number_named(std::string_view name);
+[[nodiscard]] std::string_view name(FreeParameter::Kind kind);
+[[nodiscard]] std::optional<FreeParameter::Kind> free_parameter_named(std::string_view name);
 
 /// Function generation: the input link of a four-bar on two given ground pivots shall turn its output link through
 /// these pairs of angles, in this order.
@@ -57,7 +57,7 @@ struct FunctionTask {
   std::vector<AnglePair> pairs;
   Point input_pivot = 0, output_pivot = 1;  ///< fixed frame, user's unit
   std::optional<NamedFunction> function;  ///< what the pairs are taken from (precision_pairs), for the structural error
-  std::optional<FreeNumber> free;         ///< four positions only
+  std::optional<FreeParameter> free;      ///< four positions only
 
   friend bool operator==(const FunctionTask&, const FunctionTask&) = default;
 };
@@ -67,7 +67,7 @@ inline constexpr double repeated_input_angle = 1e-9;
 
 /// The caller's mistakes: not four or five positions, numbers that are not finite or too large, derivatives in which
 /// nothing moves or the input stands still, input angles that repeat (modulo whole turns), an output that never moves,
-/// ground pivots that coincide, mistakes in the named function or the free number. Places are
+/// ground pivots that coincide, mistakes in the named function or the free parameter. Places are
 /// `task.pairs[i].input_deg`, `task.pairs[i].derivatives[m].input`, `task.ground_pivots…`, `task.function…`,
 /// `task.free…` (i from 0).
 [[nodiscard]] std::vector<Error> mistakes_in(const FunctionTask& task);
@@ -75,8 +75,8 @@ inline constexpr double repeated_input_angle = 1e-9;
 /// The precision points of a named function without mistakes, by rising x.
 [[nodiscard]] std::vector<AnglePair> precision_pairs(const NamedFunction& function);
 
-/// The task with its free number at a value, free no longer; the output's dial is stretched about the first pair with
-/// output_scale. `task` without mistakes.
+/// The task with its free parameter at a value, free no longer; the output's dial is stretched about the first pair
+/// with output_scale. `task` without mistakes.
 [[nodiscard]] FunctionTask task_at(const FunctionTask& task, double value);
 
 /// Number of positions, each with its multiplicity.

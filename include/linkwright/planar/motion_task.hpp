@@ -18,7 +18,7 @@ struct MotionTask {
   std::optional<ThreePoseGiven> given;  ///< three positions: what else is known; otherwise nothing
   /// Of five positions, the pose (index) that need not be passed exactly: the others are a task of four, and the
   /// error of a linkage at this one is reported.
-  std::optional<std::size_t> freed;
+  std::optional<std::size_t> relaxed;
 
   friend bool operator==(const MotionTask&, const MotionTask&) = default;
 };

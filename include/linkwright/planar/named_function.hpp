@@ -66,10 +66,10 @@ struct NamedFunction {
 [[nodiscard]] std::vector<Error> mistakes_in(const NamedFunction& function);
 
 /// A named function ready to be evaluated, as a function of dial angles. Copies share the rows of a table.
-class DialFunction {
+class ScaledFunction {
  public:
   /// `function` without mistakes.
-  explicit DialFunction(const NamedFunction& function);
+  explicit ScaledFunction(const NamedFunction& function);
 
   /// The function itself, x in x_range().
   [[nodiscard]] double y(double x) const;
@@ -90,12 +90,12 @@ class DialFunction {
   [[nodiscard]] std::span<const std::array<double, 2>> rows() const;
 
   /// The same function, the output's dial stretched by a factor about an angle.
-  [[nodiscard]] DialFunction stretched(double about, double factor) const;
+  [[nodiscard]] ScaledFunction stretched(double about, double factor) const;
 
  private:
   friend std::vector<Error> mistakes_in(const NamedFunction& function);
 
-  DialFunction() = default;
+  ScaledFunction() = default;
   [[nodiscard]] bool is_table() const { return table_ != nullptr; }
   struct Table {
     std::vector<std::array<double, 2>> rows;

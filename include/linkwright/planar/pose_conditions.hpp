@@ -30,12 +30,12 @@ struct WorkingFrame {
 
 /// Pole-centred frame of poses that are nearly rotations about one pole: in the working frame little but round-off is
 /// left of their differences, in this frame all of it.
-struct PoleView {
+struct PoleFrame {
   /// Within the working frame: origin at the point that the poses move least, lengths divided by the distance at which
   /// their poles lie from it (rms|a| / rms|1 − r|, a measured from there).
   WorkingFrame frame;
   std::vector<HomogeneousMatrix> rows;  ///< as PoseConditions::rows, in this frame
-  double miss = 0;                      ///< working frame: largest position error of a rotation about the pole
+  double deviation = 0;                 ///< working frame: largest position error of a rotation about the pole
 };
 
 /// What the task asks of a dyad (circle point Z, centre point C, working frame): Zᵀ M C = 0 for every M.
@@ -49,7 +49,7 @@ struct PoseConditions {
   int rank = 0;                    ///< rows that are independent to tolerance::dependent_rows
   bool only_translations = false;  ///< all poses are parallel
   /// Four positions with poles closer together than tolerance::near_common_pole, where that frame helps.
-  std::optional<PoleView> near_pole;
+  std::optional<PoleFrame> near_pole;
 
   /// The rank is full.
   [[nodiscard]] bool are_independent() const { return rank == static_cast<int>(rows.size()); }

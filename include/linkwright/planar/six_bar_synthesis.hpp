@@ -57,7 +57,7 @@ struct SixBarSearchResult {
 
 /// Draws chains in the task's box, samples the six-bars of each, keeps the best that meet the requirements (all pivots
 /// in the box besides, in position 1), and moves chain and links of the best to where nothing better is near.
-/// `task` has a box and no chain; one that it has is not looked at. Cancelled, it ends with the best so far, checked.
+/// `task` has a box and no chain; one that it has is ignored. Cancelled, it ends with the best so far, checked.
 [[nodiscard]] SixBarSearchResult search_six_bars(const SixBarTask& task, const Requirements& requirements,
                                                  const SixBarChoice& choice, const SixBarSearchOptions& options,
                                                  const Progress& progress = {});

@@ -18,12 +18,12 @@ namespace linkwright {
 struct ThreeLinkChain {
   Point a{}, b{}, d{};
   /// Sign of cross(d_j − a, b_j − a) by pose: the side of the line from a to d on which b lies. 0: as in position 1.
-  std::array<int, 4> elbow{};
+  std::array<int, 4> assembly_mode{};
 
   /// Distances a–b and b–d, user's unit.
   [[nodiscard]] double first_length() const { return std::abs(b - a); }
   [[nodiscard]] double second_length() const { return std::abs(d - b); }
-  [[nodiscard]] int elbow_in_position_1() const { return cross(d - a, b - a) < 0 ? -1 : 1; }
+  [[nodiscard]] int assembly_mode_in_position_1() const { return cross(d - a, b - a) < 0 ? -1 : 1; }
   /// Default of max_length of six-bars in this, the longest side of a, b, d.
   [[nodiscard]] double size() const;
 

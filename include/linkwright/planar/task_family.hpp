@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/analysis/pose_miss.hpp"
+#include "linkwright/analysis/pose_error.hpp"
 #include "linkwright/core/notice.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/burmester_points.hpp"
@@ -27,7 +27,7 @@ struct TaskFamily {
   std::vector<BurmesterPoint> points;           ///< five positions, working frame
   std::vector<Notice> warnings;
   std::optional<Notice> degeneracy;             ///< why there is no family
-  std::optional<FreedPose> freed;               ///< the pose of a five-position task that need not be passed, user's
+  std::optional<RelaxedPose> relaxed;           ///< the pose of a five-position task that need not be passed, user's
                                                 ///< frame
   bool has_directions = false;                  ///< some position prescribes how it is passed (derivatives)
   bool has_no_dyads = false;                    ///< because no two dyads do the task
@@ -38,11 +38,11 @@ struct TaskFamily {
 
   [[nodiscard]] const WorkingFrame& frame() const { return conditions.frame; }
   /// The position, from 1, in which linkages and their moving pivots are given: the first that is passed exactly.
-  [[nodiscard]] int told_position() const { return freed && freed->place == 0 ? 2 : 1; }
+  [[nodiscard]] int reference_position() const { return relaxed && relaxed->index == 0 ? 2 : 1; }
 };
 
 /// `task` without mistakes (mistakes_in). Requirements and objective choose what the task leaves to be chosen before
-/// there is a map: the length of a side link among three positions.
+/// there is a map: the length of a grounded link among three positions.
 [[nodiscard]] TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective);
 
 /// The requirements with the defaults of both lengths filled in, by TaskFamily::size.

@@ -46,7 +46,7 @@ class ThreePoseDyads {
   /// directions are not free.
   [[nodiscard]] std::optional<Dyad> dyad(Point arm, int sheet) const;
 
-  /// The directions β in which a side link of this length has real dyads, by rising `from`; of_length: arcs of no
+  /// The directions β in which a grounded link of this length has real dyads, by rising `from`; of_length: arcs of no
   /// width, one or two.
   [[nodiscard]] std::vector<DirectionArc> directions(double length) const;
 

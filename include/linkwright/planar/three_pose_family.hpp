@@ -9,15 +9,15 @@
 
 namespace linkwright {
 
-/// The dyads of three positions whose side link has one length R, along an axis of a map. Working frame.
+/// The dyads of three positions whose grounded link has one length R, along an axis of a map. Working frame.
 ///
-/// In general the branches are sheet_1 and sheet_2, on both of which the direction of the side link in position 1 is
-/// β = 2π (τ mod 1). Where the motion from position 1 to another is a pure translation, β has one or two values: the
+/// In general the branches are sheet_1 and sheet_2, on both of which the direction of the grounded link in position 1
+/// is β = 2π (τ mod 1). Where the motion from position 1 to another is a pure translation, β has one or two values: the
 /// branches are direction_1 and direction_2, and τ mod 1 runs round the circle of the centres that are left.
-class SideLinksOfLength {
+class DyadsOfLength {
  public:
   /// `length` > 0, working frame.
-  SideLinksOfLength(std::shared_ptr<const ThreePoseDyads> dyads, double length);
+  DyadsOfLength(std::shared_ptr<const ThreePoseDyads> dyads, double length);
 
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] const MapAxis& axis() const { return axis_; }
@@ -42,8 +42,8 @@ class SideLinksOfLength {
   MapAxis axis_;
 };
 
-/// Three positions and the lengths of both side links: all four-bars over the two directions β₁, β₂; up to four to a
-/// pair of directions, in the four quadrants of the map.
+/// Three positions and the lengths of both grounded links: all four-bars over the two directions β₁, β₂; up to four to
+/// a pair of directions, in the four quadrants of the map.
 class SideLengthsFamily : public ProductFamily {
  public:
   /// Poses and lengths in the user's frame.
@@ -57,25 +57,25 @@ class SideLengthsFamily : public ProductFamily {
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override { return of(side).polygon(); }
 
  private:
-  SideLengthsFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses, SideLinksOfLength input,
-                    SideLinksOfLength output);
-  [[nodiscard]] const SideLinksOfLength& of(Side side) const { return side == Side::input ? input_ : output_; }
+  SideLengthsFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses, DyadsOfLength input,
+                    DyadsOfLength output);
+  [[nodiscard]] const DyadsOfLength& of(Side side) const { return side == Side::input ? input_ : output_; }
 
-  SideLinksOfLength input_, output_;
+  DyadsOfLength input_, output_;
 };
 
-/// Three positions, the angle γ between the side links and the length R₁ of the input: all four-bars over the input's
-/// place (as for given lengths) and the output's length R₂ = R₁ tan(π/2 · (τ mod 1)); the output's direction is β + γ.
-/// Its branches are sheet_1 and sheet_2, and, where the angle is one of lines, sheet_1_opposite and sheet_2_opposite
-/// for β + γ + π. Where the motion from position 1 to another is a pure translation, R₂ follows from the direction: the
-/// branches are direct (and opposite), and τ mod 1 runs round the circle of the centres.
+/// Three positions, the angle γ between the grounded links and the length R₁ of the input: all four-bars over the
+/// input's place (as for given lengths) and the output's length R₂ = R₁ tan(π/2 · (τ mod 1)); the output's direction is
+/// β + γ. Its branches are sheet_1 and sheet_2, and, where the angle is one of lines, sheet_1_opposite and
+/// sheet_2_opposite for β + γ + π. Where the motion from position 1 to another is a pure translation, R₂ follows from
+/// the direction: the branches are direct (and opposite), and τ mod 1 runs round the circle of the centres.
 class SideAngleFamily : public MotionFamily {
  public:
   /// Poses and length in the user's frame; angle in radians.
   SideAngleFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
                   const std::shared_ptr<const ThreePoseDyads>& dyads, double angle, bool directed, double input_length);
 
-  [[nodiscard]] std::optional<SideLinks> side_links(MapPoint place) const override;
+  [[nodiscard]] std::optional<DyadPair> dyad_pair(MapPoint place) const override;
   [[nodiscard]] double axis_value(Side side, double tau) const override;
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
@@ -84,13 +84,13 @@ class SideAngleFamily : public MotionFamily {
 
  private:
   SideAngleFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
-                  std::shared_ptr<const ThreePoseDyads> dyads, double angle, bool directed, SideLinksOfLength input);
+                  std::shared_ptr<const ThreePoseDyads> dyads, double angle, bool directed, DyadsOfLength input);
   [[nodiscard]] std::optional<Dyad> output_at(double input_direction, double tau) const;
   /// Working frame.
   [[nodiscard]] double output_length(double tau) const;
 
   std::shared_ptr<const ThreePoseDyads> dyads_;
-  SideLinksOfLength input_;
+  DyadsOfLength input_;
   double angle_;
 };
 

@@ -9,14 +9,14 @@
 
 namespace linkwright {
 
-/// Lengths of the side links (fixed to moving pivot), user's unit. Without `output` the one length is the input's.
+/// Lengths of the grounded links (fixed to moving pivot), user's unit. Without `output` the one length is the input's.
 struct SideLengths {
   double input = 0;
   std::optional<double> output;
   friend bool operator==(const SideLengths&, const SideLengths&) = default;
 };
 
-/// Angle in position 1 from the input to the output side link, both directed from the fixed to the moving pivot;
+/// Angle in position 1 from the input to the output link, both directed from the fixed to the moving pivot;
 /// radians, counter-clockwise.
 struct SideAngle {
   double angle = 0;

@@ -21,7 +21,7 @@ struct Hill {
 struct HillClimbOptions {
   std::array<double, 2> first_step{};  ///< along each coordinate, the distance of two cells of the map; 0: stays
   double resolution = 1e-3;            ///< shares of the first steps to which the top is found
-  int most_turns = 60;                 ///< of each line search
+  int max_evaluations = 60;            ///< of each line search
   double across = 1e-3;                ///< shares of a step to which the best second coordinate is found each time
 };
 
@@ -29,7 +29,7 @@ struct HillTop {
   std::array<double, 2> place{};  ///< on the stretches
   double score = 0;
   int evaluations = 0;
-  SearchEnd end = SearchEnd::settled;  ///< out_of_turns: it was still getting better, or was cancelled
+  SearchEnd end = SearchEnd::settled;  ///< evaluation_limit: it was still getting better, or was cancelled
 };
 
 /// The top of the hill on which a place with a score stands. A design is as good as the worst of several smooth

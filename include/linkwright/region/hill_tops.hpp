@@ -26,9 +26,9 @@ struct RankedCell {
 inline constexpr double no_score = -std::numeric_limits<double>::infinity();
 
 struct HillTopOptions {
-  std::size_t reach = 1;  ///< cells, in each direction, that a top is compared with
-  std::size_t most = 0;   ///< how many tops, at most
-  int threads = 0;        ///< 0: as many as the machine has
+  std::size_t reach = 1;      ///< cells, in each direction, that a top is compared with
+  std::size_t max_count = 0;  ///< how many tops, at most
+  int threads = 0;            ///< 0: as many as the machine has
 };
 
 /// Cells that no other within reach betters, best first. `score(row, column)` is no_score where a cell does not pass;
@@ -65,7 +65,7 @@ template <class Score, class SameHill>
     found.insert(found.end(), part.begin(), part.end());
   });
   std::sort(found.begin(), found.end(), ranks_before);
-  if (found.size() > options.most) found.resize(options.most);
+  if (found.size() > options.max_count) found.resize(options.max_count);
   return found;
 }
 

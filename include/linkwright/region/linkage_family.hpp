@@ -40,7 +40,7 @@ class LinkageFamily {
   [[nodiscard]] virtual bool is_symmetric() const { return false; }
 
   /// The side whose coordinate takes longer to change: a search over both changes it the less often.
-  [[nodiscard]] virtual Side dearer_side() const { return Side::input; }
+  [[nodiscard]] virtual Side costlier_side() const { return Side::input; }
 
   /// What people read at a coordinate (degrees, user's length, …): the coordinate unless the quantity is another.
   [[nodiscard]] virtual double axis_value(Side side, double coordinate) const;

@@ -25,8 +25,8 @@ struct MapWindow {
 enum class AxisQuantity {
   curve_coordinate,  ///< place on a Burmester curve
   burmester_point,   ///< one of a few dyads; each fills a branch
-  side_direction,    ///< direction of the side link in position 1, degrees
-  side_length,       ///< length of the side link, user's unit
+  side_direction,    ///< direction of the grounded link in position 1, degrees
+  side_length,       ///< length of the grounded link, user's unit
   output_scale,      ///< factor on the output's travel
   pair_output,       ///< output angle of one pair, degrees
   nothing,           ///< one place only

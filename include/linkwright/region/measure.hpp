@@ -37,7 +37,7 @@ inline constexpr Measure driver_sweep{"driver_sweep_deg"};
 }  // namespace measures
 
 /// The measure of each cell of a row as files and pages have it: angles in degrees, 0 where it is not defined, never
-/// NaN or infinite. `values` has a place for each column; `measure` is one of told_measures(map).
+/// NaN or infinite. `values` has a place for each column; `measure` is one of reported_measures(map).
 void row_values(const RegionMap& map, const Measure& measure, std::size_t row, std::span<float> values);
 
 /// γ from 1 − cos γ, radians.

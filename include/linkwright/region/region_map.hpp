@@ -38,17 +38,17 @@ struct GroundedLinkPivots {
 struct DriverTravel {
   static constexpr std::uint8_t ccw = 1, cw = 2;
 
-  std::uint8_t senses = 0;  ///< in which it meets them in order: bits ccw and cw
-  float sweep_ccw = 0;      ///< from the first to the last turning counter-clockwise, radians in [0, 2π)
+  std::uint8_t admissible_directions = 0;  ///< in which it meets them in order: bits ccw and cw
+  float sweep_ccw = 0;  ///< from the first to the last turning counter-clockwise, radians in [0, 2π)
 };
 
 /// The verdict over one cell.
 struct MapCell {
-  static constexpr std::size_t most_measures = 8;
+  static constexpr std::size_t max_measures = 8;
 
   LinkageType type = LinkageType::degenerate;
   Defects defects;
-  std::array<float, most_measures> values{};  ///< in the order of the map's measures, as they are stored
+  std::array<float, max_measures> values{};  ///< in the order of the map's measures, as they are stored
 };
 
 /// All linkages that a task leaves open over two coordinates, sampled and judged: row i is the driving link's sample,
@@ -58,8 +58,9 @@ class RegionMap {
   /// What a family writes to, from some cell on.
   struct Cells {
     std::uint8_t *type, *defects;
-    std::array<float*, MapCell::most_measures> measures;
-    std::uint8_t* senses;  ///< of the pair, bits as DriverTravel::senses; null where only the drivers have a say
+    std::array<float*, MapCell::max_measures> measures;
+    std::uint8_t*
+        admissible_directions;  ///< of the pair, bits as DriverTravel::senses; null where only the drivers have a say
   };
 
   /// Lays the map out over these coordinates; the memory is used again when the size is the same. Its cells are then to
@@ -83,9 +84,9 @@ class RegionMap {
 
   /// Cells by `cell_at`, called from several threads; the driver turns as `travel` says in all of them. Rows left out
   /// because `progress` was cancelled are degenerate.
-  void judge_cells(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
-                   DriverTravel travel, const std::function<MapCell(std::size_t row, std::size_t column)>& cell_at,
-                   const RegionOptions& options = {}, const Progress& progress = {});
+  void evaluate_cells(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
+                      DriverTravel travel, const std::function<MapCell(std::size_t row, std::size_t column)>& cell_at,
+                      const RegionOptions& options = {}, const Progress& progress = {});
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] std::size_t columns() const { return columns_; }
@@ -99,7 +100,7 @@ class RegionMap {
   /// Those that the map holds, in order.
   [[nodiscard]] const std::vector<Measure>& measures() const { return measures_; }
   /// Those and what is computed without being held: driver_sweep.
-  [[nodiscard]] std::vector<Measure> told_measures() const;
+  [[nodiscard]] std::vector<Measure> reported_measures() const;
 
   [[nodiscard]] LinkageType type(std::size_t cell) const { return static_cast<LinkageType>(type_[cell]); }
   [[nodiscard]] Defects defects(std::size_t cell) const { return Defects{defects_[cell]}; }
@@ -142,7 +143,7 @@ class RegionMap {
   Column<std::uint8_t> type_, defects_;
   std::vector<Measure> measures_;
   std::vector<Column<float>> values_;
-  Column<std::uint8_t> cell_senses_;  ///< of rows where pair_decides_sense; empty where only the drivers have a say
+  Column<std::uint8_t> cell_directions_;  ///< of rows where pair_decides_sense; empty where only the drivers have a say
 };
 
 }  // namespace linkwright

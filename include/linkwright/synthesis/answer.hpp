@@ -11,8 +11,8 @@
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/planar/chain_family.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
-#include "linkwright/planar/freed_position.hpp"
 #include "linkwright/planar/missed_box.hpp"
+#include "linkwright/planar/relaxed_position.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/region_map.hpp"
@@ -62,7 +62,7 @@ struct FourBarAnswer : Findings {
 
 struct MotionAnswer : FourBarAnswer {
   MotionTask task;
-  std::vector<FreedPosition> freed;  ///< five positions, no linkage that meets the requirements: the ways out
+  std::vector<RelaxedPosition> relaxed;  ///< five positions, no linkage that meets the requirements: the ways out
 };
 
 struct FunctionAnswer : FourBarAnswer {

@@ -14,8 +14,8 @@
 namespace linkwright {
 
 struct SynthesisOptions {
-  static constexpr int least_samples = 8, most_samples = 20'000, most_best = 1000;
-  static constexpr int most_seed = 999'999'999, most_effort = 10'000'000;
+  static constexpr int min_samples = 8, max_samples = 20'000, max_best = 1000;
+  static constexpr int max_seed = 999'999'999, max_effort = 10'000'000;
 
   int region_samples = 400;               ///< N of the N×N region
   Spacing spacing = Spacing::coordinate;  ///< of the samples along the curve

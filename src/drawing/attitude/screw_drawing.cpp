@@ -12,7 +12,7 @@ namespace linkwright {
 namespace {
 
 constexpr double screw_width = 640, screw_height = 600;
-constexpr double most_turns_drawn = 20;
+constexpr double max_turns_drawn = 20;
 constexpr double farthest_axis = 12;  // in lengths of the origin's way: farther, the picture would show nothing else
 
 /// What is drawn of a displacement.
@@ -33,7 +33,7 @@ Vector3 foot_on_axis(const Screw& screw, Vector3 point) {
 Scene scene_of(const DisplacementReport& report) {
   Scene scene{.screw = report.screw, .body = report.task.displacement};
   const auto& given = report.task.given;
-  const bool as_given = given && given->angle != 0 && std::abs(given->angle) <= most_turns_drawn * two_pi;
+  const bool as_given = given && given->angle != 0 && std::abs(given->angle) <= max_turns_drawn * two_pi;
   if (as_given) scene.screw = *given;
   const Screw& screw = scene.screw;
   scene.turns = as_given || report.screw.kind == ScrewKind::general || report.screw.kind == ScrewKind::half_turn;

@@ -29,7 +29,7 @@ struct Bead {
   std::size_t number = 0;
 };
 
-/// Far pivots of long side links lie outside of the picture.
+/// Far pivots of long grounded links lie outside of the picture.
 bool is_seen(Point px, const PixelBox& box) {
   constexpr double room = 3 * radius;  // for the bead and its number
   return px.real() > box.left + room && px.real() < box.right() - room && px.imag() > box.top + room &&

@@ -10,8 +10,8 @@
 
 namespace linkwright {
 
-// The few side links of five positions as beads: an open one for the fixed pivot, a full one for the moving pivot in
-// position 1, with the number of the side link. Dyads in the fixed frame; a pivot at infinity has none.
+// The few grounded links of five positions as beads: an open one for the fixed pivot, a full one for the moving pivot
+// in position 1, with the number of the grounded link. Dyads in the fixed frame; a pivot at infinity has none.
 
 /// The links between the beads, which go behind the linkage.
 void draw_bead_links(SvgCanvas& svg, const PlaneWindow& window, const WorkingFrame& frame, std::span<const Dyad> dyads);

@@ -30,7 +30,7 @@ void draw_box(SvgCanvas& svg, const PlaneWindow& window, const Box& box, std::st
 /// A path in px, dotted, in the accent colour: the task's stretch, or thinner what lies beyond it.
 void draw_traced_path(SvgCanvas& svg, const PlaneWindow& window, std::span<const Point> path, bool is_task);
 
-/// The side links and the coupler as thin lines.
+/// The grounded links and the coupler as thin lines.
 void draw_ghost(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar);
 
 /// The coupler as a body that carries the moving frame.

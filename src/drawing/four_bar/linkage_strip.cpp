@@ -134,9 +134,10 @@ void add_motion_checks(NumberRows& checks, const FourBarAnswer& answer) {
   const FourBarSolution& found = answer.linkages.front();
   checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
   checks.row("input rotation range", drive_text(found.report));
-  if (found.miss)
+  if (found.pose_error)
     checks.row("error at the relaxed position",
-               fmt::format("{} and {}", significant_text(found.miss->distance, 3), small_angle(found.miss->angle)));
+               fmt::format("{} and {}", significant_text(found.pose_error->distance, 3),
+                           small_angle(found.pose_error->angle)));
   else
     add_place(checks, answer);
   checks.row("relative error at the positions",
@@ -160,15 +161,16 @@ void add_function_checks(NumberRows& checks, const FourBarAnswer& answer, const 
                  std::string(reach));
 }
 
-void draw_ways_out(SvgCanvas& svg, const PixelBox& card, const std::vector<FreedPosition>& ways,
+void draw_ways_out(SvgCanvas& svg, const PixelBox& card, const std::vector<RelaxedPosition>& ways,
                    std::string_view unit) {
   const double left = card.left + card.width / 2, column = card.width / 2 - 18;
   svg.text({left, card.top + 29}, "Alternatives: relaxing one position", {.size = 14, .weight = 650});
   constexpr double leading = 14.5, first = 45;
   for (std::size_t i = 0; i < ways.size(); ++i) {
-    const FreedPosition& way = ways[i];
-    const std::string words = way.linkage  ? fmt::format("error {}{}{} and {}", significant_text(way.miss.distance, 3),
-                                                        unit.empty() ? "" : " ", unit, small_angle(way.miss.angle))
+    const RelaxedPosition& way = ways[i];
+    const std::string words = way.linkage
+                                  ? fmt::format("error {}{}{} and {}", significant_text(way.pose_error.distance, 3),
+                                                unit.empty() ? "" : " ", unit, small_angle(way.pose_error.angle))
                               : way.reason ? way.reason->message
                                            : "nothing was found";
     const Point at{left, card.top + first + leading * static_cast<double>(i)};
@@ -185,9 +187,9 @@ constexpr Point reason_corner{18, 54};
 void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const MotionAnswer& answer, std::string_view unit) {
   draw_card(svg, card, nothing_heading);
   const Point corner = card.corner() + reason_corner;
-  if (answer.freed.empty()) return draw_wrapped(svg, corner, answer.reason.message, card.width - 36, 2);
+  if (answer.relaxed.empty()) return draw_wrapped(svg, corner, answer.reason.message, card.width - 36, 2);
   draw_wrapped(svg, corner - Point{0, 4}, answer.reason.message, card.width / 2 - 40, 4, 12.5);
-  draw_ways_out(svg, card, answer.freed, unit);
+  draw_ways_out(svg, card, answer.relaxed, unit);
 }
 
 void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const FunctionAnswer& answer, std::string_view /*unit*/) {
@@ -201,7 +203,7 @@ void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const FourBarAnswe
   const Point corner = card.corner() + Point{18, -7};
   draw_type(svg, corner + Point{0, 11}, found);
   draw_length_rows(svg, corner + Point{320, 0}, 176, found.lengths, unit);
-  draw_pivot_rows(svg, corner + Point{546, 0}, 344, found.four_bar, answer.given.told_position());
+  draw_pivot_rows(svg, corner + Point{546, 0}, 344, found.four_bar, answer.given.reference_position());
 
   NumberRows checks(svg, corner + Point{940, 0}, 416);
   found.function ? add_function_checks(checks, answer, *found.function) : add_motion_checks(checks, answer);

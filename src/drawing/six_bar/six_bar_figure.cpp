@@ -170,7 +170,7 @@ SixBarScene scene_of(const StoredSixBar& linkage) {
   SixBarScene scene{linkage.six_bar, linkage.poses, {}, {}, {}};
   const SixBar& bars = linkage.six_bar;
   if (linkage.poses.size() == 4) {
-    const ThreeLinkChain chain{bars.at(SixBar::a), bars.at(SixBar::b), bars.at(SixBar::d), linkage.elbow};
+    const ThreeLinkChain chain{bars.at(SixBar::a), bars.at(SixBar::b), bars.at(SixBar::d), linkage.assembly_mode};
     const auto bodies = chain_positions(linkage.poses, chain);
     for (std::size_t j = 1; bodies && j < linkage.poses.size(); ++j)
       if (const auto turns = turns_in_pose(linkage, *bodies, j)) scene.positions.push_back(joints_at(bars, *turns));

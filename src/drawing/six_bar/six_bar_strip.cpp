@@ -72,7 +72,7 @@ void draw_body_rows(SvgCanvas& svg, Point corner, double width, const SixBar& si
 
 void draw_six_bar_table(SvgCanvas& svg, Point corner, double width, const SixBarAnswer& answer) {
   constexpr double row_height = 23, size = 13;
-  constexpr std::size_t most_rows = 10;
+  constexpr std::size_t max_rows = 10;
   // Right ends of the columns as shares of the width.
   constexpr std::array<double, 5> ends = {0.04, 0.56, 0.70, 0.83, 1};
   const auto put_row = [&](std::size_t row, const std::array<std::string, 5>& cells, std::string_view color,
@@ -82,7 +82,7 @@ void draw_six_bar_table(SvgCanvas& svg, Point corner, double width, const SixBar
                {.size = size, .color = color, .anchor = "end", .weight = weight});
   };
   put_row(0, {"#", "input rotation", "γ", "ratio", "longest"}, palette::ink2, 650);
-  for (std::size_t i = 0; i < std::min(answer.linkages.size(), most_rows); ++i) {
+  for (std::size_t i = 0; i < std::min(answer.linkages.size(), max_rows); ++i) {
     const SixBarRating& rating = answer.linkages[i].rating;
     const bool driven = rating.drive.sense != DriveSense::none;
     put_row(i + 1,

@@ -10,7 +10,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::size_t most_points = 1000;
+constexpr std::size_t max_points = 1000;
 
 std::optional<Vector3> optional_vector(const JsonObject& object, std::string_view key) {
   const auto found = object.find(key);
@@ -27,10 +27,10 @@ std::optional<PointMotion> read_point(const JsonValue& value, Mistakes& mistakes
 }
 
 void read_points(const JsonValue& value, Mistakes& mistakes, std::vector<PointMotion>& points) {
-  if (value.json().is_array() && value.json().size() > most_points) {
+  if (value.json().is_array() && value.json().size() > max_points) {
     value.mistake("too_many_points",
-                  fmt::format("{} points are given; give at most {}", value.json().size(), most_points),
-                  {{"count", value.json().size()}, {"most", most_points}});
+                  fmt::format("{} points are given; give at most {}", value.json().size(), max_points),
+                  {{"count", value.json().size()}, {"most", max_points}});
     return;
   }
   value.for_each({"points", "a list of points [{\"position\": [x, y, z]}, …]"}, [&](const JsonValue& item) {

@@ -18,7 +18,7 @@ namespace linkwright {
 template <class Task>
 [[nodiscard]] Result<Task> read_attitude_task(std::string_view text, std::initializer_list<std::string_view> known,
                                               const std::function<Task(const JsonObject&, Mistakes&)>& members) {
-  const auto tree = parse_json(text, {.most_bytes = most_file_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
+  const auto tree = parse_json(text, {.max_bytes = max_file_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
   if (!tree) return tree.errors();
   Mistakes mistakes;
   const JsonValue root(*tree, "", mistakes);

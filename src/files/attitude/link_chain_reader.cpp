@@ -9,7 +9,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::size_t most_links = 1000;
+constexpr std::size_t max_links = 1000;
 
 std::optional<HartenbergDenavit> read_link(const JsonValue& value, Mistakes& mistakes) {
   const JsonObject object(value, mistakes, {"theta_deg", "d", "a", "alpha_deg"});
@@ -27,9 +27,9 @@ std::optional<HartenbergDenavit> read_link(const JsonValue& value, Mistakes& mis
 }
 
 void read_links(const JsonValue& value, Mistakes& mistakes, std::vector<HartenbergDenavit>& links) {
-  if (value.json().is_array() && (value.json().empty() || value.json().size() > most_links)) {
-    value.mistake("link_count", fmt::format("{} links are given; a chain has 1 to {}", value.json().size(), most_links),
-                  {{"count", value.json().size()}, {"most", most_links}});
+  if (value.json().is_array() && (value.json().empty() || value.json().size() > max_links)) {
+    value.mistake("link_count", fmt::format("{} links are given; a chain has 1 to {}", value.json().size(), max_links),
+                  {{"count", value.json().size()}, {"most", max_links}});
     return;
   }
   value.for_each({"links", "a list of links [{\"theta_deg\": …, \"d\": …, \"a\": …, \"alpha_deg\": …}, …]"},

@@ -14,7 +14,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::size_t most_turns = 100;
+constexpr std::size_t max_evaluations = 100;
 
 StoredOrientation stored(const UnitQuaternion& q) { return {.rotation = Rotation(q), .quaternion = q}; }
 StoredOrientation stored(const Rotation& c) { return {.rotation = c, .quaternion = c.quaternion()}; }
@@ -96,9 +96,10 @@ std::optional<StoredOrientation> read_euler(const JsonObject& object, const Json
 }
 
 std::optional<StoredOrientation> read_turns(const JsonValue& value, Mistakes& mistakes) {
-  if (value.json().is_array() && value.json().size() > most_turns) {
-    value.mistake("too_many_turns", fmt::format("{} turns are given; give at most {}", value.json().size(), most_turns),
-                  {{"count", value.json().size()}, {"most", most_turns}});
+  if (value.json().is_array() && value.json().size() > max_evaluations) {
+    value.mistake("too_many_turns",
+                  fmt::format("{} turns are given; give at most {}", value.json().size(), max_evaluations),
+                  {{"count", value.json().size()}, {"most", max_evaluations}});
     return std::nullopt;
   }
   UnitQuaternion q;

@@ -3,7 +3,7 @@
 #include "files/four_bar/four_bar_writer.hpp"
 #include "files/result_writer.hpp"
 #include "four_bar_kind.hpp"
-#include "linkwright/planar/freed_position.hpp"
+#include "linkwright/planar/relaxed_position.hpp"
 
 namespace linkwright {
 namespace {
@@ -63,7 +63,8 @@ void write_four_bars(JsonWriter& json, const std::vector<FourBarSolution>& list,
   json.end_list();
 }
 
-void write_way_out(JsonWriter& json, const FreedPosition& way_out, const MotionTask& task, const WorkingFrame& frame) {
+void write_way_out(JsonWriter& json, const RelaxedPosition& way_out, const MotionTask& task,
+                   const WorkingFrame& frame) {
   json.begin_object();
   json.member("pose", static_cast<int>(way_out.pose) + 1);
   json.key("reason");
@@ -71,13 +72,14 @@ void write_way_out(JsonWriter& json, const FreedPosition& way_out, const MotionT
   json.member("meeting_requirements", way_out.meeting);
   json.key("miss");
   if (way_out.linkage) {
-    write_miss(json, way_out.miss, frame.scale);
+    write_pose_error(json, way_out.pose_error, frame.scale);
   } else {
     json.null();
   }
   json.key("linkage");
-  way_out.linkage ? write_four_bar(json, *way_out.linkage, frame, {.poses = freed_task(task, way_out.pose).task.poses})
-                  : json.null();
+  way_out.linkage
+      ? write_four_bar(json, *way_out.linkage, frame, {.poses = relaxed_task(task, way_out.pose).task.poses})
+      : json.null();
   json.end_object();
 }
 
@@ -110,7 +112,7 @@ StoredLinkage stored(const FourBarSolution& found, const FourBarAnswer& answer,
 void write_dyads(JsonWriter& json, const MotionAnswer& answer) {
   const MotionTask& task = answer.task;
   const bool of_center = task.given && std::holds_alternative<InstantCenter>(*task.given);
-  write_dyads(json, answer, task.freed || position_count(task.poses) == 4 || of_center);
+  write_dyads(json, answer, task.relaxed || position_count(task.poses) == 4 || of_center);
 }
 
 void write_dyads(JsonWriter& json, const FunctionAnswer& answer) {
@@ -121,7 +123,7 @@ void write_linkages(JsonWriter& json, const MotionAnswer& answer) {
   write_lists(json, answer);
   json.key("freed");
   json.begin_list();
-  for (const FreedPosition& way_out : answer.freed) write_way_out(json, way_out, answer.task, answer.given.frame());
+  for (const RelaxedPosition& way_out : answer.relaxed) write_way_out(json, way_out, answer.task, answer.given.frame());
   json.end_list();
 }
 

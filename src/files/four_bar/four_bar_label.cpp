@@ -14,13 +14,13 @@ constexpr int digits = 6;
 std::string number(double value) { return significant_text(value, digits); }
 
 std::string given_words(const SideLengths& given) {
-  if (!given.output) return fmt::format("input side link {}", number(given.input));
-  return fmt::format("side links {} and {}", number(given.input), number(*given.output));
+  if (!given.output) return fmt::format("input link {}", number(given.input));
+  return fmt::format("grounded links {} and {}", number(given.input), number(*given.output));
 }
 
 std::string given_words(const SideAngle& given) {
-  const std::string angle =
-      fmt::format("{} at {}°", given.directed ? "side links" : "lines of the side links", number(degrees(given.angle)));
+  const std::string angle = fmt::format("{} at {}°", given.directed ? "grounded links" : "lines of the grounded links",
+                                        number(degrees(given.angle)));
   return given.input_length ? fmt::format("{}, input {}", angle, number(*given.input_length)) : angle;
 }
 
@@ -39,7 +39,7 @@ std::string titled(std::string_view title, std::string_view unit) {
   return unit.empty() ? std::string(title) : fmt::format("{}, {}", title, unit);
 }
 
-/// Of three positions between some of which the body only shifts: the branches run round a circle.
+/// Of three positions between some of which the body only translates: the branches run round a circle.
 bool runs_round_a_circle(const MapAxis& axis) {
   if (axis.branches.empty()) return false;
   const std::string& name = axis.branches.front().name;
@@ -52,21 +52,20 @@ struct Words {
 
 Words coupler_words(AxisQuantity quantity) {
   if (quantity == AxisQuantity::burmester_point) return {"coupler, one of a few", "Linkage", "1"};
-  return {"coupler, place on its curve", "Coupler's place on its curve, τ", "tau"};
+  return {"coupler, coordinate on its curve", "Coupler's coordinate on its curve, τ", "tau"};
 }
 
 Words free_words(AxisQuantity quantity, const FunctionTask& task) {
-  if (quantity == AxisQuantity::output_scale)
-    return {"factor on the output's travel", "Factor on the output's travel", "1"};
+  if (quantity == AxisQuantity::output_scale) return {"output scale", "Output scale", "1"};
   if (quantity != AxisQuantity::pair_output) return {"nothing is free", "", "1"};
   const std::string name = fmt::format("output angle of pair {}", task.free ? task.free->pair + 1 : 1);
   return {name, "O" + name.substr(1) + ", degrees", "deg"};
 }
 
-Words side_link_words(const MapAxis& axis, Side side, std::string_view length_unit) {
+Words dyad_words(const MapAxis& axis, Side side, std::string_view length_unit) {
   const bool drives = side == Side::input;
-  const std::string link = drives ? "input side link, " : "output side link, ";
-  const std::string_view title = drives ? "Driving side link" : "Other side link", index = drives ? "₁" : "₂";
+  const std::string link = drives ? "input link, " : "output link, ";
+  const std::string_view title = drives ? "Input link" : "Output link", index = drives ? "₁" : "₂";
   switch (axis.quantity) {
     case AxisQuantity::burmester_point:
       return {link + "one of the Burmester points", fmt::format("{}, by its number", title), "1"};
@@ -80,8 +79,8 @@ Words side_link_words(const MapAxis& axis, Side side, std::string_view length_un
       break;
   }
   if (runs_round_a_circle(axis))
-    return {link + "place round its circle", fmt::format("{}, place τ{} round its circle", title, index), "tau"};
-  return {link + "place on its curve", fmt::format("{}, τ{}", title, index), "tau"};
+    return {link + "position on its circle", fmt::format("{}, position τ{} on its circle", title, index), "tau"};
+  return {link + "coordinate on its curve", fmt::format("{}, τ{}", title, index), "tau"};
 }
 
 MapAxis axis_of(const FourBarAnswer& answer, Side side) {
@@ -97,7 +96,7 @@ AxisLabel label_of(MapAxis axis, Words words) {
 
 std::string label_of(const MotionTask& task) {
   std::string text = fmt::format("{} ({})", positions_text(position_count(task.poses)), pattern(task.poses));
-  if (task.freed) text += fmt::format(", position {} free", *task.freed + 1);
+  if (task.relaxed) text += fmt::format(", position {} relaxed", *task.relaxed + 1);
   if (task.given) text += ", " + std::visit([](const auto& given) { return given_words(given); }, *task.given);
   return text;
 }
@@ -109,8 +108,8 @@ std::string label_of(const FunctionTask& task) {
                                          : fmt::format(" of a table with {} rows", task.function->table.size());
   std::string text = fmt::format("{} on {}", what, on_points(task));
   if (!task.free) return text;
-  return text + (task.free->kind == FreeNumber::Kind::output_scale
-                     ? ", the output's travel free"
+  return text + (task.free->kind == FreeParameter::Kind::output_scale
+                     ? ", the output scale free"
                      : fmt::format(", the output of pair {} free", task.free->pair + 1));
 }
 
@@ -122,7 +121,7 @@ std::string short_label_of(const FunctionTask& task) {
 
 AxisLabel axis_label(const MotionAnswer& answer, Side side, std::string_view length_unit) {
   const MapAxis axis = axis_of(answer, side);
-  return label_of(axis, side_link_words(axis, side, length_unit));
+  return label_of(axis, dyad_words(axis, side, length_unit));
 }
 
 AxisLabel axis_label(const FunctionAnswer& answer, Side side, std::string_view /*length_unit*/) {

@@ -88,11 +88,11 @@ void write_function_error(JsonWriter& json, const FunctionError& error) {
 
 }  // namespace
 
-void write_miss(JsonWriter& json, const PoseMiss& miss, double size) {
+void write_pose_error(JsonWriter& json, const PoseError& error, double size) {
   json.begin_object(Layout::one_line);
-  json.member("distance", miss.distance);
-  json.member("angle_deg", degrees(miss.angle));
-  json.member("combined", miss.combined(size));
+  json.member("distance", error.distance);
+  json.member("angle_deg", degrees(error.angle));
+  json.member("combined", error.combined(size));
   json.end_object();
 }
 
@@ -110,8 +110,8 @@ FourBarNotes notes_on(const FourBarSolution& found, const TaskFamily& given) {
   const FourBarFamily& family = *given.family;
   FourBarNotes notes;
   notes.defect = defect_notice(found, given);
-  if (given.freed) notes.miss_size = given.freed->size;
-  if (found.function || given.freed)
+  if (given.relaxed) notes.pose_error_size = given.relaxed->size;
+  if (found.function || given.relaxed)
     notes.poses = family.user_poses({found.input.coordinate, found.output.coordinate}, found.four_bar);
   const AxisQuantity quantity = family.axis(Side::output).quantity;
   if (quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output)
@@ -161,9 +161,9 @@ void write_four_bar(JsonWriter& json, const FourBarSolution& found, const Workin
   json.member("residual", found.residual);
   if (found.residual_derivatives) json.member("residual_derivatives", *found.residual_derivatives);
   if (found.function) write_function_error(json, *found.function);
-  if (found.miss) {
+  if (found.pose_error) {
     json.key("miss");
-    write_miss(json, *found.miss, notes.miss_size);
+    write_pose_error(json, *found.pose_error, notes.pose_error_size);
   }
   json.member("local_optimum", found.local_optimum);
   json.member("verified_by_driving", found.verified_by_driving);

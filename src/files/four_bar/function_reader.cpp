@@ -21,17 +21,17 @@ std::optional<AngleDerivative> read_rates(const JsonValue& value, Mistakes& mist
 }
 
 std::optional<AnglePair> read_pair(const JsonValue& value, Mistakes& mistakes) {
-  constexpr std::size_t most_derivatives = 4;
+  constexpr std::size_t max_derivatives = 4;
   const JsonObject object(value, mistakes, {"input_deg", "output_deg", "derivatives"});
   const auto input = object.require_number("input_deg"), output = object.require_number("output_deg");
   AnglePair pair;
   bool complete = input && output;
   if (const auto derivatives = object.find("derivatives")) {
-    if (derivatives->json().is_array() && derivatives->json().size() > most_derivatives) {
+    if (derivatives->json().is_array() && derivatives->json().size() > max_derivatives) {
       derivatives->mistake("derivative_count_of_pair",
                            fmt::format("{} derivatives are given; a pair has at most {}, remove the others",
-                                       derivatives->json().size(), most_derivatives),
-                           {{"count", derivatives->json().size()}, {"most", most_derivatives}});
+                                       derivatives->json().size(), max_derivatives),
+                           {{"count", derivatives->json().size()}, {"most", max_derivatives}});
       return std::nullopt;
     }
     complete = derivatives->for_each({"rates", "a list of derivatives [{\"input\": …, \"output\": …}, …]"},
@@ -174,7 +174,7 @@ std::optional<NamedFunction> read_function(const JsonValue& value, Mistakes& mis
 }
 
 /// Pairs count from 1 in files.
-bool read_pair_number(const JsonValue& value, FreeNumber& free) {
+bool read_pair_number(const JsonValue& value, FreeParameter& free) {
   const auto number = value.as_whole_number();
   if (!number) return false;
   if (*number < 1) {
@@ -185,15 +185,15 @@ bool read_pair_number(const JsonValue& value, FreeNumber& free) {
   return true;
 }
 
-std::optional<FreeNumber> read_free(const JsonValue& value, Mistakes& mistakes) {
+std::optional<FreeParameter> read_free(const JsonValue& value, Mistakes& mistakes) {
   constexpr std::array names = {std::string_view("output_scale"), std::string_view("pair_output")};
   const JsonObject object(value, mistakes, {"number", "pair", "range"});
   const auto written = object.require("number", {"\"number\": \"output_scale\""});
   const auto kind = written ? written->as_one_of(names) : std::nullopt;
   if (!kind) return std::nullopt;
-  FreeNumber free;
-  free.kind = free_number_named(*kind).value_or(free.kind);
-  if (free.kind == FreeNumber::Kind::pair_output) {
+  FreeParameter free;
+  free.kind = free_parameter_named(*kind).value_or(free.kind);
+  if (free.kind == FreeParameter::Kind::pair_output) {
     const auto pair = object.require("pair", {"pair_number", "which pair it is, counted from 1"});
     const bool ranged = read_dial(object, "range", free.range);
     return pair && read_pair_number(*pair, free) && ranged ? std::optional(free) : std::nullopt;

@@ -60,12 +60,12 @@ void write_function(JsonWriter& json, const NamedFunction& function) {
   json.end_object();
 }
 
-void write_free(JsonWriter& json, const FreeNumber& free) {
+void write_free(JsonWriter& json, const FreeParameter& free) {
   json.begin_object(JsonWriter::Layout::one_line);
   json.member("number", name(free.kind));
-  if (free.kind != FreeNumber::Kind::output_scale) json.member("pair", static_cast<int>(free.pair) + 1);
-  free.kind == FreeNumber::Kind::pair_output ? write_dial(json, "range", free.range)
-                                             : write_range(json, "range", free.range);
+  if (free.kind != FreeParameter::Kind::output_scale) json.member("pair", static_cast<int>(free.pair) + 1);
+  free.kind == FreeParameter::Kind::pair_output ? write_dial(json, "range", free.range)
+                                                : write_range(json, "range", free.range);
   json.end_object();
 }
 

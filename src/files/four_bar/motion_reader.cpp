@@ -96,9 +96,9 @@ Task read_motion(const JsonValue& value, const std::optional<Box>& /*options_box
     task.given = read_given(*given, mistakes);
     complete = complete && task.given;
   }
-  if (const auto freed = object.find("freed_pose"); freed && !freed->is_null()) {
-    const auto number = freed->as_whole_number();
-    if (number) task.freed = static_cast<std::size_t>(std::max(*number, 0)) - 1;  // 0 and below: out of range
+  if (const auto relaxed = object.find("freed_pose"); relaxed && !relaxed->is_null()) {
+    const auto number = relaxed->as_whole_number();
+    if (number) task.relaxed = static_cast<std::size_t>(std::max(*number, 0)) - 1;  // 0 and below: out of range
     complete = complete && number;
   }
   if (complete) mistakes.add(mistakes_in(task));

@@ -29,7 +29,7 @@ void write_of_kind(JsonWriter& json, const MotionTask& task) {
   json.member("kind", "motion");
   json.member("mechanism", "four_bar");
   write_poses(json, task.poses);
-  if (task.freed) json.member("freed_pose", static_cast<int>(*task.freed) + 1);
+  if (task.relaxed) json.member("freed_pose", static_cast<int>(*task.relaxed) + 1);
   if (!task.given) return;
   json.key("given");
   json.begin_object(JsonWriter::Layout::one_line);

@@ -9,7 +9,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::size_t most_derivatives = 4;  // of five infinitesimally close positions, the most that are ever told
+constexpr std::size_t max_derivatives = 4;  // of five infinitesimally close positions, the most that are ever told
 
 JsonObject object_of(const JsonValue& value, Mistakes& mistakes, std::initializer_list<std::string_view> known,
                      OtherMembers others) {
@@ -27,11 +27,11 @@ std::optional<PoseDerivative> read_derivative(const JsonValue& value, Mistakes& 
 
 std::optional<std::vector<PoseDerivative>> read_derivatives(const JsonValue& value, Mistakes& mistakes,
                                                             OtherMembers others) {
-  if (value.json().is_array() && value.json().size() > most_derivatives) {
+  if (value.json().is_array() && value.json().size() > max_derivatives) {
     value.mistake("derivative_count_of_pose",
                   fmt::format("{} derivatives are given; a pose has at most {}, remove the others", value.json().size(),
-                              most_derivatives),
-                  {{"count", value.json().size()}, {"most", most_derivatives}});
+                              max_derivatives),
+                  {{"count", value.json().size()}, {"most", max_derivatives}});
     return std::nullopt;
   }
   std::vector<PoseDerivative> derivatives;

@@ -11,7 +11,7 @@ namespace linkwright {
 enum class OtherMembers { refused, ignored };
 
 /// `{"x": …, "y": …, "theta_deg": …, "derivatives": [{"x": …, "y": …, "theta": …}, …]}`, the derivatives optional and
-/// at most four; nothing, with a mistake, where it is something else. How large the numbers are is not looked at.
+/// at most four; nothing, with a mistake, where it is something else. How large the numbers are is ignored.
 [[nodiscard]] std::optional<PrescribedPose> read_pose(const JsonValue& value, Mistakes& mistakes, OtherMembers others);
 
 /// Longer lists than any task has are refused at once: comparing pairs of thousands is slow.

@@ -125,10 +125,10 @@ std::string TreeBuilder::place() const {
 }
 
 /// The parser's reasons by a part of its message, first match wins, and what we say instead.
-struct Saying {
+struct ParserMessage {
   std::string_view part, code, message;
 };
-constexpr Saying sayings[] = {
+constexpr ParserMessage parser_messages[] = {
     {"unexpected end of input", "cut_short", "the file breaks off here; it was cut short, or a bracket is not closed"},
     {"missing closing quote", "cut_inside_text",
      "the file breaks off inside a text; it was cut short, or a quote is not closed"},
@@ -163,24 +163,25 @@ std::size_t start_of_token(std::string_view text, std::size_t end) {
   return start;
 }
 
-constexpr Saying single_quotes = {"", "single_quotes", "texts and keys stand in double quotes"};
-constexpr Saying no_key = {"", "no_key", "a key in double quotes is missing here"};
-constexpr Saying no_value = {"", "no_value", "a value is missing here"};
-constexpr Saying not_a_value = {"", "not_a_value",
-                                "this is not a JSON value; values are finite numbers like -12.5 (no NaN, no Infinity, "
-                                "no leading + or point), texts "
-                                "in double quotes, true, false, null, [ … ] and { … }"};
-constexpr Saying trailing_comma = {"", "trailing_comma", "a comma stands before the closing bracket; remove it"};
-constexpr Saying no_last_value = {"", "no_last_value",
-                                  "a value is missing before the closing bracket; add it or remove the comma"};
+constexpr ParserMessage single_quotes = {"", "single_quotes", "texts and keys stand in double quotes"};
+constexpr ParserMessage no_key = {"", "no_key", "a key in double quotes is missing here"};
+constexpr ParserMessage no_value = {"", "no_value", "a value is missing here"};
+constexpr ParserMessage not_a_value = {
+    "", "not_a_value",
+    "this is not a JSON value; values are finite numbers like -12.5 (no NaN, no Infinity, "
+    "no leading + or point), texts "
+    "in double quotes, true, false, null, [ … ] and { … }"};
+constexpr ParserMessage trailing_comma = {"", "trailing_comma", "a comma stands before the closing bracket; remove it"};
+constexpr ParserMessage no_last_value = {"", "no_last_value",
+                                         "a value is missing before the closing bracket; add it or remove the comma"};
 
 /// What is wrong where the parser stopped, `here` being the character it stopped at.
-Saying syntax_saying(char here, std::string_view parsers_words) {
+ParserMessage syntax_saying(char here, std::string_view parsers_words) {
   const auto says = [&](std::string_view part) { return parsers_words.find(part) != std::string_view::npos; };
   if (here == '\'') return single_quotes;
   if (says("object key") && says("invalid literal")) return no_key;
-  for (const Saying& saying : sayings) {
-    if (says(saying.part)) return saying;
+  for (const ParserMessage& known : parser_messages) {
+    if (says(known.part)) return known;
   }
   if (says("invalid literal")) return not_a_value;
   const bool closes = here == '}' || here == ']';
@@ -202,8 +203,8 @@ bool TreeBuilder::parse_error(std::size_t position, const std::string& token, co
     const bool is_inside_text = words.find("invalid string") != std::string_view::npos;
     if (is_inside && !is_inside_text) offset = start_of_token(text_, offset);
     const char here = is_inside ? text_[offset] : ' ';
-    const Saying saying = syntax_saying(here, words);
-    mistakes_.add(std::string(saying.code), line_and_column(text_, offset), std::string(saying.message));
+    const ParserMessage known = syntax_saying(here, words);
+    mistakes_.add(std::string(known.code), line_and_column(text_, offset), std::string(known.message));
   }
   return false;
 }

@@ -10,7 +10,7 @@
 namespace linkwright {
 
 struct JsonLimits {
-  std::size_t most_bytes = 16u << 20;
+  std::size_t max_bytes = 16u << 20;
   int deepest_nesting = 64;
   /// Which members of the outermost object are kept; the others are checked and dropped. Empty: all.
   std::vector<std::string_view> kept;

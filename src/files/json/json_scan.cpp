@@ -57,12 +57,12 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
 }
 
 std::optional<Error> scan_json(std::string_view text, const JsonLimits& limits) {
-  if (text.size() > limits.most_bytes) {
+  if (text.size() > limits.max_bytes) {
     return Error{"file_too_large",
                  "",
                  fmt::format("this file is larger than {} MiB, the most that is read; a Linkwright file is far smaller",
-                             limits.most_bytes >> 20),
-                 {{"most", limits.most_bytes >> 20}}};
+                             limits.max_bytes >> 20),
+                 {{"most", limits.max_bytes >> 20}}};
   }
   std::string_view content = text;
   if (content.substr(0, byte_order_mark.size()) == byte_order_mark) content.remove_prefix(byte_order_mark.size());

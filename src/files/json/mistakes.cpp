@@ -6,7 +6,7 @@
 namespace linkwright {
 
 void Mistakes::add(Error error) {
-  if (errors_.size() < most_listed) {
+  if (errors_.size() < max_listed) {
     errors_.push_back(std::move(error));
   } else {
     ++unlisted_;

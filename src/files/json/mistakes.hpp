@@ -8,10 +8,10 @@
 namespace linkwright {
 
 /// The mistakes found in a file, in the order in which they were found. A hostile file can hold millions: after
-/// `most_listed` they are only counted.
+/// `max_listed` they are only counted.
 class Mistakes {
  public:
-  static constexpr std::size_t most_listed = 100;
+  static constexpr std::size_t max_listed = 100;
 
   void add(std::string code, std::string place, std::string message, Values values = {});
   void add(Error error);

@@ -65,7 +65,7 @@ std::string write_analysis(const StoredSixBarAnalysis& analysis) {
     json.member("title", std::string_view(linkage.title));
     json.member("length_unit", std::string_view(linkage.length_unit));
     json.member("mechanism", "six_bar");
-    write_make_up(json, linkage.six_bar, linkage.elbow, {});
+    write_make_up(json, linkage.six_bar, linkage.assembly_mode, {});
     json.key("lengths");
     write_lengths(json, analysis.lengths);
     json.member("link_ratio", analysis.shape.link_ratio);
@@ -75,8 +75,8 @@ std::string write_analysis(const StoredSixBarAnalysis& analysis) {
     json.member("in_dyads", analysis.motion.dyadic);
     json.member("transmission_angle_deg", degrees(analysis.transmission_angle));
     json.key("min_transmission_angle_deg");
-    analysis.travel.states.empty() ? json.null() : json.value(angle_of_sine_deg(analysis.travel.least_sine()));
-    json.member("min_transmission_angle_whole_motion_deg", angle_of_sine_deg(analysis.motion.least_sine()));
+    analysis.travel.states.empty() ? json.null() : json.value(angle_of_sine_deg(analysis.travel.min_sine()));
+    json.member("min_transmission_angle_whole_motion_deg", angle_of_sine_deg(analysis.motion.min_sine()));
     json.key("motion");
     write_motion(json, analysis.motion);
     json.end_object();

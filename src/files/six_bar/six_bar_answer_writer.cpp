@@ -35,8 +35,8 @@ StoredSixBar stored(const SixBarSolution& found, const SixBarAnswer& answer) {
   StoredSixBar linkage;
   linkage.six_bar = found.member.six_bar;
   linkage.row = found.row;
-  for (std::size_t j = 0; j < linkage.elbow.size(); ++j)
-    linkage.elbow[j] = (found.chain.elbow[j] > 0 ? 1 : 0) - (found.chain.elbow[j] < 0 ? 1 : 0);
+  for (std::size_t j = 0; j < linkage.assembly_mode.size(); ++j)
+    linkage.assembly_mode[j] = (found.chain.assembly_mode[j] > 0 ? 1 : 0) - (found.chain.assembly_mode[j] < 0 ? 1 : 0);
   linkage.poses = answer.task.poses;
   linkage.record = json_text_of([&](JsonWriter& json) { write_six_bar(json, found); });
   return linkage;

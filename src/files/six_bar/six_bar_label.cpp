@@ -32,8 +32,9 @@ AxisLabel axis_label(const SixBarAnswer& answer, Side side, std::string_view /*l
             "1",
             "curve_share",
             {{"", 0, 1}}};
-  return {name + ", place on its curve", fmt::format("Link {}: place τ{} on its curve", link, link == 4 ? "₄" : "₅"),
-          "tau", linkwright::name(AxisQuantity::curve_coordinate),
+  return {name + ", coordinate on its curve",
+          fmt::format("Link {}: place τ{} on its curve", link, link == 4 ? "₄" : "₅"), "tau",
+          linkwright::name(AxisQuantity::curve_coordinate),
           answer.chain ? answer.chain->axis(side).branches : std::vector<CurveBranch>{}};
 }
 

@@ -104,8 +104,8 @@ std::optional<StoredSixBar> read_six_bar(const JsonValue& value, Mistakes& mista
   }
   StoredSixBar stored;
   stored.row = *row;
-  for (std::size_t j = 0; j < stored.elbow.size(); ++j)
-    stored.elbow[j] = (chain->elbow[j] > 0 ? 1 : 0) - (chain->elbow[j] < 0 ? 1 : 0);
+  for (std::size_t j = 0; j < stored.assembly_mode.size(); ++j)
+    stored.assembly_mode[j] = (chain->assembly_mode[j] > 0 ? 1 : 0) - (chain->assembly_mode[j] < 0 ? 1 : 0);
   stored.six_bar = SixBar::of({chain->a, chain->b, chain->d}, row->added, ordered((*links)[0], row->added[0]),
                               ordered((*links)[1], row->added[1]));
   if (!in_range(stored.six_bar)) {

@@ -11,18 +11,18 @@
 namespace linkwright {
 namespace {
 
-bool read_elbows(const JsonObject& object, std::array<int, 4>& elbow) {
+bool read_assembly_modes(const JsonObject& object, std::array<int, 4>& assembly_mode) {
   const auto found = object.find("elbow");
   if (!found) return true;
   std::size_t count = 0;
   bool complete = true;
   const bool is_list = found->for_each({"signs", "a list of four signs"}, [&](const JsonValue& item) {
     const auto sign = item.as_whole_number();
-    if (sign && count < elbow.size()) elbow[count] = *sign;
+    if (sign && count < assembly_mode.size()) assembly_mode[count] = *sign;
     complete = complete && sign;
     ++count;
   });
-  if (is_list && complete && count != elbow.size()) {
+  if (is_list && complete && count != assembly_mode.size()) {
     found->mistake("elbow_count", fmt::format("{} signs are given; one to each of the four poses belongs here", count),
                    {{"count", count}});
     return false;
@@ -75,7 +75,7 @@ std::optional<ThreeLinkChain> read_chain(const JsonValue& value, Mistakes& mista
   const JsonObject object(value, mistakes, {"a", "b", "d", "elbow"});
   const auto a = object.require_point("a"), b = object.require_point("b"), d = object.require_point("d");
   ThreeLinkChain chain;
-  if (!read_elbows(object, chain.elbow) || !a || !b || !d) return std::nullopt;
+  if (!read_assembly_modes(object, chain.assembly_mode) || !a || !b || !d) return std::nullopt;
   chain.a = *a;
   chain.b = *b;
   chain.d = *d;

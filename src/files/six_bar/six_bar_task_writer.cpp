@@ -27,7 +27,7 @@ void write_chain(JsonWriter& json, const ThreeLinkChain& chain) {
   write_point(json, chain.d);
   json.key("elbow");
   json.begin_list(JsonWriter::Layout::one_line);
-  for (const int sign : chain.elbow) json.value(sign);
+  for (const int sign : chain.assembly_mode) json.value(sign);
   json.end_list();
   json.end_object();
 }

@@ -35,7 +35,7 @@ void write_added(JsonWriter& json, const SixBar& six_bar, std::span<const double
 void write_dyad_angles(JsonWriter& json, const SixBar& six_bar, const SixBarDriveReport& drive) {
   json.key("min_transmission_angles_of_dyads_deg");
   if (!six_bar_transmission(six_bar, {1, 1, 1, 1, 1, 1}).dyadic) return json.null();
-  write_interval(json, angle_of_sine_deg(drive.least_sines[0]), angle_of_sine_deg(drive.least_sines[1]));
+  write_interval(json, angle_of_sine_deg(drive.min_sines[0]), angle_of_sine_deg(drive.min_sines[1]));
 }
 
 void write_drive(JsonWriter& json, const SixBar& six_bar, const SixBarRating& rating) {
@@ -54,8 +54,8 @@ void write_drive(JsonWriter& json, const SixBar& six_bar, const SixBarRating& ra
 
 /// With the sign of position 1 where none is given.
 std::array<int, 4> elbows(const ThreeLinkChain& chain) {
-  std::array<int, 4> signs = chain.elbow;
-  for (int& sign : signs) sign = sign == 0 ? chain.elbow_in_position_1() : sign;
+  std::array<int, 4> signs = chain.assembly_mode;
+  for (int& sign : signs) sign = sign == 0 ? chain.assembly_mode_in_position_1() : sign;
   return signs;
 }
 
@@ -63,13 +63,13 @@ std::array<int, 4> elbows(const ThreeLinkChain& chain) {
 
 double angle_of_sine_deg(double sine) { return degrees(std::asin(std::min(sine, 1.0))); }
 
-void write_make_up(JsonWriter& json, const SixBar& six_bar, const std::array<int, 4>& elbow,
+void write_make_up(JsonWriter& json, const SixBar& six_bar, const std::array<int, 4>& assembly_mode,
                    std::span<const double> coordinates) {
   json.key("topology");
   const auto topology = six_bar.topology();
   topology ? json.value(name(*topology)) : json.null();
   json.key("chain");
-  write_chain(json, {six_bar.at(SixBar::a), six_bar.at(SixBar::b), six_bar.at(SixBar::d), elbow});
+  write_chain(json, {six_bar.at(SixBar::a), six_bar.at(SixBar::b), six_bar.at(SixBar::d), assembly_mode});
   json.key("added");
   write_added(json, six_bar, coordinates);
   json.key("joints");

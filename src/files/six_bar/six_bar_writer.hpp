@@ -14,7 +14,7 @@ namespace linkwright {
 
 /// Members `topology`, `chain`, `added` and `joints` of an object that is open. `coordinates`: τ of the added links, or
 /// none.
-void write_make_up(JsonWriter& json, const SixBar& six_bar, const std::array<int, 4>& elbow,
+void write_make_up(JsonWriter& json, const SixBar& six_bar, const std::array<int, 4>& assembly_mode,
                    std::span<const double> coordinates);
 
 /// `{"1:a-b": …}`.

@@ -58,8 +58,8 @@ AtomicFile::~AtomicFile() { abandon(); }
 
 /// `mode`: permissions to take over, or −1.
 void AtomicFile::open_temporary(int mode) {
-  constexpr int most_tries = 100;
-  for (int attempt = 0; attempt < most_tries && descriptor_ < 0; ++attempt) {
+  constexpr int max_tries = 100;
+  for (int attempt = 0; attempt < max_tries && descriptor_ < 0; ++attempt) {
     temporary_ = target_.parent_path() / fmt::format(".{}.{}-{}.tmp", target_.filename().string(), ::getpid(), attempt);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, usual_mode);
     if (descriptor_ < 0 && errno != EEXIST) break;

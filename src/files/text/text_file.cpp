@@ -17,18 +17,18 @@ Error cannot_read(int error_number) {
       {{"reason", std::strerror(error_number)}}};
 }
 
-Error too_large(std::size_t most_bytes) {
+Error too_large(std::size_t max_bytes) {
   return {"file_too_large",
           "",
           fmt::format("this file is larger than {} MiB, the most that is read; a Linkwright file is far smaller",
-                      most_bytes >> 20),
-          {{"most", most_bytes >> 20}}};
+                      max_bytes >> 20),
+          {{"most", max_bytes >> 20}}};
 }
 
-Result<std::string> read_all(std::FILE* file, std::size_t most_bytes) {
+Result<std::string> read_all(std::FILE* file, std::size_t max_bytes) {
   constexpr std::size_t piece = 1 << 16;
   std::string text;
-  while (text.size() <= most_bytes) {
+  while (text.size() <= max_bytes) {
     const std::size_t size = text.size();
     text.resize(size + piece);
     errno = 0;
@@ -37,17 +37,17 @@ Result<std::string> read_all(std::FILE* file, std::size_t most_bytes) {
     if (std::ferror(file)) return cannot_read(errno);
     if (count < piece) break;
   }
-  if (text.size() > most_bytes) return too_large(most_bytes);
+  if (text.size() > max_bytes) return too_large(max_bytes);
   return text;
 }
 
 }  // namespace
 
-Result<std::string> read_text_file(const std::filesystem::path& path, std::size_t most_bytes) {
-  if (path == "-") return read_all(stdin, most_bytes);
+Result<std::string> read_text_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  if (path == "-") return read_all(stdin, max_bytes);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) return cannot_read(errno);
-  return read_all(file.get(), most_bytes);
+  return read_all(file.get(), max_bytes);
 }
 
 }  // namespace linkwright

@@ -21,13 +21,13 @@ export function focus_handle(svg: SVGSVGElement, target: Target): void {
 export function click_target(bench: Bench, target: Target, shift: boolean): void {
   const {workbench, scene} = bench;
   if ("pose" in target) workbench.selected_pose = target.pose;
-  else if (target.kind === "curve") put_side_link(bench, target.spot, shift);
+  else if (target.kind === "curve") put_grounded_link(bench, target.spot, shift);
   else if (target.kind === "midpoint") add_corner(bench, target.index);
   else if (target.kind === "corner") scene.corner = target.index;
 }
 
-/** The nearer side link of the picked linkage goes to the place; with Shift the other one. */
-export function put_side_link({workbench, scene}: Bench, spot: Spot, other: boolean): void {
+/** The nearer grounded link of the picked linkage goes to the place; with Shift the other one. */
+export function put_grounded_link({workbench, scene}: Bench, spot: Spot, other: boolean): void {
   const picked = workbench.picked,
     linkage = workbench.picked_linkage,
     samples = scene.samples[spot.sides[0]];

@@ -13,7 +13,7 @@ export interface Run {
   closed: boolean;
 }
 export interface CurveSamples {
-  /** Whose axes carry these dyads: both side links', where they come from the same curve. */
+  /** Whose axes carry these dyads: both grounded links', where they come from the same curve. */
   sides: Sides;
   tau: Float64Array;
   /** Homogeneous (w, x, y) about `origin`, lengths in `unit`: only so do neighbours with a negative product of their
@@ -26,7 +26,7 @@ export interface CurveSamples {
   /** Single dyads: each run is one of them, all its samples alike. */
   discrete: boolean;
 }
-/** Which side links lie there. */
+/** Which grounded links lie there. */
 export type Sides = readonly [Side, ...Side[]];
 /** A place on a curve: between sample `index` and the next of its run. */
 export interface Spot {

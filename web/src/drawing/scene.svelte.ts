@@ -116,7 +116,7 @@ export class Scene implements Surface {
       ? at_angle(this.mechanism, hand, hand.drive, angle)
       : this.mechanism.still(hand, this.served, stage);
   });
-  /** What carries an end of a side link; nothing on the ground. */
+  /** What carries an end of a grounded link; nothing on the ground. */
   carrier(side: Side, end: End): Carrier | null {
     const {hand} = this.workbench;
     return hand && this.now && this.mechanism.carrier(hand, side, end, this.now, this.served[0]);
@@ -245,7 +245,7 @@ export class Scene implements Surface {
       .map((spot) => ({target: {kind: "curve", spot} as Target, cursor: "pointer"}));
   }
 
-  /** Both ends of the side link at a spot, as in position 1. */
+  /** Both ends of the grounded link at a spot, as in position 1. */
   dyad_at(spot: Spot): {center: Point | null; circle: Point | null} | null {
     const samples = this.samples[spot.sides[0]];
     return samples && {center: point_at(samples, "center", spot), circle: point_at(samples, "circle", spot)};

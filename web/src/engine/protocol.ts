@@ -2,7 +2,7 @@
 // C++ engine; the page only draws and words. Angles are degrees where a name ends in _deg, else radians; lengths and
 // points are the user's unit, fixed frame; moving pivots lie as in position 1 unless said otherwise.
 
-/** A cell or a point of the map: coordinates τ along its two axes, that of the driving side link (input) and the other's
+/** A cell or a point of the map: coordinates τ along its two axes, that of the input link (input) and the other's
  *  (output) where each has an axis of its own. */
 export type TauPair = readonly [input: number, output: number];
 export type Point = readonly [x: number, y: number];
@@ -72,8 +72,8 @@ export interface Branch {
 export const axis_quantities = [
   "curve_coordinate", // place on a curve of dyads
   "burmester_point", // one of a few dyads; each fills a branch
-  "side_direction", // of the side link in position 1, degrees
-  "side_length", // of the side link
+  "side_direction", // of the grounded link in position 1, degrees
+  "side_length", // of the grounded link
   "output_scale", // factor on the output's travel
   "pair_output", // output angle of one pair, degrees
   "nothing", // one place only
@@ -186,7 +186,7 @@ export interface MapAnswer {
   columns: number;
   window: Window;
   property: Property;
-  /** τ of rows (input, driving side link) and columns, in display order: row 0 is place window.input[0]. */
+  /** τ of rows (input, input link) and columns, in display order: row 0 is place window.input[0]. */
   input_tau: Float64Array;
   output_tau: Float64Array;
   // rows × columns, row-major [input][output]
@@ -201,7 +201,7 @@ export interface MapAnswer {
 
 // ---- a linkage ------------------------------------------------------------------------------------------------
 
-export interface SideLink {
+export interface GroundedLink {
   coordinate: number;
   center: Point | null; // null: at infinity
   circle: Point | null;
@@ -249,8 +249,8 @@ export interface Linkage {
   defects: Defects;
   /** Why not, e.g. {code: "order_defect", values: {order: "1-3-2-4"}}; null without defects and not degenerate. */
   reason: Notice | null;
-  input: SideLink;
-  output: SideLink;
+  input: GroundedLink;
+  output: GroundedLink;
   lengths: {ground: number; input: number; coupler: number; output: number} | null; // null: a slider
   link_ratio: number | null;
   longest: number | null;
@@ -259,7 +259,7 @@ export interface Linkage {
   driver_sweep_deg: number | null;
   drive_sense: "ccw" | "cw" | "either" | null;
   dead_points_deg: number[]; // driver angles from position 1
-  residual: number; // worst error of a side link's length over the positions, user's unit
+  residual: number; // worst error of a grounded link's length over the positions, user's unit
   /** By how much the freed pose is missed at best, and where the driver stands then; null where none is freed. */
   miss?: {distance: number; angle_deg: number; input_deg: number} | null;
   swapped: {type: LinkageType; defects: Defects; min_transmission_angle_deg: number | null} | null;
@@ -297,7 +297,7 @@ export interface Requests {
    *  canonical one), or the code of a display order. */
   explore: {problem: string; samples: number; window: Window; property: Property; order: "nearest" | "fresh" | number};
   linkage: {problem: string; tau: TauPair};
-  /** Bits failed along the curve samples of each side when one side link is held and the other slides. */
+  /** Bits failed along the curve samples of each side when one grounded link is held and the other slides. */
   live: {problem: string; tau: TauPair};
   /** Cells that pass (of samples² ) with position `pose` moved by a grid of offsets up to ± reach (user's unit) or
    *  turned up to ± reach_deg. */
@@ -325,7 +325,7 @@ export interface Ranked extends Partial<Record<Property, number | null>> {
 export interface Replies {
   explore: {task: TaskAnswer; map: MapAnswer | null; engine_ms: number};
   linkage: {linkage: Linkage; engine_ms: number};
-  live: Record<Side, Uint8Array>; // by the index of that side's curve samples: that side link there, the other held
+  live: Record<Side, Uint8Array>; // by the index of that side's curve samples: that grounded link there, the other held
   halo: {offsets: Float64Array; counts: Uint32Array; steps: number; reach: number; engine_ms: number}; // counts: row-major [dy][dx] (steps²) or [turn] (steps)
   best: {linkages: Ranked[]; notices: Notice[]};
   search: Replies["best"];

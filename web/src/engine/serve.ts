@@ -27,7 +27,7 @@ const no_dyads: Mistake = {
   code: "no_dyads",
   place: "task.poses",
   values: {},
-  message: "these positions have no side links to pair; move one of them",
+  message: "these positions have no grounded links to pair; move one of them",
 };
 const extensions = {svg: ".svg", dxf: ".dxf", csv: ".csv", json: ".json", result: ".json"};
 

@@ -10,7 +10,7 @@ export interface Place {
   theta_deg: number;
 }
 export type End = "center" | "circle";
-/** Both ends of the side links; null: at infinity. */
+/** Both ends of the grounded links; null: at infinity. */
 export type Ends = Record<Side, Record<End, Point | null>>;
 
 export type Role = "driver" | "input" | "coupler" | "output";
@@ -34,12 +34,12 @@ export interface Joint {
   at: Point;
   /** Names of the bodies that it joins. */
   joins: readonly [string, string];
-  /** Which side link ends here. */
+  /** Which grounded link ends here. */
   end?: {side: Side; end: End};
   label?: Label;
 }
 export const ground = "ground"; // the name of the body at rest
-/** A pin in a straight guide: the side link whose other pivot lies at infinity. */
+/** A pin in a straight guide: the grounded link whose other pivot lies at infinity. */
 export interface Slider {
   role: Role;
   side: Side;

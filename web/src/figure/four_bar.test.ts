@@ -21,7 +21,7 @@ const now = (circle: Point) => ({
 const home = (carrier: Carrier | null, point: Point) =>
   carrier && placed(body_point(point, carrier.now), carrier.first);
 
-describe("what carries the end of a side link", () => {
+describe("what carries the end of a grounded link", () => {
   it("is the body, and nothing on the ground", () => {
     expect(four_bar.carrier(linkage, "input", "circle", now([50, 120]), first)).toEqual({
       first,
@@ -30,7 +30,7 @@ describe("what carries the end of a side link", () => {
     expect(four_bar.carrier(linkage, "input", "center", now([50, 120]), first)).toBeNull();
     expect(four_bar.carrier(linkage, "input", "center", now([50, 120]), undefined)).toBeNull();
   });
-  it("is the side link itself where the task has no poses", () => {
+  it("is the grounded link itself where the task has no poses", () => {
     const [x, y] = home(four_bar.carrier(linkage, "input", "circle", now([0, 100]), undefined), [0, 130])!;
     expect(x).toBeCloseTo(130, 9);
     expect(y).toBeCloseTo(0, 9);

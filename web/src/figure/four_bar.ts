@@ -63,7 +63,7 @@ function sliders_of(linkage: Linkage, ends: Ends, turned_deg: number): Slider[] 
   const turn = (turned_deg * Math.PI) / 180;
   return sides.flatMap((side): Slider[] => {
     const {center, circle, center_homogeneous, circle_homogeneous} = linkage[side];
-    if (!circle_homogeneous.some((value) => value !== 0)) return []; // there is no side link at all
+    if (!circle_homogeneous.some((value) => value !== 0)) return []; // there is no grounded link at all
     const found: Slider[] = [];
     if (!center) {
       const [, x, y] = center_homogeneous;

@@ -39,9 +39,9 @@ export interface Mechanism {
   figure(linkage: Linkage, now: Configuration, outline?: readonly Point[]): Figure;
   /** Its moving links in each of the positions. */
   visits(linkage: Linkage, poses: readonly Place[]): Body[][];
-  /** Where a moving pivot of a side link gets to in the positions, as far as the task alone tells. */
+  /** Where a moving pivot of a grounded link gets to in the positions, as far as the task alone tells. */
   pivot_visits(circle: Point, poses: readonly Place[]): Point[];
-  /** What carries the end of a side link along: its curve lies there, drawn as in position 1. Null: it is at rest. */
+  /** What carries the end of a grounded link along: its curve lies there, drawn as in position 1. Null: it is at rest. */
   carrier(linkage: Linkage, side: Side, end: End, now: Configuration, first: Place | undefined): Carrier | null;
   /** All pivots in position 1. */
   pivots(linkage: Linkage): Point[];

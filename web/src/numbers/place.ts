@@ -1,4 +1,4 @@
-// Where a side link stands on its axis of the map, as people read it.
+// Where a grounded link stands on its axis of the map, as people read it.
 import type {Axes, Axis, Side, TauPair} from "../engine/protocol";
 import {degrees_text, fixed, significant} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";

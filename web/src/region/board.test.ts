@@ -26,7 +26,7 @@ describe("a board", () => {
     expect(is_board({input: points(3), output: nothing})).toBe(true);
     expect(is_board({input: curve, output: nothing})).toBe(false);
   });
-  it("has the side links of its row and column in each cell, and none on the diagonal", () => {
+  it("has the grounded links of its row and column in each cell, and none on the diagonal", () => {
     const task = {axes: {input: points(2), output: points(2)}, curves, output_curves: null} as unknown as TaskAnswer;
     const map = {
       rows: 2,
@@ -54,7 +54,7 @@ describe("a board", () => {
       {order: false, branch: true, circuit: true},
     ]);
   });
-  it("takes both side links from one place where the other axis leaves no choice", () => {
+  it("takes both grounded links from one place where the other axis leaves no choice", () => {
     const task = {
       axes: {input: points(2), output: nothing},
       curves,

@@ -95,7 +95,7 @@ describe("distances", () => {
 });
 
 describe("a plan", () => {
-  it("puts both side links on one layer where they stay apart", () => {
+  it("puts both grounded links on one layer where they stay apart", () => {
     const plan = plan_of(
       drive_through([
         [0, [0, 50], [100, 50]],
@@ -104,7 +104,7 @@ describe("a plan", () => {
     );
     expect(plan).toEqual({order: {input: 1, coupler: 2, output: 1}, over: "travel", crossings: []});
   });
-  it("lifts the output where the side links cross", () => {
+  it("lifts the output where the grounded links cross", () => {
     const plan = plan_of(
       drive_through([
         [0, [0, 50], [100, 50]],
@@ -115,7 +115,7 @@ describe("a plan", () => {
     expect(plan.crossings).toEqual([]);
   });
   it("puts the coupler on top where it sweeps over the ground pins", () => {
-    // The coupler passes over the output's ground pivot while the side links cross.
+    // The coupler passes over the output's ground pivot while the grounded links cross.
     const plan = plan_of(
       drive_through([
         [0, [40, 30], [100, 60]],

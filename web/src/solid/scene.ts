@@ -51,7 +51,7 @@ const pitch = 1.35 * plate_thickness; // from layer to layer: heads of pins fit 
 const head = {thickness: 0.25 * plate_thickness, radius: 0.75 * pin_diameter};
 const view_angle = 32;
 
-/** One of the pivots of the side links. */
+/** One of the pivots of the grounded links. */
 export interface SolidPivot {
   side: Side;
   end: End;

@@ -77,7 +77,7 @@ describe("places on the axis", () => {
       expect(place_of(axis, tau_at(axis, place)!)).toBeCloseTo(place, 12);
     }
   });
-  it("have no τ where there are no side links", () => {
+  it("have no τ where there are no grounded links", () => {
     const empty: Axis = {...axis, branches: [], blocks: []};
     expect([block_at(empty, 0.5), tau_at(empty, 0.5)]).toEqual([null, null]);
     expect([held_place(empty, 0.3), stepped_place({...empty, quantity: "burmester_point"}, 0.3, 1, 0.1)]).toEqual([

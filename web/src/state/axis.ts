@@ -37,7 +37,7 @@ function wrapped(tau: number, branch: Branch): number {
   return rest >= length ? branch.from : branch.from + rest;
 }
 
-/** Nothing on an axis without side links. */
+/** Nothing on an axis without grounded links. */
 export function block_at(axis: Axis, place: number): AxisBlock | null {
   return axis.blocks.find((block) => place < block.to) ?? axis.blocks.at(-1) ?? null;
 }
@@ -51,12 +51,12 @@ export function has_burmester_curve({curves}: TaskAnswer): boolean {
 export function is_discrete({quantity}: Axis): boolean {
   return quantity === "burmester_point" || quantity === "nothing";
 }
-/** The side along whose axis a side link moves: where its own leaves nothing to choose, the other's. */
+/** The side along whose axis a grounded link moves: where its own leaves nothing to choose, the other's. */
 export function moving_side(axes: Axes, side: Side): Side {
   const other = side === "input" ? "output" : "input";
   return axes[side].quantity === "nothing" && axes[other].quantity !== "nothing" ? other : side;
 }
-/** A pair with the coordinate along which a side link moves exchanged. */
+/** A pair with the coordinate along which a grounded link moves exchanged. */
 export function with_side({axes}: Pick<TaskAnswer, "axes">, tau: TauPair, side: Side, value: number): TauPair {
   return moving_side(axes, side) === "input" ? [value, tau[1]] : [tau[0], value];
 }
@@ -99,7 +99,7 @@ export function held_tau(axes: Axes, tau: TauPair): TauPair {
   return [held(axes.input, tau[0]), held(axes.output, tau[1])];
 }
 
-/** τ at a place of the axis, on its branch; none on an axis without side links. */
+/** τ at a place of the axis, on its branch; none on an axis without grounded links. */
 export function tau_at(axis: Axis, place: number): number | null {
   const inside = Math.min(Math.max(place, 0), 1),
     block = block_at(axis, inside);

@@ -63,7 +63,7 @@ export type RequirementDescription = NamedRequirement &
   (
     | {control: "types" | "no_defects" | "transmission_angle"}
     | {control: "limit"; bound: "least" | "most"; quantity: "angle" | "ratio" | "length"; from: number}
-    /** Where pivots at these ends of the side links are to lie. */
+    /** Where pivots at these ends of the grounded links are to lie. */
     | {control: "box"; end: End}
     /** By the kind's own component (view.ts). */
     | {control: "own"; is_value(value: unknown): boolean}
@@ -116,7 +116,7 @@ export interface TaskKind<T extends Task = Task> {
   /** What it says in place of a text of the frame. */
   texts?: Partial<Record<TextKey, TextKey>>;
 
-  /** What a pin keeps of a linkage, to show it without the engine (Mechanism.ghost); else the ends of its side links. */
+  /** What a pin keeps of a linkage, to show it without the engine (Mechanism.ghost); else the ends of its grounded links. */
   kept_pivots?(linkage: Linkage): Pin["pivots"];
 
   // Of a linkage, where it is one of this kind and not told like any four-bar; otherwise null.

@@ -1,7 +1,7 @@
 // For tests.
 import fc, {type Arbitrary} from "fast-check";
 import {number, point, points, record, text} from "../../state/arbitrary_values";
-import type {AnglePair, FreeNumber, FunctionTask, NamedFunction} from "./task";
+import type {AnglePair, FreeParameter, FunctionTask, NamedFunction} from "./task";
 
 const range = fc.tuple(number(), number());
 const rates = fc.array(fc.record({input: number(), output: number()}), {minLength: 1, maxLength: 4});
@@ -21,7 +21,7 @@ const named = record<NamedFunction>(
     ),
   },
 );
-const free = record<FreeNumber>(
+const free = record<FreeParameter>(
   {number: fc.constantFrom("output_scale", "pair_output")},
   {pair: fc.integer({min: 1, max: 4}), range},
 );

@@ -7,18 +7,18 @@ import {multiple, wrapped_deg, type Keys} from "../../drawing/snapping";
 import {part_drag, type Desk, type Surface} from "../../drawing/surface";
 import type {Problem} from "../../state/problem";
 import {t} from "../../texts/texts.svelte";
-import {dials_of, hold_dials, release_dials, type Dial, type Mark} from "./dials";
+import {angle_scales_of, hold_angle_scales, release_angle_scales, type AngleScale, type Mark} from "./dials";
 import {ground_pivots_of} from "./kind";
 import {angle_keys, function_of, pairs_in_hand, pairs_of, unstretched, with_ground_pivot, with_pair} from "./pairs";
 
 export function mark_id(mark: Pick<Mark, "side" | "pair">): string {
   return `mark_${mark.side}_${mark.pair + 1}`;
 }
-export function dial_handles(surface: Surface): Handle[] {
+export function angle_scale_handles(surface: Surface): Handle[] {
   const free = function_of(surface.workbench.problem).free;
   const is_free = ({side, pair}: Mark) =>
     side === "output" && free?.number === "pair_output" && (free.pair ?? 1) === pair + 1;
-  const marks = dials_of(surface).flatMap((dial) =>
+  const marks = angle_scales_of(surface).flatMap((dial) =>
     dial.marks.filter((mark) => !is_free(mark)).map((mark) => mark_handle(surface, dial, mark)),
   );
   return [...marks, ground_handle(surface, "input"), ground_handle(surface, "output")];
@@ -34,7 +34,7 @@ export function tell_pairs(workbench: Desk, was_named: boolean): void {
     workbench.say("function.now_pairs", {}, {key: "edit.undo", run: () => workbench.undo()});
 }
 
-function mark_handle(surface: Surface, dial: Dial, mark: Mark): Handle {
+function mark_handle(surface: Surface, dial: AngleScale, mark: Mark): Handle {
   const {workbench} = surface,
     part = mark_id(mark),
     symbol = mark.side === "input" ? "φ" : "ψ";
@@ -56,7 +56,7 @@ function mark_handle(surface: Surface, dial: Dial, mark: Mark): Handle {
       drag(): Drag {
         const named = is_named();
         let value = mark.angle_deg;
-        hold_dials(surface);
+        hold_angle_scales(surface);
         return part_drag(surface, part, {
           move(at, keys) {
             const raw = (Math.atan2(dial.center[1] - at[1], at[0] - dial.center[0]) * 180) / Math.PI - dial.zero_deg;
@@ -65,7 +65,7 @@ function mark_handle(surface: Surface, dial: Dial, mark: Mark): Handle {
             surface.tell(at, `${symbol} ${angle_note(value)}`);
           },
           ended(kept) {
-            release_dials(surface);
+            release_angle_scales(surface);
             if (kept) tell_pairs(workbench, named);
           },
         });

@@ -3,7 +3,7 @@ import type {Point} from "../../engine/protocol";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
 import {diagonal_of, pattern_of, position_count, type Range} from "../../state/task";
-import {is_function, type AnglePair, type FreeNumber, type FunctionTask, type NamedFunction} from "./task";
+import {is_function, type AnglePair, type FreeParameter, type FunctionTask, type NamedFunction} from "./task";
 import {significant} from "../../texts/numbers";
 import type {TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements} from "../planar";
@@ -46,12 +46,12 @@ function read_function(value: unknown): NamedFunction | null {
     }),
   } as NamedFunction;
 }
-function read_free(value: unknown): FreeNumber | null {
+function read_free(value: unknown): FreeParameter | null {
   if (!is_object(value) || (value.number !== "output_scale" && value.number !== "pair_output")) return null;
   return {
     number: value.number,
     ...present({pair: is_number(value.pair) ? value.pair : null, range: read_range(value.range)}),
-  } as FreeNumber;
+  } as FreeParameter;
 }
 function read(value: Object): FunctionTask | null {
   if (value.kind !== "function" || value.mechanism !== "four_bar") return null;

@@ -1,7 +1,7 @@
 // The pairs of angles of a function task, whether they are given or taken from a named function.
 import type {Point, Side} from "../../engine/protocol";
-import type {DialPair} from "./replies";
-import type {AnglePair, FreeNumber, FunctionTask, NamedFunction} from "./task";
+import type {DegreePair} from "./replies";
+import type {AnglePair, FreeParameter, FunctionTask, NamedFunction} from "./task";
 import type {Desk} from "../../drawing/surface";
 import {with_task, type Problem} from "../../state/problem";
 import {is_pair, read_list} from "../../state/shape";
@@ -24,7 +24,7 @@ export function pairs_of({problem, task}: Pick<Desk, "problem" | "task">): reado
   );
 }
 /** With the free number as it is in the linkage in hand. */
-export function pairs_in_hand(workbench: Pick<Desk, "problem" | "task" | "hand">): DialPair[] {
+export function pairs_in_hand(workbench: Pick<Desk, "problem" | "task" | "hand">): DegreePair[] {
   const own = pairs_of(workbench),
     made = workbench.hand?.function?.pairs,
     free = function_of(workbench.problem).free;
@@ -43,7 +43,7 @@ export function with_named(problem: Problem, named: NamedFunction): Problem {
   const {pairs: _, ...task} = function_of(problem);
   return with_other_task(problem, without_foreign_free({...task, function: named}));
 }
-export function with_free(problem: Problem, free: FreeNumber | null): Problem {
+export function with_free(problem: Problem, free: FreeParameter | null): Problem {
   const {free: _, ...task} = function_of(problem);
   return with_other_task(problem, free ? {...task, free} : task);
 }
@@ -83,7 +83,7 @@ export function with_ground_pivot(
 /** Where the output's dial is stretched, what is read off it is the pair's angle stretched. */
 export function unstretched(
   own: readonly AnglePair[],
-  shown: readonly DialPair[],
+  shown: readonly DegreePair[],
   index: number,
   value: number,
 ): number {

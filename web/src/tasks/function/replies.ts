@@ -17,11 +17,11 @@ declare module "../../state/problem" {
 }
 
 /** Input and output angle, degrees on the task's dials. */
-export type DialPair = readonly [input: number, output: number];
+export type DegreePair = readonly [input: number, output: number];
 export interface WantedFunction {
-  pairs: DialPair[];
+  pairs: DegreePair[];
   /** The named function over its range of inputs; empty where only pairs are given. */
-  curve: DialPair[];
+  curve: DegreePair[];
 }
 /** What a four-bar makes of it, its free number as it is there. Null: the drive does not get there. */
 export interface GeneratedFunction {

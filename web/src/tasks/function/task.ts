@@ -20,7 +20,7 @@ export interface NamedFunction {
   spacing?: "chebyshev" | "even" | readonly number[];
 }
 /** A number that is left open for a map of two parameters; pairs count from 1. */
-export interface FreeNumber {
+export interface FreeParameter {
   number: "output_scale" | "pair_output";
   pair?: number;
   range?: Range;
@@ -31,7 +31,7 @@ export interface FunctionTask extends Task {
   pairs?: readonly AnglePair[]; // these or the function
   function?: NamedFunction;
   ground_pivots?: {input: Point; output: Point};
-  free?: FreeNumber;
+  free?: FreeParameter;
 }
 
 export function is_function(task: Task): task is FunctionTask {

@@ -3,7 +3,7 @@ import {four_bar} from "../../figure/four_bar";
 import type {FunctionTask} from "./task";
 import type {TaskView} from "../view";
 import DialLayer from "./DialLayer.svelte";
-import {dial_handles} from "./dial_handles";
+import {angle_scale_handles} from "./dial_handles";
 import {structural_error} from "./error_plot";
 import Editor from "./Editor.svelte";
 import FunctionNumbers from "./FunctionNumbers.svelte";
@@ -13,7 +13,7 @@ export const function_view: TaskView = {
   mechanism: four_bar,
   Editor,
   Layer: DialLayer,
-  handles: dial_handles,
+  handles: angle_scale_handles,
   Numbers: FunctionNumbers,
   Picture: Picture as Component<{id: string}>,
   plots: (task) =>

@@ -4,14 +4,14 @@ import {position_count} from "../../state/task";
 import {is_motion, type MotionTask} from "./task";
 
 /** Poses that can be freed, from 1; none where there are not five positions. */
-export function freeable({task}: Problem): number[] {
+export function relaxable({task}: Problem): number[] {
   if (!is_motion(task) || position_count(task.poses) !== 5) return [];
   return task.poses.flatMap((pose, i) => (pose.derivatives?.length ? [] : [i + 1]));
 }
-export function freed_of({task}: Problem): number | null {
+export function relaxed_pose_of({task}: Problem): number | null {
   return (task as MotionTask).freed_pose ?? null;
 }
-export function with_freed(problem: Problem, pose: number | null): Problem {
+export function with_relaxed_pose(problem: Problem, pose: number | null): Problem {
   const {freed_pose: _, ...task} = problem.task as MotionTask;
   return with_task(problem, pose === null ? task : {...task, freed_pose: pose});
 }

@@ -4,10 +4,10 @@ import type {Problem} from "../../state/problem";
 import {poses_of} from "../../state/task";
 import {properties_of} from "../kinds";
 import type {Given, MotionTask} from "./task";
-import {freeable, freed_of, with_freed} from "./freed";
+import {relaxable, relaxed_pose_of, with_relaxed_pose} from "./freed";
 import {
   form_of,
-  free_numbers,
+  free_parameter_count,
   fresh_given,
   GivenMemory,
   given_forms,
@@ -77,7 +77,7 @@ describe("what is given beside three positions", () => {
       [{instant_center: [0, 1]}, 2, {instant_center: [0, 1]}],
     ];
     for (const [given, free, longer] of all) {
-      expect(free_numbers(given)).toBe(free);
+      expect(free_parameter_count(given)).toBe(free);
       if ("output" in lengths_of(given)) expect(with_length(given, "output", 9)).toEqual(longer);
     }
     expect(lengths_of({side_length: 5})).toEqual({input: 5, output: null});
@@ -87,17 +87,21 @@ describe("what is given beside three positions", () => {
 
 describe("a freed position", () => {
   it("is one of five, without derivatives, and back again", () => {
-    expect(freeable(four)).toEqual([]);
-    expect(freeable(five)).toEqual([1, 2, 3, 4, 5]);
-    const freed = with_freed(five, 3);
-    expect([freed_of(freed), freed_of(with_freed(freed, null)), freed_of(five)]).toEqual([3, null, null]);
+    expect(relaxable(four)).toEqual([]);
+    expect(relaxable(five)).toEqual([1, 2, 3, 4, 5]);
+    const freed = with_relaxed_pose(five, 3);
+    expect([relaxed_pose_of(freed), relaxed_pose_of(with_relaxed_pose(freed, null)), relaxed_pose_of(five)]).toEqual([
+      3,
+      null,
+      null,
+    ]);
     expect(properties_of(freed.task)).toContain("pose_miss");
     expect(properties_of(five.task)).not.toContain("pose_miss");
     expect(motion_kind.stops(freed.task as MotionTask)).toBe(4);
   });
   it("goes with the fifth position", () => {
     const poses = poses_of(five.task),
-      freed = with_freed(five, 5) as Problem;
+      freed = with_relaxed_pose(five, 5) as Problem;
     expect(with_task_poses(freed.task, poses.slice(1))).not.toHaveProperty("freed_pose");
     expect(
       with_task_poses(
@@ -106,7 +110,7 @@ describe("a freed position", () => {
       ),
     ).toHaveProperty("freed_pose", 5);
     const mixed = poses.slice(1).map((p, i) => (i === 3 ? {...p, derivatives: travel} : p));
-    expect(freeable(with_poses(five, mixed))).toEqual([1, 2, 3]);
+    expect(relaxable(with_poses(five, mixed))).toEqual([1, 2, 3]);
     expect(with_task_poses({...freed.task, freed_pose: 4} as MotionTask, mixed)).not.toHaveProperty("freed_pose");
   });
 });

@@ -44,7 +44,7 @@ export function fresh_given(form: GivenForm, problem: Problem, hand: Linkage | n
   return {instant_center: [Number((x + round_step(0.5 * size)).toPrecision(6)), y]};
 }
 
-/** Lengths of side links that are given; null: the engine chooses this one, and it can be set. */
+/** Lengths of grounded links that are given; null: the engine chooses this one, and it can be set. */
 export function lengths_of(given: Given): Partial<Record<Side, number | null>> {
   if ("side_lengths" in given) return {input: given.side_lengths[0], output: given.side_lengths[1]};
   if ("side_length" in given) return {input: given.side_length, output: null};
@@ -86,7 +86,7 @@ export function memory_of(workbench: {opened: number}): GivenMemory {
 }
 
 /** Three positions leave four numbers free. */
-export function free_numbers(given: Given): number {
+export function free_parameter_count(given: Given): number {
   const taken =
     "side_lengths" in given || "instant_center" in given
       ? 2
@@ -98,7 +98,7 @@ export function free_numbers(given: Given): number {
   return 4 - taken;
 }
 
-/** Direction of a side link in position 1, degrees. */
+/** Direction of a grounded link in position 1, degrees. */
 export function direction_deg(center: Point, circle: Point): number {
   return (Math.atan2(circle[1] - center[1], circle[0] - center[0]) * 180) / Math.PI;
 }

@@ -12,7 +12,7 @@ import {direction_deg, given_of, lengths_of, takes_given, with_given, with_lengt
 
 export const wedge_radius = 64;
 const usual_turn_deg = 45,
-  knob_turns_deg = [usual_turn_deg, -45, 90, -90, 135, -135, 180]; // from the side link; the first that is to be seen
+  knob_turns_deg = [usual_turn_deg, -45, 90, -90, 135, -135, 180]; // from the grounded link; the first that is to be seen
 
 export interface Ring {
   side: Side;
@@ -24,7 +24,7 @@ export interface Ring {
 }
 export interface Wedge {
   apex: Point;
-  /** Of the input side link in position 1, and of the output, degrees. */
+  /** Of the input link in position 1, and of the output, degrees. */
   from_deg: number;
   to_deg: number;
   directed: boolean;
@@ -40,7 +40,7 @@ function first_origin({origins: [first = [0, 0]]}: Surface): Point {
 function side_center(surface: Surface, side: Side): Point {
   return surface.workbench.hand?.[side].center ?? first_origin(surface);
 }
-/** Where a side link turns: what is dragged keeps the place in which it was pressed. */
+/** Where a grounded link turns: what is dragged keeps the place in which it was pressed. */
 function center_of(surface: Surface, side: Side): Point {
   return surface.anchor ?? side_center(surface, side);
 }

@@ -12,7 +12,7 @@ declare module "../../engine/protocol" {
 }
 
 export type Topology = "watt_1" | "stephenson_1" | "stephenson_2" | "stephenson_3";
-/** What a six-bar has beside its two added links, which take the places of the side links (their centre point on the
+/** What a six-bar has beside its two added links, which take the places of the grounded links (their centre point on the
  *  first of the bodies that they join, their circle point on the second). */
 export interface SixBar {
   topology: Topology;

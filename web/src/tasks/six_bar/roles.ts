@@ -3,7 +3,7 @@ import type {Side} from "../../engine/protocol";
 import type {End, Role} from "../../figure/figure";
 
 export const added = {input: 4, output: 5} as const; // bodies
-/** The ends of the side links among the hinges a, b, d; c4, z4; c5, z5. */
+/** The ends of the grounded links among the hinges a, b, d; c4, z4; c5, z5. */
 export const end_joints: readonly ({side: Side; end: End} | undefined)[] = [
   undefined,
   undefined,

@@ -1,4 +1,4 @@
-#include "linkwright/planar/pose_halo.hpp"
+#include "linkwright/planar/feasible_offsets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include "linkwright/synthesis/solve.hpp"
 #include "support/tailgate.hpp"
 
-namespace linkwright::pose_halo_test {
+namespace linkwright::feasible_offsets_test {
 namespace {
 
 using testing::tailgate_requirements;
@@ -19,10 +19,10 @@ std::int64_t meeting(const MotionTask& task, const Requirements& wanted, int sam
   return findings(*solve(task, wanted, options)).meeting_requirements;
 }
 
-TEST(PoseHalo, CountsWhatSolvingEachMovedTaskFinds) {
-  const PoseHalo halo(tailgate_task(), tailgate_requirements(), Spacing::coordinate, 40);
+TEST(FeasibleOffsets, CountsWhatSolvingEachMovedTaskFinds) {
+  const FeasibleOffsets halo(tailgate_task(), tailgate_requirements(), Spacing::coordinate, 40);
   const auto counts = halo.moved(2, 40, 5);
-  const auto offsets = halo_offsets(40, 5);
+  const auto offsets = offset_values(40, 5);
   ASSERT_EQ(counts.size(), 25u);
   EXPECT_EQ(offsets, (std::vector<double>{-40, -20, 0, 20, 40}));
   for (std::size_t y = 0; y < 5; ++y)
@@ -35,22 +35,22 @@ TEST(PoseHalo, CountsWhatSolvingEachMovedTaskFinds) {
   EXPECT_EQ(counts[2 * 5 + 4], 0u) << "nothing is left 40 to the right";
 }
 
-TEST(PoseHalo, CountsTurns) {
+TEST(FeasibleOffsets, CountsTurns) {
   Requirements any;
-  const PoseHalo halo(tailgate_task(), any, Spacing::coordinate, 30);
+  const FeasibleOffsets halo(tailgate_task(), any, Spacing::coordinate, 30);
   const auto counts = halo.turned(1, radians(10), 3);
   MotionTask task = tailgate_task();
   task.poses[1].pose.angle += radians(10);
   EXPECT_EQ(counts[2], meeting(task, any, 30));
 }
 
-TEST(PoseHalo, RefusedAndDegenerateTasksCountNothing) {
+TEST(FeasibleOffsets, RefusedAndDegenerateTasksCountNothing) {
   MotionTask task = tailgate_task();
   task.poses[1].pose = task.poses[0].pose;
   task.poses[1].pose.origin += Point{10, 0};
-  const PoseHalo halo(task, {}, Spacing::coordinate, 20);
+  const FeasibleOffsets halo(task, {}, Spacing::coordinate, 20);
   EXPECT_EQ(halo.moved(1, 10, 3)[3], 0u) << "there it repeats the first pose";
 }
 
 }  // namespace
-}  // namespace linkwright::pose_halo_test
+}  // namespace linkwright::feasible_offsets_test

@@ -13,10 +13,10 @@
 namespace linkwright {
 
 /// The dials of a generator that stands at the first pair: round each ground pivot an arc over the range, with a
-/// numbered mark where the link stands at each pair. `task` with its free number fixed.
-void draw_dials(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar, const FunctionTask& task);
+/// numbered mark where the link stands at each pair. `task` with its free parameter fixed.
+void draw_angle_scales(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar, const FunctionTask& task);
 
 /// Pivots of the linkage at each pair, for the window.
-[[nodiscard]] std::vector<Point> dial_points(const FourBar& four_bar, const FunctionTask& task);
+[[nodiscard]] std::vector<Point> angle_scale_points(const FourBar& four_bar, const FunctionTask& task);
 
 }  // namespace linkwright

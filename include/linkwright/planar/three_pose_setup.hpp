@@ -14,7 +14,7 @@
 namespace linkwright {
 
 /// The family of a task of three positions with its additional constraint.
-struct ThreePoseOpening {
+struct ThreePoseSetup {
   std::shared_ptr<const FourBarFamily> family;  ///< none where degenerate
   std::vector<Notice> notices;                  ///< chosen_length {side, length}, fixed_direction
   /// Why there is no family: common_pole {x, y}, translations_on_circle {x, y}, only_translations,
@@ -24,11 +24,11 @@ struct ThreePoseOpening {
 
 /// `conditions`: of these three-position `poses` (user's frame). A length that is left open is chosen (chosen_length):
 /// the one of 25 whose map, 100 × 100, has the best linkage under requirements and objective.
-[[nodiscard]] ThreePoseOpening three_pose_opening(const PoseConditions& conditions,
-                                                  const std::vector<PrescribedPose>& poses, const SideLengths& given,
-                                                  const Requirements& requirements, Objective objective);
-[[nodiscard]] ThreePoseOpening three_pose_opening(const PoseConditions& conditions,
-                                                  const std::vector<PrescribedPose>& poses, const SideAngle& given,
-                                                  const Requirements& requirements, Objective objective);
+[[nodiscard]] ThreePoseSetup three_pose_setup(const PoseConditions& conditions,
+                                              const std::vector<PrescribedPose>& poses, const SideLengths& given,
+                                              const Requirements& requirements, Objective objective);
+[[nodiscard]] ThreePoseSetup three_pose_setup(const PoseConditions& conditions,
+                                              const std::vector<PrescribedPose>& poses, const SideAngle& given,
+                                              const Requirements& requirements, Objective objective);
 
 }  // namespace linkwright

@@ -1,4 +1,4 @@
-#include "linkage_words.hpp"
+#include "linkage_report.hpp"
 
 #include <algorithm>
 #include <cmath>

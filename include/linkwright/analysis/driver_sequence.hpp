@@ -7,22 +7,22 @@
 
 namespace linkwright {
 
-/// In which senses a side link, turning as the driver, meets the poses in order within one turn; it does not
+/// In which senses a grounded link, turning as the driver, meets the poses in order within one turn; it does not
 /// depend on the rest of the linkage.
-struct DriverOrder {
+struct DriverSequence {
   bool ccw = false, cw = false;
   double sweep_ccw = 0;  ///< angle from the first to the last pose turning counter-clockwise, radians in [0, 2π)
 
   /// The same turning clockwise, radians in [0, 2π).
   [[nodiscard]] double sweep_cw() const { return sweep_ccw > 0 ? two_pi - sweep_ccw : 0; }
   /// Half a turn or more, turning that way.
-  [[nodiscard]] bool is_wide_ccw() const { return sweep_ccw >= pi; }
-  [[nodiscard]] bool is_wide_cw() const { return sweep_cw() >= pi; }
+  [[nodiscard]] bool is_at_least_half_turn_ccw() const { return sweep_ccw >= pi; }
+  [[nodiscard]] bool is_at_least_half_turn_cw() const { return sweep_cw() >= pi; }
 };
 
 /// `circle` moves with the body and lies as in the first pose; `poses` in the order to be visited. With
 /// `respect_direction`, a pose with derivatives is passed in the direction of its first one.
-[[nodiscard]] DriverOrder driver_order(Point center, Point circle, std::span<const PrescribedPose> poses,
-                                       bool respect_direction);
+[[nodiscard]] DriverSequence driver_sequence(Point center, Point circle, std::span<const PrescribedPose> poses,
+                                             bool respect_direction);
 
 }  // namespace linkwright

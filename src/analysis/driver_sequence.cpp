@@ -1,11 +1,12 @@
-#include "linkwright/analysis/driver_order.hpp"
+#include "linkwright/analysis/driver_sequence.hpp"
 
 namespace linkwright {
 
-DriverOrder driver_order(Point center, Point circle, std::span<const PrescribedPose> poses, bool respect_direction) {
+DriverSequence driver_sequence(Point center, Point circle, std::span<const PrescribedPose> poses,
+                               bool respect_direction) {
   const Pose& first = poses.front().pose;
   const Point first_arm = circle - center;
-  DriverOrder order{true, true, 0};
+  DriverSequence order{true, true, 0};
   double turned_ccw = 0;
   for (const PrescribedPose& pose : poses) {
     const Point moved = displaced(circle, first, pose.pose), arm = moved - center;

@@ -1,4 +1,4 @@
-#include "linkwright/planar/three_pose_opening.hpp"
+#include "linkwright/planar/three_pose_setup.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -72,7 +72,7 @@ Notice chosen_notice(std::string_view side, double length) {
   return {"chosen_length",
           fmt::format("The length of the {} link was left open. Of {} lengths tried, {:.6g} gives the best linkage; "
                       "give a length to get another solution region.",
-                      side, ChosenLength::rungs, length),
+                      side, ChosenLength::trials, length),
           {{"side", std::string(side)}, {"length", length}}};
 }
 
@@ -88,15 +88,15 @@ Notice fixed_direction_notice(const ThreePoseDyads& dyads) {
       {}};
 }
 
-ThreePoseOpening opened(const Start& start, std::shared_ptr<const FourBarFamily> family) {
-  ThreePoseOpening opening;
-  opening.family = std::move(family);
+ThreePoseSetup opened(const Start& start, std::shared_ptr<const FourBarFamily> family) {
+  ThreePoseSetup setup;
+  setup.family = std::move(family);
   if (start.dyads->freedom() == DirectionFreedom::of_length)
-    opening.notices.push_back(fixed_direction_notice(*start.dyads));
-  return opening;
+    setup.notices.push_back(fixed_direction_notice(*start.dyads));
+  return setup;
 }
 
-ThreePoseOpening closed(std::optional<Notice> reason) { return {nullptr, {}, std::move(reason)}; }
+ThreePoseSetup closed(std::optional<Notice> reason) { return {nullptr, {}, std::move(reason)}; }
 
 // Some direction that the input can have goes with an output at the angle.
 bool has_output(const ThreePoseDyads& dyads, const SideAngle& given, double input_length) {
@@ -120,8 +120,8 @@ Notice no_side_link_at_angle(double input_length) {
 
 }  // namespace
 
-ThreePoseOpening three_pose_opening(const PoseConditions& conditions, const std::vector<PrescribedPose>& poses,
-                                    const SideLengths& given, const Requirements& requirements, Objective objective) {
+ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vector<PrescribedPose>& poses,
+                                const SideLengths& given, const Requirements& requirements, Objective objective) {
   const Start start(conditions, requirements);
   if (start.degeneracy) return closed(start.degeneracy);
   if (auto reason = no_side_link(start, given.input, "input")) return closed(std::move(reason));
@@ -133,13 +133,13 @@ ThreePoseOpening three_pose_opening(const PoseConditions& conditions, const std:
     return opened(start, family_of(*given.output));
   }
   const double output = chosen_length(family_of, start.frame, start.requirements, objective).length;
-  ThreePoseOpening opening = opened(start, family_of(output));
-  opening.notices.push_back(chosen_notice("output", output));
-  return opening;
+  ThreePoseSetup setup = opened(start, family_of(output));
+  setup.notices.push_back(chosen_notice("output", output));
+  return setup;
 }
 
-ThreePoseOpening three_pose_opening(const PoseConditions& conditions, const std::vector<PrescribedPose>& poses,
-                                    const SideAngle& given, const Requirements& requirements, Objective objective) {
+ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vector<PrescribedPose>& poses,
+                                const SideAngle& given, const Requirements& requirements, Objective objective) {
   const Start start(conditions, requirements);
   if (start.degeneracy) return closed(start.degeneracy);
   const auto family_of = [&](double input) {
@@ -149,9 +149,9 @@ ThreePoseOpening three_pose_opening(const PoseConditions& conditions, const std:
                                           : chosen_length(family_of, start.frame, start.requirements, objective).length;
   if (auto reason = no_side_link(start, input, "input")) return closed(std::move(reason));
   if (!has_output(*start.dyads, given, input / start.frame.scale)) return closed(no_side_link_at_angle(input));
-  ThreePoseOpening opening = opened(start, family_of(input));
-  if (!given.input_length) opening.notices.push_back(chosen_notice("input", input));
-  return opening;
+  ThreePoseSetup setup = opened(start, family_of(input));
+  if (!given.input_length) setup.notices.push_back(chosen_notice("input", input));
+  return setup;
 }
 
 }  // namespace linkwright

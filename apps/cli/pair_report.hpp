@@ -8,14 +8,14 @@
 
 namespace linkwright::cli {
 
-/// Five positions: the table of side links. Empty for other tasks.
-[[nodiscard]] std::string side_link_words(const FourBarAnswer& answer);
+/// Five positions: the table of grounded links. Empty for other tasks.
+[[nodiscard]] std::string dyad_words(const FourBarAnswer& answer);
 
 /// Five positions: every pair as a four-bar, and why it fails; five precision points: every linkage. Empty for others.
 [[nodiscard]] std::string pair_words(const FourBarAnswer& answer, std::string_view heading);
 
 /// Five positions with one freed: what the linkages miss it by. Empty for other tasks.
-[[nodiscard]] std::string miss_words(const Problem& problem, const FourBarAnswer& answer);
+[[nodiscard]] std::string pose_error_words(const Problem& problem, const FourBarAnswer& answer);
 
 /// What freeing one of five positions comes to; empty where nothing was tried.
 [[nodiscard]] std::string ways_out_words(const Problem& problem, const MotionAnswer& answer);

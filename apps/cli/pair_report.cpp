@@ -1,4 +1,4 @@
-#include "pair_words.hpp"
+#include "pair_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ std::string length_or_slider(const Dyad& dyad, const WorkingFrame& frame, int de
   return rounded_text(std::abs(link), decimals);
 }
 
-/// Number of a side link or linkage from its place on the axis.
+/// Number of a grounded link or linkage from its place on the axis.
 int number_at(double coordinate) { return static_cast<int>(std::floor(coordinate)) + 1; }
 
 std::string pair_name(const FourBarSolution& found) {
@@ -71,20 +71,21 @@ std::string length_words(double length, std::string_view unit) {
   return unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
-std::string way_out_words(const FreedPosition& way, const Requirements& requirements, std::string_view unit) {
+std::string way_out_words(const RelaxedPosition& way, const Requirements& requirements, std::string_view unit) {
   const std::string start = fmt::format("  Relax position {}: ", way.pose + 1);
   if (!way.linkage) return wrapped(start + (way.reason ? way.reason->message : "nothing was found."), 4);
   const FourBarSolution& found = *way.linkage;
-  return wrapped(fmt::format("{}the nearest four-bar{} is off by {} and {}° ({}, γ {}).", start,
-                             requirements.no_defects ? " free of defects" : "", length_words(way.miss.distance, unit),
-                             significant_text(degrees(way.miss.angle), 3), short_label(found.report.type),
-                             task_gamma(found.report)),
-                 4);
+  return wrapped(
+      fmt::format("{}the nearest four-bar{} is off by {} and {}° ({}, γ {}).", start,
+                  requirements.no_defects ? " free of defects" : "", length_words(way.pose_error.distance, unit),
+                  significant_text(degrees(way.pose_error.angle), 3), short_label(found.report.type),
+                  task_gamma(found.report)),
+      4);
 }
 
 }  // namespace
 
-std::string side_link_words(const FourBarAnswer& answer) {
+std::string dyad_words(const FourBarAnswer& answer) {
   const TaskFamily& given = answer.given;
   if (given.points.empty()) return "";
   const int decimals = std::min(length_decimals(given.frame().scale), 9);
@@ -106,25 +107,26 @@ std::string pair_words(const FourBarAnswer& answer, std::string_view heading) {
   return fmt::format("\n{}", heading) + pair_table(answer) + sliders_among(answer) + reasons(answer);
 }
 
-std::string miss_words(const Problem& problem, const FourBarAnswer& answer) {
-  if (!answer.given.freed || answer.linkages.empty()) return "";
+std::string pose_error_words(const Problem& problem, const FourBarAnswer& answer) {
+  if (!answer.given.relaxed || answer.linkages.empty()) return "";
   TextTable table({"#", "distance", "angle"});
   for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
-    const auto& miss = answer.linkages[i].miss;
-    table.add_row({fmt::format("{}", i + 1), miss ? length_words(miss->distance, problem.length_unit) : "–",
-                   miss ? significant_text(degrees(miss->angle), 3) + "°" : "–"});
+    const auto& error = answer.linkages[i].pose_error;
+    table.add_row({fmt::format("{}", i + 1), error ? length_words(error->distance, problem.length_unit) : "–",
+                   error ? significant_text(degrees(error->angle), 3) + "°" : "–"});
   }
   return "Position and orientation error at the relaxed position:\n" + table.text();
 }
 
 std::string ways_out_words(const Problem& problem, const MotionAnswer& answer) {
-  if (answer.freed.empty()) return "";
+  if (answer.relaxed.empty()) return "";
   std::string text =
       "\nAlternatives, nearest first: four-bars through four of the positions that meet the requirements.\n";
-  for (const FreedPosition& way : answer.freed) text += way_out_words(way, answer.requirements, problem.length_unit);
+  for (const RelaxedPosition& way : answer.relaxed)
+    text += way_out_words(way, answer.requirements, problem.length_unit);
   return text +
          wrapped(fmt::format("With \"freed_pose\": {} in the task all such four-bars are shown, and what each misses.",
-                             answer.freed.front().pose + 1));
+                             answer.relaxed.front().pose + 1));
 }
 
 }  // namespace linkwright::cli

@@ -8,7 +8,7 @@
 
 namespace linkwright {
 
-/// Whether a side link keeps its length over the poses; all points in the frame of the poses.
+/// Whether a grounded link keeps its length over the poses; all points in the frame of the poses.
 class LengthCheck {
  public:
   explicit LengthCheck(std::span<const PrescribedPose> poses);

@@ -1,4 +1,4 @@
-#include "function_words.hpp"
+#include "function_report.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

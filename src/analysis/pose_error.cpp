@@ -1,4 +1,4 @@
-#include "linkwright/analysis/pose_miss.hpp"
+#include "linkwright/analysis/pose_error.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 /// The coupler of a four-bar on one branch, as its input turns.
 class CouplerTravel {
  public:
-  CouplerTravel(const FourBar& bars, const Pose& given, const FreedPose& wanted, Assembly assembly, double sense)
+  CouplerTravel(const FourBar& bars, const Pose& given, const RelaxedPose& wanted, Assembly assembly, double sense)
       : bars_(bars),
         coupler_(bars.output_circle - bars.input_circle),
         offset_(given.origin - bars.input_circle),
@@ -29,13 +29,13 @@ class CouplerTravel {
     output_squared_ = lengths.output * lengths.output;
   }
 
-  struct Miss {
+  struct Deviation {
     double distance = std::numeric_limits<double>::infinity(), angle = pi;
     double squared = std::numeric_limits<double>::infinity();  ///< of the combined miss
     double slope = 0;  ///< sign of its change by the turn; finite at dead points too
   };
 
-  [[nodiscard]] Miss at(double turn) const {
+  [[nodiscard]] Deviation at(double turn) const {
     const Point arm = direction(sense_ * turn) * (bars_.input_circle - bars_.input_center);
     const Point a = bars_.input_center + arm, diagonal = bars_.output_center - a;
     const double d = std::norm(diagonal);
@@ -61,7 +61,7 @@ class CouplerTravel {
   double coupler_squared_ = 0, output_squared_ = 0;
 };
 
-/// The range of turns in which the freed pose has its place.
+/// The range of turns in which the relaxed pose has its place.
 AngleRange range_of(const PoseVisits& visits, std::size_t place) {
   const std::size_t count = visits.turn.size();
   const auto served = [&](std::size_t pose) { return visits.on_branch[pose]; };
@@ -81,15 +81,15 @@ class Nearest {
  public:
   Nearest(const CouplerTravel& travel, AngleRange range) : travel_(travel), range_(range) {}
 
-  [[nodiscard]] PoseMiss find() const {
+  [[nodiscard]] PoseError find() const {
     int best = 0;
     double least = travel_.at(turn_at(0)).squared;
     for (int i = 1; i <= sides; ++i)
       if (const double squared = travel_.at(turn_at(i)).squared; squared < least) best = i, least = squared;
     const double refined = between(std::max(best - 1, 0), std::min(best + 1, sides));
     const double turn = travel_.at(refined).squared <= least ? refined : turn_at(best);
-    const CouplerTravel::Miss miss = travel_.at(turn);
-    return {miss.distance, miss.angle, turn};
+    const CouplerTravel::Deviation error = travel_.at(turn);
+    return {error.distance, error.angle, turn};
   }
 
  private:
@@ -103,11 +103,11 @@ class Nearest {
     double falling = travel_.at(turn_at(low)).slope, rising = travel_.at(turn_at(high)).slope;
     if (falling >= 0) return turn_at(low);
     if (rising <= 0) return turn_at(high);
-    constexpr int most_steps = 60;
+    constexpr int max_steps = 60;
     constexpr double close_enough = 1e-13;
     int last = 0;
     double place = low, before = high;
-    for (int step = 0; step < most_steps && std::abs(place - before) > close_enough; ++step) {
+    for (int step = 0; step < max_steps && std::abs(place - before) > close_enough; ++step) {
       before = place;
       place = (low * rising - high * falling) / (rising - falling);
       const double slope = travel_.at(turn_at(place)).slope;
@@ -128,14 +128,14 @@ class Nearest {
 
 }  // namespace
 
-std::optional<PoseMiss> pose_miss(const FourBar& four_bar, std::span<const PrescribedPose> poses,
-                                  const FreedPose& freed) {
-  require(freed.place <= poses.size() && freed.size > 0, "the freed pose stands among the others");
+std::optional<PoseError> pose_error(const FourBar& four_bar, std::span<const PrescribedPose> poses,
+                                    const RelaxedPose& relaxed) {
+  require(relaxed.index <= poses.size() && relaxed.size > 0, "the freed pose stands among the others");
   const PoseVisits visits = pose_visits(four_bar, poses);
   if (visits.turn.empty()) return std::nullopt;
-  const CouplerTravel travel(four_bar, poses.front().pose, freed, visits.assembly.front(),
+  const CouplerTravel travel(four_bar, poses.front().pose, relaxed, visits.assembly.front(),
                              visits.counter_clockwise ? 1 : -1);
-  return Nearest(travel, range_of(visits, freed.place)).find();
+  return Nearest(travel, range_of(visits, relaxed.index)).find();
 }
 
 }  // namespace linkwright

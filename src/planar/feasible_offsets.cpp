@@ -1,4 +1,4 @@
-#include "linkwright/planar/pose_halo.hpp"
+#include "linkwright/planar/feasible_offsets.hpp"
 
 #include <utility>
 
@@ -42,17 +42,17 @@ class CellCounter {
 
 }  // namespace
 
-std::vector<double> halo_offsets(double reach, int steps) {
+std::vector<double> offset_values(double reach, int steps) {
   std::vector<double> offsets;
   for (int i = 0; i < steps; ++i) offsets.push_back(steps == 1 ? 0 : reach * (2.0 * i / (steps - 1) - 1));
   return offsets;
 }
 
-PoseHalo::PoseHalo(MotionTask task, Requirements requirements, Spacing spacing, int samples)
+FeasibleOffsets::FeasibleOffsets(MotionTask task, Requirements requirements, Spacing spacing, int samples)
     : task_(std::move(task)), requirements_(std::move(requirements)), spacing_(spacing), samples_(samples) {}
 
-std::vector<std::uint32_t> PoseHalo::moved(std::size_t pose, double reach, int steps) const {
-  const std::vector<double> offsets = halo_offsets(reach, steps);
+std::vector<std::uint32_t> FeasibleOffsets::moved(std::size_t pose, double reach, int steps) const {
+  const std::vector<double> offsets = offset_values(reach, steps);
   std::vector<std::uint32_t> counts(offsets.size() * offsets.size());
   parallel_for(offsets.size(), 0, [&](std::size_t begin, std::size_t end) {
     CellCounter counter(requirements_, spacing_, samples_);
@@ -66,11 +66,11 @@ std::vector<std::uint32_t> PoseHalo::moved(std::size_t pose, double reach, int s
   return counts;
 }
 
-std::vector<std::uint32_t> PoseHalo::turned(std::size_t pose, double reach, int steps) const {
+std::vector<std::uint32_t> FeasibleOffsets::turned(std::size_t pose, double reach, int steps) const {
   std::vector<std::uint32_t> counts;
   CellCounter counter(requirements_, spacing_, samples_);
   MotionTask task = task_;
-  for (const double turn : halo_offsets(reach, steps)) {
+  for (const double turn : offset_values(reach, steps)) {
     task.poses[pose].pose.angle = task_.poses[pose].pose.angle + turn;
     counts.push_back(counter.count(task));
   }

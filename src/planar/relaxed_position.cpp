@@ -1,4 +1,4 @@
-#include "linkwright/planar/freed_position.hpp"
+#include "linkwright/planar/relaxed_position.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,61 +16,61 @@ namespace {
 
 constexpr float does_not_pass = -1;
 
-FreedPose in_working_frame(const FreedPose& freed, const WorkingFrame& frame) {
-  return {{frame.to_working(freed.pose.origin), freed.pose.angle}, freed.place, freed.size / frame.scale};
+RelaxedPose in_working_frame(const RelaxedPose& relaxed, const WorkingFrame& frame) {
+  return {{frame.to_working(relaxed.pose.origin), relaxed.pose.angle}, relaxed.index, relaxed.size / frame.scale};
 }
 
-/// A linkage of the map and what it misses the freed pose by, working frame.
-struct Approach {
+/// A linkage of the map and what it misses the relaxed pose by, working frame.
+struct RatedCandidate {
   Candidate candidate;
-  double miss = 0;
+  double error = 0;
 };
 
 /// Looks for the least miss among the linkages that meet the requirements, from cells of a map on.
-class Lessening {
+class PoseErrorSearch {
  public:
-  Lessening(const FourBarFamily& family, const Requirements& requirements, const FreedPose& freed,
-            const Progress& progress)
+  PoseErrorSearch(const FourBarFamily& family, const Requirements& requirements, const RelaxedPose& relaxed,
+                  const Progress& progress)
       : family_(family),
-        judge_(family, requirements, Objective::min_transmission_angle),
-        freed_(in_working_frame(freed, family.frame())),
+        evaluator_(family, requirements, Objective::min_transmission_angle),
+        relaxed_(in_working_frame(relaxed, family.frame())),
         progress_(progress) {}
 
   /// Nothing where the linkage does not meet the requirements.
-  [[nodiscard]] std::optional<Approach> at(MapPoint place) const {
-    const auto candidate = judge_.candidate(place);
-    const auto miss = candidate ? miss_of(*candidate) : std::nullopt;
-    return miss ? std::optional(Approach{*candidate, *miss}) : std::nullopt;
+  [[nodiscard]] std::optional<RatedCandidate> at(MapPoint place) const {
+    const auto candidate = evaluator_.candidate(place);
+    const auto error = candidate ? error_of(*candidate) : std::nullopt;
+    return error ? std::optional(RatedCandidate{*candidate, *error}) : std::nullopt;
   }
 
   /// From there to where nothing near misses less; steps from `first_step` (in τ) on, to that share of it.
-  [[nodiscard]] Approach lessened(const Approach& from, double first_step, double resolution) const {
+  [[nodiscard]] RatedCandidate minimized(const RatedCandidate& from, double first_step, double resolution) const {
     const auto score = [&](const Candidate& candidate) -> std::optional<double> {
-      const auto miss = miss_of(candidate);
-      return miss ? std::optional(-*miss) : std::nullopt;
+      const auto error = error_of(candidate);
+      return error ? std::optional(-*error) : std::nullopt;
     };
-    const Candidate end = climbed(judge_, from.candidate, {first_step, resolution, score}, progress_);
-    return {end, miss_of(end).value_or(from.miss)};
+    const Candidate end = climbed(evaluator_, from.candidate, {first_step, resolution, score}, progress_);
+    return {end, error_of(end).value_or(from.error)};
   }
 
  private:
-  [[nodiscard]] std::optional<double> miss_of(const Candidate& candidate) const {
-    const auto miss = pose_miss(candidate.bars, family_.working_poses(candidate.place, candidate.bars), freed_);
-    return miss ? std::optional(miss->combined(freed_.size)) : std::nullopt;
+  [[nodiscard]] std::optional<double> error_of(const Candidate& candidate) const {
+    const auto error = pose_error(candidate.bars, family_.working_poses(candidate.place, candidate.bars), relaxed_);
+    return error ? std::optional(error->combined(relaxed_.size)) : std::nullopt;
   }
 
   const FourBarFamily& family_;
-  Judge judge_;
-  FreedPose freed_;
+  CellEvaluator evaluator_;
+  RelaxedPose relaxed_;
   const Progress& progress_;
 };
 
 /// Cells of least miss, none with a lesser one near.
-std::vector<MapPoint> low_cells(const RegionMap& map, const std::vector<float>& misses,
-                                const FreedPositionOptions& options) {
+std::vector<MapPoint> low_cells(const RegionMap& map, const std::vector<float>& errors,
+                                const RelaxedPositionOptions& options) {
   const auto score = [&](std::size_t row, std::size_t column) {
-    const float miss = misses[map.index(row, column)];
-    return miss >= 0 ? -static_cast<double>(miss) : no_score;
+    const float error = errors[map.index(row, column)];
+    return error >= 0 ? -static_cast<double>(error) : no_score;
   };
   const auto any = [](std::size_t, std::size_t, std::size_t, std::size_t) { return true; };
   const HillTopOptions tops = {map.rows() / 20 + 1, static_cast<std::size_t>(options.starts), options.region.threads};
@@ -96,12 +96,12 @@ Notice nothing_meets(const RegionMap& map, const Requirements& requirements) {
           counted(counts.defect_free)};
 }
 
-// Where the pairs of side links through all five positions lie on the map that is left: there nothing is missed. Their
-// circle points lie as in the whole task's first pose.
-std::vector<MapPoint> exact_places(const MotionTask& whole, const TaskFamily& given, const FreedTask& freed) {
+// Where the pairs of grounded links through all five positions lie on the map that is left: there nothing is missed.
+// Their circle points lie as in the whole task's first pose.
+std::vector<MapPoint> exact_places(const MotionTask& whole, const TaskFamily& given, const RelaxedTask& relaxed) {
   if (!given.curve) return {};
   const PoseConditions conditions = pose_conditions(whole.poses);
-  const Pose &from = whole.poses.front().pose, &to = freed.task.poses.front().pose;
+  const Pose &from = whole.poses.front().pose, &to = relaxed.task.poses.front().pose;
   const Point turn = direction(to.angle - from.angle);
   std::vector<double> coordinates;
   for (const BurmesterPoint& point : burmester_points(conditions).points) {
@@ -118,12 +118,12 @@ std::vector<MapPoint> exact_places(const MotionTask& whole, const TaskFamily& gi
 }
 
 /// The map of the family that is left, and where on it the miss is least.
-class Relaxing {
+class DroppedPositionSearch {
  public:
-  Relaxing(const TaskFamily& given, const FreedTask& freed, std::vector<MapPoint> exact,
-           const FreedPositionOptions& options, bool respect_direction, const Progress& progress)
+  DroppedPositionSearch(const TaskFamily& given, const RelaxedTask& relaxed, std::vector<MapPoint> exact,
+                        const RelaxedPositionOptions& options, bool respect_direction, const Progress& progress)
       : given_(given),
-        freed_(freed),
+        relaxed_(relaxed),
         exact_(std::move(exact)),
         options_(options),
         respect_direction_(respect_direction),
@@ -134,14 +134,14 @@ class Relaxing {
     given.family->classify(map_, samples(Side::input), samples(Side::output), respect_direction, options.region,
                            progress);
     failures_.resize(map_.rows() * map_.columns());
-    misses_.resize(failures_.size());
+    errors_.resize(failures_.size());
   }
 
   /// False where nothing meets these requirements.
-  [[nodiscard]] bool find(const Requirements& requirements, FreedPosition& found) {
+  [[nodiscard]] bool find(const Requirements& requirements, RelaxedPosition& found) {
     filter_of(*given_.family, map_, requirements).failures_of_all(failures_);
     if (std::count(failures_.begin(), failures_.end(), 0) == 0) return false;
-    pose_misses(*given_.family, map_, failures_, freed_.freed, misses_, options_.region.threads, progress_);
+    pose_errors(*given_.family, map_, failures_, relaxed_.relaxed, errors_, options_.region.threads, progress_);
     const auto nearest = least(requirements);
     if (!nearest) return false;
     found.place = nearest->candidate.place;
@@ -150,8 +150,8 @@ class Relaxing {
       found.linkage.reset();
       return false;
     }
-    found.miss = pose_miss(found.linkage->four_bar, freed_.task.poses, freed_.freed).value_or(PoseMiss{});
-    found.combined = found.miss.combined(freed_.freed.size);
+    found.pose_error = pose_error(found.linkage->four_bar, relaxed_.task.poses, relaxed_.relaxed).value_or(PoseError{});
+    found.combined = found.pose_error.combined(relaxed_.relaxed.size);
     return true;
   }
 
@@ -161,61 +161,62 @@ class Relaxing {
   [[nodiscard]] const RegionMap& map() const { return map_; }
 
  private:
-  [[nodiscard]] std::optional<Approach> least(const Requirements& requirements) const {
+  [[nodiscard]] std::optional<RatedCandidate> least(const Requirements& requirements) const {
     constexpr double coarse = 1e-2, fine = 1e-9;
-    const Lessening lessening(*given_.family, requirements, freed_.freed, progress_);
+    const PoseErrorSearch error_search(*given_.family, requirements, relaxed_.relaxed, progress_);
     const double first_step = given_.family->axis(Side::input).coordinate_length() / options_.region_samples;
-    std::optional<Approach> best;
-    std::vector<MapPoint> starts = low_cells(map_, misses_, options_);
+    std::optional<RatedCandidate> best;
+    std::vector<MapPoint> starts = low_cells(map_, errors_, options_);
     starts.insert(starts.end(), exact_.begin(), exact_.end());
     for (const MapPoint place : starts) {
       // The map's numbers are single: a cell on the very edge of a requirement may fail here.
-      const auto start = lessening.at(place);
+      const auto start = error_search.at(place);
       if (!start) continue;
-      const Approach end = lessening.lessened(*start, first_step, coarse);
-      if (!best || end.miss < best->miss) best = end;
+      const RatedCandidate end = error_search.minimized(*start, first_step, coarse);
+      if (!best || end.error < best->error) best = end;
     }
-    return best ? std::optional(lessening.lessened(*best, first_step, fine)) : std::nullopt;
+    return best ? std::optional(error_search.minimized(*best, first_step, fine)) : std::nullopt;
   }
 
   const TaskFamily& given_;
-  const FreedTask& freed_;
+  const RelaxedTask& relaxed_;
   std::vector<MapPoint> exact_;
-  FreedPositionOptions options_;
+  RelaxedPositionOptions options_;
   bool respect_direction_;
   const Progress& progress_;
   RegionMap map_;
   std::vector<std::uint8_t> failures_;
-  std::vector<float> misses_;
+  std::vector<float> errors_;
 };
 
 // What is nearest of all lies at an edge of what is allowed: where nothing keeps the transmission angle up, at a dead
 // point. So a usable angle is asked for as long as there is one.
-void find_nearest(FreedPosition& found, const MotionTask& whole, const FreedTask& freed, const TaskFamily& given,
-                  const Requirements& requirements, const FreedPositionOptions& options, const Progress& progress) {
-  Relaxing relaxing(given, freed, exact_places(whole, given, freed), options, requirements.respect_direction, progress);
-  found.meeting = relaxing.meeting(requirements);
+void find_nearest(RelaxedPosition& found, const MotionTask& whole, const RelaxedTask& relaxed, const TaskFamily& given,
+                  const Requirements& requirements, const RelaxedPositionOptions& options, const Progress& progress) {
+  DroppedPositionSearch dropped_search(given, relaxed, exact_places(whole, given, relaxed), options,
+                                       requirements.respect_direction, progress);
+  found.meeting = dropped_search.meeting(requirements);
   Requirements usable = requirements;
   usable.min_transmission_angle = std::max(usable.min_transmission_angle, options.usable_transmission_angle);
-  if (!relaxing.find(usable, found) && !relaxing.find(requirements, found))
-    found.reason = nothing_meets(relaxing.map(), requirements);
+  if (!dropped_search.find(usable, found) && !dropped_search.find(requirements, found))
+    found.reason = nothing_meets(dropped_search.map(), requirements);
 }
 
 }  // namespace
 
-FreedTask freed_task(const MotionTask& task, std::size_t pose) {
+RelaxedTask relaxed_task(const MotionTask& task, std::size_t pose) {
   require(pose < task.poses.size() && task.poses[pose].derivatives.empty(), "a pose without derivatives is freed");
-  FreedTask result{task, {task.poses[pose].pose, pose, pose_conditions(task.poses).frame.scale}};
+  RelaxedTask result{task, {task.poses[pose].pose, pose, pose_conditions(task.poses).frame.scale}};
   result.task.poses.erase(result.task.poses.begin() + static_cast<std::ptrdiff_t>(pose));
-  result.task.freed.reset();
+  result.task.relaxed.reset();
   return result;
 }
 
-void pose_misses(const FourBarFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
-                 const FreedPose& freed, std::span<float> values, int threads, const Progress& progress) {
+void pose_errors(const FourBarFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
+                 const RelaxedPose& relaxed, std::span<float> values, int threads, const Progress& progress) {
   require(values.size() == failures.size(), "there is a place for each cell");
-  const auto links_at = family.links_of_cells(map.input_coordinates(), map.output_coordinates());
-  const FreedPose working = in_working_frame(freed, family.frame());
+  const auto links_at = family.dyad_pairs_of_cells(map.input_coordinates(), map.output_coordinates());
+  const RelaxedPose working = in_working_frame(relaxed, family.frame());
   parallel_for(map.rows(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = map.index(begin, 0); cell < map.index(end, 0); ++cell) {
       values[cell] = does_not_pass;
@@ -225,29 +226,29 @@ void pose_misses(const FourBarFamily& family, const RegionMap& map, std::span<co
       const auto bars = links ? four_bar_of(*links) : std::nullopt;
       if (!bars) continue;
       const MapPoint place{map.input_coordinates()[row], map.output_coordinates()[column]};
-      const auto miss = pose_miss(*bars, family.working_poses(place, *bars), working);
-      if (miss) values[cell] = static_cast<float>(family.frame().scale * miss->combined(working.size));
+      const auto error = pose_error(*bars, family.working_poses(place, *bars), working);
+      if (error) values[cell] = static_cast<float>(family.frame().scale * error->combined(working.size));
     }
   });
 }
 
-std::vector<FreedPosition> nearest_relaxations(const MotionTask& task, const Requirements& requirements,
-                                               const FreedPositionOptions& options, const Progress& progress) {
+std::vector<RelaxedPosition> drop_one_position(const MotionTask& task, const Requirements& requirements,
+                                               const RelaxedPositionOptions& options, const Progress& progress) {
   // The same length limits for all, those of the whole task.
   const Requirements wanted = with_default_lengths(requirements, pose_conditions(task.poses).frame.scale);
-  std::vector<FreedPosition> found;
+  std::vector<RelaxedPosition> found;
   for (std::size_t pose = 0; pose < task.poses.size() && !progress.is_cancelled(); ++pose) {
     progress(static_cast<double>(pose) / static_cast<double>(task.poses.size()));
     if (!task.poses[pose].derivatives.empty()) continue;
-    const FreedTask freed = freed_task(task, pose);
-    const TaskFamily given = task_family(freed.task, wanted, Objective::min_transmission_angle);
+    const RelaxedTask relaxed = relaxed_task(task, pose);
+    const TaskFamily given = task_family(relaxed.task, wanted, Objective::min_transmission_angle);
     found.push_back({.pose = pose});
     if (given.family)
-      find_nearest(found.back(), task, freed, given, wanted, options, progress);
+      find_nearest(found.back(), task, relaxed, given, wanted, options, progress);
     else
       found.back().reason = given.degeneracy;
   }
-  std::sort(found.begin(), found.end(), [](const FreedPosition& a, const FreedPosition& b) {
+  std::sort(found.begin(), found.end(), [](const RelaxedPosition& a, const RelaxedPosition& b) {
     if (a.linkage.has_value() != b.linkage.has_value()) return a.linkage.has_value();
     return a.combined != b.combined ? a.combined < b.combined : a.pose < b.pose;
   });

@@ -1,4 +1,4 @@
-#include "requirement_words.hpp"
+#include "requirement_report.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "attitude_words.hpp"
+#include "attitude_report.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "planar/side_link.hpp"
+#include "planar/length_check.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,10 +11,10 @@ namespace linkwright {
 
 /// Where one pose of a task may go: how many cells of a coarse map meet the requirements after it has moved. Tasks that
 /// are refused or degenerate count 0. Where no max_length is given, each moved task has its own default.
-class PoseHalo {
+class FeasibleOffsets {
  public:
   /// `task` without mistakes; maps of `samples` × `samples` cells.
-  PoseHalo(MotionTask task, Requirements requirements, Spacing spacing, int samples);
+  FeasibleOffsets(MotionTask task, Requirements requirements, Spacing spacing, int samples);
 
   /// Pose `pose` (from 0) moved by a grid of steps × steps offsets, evenly over ±reach (user's unit) in x and y;
   /// row-major [dy][dx], both rising.
@@ -30,6 +30,6 @@ class PoseHalo {
 };
 
 /// The offsets of a halo: `steps` values evenly over ±reach; 0 alone for a single step.
-[[nodiscard]] std::vector<double> halo_offsets(double reach, int steps);
+[[nodiscard]] std::vector<double> offset_values(double reach, int steps);
 
 }  // namespace linkwright
