@@ -318,7 +318,7 @@ double CircularCubic::focal_coordinate(Homogeneous unit) const {
   const Point local = std::conj(axis) * (unit.vector() - unit.w * focus);
   const double length = std::abs(local);
   // At the focus itself the direction is that of the tangent there.
-  const bool at_focus = length <= 1e-14 * scale * std::abs(unit.w);
+  const bool at_focus = length <= tolerance::focus * scale * std::abs(unit.w);
   const double phi = at_focus ? std::atan2(-d, e) : std::arg(local);
   const double c = std::cos(phi), s = std::sin(phi);
   const double root = at_focus                             ? a

@@ -175,7 +175,7 @@ void Meeting::cut(Homogeneous line, const HomogeneousMatrix& conic) {
 
 // Newton on both conics, square to the point: one step, and another where that was longer than the root of rounding.
 void Meeting::correct(Homogeneous& point) const {
-  constexpr double short_enough = 1e-9;
+  constexpr double last = tolerance::last_newton_correction;
   for (int taken = 0; taken < 2; ++taken) {
     const Homogeneous by_e = e_ * point, by_f = f_ * point;
     const double crossing = linkwright::determinant(by_e, by_f, point);
@@ -183,7 +183,7 @@ void Meeting::correct(Homogeneous& point) const {
     const double e = dot(point, by_e) / 2, f = dot(point, by_f) / 2;
     const Homogeneous step = (1 / crossing) * (e * cross(by_f, point) + f * cross(point, by_e));
     point = normalized(point - step);
-    if (dot(step, step) < short_enough * short_enough) return;
+    if (dot(step, step) < last * last) return;
   }
 }
 

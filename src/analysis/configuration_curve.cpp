@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
 
 constexpr int max_corrections = 8;  // quadratic from a certified start: four do
-constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 
 double wrapped(double angle) { return angle > pi ? angle - two_pi : angle < -pi ? angle + two_pi : angle; }
 
@@ -69,7 +68,8 @@ ConfigurationCurve::Strand ConfigurationCurve::strand_at(TorusVector point) cons
 std::optional<TorusVector> ConfigurationCurve::advanced(const Strand& strand, double along, double accuracy) const {
   // |F| / σ is the distance from the curve: it must be small beside the reach, but cannot be less than rounding makes
   // it.
-  const double enough = std::max(rounding, std::min(accuracy, 0.01 * strand.singular_value * strand.reach));
+  const double enough =
+      std::max(tolerance::loop_rounding, std::min(accuracy, 0.01 * strand.singular_value * strand.reach));
   const TorusVector t = strand.tangent;
   TorusVector p = strand.point + along * t;
   for (int i = 0; i < max_corrections; ++i) {

@@ -8,6 +8,7 @@
 #include "linkwright/analysis/pose_visits.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
@@ -104,10 +105,9 @@ class Nearest {
     if (falling >= 0) return turn_at(low);
     if (rising <= 0) return turn_at(high);
     constexpr int max_steps = 60;
-    constexpr double close_enough = 1e-13;
     int last = 0;
     double place = low, before = high;
-    for (int step = 0; step < max_steps && std::abs(place - before) > close_enough; ++step) {
+    for (int step = 0; step < max_steps && std::abs(place - before) > tolerance::least_miss_place; ++step) {
       before = place;
       place = (low * rising - high * falling) / (rising - falling);
       const double slope = travel_.at(turn_at(place)).slope;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
@@ -35,7 +36,7 @@ class HingeSystem {
   /// Hinges near `guess` with the driver turned by `turn`; nothing where Newton's method fails.
   [[nodiscard]] std::optional<Joints> solved(Joints joints, double turn) const {
     constexpr int max_corrections = 12;
-    const double enough = 1e-9 * size_;  // the next correction would be its square
+    const double enough = tolerance::last_newton_correction * size_;
     for (int i = 0; i < max_corrections; ++i) {
       const auto [jacobian, error] = equations(joints, turn);
       const Vector change = jacobian.partialPivLu().solve(-error);
@@ -174,7 +175,7 @@ class Drive {
   }
 
   SixBarCheck run() && {
-    constexpr double shortest_step = 1e-7;
+    constexpr double shortest_step = 1e-7;       // radians: hinges go with its root near a dead point, 3e-4
     constexpr std::size_t max_states = 100'000;  // thousands are many; each step is noted
     note(joints_, 0, 0);
     double step = options_.step;
@@ -263,7 +264,7 @@ class Drive {
         off = std::max(off, std::abs(target.hinges[k] - here[k]));
       }
       const double change = square > 0 ? along / square : 0;
-      if (std::abs(change) < 1e-12) {
+      if (std::abs(change) < tolerance::nearest_turn) {
         if (off > options_.pose_tolerance * system_.size()) return false;
         check_.worst_pose = std::max(check_.worst_pose, off / system_.size());
         note(at, turn_ + turn, static_cast<int>(&target - targets_.data()));

@@ -12,7 +12,6 @@
 namespace linkwright {
 namespace {
 
-constexpr double accuracy = 1e-13;
 constexpr double share_of_reach = 0.75;
 
 /// Sines of the transmission at a place of a walk.
@@ -117,7 +116,7 @@ std::array<double, 2> Walker::sines_at_wanted() const {
 }
 
 std::optional<SixBarStrand> Walker::advanced(const SixBarStrand& here, const TurnVector& way) const {
-  if (options_.exact_steps) return corrected(loops_, stepped(here.turns, way), accuracy);
+  if (options_.exact_steps) return corrected(loops_, stepped(here.turns, way), tolerance::on_curve);
   return strand_at(loops_, stepped(here.turns, plus(way, here.correction)));
 }
 
@@ -128,7 +127,7 @@ void Walker::meet(const SixBarStrand& here, const TurnVector& ahead, double leng
     if (walk.meetings[j]) continue;
     const auto along = distance_to(wanted_[j], here, ahead, length);
     if (!along) continue;
-    const auto point = corrected(loops_, stepped(here.turns, times(*along, ahead)), accuracy);
+    const auto point = corrected(loops_, stepped(here.turns, times(*along, ahead)), tolerance::on_curve);
     if (!point) continue;
     if (!(norm(shortest_way(point->turns, wanted_[j])) <= std::min(options_.pose_tolerance, here.reach / 4))) continue;
     walk.meetings[j] = PositionMet{walk.length + *along, walk.turn + turn_between(here.turns, wanted_[j])};
@@ -136,7 +135,7 @@ void Walker::meet(const SixBarStrand& here, const TurnVector& ahead, double leng
 }
 
 std::optional<Walk> Walker::walk(int sense, Until until) const {
-  auto here = corrected(loops_, wanted_.front(), accuracy);
+  auto here = corrected(loops_, wanted_.front(), tolerance::on_curve);
   if (!here) return std::nullopt;
   const SixBarTurns home = here->turns;
   const bool home_positive = here->positive();

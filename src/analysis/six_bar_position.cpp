@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/six_bar_loops.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
@@ -61,14 +62,13 @@ SixBarTransmission six_bar_transmission(const SixBar& six_bar, const SixBarTurns
 
 std::optional<SixBarTurns> closed(const SixBar& six_bar, const SixBarTurns& guess) {
   constexpr int max_corrections = 20;
-  constexpr double accuracy = 2e-15, enough = 1e-12;
   const SixBarLoops loops(six_bar);
   SixBarTurns turns = guess;
   double error = 1;
   for (int step = 0; step < max_corrections; ++step) {
     const LoopValues at(loops, turns);
     error = std::max(std::abs(at.f), std::abs(at.g));
-    if (error <= accuracy) return turns;
+    if (error <= tolerance::closed_to_rounding) return turns;
     Eigen::Matrix4d jacobian;
     for (int i = 0; i < 4; ++i) {
       const Point u = at.u[static_cast<std::size_t>(i) + 1], v = at.v[static_cast<std::size_t>(i) + 1];
@@ -78,9 +78,9 @@ std::optional<SixBarTurns> closed(const SixBar& six_bar, const SixBarTurns& gues
         jacobian.partialPivLu().solve(Eigen::Vector4d(-at.f.real(), -at.f.imag(), -at.g.real(), -at.g.imag()));
     if (!change.allFinite()) return std::nullopt;
     for (int i = 0; i < 4; ++i) turns[static_cast<std::size_t>(i) + 2] *= direction(change[i]);
-    if (change.norm() < accuracy) break;
+    if (change.norm() < tolerance::closed_to_rounding) break;
   }
-  return error <= enough ? std::optional(turns) : std::nullopt;
+  return error <= tolerance::closed ? std::optional(turns) : std::nullopt;
 }
 
 }  // namespace linkwright

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwright/core/tolerance.hpp"
+
 namespace linkwright {
 namespace {
 
@@ -119,13 +121,12 @@ SixBarStrand strand_at(const SixBarLoops& loops, const SixBarTurns& turns) {
 
 std::optional<SixBarStrand> corrected(const SixBarLoops& loops, const SixBarTurns& turns, double accuracy) {
   constexpr int max_corrections = 12;
-  constexpr double rounding = 1e-14;
   SixBarStrand strand = strand_at(loops, turns);
   for (int i = 0; i < max_corrections; ++i) {
     if (!(strand.reach > 0)) return std::nullopt;
     const double size = norm(strand.correction);
     // Near singular places rounding of the loops, 1e-15, is magnified as the reach is diminished.
-    if (size <= std::max(accuracy, rounding / strand.reach)) return strand;
+    if (size <= std::max(accuracy, tolerance::loop_rounding_per_reach / strand.reach)) return strand;
     if (!(size < 1)) return std::nullopt;
     strand = strand_at(loops, stepped(strand.turns, strand.correction));
   }

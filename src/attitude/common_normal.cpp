@@ -9,9 +9,6 @@
 namespace linkwright {
 namespace {
 
-/// Two differences and a projection of coordinates.
-constexpr double rounding = 1e-15;
-
 /// Of unit directions u, v and the vector between the lines' points; the lines are not parallel.
 CommonNormal crossing_normal(Vector3 first, Vector3 u, Vector3 second, Vector3 v) {
   const Vector3 n = cross(u, v), between = second - first;
@@ -30,7 +27,7 @@ CommonNormal parallel_normal(Vector3 first, Vector3 u, Vector3 second, Vector3 v
   const Vector3 between = second - first, across = between - dot(between, v) * v;
   CommonNormal normal;
   const double size = std::max({norm(first), norm(second), norm(between)});
-  const bool coincide = norm(across) <= rounding * size;
+  const bool coincide = norm(across) <= tolerance::coincident_lines * size;
   normal.lines = coincide ? LinePair::coincident : LinePair::parallel;
   normal.direction = coincide ? any_normal(u) : normalized(across);
   normal.foot_on_first = first;

@@ -8,8 +8,8 @@ double orthogonality_error(const Matrix3x3& a) { return frobenius_norm(transpose
 
 double cofactor_error(const Matrix3x3& a) { return frobenius_norm(a - cofactors(a)); }
 
-bool is_rotation(const Matrix3x3& a, double tolerance) {
-  return is_finite(a) && orthogonality_error(a) <= tolerance && determinant(a) > 0;
+bool is_rotation(const Matrix3x3& a, double most) {
+  return is_finite(a) && orthogonality_error(a) <= most && determinant(a) > 0;
 }
 
 double cosine_by_trace(const Matrix3x3& a) { return (trace(a) - 1) / 2; }

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwright/core/tolerance.hpp"
+
 namespace linkwright {
 namespace {
 
-// Dead at a position to the last digit: whether that is a defect only rounding has decided.
-bool is_locked(const DefectReport& report) { return report.min_transmission_angle < 1e-6; }
+bool is_locked(const DefectReport& report) { return report.min_transmission_angle < tolerance::dead_at_position; }
 
 }  // namespace
 

@@ -84,11 +84,11 @@ class OrderedAxes {
 
 /// What a climb goes by.
 struct Ascent {
-  double first_step = 0;     ///< in τ, along both coordinates
-  double resolution = 1e-3;  ///< shares of the first step
+  double first_step = 0;                              ///< in τ, along both coordinates
+  double resolution = HillClimbOptions{}.resolution;  ///< shares of the first step
   /// Larger is better; nothing where a candidate is not allowed.
   std::function<std::optional<double>(const Candidate&)> score = [](const Candidate& c) { return c.score; };
-  double across = 1e-3;  ///< HillClimbOptions::across
+  double across = HillClimbOptions{}.across;
 };
 
 /// Climbs from a linkage to the top of its hill (climb_hill), keeping branch, type and requirements.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "linkwright/algebra/point.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
@@ -26,12 +27,12 @@ std::optional<std::array<Point, 3>> centers_of_probes(const PoseConditions& cond
 }
 
 bool agree(const std::array<Point, 3>& points) {
-  constexpr double same = 1e-6;  // the rank was found to 1e-14 of the rows; centres carry its square root, and room
+  constexpr double same = tolerance::shared_center;
   return std::abs(points[0] - points[1]) < same && std::abs(points[0] - points[2]) < same;
 }
 
 // Rounding next to nothing is nothing.
-double tidy(double value, double size) { return std::abs(value) < 1e-9 * size ? 0 : value; }
+double tidy(double value, double size) { return std::abs(value) < tolerance::vanishing_coordinate * size ? 0 : value; }
 
 std::string written(Point p) { return fmt::format("({:.6g}, {:.6g})", p.real(), p.imag()); }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 
 namespace linkwright {
@@ -32,12 +33,13 @@ PrescribedPose pose_at(const AnglePair& first, const AnglePair& pair, Point grou
 // Every point of the input link keeps its distance from the one that lies a ground link's length along.
 bool is_parallelogram(const FunctionConditions& given) {
   constexpr std::array<Point, 3> probes = {Point{0.3, 0.7}, Point{-1.1, 0.4}, Point{0.6, -0.9}};
-  constexpr double same = 1e-7;  // the rank was found to 1e-14 of the rows; this is its square root
   const auto ground = finite_point(given.ground.center);
   return ground && std::all_of(probes.begin(), probes.end(), [&](Point a) {
            const Homogeneous circle = normalized(Homogeneous::of(a)), center = normalized(Homogeneous::of(a + *ground));
            return std::all_of(given.conditions.rows.begin(), given.conditions.rows.begin() + given.conditions.rank,
-                              [&](const HomogeneousMatrix& row) { return std::abs(dot(circle, row * center)) < same; });
+                              [&](const HomogeneousMatrix& row) {
+                                return std::abs(dot(circle, row * center)) < tolerance::parallelogram;
+                              });
          });
 }
 

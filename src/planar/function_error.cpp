@@ -5,12 +5,10 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
-
-// An input angle this close to the end of the reach is the end: rounding of angles and of the reach itself, radians.
-constexpr double at_the_end = 1e-12;
 
 // The one of the angles φ + 2πk in [from, from + 2π).
 double turned_into(double angle, double from) { return from + wrap_positive(angle - from); }
@@ -79,10 +77,10 @@ std::vector<AngleRange> gaps_between(const std::vector<AngleRange>& parts, doubl
   std::vector<AngleRange> gaps;
   double from = low;
   for (const AngleRange& part : parts) {
-    if (part.from > from + at_the_end) gaps.push_back({from, part.from});
+    if (part.from > from + tolerance::end_of_reach) gaps.push_back({from, part.from});
     from = part.to;
   }
-  if (high > from + at_the_end || parts.empty()) gaps.push_back({from, high});
+  if (high > from + tolerance::end_of_reach || parts.empty()) gaps.push_back({from, high});
   return gaps;
 }
 
@@ -127,7 +125,8 @@ std::vector<std::size_t> highest_hills(const std::vector<ErrorSample>& samples) 
 // From the highest hills of the samples to the true top.
 void find_worst(const ErrorCurve& curve, FunctionError& error) {
   const std::vector<ErrorSample>& samples = error.samples;
-  const double tolerance = 1e-10 * (samples.back().input - samples.front().input);
+  constexpr double resolution = 1e-10;  // at a top the error is level: twice as many of its digits are found
+  const double width = resolution * (samples.back().input - samples.front().input);
   for (const std::size_t hill : highest_hills(samples)) {
     const std::size_t before = hill > 0 ? hill - 1 : hill, after = hill + 1 < samples.size() ? hill + 1 : hill;
     const auto look_at = [&](double input, double height) {
@@ -136,7 +135,7 @@ void find_worst(const ErrorCurve& curve, FunctionError& error) {
       error.worst_input = input;
     };
     look_at(samples[hill].input, ErrorCurve::magnitude(samples[hill]));
-    const auto [input, top] = curve.top_between(samples[before].input, samples[after].input, tolerance);
+    const auto [input, top] = curve.top_between(samples[before].input, samples[after].input, width);
     look_at(input, top);
   }
 }
@@ -194,8 +193,8 @@ std::optional<double> GeneratedFunction::output_at(double input, double near) co
   const double length = reach_.to - reach_.from;
   double from_low = turned_into(input, reach_.from) - reach_.from;
   if (!reach_.is_full_turn()) {
-    if (from_low > two_pi - at_the_end) from_low = 0;
-    if (from_low > length + at_the_end) return std::nullopt;
+    if (from_low > two_pi - tolerance::end_of_reach) from_low = 0;
+    if (from_low > length + tolerance::end_of_reach) return std::nullopt;
     from_low = std::min(from_low, length);
   }
   const auto configuration = assemble(lengths_, reach_.from + from_low + input_offset_, assembly_);

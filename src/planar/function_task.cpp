@@ -7,6 +7,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/motion_task.hpp"
 
 namespace linkwright {
@@ -27,8 +28,8 @@ void check_number(double value, std::string_view what, const std::string& place,
 
 // A first derivative must move the input: the output is a function of it.
 void check_first_derivative(const AngleDerivative& first, const std::string& place, std::vector<Error>& found) {
-  if (std::abs(first.input) >= smallest_direction) return;
-  if (std::abs(first.output) < smallest_direction)
+  if (std::abs(first.input) >= tolerance::smallest_direction) return;
+  if (std::abs(first.output) < tolerance::smallest_direction)
     found.push_back({"zero_rates", place,
                      "the first derivative is zero: neither link moves; give the rates of both, of any size, or leave "
                      "derivatives out"});
@@ -61,9 +62,8 @@ void check_pivots(const FunctionTask& task, std::vector<Error>& found) {
     check_number(p.imag(), "y", fmt::format("task.ground_pivots.{}[1]", name), found);
   }
   if (found.size() > before) return;
-  constexpr double rounding = 1e-12;  // of where they lie
   const double size = std::max(std::abs(task.input_pivot), std::abs(task.output_pivot));
-  if (std::abs(task.output_pivot - task.input_pivot) <= rounding * size)
+  if (std::abs(task.output_pivot - task.input_pivot) <= tolerance::no_difference * size)
     found.push_back({"same_pivots", "task.ground_pivots", "both fixed pivots lie at one place; move one of them"});
 }
 
@@ -95,7 +95,7 @@ void check_count(const FunctionTask& task, std::vector<Error>& found) {
 void check_repetitions(const FunctionTask& task, std::vector<Error>& found) {
   for (std::size_t j = 1; j < task.pairs.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
-      if (std::abs(wrap_signed(task.pairs[j].input - task.pairs[i].input)) < repeated_input_angle) {
+      if (std::abs(wrap_signed(task.pairs[j].input - task.pairs[i].input)) < tolerance::repeated_input_angle) {
         found.push_back({"repeated_input",
                          place_of_pair(j) + ".input_deg",
                          fmt::format("pairs[{}] and pairs[{}] have the same input angle, and one input has one output; "
@@ -108,9 +108,9 @@ void check_repetitions(const FunctionTask& task, std::vector<Error>& found) {
 
 void check_output_moves(const FunctionTask& task, std::vector<Error>& found) {
   const auto stands = [&](const AnglePair& pair) {
-    return std::abs(wrap_signed(pair.output - task.pairs.front().output)) < repeated_input_angle &&
+    return std::abs(wrap_signed(pair.output - task.pairs.front().output)) < tolerance::repeated_input_angle &&
            std::all_of(pair.derivatives.begin(), pair.derivatives.end(),
-                       [](const AngleDerivative& d) { return std::abs(d.output) < smallest_direction; });
+                       [](const AngleDerivative& d) { return std::abs(d.output) < tolerance::smallest_direction; });
   };
   if (std::all_of(task.pairs.begin(), task.pairs.end(), stands))
     found.push_back({"constant_output", "task.pairs",

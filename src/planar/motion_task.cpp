@@ -23,7 +23,8 @@ void check_number(double value, double limit, const char* what, const std::strin
 }
 
 bool is_zero(const PoseDerivative& d) {
-  return std::max({std::abs(d.origin.real()), std::abs(d.origin.imag()), std::abs(d.angle)}) < smallest_direction;
+  return std::max({std::abs(d.origin.real()), std::abs(d.origin.imag()), std::abs(d.angle)}) <
+         tolerance::smallest_direction;
 }
 
 void check_derivatives(const std::vector<PoseDerivative>& derivatives, const std::string& place,

@@ -6,6 +6,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/motion_task.hpp"
 
 namespace linkwright {
@@ -90,8 +91,7 @@ void check_dials(const NamedFunction& function, std::vector<Error>& found) {
   if (function.y) check_range(*function.y, 1, largest_value, "y", found);
   check_range(function.input_range, radians(1), largest_coordinate, "input_range_deg", found);
   check_range(function.output_range, radians(1), largest_coordinate, "output_range_deg", found);
-  constexpr double room = 1e-9;
-  if (std::abs(function.input_range[1] - function.input_range[0]) > two_pi + room)
+  if (std::abs(function.input_range[1] - function.input_range[0]) > two_pi + tolerance::repeated_input_angle)
     found.push_back({"dial_turn", place("input_range_deg"),
                      "the input's dial has more than a whole turn; a linkage repeats itself after one"});
 }
@@ -213,9 +213,8 @@ bool ScaledFunction::exists_over(double low, double high) const {
     case Kind::natural_logarithm:
       return low > 0;
     case Kind::tangent: {
-      constexpr double near_pole = 1e-9;  // of a half turn: no dial has room for what lies between
       const double from = (low * formula_.unit + quarter) / pi, to = (high * formula_.unit + quarter) / pi;
-      return std::floor(from - near_pole) == std::floor(to + near_pole);
+      return std::floor(from - tolerance::tangent_pole) == std::floor(to + tolerance::tangent_pole);
     }
     default:
       return true;
@@ -337,8 +336,7 @@ std::vector<Error> mistakes_in(const NamedFunction& function) {
     return found;
   }
   const auto [least, greatest] = scaled.least_and_greatest();
-  constexpr double rounding = 1e-12;
-  if (greatest - least <= rounding * std::max(std::abs(least), std::abs(greatest)))
+  if (greatest - least <= tolerance::no_difference * std::max(std::abs(least), std::abs(greatest)))
     found.push_back({"constant_function", place("x"),
                      "the function does not change over this range: a link that stands still needs no linkage"});
   check_points(function, scaled.x_, found);

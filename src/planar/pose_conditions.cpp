@@ -133,7 +133,8 @@ std::optional<PoleFrame> view_from_pole(std::vector<PlanarDisplacement> moves, i
   const Eigen::MatrixXd rows = stacked_rows(moves, count, first_order);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
   // Poses that merely lie close together have their poles close together, too: their condition is the inverse square of
-  // that distance, and seen from there still its inverse.
+  // that distance, and seen from there still its inverse. Worth while are two digits, and no more than the two and a
+  // half that rows of well spread poses lose.
   constexpr double worth_while = 1e-2, ordinary = 300;
   const double seen = svd.singularValues()[0] / svd.singularValues()[count - 1];
   if (!(seen < std::min(worth_while * condition, ordinary))) return std::nullopt;

@@ -162,6 +162,7 @@ class DroppedPositionSearch {
 
  private:
   [[nodiscard]] std::optional<RatedCandidate> least(const Requirements& requirements) const {
+    // Of climbs that tell which cell leads lowest, and of the one whose miss is the answer.
     constexpr double coarse = 1e-2, fine = 1e-9;
     const PoseErrorSearch error_search(*given_.family, requirements, relaxed_.relaxed, progress_);
     const double first_step = given_.family->axis(Side::input).coordinate_length() / options_.region_samples;

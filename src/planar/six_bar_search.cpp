@@ -5,6 +5,7 @@
 #include "linkwright/algebra/line_search.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 #include "planar/six_bar_prospect.hpp"
 
@@ -61,7 +62,7 @@ class Search {
 
   [[nodiscard]] std::optional<SixBarFamily> family(const ThreeLinkChain& chain) const {
     if (!contains_all(box_, std::array{chain.a, chain.b, chain.d})) return std::nullopt;
-    const double size = chain.size(), least = 1e-6 * size;  // longer than any that max_link_ratio lets pass
+    const double least = tolerance::same_linkage * chain.size();
     if (!(chain.first_length() > least && chain.second_length() > least)) return std::nullopt;
     const auto bodies = chain_positions(task_.poses, chain);
     if (!bodies) return std::nullopt;

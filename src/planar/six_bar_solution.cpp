@@ -6,6 +6,7 @@
 
 #include "linkwright/analysis/six_bar_check.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
@@ -42,9 +43,8 @@ double pose_residual(const SixBarMember& member, std::span<const PrescribedPose>
 bool visits_all(const SixBar& six_bar, std::span<const PrescribedPose> poses) {
   for (const int sense : {+1, -1}) {
     const SixBarCheck check = check_by_driving(six_bar, poses, sense);
-    constexpr double sound = 1e-9;  // of a distance that Newton's method keeps to rounding
     if (check.visited.size() + 1 == poses.size() && std::is_sorted(check.visited.begin(), check.visited.end()))
-      return check.worst_length < sound;
+      return check.worst_length < tolerance::rigid_body;
   }
   return false;
 }

@@ -61,11 +61,11 @@ std::array<Point, degree + 1> fourier_coefficients(const F& f) {
 // Where a trigonometric polynomial may vanish, rising: arguments of the roots of its polynomial in e^{iβ} that lie
 // near the unit circle. Superfluous ones do no harm.
 std::vector<double> possible_zeros(const std::array<Point, degree + 1>& c) {
-  constexpr double noise = 1e-14, near_circle = 0.05;
+  constexpr double near_circle = 0.05;
   double largest = 0;
   for (const Point v : c) largest = std::max(largest, std::abs(v));
   int m = degree;
-  while (m > 0 && std::abs(c[static_cast<std::size_t>(m)]) <= noise * largest) --m;
+  while (m > 0 && std::abs(c[static_cast<std::size_t>(m)]) <= tolerance::vanishing_harmonic * largest) --m;
   if (m == 0) return {};
   const auto coefficient = [&](int power) {
     const Point v = c[static_cast<std::size_t>(std::abs(power - m))];
@@ -228,9 +228,9 @@ std::optional<double> ThreePoseDyads::length_of(double beta) const {
 
 std::optional<Dyad> ThreePoseDyads::dyad_round(Point arm, double turn) const {
   if (freedom_ != DirectionFreedom::of_length) return std::nullopt;
-  constexpr double room = 1e-9;  // for an arm that was computed
   const double misfit = line_.k + (line_.b * arm).real();
-  if (std::abs(misfit) > room * (std::abs(line_.k) + std::abs(line_.b) * std::abs(arm))) return std::nullopt;
+  if (std::abs(misfit) > tolerance::arm_on_line * (std::abs(line_.k) + std::abs(line_.b) * std::abs(arm)))
+    return std::nullopt;
   const Circle circle = circle_of_centers(circle_, arm);
   const Point g = circle.normal;
   if (std::abs(circle.square) < tolerance::pure_translation) {

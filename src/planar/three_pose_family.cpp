@@ -100,7 +100,7 @@ std::vector<double> DyadsOfLength::samples(int count) const {
 
 std::vector<Dyad> DyadsOfLength::polygon() const {
   constexpr int corners_of_a_branch = 512;
-  constexpr double inside = 1e-9;  // the ends themselves are double roots, which rounding may lose
+  constexpr double inside = 1e-9;  // of an arc: the ends are double roots, which rounding may lose
   std::vector<double> coordinates;
   if (is_empty() || dyads_->freedom() != DirectionFreedom::free) {
     coordinates = evenly(axis_, corners_of_a_branch * static_cast<int>(axis_.branches.size()));

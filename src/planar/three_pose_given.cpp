@@ -6,6 +6,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/motion_task.hpp"
 
 namespace linkwright {
@@ -46,7 +47,7 @@ void check(const InstantCenter& given, std::vector<Error>& found) {
                                  "direction in which it lies",
                                  limit_text(largest_coordinate)),
                      {{"most", limit_text(largest_coordinate)}}});
-  else if (given.at_infinity && std::abs(given.point) < smallest_direction)
+  else if (given.at_infinity && std::abs(given.point) < tolerance::smallest_direction)
     found.push_back({"center_direction", "task.given.instant_center",
                      "a centre at infinity needs a direction; give two numbers that are not both zero"});
 }

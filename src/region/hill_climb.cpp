@@ -21,7 +21,7 @@ class Climb {
   [[nodiscard]] HillTop top(std::array<double, 2> start, double score) {
     // A further search from the top on takes up what a bend of the ridge or of an edge of what is allowed hid at first.
     constexpr int max_passes = 20;
-    constexpr double worth_another = 1e-6;
+    constexpr double worth_another = 1e-6;  // of the score: less is not seen in six printed digits
     Place best{start[0], {start[1], score}};
     HillTop top;
     top.end = SearchEnd::evaluation_limit;

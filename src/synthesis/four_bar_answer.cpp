@@ -9,6 +9,7 @@
 #include "linkage_search.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
 #include "reason.hpp"
@@ -113,11 +114,10 @@ std::vector<FourBarSolution> generators(const FunctionFamily& family, const Four
 
 // Where driving a generator free of defects confirms it, it must also have brought the output to each pair.
 void measure_function(FourBarSolution& found, const FunctionFamily& family) {
-  constexpr double right = 1e-6;  // radians; close to a dead point rounding of the input shows this much
   found.function = family.error_of(found.four_bar, {found.input.coordinate, found.output.coordinate});
   if (found.report.defects.none())
-    found.verified_by_driving =
-        found.verified_by_driving && found.function->reaches_pairs && found.function->precision_error <= right;
+    found.verified_by_driving = found.verified_by_driving && found.function->reaches_pairs &&
+                                found.function->precision_error <= tolerance::pair_met;
 }
 
 // Five precision points: the few linkages there are, whatever their defects.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright::motion_task_test {
@@ -107,12 +108,13 @@ TEST(MotionTask, ThreePositionsWantSomethingGivenAndOnlyThey) {
 
 TEST(MotionTask, ADirectionIsNotZero) {
   MotionTask t = mixed({1, 3});
-  t.poses[1].derivatives[0] = {{0, 0.5 * smallest_direction}, -0.5 * smallest_direction};
+  t.poses[1].derivatives[0] = {{0, 0.5 * tolerance::smallest_direction}, -0.5 * tolerance::smallest_direction};
   const auto found = mistakes_in(t);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].code, "zero_derivative");
   EXPECT_EQ(found[0].place, "task.poses[1].derivatives[0]");
-  for (const PoseDerivative& enough : {PoseDerivative{{smallest_direction, 0}, 0}, {{0, -1e-8}, 0}, {{0, 0}, 1e-8}}) {
+  for (const PoseDerivative& enough :
+       {PoseDerivative{{tolerance::smallest_direction, 0}, 0}, {{0, -1e-8}, 0}, {{0, 0}, 1e-8}}) {
     t.poses[1].derivatives[0] = enough;
     EXPECT_TRUE(mistakes_in(t).empty());
   }

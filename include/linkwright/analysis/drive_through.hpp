@@ -4,15 +4,17 @@
 #include <vector>
 
 #include "linkwright/analysis/defects.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
 
 namespace linkwright {
 
 struct DriveThroughOptions {
-  double step = 5e-2;            ///< longest arc length of a step on the unit torus of the three link angles, radians;
-                                 ///< steps are shorter where strands of the curve pass close to each other
-  double corrector = 1e-13;      ///< loop closure error, relative to the perimeter, at which a corrector step ends
+  double step = 5e-2;  ///< longest arc length of a step on the unit torus of the three link angles, radians;
+                       ///< steps are shorter where strands of the curve pass close to each other
+  /// Loop closure error, relative to the perimeter, at which a corrector step ends.
+  double corrector = tolerance::on_curve;
   double pose_tolerance = 1e-3;  ///< largest distance from a pose that counts as met, radians on the torus
   int max_steps = 4'000'000;     ///< for one circuit
 

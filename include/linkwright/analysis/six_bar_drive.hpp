@@ -7,6 +7,7 @@
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/analysis/six_bar_position.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 
@@ -14,7 +15,7 @@ struct SixBarDriveOptions {
   /// Tell circuit defects from other branch defects: takes a walk round the whole circuit where there is a branch
   /// defect. Without it the circuit bit is never set.
   bool circuits = true;
-  /// Corrections to a closure error of 1e-13 at every step; otherwise one of Newton's steps a step of the walk, which
+  /// Corrections to tolerance::on_curve at every step; otherwise one of Newton's steps a step of the walk, which
   /// is as safe and four times as fast, with γ to three digits or so.
   bool exact_steps = false;
   double pose_tolerance = 1e-3;  ///< largest distance from a configuration that counts as met, radians

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "linkwright/attitude/rotation.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 
@@ -17,9 +18,9 @@ namespace linkwright {
 /// equation 1-13 for all nine. 0 for a rotation and the null matrix only.
 [[nodiscard]] double cofactor_error(const Matrix3x3& a);
 
-/// A is a rotation to within the tolerance: finite, orthogonality_error() at most `tolerance`, determinant positive
+/// A is a rotation to within the tolerance: finite, orthogonality_error() at most `most`, determinant positive
 /// (property 4: +1 for right-handed frames).
-[[nodiscard]] bool is_rotation(const Matrix3x3& a, double tolerance = 1e-12);
+[[nodiscard]] bool is_rotation(const Matrix3x3& a, double most = tolerance::rotation_matrix);
 
 /// The cosine of the angle of the turn by the trace: tr A = 1 + 2 cos θ. Exact to 1e-16 itself, but its arc cosine
 /// loses half of the digits near 0 and π: use axis_angle.hpp for the angle.

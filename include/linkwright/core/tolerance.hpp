@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 /// All tolerances: pure numbers, each with the reason for its size.
 namespace linkwright::tolerance {
 
@@ -26,6 +28,59 @@ inline constexpr double crossing_strands = 1e-6;
 /// largest column, and so well below σ itself.
 inline constexpr double crossing_strands_radius = 1e-7;
 
+/// A correction onto a curve of configurations (radians), or the closure error left (over the perimeter), below which
+/// the point is on it: two digits above what rounding leaves, many below the share of a reach that a step may be off.
+inline constexpr double on_curve = 1e-13;
+
+/// Closure of a four-bar's loop over the perimeter that cannot be asked to be less: four ulps of 1, a sum of three
+/// links turned by angles of order one.
+inline constexpr double loop_rounding = 4 * std::numeric_limits<double>::epsilon();
+
+/// Error of a six-bar's loops over the reach of its strand: no correction need be shorter. Loops of up to six terms
+/// carry 1e-15, and the corrections magnify it.
+inline constexpr double loop_rounding_per_reach = 1e-14;
+
+/// Closure error of a six-bar's loops, or a correction of its turns, at which Newton's method has nothing left to do:
+/// nine ulps of 1.
+inline constexpr double closed_to_rounding = 2e-15;
+
+/// Closure error of a six-bar's loops above which Newton's method has failed: near singular configurations it stops
+/// three digits above closed_to_rounding.
+inline constexpr double closed = 1e-12;
+
+/// Closure error (over the longest link) above which the added links do not fit their hinges: results written with six
+/// digits and more pass.
+inline constexpr double links_fit = 1e-6;
+
+/// Newton's correction as a share of the unknowns after which no other is needed: it converges quadratically, so that
+/// the next would be 1e-18, below rounding.
+inline constexpr double last_newton_correction = 1e-9;
+
+/// Turn of the driver (radians) below which Gauss and Newton have found the place nearest to a pose: they converge
+/// linearly where it is missed, and the turn itself carries some 1e-15 of a whole one.
+inline constexpr double nearest_turn = 1e-12;
+
+/// Relative change of a distance between hinges of one body over a drive, above which the drive is unsound: each state
+/// is corrected until Newton's method has nothing left to do, which leaves 1e-15.
+inline constexpr double rigid_body = 1e-9;
+
+/// Change of a sample's number (0 to 24) at which the secants that look for the least error of a pose have come to
+/// rest: an ulp of the number is up to 4e-15, and a slope's rounding parts two of them by more.
+inline constexpr double least_miss_place = 1e-13;
+
+/// Transmission angle (radians) in a position of the task below which it stands at a dead point: there the angle comes
+/// out as the root of rounding, 1e-8, and conditions of real tasks take two digits more. Which side of the dead point
+/// it is on, and so whether that is a defect, only rounding has decided.
+inline constexpr double dead_at_position = 1e-6;
+
+/// Error at a pair (radians) of a generator that was driven, above which it has not brought the output there: close to
+/// a dead point rounding of the input shows in the output as its root, 1e-8, with two digits for real tasks.
+inline constexpr double pair_met = 1e-6;
+
+/// An input angle this close to the end of the reach (radians) is the end: reach and angle carry 1e-15 each, of an arc
+/// cosine and of the whole turns that bring the angle into the reach, and three digits of room.
+inline constexpr double end_of_reach = 1e-12;
+
 /// Smallest singular value of the condition rows relative to the largest below which they are dependent:
 /// rows of unit size carry rounding of a few 1e-16.
 inline constexpr double dependent_rows = 1e-14;
@@ -41,10 +96,32 @@ inline constexpr double vanishing_coefficient = 1e-10;
 /// the coefficients that it depends on vanish.
 inline constexpr double node = 1e-11;
 
+/// Distance from the focus of a focal cubic, over its size, below which a point is the focus: its coordinates carry
+/// 1e-16 of that size, and nearer the direction to it is noise.
+inline constexpr double focus = 1e-14;
+
+/// Coefficient of a Fourier series beside the largest below which it is zero: means of 16 samples carry a few 1e-16.
+inline constexpr double vanishing_harmonic = 1e-14;
+
+/// How far a grounded link that was computed may be off the line of those of a three-pose task, as a share of the
+/// line's terms: it went through a coordinate and back, 1e-15, or was read with ten digits.
+inline constexpr double arm_on_line = 1e-9;
+
 /// Distance of the poses' poles from one point, over the characteristic length, below which dyads are computed in
 /// the pole-centred frame: rounding of the conditions, 1e-16, shows in a grounded link of that length as 1e-16 over its
 /// square.
 inline constexpr double near_common_pole = 1e-3;
+
+/// Distance over the characteristic length of two probes' centres below which all points of the body share one: the
+/// conditions have rank 2 to dependent_rows, so centres carry its root, 1e-7, and room.
+inline constexpr double shared_center = 1e-6;
+
+/// Value of a condition (unit rows and points) below which a parallelogram satisfies it: the root of dependent_rows.
+inline constexpr double parallelogram = 1e-7;
+
+/// Coordinate of a shared centre over the characteristic length that is given as zero: it is printed with six digits,
+/// and beside the length none of them would be seen.
+inline constexpr double vanishing_coordinate = 1e-9;
 
 /// Change of a grounded link's length over the positions, as a share of it, above which it is none: seven digits, as
 /// ill_conditioned leaves. Ordinary tasks keep twelve.
@@ -63,7 +140,25 @@ inline constexpr double line_of_partners = 1e-8;
 /// Two poses closer than this (position over characteristic length, angle in radians) are the same pose.
 inline constexpr double repeated_pose = 1e-12;
 
-/// Two linkages closer than this share of the characteristic length in all four pivots are one.
+/// Difference of two numbers over the larger of them below which they are the same (a ground link of no length, a
+/// function that does not change): each carries 1e-16, so fewer than four digits of the difference would be left.
+inline constexpr double no_difference = 1e-12;
+
+/// Least distance of two input angles, modulo whole turns, that makes two precision points of them, radians: the
+/// conditions of two so close leave seven digits, as ill_conditioned does. The ends of a dial closer than this are one
+/// place, too: 360° printed with ten digits is a whole turn.
+inline constexpr double repeated_input_angle = 1e-9;
+
+/// A pole of the tangent this close (share of a half turn) beyond the end of a dial is on it: the tangent is 3e8 there,
+/// beside which no dial has room for what lies between.
+inline constexpr double tangent_pole = 1e-9;
+
+/// A first derivative none of whose numbers is this large is zero, no direction: the inverse of the largest that is
+/// taken seriously.
+inline constexpr double smallest_direction = 1e-9;
+
+/// Two linkages closer than this share of the characteristic length in all four pivots are one, and so are two hinges
+/// of a chain closer than this share of its size.
 inline constexpr double same_linkage = 1e-6;
 
 /// Orthogonality error ‖AᵀA − E‖ above which a matrix given as a rotation is a mistake: six printed digits pass.
@@ -71,6 +166,9 @@ inline constexpr double orthogonality = 1e-6;
 
 /// Orthogonality error of a correctly rounded rotation, at most: 9 elements of half an ulp of 1, twice; room for 4.
 inline constexpr double orthogonal_to_rounding = 4e-15;
+
+/// Orthogonality error above which a matrix is no rotation: some 10⁴ rotations multiplied, an ulp each, still are one.
+inline constexpr double rotation_matrix = 1e-12;
 
 /// Distance to gimbal lock below which an attitude is taken to be locked: matrices and quaternions of locked attitudes
 /// came out up to 4.7e-16 away (960 000 of them).
@@ -86,6 +184,10 @@ inline constexpr double no_turn = 1e-15;
 /// Sine of the angle between two lines below which they are parallel: the feet of their common normal are its inverse
 /// away, where rounding has cost as much as is lost by taking them for parallel.
 inline constexpr double parallel_lines = 1e-8;
+
+/// Distance of two parallel lines over the size of their points' coordinates below which they are one line: two
+/// differences and a projection of coordinates carry a few ulps.
+inline constexpr double coincident_lines = 1e-15;
 
 /// Share of a matrix given as the derivative of a rotation that no rotation has, above which it is a mistake: six
 /// printed digits pass.

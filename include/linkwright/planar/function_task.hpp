@@ -62,9 +62,6 @@ struct FunctionTask {
   friend bool operator==(const FunctionTask&, const FunctionTask&) = default;
 };
 
-/// Least distance of two input angles, modulo whole turns, that makes two precision points of them, radians.
-inline constexpr double repeated_input_angle = 1e-9;
-
 /// The caller's mistakes: not four or five positions, numbers that are not finite or too large, derivatives in which
 /// nothing moves or the input stands still, input angles that repeat (modulo whole turns), an output that never moves,
 /// ground pivots that coincide, mistakes in the named function or the free parameter. Places are

@@ -26,9 +26,6 @@ struct MotionTask {
 /// Largest coordinate (user's unit), angle (degrees) and derivative that is accepted.
 inline constexpr double largest_coordinate = 1e9;
 
-/// A first derivative none of whose three numbers is this large is zero: no direction.
-inline constexpr double smallest_direction = 1e-9;
-
 /// The caller's mistakes: number of positions, numbers that are not finite or too large, first derivatives that are
 /// zero, repeated poses, what three positions want given and more do not. Places are `task.poses[i]…` (i from 0) and
 /// `task.given…`. Empty when the task can be solved.

@@ -7,6 +7,7 @@
 #include "drawing/four_bar/linkage_figure.hpp"
 #include "drawing/palette.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
@@ -29,7 +30,6 @@ void add_paths(SixBarScene& scene, const std::vector<PrescribedPose>& framed) {
 /// The turns of all bodies in pose j, from where bodies 0 … 3 are; nothing where links 4 and 5 do not fit.
 std::optional<SixBarTurns> turns_in_pose(const StoredSixBar& linkage, const std::array<BodyPositions, 4>& bodies,
                                          std::size_t j) {
-  constexpr double fits = 1e-6;  // of the longest link; poses and hinges of one result agree far better
   SixBarTurns turns{1, 1, 1, 1, 1, 1};
   for (std::size_t body = 1; body < bodies.size(); ++body) turns[body] = bodies[body].at[j].turn;
   const SixBar& bars = linkage.six_bar;
@@ -44,7 +44,7 @@ std::optional<SixBarTurns> turns_in_pose(const StoredSixBar& linkage, const std:
   };
   turns[4] = turn_of(SixBar::c4, SixBar::z4, linkage.row.added[0]);
   turns[5] = turn_of(SixBar::c5, SixBar::z5, linkage.row.added[1]);
-  return closure_error(bars, turns) < fits ? std::optional(turns) : std::nullopt;
+  return closure_error(bars, turns) < tolerance::links_fit ? std::optional(turns) : std::nullopt;
 }
 
 std::vector<Point> body_corners(const SixBar& six_bar, const Hinges& hinges, int body) {
