@@ -142,7 +142,7 @@ test("three positions: lengths as rings, an angle as a wedge, the instant centre
   await expect(page.getByTestId("given.side_lengths")).toHaveCount(0);
   await page.getByTestId("task.menu.4").click();
   await page.getByTestId("task.remove").click();
-  await expect(page.getByTestId("region.notice")).toContainText("choose what is given");
+  await expect(page.getByTestId("region.notice")).toContainText("choose an additional constraint");
   await page.getByTestId("region.notice").getByTestId("given.side_lengths").click();
   await until_settled(page);
   await expect(page.getByTestId("region.notice")).toBeHidden();

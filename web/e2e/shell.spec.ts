@@ -280,7 +280,7 @@ test("21 · in Chinese nothing is left in English, in the dark all can be read, 
   }
   await open_files(page, join(bad_problems, "missing_angle.json"));
   await expect(toasts(page)).toContainText(
-    "“missing_angle.json” 不是有效的问题文件：task.poses[2].theta_deg：缺少此项，请补上。当前工作未改变。",
+    "“missing_angle.json” 不是有效的问题文件：task.poses[2].theta_deg：缺少此项，请补充：数值。当前工作未改变。",
   );
   await page.reload();
   await until_ready(page);

@@ -144,7 +144,7 @@ test("what was typed stays until it is valid or taken back, and no number moves 
   await type("req.ground_box.x0", "500", "Tab");
   await expect(field("req.ground_box.x0")).toHaveValue("500");
   await expect(field("req.ground_box.x0")).toHaveAttribute("aria-invalid", "true");
-  await expect(sentence).toContainText("“from” lies above “to”");
+  await expect(sentence).toContainText("“from” is above “to”");
   expect(await box()).toEqual([70, 430]);
   await type("req.ground_box.x1", "600");
   await expect(sentence).toHaveCount(0);
