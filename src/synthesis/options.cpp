@@ -10,9 +10,11 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   if (options.region_samples < SynthesisOptions::min_samples || options.region_samples > SynthesisOptions::max_samples)
     found.push_back({"samples_range",
                      "options.region_samples",
-                     fmt::format("the region takes {} to {} samples a side; 400 is usual",
-                                 SynthesisOptions::min_samples, SynthesisOptions::max_samples),
-                     {{"low", SynthesisOptions::min_samples}, {"high", SynthesisOptions::max_samples}}});
+                     fmt::format("the region takes {} to {} samples a side; {} is usual", SynthesisOptions::min_samples,
+                                 SynthesisOptions::max_samples, SynthesisOptions{}.region_samples),
+                     {{"low", SynthesisOptions::min_samples},
+                      {"high", SynthesisOptions::max_samples},
+                      {"usual", SynthesisOptions{}.region_samples}}});
   if (options.best < 0 || options.best > SynthesisOptions::max_best)
     found.push_back({"best_range",
                      "options.best",

@@ -1,5 +1,6 @@
 #include "linkwright/files/problem_file.hpp"
 
+#include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,6 +30,10 @@ Problem read(const std::string& text) {
   return problem.ok() ? problem.value() : Problem{};
 }
 
+nlohmann::json problem_schema() {
+  return nlohmann::json::parse(std::ifstream(LINKWRIGHT_SCHEMA_DIR "/problem.schema.json"));
+}
+
 TEST(ProblemFile, ReadsTheExample) {
   const auto problem = read_problem_file(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / "tailgate.json");
   ASSERT_TRUE(problem.ok());
@@ -54,27 +59,56 @@ TEST(ProblemFile, WithoutOptionalMembersHasTheDefaults) {
   EXPECT_EQ(problem.view, "");
 }
 
-// One place says what is usual; the schema and the page (search.test.ts) say the same.
+// The code says what is usual; the schema, and the page after it (defaults.test.ts), say the same.
 TEST(ProblemFile, TheSchemaHasTheDefaults) {
-  const auto schema = nlohmann::json::parse(std::ifstream(LINKWRIGHT_SCHEMA_DIR "/problem.schema.json"));
-  const auto& options = schema["$defs"]["options"]["properties"];
-  const SynthesisOptions usual;
-  EXPECT_EQ(options["effort"]["default"], usual.effort);
+  const nlohmann::json schema = problem_schema()["$defs"];
+  const NamedFunction function;
+  const Requirements wanted;
+  const SynthesisOptions options;
+  const nlohmann::json expected = {
+      {"/given/oneOf/2/properties/directed", SideAngle{}.directed},
+      {"/given/oneOf/3/properties/at_infinity", InstantCenter{}.at_infinity},
+      {"/function/properties/interpolation", name(function.interpolation)},
+      {"/function/properties/points", function.points},
+      {"/function/properties/spacing", name(function.spacing)},
+      {"/free/oneOf/0/properties/range", FreeParameter{}.range},
+      {"/chain/properties/elbow", ThreeLinkChain{}.assembly_mode},
+      {"/requirements/properties/no_defects", wanted.no_defects},
+      {"/requirements/properties/min_transmission_angle_deg", degrees(wanted.min_transmission_angle)},
+      {"/requirements/properties/max_link_ratio", wanted.max_link_ratio},
+      {"/requirements/properties/respect_direction", wanted.respect_direction},
+      {"/options/properties/region_samples", options.region_samples},
+      {"/options/properties/spacing", name(options.spacing)},
+      {"/options/properties/objective", name(options.objective)},
+      {"/options/properties/seed", options.seed},
+      {"/options/properties/effort", options.effort},
+      {"/options/properties/best", options.best},
+  };
+  nlohmann::json found = nlohmann::json::object();
+  const nlohmann::json flat = schema.flatten();
+  for (const auto& [place, value] : flat.items()) {
+    const std::size_t at = place.find("/default");
+    if (at == std::string::npos) continue;
+    const std::string owner = place.substr(0, at);
+    found[owner] = schema.at(nlohmann::json::json_pointer(owner + "/default"));
+  }
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(SixBarSearchOptions{}.effort, options.effort);
+  const auto words_of = [&](const char* key) {
+    return schema["requirements"]["properties"][key]["description"].get<std::string>();
+  };
+  EXPECT_THAT(words_of("max_length"), HasSubstr(fmt::format("default {} times the task's", default_max_length)));
+  EXPECT_THAT(words_of("min_length"), HasSubstr("default a thousandth of the task's"));
+  EXPECT_EQ(default_min_length, 1e-3);
+}
+
+TEST(ProblemFile, TheSchemaHasTheLimits) {
+  const nlohmann::json options = problem_schema()["$defs"]["options"]["properties"];
   EXPECT_EQ(options["effort"]["maximum"], SynthesisOptions::max_effort);
-  EXPECT_EQ(SixBarSearchOptions{}.effort, usual.effort);
-  EXPECT_EQ(options["seed"]["default"], usual.seed);
   EXPECT_EQ(options["seed"]["maximum"], SynthesisOptions::max_seed);
-  EXPECT_EQ(options["best"]["default"], usual.best);
   EXPECT_EQ(options["best"]["maximum"], SynthesisOptions::max_best);
-  EXPECT_EQ(options["region_samples"]["default"], usual.region_samples);
   EXPECT_EQ(options["region_samples"]["minimum"], SynthesisOptions::min_samples);
   EXPECT_EQ(options["region_samples"]["maximum"], SynthesisOptions::max_samples);
-  EXPECT_EQ(options["spacing"]["default"], name(usual.spacing));
-  EXPECT_EQ(options["objective"]["default"], name(usual.objective));
-  const auto& wanted = schema["$defs"]["requirements"]["properties"];
-  EXPECT_EQ(wanted["max_link_ratio"]["default"], Requirements{}.max_link_ratio);
-  EXPECT_EQ(wanted["no_defects"]["default"], Requirements{}.no_defects);
-  EXPECT_EQ(wanted["respect_direction"]["default"], Requirements{}.respect_direction);
 }
 
 TEST(ProblemFile, NullSwitchesALimitOff) {

@@ -15,6 +15,7 @@ import {requirement_descriptions, requirements_of, text_for} from "../tasks/kind
 import {grouped, significant} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 import {least_of, most_of} from "../state/ends";
+import {defaults} from "../state/defaults";
 
 /** What is asked: the file's own requirements, where they are silent the defaults that the engine used. */
 export function in_force({problem, task}: Pick<Workbench, "problem" | "task">): Requirements {
@@ -31,7 +32,7 @@ export function is_asked(requirements: Requirements, key: RequirementKey): boole
     case "types":
       return (requirements.types?.length ?? 0) > 0;
     case "no_defects":
-      return requirements.no_defects ?? true;
+      return requirements.no_defects ?? defaults.requirements.no_defects;
     case "transmission_angle":
       return is_positive;
     case "limit":

@@ -1,5 +1,6 @@
 // What the linkages of the plane can be coloured by, required to be and optimised for, whatever they are to do.
 import type {RequirementKey} from "../engine/protocol";
+import {default_max_length, defaults} from "../state/defaults";
 import {length_levels} from "../state/problem";
 import type {ObjectiveDescription, PropertyDescription, RequirementDescription} from "./kind";
 
@@ -24,7 +25,7 @@ export const planar_properties = {
     larger_is_better: false,
     requirement: "max_link_ratio",
     quantity: "ratio",
-    span: ({max_link_ratio}) => [1, Math.max(1.25 * (max_link_ratio ?? 20), 4)],
+    span: ({max_link_ratio}) => [1, Math.max(1.25 * (max_link_ratio ?? defaults.requirements.max_link_ratio), 4)],
     levels: ([, to]) => [2, 3, 5, 8, 12].filter((level) => level < to),
   },
   longest_link: {
@@ -34,7 +35,7 @@ export const planar_properties = {
     larger_is_better: false,
     requirement: "max_length",
     quantity: "length",
-    span: ({max_length}, typical) => [0, 1.25 * (max_length ?? 10 * typical)],
+    span: ({max_length}, typical) => [0, 1.25 * (max_length ?? default_max_length * typical)],
     levels: length_levels,
   },
   min_transmission_angle_full_turn_deg: {

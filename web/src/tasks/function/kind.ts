@@ -7,6 +7,7 @@ import {is_function, type AnglePair, type FreeParameter, type FunctionTask, type
 import {significant} from "../../texts/numbers";
 import type {TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements} from "../planar";
+import {defaults} from "../../state/defaults";
 
 const most_pairs = 10_000;
 
@@ -74,7 +75,7 @@ export function ground_pivots_of({ground_pivots}: FunctionTask): {input: Point; 
   return ground_pivots ?? {input: [0, 0], output: [1, 0]};
 }
 export function position_count_of(task: FunctionTask): number {
-  return task.function ? (task.function.points ?? 4) : position_count(task.pairs ?? []);
+  return task.function ? (task.function.points ?? defaults.function.points) : position_count(task.pairs ?? []);
 }
 /** A table's own where none is given. */
 export function x_range_of({x, table}: NamedFunction): Range | undefined {

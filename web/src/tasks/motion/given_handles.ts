@@ -9,6 +9,7 @@ import {is_held, part_drag, type Surface} from "../../drawing/surface";
 import {t} from "../../texts/texts.svelte";
 import type {Given} from "./task";
 import {direction_deg, given_of, lengths_of, takes_given, with_given, with_length} from "./given";
+import {defaults} from "../../state/defaults";
 
 export const wedge_radius = 64;
 const usual_turn_deg = 45,
@@ -79,7 +80,7 @@ export function wedge_of(surface: Surface): Wedge | null {
     apex,
     from_deg,
     to_deg,
-    directed: given.directed ?? true,
+    directed: given.directed ?? defaults.given.directed,
     knob: [x + wedge_radius * Math.cos(to), y - wedge_radius * Math.sin(to)],
   };
 }

@@ -7,13 +7,12 @@ import {engine_text, with_options, type Problem} from "../../state/problem";
 import {same_value, type Pose} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {default_box, six_bar_task, with_six_bar} from "./chain";
+import {defaults} from "../../state/defaults";
 
-export const default_effort = 20_000,
-  most_effort = 1_000_000,
+export const most_effort = 1_000_000,
   most_seed = 999_999_999;
 const first_chains = 1000,
-  times_as_many = 4,
-  default_best = 10;
+  times_as_many = 4;
 
 export interface Found {
   chain: Chain;
@@ -35,7 +34,7 @@ export function box_of_search(problem: Problem): Box {
 /** How many chains each round tries. */
 export function rounds_of({options}: Problem): number[] {
   const rounds: number[] = [];
-  for (let chains = options?.effort ?? default_effort; ; chains = Math.ceil(chains / times_as_many)) {
+  for (let chains = options?.effort ?? defaults.options.effort; ; chains = Math.ceil(chains / times_as_many)) {
     rounds.unshift(chains);
     if (chains <= first_chains) return rounds;
   }
@@ -101,7 +100,7 @@ export class ChainSearch {
       drawn = drawn.then(() => this.fetch_linkages(problem));
       if (!this.is_for(this.workbench.problem)) this.stop();
     };
-    await client.run({kind: "search", rounds, most: problem.options?.best ?? default_best}, {progress});
+    await client.run({kind: "search", rounds, most: problem.options?.best ?? defaults.options.best}, {progress});
     await drawn;
   }
   /** Whether it goes, or went, through the positions of this problem. */
