@@ -15,8 +15,11 @@ namespace linkwright {
 struct PlaneCubic {
   std::array<double, 10> coefficient{};
 
+  /// The value at p, in the scale of its coordinates to the third power.
   [[nodiscard]] double operator()(Homogeneous p) const;
+  /// By w, x, y: the tangent at a point of the cubic as line coordinates; null at a singular point.
   [[nodiscard]] Homogeneous gradient(Homogeneous p) const;
+  /// By magnitude.
   [[nodiscard]] double largest_coefficient() const;
 };
 
@@ -51,9 +54,12 @@ struct CurveBranch {
 /// Derivation: docs/theory/planar.md.
 class CircularCubic {
  public:
+  /// `cubic`: circular with its focus on itself, coefficients of order one; where all are below
+  /// tolerance::vanishing_coefficient every point is on it.
   explicit CircularCubic(const PlaneCubic& cubic);
 
   [[nodiscard]] CubicKind kind() const { return kind_; }
+  /// By rising τ; none of every_point.
   [[nodiscard]] const std::vector<CurveBranch>& branches() const { return branches_; }
 
   /// κ = (a⁴ − 4a²d − 4e²)/(a² − 2d + 2√(d²+e²))²: positive two branches, negative one, zero a node;

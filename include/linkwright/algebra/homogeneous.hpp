@@ -15,6 +15,7 @@ struct Homogeneous {
 
   /// The finite point p as (1, x, y).
   [[nodiscard]] static Homogeneous of(Point p) { return {1, p.real(), p.imag()}; }
+  /// `direction`: of any length but zero.
   [[nodiscard]] static Homogeneous at_infinity(Point direction) { return {0, direction.real(), direction.imag()}; }
 
   /// (x, y): the direction of a point at infinity, of any length.
@@ -69,6 +70,7 @@ struct HomogeneousMatrix {
   return v.w * m.row[0] + v.x * m.row[1] + v.y * m.row[2];
 }
 
+/// Takes lines back where M takes points: (M p)·l = p·(Mᵀ l).
 [[nodiscard]] inline HomogeneousMatrix transposed(const HomogeneousMatrix& m) {
   return {{{{m.row[0].w, m.row[1].w, m.row[2].w},
             {m.row[0].x, m.row[1].x, m.row[2].x},

@@ -13,6 +13,7 @@ struct Matrix3x3 {
   std::array<Vector3, 3> row{};
 
   [[nodiscard]] static constexpr Matrix3x3 identity() { return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}; }
+  /// Of a rotation C_ij: the axes of frame j written in i.
   [[nodiscard]] static constexpr Matrix3x3 of_columns(Vector3 a, Vector3 b, Vector3 c) {
     return {{{{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}}}};
   }

@@ -26,6 +26,7 @@ struct Defects {
 /// Sense in which the input passes the positions in order: counter-clockwise, clockwise, either (both senses do), none.
 enum class DriveSense : std::uint8_t { none, ccw, cw, either };
 [[nodiscard]] std::string_view name(DriveSense sense);  ///< "ccw", "cw", "either"; empty for none
+/// Of the senses in which all positions come in order.
 [[nodiscard]] DriveSense drive_sense(bool ccw, bool cw);
 
 /// Order, branch and circuit of one four-bar, driven by its input, over one task.

@@ -42,6 +42,7 @@ inline constexpr std::array<std::string_view, 10> linkage_type_names = {
 struct GrashofExcesses {
   double t1 = 0, t2 = 0, t3 = 0;
 };
+/// In the unit of the lengths.
 [[nodiscard]] GrashofExcesses grashof_excesses(const LinkLengths& lengths);
 
 /// Type by the signs of the excesses; change point where one is at most tolerance::change_point of the perimeter;
@@ -71,6 +72,7 @@ enum class ChangePointKind : std::uint8_t {
 };
 /// `none` unless linkage_type() is change_point.
 [[nodiscard]] ChangePointKind change_point_kind(const LinkLengths& lengths);
+/// "none", "crank_rocker", …
 [[nodiscard]] std::string_view name(ChangePointKind kind);
 
 }  // namespace linkwright

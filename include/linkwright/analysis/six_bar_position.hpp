@@ -37,6 +37,7 @@ struct SixBarTransmission {
   /// other the geometric mean of their sines.
   double sine = 0;
 };
+/// `turns`: closed to rounding, as closed() gives them.
 [[nodiscard]] SixBarTransmission six_bar_transmission(const SixBar& six_bar, const SixBarTurns& turns);
 
 /// The configuration near `guess` with the driver where it is in `guess`: Newton's method on the loops. Nothing where

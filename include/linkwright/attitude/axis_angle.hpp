@@ -20,6 +20,7 @@ class AxisAngle {
   /// This is the inverse that Liu Yanzhu's equation 13 asks for, Mathematical description of the attitude of a rigid
   /// body (I), 2021, without its divisions by 1 − cos θ and its open signs.
   [[nodiscard]] static AxisAngle of(const UnitQuaternion& q_ij);
+  /// By the quaternion, which is exact for every angle: the trace is not (cosine_by_trace()).
   [[nodiscard]] static AxisAngle of(const Rotation& c_ij) { return of(c_ij.quaternion()); }
 
   /// Unit vector: the same coordinates in frames i and j.

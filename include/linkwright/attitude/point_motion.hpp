@@ -29,6 +29,7 @@ struct AccelerationParts {
   Vector3 coriolis{};     ///< 2 ω × C ρ̇
   Vector3 relative{};     ///< C ρ̈
 
+  /// The acceleration of the point, frame i.
   [[nodiscard]] Vector3 sum() const;
 };
 

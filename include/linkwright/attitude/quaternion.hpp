@@ -26,7 +26,9 @@ class UnitQuaternion {
   /// matrix, 1978). Of q and −q the canonical one.
   [[nodiscard]] static UnitQuaternion of_matrix(const Matrix3x3& c_ij);
 
+  /// cos θ/2.
   [[nodiscard]] constexpr double w() const { return w_; }
+  /// p sin θ/2; its coordinates are the same in frames i and j.
   [[nodiscard]] constexpr Vector3 v() const { return v_; }
 
   /// Of q and −q the one with w > 0; at w = 0, a half-turn, the one whose first component that is not zero is positive.

@@ -17,10 +17,13 @@ class RodriguesVector {
 
   /// Nothing for a half-turn (w = 0, or so near to it that g overflows).
   [[nodiscard]] static std::optional<RodriguesVector> of(const UnitQuaternion& q_ij);
+  /// The same by the canonical quaternion.
   [[nodiscard]] static std::optional<RodriguesVector> of(const Rotation& c_ij) { return of(c_ij.quaternion()); }
 
   [[nodiscard]] Vector3 vector() const { return g_; }
+  /// −g.
   [[nodiscard]] RodriguesVector inverse() const { return RodriguesVector(-g_); }
+  /// (1, g)/√(1 + g²), w > 0.
   [[nodiscard]] UnitQuaternion quaternion() const;
   [[nodiscard]] Rotation rotation() const { return Rotation(quaternion()); }
 
@@ -42,13 +45,16 @@ class ModifiedRodriguesVector {
 
   /// |m| ≤ 1, as of the canonical quaternion.
   [[nodiscard]] static ModifiedRodriguesVector of(const UnitQuaternion& q_ij);
+  /// The same by the canonical quaternion.
   [[nodiscard]] static ModifiedRodriguesVector of(const Rotation& c_ij) { return of(c_ij.quaternion()); }
 
   [[nodiscard]] Vector3 vector() const { return m_; }
   /// The other vector of the same rotation, −m/|m|². Nothing for the identity (or so near to it that it overflows): its
   /// shadow is at infinity.
   [[nodiscard]] std::optional<ModifiedRodriguesVector> shadow() const;
+  /// −m: of the same length, so within the unit sphere or outside as this one.
   [[nodiscard]] ModifiedRodriguesVector inverse() const { return ModifiedRodriguesVector(-m_); }
+  /// (1 − m², 2m)/(1 + m²); w < 0 outside the unit sphere.
   [[nodiscard]] UnitQuaternion quaternion() const;
   [[nodiscard]] Rotation rotation() const { return Rotation(quaternion()); }
 

@@ -35,6 +35,7 @@ class Rotation {
   /// The identity.
   constexpr Rotation() = default;
 
+  /// C_ij = E + 2w [v]× + 2 [v]×².
   explicit Rotation(const UnitQuaternion& q_ij) : c_ij_(q_ij.matrix()) {}
 
   /// A checked matrix C_ij. Off a rotation by more than `largest_error` (orthogonality_error()) it is refused; by less,

@@ -17,9 +17,11 @@ class RotationVector {
 
   /// The logarithm, |φ| ≤ π; relatively exact for small turns. At half-turns the sign as in AxisAngle.
   [[nodiscard]] static RotationVector of(const UnitQuaternion& q_ij);
+  /// The same by the canonical quaternion.
   [[nodiscard]] static RotationVector of(const Rotation& c_ij) { return of(c_ij.quaternion()); }
 
   [[nodiscard]] Vector3 vector() const { return phi_; }
+  /// −φ, whole revolutions included.
   [[nodiscard]] RotationVector inverse() const { return RotationVector(-phi_); }
   /// The exponential.
   [[nodiscard]] UnitQuaternion quaternion() const;

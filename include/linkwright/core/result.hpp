@@ -24,6 +24,7 @@ class [[nodiscard]] Result {
  public:
   Result(T value) : content_(std::move(value)) {}
   Result(Error error) : content_(std::vector<Error>{std::move(error)}) {}
+  /// At least one: asserted.
   Result(std::vector<Error> errors) : content_(std::move(errors)) {
     require(!this->errors().empty(), "a result without a value says why");
   }
@@ -40,6 +41,7 @@ class [[nodiscard]] Result {
   [[nodiscard]] T& operator*() & { return value(); }
   [[nodiscard]] const T* operator->() const { return &value(); }
   [[nodiscard]] T* operator->() { return &value(); }
+  /// Ends the program where there is a value.
   [[nodiscard]] const std::vector<Error>& errors() const {
     return *checked(std::get_if<std::vector<Error>>(&content_), "a result with a value has no errors");
   }

@@ -29,6 +29,7 @@ struct PrescribedPose {
   Pose pose;
   std::vector<PoseDerivative> derivatives;
 
+  /// How many infinitesimally close positions it counts as, ≥ 1.
   [[nodiscard]] int multiplicity() const { return 1 + static_cast<int>(derivatives.size()); }
 
   friend bool operator==(const PrescribedPose&, const PrescribedPose&) = default;

@@ -17,6 +17,7 @@ namespace linkwright {
 /// of two binaries between them (II), or ternary (III).
 enum class SixBarTopology : std::uint8_t { watt_1, stephenson_1, stephenson_2, stephenson_3 };
 [[nodiscard]] std::string_view name(SixBarTopology topology);  ///< "watt_1", …
+/// The topology of a key; nothing where there is none of that name.
 [[nodiscard]] std::optional<SixBarTopology> six_bar_topology_named(std::string_view name);
 
 /// Two bodies joined by a link with a hinge at each end: 0 is the ground, 1, 2, 3 the guiding chain from the ground on
@@ -63,6 +64,7 @@ struct SixBar {
 
   /// Where a hinge lies in position 1, fixed frame.
   [[nodiscard]] Point at(JointIndex joint) const { return joints[joint].point; }
+  /// Of link 4 and of link 5: first the body that carries c4 (c5), then that of z4 (z5).
   [[nodiscard]] std::array<BodyPair, 2> added() const;
   /// Indices of the hinges of a body, ascending: two of a binary link, three of a ternary one.
   [[nodiscard]] std::vector<std::size_t> joints_of(int body) const;

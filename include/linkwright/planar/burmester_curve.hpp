@@ -26,9 +26,13 @@ class BurmesterCurve {
   /// `conditions` has three rows. Rank below three gives kind every_point and no branches.
   explicit BurmesterCurve(const PoseConditions& conditions);
 
+  /// Of the circle-point curve.
   [[nodiscard]] CubicKind kind() const { return solving_.circle_curve.kind(); }
+  /// Of the centre-point curve, which may be of another kind where one of them is reducible.
   [[nodiscard]] CubicKind center_kind() const { return solving_.center_curve.kind(); }
+  /// Of the circle-point curve (CircularCubic::kappa).
   [[nodiscard]] std::optional<double> kappa() const { return solving_.circle_curve.kappa(); }
+  /// By rising τ, those of the circle-point curve first; none where every point is a circle point.
   [[nodiscard]] const std::vector<CurveBranch>& branches() const { return branches_; }
   /// As the working frame shows them; where the poses nearly share a pole, the dyads are more exact.
   [[nodiscard]] const CircularCubic& circle_curve() const { return circle_curve_; }

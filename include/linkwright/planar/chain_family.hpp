@@ -29,6 +29,7 @@ class ChainFamily : public LinkageFamily {
 
   /// Nothing where there is no six-bar.
   [[nodiscard]] std::optional<SixBarMember> member(MapPoint point) const;
+  /// Where on the map a member of this family lies: (τ of link 4, τ of link 5 or the share of its curve).
   [[nodiscard]] MapPoint point_of(const SixBarMember& member) const;
 
   /// As many on a curve without coordinates: none of its cells holds a six-bar, but there are cells to be counted.

@@ -26,6 +26,7 @@ struct AnglePair {
   double input = 0, output = 0;
   std::vector<AngleDerivative> derivatives;
 
+  /// How many infinitesimally close positions it counts as, ≥ 1.
   [[nodiscard]] int multiplicity() const { return 1 + static_cast<int>(derivatives.size()); }
 
   friend bool operator==(const AnglePair&, const AnglePair&) = default;
@@ -49,6 +50,7 @@ struct FreeParameter {
 };
 /// Key in problem files: "output_scale", "pair_output".
 [[nodiscard]] std::string_view name(FreeParameter::Kind kind);
+/// The kind of a key; nothing where there is none of that name.
 [[nodiscard]] std::optional<FreeParameter::Kind> free_parameter_named(std::string_view name);
 
 /// Function generation: the input link of a four-bar on two given ground pivots shall turn its output link through

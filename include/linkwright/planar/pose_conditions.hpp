@@ -19,12 +19,15 @@ struct WorkingFrame {
   /// Between this frame and the one in which it is defined.
   [[nodiscard]] Point to_user(Point p) const { return origin + scale * p; }
   [[nodiscard]] Point to_working(Point p) const { return (p - origin) / scale; }
+  /// Points at infinity keep their direction; the vectors are not normalised.
   [[nodiscard]] Homogeneous to_user(Homogeneous p) const;
   [[nodiscard]] Homogeneous to_working(Homogeneous p) const;
+  /// Both points, neither vector normalised; the coordinate stays.
   [[nodiscard]] Dyad to_user(const Dyad& dyad) const;
   /// The finite point of a homogeneous one in the fixed frame; nothing where it is at infinity, which is judged in the
   /// working frame.
   [[nodiscard]] std::optional<Point> finite_user_point(Homogeneous user) const;
+  /// Angles stay; derivatives of the origin are divided by the scale.
   [[nodiscard]] std::vector<PrescribedPose> to_working(const std::vector<PrescribedPose>& poses) const;
 };
 

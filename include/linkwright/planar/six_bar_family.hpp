@@ -92,6 +92,7 @@ class SixBarFamily {
   [[nodiscard]] double second_axis_length() const;
   /// τ of link 5 at a coordinate of that axis.
   [[nodiscard]] double second_tau(const WithFirst& first, double coordinate) const;
+  /// The inverse of second_tau().
   [[nodiscard]] double second_coordinate(const WithFirst& first, double tau) const;
 
   /// The six-bar; nothing where τ gives no link 5.

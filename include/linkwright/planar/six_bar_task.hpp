@@ -23,6 +23,7 @@ struct ThreeLinkChain {
   /// Distances a–b and b–d, user's unit.
   [[nodiscard]] double first_length() const { return std::abs(b - a); }
   [[nodiscard]] double second_length() const { return std::abs(d - b); }
+  /// +1: b to the left of the line from a to d, or on it; −1: to its right.
   [[nodiscard]] int assembly_mode_in_position_1() const { return cross(d - a, b - a) < 0 ? -1 : 1; }
   /// Default of max_length of six-bars in this, the longest side of a, b, d.
   [[nodiscard]] double size() const;

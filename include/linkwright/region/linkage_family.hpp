@@ -29,6 +29,7 @@ struct MapPivots {
 /// that they do not know what kind of linkage they are about.
 class LinkageFamily {
  public:
+  /// Rows of the map run along `input`, columns along `output`.
   LinkageFamily(MapAxis input, MapAxis output) : input_axis_(std::move(input)), output_axis_(std::move(output)) {}
   LinkageFamily(const LinkageFamily&) = delete;
   LinkageFamily& operator=(const LinkageFamily&) = delete;

@@ -9,6 +9,7 @@ namespace linkwright {
 /// Memory that is not cleared, in large pages where the system has them (a map of 10⁸ cells is half a million small
 /// ones). Throws std::bad_alloc.
 [[nodiscard]] void* allocate_cells(std::size_t bytes);
+/// Gives back memory of allocate_cells().
 struct FreeCells {
   void operator()(void* cells) const;
 };
@@ -25,6 +26,7 @@ class Column {
     values_.reset(static_cast<T*>(allocate_cells(size * sizeof(T))));
     size_ = size;
   }
+  /// Null while the column is empty.
   [[nodiscard]] T* data() { return values_.get(); }
   [[nodiscard]] std::span<const T> view() const { return {values_.get(), size_}; }
   [[nodiscard]] const T& operator[](std::size_t i) const { return values_[i]; }

@@ -70,6 +70,7 @@ class RegionMap {
            bool of_pairs, const RegionOptions& options);
   /// Where to write, from this cell on in row-major order.
   [[nodiscard]] Cells cells(std::size_t row, std::size_t column = 0);
+  /// How the driving link of a row travels through its positions.
   void set_driver(std::size_t row, DriverTravel travel) { drivers_[row] = travel; }
   /// For each row, the column in which the same grounded link stands a second time; none: no such.
   static constexpr std::uint32_t no_diagonal = 0xFFFFFFFF;
@@ -90,6 +91,7 @@ class RegionMap {
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] std::size_t columns() const { return columns_; }
+  /// Of a cell in the columns, row-major.
   [[nodiscard]] std::size_t index(std::size_t row, std::size_t column) const { return row * columns_ + column; }
 
   // Columns over the cells, row-major.
@@ -102,12 +104,14 @@ class RegionMap {
   /// Those and what is computed without being held: driver_sweep.
   [[nodiscard]] std::vector<Measure> reported_measures() const;
 
+  /// `cell`: index().
   [[nodiscard]] LinkageType type(std::size_t cell) const { return static_cast<LinkageType>(type_[cell]); }
   [[nodiscard]] Defects defects(std::size_t cell) const { return Defects{defects_[cell]}; }
   [[nodiscard]] double min_transmission_angle(std::size_t cell) const;  ///< radians; 0 where not defined
   /// Angle that the driver turns from first to last position, radians, counter-clockwise where it can go either way; 0
   /// with a defect.
   [[nodiscard]] double driver_sweep(std::size_t row, std::size_t column) const;
+  /// `none` with a defect.
   [[nodiscard]] DriveSense drive_sense(std::size_t row, std::size_t column) const;
 
   /// Counts the cells anew at each call, by threads().

@@ -77,6 +77,7 @@ class RequirementFilter {
 
   /// Bits of the requirements that a cell fails; all of them for a degenerate cell.
   [[nodiscard]] std::uint8_t failures(std::size_t row, std::size_t column) const;
+  /// The cell meets all requirements; a degenerate one never does.
   [[nodiscard]] bool passes(std::size_t row, std::size_t column) const { return failures(row, column) == 0; }
 
   /// The same of each cell, row-major. `failures` has a place for each cell; cancelled, all bits for those left out.
