@@ -3,6 +3,7 @@
 #include <array>
 #include <gtest/gtest.h>
 
+#include "support/draws.hpp"
 #include "support/file_support.hpp"
 
 namespace linkwright::curve_path_test {
@@ -32,10 +33,11 @@ void expect_faithful(const Problem& problem, const PlaneWindow& window) {
   const auto visible = [&](Point px) {
     return px.real() > box.left && px.real() < box.right() && px.imag() > box.top && px.imag() < box.bottom();
   };
+  const BurmesterCurve& curve = *testing::four_bars(answer).given.curve;
+  constexpr int points = testing::draws(4000);
   int seen = 0;
-  for (int i = 0; i < 4000; ++i) {
-    const Dyad dyad = frame.to_user(testing::four_bars(answer).given.curve->dyad(
-        testing::four_bars(answer).given.curve->coordinate_length() * (i + 0.37) / 4000));
+  for (int i = 0; i < points; ++i) {
+    const Dyad dyad = frame.to_user(curve.dyad(curve.coordinate_length() * (i + 0.37) / points));
     for (const auto& [point, drawn] :
          {std::pair{dyad.center, &paths.centers}, std::pair{dyad.circle, &paths.circles}}) {
       if (point.w == 0) continue;
@@ -45,7 +47,7 @@ void expect_faithful(const Problem& problem, const PlaneWindow& window) {
       EXPECT_LT(distance(px, *drawn), 0.5);
     }
   }
-  EXPECT_GT(seen, 100);
+  EXPECT_GT(seen, points / 40);
   for (const auto* drawn : {&paths.centers, &paths.circles}) {
     for (const auto& path : *drawn) {
       for (std::size_t i = 0; i + 1 < path.size(); ++i) EXPECT_LT(std::abs(path[i + 1] - path[i]), 60);

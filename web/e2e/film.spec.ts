@@ -45,12 +45,21 @@ async function played(context: BrowserContext, bytes: Buffer, type: string): Pro
       const canvas = document.createElement("canvas"),
         {videoWidth: width, videoHeight: height} = video;
       [canvas.width, canvas.height] = [width, height];
-      const pen = canvas.getContext("2d")!;
-      pen.drawImage(video, 0, 0);
-      const {data} = pen.getImageData(width / 2, height / 2, width / 2, height / 2);
-      let drawn = 0;
-      for (let i = 0; i < data.length; i += 4) if (Math.abs((data[i] ?? 0) - (data[0] ?? 0)) > 40) ++drawn;
-      return {seconds: video.duration, drawn: drawn / (data.length / 4)};
+      const pen = canvas.getContext("2d", {willReadFrequently: true})!;
+      const share_drawn = () => {
+        pen.drawImage(video, 0, 0);
+        const {data} = pen.getImageData(width / 2, height / 2, width / 2, height / 2);
+        let drawn = 0;
+        for (let i = 0; i < data.length; i += 4) if (Math.abs((data[i] ?? 0) - (data[0] ?? 0)) > 40) ++drawn;
+        return drawn / (data.length / 4);
+      };
+      // What was sought is shown a little later than it is found.
+      let drawn = share_drawn();
+      for (let tries = 0; tries < 30 && drawn === 0; ++tries) {
+        await new Promise((resolve) => setTimeout(resolve, 100));
+        drawn = share_drawn();
+      }
+      return {seconds: video.duration, drawn};
     },
     [bytes.toString("base64"), type] as const,
   );
