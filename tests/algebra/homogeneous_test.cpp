@@ -29,7 +29,7 @@ TEST(Homogeneous, OfNanIsAtInfinityAndNoPoint) {
 }
 
 TEST(Homogeneous, NullIsNoPointAndStaysNull) {
-  EXPECT_EQ(normalized({}), Homogeneous{});
+  EXPECT_EQ(normalized(Homogeneous{}), Homogeneous{});
   EXPECT_NEAR(norm(normalized(b)), 1, 1e-15);
 }
 
