@@ -15,6 +15,10 @@ namespace {
 constexpr std::array<std::string_view, 6> cone_kind_names = {"one_component",         "two_components", "nodal",
                                                              "great_circle_and_cone", "great_circles",  "every_axis"};
 
+// Coefficient that belongs to vᵢ vⱼ vₖ.
+constexpr std::array<std::array<std::array<std::size_t, 3>, 3>, 3> monomial_of_axes = {
+    {{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}}, {{{1, 3, 4}, {3, 6, 7}, {4, 7, 8}}}, {{{2, 4, 5}, {4, 7, 8}, {5, 8, 9}}}}};
+
 // Of planes in which two lines of a cone coincide: rounding of the discriminant parts a double root by its square root.
 constexpr double same_plane = 1e-7;
 
@@ -103,16 +107,21 @@ double CubicForm::largest_coefficient() const {
   return largest;
 }
 
+CubicForm product(Vector3 a, Vector3 b, Vector3 c) {
+  CubicForm form;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) form.coefficient[monomial_of_axes[i][j][k]] += a[i] * b[j] * c[k];
+  return form;
+}
+
+// The triple product of columns d₁ᵢ, d₂ⱼ, d₃ₖ belongs to the monomial vᵢ vⱼ vₖ.
 CubicForm determinant_form(const std::array<Matrix3x3, 3>& d) {
-  // The triple product of columns d₁ᵢ, d₂ⱼ, d₃ₖ belongs to the monomial vᵢ vⱼ vₖ.
-  constexpr std::array<std::array<std::array<int, 3>, 3>, 3> monomial = {
-      {{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}}, {{{1, 3, 4}, {3, 6, 7}, {4, 7, 8}}}, {{{2, 4, 5}, {4, 7, 8}, {5, 8, 9}}}}};
   CubicForm form;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t k = 0; k < 3; ++k)
-        form.coefficient[static_cast<std::size_t>(monomial[i][j][k])] +=
-            determinant(d[0].column(i), d[1].column(j), d[2].column(k));
+        form.coefficient[monomial_of_axes[i][j][k]] += determinant(d[0].column(i), d[1].column(j), d[2].column(k));
   return form;
 }
 
@@ -236,8 +245,24 @@ void CubicCone::find_sheets() {
   kind_ = !nodes_.empty()       ? CubicConeKind::nodal
           : sheets_.size() == 1 ? CubicConeKind::one_component
                                 : CubicConeKind::two_components;
-  if (!crossing) nodes_.clear();
   for (std::size_t i = 0; i < sheets_.size(); ++i) add_branch(i > 0 ? "oval" : crossing ? "nodal" : "odd");
+  if (crossing || nodes_.empty()) return;
+  isolated_ = node_at(nodes_.front());
+  nodes_.clear();
+  add_branch("point");
+}
+
+// Where the gradient vanishes, by Newton's method from where both sheets meet.
+Vector3 CubicCone::node_at(double t) const {
+  const double c = std::cos(t), s = std::sin(t);
+  Vector3 node = normalized(-form_value(b_, c, s) * base_ + (2 * a_ * s) * (c * tangent_ + s * normal_));
+  for (int turn = 0; turn < 4; ++turn) {
+    const Matrix3x3 slope = form_.hessian(node) + dyadic_product(node, node);
+    const double scale = determinant(slope);
+    if (scale == 0) break;
+    node = normalized(node - (1 / scale) * (transposed(cofactors(slope)) * form_.gradient(node)));
+  }
+  return node;
 }
 
 double CubicCone::signed_root(double t) const {
@@ -266,6 +291,7 @@ Vector3 CubicCone::axis_of(std::size_t branch, double place) const {
     const double turn = (conic.c == Vector3{} ? pi : two_pi) * place;
     return normalized(std::cos(turn) * conic.a + std::sin(turn) * conic.b + conic.c);
   }
+  if (branch >= sheets_.size()) return *isolated_;
   const Sheet& sheet = sheets_[branch];
   if (sheet.around) return on_sheet(sheet.from + place * (sheet.to - sheet.from), sheet.sign);
   const double middle = 0.5 * (sheet.from + sheet.to), half = 0.5 * (sheet.to - sheet.from);
@@ -289,8 +315,11 @@ std::vector<double> CubicCone::places_of(std::size_t branch, Vector3 axis) const
         std::atan2(dot(towards, conic.b) / dot(conic.b, conic.b), dot(towards, conic.a) / dot(conic.a, conic.a));
     return {plane ? wrap_period(turn, pi) / pi : wrap_period(turn, two_pi) / two_pi};
   }
+  if (branch >= sheets_.size()) return {0.5};
   const Sheet& sheet = sheets_[branch];
-  const double t = std::atan2(dot(axis, normal_), dot(axis, tangent_)), length = sheet.to - sheet.from;
+  const double across = dot(axis, normal_), along = dot(axis, tangent_), length = sheet.to - sheet.from;
+  const bool is_base = std::hypot(across, along) < same_plane;  // b lies in every plane; its own one is the tangent
+  const double t = is_base ? 0 : std::atan2(across, along);
   std::vector<double> places;
   if (sheet.around) {
     for (double turn = wrap_period(t - sheet.from, pi); turn < length; turn += pi) places.push_back(turn / length);

@@ -6,12 +6,9 @@
 // Neighbours on a map mostly share their fate, so what no lane of a pack asks for is left out; what is left out never
 // shows in the verdict.
 
-#include "core/pack.hpp"
+#include "analysis/driver_travel.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA {
-
-/// Senses of rotation, as bits.
-inline constexpr int ccw_bit = 1, cw_bit = 2;
 
 /// A driving link at each pose; everything that does not depend on the partner.
 template <int Poses>
@@ -93,17 +90,6 @@ struct Pairs {
   }
 };
 
-/// Lanes in which a value changes its sign from pose to pose. An exact zero has the sign that its arithmetic gave it,
-/// the same on every machine: + where the two products of a vector product are equal.
-template <int Width, int Poses, class ValueAt>
-LINKWRIGHT_INLINE Mask changes_sign(ValueAt value_at) {
-  using Integer = typename Pack<Width>::Integer;
-  const Integer first = __builtin_bit_cast(Integer, value_at(0));
-  Integer changed{};
-  for (int j = 1; j < Poses; ++j) changed = changed | (first ^ __builtin_bit_cast(Integer, value_at(j)));
-  return sign_bits<Width>(changed);
-}
-
 /// Lanes by the signs of Grashof's excesses: positive and negative beyond rounding.
 struct ExcessSigns {
   Mask p1, p2, p3, n1, n2, n3;
@@ -145,10 +131,6 @@ LINKWRIGHT_INLINE unsigned long long type_codes(const ExcessSigns& s) {
   return bytes<Width>(bit_0) | bytes<Width>(bit_1) << 1 | bytes<Width>(bit_2) << 2 | bytes<Width>(bit_3) << 3;
 }
 
-struct LostWays {
-  Mask circuit, branch;
-};
-
 /// The joint that tells the circuits apart is the one that is not at the shortest link: of a crank-rocker and a double
 /// crank the output's, of a rocker-crank the input's moving joint, of a double rocker its fixed one.
 template <int Width, int Poses, int Count>
@@ -160,43 +142,6 @@ LINKWRIGHT_INLINE LostWays lost_ways(const Pairs<Width, Poses, Count>& pairs, co
   if (const Mask lanes = s.double_rocker())
     circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_center(j); });
   return {circuit, circuit | output_changes};
-}
-
-/// What the driver can do (can_pass: along the frame, opposite to it) and |cos μ|·hb there.
-template <int Width>
-struct DriverLimits {
-  Mask can_pass_0, can_pass_pi;
-  typename Pack<Width>::Real worst_at_ends, worst_0, worst_pi;
-};
-
-template <int Width>
-struct Travel {
-  Mask possible{}, passes_0{}, passes_pi{};
-  typename Pack<Width>::Real worst{};
-};
-
-/// The turn from one arm to another in one sense. `turn_in`, `turn_out`: vector products of the frame's direction with
-/// the arm that comes first and last when turning counter-clockwise. An arm exactly along the frame is on neither side.
-template <int Width, class Real = typename Pack<Width>::Real>
-LINKWRIGHT_INLINE Travel<Width> travel(Real turn_in, Real turn_out, bool at_least_half_turn,
-                                       const DriverLimits<Width>& limits) {
-  const Mask in_negative = less<Width>(turn_in, Real{}), in_positive = less<Width>(Real{}, turn_in);
-  const Mask out_negative = less<Width>(turn_out, Real{}), out_positive = less<Width>(Real{}, turn_out);
-  const Mask passes_0 = at_least_half_turn ? in_negative | out_positive : in_negative & out_positive;
-  const Mask passes_pi = at_least_half_turn ? in_positive | out_negative : in_positive & out_negative;
-  const Mask blocked = (passes_0 & ~limits.can_pass_0) | (passes_pi & ~limits.can_pass_pi);
-  const Real worst_0 = where<Width>(passes_0, limits.worst_0), worst_pi = where<Width>(passes_pi, limits.worst_pi);
-  return {negated<Width>(blocked), passes_0, passes_pi, larger(limits.worst_at_ends, larger(worst_0, worst_pi))};
-}
-
-/// The better of two senses.
-template <int Width>
-LINKWRIGHT_INLINE Travel<Width> better(const Travel<Width>& ccw, const Travel<Width>& cw) {
-  const auto of_either = select<Width>(cw.possible, smaller(ccw.worst, cw.worst), ccw.worst);
-  const Mask is_cw = cw.possible & (negated<Width>(ccw.possible) | less<Width>(cw.worst, ccw.worst));
-  const auto of_sense = [&](Mask in_ccw, Mask in_cw) { return (in_ccw & ~is_cw) | (in_cw & is_cw); };
-  return {ccw.possible | cw.possible, of_sense(ccw.passes_0, cw.passes_0), of_sense(ccw.passes_pi, cw.passes_pi),
-          select<Width>(ccw.possible, of_either, cw.worst)};
 }
 
 template <int Width, int Poses, int Count>
@@ -215,36 +160,28 @@ LINKWRIGHT_INLINE PairVerdict<Width> pair_verdict(const Driver<Poses>& driver, c
     return magnitude<Width>(still + (d.frame_x * driver.arm_x[j] + d.frame_y * driver.arm_y[j]));
   };
   const Real worst_0 = magnitude<Width>(still + swing), worst_pi = magnitude<Width>(still - swing);
-  Travel<Width> ccw, cw, best;
+  Drive<Width> way;
   if (driver.admissible_directions && lost.branch != all_lanes<Width>) {
     const Real first_turn = pairs.at_input_center(0), last_turn = pairs.at_input_center(Poses - 1);
-    const DriverLimits<Width> limits = {s.input_meets_frame(), s.p3, larger(at_pose(0), at_pose(Poses - 1)), worst_0,
-                                        worst_pi};
-    if (driver.admissible_directions & ccw_bit)
-      ccw = travel<Width>(first_turn, last_turn, driver.at_least_half_turn & ccw_bit, limits);
-    if (driver.admissible_directions & cw_bit)
-      cw = travel<Width>(last_turn, first_turn, driver.at_least_half_turn & cw_bit, limits);
-    best = driver.admissible_directions == ccw_bit  ? ccw
-           : driver.admissible_directions == cw_bit ? cw
-                                                    : better(ccw, cw);
+    way = drive<Width>(driver.admissible_directions, driver.at_least_half_turn, first_turn, last_turn,
+                       {s.input_meets_frame(), s.p3, larger(at_pose(0), at_pose(Poses - 1)), worst_0, worst_pi});
   }
-  const Mask in_order = ccw.possible | cw.possible;
+  const Mask in_order = way.in_order();
   // A change point between the poses stops the drive like a dead point.
   if (driver.admissible_directions) lost.branch |= s.change_point & ~in_order;
   const Mask lost_order = negated<Width>(lost.branch | in_order);
 
   PairVerdict<Width> verdict;
   verdict.type = type_codes<Width>(s);
-  verdict.defects = bytes<Width>(s.whole & lost_order) | bytes<Width>(s.whole & lost.branch) << 1 |
-                    bytes<Width>(s.whole & lost.circuit) << 2;
+  verdict.defects = defect_codes<Width>(s.whole, lost_order, lost);
   verdict.whole = s.whole;
   verdict.clean = s.whole & in_order & ~lost.branch;
   verdict.turns = s.whole & s.input_is_crank();
-  verdict.travels_ccw = ccw.possible;
-  verdict.travels_cw = cw.possible;
-  verdict.passes_0 = best.passes_0;
-  verdict.passes_pi = best.passes_pi;
-  verdict.worst = best.worst;
+  verdict.travels_ccw = way.ccw.possible;
+  verdict.travels_cw = way.cw.possible;
+  verdict.passes_0 = way.best.passes_0;
+  verdict.passes_pi = way.best.passes_pi;
+  verdict.worst = way.best.worst;
   verdict.worst_turn = larger(worst_0, worst_pi);
   verdict.hb = d.h * b;
   verdict.longest = longest;

@@ -214,19 +214,4 @@ FunctionTask task_at(const FunctionTask& task, double value) {
   return fixed;
 }
 
-int position_count(const std::vector<AnglePair>& pairs) {
-  int count = 0;
-  for (const AnglePair& pair : pairs) count += pair.multiplicity();
-  return count;
-}
-
-std::string pattern(const std::vector<AnglePair>& pairs) {
-  std::string text;
-  for (const AnglePair& pair : pairs) {
-    if (!text.empty()) text += '-';
-    text.append(static_cast<std::size_t>(pair.multiplicity()), 'P');
-  }
-  return text;
-}
-
 }  // namespace linkwright

@@ -181,7 +181,10 @@ TEST(CubicCone, PassesStraightThroughANode) {
   expect_all_on_cone(seen_from_node, 1e-12);
   const CubicCone isolated({{1, 0, -1, 0, 0, 0, 0, -1, 0, 0}}, {{{0, 1, 0}}});  // x³ = x²z + y²z
   EXPECT_EQ(isolated.kind(), CubicConeKind::nodal);
+  ASSERT_EQ(isolated.branches().size(), 2u);
   EXPECT_EQ(isolated.branches()[0].name, "odd");
+  EXPECT_EQ(isolated.branches()[1].name, "point");
+  EXPECT_LT(norm(cross(isolated.axis(1.3), Vector3{0, 0, 1})), 1e-14);
 }
 
 TEST(CubicCone, OfNoFormIsEveryAxis) {

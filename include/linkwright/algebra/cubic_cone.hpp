@@ -27,6 +27,9 @@ struct CubicForm {
   [[nodiscard]] double largest_coefficient() const;
 };
 
+/// (a·v)(b·v)(c·v).
+[[nodiscard]] CubicForm product(Vector3 a, Vector3 b, Vector3 c);
+
 /// det [D₁v D₂v D₃v].
 [[nodiscard]] CubicForm determinant_form(const std::array<Matrix3x3, 3>& d);
 
@@ -55,7 +58,8 @@ class CubicCone {
 
   [[nodiscard]] const CubicForm& form() const { return form_; }
   [[nodiscard]] CubicConeKind kind() const { return kind_; }
-  /// odd, oval, nodal, great_circle, cone, by rising coordinate; none of every_axis.
+  /// odd, oval, nodal, point (an isolated axis, at every coordinate of its branch), great_circle, cone, by rising
+  /// coordinate; none of every_axis.
   [[nodiscard]] const std::vector<CurveBranch>& branches() const { return branches_; }
 
   /// Unit vector along the line at a coordinate (modulo the branches' total), one of its two senses; up to the sense it
@@ -81,6 +85,7 @@ class CubicCone {
   [[nodiscard]] bool take_apart();
   void find_sheets();
   void add_branch(std::string_view name);
+  [[nodiscard]] Vector3 node_at(double t) const;
   [[nodiscard]] double signed_root(double t) const;
   [[nodiscard]] Vector3 on_sheet(double t, double sign) const;
   [[nodiscard]] Vector3 axis_of(std::size_t branch, double place) const;
@@ -95,6 +100,7 @@ class CubicCone {
   std::array<double, 4> c_{};              ///< C by cos³ t, cos² t sin t, …
   std::vector<double> nodes_;              ///< angles at which both sheets meet and cross
   std::vector<Sheet> sheets_;
+  std::optional<Vector3> isolated_;  ///< after the sheets
   std::vector<Conic> conics_;
 };
 

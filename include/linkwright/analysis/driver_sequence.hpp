@@ -20,6 +20,20 @@ struct DriverSequence {
   [[nodiscard]] bool is_at_least_half_turn_cw() const { return sweep_cw() >= pi; }
 };
 
+/// Put together position by position, in the order to be visited.
+class DriverSequenceBuilder {
+ public:
+  /// The driver has turned by `angle` from the first position, counter-clockwise, radians in [0, 2π); the first: 0.
+  void meet(double angle);
+  /// It is to pass the position met last in the sense of this rate.
+  void pass(double rate);
+  [[nodiscard]] const DriverSequence& sequence() const { return sequence_; }
+
+ private:
+  DriverSequence sequence_{true, true, 0};
+  bool is_first_ = true;
+};
+
 /// `circle` moves with the body and lies as in the first pose; `poses` in the order to be visited. With
 /// `respect_direction`, a pose with derivatives is passed in the direction of its first one.
 [[nodiscard]] DriverSequence driver_sequence(Point center, Point circle, std::span<const PrescribedPose> poses,

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "linkwright/algebra/point.hpp"
+#include "linkwright/mechanism/positions.hpp"
 
 namespace linkwright {
 
@@ -39,11 +39,5 @@ struct PrescribedPose {
 [[nodiscard]] inline Point displaced(Point point, const Pose& from, const Pose& to) {
   return to.origin + direction(to.angle - from.angle) * (point - from.origin);
 }
-
-/// The multiplicities in the field's notation: P-P-P-P, PP-P-P, PPPP, …
-[[nodiscard]] std::string pattern(const std::vector<PrescribedPose>& poses);
-
-/// Number of positions, each with its multiplicity.
-[[nodiscard]] int position_count(const std::vector<PrescribedPose>& poses);
 
 }  // namespace linkwright

@@ -8,6 +8,7 @@
 
 #include "linkwright/algebra/point.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/positions.hpp"
 #include "linkwright/planar/named_function.hpp"
 
 namespace linkwright {
@@ -77,11 +78,5 @@ struct FunctionTask {
 /// The task with its free parameter at a value, free no longer; the output's dial is stretched about the first pair
 /// with output_scale. `task` without mistakes.
 [[nodiscard]] FunctionTask task_at(const FunctionTask& task, double value);
-
-/// Number of positions, each with its multiplicity.
-[[nodiscard]] int position_count(const std::vector<AnglePair>& pairs);
-
-/// The multiplicities in the field's notation: P-P-P-P, PP-P-P, …
-[[nodiscard]] std::string pattern(const std::vector<AnglePair>& pairs);
 
 }  // namespace linkwright

@@ -1,0 +1,196 @@
+#include "linkwright/spherical/orientation_conditions.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "algebra/binomial.hpp"
+#include "linkwright/core/precondition.hpp"
+#include "linkwright/core/tolerance.hpp"
+
+namespace linkwright {
+namespace {
+
+// Derivatives of a rotation matrix from those of its rotation, A⁽ᵐ⁾ = Σ (m−1 over k) [ω⁽ᵏ⁾]× A⁽ᵐ⁻¹⁻ᵏ⁾.
+std::vector<Matrix3x3> rotation_derivatives(const Matrix3x3& a, const std::vector<Vector3>& derivatives) {
+  std::vector<Matrix3x3> found = {a};
+  for (std::size_t m = 1; m <= derivatives.size(); ++m) {
+    Matrix3x3 sum{};
+    for (std::size_t k = 0; k < m; ++k)
+      sum = sum + binomial[m - 1][k] * (skew_matrix(derivatives[k]) * found[m - 1 - k]);
+    found.push_back(sum);
+  }
+  found.erase(found.begin());
+  return found;
+}
+
+Matrix3x3 of_unit_norm(const Matrix3x3& d) {
+  const double length = frobenius_norm(d);
+  return length > 0 ? (1 / length) * d : d;
+}
+
+// `pole`: the axis that the row leaves where it is, of any length; null: none known.
+void add_row(OrientationConditions& conditions, const Matrix3x3& d, Vector3 pole) {
+  conditions.rows.push_back(of_unit_norm(d));
+  if (norm(pole) > 0) conditions.poles.push_back(normalized(pole));
+}
+
+void add_turn(OrientationConditions& conditions, const UnitQuaternion& turn) {
+  add_row(conditions, turn.matrix_minus_identity(), turn.v());
+  conditions.turns.push_back(turn);
+}
+
+void add_derivatives(OrientationConditions& conditions, const UnitQuaternion& turn,
+                     const std::vector<Vector3>& derivatives) {
+  if (derivatives.empty()) return;
+  conditions.are_finite = false;
+  Vector3 pole = turn.inverse().apply(derivatives.front());
+  for (const Matrix3x3& d : rotation_derivatives(turn.matrix(), derivatives)) {
+    add_row(conditions, d, pole);
+    pole = {};
+  }
+}
+
+void find_singular_values(OrientationConditions& conditions) {
+  Eigen::MatrixXd stacked(9, static_cast<Eigen::Index>(conditions.rows.size()));
+  for (std::size_t k = 0; k < conditions.rows.size(); ++k)
+    for (std::size_t i = 0; i < 9; ++i)
+      stacked(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = conditions.rows[k](i / 3, i % 3);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> values(stacked);
+  for (const double value : values.singularValues()) conditions.singular.push_back(value);
+}
+
+CubicForm operator+(CubicForm a, const CubicForm& b) {
+  for (std::size_t k = 0; k < a.coefficient.size(); ++k) a.coefficient[k] += b.coefficient[k];
+  return a;
+}
+CubicForm operator*(double s, CubicForm a) {
+  for (double& c : a.coefficient) c *= s;
+  return a;
+}
+
+/// (v·v)(a·v).
+CubicForm square_times(Vector3 a) {
+  return product({1, 0, 0}, {1, 0, 0}, a) + product({0, 1, 0}, {0, 1, 0}, a) + product({0, 0, 1}, {0, 0, 1}, a);
+}
+
+// One of the three cyclic terms of det [D₂W D₃W D₄W] / 8, with mᵢ = vᵢ·W.
+CubicForm cyclic_term(const UnitQuaternion& i, const UnitQuaternion& j, const UnitQuaternion& k) {
+  const Vector3 vi = i.v(), vj = j.v(), vk = k.v(), normal = cross(vj, vk);
+  const double ii = dot(vi, vi), jj = dot(vj, vj), kk = dot(vk, vk), ij = dot(vi, vj), ik = dot(vi, vk);
+  return (-j.w() * k.w()) * (ii * square_times(normal) + -1 * product(vi, vi, normal)) +
+         i.w() * (ij * product(vj, vk, vk) + -ik * product(vj, vj, vk) + (-kk * ij) * square_times(vj) +
+                  kk * product(vi, vj, vj) + (jj * ik) * square_times(vk) + -jj * product(vi, vk, vk)) +
+         -ii * product(normal, vj, vk);
+}
+
+CubicForm form_of_turns(const UnitQuaternion& a, const UnitQuaternion& b, const UnitQuaternion& c) {
+  return cyclic_term(a, b, c) + cyclic_term(b, c, a) + cyclic_term(c, a, b) +
+         determinant(a.v(), b.v(), c.v()) * product(a.v(), b.v(), c.v());
+}
+
+CubicForm form_unless_rounding(const CubicForm& form, double noise) {
+  return form.largest_coefficient() > tolerance::vanishing_cone * noise ? form : CubicForm{};
+}
+
+// Singular values of the rows side by side: an axis that all of them leave where it is.
+std::optional<Vector3> common_axis(const std::vector<Matrix3x3>& rows) {
+  Eigen::MatrixXd stacked(static_cast<Eigen::Index>(3 * rows.size()), 3);
+  for (std::size_t k = 0; k < 3 * rows.size(); ++k)
+    for (std::size_t j = 0; j < 3; ++j)
+      stacked(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)) = rows[k / 3](k % 3, j);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> values(stacked, Eigen::ComputeFullV);
+  if (values.singularValues()[2] > tolerance::common_axis) return std::nullopt;
+  const Eigen::Vector3d axis = values.matrixV().col(2);
+  return Vector3{axis[0], axis[1], axis[2]};
+}
+
+}  // namespace
+
+double OrientationConditions::condition() const {
+  return singular.back() > 0 ? singular.front() / singular.back() : std::numeric_limits<double>::infinity();
+}
+
+OrientationConditions orientation_conditions(std::span<const PrescribedOrientation> orientations) {
+  require(!orientations.empty(), "there is an orientation");
+  const UnitQuaternion first = orientations.front().orientation;
+  OrientationConditions conditions;
+  conditions.are_finite = true;
+  for (const PrescribedOrientation& there : orientations) {
+    const UnitQuaternion turn = (there.orientation * first.inverse()).canonical();
+    if (&there != &orientations.front()) add_turn(conditions, turn);
+    add_derivatives(conditions, turn, there.derivatives);
+  }
+  find_singular_values(conditions);
+  return conditions;
+}
+
+OrientationConditions conditions_of_turns(std::span<const UnitQuaternion> turns) {
+  OrientationConditions conditions;
+  conditions.are_finite = true;
+  for (const UnitQuaternion& turn : turns) add_turn(conditions, turn.canonical());
+  find_singular_values(conditions);
+  return conditions;
+}
+
+CubicForm moving_axis_form(const OrientationConditions& conditions) {
+  require(conditions.rows.size() >= 3, "a cone is left by three conditions");
+  if (!conditions.are_finite)
+    return form_unless_rounding(determinant_form({conditions.rows[0], conditions.rows[1], conditions.rows[2]}), 1);
+  const auto& turns = conditions.turns;
+  const std::array<double, 3> sines = {norm(turns[0].v()), norm(turns[1].v()), norm(turns[2].v())};
+  const double terms = sines[0] * sines[1] * sines[2] * std::max({sines[0], sines[1], sines[2]});
+  return form_unless_rounding(form_of_turns(turns[0], turns[1], turns[2]), terms);
+}
+
+Vector3 fixed_axis_of(Vector3 moving_axis, const OrientationConditions& conditions) {
+  Vector3 best{}, steepest{};
+  for (std::size_t i = 0; i < conditions.rows.size(); ++i) {
+    const Vector3 a = conditions.rows[i] * moving_axis;
+    if (norm(a) > norm(steepest)) steepest = a;
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vector3 normal = cross(a, conditions.rows[j] * moving_axis);
+      if (norm(normal) > norm(best)) best = normal;
+    }
+  }
+  if (norm(best) > 0) return normalized(best);
+  // All say the same: any normal of it.
+  const Vector3 across = norm(steepest) > 0 ? cross(steepest, moving_axis) : Vector3{};
+  return norm(across) > 0 ? normalized(across) : moving_axis;
+}
+
+double residual_of(Vector3 fixed_axis, Vector3 moving_axis, const OrientationConditions& conditions) {
+  double worst = 0;
+  for (const Matrix3x3& row : conditions.rows) worst = std::max(worst, std::abs(dot(fixed_axis, row * moving_axis)));
+  return worst;
+}
+
+std::optional<Notice> orientation_degeneracy(std::span<const PrescribedOrientation> orientations,
+                                             const OrientationConditions& conditions) {
+  for (std::size_t j = 1; j < orientations.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (angle_between(orientations[i].orientation, orientations[j].orientation) <= tolerance::repeated_orientation)
+        return Notice{
+            "repeated_orientation",
+            fmt::format(
+                "Orientations {} and {} are the same (whole turns do not tell them apart), so that every axis "
+                "of the body has a fixed axis: infinitely many linkages of each shape. Change one of them, give "
+                "an angular velocity in its place, or leave it out and give two fixed or two moving axes.",
+                i + 1, j + 1),
+            {{"i", static_cast<double>(i + 1)}, {"j", static_cast<double>(j + 1)}}};
+  if (const auto axis = common_axis(conditions.rows))
+    return Notice{"common_axis",
+                  fmt::format("The body only turns about one axis, ({:.6g}, {:.6g}, {:.6g}): a single hinge there does "
+                              "the task. For a four-bar, tilt one of the orientations.",
+                              axis->x, axis->y, axis->z),
+                  {{"x", axis->x}, {"y", axis->y}, {"z", axis->z}}};
+  if (moving_axis_form(conditions).largest_coefficient() > 0) return std::nullopt;
+  return Notice{"every_axis",
+                "The conditions of the orientations depend on each other: every axis of the body has a fixed axis, and "
+                "infinitely many linkages of each shape do the task. Change one of the orientations.",
+                {}};
+}
+
+}  // namespace linkwright

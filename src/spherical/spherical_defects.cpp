@@ -1,0 +1,145 @@
+#include "linkwright/spherical/spherical_defects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/precondition.hpp"
+#include "linkwright/core/tolerance.hpp"
+
+#define LINKWRIGHT_ISA isa_single_spherical
+#include "spherical/spherical_verdict.hpp"
+
+namespace linkwright {
+namespace {
+
+// A grounded link at each orientation.
+struct TurnedLink {
+  SphericalDyad dyad;
+  std::vector<Vector3> moving;
+};
+
+TurnedLink turned_link(Vector3 fixed, Vector3 moving, std::span<const PrescribedOrientation> orientations) {
+  TurnedLink link{{fixed, moving, 0}, {}};
+  for (const PrescribedOrientation& there : orientations)
+    link.moving.push_back(turned(moving, orientations.front().orientation, there.orientation));
+  return link;
+}
+
+double& only(double& value) { return value; }
+double& only(double (&values)[1]) { return values[0]; }
+
+template <class Place>
+void put(Place& place, Vector3 axis) {
+  for (std::size_t i = 0; i < 3; ++i) only(place[i]) = axis[i];
+}
+
+template <class Side>
+void put(Side& side, const TurnedLink& link) {
+  put(side.fixed, link.dyad.fixed_axis);
+  for (std::size_t j = 0; j < link.moving.size(); ++j) {
+    put(side.moving[j], link.moving[j]);
+    put(side.normal[j], cross(link.dyad.fixed_axis, link.moving[j]));
+  }
+  only(side.half_sine) = 0.5 * norm(link.dyad.fixed_axis - link.dyad.moving_axis);
+  only(side.half_cosine) = 0.5 * norm(link.dyad.fixed_axis + link.dyad.moving_axis);
+}
+
+int sense_bits(bool ccw, bool cw) {
+  return (ccw ? isa_single_spherical::ccw_bit : 0) | (cw ? isa_single_spherical::cw_bit : 0);
+}
+
+template <int Poses>
+isa_single_spherical::SphericalVerdict<1> verdict(const TurnedLink& input, const TurnedLink& output,
+                                                  const DriverSequence& order) {
+  isa_single_spherical::SphericalDriver<Poses> driver{};
+  isa_single_spherical::SphericalDrivenLinks<Poses, 1> driven{};
+  put(driver, input);
+  put(driven, output);
+  driver.admissible_directions = sense_bits(order.ccw, order.cw);
+  driver.at_least_half_turn = sense_bits(order.is_at_least_half_turn_ccw(), order.is_at_least_half_turn_cw());
+  return isa_single_spherical::spherical_verdict<1>(driver, driven, 0, tolerance::change_point);
+}
+
+isa_single_spherical::SphericalVerdict<1> verdict_of(const TurnedLink& input, const TurnedLink& output,
+                                                     const DriverSequence& order) {
+  switch (input.moving.size()) {
+    case 1:
+      return verdict<1>(input, output, order);
+    case 2:
+      return verdict<2>(input, output, order);
+    case 3:
+      return verdict<3>(input, output, order);
+    case 4:
+      return verdict<4>(input, output, order);
+    default:
+      require(input.moving.size() == 5, "at most five orientations are judged");
+      return verdict<5>(input, output, order);
+  }
+}
+
+double acute_angle(double angle) { return std::min(angle, pi - angle); }
+
+// Of coupler and output link at the output's moving axis, by the planes that they lie in.
+double angle_between_links(Vector3 input_moving, Vector3 output_moving, Vector3 output_fixed) {
+  return acute_angle(angle_between(cross(output_moving, input_moving), cross(output_moving, output_fixed)));
+}
+
+// The same where the diagonal is given, by the half-angle formula of spherical trigonometry.
+double angle_opposite_arc(double diagonal, double coupler, double output) {
+  const auto sine = [](double angle) { return std::max(0.0, std::sin(angle)); };
+  const double s = 0.5 * (diagonal + coupler + output);
+  return 2 * std::atan2(std::sqrt(sine(s - coupler) * sine(s - output)), std::sqrt(sine(s) * sine(s - diagonal)));
+}
+
+double angle_on_the_way(const LinkAngles& l, bool passes_0, bool passes_pi) {
+  const auto angle_at = [&](double diagonal) { return acute_angle(angle_opposite_arc(diagonal, l.coupler, l.output)); };
+  const double far = l.ground + l.input;
+  return std::min(passes_0 ? angle_at(std::abs(l.ground - l.input)) : pi / 2,
+                  passes_pi ? angle_at(far > pi ? two_pi - far : far) : pi / 2);
+}
+
+}  // namespace
+
+DriverSequence driver_sequence(const SphericalDyad& dyad, std::span<const PrescribedOrientation> orientations,
+                               bool respect_direction) {
+  const Vector3 axis = dyad.fixed_axis;
+  const auto in_plane = [&](Vector3 v) { return v - dot(v, axis) * axis; };
+  const Vector3 first = in_plane(dyad.moving_axis), across = cross(axis, first);
+  DriverSequenceBuilder order;
+  for (const PrescribedOrientation& there : orientations) {
+    const Vector3 moving = turned(dyad.moving_axis, orientations.front().orientation, there.orientation);
+    order.meet(&there == &orientations.front() ? 0
+                                               : wrap_positive(std::atan2(dot(moving, across), dot(moving, first))));
+    if (respect_direction && !there.derivatives.empty())
+      order.pass(determinant(axis, moving, cross(there.derivatives.front(), moving)));
+  }
+  return order.sequence();
+}
+
+DefectReport find_defects(const SphericalFourBar& four_bar, std::span<const PrescribedOrientation> orientations,
+                          bool respect_direction) {
+  require(!orientations.empty() && orientations.size() <= 5, "one to five orientations are judged");
+  const TurnedLink input = turned_link(four_bar.input_fixed, four_bar.input_moving, orientations);
+  const TurnedLink output = turned_link(four_bar.output_fixed, four_bar.output_moving, orientations);
+  const DriverSequence order = driver_sequence(input.dyad, orientations, respect_direction);
+  const auto v = verdict_of(input, output, order);
+  const LinkAngles angles = four_bar.angles();
+  DefectReport report;
+  report.type = static_cast<LinkageType>(v.type);
+  report.defects = Defects{static_cast<std::uint8_t>(v.defects)};
+  if (v.clean) {
+    report.sense = drive_sense(v.travels_ccw, v.travels_cw);
+    const auto angle_at = [&](std::size_t j) {
+      return angle_between_links(input.moving[j], output.moving[j], four_bar.output_fixed);
+    };
+    report.min_transmission_angle =
+        std::min({angle_at(0), angle_at(orientations.size() - 1), angle_on_the_way(angles, v.passes_0, v.passes_pi)});
+    report.sweep = v.travels_ccw ? order.sweep_ccw : order.sweep_cw();
+  }
+  if (v.turns) report.min_transmission_angle_full_turn = angle_on_the_way(angles, true, true);
+  return report;
+}
+
+}  // namespace linkwright
