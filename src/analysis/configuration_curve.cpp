@@ -37,13 +37,13 @@ TorusVector wrapped(TorusVector p) { return {wrapped(p.input), wrapped(p.coupler
 
 TorusVector shortest_way(TorusVector from, TorusVector to) { return wrapped(to + -1 * from); }
 
-ConfigurationCurve::ConfigurationCurve(const LinkLengths& lengths) : lengths_(lengths) {
+PlanarConfigurationCurve::PlanarConfigurationCurve(const LinkLengths& lengths) : lengths_(lengths) {
   const double perimeter = lengths.perimeter();
   shape_ = {lengths.ground / perimeter, lengths.input / perimeter, lengths.coupler / perimeter,
             lengths.output / perimeter};
 }
 
-ConfigurationCurve::Loop ConfigurationCurve::loop_at(TorusVector p) const {
+PlanarConfigurationCurve::Loop PlanarConfigurationCurve::loop_at(TorusVector p) const {
   const Point input = shape_.input * direction(p.input), coupler = shape_.coupler * direction(p.coupler),
               output = shape_.output * direction(p.output);
   const auto quarter_turn = [](Point v) { return Point{-v.imag(), v.real()}; };
@@ -54,7 +54,7 @@ ConfigurationCurve::Loop ConfigurationCurve::loop_at(TorusVector p) const {
 // Λ|d| over a distance d. Within |d| < σ/Λ it thus stays regular on the planes normal to the tangent, and F is
 // injective on the part of each plane within the ball: one strand. At a quarter of that radius the strand's slope
 // against the tangent is at most (1/4)/(1 − 1/4) = 1/3, and Newton's method converges from the tangent (Kantorovich).
-ConfigurationCurve::Strand ConfigurationCurve::strand_at(TorusVector point) const {
+ConfigurationCurve::Strand PlanarConfigurationCurve::strand_at(TorusVector point) const {
   const Loop loop = loop_at(point);
   const TorusVector u = real_row(loop.by_input, loop.by_coupler, loop.by_output);
   const TorusVector v = imaginary_row(loop.by_input, loop.by_coupler, loop.by_output);
@@ -65,7 +65,7 @@ ConfigurationCurve::Strand ConfigurationCurve::strand_at(TorusVector point) cons
   return {point, volume > 0 ? (1 / volume) * along : along, sigma / (4 * steepest), sigma, std::abs(loop.closure)};
 }
 
-std::optional<TorusVector> ConfigurationCurve::advanced(const Strand& strand, double along, double accuracy) const {
+std::optional<TorusVector> PlanarConfigurationCurve::advanced(const Strand& strand, double along, double accuracy) const {
   // |F| / σ is the distance from the curve: it must be small beside the reach, but cannot be less than rounding makes
   // it.
   const double enough =
@@ -86,8 +86,9 @@ std::optional<TorusVector> ConfigurationCurve::advanced(const Strand& strand, do
   return std::nullopt;
 }
 
-std::array<Point, 2> ConfigurationCurve::moving_pivots(TorusVector p) const {
-  return {lengths_.input * direction(p.input), lengths_.ground + lengths_.output * direction(p.output)};
+HingePlaces PlanarConfigurationCurve::moving_hinges(TorusVector p) const {
+  const Point input = lengths_.input * direction(p.input), output = lengths_.ground + lengths_.output * direction(p.output);
+  return {{{input.real(), input.imag(), 0}, {output.real(), output.imag(), 0}}};
 }
 
 }  // namespace linkwright

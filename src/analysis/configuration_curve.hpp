@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "linkwright/algebra/point.hpp"
+#include "linkwright/algebra/vector3.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
@@ -35,31 +36,47 @@ struct TorusVector {
 /// The same point with each angle in [−π, π]; angles at most a turn outside.
 [[nodiscard]] TorusVector wrapped(TorusVector point);
 
-/// The configurations of a four-bar as the curve on the torus where the loop closes:
-/// F(φ, θ, ψ) = (a e^{iφ} + h e^{iθ} − g − b e^{iψ}) / perimeter = 0.
-/// Nothing here knows of linkage types, assemblies or dead points.
+/// Two points, or their velocities.
+using HingePlaces = std::array<Vector3, 2>;
+
+/// The configurations of a linkage of one degree of freedom as the curve on the torus where its loop closes. Nothing
+/// here knows of linkage types, assemblies or dead points.
 class ConfigurationCurve {
  public:
-  /// Finite positive lengths.
-  explicit ConfigurationCurve(const LinkLengths& lengths);
+  ConfigurationCurve() = default;
+  ConfigurationCurve(const ConfigurationCurve&) = delete;
+  ConfigurationCurve& operator=(const ConfigurationCurve&) = delete;
+  virtual ~ConfigurationCurve() = default;
 
   /// The curve near one of its points: a ball in which it is one strand that crosses each plane normal to `tangent` at
   /// most once, and turns by less than 20°.
   struct Strand {
     TorusVector point;
-    TorusVector tangent;        ///< unit vector whose φ-component has the sign of the Jacobian by (θ, ψ); continuous
+    TorusVector tangent;        ///< unit vector whose φ-component has the sign of the Jacobian by the others; continuous
     double reach = 0;           ///< radius of the ball, radians
     double singular_value = 0;  ///< of the Jacobian, the smaller one
     double closure_error = 0;   ///< |F|
   };
-  [[nodiscard]] Strand strand_at(TorusVector point) const;
+  [[nodiscard]] virtual Strand strand_at(TorusVector point) const = 0;
 
   /// The point of the strand in the plane normal to its tangent, `along` from its point (at most the reach), by
   /// Newton's method until |F| ≤ accuracy, and less where the strand's reach asks for it; nothing where that fails.
-  [[nodiscard]] std::optional<TorusVector> advanced(const Strand& strand, double along, double accuracy) const;
+  [[nodiscard]] virtual std::optional<TorusVector> advanced(const Strand& strand, double along,
+                                                            double accuracy) const = 0;
 
-  /// The input's and the output's moving pivot, own frame, user's unit.
-  [[nodiscard]] std::array<Point, 2> moving_pivots(TorusVector point) const;
+  /// Coordinates of the input's and the output's moving hinge, own frame; in the plane, z = 0.
+  [[nodiscard]] virtual HingePlaces moving_hinges(TorusVector point) const = 0;
+};
+
+/// The curve of a planar four-bar, F(φ, θ, ψ) = (a e^{iφ} + h e^{iθ} − g − b e^{iψ}) / perimeter = 0.
+class PlanarConfigurationCurve : public ConfigurationCurve {
+ public:
+  /// Finite positive lengths.
+  explicit PlanarConfigurationCurve(const LinkLengths& lengths);
+
+  [[nodiscard]] Strand strand_at(TorusVector point) const override;
+  [[nodiscard]] std::optional<TorusVector> advanced(const Strand& strand, double along, double accuracy) const override;
+  [[nodiscard]] HingePlaces moving_hinges(TorusVector point) const override;
 
  private:
   struct Loop {

@@ -7,6 +7,8 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/spherical/spherical_position.hpp"
+#include "spherical/spherical_triangle.hpp"
 
 #define LINKWRIGHT_ISA isa_single_spherical
 #include "spherical/spherical_verdict.hpp"
@@ -79,25 +81,16 @@ isa_single_spherical::SphericalVerdict<1> verdict_of(const TurnedLink& input, co
   }
 }
 
-double acute_angle(double angle) { return std::min(angle, pi - angle); }
-
 // Of coupler and output link at the output's moving axis, by the planes that they lie in.
 double angle_between_links(Vector3 input_moving, Vector3 output_moving, Vector3 output_fixed) {
-  return acute_angle(angle_between(cross(output_moving, input_moving), cross(output_moving, output_fixed)));
-}
-
-// The same where the diagonal is given, by the half-angle formula of spherical trigonometry.
-double angle_opposite_arc(double diagonal, double coupler, double output) {
-  const auto sine = [](double angle) { return std::max(0.0, std::sin(angle)); };
-  const double s = 0.5 * (diagonal + coupler + output);
-  return 2 * std::atan2(std::sqrt(sine(s - coupler) * sine(s - output)), std::sqrt(sine(s) * sine(s - diagonal)));
+  return transmission_angle({{}, input_moving, output_moving, output_fixed});
 }
 
 double angle_on_the_way(const LinkAngles& l, bool passes_0, bool passes_pi) {
   const auto angle_at = [&](double diagonal) { return acute_angle(angle_opposite_arc(diagonal, l.coupler, l.output)); };
   const double far = l.ground + l.input;
   return std::min(passes_0 ? angle_at(std::abs(l.ground - l.input)) : pi / 2,
-                  passes_pi ? angle_at(far > pi ? two_pi - far : far) : pi / 2);
+                  passes_pi ? angle_at(shorter_arc(far)) : pi / 2);
 }
 
 }  // namespace
