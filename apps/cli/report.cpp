@@ -86,7 +86,8 @@ std::string counts_words(const Problem& problem, const FourBarAnswer& answer, co
   text += fmt::format(". {} {} free of defects", four_bars(counts.defect_free), counts.defect_free == 1 ? "is" : "are");
   text += fmt::format("; {} {}: {}.", grouped_text(answer.meeting_requirements),
                       answer.meeting_requirements == 1 ? "meets the requirements" : "meet the requirements",
-                      requirement_words(answer.requirements, problem.length_unit, answer.given.reference_position()));
+                      requirement_words(answer.requirements, linkages(problem.task), problem.length_unit,
+                                        answer.given.reference_position()));
   return wrapped(text);
 }
 
@@ -98,7 +99,7 @@ std::string best_heading(const FourBarAnswer& answer) {
       return "Best linkages, smallest longest link first:\n";
     case Objective::structural_error:
       return "Best linkages, smallest structural error first:\n";
-    case Objective::min_transmission_angle:
+    default:
       break;
   }
   return "Best linkages, largest minimum transmission angle over the task (γ) first:\n";
@@ -142,7 +143,7 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
       return rounded_text(found.lengths.longest(), decimals);
     case Objective::structural_error:
       return significant_text(degrees(found.function ? found.function->max_structural_error.value_or(0) : 0), 3) + "°";
-    case Objective::min_transmission_angle:
+    default:
       break;
   }
   return rounded_text(degrees(found.report.min_transmission_angle), 2) + "°";

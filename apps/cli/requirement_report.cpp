@@ -72,25 +72,66 @@ std::string box_words(const Box& box) {
                      significant_text(box.y_high, limit_digits));
 }
 
-std::string requirement_words(const Requirements& requirements, std::string_view unit, int position) {
+std::string cone_words(const Cone& cone) {
+  return fmt::format("{} of ({}, {}, {})", angle_words(cone.half_angle), significant_text(cone.axis.x, limit_digits),
+                     significant_text(cone.axis.y, limit_digits), significant_text(cone.axis.z, limit_digits));
+}
+
+namespace {
+
+std::string words_of_limit(RequirementKind kind, const Requirements& wanted, std::string_view unit) {
+  const double most = wanted.max_length.value_or(Requirements::unlimited), least = wanted.min_length.value_or(0);
+  const double angle = wanted.min_link_angle.value_or(0);
+  switch (kind) {
+    case RequirementKind::min_transmission_angle:
+      if (!(wanted.min_transmission_angle > 0)) return "";
+      return "transmission angle over the task at least " + angle_words(wanted.min_transmission_angle);
+    case RequirementKind::max_link_ratio:
+      if (!std::isfinite(wanted.max_link_ratio)) return "";
+      return "link ratio at most " + significant_text(wanted.max_link_ratio, limit_digits);
+    case RequirementKind::max_length:
+      return std::isfinite(most) ? "longest link at most " + limit_words(most, unit) : "";
+    case RequirementKind::min_length:
+      return least > 0 ? "shortest link at least " + limit_words(least, unit) : "";
+    case RequirementKind::min_link_angle:
+      return angle > 0 ? "link angles at least " + angle_words(angle) : "";
+    case RequirementKind::max_link_angle:
+      return wanted.max_link_angle ? "link angles at most " + angle_words(*wanted.max_link_angle) : "";
+    default:
+      return "";
+  }
+}
+
+std::string words_of_place(RequirementKind kind, const Requirements& wanted, int position) {
+  const auto words = [](std::string_view what, std::string_view where) { return fmt::format("{} {}", what, where); };
+  const std::string lying = fmt::format("(position {})", position);
+  switch (kind) {
+    case RequirementKind::ground_pivots_within:
+      return wanted.ground_pivots_within ? words("fixed pivots in", box_words(*wanted.ground_pivots_within)) : "";
+    case RequirementKind::moving_pivots_within:
+      if (!wanted.moving_pivots_within) return "";
+      return words("moving pivots " + lying + " in", box_words(*wanted.moving_pivots_within));
+    case RequirementKind::fixed_axes_within:
+      return wanted.fixed_axes_within ? words("fixed axes within", cone_words(*wanted.fixed_axes_within)) : "";
+    case RequirementKind::moving_axes_within:
+      if (!wanted.moving_axes_within) return "";
+      return words("moving axes " + lying + " within", cone_words(*wanted.moving_axes_within));
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+std::string requirement_words(const Requirements& requirements, const LinkageClass& asked, std::string_view unit,
+                              int position) {
   std::string text = requirements.no_defects ? "no defects" : "defects allowed";
-  const auto add = [&text](std::string_view words) { text += fmt::format(", {}", words); };
-  if (!requirements.types.empty()) add("type " + type_list(requirements.types));
-  if (requirements.min_transmission_angle > 0) {
-    add("transmission angle over the task at least " + angle_words(requirements.min_transmission_angle));
-  }
-  if (std::isfinite(requirements.max_link_ratio)) {
-    add("link ratio at most " + significant_text(requirements.max_link_ratio, limit_digits));
-  }
-  if (requirements.max_length && std::isfinite(*requirements.max_length)) {
-    add("longest link at most " + limit_words(*requirements.max_length, unit));
-  }
-  if (requirements.min_length && *requirements.min_length > 0) {
-    add("shortest link at least " + limit_words(*requirements.min_length, unit));
-  }
-  if (requirements.ground_pivots_within) add("fixed pivots in " + box_words(*requirements.ground_pivots_within));
-  if (requirements.moving_pivots_within) {
-    add(fmt::format("moving pivots (position {}) in {}", position, box_words(*requirements.moving_pivots_within)));
+  for (const RequirementKind kind : asked.requirements) {
+    std::string words = kind == RequirementKind::types && !requirements.types.empty()
+                            ? "type " + type_list(requirements.types)
+                            : words_of_limit(kind, requirements, unit);
+    words += words_of_place(kind, requirements, position);
+    if (!words.empty()) text += ", " + words;
   }
   return text;
 }
@@ -143,6 +184,14 @@ std::string relaxation_words(const Relaxation& relaxation, std::string_view unit
       return fmt::format("A longest link of at most {} would leave {}.", limit_words(*relaxation.value, unit), leaves);
     case RequirementKind::min_length:
       return fmt::format("A shortest link of at least {} would leave {}.", limit_words(*relaxation.value, unit),
+                         leaves);
+    case RequirementKind::min_link_angle:
+      return fmt::format("Link angles of at least {} would leave {}.", angle_words(*relaxation.value), leaves);
+    case RequirementKind::max_link_angle:
+      return fmt::format("Link angles of at most {} would leave {}.", angle_words(*relaxation.value), leaves);
+    case RequirementKind::fixed_axes_within:
+    case RequirementKind::moving_axes_within:
+      return fmt::format("{} of {} would leave {}.", key(relaxation.requirement), angle_words(*relaxation.value),
                          leaves);
     default:
       break;

@@ -11,10 +11,13 @@ namespace linkwright::cli {
 
 /// "x −450…60, y −220…−30".
 [[nodiscard]] std::string box_words(const Box& box);
+/// "30° of (0, 0, 1)".
+[[nodiscard]] std::string cone_words(const Cone& cone);
 
-/// The requirements in plain words, "no defects, transmission angle at least 30°, …". `position`: in which the moving
-/// pivots are told, from 1.
-[[nodiscard]] std::string requirement_words(const Requirements& requirements, std::string_view unit, int position = 1);
+/// The requirements of the class in plain words, "no defects, transmission angle at least 30°, …". `position`: in which
+/// the moving pivots are told, from 1.
+[[nodiscard]] std::string requirement_words(const Requirements& requirements, const LinkageClass& asked,
+                                            std::string_view unit, int position = 1);
 
 /// The limits at which a linkage lies (to half a percent), in words.
 [[nodiscard]] std::vector<std::string> limits_touched(const Requirements& requirements, const FourBarSolution& found,

@@ -34,7 +34,8 @@ std::string search_words(const Problem& problem, const SixBarAnswer& answer, con
   if (answer.options.box) text += ", pivots in " + box_words(*answer.options.box);
   text += fmt::format("): {} with all pivots in the box, {} simulated, {} of these free of defects. Requirements: {}.",
                       counted(search.six_bars, "six-bar", "six-bars"), grouped_text(search.driven),
-                      grouped_text(search.defect_free), requirement_words(answer.requirements, problem.length_unit));
+                      grouped_text(search.defect_free),
+                      requirement_words(answer.requirements, linkages(problem.task), problem.length_unit));
   text = wrapped(text);
   if (search.interrupted)
     text += wrapped(fmt::format(
@@ -52,7 +53,7 @@ std::string six_bar_map_words(const Problem& problem, const SixBarAnswer& answer
   if (degenerate > 0) text += fmt::format(" and {} pairs that make none", grouped_text(degenerate));
   text += fmt::format(". {} free of defects; {}: {}.", counted(counts.defect_free, "is", "are"),
                       counted(answer.meeting_requirements, "meets the requirements", "meet the requirements"),
-                      requirement_words(answer.requirements, problem.length_unit));
+                      requirement_words(answer.requirements, linkages(problem.task), problem.length_unit));
   return wrapped(text);
 }
 

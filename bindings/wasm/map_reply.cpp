@@ -20,9 +20,9 @@ void write_counts(JsonWriter& json, std::string_view key, const Counts& counts) 
 }
 
 template <class CountOf>
-void write_by_requirement(JsonWriter& json, std::string_view key, CountOf count_of) {
-  std::array<std::int64_t, requirement_kinds> counts{};
-  for (std::size_t k = 0; k < counts.size(); ++k) counts[k] = count_of(static_cast<RequirementKind>(k));
+void write_by_requirement(JsonWriter& json, std::string_view key, RequirementKinds kinds, CountOf count_of) {
+  std::vector<std::int64_t> counts;
+  for (const RequirementKind kind : kinds) counts.push_back(count_of(kind));
   write_counts(json, key, counts);
 }
 
@@ -89,8 +89,8 @@ std::string EvaluatedMap::census_json() const {
     json.member("defect_free", counts_.defect_free);
     json.member("meeting", census_.meeting);
     write_counts(json, "meeting_types", census_.meeting_types);
-    write_by_requirement(json, "only", [&](RequirementKind kind) { return census_.failing_only(kind); });
-    write_by_requirement(json, "left", [&](RequirementKind kind) { return census_.left_after(kind); });
+    write_by_requirement(json, "only", census_.kinds, [&](RequirementKind kind) { return census_.failing_only(kind); });
+    write_by_requirement(json, "left", census_.kinds, [&](RequirementKind kind) { return census_.left_after(kind); });
     json.key("relax");
     json.begin_list();
     for (const Relaxation& relaxation : relax_) write_relaxation(json, relaxation);

@@ -1,24 +1,9 @@
 #include "reply_json.hpp"
 
-#include <cmath>
-
-#include "files/problem_writer.hpp"
-#include "linkwright/files/number_text.hpp"
-
 namespace linkwright::wasm {
 namespace {
 
 using Layout = JsonWriter::Layout;
-
-void write_limit(JsonWriter& json, std::string_view key, double limit) {
-  json.key(key);
-  std::isfinite(limit) ? json.value(limit) : json.null();
-}
-
-void write_box(JsonWriter& json, std::string_view key, const std::optional<Box>& box) {
-  json.key(key);
-  box ? linkwright::write_box(json, *box) : json.null();
-}
 
 void write_values(JsonWriter& json, const Values& values) {
   json.key("values");
@@ -76,23 +61,6 @@ void write_numbers(JsonWriter& json, std::span<const double> numbers) {
   json.begin_list(Layout::one_line);
   for (const double number : numbers) json.value(number);
   json.end_list();
-}
-
-void write_requirements(JsonWriter& json, const Requirements& wanted) {
-  json.begin_object();
-  json.key("types");
-  json.begin_list(Layout::one_line);
-  for (const LinkageType type : wanted.types) json.value(name(type));
-  json.end_list();
-  json.member("no_defects", wanted.no_defects);
-  json.member("min_transmission_angle_deg", degrees_for_files(wanted.min_transmission_angle));
-  write_limit(json, "max_link_ratio", wanted.max_link_ratio);
-  write_limit(json, "max_length", wanted.max_length.value_or(Requirements::unlimited));
-  json.member("min_length", wanted.min_length.value_or(0));
-  write_box(json, "ground_pivots_within", wanted.ground_pivots_within);
-  write_box(json, "moving_pivots_within", wanted.moving_pivots_within);
-  json.member("respect_direction", wanted.respect_direction);
-  json.end_object();
 }
 
 }  // namespace linkwright::wasm

@@ -9,7 +9,6 @@
 #include "linkwright/core/notice.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
-#include "linkwright/region/requirements.hpp"
 
 // The pieces that the replies to the page are written with (web/src/engine/protocol.ts).
 namespace linkwright::wasm {
@@ -31,7 +30,5 @@ void write_points(JsonWriter& json, const Points& points, PointOf point_of = {})
   for (const auto& item : points) write_point(json, point_of(item));
   json.end_list();
 }
-/// As the problem file has them, all defaults filled in; what is switched off is null.
-void write_requirements(JsonWriter& json, const Requirements& wanted);
 
 }  // namespace linkwright::wasm

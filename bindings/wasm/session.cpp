@@ -111,7 +111,8 @@ ExploreReply Session::explore(const ExploreRequest& request) {
       reason = &task().nothing_on_map();
     }
   }
-  reply.task = task_json(task().about(), drawn().input.marks, *axes_, requirements_, status, reason);
+  reply.task =
+      task_json(task().about(), drawn().input.marks, *axes_, requirements_, linkages(problem_.task), status, reason);
   return reply;
 }
 

@@ -1,5 +1,6 @@
 #include "task_reply.hpp"
 
+#include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
 #include "reply_json.hpp"
 
@@ -150,7 +151,8 @@ void write_curves(JsonWriter& json, const TaskFamily& given) {
 void write_no_curves(JsonWriter& json) { write_curves(json, TaskFamily{}); }
 
 std::string task_json(const TaskReply& task, std::span<const CurveMark> marks, const ShownAxes& axes,
-                      const Requirements& requirements, std::string_view status, const Notice* reason) {
+                      const Requirements& requirements, const LinkageClass& asked, std::string_view status,
+                      const Notice* reason) {
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.member("status", status);
@@ -180,7 +182,7 @@ std::string task_json(const TaskReply& task, std::span<const CurveMark> marks, c
     json.key("function");
     task.write_function ? task.write_function(json) : json.null();
     json.key("requirements");
-    write_requirements(json, requirements);
+    linkwright::write_requirements(json, requirements, asked);
     json.end_object();
   });
 }

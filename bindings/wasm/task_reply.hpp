@@ -57,6 +57,7 @@ void write_no_curves(JsonWriter& json);
 
 /// TaskAnswer without its arrays. `reason`: null when solved.
 [[nodiscard]] std::string task_json(const TaskReply& task, std::span<const CurveMark> marks, const ShownAxes& axes,
-                                    const Requirements& requirements, std::string_view status, const Notice* reason);
+                                    const Requirements& requirements, const LinkageClass& asked,
+                                    std::string_view status, const Notice* reason);
 
 }  // namespace linkwright::wasm

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "linkwright/analysis/linkage_type.hpp"
+
 namespace linkwright::palette {
 
 // The light theme of the workbench, whose colours for types keep their distance in every kind of colour vision.
@@ -18,9 +20,9 @@ inline constexpr std::string_view curve = "#7A8694";
 
 inline constexpr std::uint32_t defect = 0xDDE2E7, hatch = 0xC6CED6, white = 0xFFFFFF;
 
-/// By LinkageType.
-inline constexpr std::array<std::uint32_t, 10> types = {0x3B63C1, 0x27D0FC, 0x3BA26E, 0xEBD122, 0x652962,
-                                                        0xEC5112, 0xC684A8, 0x4B4B2B, 0x101418, 0xFFFFFF};
+/// By LinkageType. A triple rocker of the sphere has the colour of one of the plane: no map shows both.
+inline constexpr std::array<std::uint32_t, linkage_type_count> types = {
+    0x3B63C1, 0x27D0FC, 0x3BA26E, 0xEBD122, 0x652962, 0xEC5112, 0xC684A8, 0x4B4B2B, 0x101418, 0xFFFFFF, 0x652962};
 
 /// `share` of a colour on another, share in [0, 1].
 [[nodiscard]] inline std::uint32_t mixed(std::uint32_t color, std::uint32_t ground, double share) {

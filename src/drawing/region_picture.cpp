@@ -10,7 +10,8 @@ namespace {
 
 constexpr double washed_share = 0.3;
 constexpr std::size_t hatch_period = 13;  // pixels between hatch lines, across
-constexpr std::uint8_t transparent = 0, paper = 1, defect = 2, full_types = 5, washed_types = 15;
+constexpr std::uint8_t transparent = 0, paper = 1, defect = 2, full_types = 5,
+                       washed_types = full_types + static_cast<std::uint8_t>(linkage_type_count);
 
 std::vector<std::uint32_t> picture_colors() {
   std::vector<std::uint32_t> colors = {0, palette::white, palette::defect,

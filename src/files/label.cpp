@@ -6,20 +6,22 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, 10> type_labels = {"Crank-rocker",
-                                                          "Rocker-crank",
-                                                          "Double crank",
-                                                          "Double rocker",
-                                                          "Triple rocker, ground longest",
-                                                          "Triple rocker, input longest",
-                                                          "Triple rocker, coupler longest",
-                                                          "Triple rocker, output longest",
-                                                          "Change point",
-                                                          "Slider or zero link"};
+constexpr std::array<std::string_view, linkage_type_count> type_labels = {"Crank-rocker",
+                                                                          "Rocker-crank",
+                                                                          "Double crank",
+                                                                          "Double rocker",
+                                                                          "Triple rocker, ground longest",
+                                                                          "Triple rocker, input longest",
+                                                                          "Triple rocker, coupler longest",
+                                                                          "Triple rocker, output longest",
+                                                                          "Change point",
+                                                                          "Slider or zero link",
+                                                                          "Triple rocker"};
 
-constexpr std::array<std::string_view, 10> short_type_labels = {
-    "Crank-rocker",         "Rocker-crank",           "Double crank",          "Double rocker", "Triple rocker, ground",
-    "Triple rocker, input", "Triple rocker, coupler", "Triple rocker, output", "Change point",  "Slider or zero link"};
+constexpr std::array<std::string_view, linkage_type_count> short_type_labels = {
+    "Crank-rocker",          "Rocker-crank",         "Double crank",           "Double rocker",
+    "Triple rocker, ground", "Triple rocker, input", "Triple rocker, coupler", "Triple rocker, output",
+    "Change point",          "Slider or zero link",  "Triple rocker"};
 
 constexpr std::array<std::string_view, 4> sense_labels = {"", "counter-clockwise", "clockwise", "either way"};
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "file_header.hpp"
+#include "files/attitude/space_reader.hpp"
 #include "files/json/json_document.hpp"
 #include "files/json/json_object.hpp"
 #include "files/json/mistakes.hpp"
@@ -50,6 +52,16 @@ void read_box(const JsonObject& object, std::string_view key, Mistakes& mistakes
   box = found->is_null() ? std::nullopt : read_box(*found, mistakes);
 }
 
+void read_cone(const JsonObject& object, std::string_view key, Mistakes& mistakes, std::optional<Cone>& cone) {
+  const auto found = object.find(key);
+  if (!found || found->is_null()) return;
+  const JsonObject members(*found, mistakes, {"axis", "half_angle_deg"});
+  const auto axis = members.require("axis", {"three_coordinates", "three numbers [x, y, z]"});
+  const auto vector = axis ? read_bounded_vector(*axis) : std::nullopt;
+  const auto half_angle = members.require_number("half_angle_deg");
+  if (vector && half_angle) cone = Cone{*vector, radians(*half_angle)};
+}
+
 void read_types(const JsonObject& object, std::vector<LinkageType>& types) {
   const auto found = object.find("types");
   if (!found || found->is_null()) return;
@@ -70,7 +82,8 @@ void read_requirements(const JsonValue& value, Mistakes& mistakes, Requirements&
   const std::size_t before = mistakes.size();
   const JsonObject object(value, mistakes,
                           {"types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length",
-                           "min_length", "ground_pivots_within", "moving_pivots_within", "respect_direction"});
+                           "min_length", "ground_pivots_within", "moving_pivots_within", "min_link_angle_deg",
+                           "max_link_angle_deg", "fixed_axes_within", "moving_axes_within", "respect_direction"});
   read_types(object, requirements.types);
   read_flag(object, "no_defects", requirements.no_defects);
   read_limit(object, "min_transmission_angle_deg", 0,
@@ -81,8 +94,30 @@ void read_requirements(const JsonValue& value, Mistakes& mistakes, Requirements&
   read_limit(object, "min_length", 0, [&](double limit) { requirements.min_length = limit; });
   read_box(object, "ground_pivots_within", mistakes, requirements.ground_pivots_within);
   read_box(object, "moving_pivots_within", mistakes, requirements.moving_pivots_within);
+  read_limit(object, "min_link_angle_deg", 0, [&](double limit) { requirements.min_link_angle = radians(limit); });
+  read_limit(object, "max_link_angle_deg", Requirements::unlimited, [&](double limit) {
+    if (std::isfinite(limit)) requirements.max_link_angle = radians(limit);
+  });
+  read_cone(object, "fixed_axes_within", mistakes, requirements.fixed_axes_within);
+  read_cone(object, "moving_axes_within", mistakes, requirements.moving_axes_within);
   read_flag(object, "respect_direction", requirements.respect_direction);
   if (mistakes.size() == before) mistakes.add(mistakes_in(requirements));
+}
+
+/// What is asked for although linkages of the class do not have it, the defaults of other classes included.
+void refuse_foreign_requirements(const JsonValue& value, const Requirements& requirements, const LinkageClass& asked,
+                                 Mistakes& mistakes) {
+  std::vector<Error> found = mistakes_in(requirements, asked);
+  const JsonObject object(value, mistakes, {});
+  for (std::size_t k = 0; k < requirement_kind_count; ++k) {
+    const auto kind = static_cast<RequirementKind>(k);
+    const auto written = object.find(key(kind));
+    if (!written || written->is_null() || place_among(asked.requirements, kind) < asked.requirements.size()) continue;
+    const Error foreign = foreign_requirement(kind, asked);
+    if (std::none_of(found.begin(), found.end(), [&](const Error& known) { return known.place == foreign.place; }))
+      found.push_back(foreign);
+  }
+  mistakes.add(found);
 }
 
 /// One of the enumerators by its name.
@@ -119,7 +154,8 @@ void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& 
   read_whole_number(object, "region_samples", options.region_samples);
   read_name(object, "spacing", {Spacing::coordinate, Spacing::arc_length}, options.spacing);
   read_name(object, "objective",
-            {Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error},
+            {Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error,
+             Objective::link_angle},
             options.objective);
   read_whole_number(object, "best", options.best);
   read_box(object, "box", mistakes, options.box);
@@ -147,7 +183,11 @@ void read_problem_members(const JsonObject& file, Mistakes& mistakes, Problem& p
   if (const auto options = file.find("options")) read_options(*options, mistakes, problem.options);
   if (const auto task = file.require("task", {"task", "the task: \"task\": {\"kind\": \"motion\", …}"}))
     problem.task = read_task(*task, problem.options.box, mistakes);
-  if (mistakes.empty()) mistakes.add(mistakes_in(problem.task, problem.options));
+  if (mistakes.empty()) {
+    mistakes.add(mistakes_in(problem.task, problem.options));
+    if (const auto requirements = file.find("requirements"))
+      refuse_foreign_requirements(*requirements, problem.requirements, linkages(problem.task), mistakes);
+  }
   if (const auto view = file.find("view")) read_view(*view, problem.view);
 }
 

@@ -1,5 +1,6 @@
 #include "problem_writer.hpp"
 
+#include "files/attitude/space_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
 
@@ -13,21 +14,52 @@ void write_box(JsonWriter& json, std::string_view key, const std::optional<Box>&
   box ? linkwright::write_box(json, *box) : json.null();
 }
 
-void write_requirements(JsonWriter& json, const Requirements& requirements) {
-  json.begin_object();
+void write_cone(JsonWriter& json, std::string_view key, const std::optional<Cone>& cone) {
+  json.key(key);
+  cone ? linkwright::write_cone(json, *cone) : json.null();
+}
+
+void write_types(JsonWriter& json, const std::vector<LinkageType>& types) {
   json.key("types");
   json.begin_list(Layout::one_line);
-  for (const LinkageType type : requirements.types) json.value(name(type));
+  for (const LinkageType type : types) json.value(name(type));
   json.end_list();
-  json.member("no_defects", requirements.no_defects);
-  json.member("min_transmission_angle_deg", degrees_for_files(requirements.min_transmission_angle));
-  json.member("max_link_ratio", requirements.max_link_ratio);  // unlimited: null
-  if (requirements.max_length) json.member("max_length", *requirements.max_length);
-  if (requirements.min_length) json.member("min_length", *requirements.min_length);
-  write_box(json, "ground_pivots_within", requirements.ground_pivots_within);
-  write_box(json, "moving_pivots_within", requirements.moving_pivots_within);
-  json.member("respect_direction", requirements.respect_direction);
-  json.end_object();
+}
+
+// An angle that is not limited is null.
+void write_angle(JsonWriter& json, std::string_view key, std::optional<double> angle) {
+  json.key(key);
+  angle ? json.value(degrees_for_files(*angle)) : json.null();
+}
+
+void write_requirement(JsonWriter& json, const Requirements& wanted, RequirementKind kind) {
+  switch (kind) {
+    case RequirementKind::types:
+      return write_types(json, wanted.types);
+    case RequirementKind::no_defects:
+      return json.member(key(kind), wanted.no_defects);
+    case RequirementKind::min_transmission_angle:
+      return write_angle(json, key(kind), wanted.min_transmission_angle);
+    case RequirementKind::max_link_ratio:
+      return json.member(key(kind), wanted.max_link_ratio);  // unlimited: null
+    case RequirementKind::max_length:
+      return wanted.max_length ? json.member(key(kind), *wanted.max_length) : void();
+    case RequirementKind::min_length:
+      return wanted.min_length ? json.member(key(kind), *wanted.min_length) : void();
+    case RequirementKind::ground_pivots_within:
+      return write_box(json, key(kind), wanted.ground_pivots_within);
+    case RequirementKind::moving_pivots_within:
+      return write_box(json, key(kind), wanted.moving_pivots_within);
+    case RequirementKind::min_link_angle:  // nothing: the default, which only an answer knows
+      if (!wanted.min_link_angle) return;
+      return write_angle(json, key(kind), *wanted.min_link_angle > 0 ? wanted.min_link_angle : std::nullopt);
+    case RequirementKind::max_link_angle:
+      return write_angle(json, key(kind), wanted.max_link_angle);
+    case RequirementKind::fixed_axes_within:
+      return write_cone(json, key(kind), wanted.fixed_axes_within);
+    case RequirementKind::moving_axes_within:
+      return write_cone(json, key(kind), wanted.moving_axes_within);
+  }
 }
 
 void write_options(JsonWriter& json, const SynthesisOptions& options) {
@@ -50,6 +82,20 @@ void write_options(JsonWriter& json, const SynthesisOptions& options) {
 }
 
 }  // namespace
+
+void write_requirements(JsonWriter& json, const Requirements& requirements, const LinkageClass& asked) {
+  json.begin_object();
+  for (const RequirementKind kind : asked.requirements) write_requirement(json, requirements, kind);
+  json.member("respect_direction", requirements.respect_direction);
+  json.end_object();
+}
+
+void write_cone(JsonWriter& json, const Cone& cone) {
+  json.begin_object(Layout::one_line);
+  write_vector(json, "axis", cone.axis);
+  json.member("half_angle_deg", degrees_for_files(cone.half_angle));
+  json.end_object();
+}
 
 void write_box(JsonWriter& json, const Box& box) {
   json.begin_object(Layout::one_line);
@@ -98,7 +144,7 @@ void write_problem(JsonWriter& json, const Problem& problem) {
   json.key("task");
   write_task(json, problem.task);
   json.key("requirements");
-  write_requirements(json, problem.requirements);
+  write_requirements(json, problem.requirements, linkages(problem.task));
   json.key("options");
   write_options(json, problem.options);
   if (!problem.view.empty()) {

@@ -12,6 +12,12 @@ namespace linkwright {
 /// The problem as one JSON object, every default written out.
 void write_problem(JsonWriter& json, const Problem& problem);
 
+/// Those of the class as one object, `respect_direction` last.
+void write_requirements(JsonWriter& json, const Requirements& requirements, const LinkageClass& asked);
+
+/// `{"axis": [x, y, z], "half_angle_deg": …}`.
+void write_cone(JsonWriter& json, const Cone& cone);
+
 /// `{"x": [low, high], "y": [low, high]}`.
 void write_box(JsonWriter& json, const Box& box);
 

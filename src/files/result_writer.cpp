@@ -35,10 +35,9 @@ void write_numbers(JsonWriter& json, std::string_view key, std::span<const doubl
   json.end_list();
 }
 
-void write_counts(JsonWriter& json, const RegionCounts& counts) {
+void write_counts(JsonWriter& json, const RegionCounts& counts, std::span<const LinkageType> types) {
   json.begin_object();
-  for (std::size_t type = 0; type < counts.types.size(); ++type)
-    json.member(linkage_type_names[type], counts.types[type]);
+  for (const LinkageType type : types) json.member(name(type), counts.types[static_cast<std::size_t>(type)]);
   json.member("order", counts.order);
   json.member("branch", counts.branch);
   json.member("circuit", counts.circuit);
@@ -79,7 +78,7 @@ void write_region(JsonWriter& json, const Problem& problem, const KindAnswer& an
   for (const auto side : {Side::input, Side::output}) write_axis(json, problem, answer, side);
   json.end_list();
   json.key("counts");
-  write_counts(json, answer.counts);
+  write_counts(json, answer.counts, linkages(problem.task).types);
   json.member("meeting_requirements", answer.meeting_requirements);
   if (with_arrays) write_region_arrays(json, region);
   json.end_object();
@@ -129,12 +128,11 @@ void write_answer(JsonWriter& json, const Problem& problem, const KindAnswer& an
 }  // namespace
 
 void write_relaxed_value(JsonWriter& json, const Relaxation& relaxation) {
-  const bool is_angle = relaxation.requirement == RequirementKind::min_transmission_angle;
   json.key("value");
   if (relaxation.box)
     write_box(json, *relaxation.box);
   else if (relaxation.value)
-    json.value(is_angle ? degrees_for_files(*relaxation.value) : *relaxation.value);
+    json.value(is_angle(relaxation.requirement) ? degrees_for_files(*relaxation.value) : *relaxation.value);
   else
     json.null();
 }

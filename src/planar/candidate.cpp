@@ -45,7 +45,7 @@ std::optional<Candidate> CellEvaluator::evaluated(MapPoint place, const DyadPair
   if (family_.frame().scale * lengths.shortest() < wanted.min_length.value_or(0)) return std::nullopt;
   if (!inside(wanted.ground_pivots_within, bars.input_center, bars.output_center)) return std::nullopt;
   if (!inside(wanted.moving_pivots_within, bars.input_circle, bars.output_circle)) return std::nullopt;
-  const double score = score_of(objective_, versine_of_angle(report.min_transmission_angle), ratio, longest);
+  const double score = score_of(objective_, {versine_of_angle(report.min_transmission_angle), ratio, longest});
   return Candidate{place, links, bars, report, score, false};
 }
 

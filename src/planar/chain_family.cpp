@@ -85,7 +85,7 @@ MapPivots ChainFamily::pivots(const RegionMap& map) const {
     if (!member) return std::nullopt;
     Pivots pivots;
     for (const SixBarJoint& joint : member->six_bar.joints)
-      (is_on_ground(joint) ? pivots.ground : pivots.moving).push_back(joint.point);
+      (is_on_ground(joint) ? pivots.ground : pivots.moving).push_back(in_space(joint.point));
     return pivots;
   };
   return {{}, {}, of_cell};

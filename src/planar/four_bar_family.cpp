@@ -35,7 +35,7 @@ MapPivots FourBarFamily::pivots(const RegionMap& map) const {
     const auto links = links_at(row, column);
     const auto bars = links ? four_bar_of(*links) : std::nullopt;
     if (!bars) return std::nullopt;
-    const auto user = [&](Point p) { return frame().to_user(p); };
+    const auto user = [&](Point p) { return in_space(frame().to_user(p)); };
     return Pivots{{user(bars->input_center), user(bars->output_center)},
                   {user(bars->input_circle), user(bars->output_circle)}};
   };
@@ -73,7 +73,7 @@ MapPivots ProductFamily::pivots(const RegionMap& map) const {
 std::vector<GroundedLinkPivots> ProductFamily::pivots_of(const std::vector<Dyad>& links) const {
   const auto user = [&](Homogeneous point) {
     const auto p = finite_point(point);
-    return p ? std::optional(frame().to_user(*p)) : std::nullopt;
+    return p ? std::optional(in_space(frame().to_user(*p))) : std::nullopt;
   };
   std::vector<GroundedLinkPivots> found;
   found.reserve(links.size());

@@ -155,7 +155,8 @@ std::optional<Dyad> FunctionFamily::coupler(const Column& column, double tau) co
   auto found = column.couplers->coupler(tau);
   if (!found) return std::nullopt;
   const double larger = column.couplers->frame().scale / frame().scale;
-  for (Homogeneous* p : {&found->center, &found->circle}) *p = normalized({p->w, larger * p->x, larger * p->y});
+  for (Homogeneous* p : {&found->center, &found->circle})
+    *p = normalized(Homogeneous{p->w, larger * p->x, larger * p->y});
   return found;
 }
 

@@ -15,7 +15,7 @@ double farthest_hinge(const SixBar& a, const SixBar& b) {
 }  // namespace
 
 double score_of(Objective objective, const SixBarRating& rating) {
-  return score_of(objective, rating.versine(), rating.shape.link_ratio, rating.shape.longest);
+  return score_of(objective, {rating.versine(), rating.shape.link_ratio, rating.shape.longest});
 }
 
 bool is_better(const SixBarProspect& a, const SixBarProspect& b) {

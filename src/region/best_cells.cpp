@@ -1,15 +1,11 @@
 #include "linkwright/region/best_cells.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 namespace linkwright {
 namespace {
-
-constexpr std::array<std::string_view, 4> objective_names = {"min_transmission_angle", "link_ratio", "size",
-                                                             "structural_error"};
 
 // What ranks the cells of a map: one of its measures.
 class Ranking {
@@ -27,31 +23,6 @@ class Ranking {
 bool same_branch(double tau, double other) { return std::floor(tau) == std::floor(other); }
 
 }  // namespace
-
-std::string_view name(Objective objective) { return objective_names[static_cast<std::size_t>(objective)]; }
-
-const Measure& measure_of(Objective objective) {
-  switch (objective) {
-    case Objective::link_ratio:
-      return measures::link_ratio;
-    case Objective::size:
-      return measures::longest_link;
-    default:
-      return measures::min_transmission_angle;
-  }
-}
-
-double score_of(Objective objective, double versine, double link_ratio, double longest) {
-  switch (objective) {
-    case Objective::min_transmission_angle:
-    case Objective::structural_error:
-      return versine;
-    case Objective::link_ratio:
-      return -link_ratio;
-    default:
-      return -longest;
-  }
-}
 
 std::vector<RankedCell> hill_tops(const RegionMap& map, const RequirementFilter& filter, Objective objective,
                                   std::size_t most) {

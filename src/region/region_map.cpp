@@ -113,10 +113,11 @@ RegionCounts RegionMap::counts() const {
   std::mutex adding;
   parallel_for(rows_, threads_, [&](std::size_t begin, std::size_t end) {
     // By type · 8 + defects; four times over, since neighbours are mostly alike and would wait for each other.
-    std::array<std::array<std::int64_t, 80>, 4> of_code_by_turns{};
+    using CountsByCode = std::array<std::int64_t, 8 * linkage_type_count>;
+    std::array<CountsByCode, 4> of_code_by_turns{};
     for (std::size_t cell = begin * columns_; cell < end * columns_; ++cell)
       ++of_code_by_turns[cell % 4][static_cast<std::size_t>(type_[cell] * 8 + defects_[cell])];
-    std::array<std::int64_t, 80> of_code{};
+    CountsByCode of_code{};
     for (const auto& turn : of_code_by_turns)
       for (std::size_t code = 0; code < of_code.size(); ++code) of_code[code] += turn[code];
     for (std::size_t row = begin; row < end; ++row)

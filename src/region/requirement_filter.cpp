@@ -14,30 +14,93 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, requirement_kinds> requirement_keys = {
-    "types",      "no_defects", "min_transmission_angle_deg", "max_link_ratio",
-    "max_length", "min_length", "ground_pivots_within",       "moving_pivots_within"};
+constexpr std::uint8_t all_failures = 0xFF;
+static_assert(max_requirements == 8, "a requirement is a bit of a byte");
 
-constexpr std::uint8_t bit(RequirementKind kind) {
-  return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));
+// A value with two digits at most, on the given side of `exact`: a quotient, since no fraction of ten is exact.
+double rounded(double exact, bool upwards) {
+  if (!(exact > 0)) return 0;
+  const double exponent = std::floor(std::log10(exact)) - 1;
+  const double larger = std::pow(10, std::max(exponent, 0.0)), smaller = std::pow(10, std::max(-exponent, 0.0));
+  const double steps = exact / larger * smaller;
+  return (upwards ? std::ceil(steps) : std::floor(steps)) * larger / smaller;
 }
-constexpr std::uint8_t all_failures = (1u << requirement_kinds) - 1;
 
-// Of the points of a grounded link, user's frame; nothing at infinity.
-std::uint8_t box_failures(const std::optional<Point>& center, const std::optional<Point>& circle,
-                          const Requirements& wanted) {
-  const auto outside = [](const std::optional<Box>& box, const std::optional<Point>& p) {
-    return box && !(p && box->contains(*p));
+bool contains(const std::variant<Box, Cone>& place, Vector3 hinge) {
+  return std::visit([&](const auto& of_shape) { return of_shape.contains(hinge); }, place);
+}
+
+bool holds(const std::variant<Box, Cone>& place, const std::vector<Vector3>& hinges) {
+  return std::all_of(hinges.begin(), hinges.end(), [&](Vector3 hinge) { return contains(place, hinge); });
+}
+
+}  // namespace
+
+double RequirementFilter::Bound::value(std::size_t cell) const {
+  if (measure.stored == Measure::Stored::as_versine)
+    return degrees(angle_of_versine(static_cast<double>(values[cell])));
+  return static_cast<double>(per.empty() ? values[cell] : values[cell] / per[cell]);
+}
+
+RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements,
+                                     const std::function<MapPivots()>& pivots, const LinkageClass& linkages)
+    : map_(&map), requirements_(requirements), kinds_(linkages.requirements) {
+  require(kinds_.size() <= max_requirements, "a class has eight requirements at most");
+  require(requirements.max_length || place_among(kinds_, RequirementKind::max_length) == kinds_.size(),
+          "max_length is set");
+  const Requirements& wanted = requirements_;
+  verdict_failures_ = verdict_failures();
+  add_bound(RequirementKind::min_transmission_angle, measures::min_transmission_angle, wanted.min_transmission_angle);
+  add_bound(RequirementKind::max_link_ratio, measures::link_ratio, wanted.max_link_ratio);
+  add_bound(RequirementKind::max_length, measures::longest_link, wanted.max_length.value_or(Requirements::unlimited));
+  add_bound(RequirementKind::min_length, measures::longest_link, wanted.min_length.value_or(0), &measures::link_ratio);
+  add_bound(RequirementKind::min_link_angle, measures::min_link_angle, wanted.min_link_angle.value_or(0));
+  add_bound(RequirementKind::max_link_angle, measures::max_link_angle, wanted.max_link_angle.value_or(pi));
+  if (!pivots) return;
+  add_places();
+  if (places_.empty()) return;
+  pivots_ = pivots();
+  for (const GroundedLinkPivots& link : pivots_.rows) input_place_failures_.push_back(place_failures(link));
+  for (const GroundedLinkPivots& link : pivots_.columns) output_place_failures_.push_back(place_failures(link));
+}
+
+void RequirementFilter::add_bound(RequirementKind kind, const Measure& measure, double limit, const Measure* per) {
+  const std::span<const float> values = map_->values(measure);
+  if (place_among(kinds_, kind) == kinds_.size() || values.empty()) return;
+  const bool is_least = kind == RequirementKind::min_transmission_angle || kind == RequirementKind::min_length ||
+                        kind == RequirementKind::min_link_angle;
+  const double stored = measure.stored == Measure::Stored::as_versine ? versine_of_angle(limit) : limit;
+  bounds_.push_back({kind, bit(kind), measure, values, per ? map_->values(*per) : std::span<const float>{},
+                     static_cast<float>(stored), is_least});
+}
+
+void RequirementFilter::add_places() {
+  const auto add = [&](RequirementKind kind, const auto& within, auto of_link, auto of_linkage) {
+    if (within && place_among(kinds_, kind) < kinds_.size())
+      places_.push_back({kind, bit(kind), of_link, of_linkage, *within});
   };
-  return static_cast<std::uint8_t>(
-      (outside(wanted.ground_pivots_within, center) ? bit(RequirementKind::ground_pivots_within) : 0) |
-      (outside(wanted.moving_pivots_within, circle) ? bit(RequirementKind::moving_pivots_within) : 0));
+  const Requirements& wanted = requirements_;
+  const auto ground = [&](RequirementKind kind, const auto& within) {
+    add(kind, within, &GroundedLinkPivots::ground, &Pivots::ground);
+  };
+  const auto moving = [&](RequirementKind kind, const auto& within) {
+    add(kind, within, &GroundedLinkPivots::moving, &Pivots::moving);
+  };
+  ground(RequirementKind::ground_pivots_within, wanted.ground_pivots_within);
+  moving(RequirementKind::moving_pivots_within, wanted.moving_pivots_within);
+  ground(RequirementKind::fixed_axes_within, wanted.fixed_axes_within);
+  moving(RequirementKind::moving_axes_within, wanted.moving_axes_within);
+}
+
+std::uint8_t RequirementFilter::bit(RequirementKind kind) const {
+  return static_cast<std::uint8_t>(1u << place_among(kinds_, kind));
 }
 
 // What a cell fails by its type and its defects.
-std::array<std::uint8_t, 80> verdict_failures(const Requirements& wanted) {
-  std::array<std::uint8_t, 80> failures{};
-  for (std::size_t type = 0; type < 10; ++type)
+std::vector<std::uint8_t> RequirementFilter::verdict_failures() const {
+  const Requirements& wanted = requirements_;
+  std::vector<std::uint8_t> failures(8 * linkage_type_count);
+  for (std::size_t type = 0; type < linkage_type_count; ++type)
     for (std::size_t defects = 0; defects < 8; ++defects) {
       const auto named = std::find(wanted.types.begin(), wanted.types.end(), static_cast<LinkageType>(type));
       unsigned failed = 0;
@@ -49,69 +112,36 @@ std::array<std::uint8_t, 80> verdict_failures(const Requirements& wanted) {
   return failures;
 }
 
-// Requirements of a number that a linkage has at least, and at most.
-bool is_least(RequirementKind kind) {
-  return kind == RequirementKind::min_transmission_angle || kind == RequirementKind::min_length;
-}
-bool is_most(RequirementKind kind) {
-  return kind == RequirementKind::max_link_ratio || kind == RequirementKind::max_length;
-}
-
-// A value with two digits at most, on the given side of `exact`: a quotient, since no fraction of ten is exact.
-double rounded(double exact, bool upwards) {
-  if (!(exact > 0)) return 0;
-  const double exponent = std::floor(std::log10(exact)) - 1;
-  const double larger = std::pow(10, std::max(exponent, 0.0)), smaller = std::pow(10, std::max(-exponent, 0.0));
-  const double steps = exact / larger * smaller;
-  return (upwards ? std::ceil(steps) : std::floor(steps)) * larger / smaller;
-}
-
-}  // namespace
-
-std::string_view key(RequirementKind kind) { return requirement_keys[static_cast<std::size_t>(kind)]; }
-
-RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements,
-                                     const std::function<MapPivots()>& pivots)
-    : map_(&map),
-      requirements_(requirements),
-      verdict_failures_(verdict_failures(requirements)),
-      versines_(map.values(measures::min_transmission_angle)),
-      ratios_(map.values(measures::link_ratio)),
-      longest_(map.values(measures::longest_link)) {
-  require(requirements.max_length.has_value(), "max_length is set");
-  least_versine_ = static_cast<float>(versine_of_angle(requirements.min_transmission_angle));
-  largest_ratio_ = static_cast<float>(requirements.max_link_ratio);
-  largest_length_ = static_cast<float>(*requirements.max_length);
-  smallest_length_ = static_cast<float>(requirements.min_length.value_or(0));
-  if (!pivots || !(requirements.ground_pivots_within || requirements.moving_pivots_within)) return;
-  pivots_ = pivots();
-  for (const GroundedLinkPivots& link : pivots_.rows)
-    input_box_failures_.push_back(box_failures(link.ground, link.moving, requirements));
-  for (const GroundedLinkPivots& link : pivots_.columns)
-    output_box_failures_.push_back(box_failures(link.ground, link.moving, requirements));
+std::uint8_t RequirementFilter::place_failures(const GroundedLinkPivots& link) const {
+  unsigned failed = 0;
+  for (const Place& place : places_) {
+    const std::optional<Vector3>& hinge = link.*place.of_link;
+    if (!hinge || !contains(place.within, *hinge)) failed |= place.bit;
+  }
+  return static_cast<std::uint8_t>(failed);
 }
 
 RequirementFilter filter_of(const LinkageFamily& family, const RegionMap& map, const Requirements& requirements) {
-  return {map, requirements, [&] { return family.pivots(map); }};
+  return {map, requirements, [&] { return family.pivots(map); }, family.linkages()};
 }
 
-unsigned RequirementFilter::box_failures_at(std::size_t row, std::size_t column) const {
-  if (!input_box_failures_.empty()) return input_box_failures_[row] | output_box_failures_[column];
+unsigned RequirementFilter::place_failures_at(std::size_t row, std::size_t column) const {
+  if (!input_place_failures_.empty()) return input_place_failures_[row] | output_place_failures_[column];
   if (!pivots_.of_cell || map_->type(map_->index(row, column)) == LinkageType::degenerate) return 0;
   const auto found = pivots_.of_cell(row, column);
-  const auto outside = [&](const std::optional<Box>& box, std::vector<Point> Pivots::*of_kind) {
-    if (!box) return false;
-    return !found || !std::all_of(((*found).*of_kind).begin(), ((*found).*of_kind).end(),
-                                  [&](Point p) { return box->contains(p); });
-  };
-  return (outside(requirements_.ground_pivots_within, &Pivots::ground) ? bit(RequirementKind::ground_pivots_within)
-                                                                       : 0u) |
-         (outside(requirements_.moving_pivots_within, &Pivots::moving) ? bit(RequirementKind::moving_pivots_within)
-                                                                       : 0u);
+  unsigned failed = 0;
+  for (const Place& place : places_)
+    if (!found || !holds(place.within, (*found).*place.of_linkage)) failed |= place.bit;
+  return failed;
+}
+
+std::int64_t RequirementCensus::failing_only(RequirementKind kind) const {
+  const std::size_t place = place_among(kinds, kind);
+  return place < kinds.size() ? failing[std::size_t{1} << place] : 0;
 }
 
 std::int64_t RequirementCensus::left_after(RequirementKind kind) const {
-  const std::size_t these = (std::size_t{2} << static_cast<std::size_t>(kind)) - 1;
+  const std::size_t these = (std::size_t{2} << place_among(kinds, kind)) - 1;
   std::int64_t left = 0;
   for (std::size_t set = 0; set < failing.size(); ++set) left += (set & these) == 0 ? failing[set] : 0;
   return left;
@@ -137,27 +167,29 @@ std::optional<JointRelaxation> RequirementCensus::joint_relaxation() const {
       best = set;
   if (best == 0 || meeting > 0) return std::nullopt;
   JointRelaxation joint{{}, failing[best]};  // no smaller set holds a cell
-  for (std::size_t k = 0; k < requirement_kinds; ++k)
-    if ((best >> k & 1) != 0) joint.requirements.push_back(static_cast<RequirementKind>(k));
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    if ((best >> k & 1) != 0) joint.requirements.push_back(kinds[k]);
   return joint;
 }
 
 std::uint8_t RequirementFilter::failures(std::size_t row, std::size_t column) const {
   const std::size_t cell = map_->index(row, column);
   unsigned failed = verdict_failures_[static_cast<std::size_t>(map_->types()[cell] * 8 + map_->defects()[cell])];
-  failed |= box_failures_at(row, column);
-  if (!versines_.empty())
-    failed |= versines_[cell] < least_versine_ ? bit(RequirementKind::min_transmission_angle) : 0u;
-  if (!longest_.empty()) {
-    failed |= ratios_[cell] > largest_ratio_ ? bit(RequirementKind::max_link_ratio) : 0u;
-    failed |= longest_[cell] > largest_length_ ? bit(RequirementKind::max_length) : 0u;
-    failed |= longest_[cell] < smallest_length_ * ratios_[cell] ? bit(RequirementKind::min_length) : 0u;
-  }
+  failed |= place_failures_at(row, column);
+  for (const Bound& bound : bounds_) failed |= bound.excludes(cell) ? bound.bit : 0u;
   return static_cast<std::uint8_t>(failed);
 }
 
+// Bound by bound, so that a row of cells is compared at once.
 void RequirementFilter::failures_of_row(std::size_t row, std::uint8_t* failures) const {
-  for (std::size_t column = 0; column < map_->columns(); ++column) failures[column] = this->failures(row, column);
+  const std::size_t first = map_->index(row, 0), count = map_->columns();
+  for (std::size_t k = 0; k < count; ++k)
+    failures[k] =
+        verdict_failures_[static_cast<std::size_t>(map_->types()[first + k] * 8 + map_->defects()[first + k])];
+  for (const Bound& bound : bounds_)
+    for (std::size_t k = 0; k < count; ++k) failures[k] |= bound.excludes(first + k) ? bound.bit : std::uint8_t{0};
+  for (std::size_t k = 0; k < count && !places_.empty(); ++k)
+    failures[k] |= static_cast<std::uint8_t>(place_failures_at(row, k));
 }
 
 void RequirementFilter::failures_of_all(std::span<std::uint8_t> failures, const Progress& progress) const {
@@ -196,8 +228,8 @@ class CensusCounter {
 
  private:
   struct Turn {
-    std::array<std::int64_t, 1u << requirement_kinds> failing{};
-    std::array<std::int64_t, 10> met{};
+    std::array<std::int64_t, 1u << max_requirements> failing{};
+    std::array<std::int64_t, linkage_type_count> met{};
   };
   std::array<Turn, 4> turns_{};
 };
@@ -205,7 +237,7 @@ class CensusCounter {
 }  // namespace
 
 RequirementCensus RequirementFilter::census(const Progress& progress) const {
-  RequirementCensus total;
+  RequirementCensus total{kinds_};
   std::mutex adding;
   parallel_for(map_->rows(), map_->threads(), [&](std::size_t begin, std::size_t end) {
     CensusCounter part;
@@ -223,14 +255,14 @@ RequirementCensus RequirementFilter::census(const Progress& progress) const {
 RequirementCensus RequirementFilter::census(std::span<const std::uint8_t> failures) const {
   CensusCounter counter;
   counter.count(failures, map_->types());
-  RequirementCensus total;
+  RequirementCensus total{kinds_};
   counter.add_to(total);
   return total;
 }
 
-std::array<RequirementFilter::Cells, requirement_kinds> RequirementFilter::cells_failing_one(
+std::array<RequirementFilter::Cells, max_requirements> RequirementFilter::cells_failing_one(
     const Progress& progress) const {
-  std::array<Cells, requirement_kinds> cells;
+  std::array<Cells, max_requirements> cells;
   std::vector<std::uint8_t> failures(map_->rows() * map_->columns());
   failures_of_all(failures, progress);
   for (std::size_t cell = 0; cell < failures.size(); ++cell)
@@ -239,41 +271,33 @@ std::array<RequirementFilter::Cells, requirement_kinds> RequirementFilter::cells
   return cells;
 }
 
-double RequirementFilter::violated_value(RequirementKind kind, std::size_t cell) const {
-  switch (kind) {
-    case RequirementKind::min_transmission_angle:
-      return degrees(map_->min_transmission_angle(cell));
-    case RequirementKind::max_link_ratio:
-      return static_cast<double>(ratios_[cell]);
-    case RequirementKind::max_length:
-      return static_cast<double>(longest_[cell]);
-    case RequirementKind::min_length:
-      return static_cast<double>(longest_[cell] / ratios_[cell]);
-    default:
-      return 0;
-  }
-}
-
-std::optional<double> RequirementFilter::round_value_that_would_do(RequirementKind kind, const Cells& cells) const {
-  if (!is_least(kind) && !is_most(kind)) return std::nullopt;
+void RequirementFilter::put_value(Relaxation& relaxation, const Cells& cells, bool is_least,
+                                  const ValueOfCell& value_of) const {
   std::optional<double> nearest;
   for (const std::size_t cell : cells) {
-    const double value = violated_value(kind, cell);
-    if (!nearest || (is_least(kind) ? value > *nearest : value < *nearest)) nearest = value;
+    const auto value = value_of(cell);
+    if (value && (!nearest || (is_least ? *value > *nearest : *value < *nearest))) nearest = value;
   }
-  return nearest ? std::optional(rounded(*nearest, is_most(kind))) : std::nullopt;
+  if (!nearest) return;
+  const double limit = rounded(*nearest, !is_least);
+  relaxation.value = is_angle(relaxation.requirement) ? radians(limit) : limit;
+  relaxation.leaves -= relaxation.only_this;
+  for (const std::size_t cell : cells) {
+    const auto value = value_of(cell);
+    relaxation.leaves += value && (is_least ? *value >= limit : *value <= limit);
+  }
 }
 
-void RequirementFilter::put_value(Relaxation& relaxation, const Cells& cells, std::int64_t meeting) const {
-  const RequirementKind kind = relaxation.requirement;
-  const auto value = round_value_that_would_do(kind, cells);
-  if (!value) return;
-  relaxation.value = kind == RequirementKind::min_transmission_angle ? radians(*value) : *value;
-  relaxation.leaves = meeting;
-  for (const std::size_t cell : cells) {
-    const double v = violated_value(kind, cell);
-    relaxation.leaves += is_least(kind) ? v >= *value : v <= *value;
-  }
+// The line furthest from the axis decides, in degrees.
+void RequirementFilter::put_half_angle(Relaxation& relaxation, const Cells& cells, const Place& place) const {
+  const Cone& cone = std::get<Cone>(place.within);
+  put_value(relaxation, cells, false, [&](std::size_t cell) -> std::optional<double> {
+    const auto found = pivots(cell);
+    if (!found) return std::nullopt;
+    double widest = 0;
+    for (const Vector3 line : (*found).*place.of_linkage) widest = std::max(widest, cone.angle_to(line));
+    return degrees(widest);
+  });
 }
 
 std::optional<Pivots> RequirementFilter::pivots(std::size_t cell) const {
@@ -286,10 +310,9 @@ std::optional<Pivots> RequirementFilter::pivots(std::size_t cell) const {
 
 namespace {
 
-Box grown_to(Box box, const std::vector<Point>& points) {
-  for (const Point p : points)
-    box = {std::min(box.x_low, p.real()), std::max(box.x_high, p.real()), std::min(box.y_low, p.imag()),
-           std::max(box.y_high, p.imag())};
+Box grown_to(Box box, const std::vector<Vector3>& points) {
+  for (const Vector3 p : points)
+    box = {std::min(box.x_low, p.x), std::max(box.x_high, p.x), std::min(box.y_low, p.y), std::max(box.y_high, p.y)};
   return box;
 }
 
@@ -305,57 +328,53 @@ Box with_round_growth(const Box& box, const Box& larger) {
           box.y_low - rounded(box.y_low - larger.y_low, true), box.y_high + rounded(larger.y_high - box.y_high, true)};
 }
 
-bool holds(const Box& box, const std::vector<Point>& points) {
-  return std::all_of(points.begin(), points.end(), [&](Point p) { return box.contains(p); });
-}
-
 }  // namespace
 
-std::optional<Box> RequirementFilter::larger_box_that_would_do(RequirementKind kind, const Cells& cells) const {
-  const bool ground = kind == RequirementKind::ground_pivots_within;
-  const std::optional<Box>& asked = ground ? requirements_.ground_pivots_within : requirements_.moving_pivots_within;
+void RequirementFilter::put_box(Relaxation& relaxation, const Cells& cells, const Place& place) const {
+  const Box& asked = std::get<Box>(place.within);
   std::optional<Box> nearest;
   for (const std::size_t cell : cells) {
     const auto found = pivots(cell);
     if (!found) continue;
-    const Box larger = grown_to(*asked, ground ? found->ground : found->moving);
-    if (!nearest || growth(*asked, larger) < growth(*asked, *nearest)) nearest = larger;
+    const Box larger = grown_to(asked, (*found).*place.of_linkage);
+    if (!nearest || growth(asked, larger) < growth(asked, *nearest)) nearest = larger;
   }
-  return nearest ? std::optional(with_round_growth(*asked, *nearest)) : std::nullopt;
-}
-
-void RequirementFilter::put_box(Relaxation& relaxation, const Cells& cells, std::int64_t meeting) const {
-  const RequirementKind kind = relaxation.requirement;
-  const auto box = larger_box_that_would_do(kind, cells);
-  if (!box) return;
-  std::int64_t leaves = meeting;
+  if (!nearest) return;
+  const Box box = with_round_growth(asked, *nearest);
+  std::int64_t gained = 0;
   for (const std::size_t cell : cells) {
     const auto found = pivots(cell);
-    leaves += found && holds(*box, kind == RequirementKind::ground_pivots_within ? found->ground : found->moving);
+    gained += found && holds(box, (*found).*place.of_linkage);
   }
-  if (leaves == meeting) return;  // rounding of a border kept out the only one
+  if (gained == 0) return;  // rounding of a border kept out the only one
   relaxation.box = box;
-  relaxation.leaves = leaves;
+  relaxation.leaves += gained - relaxation.only_this;
+}
+
+void RequirementFilter::put_relaxed(Relaxation& relaxation, const Cells& cells) const {
+  for (const Bound& bound : bounds_)
+    if (bound.kind == relaxation.requirement)
+      put_value(relaxation, cells, bound.is_least, [&](std::size_t cell) { return std::optional(bound.value(cell)); });
+  for (const Place& place : places_) {
+    if (place.kind != relaxation.requirement) continue;
+    std::holds_alternative<Box>(place.within) ? put_box(relaxation, cells, place)
+                                              : put_half_angle(relaxation, cells, place);
+  }
 }
 
 std::vector<Relaxation> RequirementFilter::relaxations(const RequirementCensus& census,
                                                        const Progress& progress) const {
   std::vector<Relaxation> found;
-  const std::array<Cells, requirement_kinds> cells = cells_failing_one(progress);
-  for (std::size_t k = 0; k < requirement_kinds; ++k) {
-    const auto kind = static_cast<RequirementKind>(k);
-    const std::int64_t only_this = census.failing_only(kind);
+  const std::array<Cells, max_requirements> cells = cells_failing_one(progress);
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    const std::int64_t only_this = census.failing_only(kinds_[k]);
     if (only_this == 0) continue;
-    Relaxation relaxation{kind, only_this, std::nullopt, std::nullopt, census.meeting + only_this};
-    if (kind == RequirementKind::ground_pivots_within || kind == RequirementKind::moving_pivots_within)
-      put_box(relaxation, cells[k], census.meeting);
-    else
-      put_value(relaxation, cells[k], census.meeting);
+    Relaxation relaxation{kinds_[k], only_this, std::nullopt, std::nullopt, census.meeting + only_this};
+    put_relaxed(relaxation, cells[k]);
     found.push_back(relaxation);
   }
-  std::sort(found.begin(), found.end(), [](const Relaxation& a, const Relaxation& b) {
-    return a.only_this != b.only_this ? a.only_this > b.only_this : a.requirement < b.requirement;
-  });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Relaxation& a, const Relaxation& b) { return a.only_this > b.only_this; });
   return found;
 }
 

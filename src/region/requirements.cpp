@@ -21,6 +21,32 @@ void check_box(const std::optional<Box>& box, const char* place, std::vector<Err
   check(box->y_low, box->y_high, "y");
 }
 
+void check_cone(const std::optional<Cone>& cone, const char* place, std::vector<Error>& found) {
+  if (!cone) return;
+  const std::string where(place);
+  if (!is_finite(cone->axis))
+    found.push_back({"axis_finite", where + ".axis", "the coordinates of the axis must be finite numbers"});
+  else if (cone->axis == Vector3{})
+    found.push_back({"axis_null", where + ".axis", "a null vector has no direction; give the axis of the cone"});
+  if (!(cone->half_angle > 0 && cone->half_angle <= pi / 2))
+    found.push_back({"half_angle_range", where + ".half_angle_deg",
+                     "the half-angle of the cone lies above 0 and is at most 90 degrees, which leaves no line out"});
+}
+
+void check_link_angles(const Requirements& wanted, std::vector<Error>& found) {
+  if (wanted.min_link_angle && !(*wanted.min_link_angle >= 0 && *wanted.min_link_angle < pi / 2))
+    found.push_back(
+        {"min_link_angle_range", "requirements.min_link_angle_deg",
+         "the least link angle lies between 0 and 90 degrees, 90 itself is never kept; null lets any pass"});
+  if (wanted.max_link_angle && !(*wanted.max_link_angle > 0 && *wanted.max_link_angle <= pi / 2))
+    found.push_back({"max_link_angle_range", "requirements.max_link_angle_deg",
+                     "the largest link angle lies above 0 and is at most 90 degrees: a link and its supplement are the "
+                     "same; null lets any pass"});
+  if (wanted.min_link_angle && wanted.max_link_angle && *wanted.min_link_angle > *wanted.max_link_angle)
+    found.push_back({"min_link_angle_order", "requirements.min_link_angle_deg",
+                     "the least link angle is above the largest; lower it, or raise the largest"});
+}
+
 }  // namespace
 
 Requirements with_default_lengths(Requirements wanted, double size) {
@@ -37,7 +63,7 @@ std::vector<Error> mistakes_in(const Requirements& wanted) {
   for (const LinkageType type : wanted.types)
     if (type == LinkageType::degenerate)
       mistake("degenerate_wanted", "requirements.types",
-              "a degenerate linkage cannot be wanted; name some of the nine others");
+              "a degenerate linkage cannot be wanted; name some of the others");
   if (!(wanted.min_transmission_angle >= 0 && wanted.min_transmission_angle < pi / 2))
     mistake("transmission_angle_range", "requirements.min_transmission_angle_deg",
             "the transmission angle lies between 0 and 90 degrees, 90 itself is never kept; 30 to 50 is usual");
@@ -57,6 +83,9 @@ std::vector<Error> mistakes_in(const Requirements& wanted) {
             "the shortest link is asked to be longer than max_length lets any be; lower it, or raise max_length");
   check_box(wanted.ground_pivots_within, "requirements.ground_pivots_within", found);
   check_box(wanted.moving_pivots_within, "requirements.moving_pivots_within", found);
+  check_link_angles(wanted, found);
+  check_cone(wanted.fixed_axes_within, "requirements.fixed_axes_within", found);
+  check_cone(wanted.moving_axes_within, "requirements.moving_axes_within", found);
   return found;
 }
 

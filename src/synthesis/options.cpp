@@ -1,5 +1,6 @@
 #include "linkwright/synthesis/options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -43,6 +44,9 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
 }
 
 std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options) {
+  const LinkageClass& asked = linkages(task);
+  if (std::find(asked.objectives.begin(), asked.objectives.end(), options.objective) == asked.objectives.end())
+    return {foreign_objective(options.objective, asked)};
   if (options.objective != Objective::structural_error) return {};
   const auto* function = std::get_if<FunctionTask>(&task);
   if (function != nullptr && function->function) return {};

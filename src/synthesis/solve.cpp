@@ -27,6 +27,7 @@ Result<Answer> solve(const Task& task, const Requirements& requirements, const S
                      const Progress& progress) {
   std::vector<Error> mistakes = mistakes_in(task);
   append(mistakes, mistakes_in(requirements));
+  append(mistakes, mistakes_in(requirements, linkages(task)));
   append_new(mistakes, mistakes_in(options));  // a six-bar's box may stand in both
   append(mistakes, mistakes_in(task, options));
   if (!mistakes.empty()) return mistakes;

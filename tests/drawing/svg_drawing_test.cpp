@@ -40,6 +40,14 @@ using ::testing::Not;
   return ::testing::AssertionSuccess();
 }
 
+// Any letters may stand in the text of a picture's bytes.
+std::string without_pictures(std::string svg) {
+  constexpr std::string_view beginning = "base64,";
+  for (std::size_t at = svg.find(beginning); at != std::string::npos; at = svg.find(beginning, at + 1))
+    svg.erase(at + beginning.size(), svg.find('"', at) - at - beginning.size());
+  return svg;
+}
+
 TEST(SvgDrawing, OfASolutionShowsTaskRegionAndNumbers) {
   const std::string svg = draw_answer(testing::tailgate(), testing::solved_tailgate());
   EXPECT_TRUE(is_well_formed(svg));
@@ -48,7 +56,7 @@ TEST(SvgDrawing, OfASolutionShowsTaskRegionAndNumbers) {
   EXPECT_THAT(svg, HasSubstr("closed branch"));
   EXPECT_THAT(svg, HasSubstr("∞"));
   EXPECT_THAT(svg, HasSubstr("100 mm"));
-  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(without_pictures(svg), Not(HasSubstr("nan")));
   EXPECT_LT(svg.size(), 300'000u);
 }
 
@@ -79,7 +87,7 @@ TEST(SvgDrawing, OfATaskWithoutLinkagesSaysWhy) {
     const Answer answer = testing::answer_of(problem);
     const std::string svg = draw_answer(problem, answer);
     EXPECT_TRUE(is_well_formed(svg));
-    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    EXPECT_THAT(without_pictures(svg), Not(HasSubstr("nan")));
     EXPECT_THAT(svg, HasSubstr(testing::four_bars(answer).linkages.empty() ? "No linkage to show" : "Best linkage"));
   }
 }
@@ -102,7 +110,7 @@ std::size_t count_of(const std::string& text, const std::string& piece) {
 TEST(SvgDrawing, ShowsTheDirectionOfTravelAsAnArrow) {
   const std::string svg = draw_answer(testing::hood_hinge(), testing::solved_hood_hinge());
   EXPECT_TRUE(is_well_formed(svg));
-  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(without_pictures(svg), Not(HasSubstr("nan")));
   StoredLinkage linkage;
   linkage.four_bar = testing::four_bars(testing::solved_hood_hinge()).linkages.front().four_bar;
   linkage.poses = motion(testing::hood_hinge()).poses;
@@ -139,7 +147,7 @@ void expect_texts_inside(const std::string& svg, double width, double height) {
 
 void expect_whole(const std::string& svg) {
   EXPECT_TRUE(is_well_formed(svg));
-  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(without_pictures(svg), Not(HasSubstr("nan")));
   EXPECT_THAT(svg, Not(HasSubstr("inf\"")));
   EXPECT_LT(svg.size(), 300'000u);
   expect_texts_inside(svg, 1440, 900);
@@ -228,7 +236,7 @@ TEST(SvgDrawing, OfASinglePoseHasRoom) {
     EXPECT_EQ(testing::four_bars(answer).linkages.empty(), max_length < 1);
     const std::string svg = draw_answer(problem, answer);
     EXPECT_TRUE(is_well_formed(svg));
-    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    EXPECT_THAT(without_pictures(svg), Not(HasSubstr("nan")));
     EXPECT_GT(count_of(svg, "<polyline"), 1u) << "the curves";
     EXPECT_LT(svg.size(), 300'000u);
   }

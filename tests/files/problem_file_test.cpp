@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "files/problem_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/draws.hpp"
 #include "support/file_support.hpp"
@@ -77,6 +78,7 @@ TEST(ProblemFile, TheSchemaHasTheDefaults) {
       {"/requirements/properties/no_defects", wanted.no_defects},
       {"/requirements/properties/min_transmission_angle_deg", degrees(wanted.min_transmission_angle)},
       {"/requirements/properties/max_link_ratio", wanted.max_link_ratio},
+      {"/requirements/properties/min_link_angle_deg", degrees_for_files(default_min_link_angle)},
       {"/requirements/properties/respect_direction", wanted.respect_direction},
       {"/options/properties/region_samples", options.region_samples},
       {"/options/properties/spacing", name(options.spacing)},
@@ -160,6 +162,55 @@ TEST(ProblemFile, WrittenProblemReadsBackAsItself) {
   EXPECT_EQ(motion(read(once)).poses[1].pose.angle, motion(problem).poses[1].pose.angle);
   EXPECT_EQ(read(once).title, problem.title);
   EXPECT_EQ(read(once).view, problem.view);
+}
+
+TEST(ProblemFile, RequirementsOfAnotherClassAreRefusedInTheirPlace) {
+  const auto mistake_of = [](std::string_view requirement) {
+    const auto problem = read_problem(with(fmt::format(R"(, "requirements": {{{}}})", requirement)));
+    if (problem || problem.errors().size() != 1) return std::string("none or several");
+    return problem.errors()[0].code + " " + problem.errors()[0].place;
+  };
+  EXPECT_EQ(mistake_of(R"("min_link_angle_deg": 10)"), "requirement_of_class requirements.min_link_angle_deg");
+  EXPECT_EQ(mistake_of(R"("min_link_angle_deg": 0)"), "requirement_of_class requirements.min_link_angle_deg");
+  EXPECT_EQ(mistake_of(R"("max_link_angle_deg": 80)"), "requirement_of_class requirements.max_link_angle_deg");
+  EXPECT_EQ(mistake_of(R"("fixed_axes_within": {"axis": [0, 0, 1], "half_angle_deg": 20})"),
+            "requirement_of_class requirements.fixed_axes_within");
+  EXPECT_EQ(mistake_of(R"("moving_axes_within": {"axis": [0, 0, 1], "half_angle_deg": 0})"),
+            "half_angle_range requirements.moving_axes_within.half_angle_deg");
+  EXPECT_EQ(mistake_of(R"("moving_axes_within": {"axis": [0, 0, 0], "half_angle_deg": 9})"),
+            "axis_null requirements.moving_axes_within.axis");
+  EXPECT_EQ(mistake_of(R"("types": ["triple_rocker"])"), "type_of_class requirements.types");
+  EXPECT_TRUE(read_problem(with(R"(, "requirements": {"min_link_angle_deg": null, "fixed_axes_within": null})")).ok());
+}
+
+TEST(ProblemFile, HoldsTheRequirementsOfTheClassAndNoOthers) {
+  const auto written = [](const Requirements& wanted) {
+    std::string text;
+    {
+      JsonWriter json([&text](std::string_view piece) { text += piece; });
+      write_requirements(json, wanted, spherical_linkages);
+    }
+    return nlohmann::json::parse(text);
+  };
+  Requirements wanted;
+  wanted.types = {LinkageType::triple_rocker};
+  wanted.min_link_angle = radians(12.5);
+  wanted.fixed_axes_within = Cone{{0, 3, 4}, radians(33.3)};
+  EXPECT_EQ(written(wanted), nlohmann::json::parse(R"({"types": ["triple_rocker"], "no_defects": true,
+    "min_transmission_angle_deg": 0, "min_link_angle_deg": 12.5, "max_link_angle_deg": null,
+    "fixed_axes_within": {"axis": [0, 3, 4], "half_angle_deg": 33.3}, "moving_axes_within": null,
+    "respect_direction": true})"));
+  wanted.min_link_angle = 0;
+  EXPECT_TRUE(written(wanted)["min_link_angle_deg"].is_null()) << "switched off";
+  EXPECT_FALSE(written(Requirements{}).contains("min_link_angle_deg")) << "the default, not known yet";
+}
+
+TEST(ProblemFile, AnObjectiveOfAnotherClassIsRefused) {
+  const auto problem = read_problem(with(R"(, "options": {"objective": "link_angle"})"));
+  ASSERT_FALSE(problem.ok());
+  EXPECT_EQ(problem.errors()[0].code, "objective_of_class");
+  EXPECT_EQ(problem.errors()[0].place, "options.objective");
+  EXPECT_THAT(problem.errors()[0].message, HasSubstr(R"("min_transmission_angle", "link_ratio", "size")"));
 }
 
 std::string mixed(std::string_view poses) {

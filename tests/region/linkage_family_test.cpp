@@ -19,7 +19,7 @@ class ToyFamily : public LinkageFamily {
 
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override {
     return {{}, {}, [&map](std::size_t row, std::size_t column) {
-              return std::optional(Pivots{{{map.input_coordinates()[row], map.output_coordinates()[column]}}, {}});
+              return std::optional(Pivots{{{map.input_coordinates()[row], map.output_coordinates()[column], 0}}, {}});
             }};
   }
 

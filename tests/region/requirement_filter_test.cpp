@@ -235,13 +235,113 @@ TEST_F(LandingGearFilter, RelaxedValuesHaveTwoDigits) {
   EXPECT_GT(told, 5);
 }
 
-TEST_F(LandingGearFilter, DegenerateCellsFailEverything) {
-  EXPECT_EQ(filter().failures(3, 3), (1u << requirement_kinds) - 1);
+TEST_F(LandingGearFilter, DegenerateCellsFailEverything) { EXPECT_EQ(filter().failures(3, 3), 0xFF); }
+
+/// Linkages of the spherical class over a grid of whole degrees: the row is the least link angle, the column the
+/// largest, the fixed axes stand so many degrees off the z axis as the row says, one of them upside down.
+class SphericalFilter : public ::testing::Test {
+ protected:
+  SphericalFilter() {
+    static constexpr std::array kept = {measures::min_transmission_angle, measures::min_link_angle,
+                                        measures::max_link_angle};
+    std::vector<double> rows, columns;
+    for (int degree = 1; degree < 90; ++degree) rows.push_back(degree);
+    columns = rows;
+    map.evaluate_cells(rows, columns, kept, {}, [](std::size_t row, std::size_t column) {
+      const auto versine = [](std::size_t degree) {
+        return static_cast<float>(versine_of_angle(radians(static_cast<double>(degree) + 1)));
+      };
+      const LinkageType type = column < row ? LinkageType::degenerate : LinkageType::triple_rocker;
+      return MapCell{type, {}, {versine(44), versine(row), versine(column)}};
+    });
+  }
+  [[nodiscard]] RequirementFilter filter() const {
+    const auto pivots = [this] {
+      return MapPivots{{}, {}, [this](std::size_t row, std::size_t column) {
+                         const double angle = radians(map.input_coordinates()[row]);
+                         const Vector3 axis{std::sin(angle), 0, std::cos(angle)};
+                         const double other = radians(map.output_coordinates()[column]);
+                         return std::optional(Pivots{{axis, -axis}, {{0, std::sin(other), std::cos(other)}}});
+                       }};
+    };
+    return {map, wanted, pivots, spherical_linkages};
+  }
+  [[nodiscard]] std::int64_t meeting() const { return filter().census().meeting; }
+  [[nodiscard]] const Relaxation* relaxation(RequirementKind kind) {
+    relaxed = filter().relaxations(filter().census());
+    const auto found = std::find_if(relaxed.begin(), relaxed.end(), [&](auto& r) { return r.requirement == kind; });
+    return found == relaxed.end() ? nullptr : &*found;
+  }
+
+  RegionMap map;
+  Requirements wanted;  // max_length need not be set: the class has no lengths
+  std::vector<Relaxation> relaxed;
+};
+
+TEST_F(SphericalFilter, HasTheRequirementsOfItsClassInTheirOrder) {
+  EXPECT_EQ(meeting(), 89 * 90 / 2);
+  wanted.max_link_ratio = 1;
+  EXPECT_EQ(meeting(), 89 * 90 / 2) << "no requirement of the class";
+  wanted.types = {LinkageType::triple_rocker};
+  EXPECT_EQ(filter().census().meeting_types[static_cast<std::size_t>(LinkageType::triple_rocker)], 89 * 90 / 2);
+  wanted.types = {LinkageType::crank_rocker};
+  wanted.min_link_angle = radians(10.5);
+  EXPECT_EQ(filter().failures(0, 5), 0b0001001) << "types and min_link_angle";
+  EXPECT_EQ(filter().failures(20, 25), 0b0000001);
+  EXPECT_EQ(filter().failures(5, 0), 0xFF) << "degenerate";
 }
 
-TEST(RequirementKind, HasTheKeyOfTheProblemFile) {
-  EXPECT_EQ(key(RequirementKind::min_transmission_angle), "min_transmission_angle_deg");
-  EXPECT_EQ(key(RequirementKind::moving_pivots_within), "moving_pivots_within");
+TEST_F(SphericalFilter, BoundsTheLinkAngles) {
+  wanted.min_link_angle = radians(80.5);
+  EXPECT_EQ(meeting(), 9 * 10 / 2);
+  wanted.max_link_angle = radians(88.5);
+  EXPECT_EQ(meeting(), 8 * 9 / 2);
+  const RequirementCensus census = filter().census();
+  EXPECT_EQ(census.left_after(RequirementKind::min_link_angle), 9 * 10 / 2);
+  EXPECT_EQ(census.left_after(RequirementKind::max_link_angle), census.meeting);
+  EXPECT_EQ(census.failing_only(RequirementKind::max_link_angle), 9);
+  EXPECT_EQ(census.failing_only(RequirementKind::max_length), 0) << "no requirement of the class";
+}
+
+TEST_F(SphericalFilter, RelaxesALinkAngleToARoundOne) {
+  wanted.types = {LinkageType::triple_rocker};
+  wanted.max_link_angle = radians(2.5);
+  wanted.min_link_angle = radians(2.75);
+  ASSERT_EQ(meeting(), 0);
+  const Relaxation* least = relaxation(RequirementKind::min_link_angle);
+  ASSERT_NE(least, nullptr);
+  ASSERT_TRUE(least->value);
+  EXPECT_NEAR(degrees(*least->value), 2, 0.11) << "two digits, and no more than the map's singles say";
+  EXPECT_GT(least->leaves, 0);
+  const std::int64_t promised = least->leaves;
+  wanted.min_link_angle = least->value;
+  EXPECT_EQ(meeting(), promised);
+}
+
+TEST_F(SphericalFilter, KeepsAxesInACone) {
+  wanted.fixed_axes_within = Cone{{0, 0, 2}, radians(30.5)};
+  EXPECT_EQ(meeting(), 30 * 89 - 29 * 30 / 2) << "either sense of an axis";
+  EXPECT_EQ(filter().failures(40, 50), 0b0100000);
+  wanted.moving_axes_within = Cone{{0, 0, -1}, radians(10.5)};
+  EXPECT_EQ(meeting(), 10 * 11 / 2);
+  EXPECT_EQ(filter().failures(5, 50), 0b1000000);
+}
+
+TEST_F(SphericalFilter, WidensAConeToARoundAngleThatLeavesWhatItPromises) {
+  wanted.min_link_angle = radians(33.5);
+  wanted.fixed_axes_within = Cone{{0, 0, 1}, radians(20)};
+  ASSERT_EQ(meeting(), 0);
+  const Relaxation* wider = relaxation(RequirementKind::fixed_axes_within);
+  ASSERT_NE(wider, nullptr);
+  ASSERT_TRUE(wider->value);
+  EXPECT_FALSE(wider->box);
+  EXPECT_GE(degrees(*wider->value), 34);
+  EXPECT_LE(degrees(*wider->value), 35 + 1e-9);
+  EXPECT_GT(wider->leaves, 0);
+  EXPECT_LT(wider->leaves, wider->only_this);
+  const std::int64_t promised = wider->leaves;
+  wanted.fixed_axes_within->half_angle = *wider->value + 1e-9;
+  EXPECT_EQ(meeting(), promised);
 }
 
 }  // namespace

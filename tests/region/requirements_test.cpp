@@ -1,5 +1,6 @@
 #include "linkwright/region/requirements.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -73,9 +74,57 @@ TEST(Requirements, ContradictionsAreNamed) {
 
 TEST(Box, ContainsItsBorder) {
   const Box box{0, 2, -1, 1};
-  EXPECT_TRUE(box.contains({0, -1}));
-  EXPECT_TRUE(box.contains({2, 1}));
-  EXPECT_FALSE(box.contains({2.0001, 0}));
+  EXPECT_TRUE(box.contains(Point{0, -1}));
+  EXPECT_TRUE(box.contains(Point{2, 1}));
+  EXPECT_FALSE(box.contains(Point{2.0001, 0}));
+}
+
+TEST(Box, ContainsWhatStandsOverIt) {
+  const Box box{0, 2, -1, 1};
+  EXPECT_TRUE(box.contains(Vector3{1, 0, 5}));
+  EXPECT_FALSE(box.contains(Vector3{3, 0, 0}));
+}
+
+TEST(Cone, ContainsLinesOfEitherSense) {
+  const Cone cone{{0, 0, 3}, radians(30)};
+  const auto line = [](double degrees_off) {
+    return Vector3{std::sin(radians(degrees_off)), 0, std::cos(radians(degrees_off))};
+  };
+  EXPECT_TRUE(cone.contains(line(0)));
+  EXPECT_TRUE(cone.contains(line(29.999)));
+  EXPECT_TRUE(cone.contains(line(150.001)));
+  EXPECT_FALSE(cone.contains(line(30.001)));
+  EXPECT_FALSE(cone.contains(line(90)));
+  EXPECT_NEAR(cone.angle_to(line(170)), radians(10), 1e-15);
+  EXPECT_TRUE((Cone{{0, 0, 1}, pi / 2}.contains({1, 0, 0}))) << "its border";
+}
+
+TEST(Requirements, LinkAnglesAndConesOutOfRangeAreNamed) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Requirements wanted;
+  for (const double bad : {-0.1, pi / 2, nan}) {
+    wanted = {};
+    wanted.min_link_angle = bad;
+    EXPECT_EQ(place_of_only_mistake(wanted), "requirements.min_link_angle_deg");
+  }
+  for (const double bad : {0.0, 1.6, nan}) {
+    wanted = {};
+    wanted.max_link_angle = bad;
+    EXPECT_EQ(place_of_only_mistake(wanted), "requirements.max_link_angle_deg");
+  }
+  wanted.max_link_angle = 0.5;
+  wanted.min_link_angle = 0.6;
+  EXPECT_EQ(place_of_only_mistake(wanted), "requirements.min_link_angle_deg");
+  wanted = {};
+  for (const double bad : {0.0, 1.6, nan}) {
+    wanted.fixed_axes_within = Cone{{0, 0, 1}, bad};
+    EXPECT_EQ(place_of_only_mistake(wanted), "requirements.fixed_axes_within.half_angle_deg");
+  }
+  wanted = {};
+  for (const Vector3 bad : {Vector3{}, Vector3{nan, 0, 1}}) {
+    wanted.moving_axes_within = Cone{bad, 1};
+    EXPECT_EQ(place_of_only_mistake(wanted), "requirements.moving_axes_within.axis");
+  }
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ void check_counts(const json& result, Wrongs& wrongs) {
   if (region.is_null()) return;
   const json& counts = region["counts"];
   std::int64_t of_types = 0;
-  for (const std::string_view type : linkage_type_names) of_types += counts[std::string(type)].get<std::int64_t>();
+  for (const LinkageType type : planar_linkages.types) of_types += counts[std::string(name(type))].get<std::int64_t>();
   const auto count = [&](const char* key) { return counts[key].get<std::int64_t>(); };
   const std::int64_t whole = count("pairs") - count("degenerate");
   if (of_types != count("pairs")) wrongs.push_back("the types do not add up to the pairs");

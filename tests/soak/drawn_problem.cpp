@@ -16,8 +16,8 @@ Json drawn_box(Draw& draw, const Sheet& sheet, double least, double most) {
 
 Json drawn_types(Draw& draw) {
   Json types = Json::array();
-  for (std::size_t type = 0; type + 1 < linkage_type_names.size(); ++type)  // the last is degenerate
-    if (draw.chance(0.4)) types.push_back(linkage_type_names[type]);
+  for (const LinkageType type : planar_linkages.types)
+    if (type != LinkageType::degenerate && draw.chance(0.4)) types.push_back(name(type));
   return types;
 }
 

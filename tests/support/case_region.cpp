@@ -30,7 +30,7 @@ MapPivots pivots_of(const DyadAxis& input, const DyadAxis& output, const Working
   const auto along = [&](const DyadAxis& axis) {
     const auto user = [&](Homogeneous point) {
       const auto p = finite_point(point);
-      return p ? std::optional(frame.to_user(*p)) : std::nullopt;
+      return p ? std::optional(in_space(frame.to_user(*p))) : std::nullopt;
     };
     std::vector<GroundedLinkPivots> links;
     for (const Dyad& dyad : axis.dyads) links.push_back({user(dyad.center), user(dyad.circle)});

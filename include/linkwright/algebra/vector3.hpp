@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "linkwright/algebra/point.hpp"
+
 namespace linkwright {
 
 /// A vector of space by its coordinates in some right-handed Cartesian frame: which one, the caller says.
@@ -28,6 +30,9 @@ struct Vector3 {
 
 /// The triple product a·(b × c): the determinant of the three as columns.
 [[nodiscard]] constexpr double determinant(Vector3 a, Vector3 b, Vector3 c) { return dot(a, cross(b, c)); }
+
+/// A point of the plane z = 0.
+[[nodiscard]] inline Vector3 in_space(Point p) { return {p.real(), p.imag(), 0}; }
 
 /// Length; does not overflow or underflow where the result does not. Not a number where a coordinate is not, which is
 /// more than g++ 12's std::hypot of three numbers says.

@@ -10,8 +10,9 @@
 
 namespace linkwright {
 
-/// The kind of motion of a planar four-bar, input named first; the value is the code in region maps.
-/// Triple rockers (non-Grashof) are named by their longest link.
+/// The kind of motion of a four-bar, input named first; the value is the code in region maps. Triple rockers
+/// (non-Grashof) of the plane are named by their longest link; on the sphere, where a link may be replaced by its
+/// supplement, they are one type.
 enum class LinkageType : std::uint8_t {
   crank_rocker,
   rocker_crank,
@@ -23,11 +24,14 @@ enum class LinkageType : std::uint8_t {
   triple_rocker_output,
   change_point,
   degenerate,
+  triple_rocker,
 };
+inline constexpr std::size_t linkage_type_count = 11;
 
-inline constexpr std::array<std::string_view, 10> linkage_type_names = {
-    "crank_rocker",        "rocker_crank",          "double_crank",         "double_rocker", "triple_rocker_ground",
-    "triple_rocker_input", "triple_rocker_coupler", "triple_rocker_output", "change_point",  "degenerate"};
+inline constexpr std::array<std::string_view, linkage_type_count> linkage_type_names = {
+    "crank_rocker",         "rocker_crank",        "double_crank",          "double_rocker",
+    "triple_rocker_ground", "triple_rocker_input", "triple_rocker_coupler", "triple_rocker_output",
+    "change_point",         "degenerate",          "triple_rocker"};
 
 /// Key in files: "crank_rocker", …
 [[nodiscard]] inline std::string_view name(LinkageType type) {

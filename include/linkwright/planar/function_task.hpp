@@ -10,6 +10,7 @@
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/positions.hpp"
 #include "linkwright/planar/named_function.hpp"
+#include "linkwright/region/linkage_class.hpp"
 
 namespace linkwright {
 
@@ -57,6 +58,8 @@ struct FreeParameter {
 /// Function generation: the input link of a four-bar on two given ground pivots shall turn its output link through
 /// these pairs of angles, in this order.
 struct FunctionTask {
+  static constexpr const LinkageClass& linkages = planar_linkages;
+
   std::vector<AnglePair> pairs;
   Point input_pivot = 0, output_pivot = 1;  ///< fixed frame, user's unit
   std::optional<NamedFunction> function;  ///< what the pairs are taken from (precision_pairs), for the structural error

@@ -7,6 +7,7 @@
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/planar/three_pose_given.hpp"
+#include "linkwright/region/linkage_class.hpp"
 
 namespace linkwright {
 
@@ -14,6 +15,8 @@ namespace linkwright {
 /// travel, then its curvature, …) counts as m + 1 positions; there are three, four or five of them, in any pattern from
 /// P-P-P to PPPPP.
 struct MotionTask {
+  static constexpr const LinkageClass& linkages = planar_linkages;
+
   std::vector<PrescribedPose> poses;
   std::optional<ThreePoseGiven> given;  ///< three positions: what else is known; otherwise nothing
   /// Of five positions, the pose (index) that need not be passed exactly: the others are a task of four, and the

@@ -9,6 +9,7 @@
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
+#include "linkwright/region/linkage_class.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
@@ -35,6 +36,8 @@ struct ThreeLinkChain {
 /// are added to the chain that leave it one degree of freedom. With `chain` all such six-bars are found, without it the
 /// chain is searched for, too, all pivots in `box`.
 struct SixBarTask {
+  static constexpr const LinkageClass& linkages = planar_linkages;
+
   std::vector<PrescribedPose> poses;
   std::optional<ThreeLinkChain> chain;
   std::array<BodyPair, 2> added = {BodyPair{0, 2}, BodyPair{0, 3}};  ///< bodies joined by link 4 and by link 5

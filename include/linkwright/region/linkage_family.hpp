@@ -5,16 +5,18 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/algebra/point.hpp"
+#include "linkwright/algebra/vector3.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/region/linkage_class.hpp"
 #include "linkwright/region/map_axis.hpp"
 #include "linkwright/region/region_map.hpp"
 
 namespace linkwright {
 
-/// The hinges of a linkage in position 1, user's frame: those on the ground, and all others.
+/// The hinges of a linkage in position 1, user's frame: those on the ground, and all others. Of planar linkages their
+/// points in the plane z = 0, of spherical ones unit vectors along their axes.
 struct Pivots {
-  std::vector<Point> ground, moving;
+  std::vector<Vector3> ground, moving;
 };
 
 /// The pivots of a map's linkages: of its rows and its columns, where each grounded link depends on its own coordinate
@@ -36,6 +38,9 @@ class LinkageFamily {
   virtual ~LinkageFamily() = default;
 
   [[nodiscard]] const MapAxis& axis(Side side) const { return side == Side::input ? input_axis_ : output_axis_; }
+
+  /// What its linkages can be and what can be required of them.
+  [[nodiscard]] virtual const LinkageClass& linkages() const { return planar_linkages; }
 
   /// Both axes carry the same grounded links: (u, v) and (v, u) are the same bars, driven from the other side.
   [[nodiscard]] virtual bool is_symmetric() const { return false; }

@@ -32,6 +32,10 @@ inline constexpr Measure min_transmission_angle_full_turn{"min_transmission_angl
 inline constexpr Measure link_ratio{"link_ratio"};
 /// User's unit; 0 degenerate.
 inline constexpr Measure longest_link{"longest_link"};
+/// Of spherical linkages, radians in [0, π/2]: the least and the largest of the four links' angles, where an angle and
+/// its supplement are the same link; 0 degenerate.
+inline constexpr Measure min_link_angle{"min_link_angle_deg", Measure::Stored::as_versine, true};
+inline constexpr Measure max_link_angle{"max_link_angle_deg", Measure::Stored::as_versine};
 /// Angle that the driver turns from the first to the last position; every map computes it, none keeps it.
 inline constexpr Measure driver_sweep{"driver_sweep_deg"};
 }  // namespace measures

@@ -8,8 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/algebra/point.hpp"
+#include "linkwright/algebra/vector3.hpp"
 #include "linkwright/analysis/defects.hpp"
+#include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/simd.hpp"
 #include "linkwright/region/map_columns.hpp"
@@ -25,13 +26,14 @@ struct RegionOptions {
 /// Number of cells of each kind; ordered pairs without the diagonal. Slider linkages count as degenerate and in nothing
 /// else.
 struct RegionCounts {
-  std::array<std::int64_t, 10> types{};  ///< by LinkageType
+  std::array<std::int64_t, linkage_type_count> types{};  ///< by LinkageType
   std::int64_t order = 0, branch = 0, circuit = 0, defect_free = 0, pairs = 0;
 };
 
-/// The pivots of one grounded link in position 1, user's frame; nothing at infinity.
+/// The pivots of one grounded link in position 1, user's frame (in the plane z = 0), or unit vectors along its axes;
+/// nothing at infinity.
 struct GroundedLinkPivots {
-  std::optional<Point> ground, moving;
+  std::optional<Vector3> ground, moving;
 };
 
 /// How the driving link of a row passes the positions.

@@ -7,37 +7,25 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "linkwright/core/progress.hpp"
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/region/region_map.hpp"
+#include "linkwright/region/requirement_kind.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
 
-/// The requirements one by one, as bits of what a cell fails.
-enum class RequirementKind : std::uint8_t {
-  types,
-  no_defects,
-  min_transmission_angle,
-  max_link_ratio,
-  max_length,
-  min_length,
-  ground_pivots_within,
-  moving_pivots_within,
-};
-inline constexpr std::size_t requirement_kinds = 8;
-/// Key in the problem file: types, no_defects, min_transmission_angle_deg, …
-[[nodiscard]] std::string_view key(RequirementKind kind);
-
 /// What one requirement costs, and the value that would leave something.
 struct Relaxation {
   RequirementKind requirement = RequirementKind::types;
-  std::int64_t only_this = 0;   ///< cells that fail this requirement and no other: what dropping it would add
-  std::optional<double> value;  ///< a round value that would do (radians; a number; user's length); nothing: drop it
-  std::optional<Box> box;       ///< the box made larger until it would do; nothing: not a box, or drop it
-  std::int64_t leaves = 0;      ///< cells that `value` or `box` (or dropping it) would leave
+  std::int64_t only_this = 0;  ///< cells that fail this requirement and no other: what dropping it would add
+  /// A round value that would do (radians, of a cone its half-angle; a number; user's length); nothing: drop it.
+  std::optional<double> value;
+  std::optional<Box> box;   ///< the box made larger until it would do; nothing: not a box, or drop it
+  std::int64_t leaves = 0;  ///< cells that `value` or `box` (or dropping it) would leave
 };
 
 /// Requirements that leave nothing only together.
@@ -52,29 +40,33 @@ struct JointRelaxation {
 
 /// How the cells of a region fare under the requirements.
 struct RequirementCensus {
+  RequirementKinds kinds;  ///< those of the class of linkages
   std::int64_t meeting = 0;
-  /// Cells, the degenerate left out, by the set of requirements they fail (bit RequirementKind).
-  std::array<std::int64_t, 1u << requirement_kinds> failing{};
+  /// Cells, the degenerate left out, by the set of requirements they fail: a bit for each of the kinds, in their order.
+  std::array<std::int64_t, 1u << max_requirements> failing{};
 
-  std::array<std::int64_t, 10> meeting_types{};  ///< by LinkageType
+  std::array<std::int64_t, linkage_type_count> meeting_types{};  ///< by LinkageType
 
-  /// Cells that fail exactly these.
-  [[nodiscard]] std::int64_t failing_only(RequirementKind kind) const {
-    return failing[std::size_t{1} << static_cast<std::size_t>(kind)];
-  }
-  /// Cells that meet this requirement and all that come before it.
+  /// Cells that fail exactly these; none where it is no kind of the class.
+  [[nodiscard]] std::int64_t failing_only(RequirementKind kind) const;
+  /// Cells that meet this requirement of the class and all that come before it.
   [[nodiscard]] std::int64_t left_after(RequirementKind kind) const;
   /// The fewest requirements whose dropping would leave cells, and of those the ones that leave most. Nothing where
   /// cells meet all of them, and where there are none at all.
   [[nodiscard]] std::optional<JointRelaxation> joint_relaxation() const;
 };
 
-/// A region under requirements whose max_length is set; no min_length: any. Refers to the map, which must outlive it.
+/// A region under the requirements of a class of linkages: those that the class has not, and those of a measure that
+/// the map has not, are ignored. Where lengths can be required max_length is set; no min_length or min_link_angle: any.
+/// Refers to the map, which must outlive it.
 class RequirementFilter {
  public:
-  /// `pivots`: of the map's linkages, asked only where there is a box.
+  /// `pivots`: of the map's linkages, asked only where places are required of them.
   RequirementFilter(const RegionMap& map, const Requirements& requirements,
-                    const std::function<MapPivots()>& pivots = {});
+                    const std::function<MapPivots()>& pivots = {}, const LinkageClass& linkages = planar_linkages);
+
+  /// Those of the class, in the order of the bits.
+  [[nodiscard]] RequirementKinds kinds() const { return kinds_; }
 
   /// Bits of the requirements that a cell fails; all of them for a degenerate cell.
   [[nodiscard]] std::uint8_t failures(std::size_t row, std::size_t column) const;
@@ -95,28 +87,61 @@ class RequirementFilter {
  private:
   using Cells = std::vector<std::size_t>;
 
-  /// By requirement, the cells that fail it alone.
-  [[nodiscard]] std::array<Cells, requirement_kinds> cells_failing_one(const Progress& progress) const;
+  /// A limit of a measure, as the map stores it.
+  struct Bound {
+    RequirementKind kind;
+    std::uint8_t bit;
+    Measure measure;
+    std::span<const float> values;
+    std::span<const float> per;  ///< the limit is of values over these; empty: of the values
+    float limit;
+    bool is_least;  ///< otherwise the most
+
+    [[nodiscard]] bool excludes(std::size_t cell) const {
+      const float there = per.empty() ? limit : limit * per[cell];
+      return is_least ? values[cell] < there : values[cell] > there;
+    }
+    /// What the limit is of, degrees where it is an angle.
+    [[nodiscard]] double value(std::size_t cell) const;
+  };
+  /// Where hinges must lie.
+  struct Place {
+    RequirementKind kind;
+    std::uint8_t bit;
+    std::optional<Vector3> GroundedLinkPivots::*of_link;
+    std::vector<Vector3> Pivots::*of_linkage;
+    std::variant<Box, Cone> within;
+  };
+
+  void add_bound(RequirementKind kind, const Measure& measure, double limit, const Measure* per = nullptr);
+  void add_places();
+  [[nodiscard]] std::uint8_t bit(RequirementKind kind) const;
+  [[nodiscard]] std::vector<std::uint8_t> verdict_failures() const;
+  [[nodiscard]] std::uint8_t place_failures(const GroundedLinkPivots& link) const;
+  [[nodiscard]] unsigned place_failures_at(std::size_t row, std::size_t column) const;
+  void failures_of_row(std::size_t row, std::uint8_t* failures) const;
+
+  /// By place among the kinds, the cells that fail it alone.
+  [[nodiscard]] std::array<Cells, max_requirements> cells_failing_one(const Progress& progress) const;
   [[nodiscard]] std::optional<Pivots> pivots(std::size_t cell) const;
-  [[nodiscard]] unsigned box_failures_at(std::size_t row, std::size_t column) const;
-  [[nodiscard]] double violated_value(RequirementKind kind, std::size_t cell) const;
-  [[nodiscard]] std::optional<double> round_value_that_would_do(RequirementKind kind, const Cells& cells) const;
-  [[nodiscard]] std::optional<Box> larger_box_that_would_do(RequirementKind kind, const Cells& cells) const;
-  void put_value(Relaxation& relaxation, const Cells& cells, std::int64_t meeting) const;
-  void put_box(Relaxation& relaxation, const Cells& cells, std::int64_t meeting) const;
+  /// Value of a cell under a requirement that is a number; nothing where it has none.
+  using ValueOfCell = std::function<std::optional<double>(std::size_t cell)>;
+  void put_value(Relaxation& relaxation, const Cells& cells, bool is_least, const ValueOfCell& value_of) const;
+  void put_half_angle(Relaxation& relaxation, const Cells& cells, const Place& place) const;
+  void put_box(Relaxation& relaxation, const Cells& cells, const Place& place) const;
+  void put_relaxed(Relaxation& relaxation, const Cells& cells) const;
 
   const RegionMap* map_;
   Requirements requirements_;
-  void failures_of_row(std::size_t row, std::uint8_t* failures) const;
-
-  std::array<std::uint8_t, 80> verdict_failures_{};  ///< by type · 8 + defects
-  float least_versine_ = 0, largest_ratio_ = 0, largest_length_ = 0, smallest_length_ = 0;
-  std::span<const float> versines_, ratios_, longest_;  ///< empty where the map has no such measure
+  RequirementKinds kinds_;
+  std::vector<std::uint8_t> verdict_failures_;  ///< by type · 8 + defects
+  std::vector<Bound> bounds_;
+  std::vector<Place> places_;
   MapPivots pivots_;
-  std::vector<std::uint8_t> input_box_failures_, output_box_failures_;
+  std::vector<std::uint8_t> input_place_failures_, output_place_failures_;
 };
 
-/// A map of the family under requirements whose lengths are set. Refers to both, which must outlive it.
+/// A map of the family under requirements whose defaults are filled in. Refers to both, which must outlive it.
 [[nodiscard]] RequirementFilter filter_of(const LinkageFamily& family, const RegionMap& map,
                                           const Requirements& requirements);
 

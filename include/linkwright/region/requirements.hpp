@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
 
-#include "linkwright/algebra/point.hpp"
+#include "linkwright/algebra/vector3.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/core/result.hpp"
 
 namespace linkwright {
@@ -18,10 +20,29 @@ struct Box {
     return p.real() >= x_low && p.real() <= x_high && p.imag() >= y_low && p.imag() <= y_high;
   }
 
+  /// Its projection on the plane z = 0 does.
+  [[nodiscard]] bool contains(Vector3 p) const { return contains(Point{p.x, p.y}); }
+
   friend bool operator==(const Box&, const Box&) = default;
 };
 
+/// Lines through the centre of a sphere, in either sense, at most `half_angle` from an axis.
+struct Cone {
+  Vector3 axis;           ///< of any length
+  double half_angle = 0;  ///< radians, in (0, π/2]
+
+  /// Between the axis and a line, radians in [0, π/2].
+  [[nodiscard]] double angle_to(Vector3 line) const {
+    return std::atan2(norm(cross(normalized(axis), line)), std::fabs(dot(normalized(axis), line)));
+  }
+  /// Borders included.
+  [[nodiscard]] bool contains(Vector3 line) const { return angle_to(line) <= half_angle; }
+
+  friend bool operator==(const Cone&, const Cone&) = default;
+};
+
 /// What the user asks of a linkage beside the task. They choose and rank; they never change the curve or the counts.
+/// Which of them go with a class of linkages, its LinkageClass says.
 struct Requirements {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -33,12 +54,19 @@ struct Requirements {
   std::optional<double> min_length;   ///< shortest of the four links, user's unit; nothing: L/1000; 0: any
   std::optional<Box> ground_pivots_within;  ///< both centre points
   std::optional<Box> moving_pivots_within;  ///< both circle points, position 1 (2 where 1 is freed)
+  std::optional<double> min_link_angle;     ///< of all four links, radians; nothing: the default; 0: any
+  std::optional<double> max_link_angle;     ///< of all four links, radians; nothing: any
+  std::optional<Cone> fixed_axes_within;    ///< both fixed axes
+  std::optional<Cone> moving_axes_within;   ///< both moving axes, position 1
   bool respect_direction = true;            ///< poses with derivatives are passed in their direction
 };
 
 /// Defaults of max_length and min_length in characteristic lengths: beyond them lie linkages that nobody can build, and
 /// there is no smallest one among those that shrink to a point.
 inline constexpr double default_max_length = 10, default_min_length = 1e-3;
+
+/// Default of min_link_angle: below it a link is all but a joint.
+inline constexpr double default_min_link_angle = radians(5);
 
 /// The requirements with the defaults of both lengths filled in for a task of characteristic length `size`. Where the
 /// longest link asked for is shorter than that, it is what a short link is measured by.

@@ -13,6 +13,9 @@ namespace linkwright {
 /// a six-bar.
 using Task = std::variant<MotionTask, FunctionTask, SixBarTask>;
 
+/// What the linkages of a kind of task can be, and what can be asked of them.
+[[nodiscard]] const LinkageClass& linkages(const Task& task);
+
 /// The caller's mistakes, as of the kind of task.
 [[nodiscard]] std::vector<Error> mistakes_in(const Task& task);
 

@@ -18,6 +18,7 @@ export const linkage_types = [
   "triple_rocker_output",
   "change_point",
   "degenerate",
+  "triple_rocker",
 ] as const; // index = code in the map
 export type LinkageType = (typeof linkage_types)[number];
 

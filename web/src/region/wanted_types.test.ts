@@ -11,6 +11,11 @@ describe("wanted types", () => {
     expect(is_wanted(without, "crank_rocker")).toBe(true);
     expect(toggled(without, "double_crank").requirements!.types).toBeUndefined();
   });
+  it("shows what linkages of the task can be", () => {
+    expect(legend_types(all.task)).toContain("triple_rocker_ground");
+    expect(legend_types(all.task)).not.toContain("triple_rocker");
+    expect(legend_types(all.task)).not.toContain("degenerate");
+  });
   it("asks for one only, and for all again", () => {
     const one = only(all, "double_rocker");
     expect(one.requirements!.types).toEqual(["double_rocker"]);
@@ -18,7 +23,7 @@ describe("wanted types", () => {
   });
   it("never asks for what the engine refuses", () => {
     let problem = all;
-    for (const type of legend_types) problem = toggled(problem, type);
+    for (const type of legend_types(all.task)) problem = toggled(problem, type);
     expect(problem.requirements!.types).toBeUndefined();
     expect(toggled(all, "crank_rocker").requirements!.types).not.toContain("degenerate");
   });

@@ -1,5 +1,5 @@
 // What a kind of task brings: the frame asks it through kinds.ts, its views through views.ts, and knows none by name.
-import type {Linkage, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
+import type {Linkage, LinkageType, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
 import type {End} from "../figure/figure";
 import type {Objective, Pin, Problem} from "../state/problem";
 import type {Object} from "../state/shape";
@@ -102,6 +102,8 @@ export interface TaskKind<T extends Task = Task> {
   map_of(task: T): string;
   /** In the order in which C walks through them. */
   properties: Partial<Record<Property, PropertyDescription<T>>>;
+  /** What its linkages can be but degenerate, in the order of the legend. */
+  types: readonly LinkageType[];
   /** In the order of the engine's bits. */
   requirements: Partial<Record<RequirementKey, RequirementDescription>>;
   /** In the order of the list to choose from. */

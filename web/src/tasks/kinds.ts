@@ -69,6 +69,10 @@ function keys_of<K extends string>(list: Partial<Record<K, {is_of?(task: Task): 
 export function properties_of(task: Task): Property[] {
   return keys_of(kind_of(task).properties, task);
 }
+/** What a linkage of this task can be, degenerate left out. */
+export function types_of(task: Task): readonly LinkageType[] {
+  return kind_of(task).types;
+}
 /** What can be required of a linkage of this task: a requirement's place among them is its bit. */
 export function requirements_of(task: Task): RequirementKey[] {
   return Object.keys(kind_of(task).requirements) as RequirementKey[];

@@ -1,11 +1,23 @@
 // What the linkages of the plane can be coloured by, required to be and optimised for, whatever they are to do.
-import type {RequirementKey} from "../engine/protocol";
+import type {LinkageType, RequirementKey} from "../engine/protocol";
 import {default_max_length, defaults} from "../state/defaults";
 import {length_levels} from "../state/problem";
 import type {ObjectiveDescription, PropertyDescription, RequirementDescription} from "./kind";
 
 const angle_span = (): [number, number] => [0, 90],
   angle_levels = () => [30, 45, 60, 75];
+
+export const planar_types = [
+  "crank_rocker",
+  "rocker_crank",
+  "double_crank",
+  "double_rocker",
+  "triple_rocker_ground",
+  "triple_rocker_input",
+  "triple_rocker_coupler",
+  "triple_rocker_output",
+  "change_point",
+] as const satisfies readonly LinkageType[];
 
 export const planar_properties = {
   min_transmission_angle_deg: {

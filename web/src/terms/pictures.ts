@@ -220,6 +220,14 @@ export const pictures = {
     ["accent", "M69.6 36.1A13 13 0 0 0 61.2 43.2"],
     ring("dash", [42, 13], 9),
   ),
+  triple_rocker: [
+    ...four_bar([
+      [18, 42.8],
+      [35.2, 18.3],
+      [60.2, 17.2],
+      [78, 42.8],
+    ]),
+  ],
   triple_rocker_ground: [
     line("bad", [18, 42.8], [78, 42.8]),
     ...four_bar([

@@ -60,12 +60,19 @@ const further = {
   "a chain with unlike links": chain("[1.1, 5.2]").replace('"x": 3, "y": 0', '"x": 0, "y": -3'),
   "a chain without a second link": chain("[1, 5]"),
   "a length below zero": lengths('"min_length": -1'),
+  "link angles out of range": lengths('"min_link_angle_deg": 90, "max_link_angle_deg": 0'),
+  "a cone of nothing": lengths('"fixed_axes_within": {"axis": [0, 0, 0], "half_angle_deg": 0}'),
+  "a cone about two numbers": lengths('"fixed_axes_within": {"axis": [0, 1], "half_angle_deg": 9}'),
+  "a cone about a number": lengths('"fixed_axes_within": {"axis": 1, "half_angle_deg": 9}'),
+  "a cone about a vector without end": lengths('"fixed_axes_within": {"axis": [0, 0, 1e13], "half_angle_deg": 9}'),
+  "a type and a requirement of the sphere": lengths('"types": ["triple_rocker"], "min_link_angle_deg": 9'),
+  "an objective of the sphere": `${motion(`${poses(4)}]`).slice(0, -1)}, "options": {"objective": "link_angle"}}`,
   "a shortest link longer than the longest": lengths('"min_length": 5, "max_length": 4'),
 };
 const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name, text}))];
 
 /** Sentences that no text provokes: what JSON cannot say or a reader catches, and what the page finds itself. */
-const unprovoked = ["limits_finite", "two_functions", "no_dyads", "not_utf8"];
+const unprovoked = ["limits_finite", "axis_finite", "two_functions", "no_dyads", "not_utf8"];
 
 /** The codes in the sources of what reads and checks problem files: those before a place, and those of a value read. */
 function codes_of_sources(): string[] {

@@ -56,6 +56,7 @@ export const swing: TaskModule<SwingTask> = {
   default_max_length: ({task}) => 3 * (task as SwingTask).radius,
   map_of: () => "swing",
   properties: {},
+  types: ["crank_rocker"],
   requirements: {
     max_swing_deg: {name: "req.title", short: "req.title", term: null, control: "own", is_value: is_number},
   },

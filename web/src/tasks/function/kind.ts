@@ -6,7 +6,7 @@ import {diagonal_of, pattern_of, position_count, type Range} from "../../state/t
 import {is_function, type AnglePair, type FreeParameter, type FunctionTask, type NamedFunction} from "./task";
 import {significant} from "../../texts/numbers";
 import type {TaskKind} from "../kind";
-import {planar_objectives, planar_properties, planar_requirements} from "../planar";
+import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
 import {defaults} from "../../state/defaults";
 
 const most_pairs = 10_000;
@@ -162,6 +162,7 @@ export const function_kind: TaskKind<FunctionTask> = {
       levels: () => [0.1, 0.2, 0.5, 1],
     },
   },
+  types: planar_types,
   requirements: planar_requirements,
   objectives: {
     structural_error: {

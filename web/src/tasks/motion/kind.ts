@@ -6,7 +6,7 @@ import {diagonal_of, pattern_of, poses_of, position_count, served_poses, type Po
 import {is_motion, type Given, type MotionTask} from "./task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
-import {planar_objectives, planar_properties, planar_requirements} from "../planar";
+import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
 import {form_of} from "./given";
 
 const most_poses = 10_000; // the engine takes five; what was typed is kept until it is set right
@@ -136,6 +136,7 @@ export const motion_kind: TaskKind<MotionTask> = {
       levels: length_levels,
     },
   },
+  types: planar_types,
   requirements: planar_requirements,
   objectives: planar_objectives,
   moved: (task, point) =>

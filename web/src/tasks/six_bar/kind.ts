@@ -6,7 +6,7 @@ import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, read_list, type Object} from "../../state/shape";
 import {pattern_of, poses_of, position_count} from "../../state/task";
 import type {TaskKind} from "../kind";
-import {planar_objectives, planar_properties, planar_requirements} from "../planar";
+import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
 import {row_of} from "./chain";
 import {default_max_length, new_problem as new_motion, pose_table, read_poses} from "../motion/kind";
 
@@ -57,6 +57,7 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
   default_max_length,
   map_of: ({added}) => `six_bar ${added.join(" ")}`,
   properties: planar_properties,
+  types: planar_types,
   requirements: planar_requirements,
   objectives: planar_objectives,
   moved: (task, point) =>

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/region/objective.hpp"
+#include "linkwright/region/requirement_kind.hpp"
+#include "linkwright/region/requirements.hpp"
+
+namespace linkwright {
+
+/// What linkages of a class can be, what can be required of them, and what ranks them.
+struct LinkageClass {
+  std::span<const LinkageType> types;  ///< in the order in which they are told
+  RequirementKinds requirements;       ///< at most max_requirements
+  std::span<const Objective> objectives;
+};
+
+namespace class_members {
+inline constexpr std::array planar_types = {LinkageType::crank_rocker,          LinkageType::rocker_crank,
+                                            LinkageType::double_crank,          LinkageType::double_rocker,
+                                            LinkageType::triple_rocker_ground,  LinkageType::triple_rocker_input,
+                                            LinkageType::triple_rocker_coupler, LinkageType::triple_rocker_output,
+                                            LinkageType::change_point,          LinkageType::degenerate};
+inline constexpr std::array spherical_types = {
+    LinkageType::crank_rocker,  LinkageType::rocker_crank, LinkageType::double_crank, LinkageType::double_rocker,
+    LinkageType::triple_rocker, LinkageType::change_point, LinkageType::degenerate};
+inline constexpr std::array planar_requirements = {RequirementKind::types,
+                                                   RequirementKind::no_defects,
+                                                   RequirementKind::min_transmission_angle,
+                                                   RequirementKind::max_link_ratio,
+                                                   RequirementKind::max_length,
+                                                   RequirementKind::min_length,
+                                                   RequirementKind::ground_pivots_within,
+                                                   RequirementKind::moving_pivots_within};
+inline constexpr std::array spherical_requirements = {RequirementKind::types,
+                                                      RequirementKind::no_defects,
+                                                      RequirementKind::min_transmission_angle,
+                                                      RequirementKind::min_link_angle,
+                                                      RequirementKind::max_link_angle,
+                                                      RequirementKind::fixed_axes_within,
+                                                      RequirementKind::moving_axes_within};
+inline constexpr std::array planar_objectives = {Objective::min_transmission_angle, Objective::link_ratio,
+                                                 Objective::size, Objective::structural_error};
+inline constexpr std::array spherical_objectives = {Objective::min_transmission_angle, Objective::link_angle};
+}  // namespace class_members
+
+inline constexpr LinkageClass planar_linkages = {class_members::planar_types, class_members::planar_requirements,
+                                                 class_members::planar_objectives};
+inline constexpr LinkageClass spherical_linkages = {
+    class_members::spherical_types, class_members::spherical_requirements, class_members::spherical_objectives};
+
+/// A requirement that linkages of the class do not have. Place `requirements.…`.
+[[nodiscard]] Error foreign_requirement(RequirementKind kind, const LinkageClass& of);
+
+/// An objective that does not rank linkages of the class. Place `options.objective`.
+[[nodiscard]] Error foreign_objective(Objective objective, const LinkageClass& of);
+
+/// What of the requirements does not go with the class: types and kinds that it does not have. Places `requirements.…`.
+[[nodiscard]] std::vector<Error> mistakes_in(const Requirements& wanted, const LinkageClass& of);
+
+}  // namespace linkwright
