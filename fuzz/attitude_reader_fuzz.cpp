@@ -12,6 +12,7 @@
 #include "linkwright/files/displacement_file.hpp"
 #include "linkwright/files/link_chain_file.hpp"
 #include "linkwright/files/orientation_file.hpp"
+#include "linkwright/files/twist_file.hpp"
 
 namespace {
 
@@ -43,6 +44,14 @@ void check_displacement(std::string_view text) {
   static_cast<void>(draw_displacement(*report));
 }
 
+void check_twist(std::string_view text) {
+  const auto task = read_twist_task(text);
+  if (!task) return check_errors(task.errors());
+  const auto report = twist_report(*task);
+  if (!report) return check_errors(report.errors());
+  check_numbers(write_twist_report(*report));
+}
+
 void check_angular_motion(std::string_view text) {
   const auto task = read_angular_motion_task(text);
   if (!task) return check_errors(task.errors());
@@ -65,6 +74,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   check_orientation(text);
   check_displacement(text);
+  check_twist(text);
   check_angular_motion(text);
   check_link_chain(text);
   return 0;

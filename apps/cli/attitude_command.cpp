@@ -83,6 +83,10 @@ int attitude(const AttitudeArguments& arguments) {
                                                         write_displacement_report, displacement_words,
                                                         draw_displacement);
   }
+  if (arguments.command == "twist") {
+    return answer<TwistTask, TwistReport>(arguments, read_twist_task, twist_report, write_twist_report, twist_words,
+                                          {});
+  }
   if (arguments.command == "rates") {
     return answer<AngularMotionTask, AngularMotionReport>(arguments, read_angular_motion_task, angular_motion_report,
                                                           write_angular_motion_report, angular_motion_words, {});

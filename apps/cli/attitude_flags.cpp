@@ -59,6 +59,21 @@ std::vector<AttitudeFlag> screw_flags() {
   };
 }
 
+std::vector<AttitudeFlag> twist_flags() {
+  return {
+      {"--angular-velocity", "twist.angular_velocity", Content::numbers, "x,y,z", "Radians per unit of time"},
+      {"--velocity", "twist.velocity", Content::numbers, "x,y,z", "Velocity of a point of the body"},
+      {"--at", "twist.at", Content::numbers, "x,y,z", "Where that point lies (default the origin)"},
+      {"--axis", "twist.screw.axis", Content::numbers, "x,y,z", "Or the direction of the screw axis, any length"},
+      {"--point", "twist.screw.point", Content::numbers, "x,y,z", "A point of the axis (default the origin)"},
+      {"--rate", "twist.screw.rate", Content::number, "NUMBER", "Radians per unit of time about the axis (default 0)"},
+      {"--slide-rate", "twist.screw.slide_rate", Content::number, "NUMBER", "Velocity along the axis (default 0)"},
+      {"--pitch", "twist.screw.pitch", Content::number, "LENGTH", "Or the pitch, length per radian"},
+      {"--of", "points", Content::list_item, "x,y,z", "A point whose velocity is wanted; may be given more than once"},
+      {"--unit", "length_unit", Content::text, "UNIT", "Of lengths; echoed, never converted"},
+  };
+}
+
 std::vector<AttitudeFlag> rates_flags() {
   return joined(
       orientation_flags(),
@@ -208,8 +223,11 @@ bool begins(std::string_view text, std::string_view start) { return text.substr(
 }  // namespace
 
 const std::vector<AttitudeFlag>& attitude_flags(std::string_view command) {
-  static const std::map<std::string_view, std::vector<AttitudeFlag>> all = {
-      {"convert", convert_flags()}, {"screw", screw_flags()}, {"rates", rates_flags()}, {"dh", dh_flags()}};
+  static const std::map<std::string_view, std::vector<AttitudeFlag>> all = {{"convert", convert_flags()},
+                                                                            {"screw", screw_flags()},
+                                                                            {"twist", twist_flags()},
+                                                                            {"rates", rates_flags()},
+                                                                            {"dh", dh_flags()}};
   return all.find(command)->second;
 }
 

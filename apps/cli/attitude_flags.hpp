@@ -36,7 +36,7 @@ struct AttitudeFlag {
   std::string_view fixed_value = {};  ///< JSON
 };
 
-/// The flags of a command, in the order of its help. `command`: convert, screw, rates or dh.
+/// The flags of a command, in the order of its help. `command`: convert, screw, twist, rates or dh.
 [[nodiscard]] const std::vector<AttitudeFlag>& attitude_flags(std::string_view command);
 
 /// The values of the flags that were given, by name; each in the order of the command line.

@@ -190,6 +190,28 @@ std::string screw_words(const Screw& screw, std::string_view unit) {
   return text;
 }
 
+std::string twist_axis_words(const InstantaneousScrew& screw, std::string_view unit) {
+  const std::string slide = quantity(screw.slide_rate) + in_unit(unit);
+  switch (screw.kind) {
+    case TwistKind::rest:
+      return "At rest.\n";
+    case TwistKind::translation:
+      return wrapped(
+          fmt::format("Translation by {} per unit of time along {}: every line of this direction is an axis.", slide,
+                      direction_text(screw.direction)));
+    case TwistKind::rotation:
+    case TwistKind::screw:
+      break;
+  }
+  std::string text = fmt::format("Instantaneous {}, per unit of time {} rad",
+                                 screw.kind == TwistKind::screw ? "screw" : "rotation", quantity(screw.rate));
+  text = wrapped(screw.kind == TwistKind::screw ? text + " about its axis and " + slide + " along it"
+                                                : text + " about its axis");
+  text += row("Direction of the axis", direction_text(screw.direction));
+  text += row("Point of the axis nearest to O", vector(screw.point));
+  return text + row("Pitch, per radian", quantity(screw.pitch().value_or(0)) + in_unit(unit));
+}
+
 std::string moved_words(std::string_view what, const std::vector<Vector3>& from, const std::vector<Vector3>& to) {
   std::string text;
   for (std::size_t i = 0; i < to.size(); ++i) {
@@ -315,6 +337,17 @@ std::string displacement_words(const DisplacementReport& report) {
   text += "Matrix:\n" + displacement_matrix(report.task.displacement);
   text += moved_words("Point", report.task.points, report.displaced_points);
   return text + moved_words("Direction", report.task.directions, report.displaced_directions);
+}
+
+std::string twist_words(const TwistReport& report) {
+  std::string text = twist_axis_words(report.screw, report.task.length_unit);
+  text += row("Angular velocity", vector(report.task.twist.angular));
+  text += row("Velocity of O", vector(report.task.twist.velocity));
+  for (std::size_t i = 0; i < report.velocities.size(); ++i) {
+    text += wrapped(
+        fmt::format("Point {} has the velocity {}.", vector(report.task.points[i]), vector(report.velocities[i])));
+  }
+  return text;
 }
 
 std::string angular_motion_words(const AngularMotionReport& report) {

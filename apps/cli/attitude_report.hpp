@@ -6,6 +6,7 @@
 #include "linkwright/files/displacement_file.hpp"
 #include "linkwright/files/link_chain_file.hpp"
 #include "linkwright/files/orientation_file.hpp"
+#include "linkwright/files/twist_file.hpp"
 
 namespace linkwright::cli {
 
@@ -13,6 +14,7 @@ namespace linkwright::cli {
 
 [[nodiscard]] std::string orientation_words(const OrientationReport& report);
 [[nodiscard]] std::string displacement_words(const DisplacementReport& report);
+[[nodiscard]] std::string twist_words(const TwistReport& report);
 [[nodiscard]] std::string angular_motion_words(const AngularMotionReport& report);
 [[nodiscard]] std::string link_chain_words(const LinkChainReport& report);
 

@@ -34,7 +34,7 @@ struct ExportArguments {
 [[nodiscard]] int export_linkage(const ExportArguments& arguments);
 
 struct AttitudeArguments {
-  std::string command;  ///< convert, screw, rates or dh
+  std::string command;  ///< convert, screw, twist, rates or dh
   std::string input;    ///< path, "-" for standard input, or empty when flags say it
   std::string report;   ///< path, "-" for standard output, or empty
   std::string picture;  ///< path or empty; of convert and screw

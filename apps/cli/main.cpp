@@ -85,6 +85,8 @@ void add_attitude(CLI::App& app, AttitudeArguments& arguments) {
   group->require_subcommand(1);
   add_attitude_command(*group, "convert", "An orientation in every representation, drawn on request", true, arguments);
   add_attitude_command(*group, "screw", "A displacement as a screw and back, drawn on request", true, arguments);
+  add_attitude_command(*group, "twist", "The instantaneous screw of a moving body, and back to velocities", false,
+                       arguments);
   add_attitude_command(*group, "rates", "Angular velocity and acceleration from derivatives or rates, and back", false,
                        arguments);
   add_attitude_command(*group, "dh", "A chain of links by Hartenberg-Denavit parameters", false, arguments);

@@ -74,6 +74,9 @@ class Changes(AttitudeTest):
                     {"orientation": {"turns": [{"axis": [0, 0, 1], "angle_deg": 3}]}, "vectors": [[1, 2, 3]]}),
         "screw": ({"displacement": {"screw": {"axis": [1, 0, 0], "point": [1, 2, 3], "angle_deg": 4, "slide": 5}}},
                   {"displacement": {"matrix": [[1, 0, 0, 5], [0, 1, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1]]}, "directions": [[1, 0, 0]]}),
+        "twist": ({"twist": {"angular_velocity": [1, 2, 3], "velocity": [4, 5, 6], "at": [7, 8, 9]}},
+                  {"twist": {"screw": {"axis": [1, 0, 0], "point": [1, 2, 3], "rate": 4, "slide_rate": 5}}},
+                  {"twist": {"screw": {"axis": [1, 0, 0], "rate": 4, "pitch": 5}}, "length_unit": "mm"}),
         "rates": ({"orientation": {"mrp": [0, 0, 0.1]}, "motion": {"velocity": [1, 2, 3], "acceleration": [4, 5, 6], "frame": "moving"},
                    "origin": {"position": [1, 2, 3], "velocity": [1, 2, 3], "acceleration": [1, 2, 3]}, "step": 2},
                   {"orientation": {"quaternion": [1, 0, 0, 0]}, "motion": {"quaternion_first": [0, 1, 0, 0], "quaternion_second": [-1, 0, 0, 0]}}),
@@ -83,7 +86,7 @@ class Changes(AttitudeTest):
 
     def test_what_the_schema_refuses_the_reader_refuses(self):
         schema = load(ROOT / "schema/attitude.schema.json")
-        for command in ("convert", "screw", "rates", "dh"):
+        for command in ("convert", "screw", "twist", "rates", "dh"):
             validator = jsonschema.Draft202012Validator(schema | {"anyOf": [{"$ref": f"#/$defs/{command}"}]})
             files = [load(ROOT / f"examples/attitude/{name}.json") for name, its in EXAMPLES.items() if its == command]
             for content in [*files, *({"linkwright": 1} | more for more in self.MORE[command])]:
@@ -211,6 +214,11 @@ class Refusals(AttitudeTest):
             ("screw", {"displacement": {"screw": {"axis": [0, 0, 1], "pitch": 1}}}, "displacement.screw.pitch", "nearest known"),
             ("screw", {"displacement": {"screw": {"axis": [0, 0, 1]}, "translation": [0, 0, 1]}}, "displacement", "more than one"),
             ("screw", {"displacement": {"from": {"translation": [0, 0, 1]}}}, "displacement.to", "missing"),
+            ("twist", {}, "twist", "missing"), ("twist", {"twist": {}}, "twist", "one form"),
+            ("twist", {"twist": {"velocity": [0, 0, 1], "screw": {"axis": [0, 0, 1]}}}, "twist", "one form"),
+            ("twist", {"twist": {"screw": {"axis": [0, 0, 0], "rate": 1}}}, "twist.screw.axis", "null vector"),
+            ("twist", {"twist": {"screw": {"axis": [0, 0, 1], "slide_rate": 1, "pitch": 1}}}, "twist.screw.pitch", "keep one"),
+            ("twist", {"twist": {"velocity": [0, 0, 1]}, "points": [[0, 0]]}, "points[0]", "3 numbers"),
             ("rates", {"orientation": {"mrp": [0, 0, 0]}}, "motion", "missing"), ("rates", {"orientation": {"mrp": [0, 0, 0]}, "motion": {}}, "motion", "one form"),
             ("rates", {"orientation": {"mrp": [0, 0, 0]}, "motion": {"velocity": [0, 0, 1], "euler_rates_deg": [0, 0, 1]}}, "motion", "one form"),
             ("rates", {"orientation": {"mrp": [0, 0, 0]}, "motion": {"euler_rates_deg": [0, 0, 1]}}, "motion", "euler_deg"),
@@ -236,6 +244,7 @@ class Refusals(AttitudeTest):
             (("convert", "--matrix", "1,0,0,0,1,0,0,0,2"), ("--matrix: ", "nearest rotation")), (("convert", "--mrp", "0,0,0", "--rodrigues", "0,0,0"), ("keep one",)),
             (("convert", "--anlge", 1), ("--anlge", "linkwright attitude convert --help")), (("turn",), ("linkwright attitude --help",)), ((), ("linkwright attitude --help",)),
             (("screw", "--axis", "0,0,0"), ("--axis: ",)), (("screw", "--matrix", "1,2,3"), ("--matrix: ", "16 numbers")), (("dh", "--link", "1,2,3"), ("--link: ", "4 numbers")),
+            (("twist", "--at", "1,2"), ("--at: ", "3 numbers")), (("twist", "--axis", "0,0,1", "--pitch", 1, "--slide-rate", 1), ("--pitch: ", "keep one")),
             (("rates", "--mrp", "0,0,0"), ("motion",)), (("rates", "--mrp", "0,0,0", "--velocity", "0,0,1", "--in", "body"), ("--in: ", "fixed")),
         ):
             with self.subTest(arguments):

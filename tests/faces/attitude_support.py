@@ -5,7 +5,7 @@ import math
 
 from face_support import FaceTest, run
 
-EXAMPLES = {"antenna": "convert", "gimbal_lock": "convert", "part_transfer": "screw", "spinning_top": "rates", "robot_arm": "dh"}
+EXAMPLES = {"antenna": "convert", "gimbal_lock": "convert", "part_transfer": "screw", "climbing_turn": "twist", "spinning_top": "rates", "robot_arm": "dh"}
 
 
 def product(a, b):

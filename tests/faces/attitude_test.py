@@ -149,6 +149,38 @@ class Screw(AttitudeTest):
         self.assertIn("Rotation by 90.0000°", run("attitude", "screw", "--matrix", matrix)[1])
 
 
+class Twist(AttitudeTest):
+    def test_there_and_back(self):
+        given = {"axis": [1, 2, 6], "point": [60, -20, 0], "rate": 2, "pitch": 5}
+        found = self.report("twist", {"length_unit": "mm", "twist": {"screw": given}, "points": [[60, -20, 0]]})
+        self.assertEqual(found["screw"]["kind"], "screw")
+        self.assertAlmostEqual(found["screw"]["rate"], 2, delta=1e-14)
+        self.assertAlmostEqual(found["screw"]["slide_rate"], 10, delta=1e-13)
+        self.assertAlmostEqual(found["screw"]["pitch"], 5, delta=1e-13)
+        self.assert_close(cross([a - b for a, b in zip(found["screw"]["point"], given["point"])], given["axis"]), [0, 0, 0], 1e-12)
+        self.assert_close(found["velocities"][0], [10 * a / math.sqrt(41) for a in given["axis"]], 1e-13)
+        again = self.report("twist", {"twist": {"angular_velocity": found["angular_velocity"], "velocity": found["velocities"][0], "at": [60, -20, 0]}})
+        self.assert_close(again["screw"]["point"], found["screw"]["point"], 1e-12)
+
+    def test_kinds(self):
+        for twist, kind in (({"velocity": [0, 0, 0]}, "rest"), ({"velocity": [0, -2, 0]}, "translation"),
+                            ({"angular_velocity": [0, 0, 1], "velocity": [3, 4, 0]}, "rotation"),
+                            ({"angular_velocity": [0, 0, 1], "velocity": [3, 4, 5]}, "screw")):
+            with self.subTest(twist):
+                found = self.report("twist", {"twist": twist})["screw"]
+                self.assertEqual(found["kind"], kind)
+                self.assertEqual(found["point"] is None, kind in ("rest", "translation"))
+                self.assertEqual(found["axis_defined"], kind != "rest")
+
+    def test_flags(self):
+        found = self.flags("twist", "--angular-velocity", "0,0,2", "--velocity", "0,2,3", "--at", "4,7,1", "--of", "1,0,0")
+        self.assertEqual(self.flags("twist", "--axis", "0,0,5", "--point", "3,7,9", "--rate", 2, "--pitch", 1.5, "--of", "1,0,0"), found)
+        self.assertEqual(found["velocities"], [[14, -4, 3]])
+        self.assertIn("Instantaneous screw", run("attitude", "twist", "--axis", "0,0,1", "--rate", 1, "--slide-rate", 2)[1])
+        self.assertIn("Instantaneous rotation", run("attitude", "twist", "--axis", "0,0,1", "--rate", 1)[1])
+        self.assertIn("At rest", run("attitude", "twist", "--velocity", "0,0,0")[1])
+
+
 class Rates(AttitudeTest):
     EULER = {"euler_deg": [20, 25, 60], "sequence": "zxz"}
 

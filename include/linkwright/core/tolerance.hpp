@@ -181,6 +181,10 @@ inline constexpr double near_gimbal_lock = 1e-7;
 /// matrices leave a few ulps of 1 behind.
 inline constexpr double no_turn = 1e-15;
 
+/// A sliding along the instantaneous axis, in speeds of the body's point at the origin, that counts as none: an inner
+/// product of rounded vectors at right angles leaves an ulp or two behind.
+inline constexpr double no_slide = 1e-15;
+
 /// Sine of the angle between two lines below which they are parallel: the feet of their common normal are its inverse
 /// away, where rounding has cost as much as is lost by taking them for parallel.
 inline constexpr double parallel_lines = 1e-8;
