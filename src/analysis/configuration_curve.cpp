@@ -65,7 +65,8 @@ ConfigurationCurve::Strand PlanarConfigurationCurve::strand_at(TorusVector point
   return {point, volume > 0 ? (1 / volume) * along : along, sigma / (4 * steepest), sigma, std::abs(loop.closure)};
 }
 
-std::optional<TorusVector> PlanarConfigurationCurve::advanced(const Strand& strand, double along, double accuracy) const {
+std::optional<TorusVector> PlanarConfigurationCurve::advanced(const Strand& strand, double along,
+                                                              double accuracy) const {
   // |F| / σ is the distance from the curve: it must be small beside the reach, but cannot be less than rounding makes
   // it.
   const double enough =
@@ -87,7 +88,8 @@ std::optional<TorusVector> PlanarConfigurationCurve::advanced(const Strand& stra
 }
 
 HingePlaces PlanarConfigurationCurve::moving_hinges(TorusVector p) const {
-  const Point input = lengths_.input * direction(p.input), output = lengths_.ground + lengths_.output * direction(p.output);
+  const Point input = lengths_.input * direction(p.input),
+              output = lengths_.ground + lengths_.output * direction(p.output);
   return {{{input.real(), input.imag(), 0}, {output.real(), output.imag(), 0}}};
 }
 

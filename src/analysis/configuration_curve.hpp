@@ -52,8 +52,8 @@ class ConfigurationCurve {
   /// most once, and turns by less than 20°.
   struct Strand {
     TorusVector point;
-    TorusVector tangent;        ///< unit vector whose φ-component has the sign of the Jacobian by the others; continuous
-    double reach = 0;           ///< radius of the ball, radians
+    TorusVector tangent;  ///< unit vector whose φ-component has the sign of the Jacobian by the others; continuous
+    double reach = 0;     ///< radius of the ball, radians
     double singular_value = 0;  ///< of the Jacobian, the smaller one
     double closure_error = 0;   ///< |F|
   };

@@ -25,9 +25,7 @@ class SphericalConfigurationCurve : public ConfigurationCurve {
   /// A link at some angle about its fixed axis: the moving axis and its derivative by the angle.
   struct Arm {
     Vector3 fixed, level, along, across;  ///< moving axis: level + cos·along + sin·across
-    [[nodiscard]] Vector3 at(double angle) const {
-      return level + std::cos(angle) * along + std::sin(angle) * across;
-    }
+    [[nodiscard]] Vector3 at(double angle) const { return level + std::cos(angle) * along + std::sin(angle) * across; }
     [[nodiscard]] Vector3 slope_at(double angle) const { return std::cos(angle) * across - std::sin(angle) * along; }
   };
   struct Closure {
@@ -104,10 +102,10 @@ double angle_about(Vector3 fixed, Vector3 moving, Vector3 datum) {
 DriveTarget target_of(const SphericalFourBar& bars, const UnitQuaternion& first, const PrescribedOrientation& there) {
   const Vector3 a = turned(bars.input_moving, first, there.orientation),
                 b = turned(bars.output_moving, first, there.orientation);
-  DriveTarget target{{angle_about(bars.input_fixed, a, bars.output_fixed), 0,
-                      angle_about(bars.output_fixed, b, bars.input_fixed)},
-                     {a, b},
-                     {}};
+  DriveTarget target{
+      {angle_about(bars.input_fixed, a, bars.output_fixed), 0, angle_about(bars.output_fixed, b, bars.input_fixed)},
+      {a, b},
+      {}};
   if (!there.derivatives.empty())
     target.rates = {cross(there.derivatives.front(), a), cross(there.derivatives.front(), b)};
   return target;

@@ -134,8 +134,8 @@ std::vector<SphericalDeadPoint> dead_points(const LinkAngles& l) {
 }
 
 double transmission_angle(const SphericalFourBar& bars) {
-  return acute_angle(angle_between(cross(bars.output_moving, bars.input_moving),
-                                   cross(bars.output_moving, bars.output_fixed)));
+  return acute_angle(
+      angle_between(cross(bars.output_moving, bars.input_moving), cross(bars.output_moving, bars.output_fixed)));
 }
 
 // The coupler keeps its angle: (ω₁ G₁ × W₁)·W₂ + W₁·(ω₃ G₂ × W₂) = 0.

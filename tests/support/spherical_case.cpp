@@ -50,4 +50,15 @@ std::vector<PrescribedOrientation> random_orientations(std::mt19937_64& random, 
   return made;
 }
 
+std::vector<PrescribedOrientation> random_sweep(std::mt19937_64& random, int count) {
+  std::uniform_real_distribution<double> turn(0.1, 0.6);
+  Vector3 axis = random_direction(random);
+  std::vector<PrescribedOrientation> made = {{random_rotation(random), {}}};
+  while (static_cast<int>(made.size()) < count) {
+    axis = normalized(axis + 0.4 * random_direction(random));
+    made.push_back({UnitQuaternion::about(axis, turn(random)) * made.back().orientation, {}});
+  }
+  return made;
+}
+
 }  // namespace linkwright::testing

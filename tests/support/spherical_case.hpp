@@ -32,5 +32,7 @@ struct SphericalCase {
 /// Turns from the first one by at most this many radians, and the first anywhere.
 [[nodiscard]] std::vector<PrescribedOrientation> random_orientations(std::mt19937_64& random, int count,
                                                                      double largest_turn);
+/// A body that turns on and on, by 0.1 to 0.6 rad from one to the next about an axis that wanders.
+[[nodiscard]] std::vector<PrescribedOrientation> random_sweep(std::mt19937_64& random, int count);
 
 }  // namespace linkwright::testing

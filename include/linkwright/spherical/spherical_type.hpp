@@ -23,8 +23,8 @@ struct SphericalExcesses {
 /// of the four links together (each or its supplement).
 [[nodiscard]] LinkageType linkage_type(const LinkAngles& angles);
 
-/// About what the links of a triple rocker swing, named by input and output: 0 along the arc between the fixed axes (the
-/// output: along its continuation), π opposite to it. It changes when an axis is replaced by its antipode.
+/// About what the links of a triple rocker swing, named by input and output: 0 along the arc between the fixed axes
+/// (the output: along its continuation), π opposite to it. It changes when an axis is replaced by its antipode.
 enum class TripleRockerKind : std::uint8_t { none, zero_zero, zero_pi, pi_zero, pi_pi };
 [[nodiscard]] TripleRockerKind triple_rocker_kind(const LinkAngles& angles);
 /// "none", "00", "0pi", "pi0", "pipi".
