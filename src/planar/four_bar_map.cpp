@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "linkwright/algebra/homogeneous.hpp"
 #include "linkwright/analysis/driver_sequence.hpp"
@@ -11,6 +10,7 @@
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "planar/four_bar_kernel.hpp"
+#include "region/pair_map.hpp"
 
 namespace linkwright {
 namespace {
@@ -32,8 +32,6 @@ KernelAxis plain_arrays(const DyadAxis& axis) {
   return plain;
 }
 
-std::uint8_t bits(bool ccw, bool cw) { return static_cast<std::uint8_t>((ccw ? 1 : 0) | (cw ? 2 : 0)); }
-
 std::vector<double> coordinates_of(const std::vector<Dyad>& dyads) {
   std::vector<double> coordinates;
   coordinates.reserve(dyads.size());
@@ -41,43 +39,10 @@ std::vector<double> coordinates_of(const std::vector<Dyad>& dyads) {
   return coordinates;
 }
 
-DriverTravel travel_of(const DyadAxis& axis, std::size_t sample) {
-  return {axis.admissible_directions[sample], axis.sweep_ccw[sample]};
-}
-
 KernelCells kernel_cells(const RegionMap::Cells& cells) {
   return {cells.type,        cells.defects,     cells.measures[0],          cells.measures[1],
           cells.measures[2], cells.measures[3], cells.admissible_directions};
 }
-
-std::vector<std::uint32_t> diagonal_of(const DyadAxis& input, const DyadAxis& output) {
-  std::vector<std::pair<double, std::uint32_t>> columns;
-  for (std::size_t k = 0; k < output.size(); ++k)
-    columns.emplace_back(output.dyads[k].coordinate, static_cast<std::uint32_t>(k));
-  std::sort(columns.begin(), columns.end());
-  std::vector<std::uint32_t> column_of_row(input.size(), RegionMap::no_diagonal);
-  for (std::size_t row = 0; row < input.size(); ++row) {
-    const Dyad& dyad = input.dyads[row];
-    const auto found = std::lower_bound(columns.begin(), columns.end(), std::pair(dyad.coordinate, std::uint32_t{0}));
-    if (found != columns.end() && found->first == dyad.coordinate && same_points(dyad, output.dyads[found->second]))
-      column_of_row[row] = found->second;
-  }
-  return column_of_row;
-}
-
-// Which way a driver may turn depends on its partner.
-bool pairs_decide(const DyadAxis& input) {
-  if (input.pose_count() != 2) return false;
-  for (std::size_t i = 0; i < input.size(); ++i)
-    if (input.admissible_directions[i] == (DriverTravel::ccw | DriverTravel::cw) && input.sweep_ccw[i] > 0) return true;
-  return false;
-}
-
-// Rows that a thread takes before it looks whether to stop.
-constexpr std::size_t rows_at_once = 16;
-
-// A smaller map is ready before a second thread is awake.
-constexpr std::size_t cells_worth_a_thread = 30'000;
 
 // The kernel's own way, for the one driver of a row.
 void classify_row(RegionMap& map, std::size_t row, const FourBarRow& sides, double unit, Simd simd) {
@@ -87,7 +52,7 @@ void classify_row(RegionMap& map, std::size_t row, const FourBarRow& sides, doub
   four_bar_kernel.for_simd(simd)({plain_arrays(sides.input), plain_arrays(sides.output), 0, 1, map.columns(),
                                   static_cast<int>(sides.input.pose_count()), unit, tolerance::change_point, cells});
   for (std::size_t column = 0; column < sides.enlarge.size(); ++column) cells.longest[column] *= sides.enlarge[column];
-  const DriverTravel travel = travel_of(sides.input, 0);
+  const DriverTravel travel = driver_travel(sides.input, 0);
   map.set_driver(row, travel);
   if (sides.input.pose_count() != 2)
     std::fill_n(cells.admissible_directions, map.columns(), travel.admissible_directions);
@@ -123,8 +88,8 @@ DyadAxis::DyadAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> po
     }
     if (role == Role::driven) continue;
     const DriverSequence order = driver_sequence(*center, *circle, poses, respect_direction);
-    admissible_directions[i] = bits(order.ccw, order.cw);
-    at_least_half_turn[i] = bits(order.is_at_least_half_turn_ccw(), order.is_at_least_half_turn_cw());
+    admissible_directions[i] = sense_bits(order.ccw, order.cw);
+    at_least_half_turn[i] = sense_bits(order.is_at_least_half_turn_ccw(), order.is_at_least_half_turn_cw());
     sweep_ccw[i] = static_cast<float>(order.sweep_ccw);
   }
 }
@@ -132,26 +97,15 @@ DyadAxis::DyadAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> po
 void classify_pairs(RegionMap& map, const DyadAxis& input, const DyadAxis& output, double unit,
                     const RegionOptions& options, const Progress& progress) {
   require(input.pose_count() == output.pose_count(), "both axes are of one task");
-  map.lay(coordinates_of(input.dyads), coordinates_of(output.dyads), planar_measures, pairs_decide(input), options);
-  map.set_diagonal(diagonal_of(input, output));
+  map.lay(coordinates_of(input.dyads), coordinates_of(output.dyads), planar_measures,
+          pairs_decide_sense(input, input.pose_count()), options);
+  map.set_diagonal(diagonal_of(input.dyads, output.dyads, same_points));
   const std::size_t rows = map.rows(), columns = map.columns();
-  for (std::size_t row = 0; row < rows; ++row) map.set_driver(row, travel_of(input, row));
+  for (std::size_t row = 0; row < rows; ++row) map.set_driver(row, driver_travel(input, row));
   const KernelTask task{
       plain_arrays(input),     plain_arrays(output),      0, rows, columns, static_cast<int>(input.pose_count()), unit,
       tolerance::change_point, kernel_cells(map.cells(0))};
-  const auto kernel = four_bar_kernel.for_simd(options.simd);
-  const int threads = rows * columns < cells_worth_a_thread ? 1 : options.threads;
-  parallel_for((rows + rows_at_once - 1) / rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t chunk = begin; chunk < end; ++chunk) {
-      KernelTask part = task;
-      part.row_begin = chunk * rows_at_once;
-      part.row_end = std::min(part.row_begin + rows_at_once, rows);
-      if (progress.is_cancelled())
-        map.leave_empty(part.row_begin, part.row_end);
-      else
-        kernel(part);
-    }
-  });
+  run_rows(map, task, four_bar_kernel.for_simd(options.simd), options, progress);
 }
 
 void classify_rows(RegionMap& map, std::span<const double> input, std::span<const double> output,

@@ -8,6 +8,7 @@
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/spherical/spherical_position.hpp"
+#include "region/pair_map.hpp"
 #include "spherical/spherical_triangle.hpp"
 
 #define LINKWRIGHT_ISA isa_single_spherical
@@ -46,10 +47,6 @@ void put(Side& side, const TurnedLink& link) {
   }
   only(side.half_sine) = 0.5 * norm(link.dyad.fixed_axis - link.dyad.moving_axis);
   only(side.half_cosine) = 0.5 * norm(link.dyad.fixed_axis + link.dyad.moving_axis);
-}
-
-int sense_bits(bool ccw, bool cw) {
-  return (ccw ? isa_single_spherical::ccw_bit : 0) | (cw ? isa_single_spherical::cw_bit : 0);
 }
 
 template <int Poses>

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/mechanism/spherical_four_bar.hpp"
+#include "linkwright/region/linkage_family.hpp"
+#include "linkwright/spherical/axis_curve.hpp"
+
+namespace linkwright {
+
+struct SphericalDyadPair {
+  SphericalDyad input, output;
+};
+
+/// The four-bar of a pair of dyads, with_short_links().
+[[nodiscard]] SphericalFourBar four_bar_of(const SphericalDyadPair& links);
+
+/// The spherical four-bars that a task leaves open, over two coordinates. The dyads are in the fixed frame, their
+/// moving axes in position 1.
+class SphericalFamily : public LinkageFamily {
+ public:
+  using LinkageFamily::LinkageFamily;
+
+  [[nodiscard]] const LinkageClass& linkages() const override { return spherical_linkages; }
+
+  /// The pair of dyads at a map point; nothing where the family has none there.
+  [[nodiscard]] virtual std::optional<SphericalDyadPair> dyad_pair(MapPoint place) const = 0;
+  /// What the coupler of the bars at a place is to visit, position 1 being the one in which they lie.
+  [[nodiscard]] virtual std::vector<PrescribedOrientation> orientations(MapPoint place,
+                                                                        const SphericalFourBar& bars) const = 0;
+  /// Dyads along the axis close enough to draw their axes as curves, by rising coordinate.
+  [[nodiscard]] virtual std::vector<SphericalDyad> polygon(Side side) const = 0;
+};
+
+/// Every four-bar visits the same orientations, and each dyad depends on its own coordinate alone.
+class SphericalProductFamily : public SphericalFamily {
+ public:
+  SphericalProductFamily(std::vector<PrescribedOrientation> orientations, MapAxis input, MapAxis output);
+
+  /// Nothing where the axis has no dyad there.
+  [[nodiscard]] virtual std::optional<SphericalDyad> dyad(double coordinate) const = 0;
+
+  [[nodiscard]] bool is_symmetric() const override { return true; }
+  [[nodiscard]] std::optional<SphericalDyadPair> dyad_pair(MapPoint place) const override;
+  [[nodiscard]] std::vector<PrescribedOrientation> orientations(MapPoint /*place*/,
+                                                                const SphericalFourBar& /*bars*/) const override {
+    return orientations_;
+  }
+  [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
+
+ private:
+  [[nodiscard]] std::vector<SphericalDyad> dyads(std::span<const double> coordinates) const;
+  void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
+            const RegionOptions& options, const Progress& progress) const override;
+
+  std::vector<PrescribedOrientation> orientations_;
+};
+
+/// Four positions: both dyads from the same curve.
+class SphericalCurveFamily : public SphericalProductFamily {
+ public:
+  SphericalCurveFamily(std::vector<PrescribedOrientation> orientations, std::shared_ptr<const AxisCurve> curve);
+
+  [[nodiscard]] std::optional<SphericalDyad> dyad(double coordinate) const override;
+  [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
+  [[nodiscard]] std::vector<SphericalDyad> polygon(Side side) const override;
+
+ private:
+  std::shared_ptr<const AxisCurve> curve_;
+};
+
+/// A few dyads, any two of which make a four-bar: the i-th fills the branch [i, i + 1).
+class SphericalPointFamily : public SphericalProductFamily {
+ public:
+  /// Each with the coordinate index + ½.
+  SphericalPointFamily(std::vector<PrescribedOrientation> orientations, std::vector<SphericalDyad> dyads);
+
+  [[nodiscard]] std::optional<SphericalDyad> dyad(double coordinate) const override;
+  [[nodiscard]] std::vector<SphericalDyad> polygon(Side /*side*/) const override { return dyads_; }
+
+ private:
+  std::vector<SphericalDyad> dyads_;
+};
+
+}  // namespace linkwright

@@ -1,0 +1,90 @@
+#include "linkwright/spherical/spherical_family.hpp"
+
+#include <cmath>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/spherical/spherical_map.hpp"
+
+namespace linkwright {
+namespace {
+
+MapAxis axis_of_points(std::size_t count) {
+  MapAxis axis{AxisQuantity::burmester_point, {}};
+  for (std::size_t i = 0; i < count; ++i)
+    axis.branches.push_back({"point", static_cast<double>(i), static_cast<double>(i + 1)});
+  return axis;
+}
+
+}  // namespace
+
+SphericalFourBar four_bar_of(const SphericalDyadPair& links) {
+  return with_short_links(
+      {links.input.fixed_axis, links.input.moving_axis, links.output.moving_axis, links.output.fixed_axis});
+}
+
+SphericalProductFamily::SphericalProductFamily(std::vector<PrescribedOrientation> orientations, MapAxis input,
+                                               MapAxis output)
+    : SphericalFamily(std::move(input), std::move(output)), orientations_(std::move(orientations)) {}
+
+std::optional<SphericalDyadPair> SphericalProductFamily::dyad_pair(MapPoint place) const {
+  const auto input = dyad(place.input), output = dyad(place.output);
+  if (!input || !output) return std::nullopt;
+  return SphericalDyadPair{*input, *output};
+}
+
+std::vector<SphericalDyad> SphericalProductFamily::dyads(std::span<const double> coordinates) const {
+  std::vector<SphericalDyad> found;
+  found.reserve(coordinates.size());
+  for (const double coordinate : coordinates) found.push_back(dyad(coordinate).value_or(no_spherical_dyad(coordinate)));
+  return found;
+}
+
+MapPivots SphericalProductFamily::pivots(const RegionMap& map) const {
+  const auto hinges_at = [&](std::span<const double> coordinates) {
+    std::vector<GroundedLinkPivots> hinges;
+    for (const double coordinate : coordinates) {
+      const auto found = dyad(coordinate);
+      hinges.push_back(found ? GroundedLinkPivots{found->fixed_axis, found->moving_axis} : GroundedLinkPivots{});
+    }
+    return hinges;
+  };
+  return {hinges_at(map.input_coordinates()), hinges_at(map.output_coordinates()), {}};
+}
+
+void SphericalProductFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                                  bool respect_direction, const RegionOptions& options,
+                                  const Progress& progress) const {
+  const SphericalAxis rows(dyads(input), orientations_, respect_direction);
+  const bool square = input.size() == output.size() && std::equal(input.begin(), input.end(), output.begin());
+  if (square) return classify_pairs(map, rows, rows, options, progress);
+  constexpr bool drives = false;
+  classify_pairs(map, rows, SphericalAxis(dyads(output), orientations_, respect_direction, drives), options, progress);
+}
+
+SphericalCurveFamily::SphericalCurveFamily(std::vector<PrescribedOrientation> orientations,
+                                           std::shared_ptr<const AxisCurve> curve)
+    : SphericalProductFamily(std::move(orientations), {AxisQuantity::curve_coordinate, curve->branches()},
+                             {AxisQuantity::curve_coordinate, curve->branches()}),
+      curve_(std::move(curve)) {}
+
+std::optional<SphericalDyad> SphericalCurveFamily::dyad(double coordinate) const {
+  return curve_->coordinate_length() > 0 ? std::optional(curve_->dyad(coordinate)) : std::nullopt;
+}
+
+std::vector<double> SphericalCurveFamily::samples(Side /*side*/, int count, Spacing spacing) const {
+  return curve_->samples(count, spacing);
+}
+
+std::vector<SphericalDyad> SphericalCurveFamily::polygon(Side /*side*/) const { return curve_->polygon(); }
+
+SphericalPointFamily::SphericalPointFamily(std::vector<PrescribedOrientation> orientations,
+                                           std::vector<SphericalDyad> dyads)
+    : SphericalProductFamily(std::move(orientations), axis_of_points(dyads.size()), axis_of_points(dyads.size())),
+      dyads_(std::move(dyads)) {}
+
+std::optional<SphericalDyad> SphericalPointFamily::dyad(double coordinate) const {
+  if (!(coordinate >= 0 && coordinate < static_cast<double>(dyads_.size()))) return std::nullopt;
+  return dyads_[static_cast<std::size_t>(coordinate)];
+}
+
+}  // namespace linkwright
