@@ -12,17 +12,13 @@ bool is_locked(const DefectReport& report) { return report.min_transmission_angl
 
 }  // namespace
 
-double CellEvaluator::largest_coordinate() const {
-  return std::max(family_.axis(Side::input).coordinate_length(), family_.axis(Side::output).coordinate_length());
-}
-
 std::optional<Candidate> CellEvaluator::candidate(MapPoint place) const {
   const auto links = family_.dyad_pair(place);
   return links ? evaluated(place, *links) : std::nullopt;
 }
 
-std::optional<Candidate> CellEvaluator::candidate(MapPoint place, const DyadPair& known) const {
-  const auto links = family_.dyad_pair_reusing(place, known);
+std::optional<Candidate> CellEvaluator::candidate(MapPoint place, const Candidate& known) const {
+  const auto links = family_.dyad_pair_reusing(place, known.links);
   return links ? evaluated(place, *links) : std::nullopt;
 }
 
@@ -51,6 +47,11 @@ std::optional<Candidate> CellEvaluator::evaluated(MapPoint place, const DyadPair
 
 bool CellEvaluator::inside(const std::optional<Box>& box, Point p, Point q) const {
   return !box || (box->contains(family_.frame().to_user(p)) && box->contains(family_.frame().to_user(q)));
+}
+
+double CellEvaluator::change_point_margin(const Candidate& here) const {
+  const GrashofExcesses t = grashof_excesses(here.bars.lengths());
+  return std::min({std::abs(t.t1), std::abs(t.t2), std::abs(t.t3)}) / here.bars.lengths().perimeter();
 }
 
 Candidate CellEvaluator::from_better_side(const Candidate& here) const {

@@ -10,6 +10,7 @@
 #include "linkwright/planar/function_error.hpp"
 #include "linkwright/region/hill_tops.hpp"
 #include "planar/candidate.hpp"
+#include "region/ordered_axes.hpp"
 
 namespace linkwright {
 namespace {

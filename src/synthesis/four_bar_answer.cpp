@@ -6,7 +6,6 @@
 #include <iterator>
 #include <span>
 
-#include "linkage_search.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -14,6 +13,7 @@
 #include "linkwright/planar/function_search.hpp"
 #include "reason.hpp"
 #include "region_count.hpp"
+#include "searched_four_bars.hpp"
 #include "warnings.hpp"
 
 namespace linkwright {
@@ -65,7 +65,7 @@ bool find_four_bars(FourBarAnswer& answer, const Progress& progress, const TaskW
       count_region(answer, *given.family, {answer.options.region_samples, answer.options.window}, progress);
   warn_of_map(answer);
   if (answer.meeting_requirements == 0) answer.missed_boxes = missed_boxes(*given.family, answer.requirements);
-  BestLinkages best = best_linkages(answer, filter, progress);
+  BestLinkages best = best_linkages(SearchedFourBars(answer), answer, filter, progress);
   answer.linkages = std::move(best.linkages);
   answer.left_out = best.left_out;
   if (!given.points.empty() && !given.curve) answer.pairs = all_pairs(answer);
