@@ -92,6 +92,7 @@ std::string counts_words(const Problem& problem, const FourBarAnswer& answer, co
 }
 
 std::string best_heading(const FourBarAnswer& answer) {
+  if (answer.options.at) return "The linkage there:\n";
   switch (answer.options.objective) {
     case Objective::link_ratio:
       return "Best linkages, smallest link ratio first:\n";
@@ -150,6 +151,7 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
 }
 
 std::string why_the_best(const Problem& problem, const FourBarAnswer& answer, int decimals) {
+  if (answer.options.at) return wrapped(answer.reason.message);
   const auto& linkages = answer.linkages;
   const Objective objective = answer.options.objective;
   constexpr std::array<std::string_view, 4> superlatives = {"largest minimum transmission angle", "smallest link ratio",
@@ -179,10 +181,13 @@ std::string check_words(const FourBarAnswer& answer) {
       are_functions ? fmt::format("In simulation over the range, {}", precision_words(answer))
                     : fmt::format("The grounded links keep their lengths over the positions to a relative {}{}",
                                   significant_text(worst, 2), of_derivatives);
-  return wrapped(
-      fmt::format("{}; {}.", kept,
-                  all_driven ? "simulation of the motion verified every linkage listed"
-                             : "simulation of the motion disagrees with the table, which is a bug: please report it"));
+  return wrapped(fmt::format("{}; {}.", kept,
+                             all_driven ? "simulation of the motion verified every linkage listed"
+                             : answer.options.at
+                                 ? "simulation of the motion disagrees with the table: rounding decides what "
+                                   "the linkage does there"
+                                 : "simulation of the motion disagrees with the table, which is a bug: please "
+                                   "report it"));
 }
 
 std::string linkages_words(const Problem& problem, const FourBarAnswer& answer) {
@@ -195,8 +200,9 @@ std::string linkages_words(const Problem& problem, const FourBarAnswer& answer) 
 }
 
 std::string nothing_words(const Problem& problem, const FourBarAnswer& answer) {
-  if (!answer.linkages.empty() || answer.options.best == 0) return "";
+  if (!answer.linkages.empty() || (answer.options.best == 0 && !answer.options.at)) return "";
   std::string text = "\n" + wrapped(answer.reason.message);
+  if (answer.options.at) return text;
   for (std::size_t i = 0; i < answer.relax.size(); ++i) {
     if (i == 0 && !answer.relax[i].value && !answer.relax[i].box)
       continue;  // the reason says what dropping it would leave

@@ -57,11 +57,12 @@ std::string six_bar_map_words(const Problem& problem, const SixBarAnswer& answer
   return wrapped(text);
 }
 
-std::string best_heading(Objective objective) {
+std::string best_heading(const SynthesisOptions& options) {
+  if (options.at) return "The six-bar there:\n";
   constexpr std::array<std::string_view, 4> orders = {"largest minimum transmission angle over the task (γ) first",
                                                       "smallest link ratio first", "smallest longest link first",
                                                       "largest minimum transmission angle over the task (γ) first"};
-  return fmt::format("Best six-bars, {}:\n", orders[static_cast<std::size_t>(objective)]);
+  return fmt::format("Best six-bars, {}:\n", orders[static_cast<std::size_t>(options.objective)]);
 }
 
 std::string drive_cell(const SixBarDriveReport& drive) {
@@ -125,12 +126,13 @@ std::string hinge_words(const SixBarAnswer& answer, int decimals) {
 }
 
 std::string limits_words(const Problem& problem, const SixBarAnswer& answer) {
+  if (answer.options.at) return wrapped(answer.reason.message);
   const std::optional<Box> box = answer.search ? answer.options.box : std::nullopt;
   return wrapped("Six-bar 1 " + held_back_words(limits_touched(answer.requirements, answer.linkages.front(), box,
                                                                problem.length_unit)));
 }
 
-std::string check_words(const Solutions& all) {
+std::string check_words(const Solutions& all, bool are_picked) {
   double length = 0, pose = 0;
   bool confirmed = true;
   for (const SixBarSolution& found : all) {
@@ -142,11 +144,13 @@ std::string check_words(const Solutions& all) {
       "The distances between the hinges of a link stay the same over the positions to a relative {}, and the position "
       "error of the body is at most {} of the longest link; {}.",
       significant_text(length, 2), significant_text(pose, 2),
-      confirmed ? "an independent simulation of the motion verified every six-bar listed"
-                : "simulation of the motion disagrees with the table, which is a bug: please report it"));
+      confirmed    ? "an independent simulation of the motion verified every six-bar listed"
+      : are_picked ? "simulation of the motion disagrees with the table: rounding decides what the six-bar does there"
+                   : "simulation of the motion disagrees with the table, which is a bug: please report it"));
 }
 
 std::string no_six_bar_words(const Problem& problem, const SixBarAnswer& answer) {
+  if (answer.options.at) return "\n" + wrapped(answer.reason.message);
   if (answer.options.best == 0 || (answer.search && answer.search->interrupted)) return "";
   std::string text = "\n" + wrapped(answer.reason.message);
   for (const Relaxation& relaxation : answer.relax)
@@ -206,8 +210,9 @@ std::string six_bar_report(const Problem& problem, const SixBarAnswer& answer) {
   double longest = 0;
   for (const SixBarSolution& one : found) longest = std::max(longest, one.rating.shape.longest);
   const int decimals = std::min(length_decimals(longest), 9);
-  return text + "\n" + best_heading(answer.options.objective) + dimension_table(found, decimals) + "\n" +
-         hinge_words(answer, decimals) + "\n" + limits_words(problem, answer) + check_words(found);
+  return text + "\n" + best_heading(answer.options) + dimension_table(found, decimals) + "\n" +
+         hinge_words(answer, decimals) + "\n" + limits_words(problem, answer) +
+         check_words(found, answer.options.at.has_value());
 }
 
 std::string six_bar_words(const StoredSixBarAnalysis& analysis) {

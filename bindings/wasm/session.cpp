@@ -162,6 +162,7 @@ std::string Session::best(int most) const {
   SynthesisOptions options = problem_.options;
   options.region_samples = task().samples_for_best();
   options.window.reset();
+  options.at.reset();
   options.best = most;
   const auto answer = solve(problem_.task, problem_.requirements, options);
   return json_of([&](JsonWriter& json) {
@@ -210,6 +211,7 @@ std::string Session::exported(double input_tau, double output_tau, std::string_v
   found.reason = {"picked", "One linkage, picked on the map.", {}};
   found.requirements = requirements_;
   found.options = problem_.options;
+  found.options.at.reset();
   constexpr bool with_region = false;
   if (format == "result") return write_result(problem_, *answer, with_region);
   return linkwright::exported(stored_linkages(problem_, *answer).front(), format);

@@ -150,7 +150,7 @@ std::optional<MapWindow> read_window(const JsonValue& value) {
 void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& options) {
   const std::size_t before = mistakes.size();
   const JsonObject object(value, mistakes,
-                          {"region_samples", "spacing", "objective", "best", "window", "box", "seed", "effort"});
+                          {"region_samples", "spacing", "objective", "best", "window", "at", "box", "seed", "effort"});
   read_whole_number(object, "region_samples", options.region_samples);
   read_name(object, "spacing", {Spacing::coordinate, Spacing::arc_length}, options.spacing);
   read_name(object, "objective",
@@ -163,6 +163,9 @@ void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& 
   read_whole_number(object, "effort", options.effort);
   const auto window = object.find("window");
   if (window && !window->is_null()) options.window = read_window(*window);
+  const auto at = object.find("at");
+  if (at && !at->is_null())
+    if (const auto place = at->as_pair({"[u, v]"})) options.at = MapPoint{place->real(), place->imag()};
   if (mistakes.size() == before) mistakes.add(mistakes_in(options));
 }
 

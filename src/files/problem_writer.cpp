@@ -78,6 +78,10 @@ void write_options(JsonWriter& json, const SynthesisOptions& options) {
     write_interval(json, options.window->output[0], options.window->output[1]);
     json.end_list();
   }
+  if (options.at) {
+    json.key("at");
+    write_interval(json, options.at->input, options.at->output);
+  }
   json.end_object();
 }
 

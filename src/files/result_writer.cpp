@@ -137,6 +137,15 @@ void write_relaxed_value(JsonWriter& json, const Relaxation& relaxation) {
     json.null();
 }
 
+void write_failures(JsonWriter& json, const std::vector<RequirementKind>& failed) {
+  json.member("meets_requirements", failed.empty());
+  if (failed.empty()) return;
+  json.key("fails");
+  json.begin_list(Layout::one_line);
+  for (const RequirementKind kind : failed) json.value(key(kind));
+  json.end_list();
+}
+
 void write_joint_relaxation(JsonWriter& json, const JointRelaxation& joint) {
   json.begin_object(Layout::one_line);
   json.key("requirements");

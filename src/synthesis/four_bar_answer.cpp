@@ -11,6 +11,7 @@
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
+#include "picked_place.hpp"
 #include "reason.hpp"
 #include "region_count.hpp"
 #include "searched_four_bars.hpp"
@@ -65,12 +66,18 @@ bool find_four_bars(FourBarAnswer& answer, const Progress& progress, const TaskW
       count_region(answer, *given.family, {answer.options.region_samples, answer.options.window}, progress);
   warn_of_map(answer);
   if (answer.meeting_requirements == 0) answer.missed_boxes = missed_boxes(*given.family, answer.requirements);
-  BestLinkages best = best_linkages(SearchedFourBars(answer), answer, filter, progress);
-  answer.linkages = std::move(best.linkages);
-  answer.left_out = best.left_out;
+  if (!answer.options.at) {
+    BestLinkages best = best_linkages(SearchedFourBars(answer), answer, filter, progress);
+    answer.linkages = std::move(best.linkages);
+    answer.left_out = best.left_out;
+  }
   if (!given.points.empty() && !given.curve) answer.pairs = all_pairs(answer);
   if (progress.is_cancelled()) return false;
-  state_reason(answer, words);
+  if (answer.options.at)
+    list_what_is_there(answer, *given.family,
+                       [&](MapPoint place, const auto& /*failed*/) { return SearchedFourBars(answer).make(place); });
+  else
+    state_reason(answer, words);
   progress(1);
   return true;
 }
@@ -144,7 +151,7 @@ Result<Answer> solve_of_kind(const MotionTask& task, const Requirements& require
   auto answer =
       begin_answer<MotionAnswer>(task, task_family(task, requirements, options.objective), requirements, options);
   if (!find_four_bars(answer, part_of(progress, 0, here), {})) return cancelled();
-  if (five && !answer.given.curve && answer.linkages.empty() && options.best > 0) {
+  if (five && !answer.given.curve && answer.linkages.empty() && options.best > 0 && !options.at) {
     answer.relaxed = drop_one_position(task, requirements, {.region = options.region}, part_of(progress, here, 1));
     if (progress.is_cancelled()) return cancelled();
   }
@@ -159,7 +166,8 @@ Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requi
   if (!find_four_bars(answer, progress, function_words)) return cancelled();
   const auto* family = dynamic_cast<const FunctionFamily*>(answer.given.family.get());
   if (!family) return Answer(std::move(answer));
-  if (options.objective == Objective::structural_error) answer.linkages = generators(*family, answer, progress);
+  if (options.objective == Objective::structural_error && !options.at)
+    answer.linkages = generators(*family, answer, progress);
   if (progress.is_cancelled()) return cancelled();
   answer.pairs = all_generators(answer);
   for (std::vector<FourBarSolution>* list : {&answer.linkages, &answer.pairs})

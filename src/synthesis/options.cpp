@@ -47,6 +47,10 @@ std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options
   const LinkageClass& asked = linkages(task);
   if (std::find(asked.objectives.begin(), asked.objectives.end(), options.objective) == asked.objectives.end())
     return {foreign_objective(options.objective, asked)};
+  const auto* six_bar = std::get_if<SixBarTask>(&task);
+  if (options.at && six_bar != nullptr && !six_bar->chain)
+    return {{"place_of_search", "options.at",
+             "six-bars that are searched for have no solution region; give the chain, or drop the place"}};
   if (options.objective != Objective::structural_error) return {};
   const auto* function = std::get_if<FunctionTask>(&task);
   if (function != nullptr && function->function) return {};

@@ -5,6 +5,7 @@
 
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
+#include "picked_place.hpp"
 #include "region_count.hpp"
 
 namespace linkwright {
@@ -57,15 +58,36 @@ void evaluate(SixBarAnswer& answer) {
        {"meeting", static_cast<double>(answer.meeting_requirements)}}};
 }
 
+Error cancelled_map() { return {"cancelled", "", "stopped before the answer was complete"}; }
+
+// The map leaves out the walk round the whole circuit.
+std::optional<SixBarSolution> six_bar_at(const SixBarAnswer& answer, MapPoint place,
+                                         std::vector<RequirementKind>& failed) {
+  const auto member = answer.chain->member(place);
+  const auto row = six_bar_row(answer.task.added);
+  if (!member || !row) return std::nullopt;
+  SixBarSolution found = solution_of(answer.task.poses, *answer.task.chain, *row, *member);
+  const bool known = std::find(failed.begin(), failed.end(), RequirementKind::no_defects) != failed.end();
+  if (answer.requirements.no_defects && !found.rating.drive.defects.none() && !known)
+    failed.push_back(RequirementKind::no_defects);
+  return found;
+}
+
 Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
   answer.chain = ChainFamily::of(answer.task);
   if (!answer.chain) return Error{"out_of_reach", "task.chain", "the chain does not reach all poses"};
   const RequirementFilter filter =
       count_region(answer, *answer.chain, {samples_of(answer.options), std::nullopt}, progress);
   const SynthesisOptions& options = answer.options;
+  if (options.at) {
+    list_what_is_there(answer, *answer.chain, [&](MapPoint place, std::vector<RequirementKind>& failed) {
+      return six_bar_at(answer, place, failed);
+    });
+    return progress.is_cancelled() ? Result<Answer>(cancelled_map()) : Result<Answer>(Answer(std::move(answer)));
+  }
   answer.linkages = best_six_bars(answer.task, *answer.chain, answer.region, answer.requirements,
                                   {options.objective, options.best, options.region.threads}, progress);
-  if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
+  if (progress.is_cancelled()) return cancelled_map();
   evaluate(answer);
   return Answer(std::move(answer));
 }

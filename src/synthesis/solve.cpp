@@ -36,6 +36,7 @@ Result<Answer> solve(const Task& task, const Requirements& requirements, const S
   if (!solved) return solved;
   std::visit(
       [&](auto& answer) {
+        if (options.at) return;  // what is there is told as it is
         leave_out_unconfirmed(answer);
         explain_empty_list(answer, answer.linkages.empty());
         warn_of_locking(answer, progress);

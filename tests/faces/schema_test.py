@@ -19,7 +19,7 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "range_outside_of_table", "dial_of_two_turns", "table_out_of_order", "spacing_of_other_count",
                  "spacing_out_of_order", "spacing_outside_of_range",
                  "chain_that_cannot_reach", "chain_with_no_first_link", "chain_without_elbow", "elbow_other_than_drawn",
-                 "search_box_of_nothing"}
+                 "search_box_of_nothing", "requirements_of_the_sphere", "objective_of_the_sphere", "place_of_a_search"}
 
 # Words of refusals that no schema can give: what is wrong is no matter of structure.
 BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in which the body moves", "the lower number first",
@@ -125,6 +125,8 @@ class Schemas(FaceTest):
             ("options", {}), ("options", {"region_samples": 8, "best": 0}), ("options", {"region_samples": 8.0}),
             ("options", {"spacing": "arc_length", "objective": "size", "region_samples": 8}),
             ("options", {"window": None, "region_samples": 8}), ("options", {"window": [[0, 1], [0.5, 2]], "region_samples": 8}),
+            ("options", {"at": None}), ("options", {"at": [0.5, 1.25]}), ("options", {"at": [-1, 1e300]}),
+            ("requirements", {"min_link_angle_deg": None, "max_link_angle_deg": None, "fixed_axes_within": None}),
         ]
         for key, value in variants:
             problem = load(TAILGATE) | {key: value}

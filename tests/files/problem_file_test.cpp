@@ -141,6 +141,16 @@ TEST(ProblemFile, ReadsRequirementsAndOptions) {
   EXPECT_EQ(problem.options.window->output[0], 0.25);
 }
 
+TEST(ProblemFile, ReadsAPlaceOfTheMapAndWritesIt) {
+  const Problem problem = read(with(R"(, "options": {"at": [0.1, 1.25]})"));
+  ASSERT_TRUE(problem.options.at);
+  EXPECT_EQ(problem.options.at->input, 0.1);
+  EXPECT_EQ(problem.options.at->output, 1.25);
+  EXPECT_EQ(read(write_problem(problem)).options.at->output, 1.25);
+  EXPECT_FALSE(read(with(R"(, "options": {"at": null})")).options.at);
+  EXPECT_FALSE(read_problem(with(R"(, "options": {"at": [0.1]})")).ok());
+}
+
 TEST(ProblemFile, MayHoldCommentsAndAByteOrderMark) {
   EXPECT_TRUE(read_problem("\xEF\xBB\xBF// a comment with \"quotes\" and {{{ brackets\n" + with("// more\n")).ok());
 }

@@ -50,6 +50,31 @@ std::vector<float> decoded_floats(const std::string& text) {
   return numbers;
 }
 
+TEST(ResultFile, SaysWhatALinkageAtAPickedPlaceFails) {
+  Problem problem = tailgate();
+  const auto result_at = [&](MapPoint place) {
+    problem.options.at = place;
+    return json::parse(write_result(problem, testing::answer_of(problem), false));
+  };
+  const json& best = tailgate_result()["linkages"][0];
+  EXPECT_FALSE(best.contains("meets_requirements"));
+  const MapPoint place = {best["input"]["coordinate"], best["output"]["coordinate"]};
+  const json there = result_at(place);
+  ASSERT_EQ(there["linkages"].size(), 1u);
+  EXPECT_EQ(there["linkages"][0]["meets_requirements"], true);
+  EXPECT_FALSE(there["linkages"][0].contains("fails"));
+  EXPECT_EQ(there["linkages"][0]["lengths"], best["lengths"]);
+  EXPECT_EQ(there["problem"]["options"]["at"], json::array({place.input, place.output}));
+  problem.requirements.max_length = 1;
+  const json too_long = result_at(place);
+  ASSERT_EQ(too_long["linkages"].size(), 1u);
+  EXPECT_EQ(too_long["status"], "solved");
+  EXPECT_EQ(too_long["linkages"][0]["meets_requirements"], false);
+  EXPECT_EQ(too_long["linkages"][0]["fails"], json::array({"max_length"}));
+  EXPECT_EQ(result_at({-1, 0})["linkages"].size(), 0u);
+  EXPECT_EQ(result_at({-1, 0})["status"], "no_solution");
+}
+
 TEST(ResultFile, SaysWhatWasFound) {
   const json& result = tailgate_result();
   EXPECT_EQ(result["linkwright"], 1);

@@ -119,6 +119,19 @@ std::size_t outlines(const std::string& picture) {
 }
 
 /// A link 5 that depends on link 4: another axis, and another way to find its positions.
+TEST(SixBarFile, ASixBarAtAPickedPlaceSaysWhatItFails) {
+  Problem problem = solved().problem;
+  const auto chain = ChainFamily::of(std::get<SixBarTask>(problem.task));
+  problem.options.at = chain->point_of(solved().six_bars()[0].member);
+  const auto there = nlohmann::json::parse(write_result(problem, testing::answer_of(problem), false));
+  ASSERT_EQ(there["linkages"].size(), 1u) << there["reason"];
+  EXPECT_EQ(there["linkages"][0]["meets_requirements"], true);
+  problem.requirements.max_length = 1e-3;
+  problem.requirements.min_length = 0;
+  const auto too_long = nlohmann::json::parse(write_result(problem, testing::answer_of(problem), false));
+  EXPECT_EQ(too_long["linkages"][0]["fails"], nlohmann::json::array({"max_length"}));
+}
+
 TEST(SixBarFile, ALinkOnALinkIsWrittenAndDrawn) {
   for (const BodyPair fifth : {BodyPair{4, 3}, BodyPair{3, 4}}) {
     Problem problem = solved().problem;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 
 #include "linkwright/analysis/transmission_angle.hpp"
@@ -430,6 +431,101 @@ TEST(SolveMotion, NamesTheDegeneracyOfMixedPositions) {
   const MotionAnswer answer = solved(there_and_back);
   EXPECT_NE(answer.status, SolutionStatus::degenerate) << answer.reason.message;
   EXPECT_GT(answer.counts.pairs, 0);
+}
+
+// ---- a place of the map
+// ----------------------------------------------------------------------------------------------
+
+class SolveAtAPlace : public ::testing::Test {
+ protected:
+  SolveAtAPlace() { options.region_samples = 60; }
+  [[nodiscard]] MotionAnswer at(MapPoint place) {
+    options.at = place;
+    return solved(tailgate_task(), wanted, options);
+  }
+  Requirements wanted = tailgate_requirements();
+  SynthesisOptions options;
+};
+
+TEST_F(SolveAtAPlace, ListsTheLinkageThereAndNothingElse) {
+  const MotionAnswer best = solved(tailgate_task(), wanted, options);
+  const MapPoint place = best.point_of(best.linkages.at(3));
+  const MotionAnswer picked = at(place);
+  ASSERT_EQ(picked.linkages.size(), 1u);
+  EXPECT_EQ(picked.linkages[0].four_bar.input_circle, best.linkages[3].four_bar.input_circle);
+  EXPECT_EQ(picked.linkages[0].four_bar.output_center, best.linkages[3].four_bar.output_center);
+  EXPECT_TRUE(picked.linkages[0].verified_by_driving);
+  EXPECT_EQ(picked.fails, (std::vector<std::vector<RequirementKind>>{{}}));
+  EXPECT_EQ(picked.status, SolutionStatus::solved);
+  EXPECT_EQ(picked.reason.code, "picked");
+  EXPECT_EQ(picked.counts.types, best.counts.types) << "the region as ever";
+  EXPECT_EQ(picked.meeting_requirements, best.meeting_requirements);
+}
+
+TEST_F(SolveAtAPlace, NamesWhatIsFailedAsTheMapDoes) {
+  const MotionAnswer best = solved(tailgate_task(), wanted, options);
+  const RequirementFilter filter = filter_of(*best.family(), best.region, best.requirements);
+  int failing = 0;
+  for (std::size_t cell = 7; cell < 3600; cell += 311) {
+    const std::size_t row = cell / 60, column = cell % 60;
+    const MotionAnswer picked = at({best.region.input_coordinates()[row], best.region.output_coordinates()[column]});
+    if (best.region.type(cell) == LinkageType::degenerate) {
+      EXPECT_TRUE(picked.linkages.empty());
+      continue;
+    }
+    ASSERT_EQ(picked.linkages.size(), 1u);
+    unsigned bits = 0;
+    for (const RequirementKind kind : picked.fails[0]) bits |= 1u << place_among(filter.kinds(), kind);
+    EXPECT_EQ(bits, filter.failures(row, column));
+    failing += bits != 0;
+  }
+  EXPECT_GT(failing, 3);
+}
+
+TEST_F(SolveAtAPlace, SaysWhyThereIsNothing) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const MapPoint off : {MapPoint{-0.1, 0.5}, {0.5, 2.1}, {nan, 0.5}, {0.5, 0.5}}) {  // the last: one link twice
+    const MotionAnswer picked = at(off);
+    EXPECT_TRUE(picked.linkages.empty());
+    EXPECT_TRUE(picked.fails.empty());
+    EXPECT_EQ(picked.status, SolutionStatus::no_solution);
+    EXPECT_EQ(picked.reason.code, "nothing_there");
+    EXPECT_GT(picked.meeting_requirements, 0) << "the region as ever";
+  }
+}
+
+TEST_F(SolveAtAPlace, AsksForNoBestAndRaisesNoAlarm) {
+  options.best = 0;
+  options.objective = Objective::size;
+  wanted.no_defects = true;
+  wanted.min_transmission_angle = 0;
+  const MotionAnswer picked = at({1.3125, 1.1125});
+  ASSERT_EQ(picked.linkages.size(), 1u);
+  EXPECT_EQ(picked.linkages[0].report.type, LinkageType::triple_rocker_output);
+  for (const Notice& warning : picked.warnings) EXPECT_NE(warning.code, "held_by_locking");
+}
+
+TEST_F(SolveAtAPlace, OfAFunctionHasItsError) {
+  FunctionTask task;
+  task.pairs = {{0, 0}, {0.5, 0.4}, {1, 0.7}, {1.6, 0.9}};
+  const FunctionAnswer best = solved(task, {}, options);
+  ASSERT_FALSE(best.linkages.empty());
+  options.at = best.point_of(best.linkages.back());
+  const FunctionAnswer picked = solved(task, {}, options);
+  ASSERT_EQ(picked.linkages.size(), 1u);
+  EXPECT_EQ(picked.linkages[0].four_bar.output_circle, best.linkages.back().four_bar.output_circle);
+  EXPECT_TRUE(picked.linkages[0].function);
+}
+
+TEST_F(SolveAtAPlace, OfASearchIsRefused) {
+  SixBarTask task;
+  task.poses = tailgate_task().poses;
+  task.box = Box{-500, 500, -500, 500};
+  options.at = MapPoint{0.5, 0.5};
+  const auto refused = solve(task, {}, options);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.errors()[0].code, "place_of_search");
+  EXPECT_EQ(refused.errors()[0].place, "options.at");
 }
 
 }  // namespace

@@ -36,12 +36,13 @@ struct Findings {
   std::vector<Notice> warnings;
   RegionMap region;  ///< without rows where there is no map
   RegionCounts counts;
-  Requirements requirements;                      ///< as used: defaults filled in
-  SynthesisOptions options;                       ///< as used
-  std::int64_t meeting_requirements = 0;          ///< cells
-  std::int64_t left_out = 0;                      ///< of the best: driving does not confirm them; a warning says so
-  std::vector<Relaxation> relax;                  ///< when no linkage meets the requirements, dearest first
-  std::optional<JointRelaxation> relax_together;  ///< when relaxing one requirement alone would leave nothing either
+  Requirements requirements;                        ///< as used: defaults filled in
+  SynthesisOptions options;                         ///< as used
+  std::int64_t meeting_requirements = 0;            ///< cells
+  std::int64_t left_out = 0;                        ///< of the best: driving does not confirm them; a warning says so
+  std::vector<std::vector<RequirementKind>> fails;  ///< options.at: by linkages, the requirements that each fails
+  std::vector<Relaxation> relax;                    ///< when no linkage meets the requirements, dearest first
+  std::optional<JointRelaxation> relax_together;    ///< when relaxing one requirement alone would leave nothing either
 };
 
 struct FourBarAnswer : Findings {

@@ -22,6 +22,9 @@ struct SynthesisOptions {
   Objective objective = Objective::min_transmission_angle;
   int best = 10;                    ///< how many linkages, ≥ 0
   std::optional<MapWindow> window;  ///< of four-bars; nothing: the whole region
+  /// A place of the map: what is there is listed, whether it meets the requirements or not, and nothing else. Nothing:
+  /// the best.
+  std::optional<MapPoint> at;
 
   // Six-bars without a given chain, which is searched for.
   std::optional<Box> box;       ///< for all pivots in position 1, user's unit

@@ -92,7 +92,13 @@ void write_dyads(JsonWriter& json, const FourBarAnswer& answer, bool is_curve_as
 
 void write_lists(JsonWriter& json, const FourBarAnswer& answer) {
   json.key("linkages");
-  write_four_bars(json, answer.linkages, answer.given);
+  json.begin_list();
+  for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
+    FourBarNotes notes = notes_on(answer.linkages[i], answer.given);
+    if (i < answer.fails.size()) notes.fails = answer.fails[i];
+    write_four_bar(json, answer.linkages[i], answer.given.frame(), notes);
+  }
+  json.end_list();
   json.key("pairs");
   write_four_bars(json, answer.pairs, answer.given);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "files/problem_writer.hpp"
+#include "files/result_writer.hpp"
 #include "files/task_writer.hpp"
 #include "linkwright/core/angle.hpp"
 
@@ -99,6 +100,7 @@ void write_pose_error(JsonWriter& json, const PoseError& error, double size) {
 namespace {
 
 void write_notes(JsonWriter& json, const FourBarNotes& notes) {
+  if (notes.fails) write_failures(json, *notes.fails);
   if (notes.defect) json.member("reason", std::string_view(notes.defect->message));
   if (notes.free_value) json.member("free_value", *notes.free_value);
   if (!notes.poses.empty()) write_poses(json, notes.poses);
