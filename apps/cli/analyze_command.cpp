@@ -8,6 +8,7 @@
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/files/text_file.hpp"
 #include "six_bar_report.hpp"
+#include "spherical_report.hpp"
 
 namespace linkwright::cli {
 namespace {
@@ -24,6 +25,8 @@ Result<AnyStoredLinkage> read_linkage_file(const std::string& path) {
 std::string table_of(const LinkageAnalysis& analysis) { return motion_table(tabulated_cycle(analysis.linkage)); }
 std::string table_of(const StoredSixBarAnalysis& analysis) { return motion_table(analysis.motion); }
 
+std::string table_of(const StoredSphericalAnalysis& analysis) { return motion_table(analysis); }
+
 template <class Analysis>
 bool write_report(const std::string& path, const Analysis& analysis) {
   return write_output(path, [&](const TextSink& sink) {
@@ -33,6 +36,10 @@ bool write_report(const std::string& path, const Analysis& analysis) {
 
 std::string words(const LinkageAnalysis& analysis, std::string_view drive) { return linkage_words(analysis, drive); }
 std::string words(const StoredSixBarAnalysis& analysis, std::string_view /*drive*/) { return six_bar_words(analysis); }
+
+std::string words(const StoredSphericalAnalysis& analysis, std::string_view /*drive*/) {
+  return spherical_words(analysis);
+}
 
 template <class Stored>
 int report_on(const Stored& linkage, const AnalyzeArguments& arguments) {
@@ -61,6 +68,10 @@ int analyze(const AnalyzeArguments& arguments) {
     print_mistakes(arguments.linkage, {{"six_bar_driver", "--drive",
                                         "a six-bar is analysed as body 1 drives it, at hinge a; leave --drive out"}});
     return mistake;
+  }
+  if (auto* spherical = std::get_if<StoredSphericalFourBar>(&linkage.value())) {
+    if (arguments.drive == "output") spherical->four_bar = spherical->four_bar.swapped();
+    return report_on(*spherical, arguments);
   }
   auto four_bar = std::get<StoredLinkage>(*linkage);
   if (arguments.drive == "output") four_bar.four_bar = four_bar.four_bar.swapped();

@@ -16,6 +16,7 @@
 #include "pair_report.hpp"
 #include "requirement_report.hpp"
 #include "six_bar_report.hpp"
+#include "spherical_report.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {
@@ -274,6 +275,10 @@ std::string report_of_kind(const Problem& problem, const FunctionAnswer& answer)
          counts_of(problem, answer) + warnings_words(answer) + dyad_words(answer) +
          pair_words(answer, "All linkages that satisfy the five precision points, best first:\n") +
          linkages_words(problem, answer) + nothing_words(problem, answer);
+}
+
+std::string report_of_kind(const Problem& problem, const SphericalMotionAnswer& answer) {
+  return heading(problem, "") + warnings_words(answer) + spherical_report(problem, answer);
 }
 
 std::string report_of_kind(const Problem& problem, const SixBarAnswer& answer) {

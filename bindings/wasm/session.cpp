@@ -10,6 +10,7 @@
 #include "linkwright/synthesis/solve.hpp"
 #include "reply_json.hpp"
 #include "six_bar_session.hpp"
+#include "spherical_session.hpp"
 
 namespace linkwright::wasm {
 namespace {
@@ -22,6 +23,9 @@ std::unique_ptr<TaskSession> session_of(const FunctionTask& task, const Problem&
 }
 std::unique_ptr<TaskSession> session_of(const SixBarTask& task, const Problem& /*problem*/) {
   return std::make_unique<SixBarSession>(task);
+}
+std::unique_ptr<TaskSession> session_of(const SphericalMotionTask& task, const Problem& /*problem*/) {
+  return std::make_unique<SphericalSession>(task);
 }
 
 }  // namespace

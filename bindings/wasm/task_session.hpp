@@ -100,5 +100,6 @@ class TaskSession {
 /// The elements of `best`.
 void write_best_linkages(JsonWriter& json, const FourBarAnswer& answer);
 void write_best_linkages(JsonWriter& json, const SixBarAnswer& answer);
+void write_best_linkages(JsonWriter& json, const SphericalAnswer& answer);
 
 }  // namespace linkwright::wasm

@@ -12,13 +12,25 @@ std::string table(const StoredSixBar& linkage) {
   return motion_table(tabulated_motion(linkage.six_bar, framed_poses(linkage)));
 }
 
+std::string table(const StoredSphericalFourBar& linkage) { return motion_table(analyze(linkage)); }
+
+template <class Stored>
+std::string dxf_of(const Stored& linkage) {
+  return draw_dxf(linkage);
+}
+// Arcs on a sphere have no flat drawing of true size: refused where the format is chosen.
+template <>
+std::string dxf_of(const StoredSphericalFourBar& linkage) {
+  return write_linkage(linkage);
+}
+
 }  // namespace
 
 std::string exported(const AnyStoredLinkage& linkage, std::string_view format) {
   return std::visit(
       [format](const auto& stored) {
         if (format == "svg") return draw_linkage(stored);
-        if (format == "dxf") return draw_dxf(stored);
+        if (format == "dxf") return dxf_of(stored);
         if (format == "csv") return table(stored);
         return write_linkage(stored);
       },

@@ -255,6 +255,16 @@ DrawnRegion drawn_region(const SixBarAnswer& answer, std::string_view length_uni
   return drawn;
 }
 
+DrawnRegion drawn_region(const SphericalMotionAnswer& answer, std::string_view length_unit) {
+  DrawnRegion drawn{answer,
+                    *answer.family(),
+                    {axis_label(answer, Side::input, length_unit), palette::input, {}},
+                    {axis_label(answer, Side::output, length_unit), palette::output, {}},
+                    {}};
+  for (const SphericalSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
+  return drawn;
+}
+
 bool is_ribbon(const LinkageFamily* family) {
   return family && family->axis(Side::output).quantity == AxisQuantity::nothing;
 }

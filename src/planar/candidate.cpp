@@ -59,11 +59,7 @@ Candidate CellEvaluator::from_better_side(const Candidate& here) const {
   auto there = evaluated({here.place.output, here.place.input}, {here.links.output, here.links.input});
   if (!there) return here;
   there->local_optimum = here.local_optimum;
-  if (here.report.defects.none() != there->report.defects.none()) return here.report.defects.none() ? here : *there;
-  if (here.score != there->score) return here.score > there->score ? here : *there;
-  const double angle = here.report.min_transmission_angle, other = there->report.min_transmission_angle;
-  if (angle != other) return angle > other ? here : *there;
-  return here.place.input < there->place.input ? here : *there;
+  return better_driver(here, *there);
 }
 
 }  // namespace linkwright

@@ -76,6 +76,16 @@ template <CandidateEvaluator Evaluator, class Candidate = typename Evaluator::Ca
   return best;
 }
 
+/// Of the same bars driven from either side the better: no defects, score, transmission angle, smaller coordinate.
+template <class Candidate>
+[[nodiscard]] Candidate better_driver(const Candidate& here, const Candidate& there) {
+  if (here.report.defects.none() != there.report.defects.none()) return here.report.defects.none() ? here : there;
+  if (here.score != there.score) return here.score > there.score ? here : there;
+  const double angle = here.report.min_transmission_angle, other = there.report.min_transmission_angle;
+  if (angle != other) return angle > other ? here : there;
+  return here.place.input < there.place.input ? here : there;
+}
+
 /// The top of the hill on which the linkage of a place stands, to the last digit that counts. Nothing where it does not
 /// meet the requirements or is at the top already.
 template <CandidateEvaluator Evaluator>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double largest_rate = 1e9;
 constexpr std::array<std::string_view, 4> derivative_names = {"angular_velocity", "angular_acceleration",
-                                                              "angular_jerk", "fourth_derivative"};
+                                                              "angular_jerk", "angular_snap"};
 
 void check_derivatives(const SphericalMotionTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.orientations.size(); ++i) {

@@ -77,7 +77,7 @@ bool find_four_bars(FourBarAnswer& answer, const Progress& progress, const TaskW
     list_what_is_there(answer, *given.family,
                        [&](MapPoint place, const auto& /*failed*/) { return SearchedFourBars(answer).make(place); });
   else
-    state_reason(answer, words);
+    state_reason(answer, words, reason_facts(answer));
   progress(1);
   return true;
 }

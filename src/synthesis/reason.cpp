@@ -15,9 +15,9 @@ std::string percent(std::int64_t part, std::int64_t whole) {
   return share < 1 ? "under 1 %" : fmt::format("{:.0f} %", share);
 }
 
-Notice nothing_defect_free(const FourBarAnswer& answer, const TaskWords& words) {
+Notice nothing_defect_free(const Findings& answer, const TaskWords& words, bool has_directions) {
   const RegionCounts& counts = answer.counts;
-  const bool directed = answer.requirements.respect_direction && answer.given.has_directions;
+  const bool directed = answer.requirements.respect_direction && has_directions;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   std::vector<std::string> causes;
   const auto blame = [&](std::int64_t cells, std::string_view what) {
@@ -34,12 +34,12 @@ Notice nothing_defect_free(const FourBarAnswer& answer, const TaskWords& words) 
           {{"count", static_cast<double>(whole)}}};
 }
 
-Notice nothing_left(const FourBarAnswer& answer) {
+Notice nothing_left(const Findings& answer, const std::string& missed) {
   const std::int64_t free = answer.counts.defect_free;
   Notice notice{"none_left",
                 fmt::format("None of the four-bars free of defects ({}) meets all requirements.", grouped_text(free)),
                 {{"count", static_cast<double>(free)}}};
-  for (const MissedBox& missed : answer.missed_boxes) notice.message += " " + missed_box_text(missed);
+  notice.message += missed;
   if (!answer.relax.empty()) {
     const Relaxation& dearest = answer.relax.front();
     notice.message += fmt::format(" {} is the most restrictive: without it {} would be left.", key(dearest.requirement),
@@ -77,22 +77,26 @@ void explain_empty_list(Findings& found, bool nothing_listed) {
                     {{"count", meeting}}};
 }
 
-void state_reason(FourBarAnswer& answer, const TaskWords& words) {
+ReasonFacts reason_facts(const FourBarAnswer& answer) {
+  ReasonFacts facts{answer.given.has_directions,
+                    fmt::format("No pair of dyads makes a four-bar: in every pair a pivot is at infinity{} or a link "
+                                "has no length.",
+                                answer.dyads_left_out > 0 ? ", a dyad was discarded" : ""),
+                    ""};
+  for (const MissedBox& missed : answer.missed_boxes) facts.missed += " " + missed_box_text(missed);
+  return facts;
+}
+
+void state_reason(Findings& answer, const TaskWords& words, const ReasonFacts& facts) {
   const RegionCounts& counts = answer.counts;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   if (whole == 0) {
     answer.status = SolutionStatus::no_solution;
-    const bool some_left_out = answer.dyads_left_out > 0;
-    answer.reason = {
-        "no_pair",
-        fmt::format("No pair of dyads makes a four-bar: in every pair a pivot is at infinity{} or a link has no "
-                    "length.",
-                    some_left_out ? ", a dyad was discarded" : ""),
-        {}};
+    answer.reason = {"no_pair", facts.no_pair, {}};
   } else if (counts.defect_free == 0 && answer.requirements.no_defects) {
-    answer.reason = nothing_defect_free(answer, words);
+    answer.reason = nothing_defect_free(answer, words, facts.has_directions);
   } else if (answer.meeting_requirements == 0) {
-    answer.reason = nothing_left(answer);
+    answer.reason = nothing_left(answer, facts.missed);
   } else {
     answer.reason = {
         "solved",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "linkwright/synthesis/answer.hpp"
@@ -18,8 +19,20 @@ inline constexpr TaskWords function_words = {
     "four-bars that generate all pairs", "lock between two pairs (branch)",
     "Try other ranges of the dials, fewer or other pairs, or allow a defect (no_defects: false)."};
 
+inline constexpr TaskWords spherical_words = {
+    "spherical four-bars that pass through all orientations", "lock between two orientations (branch)",
+    "Try another order of the orientations, {}allow a defect (no_defects: false), or turn an orientation a little."};
+
+/// What a reason needs to know beside the findings.
+struct ReasonFacts {
+  bool has_directions = false;  ///< some position prescribes how it is passed
+  std::string no_pair;          ///< why no pair of dyads makes a linkage
+  std::string missed;           ///< what places required of hinges miss; starts with a space where there is something
+};
+[[nodiscard]] ReasonFacts reason_facts(const FourBarAnswer& answer);
+
 /// Status and reason by what the map holds and what meets the requirements.
-void state_reason(FourBarAnswer& answer, const TaskWords& words);
+void state_reason(Findings& found, const TaskWords& words, const ReasonFacts& facts);
 
 /// Where cells of the map meet the requirements, and yet no linkage is listed.
 void explain_empty_list(Findings& found, bool nothing_listed);

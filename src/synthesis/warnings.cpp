@@ -31,7 +31,8 @@ std::vector<Notice> left_out_warning(FourBarAnswer& answer) {
 }
 
 // Where the best by another measure stand at the edge of locking: what keeps them away from it, and what that leaves.
-std::vector<Notice> locking_warning(const FourBarAnswer& answer, const Progress& progress) {
+template <class KindAnswer>
+std::vector<Notice> locking_warning(const KindAnswer& answer, const Progress& progress) {
   constexpr double edge = radians(1), best_of_all = radians(40), step = radians(5);
   const Requirements& asked = answer.requirements;
   if (answer.linkages.empty() || asked.min_transmission_angle > 0 || !asked.no_defects) return {};
@@ -111,17 +112,31 @@ void warn_of_map(FourBarAnswer& answer) {
     answer.warnings.insert(answer.warnings.end(), found.begin(), found.end());
 }
 
-void leave_out_unconfirmed(FourBarAnswer& answer) {
+namespace {
+
+template <class KindAnswer>
+void leave_out(KindAnswer& answer, bool near_pole) {
+  using Found = typename decltype(answer.linkages)::value_type;
+  const auto unconfirmed = [](const Found& found) { return is_unconfirmed(found); };
   std::int64_t& count = answer.left_out;
   if (!answer.pairs.empty()) {  // all there are, those of the list among them
-    count = static_cast<std::int64_t>(std::erase_if(answer.pairs, is_unconfirmed));
-    std::erase_if(answer.linkages, is_unconfirmed);
+    count = static_cast<std::int64_t>(std::erase_if(answer.pairs, unconfirmed));
+    std::erase_if(answer.linkages, unconfirmed);
   }
   if (answer.requirements.no_defects)  // none in the working frame, where they were judged
     count += static_cast<std::int64_t>(
-        std::erase_if(answer.linkages, [](const FourBarSolution& found) { return !found.report.defects.none(); }));
-  count += static_cast<std::int64_t>(std::erase_if(answer.linkages, is_unconfirmed));
-  warn_of_left_out(answer, answer.given.conditions.near_pole.has_value());
+        std::erase_if(answer.linkages, [](const Found& found) { return !found.report.defects.none(); }));
+  count += static_cast<std::int64_t>(std::erase_if(answer.linkages, unconfirmed));
+  warn_of_left_out(answer, near_pole);
+}
+
+}  // namespace
+
+void leave_out_unconfirmed(FourBarAnswer& answer) { leave_out(answer, answer.given.conditions.near_pole.has_value()); }
+
+void leave_out_unconfirmed(SphericalAnswer& answer) {
+  constexpr bool near_pole = false;
+  leave_out(answer, near_pole);
 }
 
 void leave_out_unconfirmed(SixBarAnswer& answer) {
@@ -132,6 +147,10 @@ void leave_out_unconfirmed(SixBarAnswer& answer) {
 }
 
 void warn_of_locking(FourBarAnswer& answer, const Progress& progress) {
+  for (Notice& warning : locking_warning(answer, progress)) answer.warnings.push_back(std::move(warning));
+}
+
+void warn_of_locking(SphericalAnswer& answer, const Progress& progress) {
   for (Notice& warning : locking_warning(answer, progress)) answer.warnings.push_back(std::move(warning));
 }
 

@@ -10,10 +10,12 @@ void warn_of_map(FourBarAnswer& answer);
 
 /// Takes out of the lists what rounding decides (is_unconfirmed), counts it and says so.
 void leave_out_unconfirmed(FourBarAnswer& answer);
+void leave_out_unconfirmed(SphericalAnswer& answer);
 void leave_out_unconfirmed(SixBarAnswer& answer);
 
 /// Where the best by another measure stand at a dead point: what keeps them away from it, and what that leaves.
 void warn_of_locking(FourBarAnswer& answer, const Progress& progress);
+void warn_of_locking(SphericalAnswer& answer, const Progress& progress);
 inline void warn_of_locking(SixBarAnswer& /*answer*/, const Progress& /*progress*/) {}
 
 }  // namespace linkwright

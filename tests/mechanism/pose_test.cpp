@@ -7,8 +7,6 @@
 namespace linkwright::pose_test {
 namespace {
 
-PrescribedPose with_derivatives(std::size_t count) { return {{}, std::vector<PoseDerivative>(count)}; }
-
 TEST(Pose, DisplacesItsOriginToTheOtherOrigin) {
   const Pose from{{1, 2}, 0.3}, to{{-4, 5}, 2};
   EXPECT_EQ(displaced(from.origin, from, to), to.origin);
@@ -24,20 +22,6 @@ TEST(Pose, DisplacementsFollowOneAnother) {
   const Point p{0.7, -0.6};
   EXPECT_NEAR(std::abs(displaced(displaced(p, first, second), second, third) - displaced(p, first, third)), 0, 1e-14);
   EXPECT_NEAR(std::abs(displaced(displaced(p, first, second), second, first) - p), 0, 1e-14);
-}
-
-TEST(Pose, PatternRepeatsPForEachDerivative) {
-  EXPECT_EQ(pattern({{}, {}, {}, {}}), "P-P-P-P");
-  EXPECT_EQ(pattern({with_derivatives(1), {}, {}}), "PP-P-P");
-  EXPECT_EQ(pattern({{}, with_derivatives(2)}), "P-PPP");
-  EXPECT_EQ(pattern({with_derivatives(3)}), "PPPP");
-  EXPECT_EQ(pattern({}), "");
-}
-
-TEST(Pose, PositionsCountWithTheirMultiplicity) {
-  EXPECT_EQ(position_count({}), 0);
-  EXPECT_EQ(position_count({{}, {}, {}, {}}), 4);
-  EXPECT_EQ(position_count({with_derivatives(1), {}, with_derivatives(1)}), 5);
 }
 
 }  // namespace

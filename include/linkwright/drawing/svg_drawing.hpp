@@ -19,4 +19,7 @@ namespace linkwright {
 /// One six-bar as a picture of the same size: its positions, the path of the moving frame, its hinges and lengths.
 [[nodiscard]] std::string draw_linkage(const StoredSixBar& linkage);
 
+/// One spherical four-bar as a picture of the same size.
+[[nodiscard]] std::string draw_linkage(const StoredSphericalFourBar& linkage);
+
 }  // namespace linkwright

@@ -10,6 +10,7 @@
 #include "linkwright/analysis/six_bar_motion.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/linkage_file.hpp"
+#include "linkwright/files/spherical_file.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 #include "linkwright/planar/six_bar_analysis.hpp"
@@ -29,7 +30,7 @@ struct StoredSixBar {
   std::string record;                  ///< the element of a result's `linkages` it came from, JSON text; or empty
 };
 
-using AnyStoredLinkage = std::variant<StoredLinkage, StoredSixBar>;
+using AnyStoredLinkage = std::variant<StoredLinkage, StoredSixBar, StoredSphericalFourBar>;
 
 /// As read_linkage(), six-bars among them: an element of a result's `linkages`, or what write_linkage() wrote, or
 /// `{"mechanism": "six_bar", "chain": {"a": [x, y], "b": …, "d": …}, "added": [{"between": "0-2", "points": [[x, y],

@@ -6,6 +6,7 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/region/linkage_class.hpp"
 
 namespace linkwright {
 
@@ -22,6 +23,8 @@ struct GivenAxes {
 /// Motion generation about a fixed centre: a body shall pass through these orientations, in this order. One with m
 /// derivatives counts as m + 1 positions; there are four or five of them, in any pattern, or three and given axes.
 struct SphericalMotionTask {
+  static constexpr const LinkageClass& linkages = spherical_linkages;
+
   std::vector<PrescribedOrientation> orientations;
   std::optional<GivenAxes> given;  ///< three orientations only
 

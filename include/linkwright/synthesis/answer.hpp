@@ -18,6 +18,7 @@
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/region/requirements.hpp"
+#include "linkwright/spherical/spherical_solution.hpp"
 #include "linkwright/synthesis/options.hpp"
 #include "linkwright/synthesis/task.hpp"
 
@@ -70,6 +71,24 @@ struct FunctionAnswer : FourBarAnswer {
   FunctionTask task;
 };
 
+struct SphericalAnswer : Findings {
+  SphericalTaskFamily given;
+  std::vector<SphericalDyad> samples;       ///< of the curve, by rising coordinate
+  std::vector<SphericalSolution> linkages;  ///< best first
+  /// Three and five positions: every pair of dyads, whatever its defects, best first.
+  std::vector<SphericalSolution> pairs;
+
+  /// What the map is of; null without one.
+  [[nodiscard]] const SphericalFamily* family() const { return given.family.get(); }
+  [[nodiscard]] MapPoint point_of(const SphericalSolution& found) const {
+    return {found.input.coordinate, found.output.coordinate};
+  }
+};
+
+struct SphericalMotionAnswer : SphericalAnswer {
+  SphericalMotionTask task;
+};
+
 struct SixBarAnswer : Findings {
   SixBarTask task;
   std::shared_ptr<const ChainFamily> chain;  ///< of a given chain
@@ -82,7 +101,7 @@ struct SixBarAnswer : Findings {
 };
 
 /// Everything found for a task, by its kind.
-using Answer = std::variant<MotionAnswer, FunctionAnswer, SixBarAnswer>;
+using Answer = std::variant<MotionAnswer, FunctionAnswer, SixBarAnswer, SphericalMotionAnswer>;
 
 /// What the answers of all kinds have in common.
 [[nodiscard]] const Findings& findings(const Answer& answer);

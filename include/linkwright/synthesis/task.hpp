@@ -6,12 +6,13 @@
 #include "linkwright/planar/function_task.hpp"
 #include "linkwright/planar/motion_task.hpp"
 #include "linkwright/planar/six_bar_task.hpp"
+#include "linkwright/spherical/spherical_motion_task.hpp"
 
 namespace linkwright {
 
-/// What a planar linkage is asked to do: guide a body by a four-bar, generate a function by a four-bar, guide a body by
-/// a six-bar.
-using Task = std::variant<MotionTask, FunctionTask, SixBarTask>;
+/// What a linkage is asked to do: guide a body by a planar four-bar, generate a function by one, guide a body by a
+/// planar six-bar, guide a body about a fixed centre by a spherical four-bar.
+using Task = std::variant<MotionTask, FunctionTask, SixBarTask, SphericalMotionTask>;
 
 /// What the linkages of a kind of task can be, and what can be asked of them.
 [[nodiscard]] const LinkageClass& linkages(const Task& task);

@@ -1,0 +1,196 @@
+#include "spherical_reply.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "files/problem_writer.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/spherical/spherical_analysis.hpp"
+#include "reply_json.hpp"
+
+namespace linkwright::wasm {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+void write_axis(JsonWriter& json, std::string_view key, Vector3 axis) {
+  json.key(key);
+  write_numbers(json, std::array{axis.x, axis.y, axis.z});
+}
+
+void write_side(JsonWriter& json, std::string_view key, const SphericalDyad& dyad) {
+  json.key(key);
+  json.begin_object();
+  json.member("coordinate", dyad.coordinate);
+  json.key("center");
+  json.null();
+  json.key("circle");
+  json.null();
+  write_axis(json, "center_homogeneous", dyad.fixed_axis);
+  write_axis(json, "circle_homogeneous", dyad.moving_axis);
+  json.key("length");
+  json.null();
+  json.end_object();
+}
+
+void write_nulls(JsonWriter& json, std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys) {
+    json.key(key);
+    json.null();
+  }
+}
+
+void write_angle_or_null(JsonWriter& json, std::string_view key, bool defined, double angle) {
+  json.key(key);
+  defined ? json.value(degrees(angle)) : json.null();
+}
+
+Notice spherical_defect(Defects defects) {
+  if (defects.circuit()) return {"spherical_circuit", "Circuit defect: some orientation needs taking it apart.", {}};
+  if (defects.branch())
+    return {"spherical_branch", "Branch defect: it passes a dead point before it has passed all orientations.", {}};
+  return {"spherical_order", "Order defect: it comes to the orientations in another order.", {}};
+}
+
+void write_spherical_verdict(JsonWriter& json, const SphericalSolution& found, const SphericalAnalysis& analysis) {
+  const DefectReport& report = found.report;
+  const bool clean = report.defects.none();
+  json.member("type", name(report.type));
+  json.key("defects");
+  write_defects(json, report.defects);
+  json.key("reason");
+  clean ? json.null() : write_notice(json, spherical_defect(report.defects));
+  write_angle_or_null(json, "min_transmission_angle_deg", clean, report.min_transmission_angle);
+  write_angle_or_null(json, "min_transmission_angle_full_turn_deg", input_is_crank(report.type),
+                      report.min_transmission_angle_full_turn);
+  write_angle_or_null(json, "driver_sweep_deg", clean, report.sweep);
+  json.key("drive_sense");
+  report.sense == DriveSense::none ? json.null() : json.value(name(report.sense));
+  json.member("residual", found.residual);
+  json.key("dead_points_deg");
+  std::vector<double> dead;
+  for (const SphericalDeadPoint& point : analysis.dead_points) dead.push_back(degrees(point.configuration.input_angle));
+  write_numbers(json, dead);
+  json.key("swapped");
+  json.begin_object(Layout::one_line);
+  json.member("type", name(found.swapped.type));
+  json.key("defects");
+  write_defects(json, found.swapped.defects);
+  write_angle_or_null(json, "min_transmission_angle_deg", found.swapped.defects.none(),
+                      found.swapped.min_transmission_angle);
+  json.end_object();
+}
+
+void write_no_linkage(JsonWriter& json) {
+  json.member("type", name(LinkageType::degenerate));
+  json.key("defects");
+  write_defects(json, {});
+  json.key("reason");
+  write_notice(json, {"zero_link", "A link has no length: this is no four-bar.", {}});
+  write_nulls(json, {"min_transmission_angle_deg", "min_transmission_angle_full_turn_deg", "driver_sweep_deg",
+                     "drive_sense", "swapped"});
+  json.member("residual", 0.0);
+  json.key("dead_points_deg");
+  write_numbers(json, {});
+}
+
+void write_bars(JsonWriter& json, const SphericalSolution& found, const SphericalAnalysis& analysis) {
+  json.key("spherical");
+  json.begin_object();
+  json.key("angles_deg");
+  json.begin_object(Layout::one_line);
+  json.member("ground", degrees(found.angles.ground));
+  json.member("input", degrees(found.angles.input));
+  json.member("coupler", degrees(found.angles.coupler));
+  json.member("output", degrees(found.angles.output));
+  json.end_object();
+  json.key("triple_rocker");
+  analysis.triple_rocker == TripleRockerKind::none ? json.null() : json.value(name(analysis.triple_rocker));
+  write_axis(json, "input_fixed", found.four_bar.input_fixed);
+  write_axis(json, "input_moving", found.four_bar.input_moving);
+  write_axis(json, "output_moving", found.four_bar.output_moving);
+  write_axis(json, "output_fixed", found.four_bar.output_fixed);
+  json.end_object();
+}
+
+/// The row of each orientation; −1 where the drive does not come to it.
+std::vector<int> rows_of(const SphericalAnalysis& analysis, std::size_t orientations) {
+  std::vector<int> rows(orientations, -1);
+  for (std::size_t row = 0; row < analysis.motion.size(); ++row)
+    if (const auto position = analysis.motion[row].position)
+      rows[static_cast<std::size_t>(*position) - 1] = static_cast<int>(row);
+  return rows;
+}
+
+void write_spherical_drive(JsonWriter& json, const SphericalAnalysis& analysis, std::size_t orientations) {
+  const std::vector<int> rows = rows_of(analysis, orientations);
+  const bool all = std::none_of(rows.begin(), rows.end(), [](int row) { return row < 0; });
+  json.begin_object();
+  json.member("width", static_cast<int>(spherical_state_width));
+  json.key("ticks");
+  json.begin_list();
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    json.begin_object(Layout::one_line);
+    json.member("position", static_cast<int>(j) + 1);
+    json.member("state", rows[j]);
+    json.member("reached", rows[j] >= 0);
+    json.end_object();
+  }
+  json.end_list();
+  const bool full = analysis.input_range.is_full_turn();
+  json.member("full_turn", full);
+  json.key("limits");
+  json.begin_object(Layout::one_line);
+  for (const char* end : {"low", "high"}) {
+    json.key(end);
+    full ? json.null() : json.value("dead_point");
+  }
+  json.end_object();
+  json.key("task");
+  json.begin_list(Layout::one_line);
+  json.value(all ? rows.front() : -1);
+  json.value(all ? rows.back() : -1);
+  json.end_list();
+  json.end_object();
+}
+
+void append(const SphericalState& state, double first_input, std::vector<double>& states) {
+  const UnitQuaternion turn = state.turn.canonical();
+  const Vector3 a = state.four_bar.input_moving, b = state.four_bar.output_moving, v = turn.v();
+  states.insert(states.end(), {degrees(state.configuration.input_angle - first_input), 0, 0, 0, 0, 0, 0, 0,
+                               degrees(state.transmission_angle), 0, degrees(state.configuration.output_angle),
+                               state.velocity_ratio.value_or(0), 0});
+  states.insert(states.end(), {a.x, a.y, a.z, b.x, b.y, b.z, turn.w(), v.x, v.y, v.z});
+}
+
+}  // namespace
+
+LinkageReply spherical_reply(const std::optional<SphericalSolution>& found,
+                             const std::vector<PrescribedOrientation>& orientations, MapPoint point,
+                             std::uint8_t fails) {
+  LinkageReply reply;
+  const SphericalAnalysis analysis = found ? analyze(found->four_bar, orientations) : SphericalAnalysis{};
+  reply.linkage = json_of([&](JsonWriter& json) {
+    json.begin_object();
+    json.member("mechanism", "spherical_four_bar");
+    json.key("tau");
+    write_numbers(json, std::array{point.input, point.output});
+    json.member("fails", int{fails});
+    write_side(json, "input", found ? found->input : no_spherical_dyad(point.input));
+    write_side(json, "output", found ? found->output : no_spherical_dyad(point.output));
+    write_nulls(json, {"lengths", "link_ratio", "longest", "function"});
+    if (found) {
+      write_spherical_verdict(json, *found, analysis);
+      write_bars(json, *found, analysis);
+    } else {
+      write_no_linkage(json);
+    }
+    json.key("drive");
+    analysis.motion.empty() ? json.null() : write_spherical_drive(json, analysis, orientations.size());
+    json.end_object();
+  });
+  for (const SphericalState& state : analysis.motion) append(state, analysis.configuration.input_angle, reply.states);
+  return reply;
+}
+
+}  // namespace linkwright::wasm

@@ -1,0 +1,154 @@
+#include "spherical_session.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwright/core/angle.hpp"
+#include "reply_json.hpp"
+#include "spherical/spherical_candidate.hpp"
+#include "spherical_reply.hpp"
+
+namespace linkwright::wasm {
+namespace {
+
+constexpr int samples_of_the_map = 400;  // as solve() takes, so that the map's cells are its own
+
+void append(std::vector<double>& numbers, Vector3 v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); }
+
+std::uint8_t branch_at(const std::vector<CurveBranch>& branches, double coordinate) {
+  std::uint8_t at = 0;
+  for (std::size_t b = 0; b < branches.size(); ++b)
+    if (coordinate >= branches[b].from) at = static_cast<std::uint8_t>(b);
+  return at;
+}
+
+}  // namespace
+
+SphericalSession::SphericalSession(const SphericalMotionTask& task) : task_(task), given_(task_family(task_)) {}
+
+bool SphericalSession::serves(const Task& task) const {
+  const auto* spherical = std::get_if<SphericalMotionTask>(&task);
+  return spherical && *spherical == task_;
+}
+
+const Notice& SphericalSession::no_map() const {
+  static const Notice none{"no_map", "There is no map of this task.", {}};
+  return given_.degeneracy ? *given_.degeneracy : none;
+}
+
+const Notice& SphericalSession::nothing_on_map() const {
+  static const Notice no_pair{"no_pair", "No pair of dyads makes a four-bar: in every pair a link has no length.", {}};
+  return no_pair;
+}
+
+Requirements SphericalSession::with_defaults(Requirements wanted) const {
+  return with_default_angles(std::move(wanted));
+}
+
+TaskReply SphericalSession::about() const {
+  TaskReply reply{given_.pattern, given_.conditions.condition(), 1, given_.warnings, {}, {}};
+  reply.write_curves = [this](JsonWriter& json) {
+    const CubicConeKind kind = given_.curve ? given_.curve->kind() : CubicConeKind::every_axis;
+    json.begin_object();
+    json.member("kind", given_.curve || !given_.family ? name(kind) : name(AxisQuantity::burmester_point));
+    json.key("center_kind");
+    json.null();
+    json.key("kappa");
+    json.null();
+    json.key("asymptotes");
+    json.null();
+    json.end_object();
+  };
+  return reply;
+}
+
+Drawn SphericalSession::drawn() const {
+  DrawnCurves curves;
+  if (!given_.family) return {curves, {}};
+  const auto& branches = given_.family->axis(Side::input).branches;
+  for (const SphericalDyad& dyad : given_.family->polygon(Side::input)) {
+    curves.tau.push_back(dyad.coordinate);
+    append(curves.center, dyad.fixed_axis);
+    append(curves.circle, dyad.moving_axis);
+    curves.branch.push_back(branch_at(branches, dyad.coordinate));
+  }
+  return {curves, {}};
+}
+
+ShownAxes SphericalSession::axes(const ExploreRequest& /*request*/, Spacing spacing, const ShownAxes* /*shown*/) const {
+  ShownAxes axes;
+  if (!given_.family) return axes;
+  axes.input.axis = given_.family->axis(Side::input);
+  const bool discrete = axes.input.axis.is_discrete();
+  axes.input.order = discrete ? DisplayOrder(axes.input.axis.branches)
+                              : DisplayOrder(axes.input.axis.branches,
+                                             given_.family->samples(Side::input, samples_of_the_map, spacing));
+  axes.output = axes.input;
+  return axes;
+}
+
+std::vector<double> SphericalSession::coordinates(const ExploreRequest& request, const ShownAxis& axis,
+                                                  Side side) const {
+  if (axis.axis.is_discrete()) return given_.family->samples(side, request.samples, Spacing::coordinate);
+  const auto& [from, to] = side == Side::input ? request.input : request.output;
+  return axis.order.samples(request.samples, from, to);
+}
+
+LinkageReply SphericalSession::linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const {
+  constexpr bool verify = false;
+  return spherical_reply(make_spherical_four_bar(given_, place, respect_direction, verify), task_.orientations, place,
+                         fails);
+}
+
+Verification SphericalSession::verify(MapPoint place, bool respect_direction) const {
+  constexpr bool by_driving = true;
+  const auto found = make_spherical_four_bar(given_, place, respect_direction, by_driving);
+  return found ? Verification{found->verified_by_driving, found->residual} : Verification{};
+}
+
+std::vector<double> SphericalSession::trace(MapPoint /*place*/, Point /*traced*/, bool /*respect_direction*/) const {
+  return {};
+}
+
+std::optional<MapPoint> SphericalSession::improved(MapPoint place, const Requirements& wanted,
+                                                   Objective objective) const {
+  return given_.family ? improved_place(SphericalEvaluator(*given_.family, wanted, objective), place) : std::nullopt;
+}
+
+int SphericalSession::samples_for_best() const { return samples_of_the_map; }
+
+std::optional<Answer> SphericalSession::answer_at(MapPoint place, bool respect_direction) const {
+  constexpr bool verify = true;
+  auto found = make_spherical_four_bar(given_, place, respect_direction, verify);
+  if (!found) return std::nullopt;
+  SphericalMotionAnswer answer;
+  answer.task = task_;
+  answer.given = given_;
+  answer.pattern = given_.pattern;
+  answer.condition = given_.conditions.condition();
+  answer.linkages = {*std::move(found)};
+  return Answer(std::move(answer));
+}
+
+void write_best_linkages(JsonWriter& json, const SphericalAnswer& answer) {
+  for (const SphericalSolution& found : answer.linkages) {
+    json.begin_object(JsonWriter::Layout::one_line);
+    json.key("tau");
+    write_numbers(json, std::array{found.input.coordinate, found.output.coordinate});
+    json.member("type", name(found.report.type));
+    json.member("min_transmission_angle_deg", degrees(found.report.min_transmission_angle));
+    for (const char* key : {"link_ratio", "longest", "max_structural_error_deg"}) {
+      json.key(key);
+      json.null();
+    }
+    json.key("pivots");
+    json.begin_list(JsonWriter::Layout::one_line);
+    for (const Vector3 axis : {found.four_bar.input_fixed, found.four_bar.input_moving, found.four_bar.output_fixed,
+                               found.four_bar.output_moving})
+      write_numbers(json, std::array{axis.x, axis.y, axis.z});
+    json.end_list();
+    json.end_object();
+  }
+}
+
+}  // namespace linkwright::wasm

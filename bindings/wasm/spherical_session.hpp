@@ -1,0 +1,39 @@
+#pragma once
+
+#include "linkwright/spherical/spherical_solution.hpp"
+#include "task_session.hpp"
+
+namespace linkwright::wasm {
+
+/// Motion tasks of spherical four-bars.
+class SphericalSession final : public TaskSession {
+ public:
+  explicit SphericalSession(const SphericalMotionTask& task);
+
+  [[nodiscard]] bool serves(const Task& task) const override;
+  [[nodiscard]] const LinkageFamily* family() const override { return given_.family.get(); }
+  [[nodiscard]] const Notice& no_map() const override;
+  [[nodiscard]] const Notice& nothing_on_map() const override;
+  [[nodiscard]] Requirements with_defaults(Requirements wanted) const override;
+  [[nodiscard]] TaskReply about() const override;
+  /// Centres are fixed axes, circle points moving axes, (x, y, z).
+  [[nodiscard]] Drawn drawn() const override;
+  [[nodiscard]] ShownAxes axes(const ExploreRequest& request, Spacing spacing, const ShownAxes* shown) const override;
+  [[nodiscard]] std::vector<double> coordinates(const ExploreRequest& request, const ShownAxis& axis,
+                                                Side side) const override;
+  [[nodiscard]] int map_samples(int asked) const override { return asked; }
+  [[nodiscard]] LinkageReply linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const override;
+  [[nodiscard]] Verification verify(MapPoint place, bool respect_direction) const override;
+  /// None: points of the sphere are no points of the plane.
+  [[nodiscard]] std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const override;
+  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Requirements& wanted,
+                                                 Objective objective) const override;
+  [[nodiscard]] int samples_for_best() const override;
+  [[nodiscard]] std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const override;
+
+ private:
+  SphericalMotionTask task_;
+  SphericalTaskFamily given_;
+};
+
+}  // namespace linkwright::wasm

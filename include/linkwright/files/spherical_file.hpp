@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/mechanism/spherical_four_bar.hpp"
+#include "linkwright/spherical/spherical_analysis.hpp"
+
+namespace linkwright {
+
+/// A spherical four-bar as files carry it.
+struct StoredSphericalFourBar {
+  SphericalFourBar four_bar;                        ///< as it lies in position 1
+  std::string title, length_unit;                   ///< empty when the file does not say
+  std::vector<PrescribedOrientation> orientations;  ///< of the coupler; empty when the file does not say
+  std::string record;  ///< the element of a result's `linkages` it came from, JSON text; or empty
+};
+
+/// As JSON text that read_any_linkage() reads back bit-identical.
+[[nodiscard]] std::string write_linkage(const StoredSphericalFourBar& linkage);
+
+/// The analysis of a spherical four-bar and the file that it came from.
+struct StoredSphericalAnalysis : SphericalAnalysis {
+  StoredSphericalFourBar linkage;
+};
+[[nodiscard]] StoredSphericalAnalysis analyze(const StoredSphericalFourBar& linkage);
+
+/// The analysis as JSON text: angles in degrees with `_deg`, columns of the motion by name.
+[[nodiscard]] std::string write_analysis(const StoredSphericalAnalysis& analysis);
+
+/// A motion as comma-separated values, one header line and one line a state: input and output angle in degrees, both
+/// moving axes, the coupler's orientation against position 1 as a quaternion [w, x, y, z] (against the task's reference
+/// attitude where orientations are known), transmission angle in degrees, velocity ratio, the number of the orientation
+/// that is met there, from 1, empty between. Numbers read back bit-identical.
+[[nodiscard]] std::string motion_table(const StoredSphericalAnalysis& analysis);
+
+}  // namespace linkwright

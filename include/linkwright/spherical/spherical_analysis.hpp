@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/spherical/spherical_position.hpp"
+#include "linkwright/spherical/spherical_type.hpp"
+
+namespace linkwright {
+
+/// One state of a drive.
+struct SphericalState {
+  SphericalConfiguration configuration;
+  SphericalFourBar four_bar;
+  UnitQuaternion turn;  ///< of the coupler from position 1
+  double transmission_angle = 0;
+  std::optional<double> velocity_ratio;  ///< dψ/dθ; nothing at a dead point
+  std::optional<int> position;           ///< number of the orientation met there, from 1
+};
+
+/// What a spherical four-bar does when its input drives it, in the assembly in which it is given.
+struct SphericalAnalysis {
+  LinkAngles angles;
+  LinkageType type = LinkageType::degenerate;
+  TripleRockerKind triple_rocker = TripleRockerKind::none;
+  SphericalConfiguration configuration;  ///< as given
+  AngleRange input_range;                ///< around the configuration given
+  std::vector<SphericalDeadPoint> dead_points;
+  double transmission_angle = 0;      ///< as given
+  double min_transmission_angle = 0;  ///< over the range of the input: 0 unless it is a crank
+  std::optional<double> velocity_ratio;
+  std::vector<SphericalState> motion;  ///< by rising input angle over the whole range, orientations that are met among
+                                       ///< them
+};
+
+/// Even steps of the input's range, dead points at its ends, and what of `orientations` (the first being the one in
+/// which `four_bar` is given) the drive meets, to within `met` radians.
+[[nodiscard]] SphericalAnalysis analyze(const SphericalFourBar& four_bar,
+                                        std::span<const PrescribedOrientation> orientations = {}, int steps = 360);
+
+/// The path of an axis of the coupler over the motion, unit vectors: `axis` as it lies in position 1.
+[[nodiscard]] std::vector<Vector3> coupler_path(const SphericalAnalysis& analysis, Vector3 axis);
+
+}  // namespace linkwright

@@ -1,0 +1,80 @@
+#include <span>
+
+#include "files/result_writer.hpp"
+#include "files/spherical/spherical_kind.hpp"
+#include "files/spherical/spherical_writer.hpp"
+
+namespace linkwright {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+void write_axes(JsonWriter& json, std::string_view key, std::span<const SphericalDyad> dyads,
+                Vector3 SphericalDyad::*axis) {
+  json.key(key);
+  json.begin_list(Layout::one_line);
+  for (const SphericalDyad& dyad : dyads) {
+    json.begin_list(Layout::one_line);
+    for (std::size_t i = 0; i < 3; ++i) json.value((dyad.*axis)[i]);
+    json.end_list();
+  }
+  json.end_list();
+}
+
+void write_axis_curve(JsonWriter& json, const SphericalAnswer& answer) {
+  const AxisCurve* curve = answer.given.curve.get();
+  if (curve == nullptr && !answer.given.degeneracy) return json.null();
+  json.begin_object();
+  json.member("kind", name(curve ? curve->kind() : CubicConeKind::every_axis));
+  json.key("branches");
+  write_branches(json, curve ? curve->branches() : std::vector<CurveBranch>{});
+  json.key("samples");
+  json.begin_object();
+  json.key("coordinate");
+  json.begin_list(Layout::one_line);
+  for (const SphericalDyad& dyad : answer.samples) json.value(dyad.coordinate);
+  json.end_list();
+  write_axes(json, "moving_axis", answer.samples, &SphericalDyad::moving_axis);
+  write_axes(json, "fixed_axis", answer.samples, &SphericalDyad::fixed_axis);
+  json.end_object();
+  json.end_object();
+}
+
+void write_list(JsonWriter& json, std::string_view key, const std::vector<SphericalSolution>& list,
+                const std::vector<std::vector<RequirementKind>>& fails) {
+  json.key(key);
+  json.begin_list();
+  for (std::size_t i = 0; i < list.size(); ++i)
+    write_spherical_four_bar(json, list[i], i < fails.size() ? std::optional(fails[i]) : std::nullopt);
+  json.end_list();
+}
+
+}  // namespace
+
+void write_dyads(JsonWriter& json, const SphericalAnswer& answer) {
+  json.key("curve");
+  write_axis_curve(json, answer);
+  json.key("dyads");
+  json.begin_list();
+  for (const SphericalDyad& dyad : answer.given.points)
+    write_spherical_dyad(json, dyad, residual_of(dyad.fixed_axis, dyad.moving_axis, answer.given.conditions));
+  json.end_list();
+}
+
+void write_linkages(JsonWriter& json, const SphericalMotionAnswer& answer) {
+  write_list(json, "linkages", answer.linkages, answer.fails);
+  write_list(json, "pairs", answer.pairs, {});
+  json.key("freed");
+  json.begin_list();
+  json.end_list();
+}
+
+StoredSphericalFourBar stored(const SphericalSolution& found, const SphericalMotionAnswer& answer) {
+  StoredSphericalFourBar linkage;
+  linkage.four_bar = found.four_bar;
+  linkage.orientations = answer.task.orientations;
+  linkage.record = json_text_of([&](JsonWriter& json) { write_spherical_four_bar(json, found, std::nullopt); });
+  return linkage;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "files/axis_label.hpp"
+#include "files/json/json_writer.hpp"
+#include "files/task_form.hpp"
+#include "linkwright/files/spherical_file.hpp"
+#include "linkwright/synthesis/answer.hpp"
+
+// Spherical four-bars in files: their tasks, and what is found for them.
+namespace linkwright {
+
+[[nodiscard]] Task read_spherical_motion(const JsonValue& value, const std::optional<Box>& options_box,
+                                         Mistakes& mistakes);
+inline constexpr TaskForm motion_by_spherical_four_bar{"motion", "spherical_four_bar", read_spherical_motion};
+
+/// The members of the object `task`.
+void write_of_kind(JsonWriter& json, const SphericalMotionTask& task);
+
+/// As task_label() and short_task_label().
+[[nodiscard]] std::string label_of(const SphericalMotionTask& task);
+[[nodiscard]] std::string short_label_of(const SphericalMotionTask& task);
+
+[[nodiscard]] AxisLabel axis_label(const SphericalMotionAnswer& answer, Side side, std::string_view length_unit);
+
+/// A result has a map.
+[[nodiscard]] inline bool is_mapped(const SphericalAnswer& /*answer*/) { return true; }
+/// The members `curve` and `dyads` of a result.
+void write_dyads(JsonWriter& json, const SphericalAnswer& answer);
+/// The members `linkages`, `pairs` and `freed` of a result.
+void write_linkages(JsonWriter& json, const SphericalMotionAnswer& answer);
+
+/// A linkage of an answer without title and unit.
+[[nodiscard]] StoredSphericalFourBar stored(const SphericalSolution& found, const SphericalMotionAnswer& answer);
+
+}  // namespace linkwright

@@ -1,0 +1,29 @@
+#include <fmt/format.h>
+
+#include "files/spherical/spherical_kind.hpp"
+
+namespace linkwright {
+
+std::string label_of(const SphericalMotionTask& task) {
+  const std::string text = fmt::format("{} orientations about a fixed centre ({})", position_count(task.orientations),
+                                       pattern(task.orientations));
+  if (!task.given) return text;
+  return text + (task.given->kind == GivenAxes::Kind::fixed ? ", given fixed axes" : ", given moving axes");
+}
+
+std::string short_label_of(const SphericalMotionTask& task) {
+  return fmt::format("{} orientations", position_count(task.orientations));
+}
+
+AxisLabel axis_label(const SphericalMotionAnswer& answer, Side side, std::string_view /*length_unit*/) {
+  const MapAxis axis = answer.family() ? answer.family()->axis(side) : MapAxis{};
+  const bool drives = side == Side::input;
+  const std::string_view link = drives ? "input link" : "output link", title = drives ? "Input link" : "Output link";
+  if (axis.quantity == AxisQuantity::burmester_point)
+    return {fmt::format("{}, one of the dyads", link), fmt::format("{}, by its number", title), "1",
+            name(axis.quantity), axis.branches};
+  return {fmt::format("{}, coordinate on its curve", link), fmt::format("{}, τ{}", title, drives ? "₁" : "₂"), "tau",
+          name(axis.quantity), axis.branches};
+}
+
+}  // namespace linkwright

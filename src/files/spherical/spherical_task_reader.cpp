@@ -1,0 +1,127 @@
+#include <array>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "files/attitude/space_reader.hpp"
+#include "files/spherical/orientation_list_reader.hpp"
+#include "files/spherical/spherical_kind.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::size_t most_orientations = 1000;  // what is read to count them in the mistake
+constexpr std::array<std::string_view, 4> rate_keys = {"angular_velocity", "angular_acceleration", "angular_jerk",
+                                                       "angular_snap"};
+
+/// The derivatives beside an orientation; nothing where one is no vector or one before it is missing.
+std::optional<std::vector<Vector3>> read_rates(const JsonObject& object) {
+  std::vector<Vector3> rates;
+  std::string_view missing;
+  bool complete = true;
+  for (const std::string_view key : rate_keys) {
+    const auto found = object.find(key);
+    if (!found) {
+      missing = missing.empty() ? key : missing;
+      continue;
+    }
+    if (!missing.empty()) {
+      found->mistake("skipped_derivative",
+                     fmt::format("\"{}\" belongs before it; give that too, or leave this out", missing),
+                     {{"missing", missing}});
+      return std::nullopt;
+    }
+    const auto rate = read_vector(*found);
+    if (rate) rates.push_back(*rate);
+    complete = complete && rate;
+  }
+  return complete ? std::optional(rates) : std::nullopt;
+}
+
+/// The object without its rates, for the reader of orientations.
+nlohmann::json without_rates(const JsonValue& value, UnknownMembers others) {
+  nlohmann::json bare = value.json();
+  for (const std::string_view key : rate_keys) bare.erase(std::string(key));
+  if (others == UnknownMembers::refused) return bare;
+  nlohmann::json known = nlohmann::json::object();
+  for (const char* key : {"matrix", "axis", "angle_deg", "quaternion", "rotation_vector", "euler_deg", "sequence"})
+    if (bare.contains(key)) known[key] = bare[key];
+  return known;
+}
+
+std::optional<PrescribedOrientation> read_prescribed(const JsonValue& value, Mistakes& mistakes,
+                                                     UnknownMembers others) {
+  const JsonObject object(value, mistakes, {});
+  if (!value.is_object()) return std::nullopt;
+  const auto rates = read_rates(object);
+  const nlohmann::json bare = without_rates(value, others);
+  const auto orientation = read_orientation(JsonValue(bare, value.place(), mistakes), mistakes);
+  if (!rates || !orientation) return std::nullopt;
+  return PrescribedOrientation{orientation->quaternion, *rates};
+}
+
+std::optional<GivenAxes> read_given_axes(const JsonValue& value, Mistakes& mistakes) {
+  const JsonObject object(value, mistakes, {"fixed_axes", "moving_axes"});
+  if (!value.is_object()) return std::nullopt;
+  const auto fixed = object.find("fixed_axes"), moving = object.find("moving_axes");
+  if (fixed.has_value() == moving.has_value()) {
+    value.mistake("given_axes",
+                  "either \"fixed_axes\": [[x, y, z], [x, y, z]] or \"moving_axes\": […, …] belongs here, not both");
+    return std::nullopt;
+  }
+  const JsonValue& list = fixed ? *fixed : *moving;
+  GivenAxes given{fixed ? GivenAxes::Kind::fixed : GivenAxes::Kind::moving, {}};
+  std::size_t count = 0;
+  bool complete = true;
+  const bool is_list = list.for_each({"two_axes", "two axes [[x, y, z], [x, y, z]]"}, [&](const JsonValue& item) {
+    const auto axis = read_vector(item);
+    if (axis && count < 2) given.axes[count] = *axis;
+    ++count;
+    complete = complete && axis;
+  });
+  if (is_list && count != 2) {
+    list.mistake("axis_count", fmt::format("{} axes are given; two belong here, the input's first", count),
+                 {{"count", count}});
+    return std::nullopt;
+  }
+  return is_list && complete ? std::optional(given) : std::nullopt;
+}
+
+}  // namespace
+
+bool read_orientations(const JsonObject& task, Mistakes& mistakes, UnknownMembers others,
+                       std::vector<PrescribedOrientation>& orientations) {
+  const auto found = task.require("orientations", {"orientations_in_full",
+                                                   "a list of orientations, each {\"quaternion\": [w, x, y, z]}, "
+                                                   "{\"axis\": [x, y, z], \"angle_deg\": …}, {\"rotation_vector\": …}, "
+                                                   "{\"matrix\": …} or {\"euler_deg\": …, \"sequence\": \"zyx\"}"});
+  if (!found) return false;
+  if (found->json().is_array() && found->json().size() > most_orientations) {
+    found->mistake("orientation_count",
+                   fmt::format("{} orientations are given; five positions are the most that can be solved, remove the "
+                               "others",
+                               found->json().size()),
+                   {{"count", found->json().size()}});
+    return false;
+  }
+  bool complete = true;
+  const bool is_list = found->for_each({"orientations", "a list of orientations"}, [&](const JsonValue& item) {
+    const auto orientation = read_prescribed(item, mistakes, others);
+    if (orientation) orientations.push_back(*orientation);
+    complete = complete && orientation;
+  });
+  return is_list && complete;
+}
+
+Task read_spherical_motion(const JsonValue& value, const std::optional<Box>& /*options_box*/, Mistakes& mistakes) {
+  const JsonObject object(value, mistakes, {"kind", "mechanism", "orientations", "given"});
+  SphericalMotionTask task;
+  bool complete = read_orientations(object, mistakes, UnknownMembers::refused, task.orientations);
+  if (const auto given = object.find("given"); given && !given->is_null()) {
+    task.given = read_given_axes(*given, mistakes);
+    complete = complete && task.given;
+  }
+  if (complete) mistakes.add(mistakes_in(task));
+  return task;
+}
+
+}  // namespace linkwright

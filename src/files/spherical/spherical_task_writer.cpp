@@ -1,0 +1,24 @@
+#include "files/spherical/spherical_kind.hpp"
+#include "files/spherical/spherical_writer.hpp"
+
+namespace linkwright {
+
+void write_of_kind(JsonWriter& json, const SphericalMotionTask& task) {
+  json.member("kind", "motion");
+  json.member("mechanism", "spherical_four_bar");
+  write_orientations(json, task.orientations);
+  if (!task.given) return;
+  json.key("given");
+  json.begin_object(JsonWriter::Layout::one_line);
+  json.key(task.given->kind == GivenAxes::Kind::fixed ? "fixed_axes" : "moving_axes");
+  json.begin_list(JsonWriter::Layout::one_line);
+  for (const Vector3 axis : task.given->axes) {
+    json.begin_list(JsonWriter::Layout::one_line);
+    for (std::size_t i = 0; i < 3; ++i) json.value(axis[i]);
+    json.end_list();
+  }
+  json.end_list();
+  json.end_object();
+}
+
+}  // namespace linkwright

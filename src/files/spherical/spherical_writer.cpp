@@ -1,0 +1,103 @@
+#include "spherical_writer.hpp"
+
+#include <array>
+
+#include "files/attitude/space_writer.hpp"
+#include "files/problem_writer.hpp"
+#include "files/result_writer.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/spherical/spherical_type.hpp"
+
+namespace linkwright {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+constexpr std::array<std::string_view, 4> derivative_keys = {"angular_velocity", "angular_acceleration", "angular_jerk",
+                                                             "angular_snap"};
+
+/// Over the task; null where a defect leaves it undefined.
+void write_transmission(JsonWriter& json, const DefectReport& report) {
+  json.key("min_transmission_angle_deg");
+  report.defects.none() ? json.value(degrees(report.min_transmission_angle)) : json.null();
+}
+
+void write_report(JsonWriter& json, const DefectReport& report) {
+  json.member("type", name(report.type));
+  json.key("defects");
+  write_defects(json, report.defects);
+}
+
+}  // namespace
+
+void write_orientations(JsonWriter& json, const std::vector<PrescribedOrientation>& orientations) {
+  json.key("orientations");
+  json.begin_list();
+  for (const PrescribedOrientation& there : orientations) {
+    json.begin_object(Layout::one_line);
+    json.key("quaternion");
+    json.begin_list(Layout::one_line);
+    json.value(there.orientation.w());
+    for (std::size_t i = 0; i < 3; ++i) json.value(there.orientation.v()[i]);
+    json.end_list();
+    for (std::size_t m = 0; m < there.derivatives.size(); ++m)
+      write_vector(json, derivative_keys[m], there.derivatives[m]);
+    json.end_object();
+  }
+  json.end_list();
+}
+
+void write_angles(JsonWriter& json, std::string_view key, const LinkAngles& angles) {
+  json.key(key);
+  json.begin_object(Layout::one_line);
+  json.member("ground", degrees(angles.ground));
+  json.member("input", degrees(angles.input));
+  json.member("coupler", degrees(angles.coupler));
+  json.member("output", degrees(angles.output));
+  json.end_object();
+}
+
+void write_spherical_dyad(JsonWriter& json, const SphericalDyad& dyad, double residual) {
+  json.begin_object();
+  write_vector(json, "moving_axis", dyad.moving_axis);
+  write_vector(json, "fixed_axis", dyad.fixed_axis);
+  json.member("angle_deg", degrees(dyad.angle()));
+  json.member("coordinate", dyad.coordinate);
+  json.member("residual", residual);
+  json.member("multiplicity", 1);
+  json.end_object();
+}
+
+void write_spherical_four_bar(JsonWriter& json, const SphericalSolution& found,
+                              const std::optional<std::vector<RequirementKind>>& fails) {
+  json.begin_object();
+  json.member("mechanism", "spherical_four_bar");
+  json.key("input");
+  write_spherical_dyad(json, found.input, found.input_residual);
+  json.key("output");
+  write_spherical_dyad(json, found.output, found.output_residual);
+  write_angles(json, "angles_deg", found.angles);
+  write_report(json, found.report);
+  if (const TripleRockerKind kind = triple_rocker_kind(found.angles); kind != TripleRockerKind::none)
+    json.member("triple_rocker", name(kind));
+  json.key("drive");
+  found.report.sense == DriveSense::none ? json.null() : json.value(name(found.report.sense));
+  json.key("driver_sweep_deg");
+  found.report.defects.none() ? json.value(degrees(found.report.sweep)) : json.null();
+  write_transmission(json, found.report);
+  json.key("min_transmission_angle_full_turn_deg");
+  input_is_crank(found.report.type) ? json.value(degrees(found.report.min_transmission_angle_full_turn)) : json.null();
+  json.member("residual", found.residual);
+  if (found.residual_derivatives) json.member("residual_derivatives", *found.residual_derivatives);
+  json.member("local_optimum", found.local_optimum);
+  json.member("verified_by_driving", found.verified_by_driving);
+  if (fails) write_failures(json, *fails);
+  json.key("swapped");
+  json.begin_object();
+  write_report(json, found.swapped);
+  write_transmission(json, found.swapped);
+  json.end_object();
+  json.end_object();
+}
+
+}  // namespace linkwright

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "files/json/json_writer.hpp"
+#include "linkwright/region/requirement_kind.hpp"
+#include "linkwright/spherical/spherical_solution.hpp"
+
+namespace linkwright {
+
+/// The member `orientations`.
+void write_orientations(JsonWriter& json, const std::vector<PrescribedOrientation>& orientations);
+/// `{"ground": …, "input": …, "coupler": …, "output": …}`, degrees.
+void write_angles(JsonWriter& json, std::string_view key, const LinkAngles& angles);
+/// `{"moving_axis": …, "fixed_axis": …, …}`.
+void write_spherical_dyad(JsonWriter& json, const SphericalDyad& dyad, double residual);
+
+/// An element of a result's `linkages`. `fails`: at a picked place, the requirements that are not met.
+void write_spherical_four_bar(JsonWriter& json, const SphericalSolution& found,
+                              const std::optional<std::vector<RequirementKind>>& fails);
+
+}  // namespace linkwright

@@ -1,0 +1,85 @@
+#include "linkwright/spherical/spherical_task_family.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "linkwright/core/tolerance.hpp"
+
+namespace linkwright {
+namespace {
+
+std::vector<Notice> orientation_warnings(const OrientationConditions& conditions) {
+  if (!(conditions.condition() > tolerance::ill_conditioned)) return {};
+  return {
+      {"ill_conditioned",
+       fmt::format("The orientations are so close together that round-off dominates (condition number {:.1e}); give "
+                   "them as rotation vectors or quaternions, not as matrices, or replace close ones by one with an "
+                   "angular velocity.",
+                   conditions.condition()),
+       {{"condition", conditions.condition()}}}};
+}
+
+std::vector<Matrix3x3> rows_of_derivatives(const std::vector<PrescribedOrientation>& orientations,
+                                           const OrientationConditions& conditions) {
+  std::vector<Matrix3x3> rows;
+  auto row = conditions.rows.begin();
+  for (const PrescribedOrientation& there : orientations) {
+    if (&there != &orientations.front()) ++row;
+    for (std::size_t m = 0; m < there.derivatives.size(); ++m) rows.push_back(*row++);
+  }
+  return rows;
+}
+
+// The moving axis to a fixed one, by the transposed conditions.
+Vector3 moving_axis_of(Vector3 fixed_axis, const OrientationConditions& conditions) {
+  OrientationConditions transposed_rows;
+  for (const Matrix3x3& row : conditions.rows) transposed_rows.rows.push_back(transposed(row));
+  return fixed_axis_of(fixed_axis, transposed_rows);
+}
+
+SphericalDyad dyad_with(const GivenAxes& given, std::size_t side, const OrientationConditions& conditions) {
+  const Vector3 axis = normalized(given.axes[side]);
+  const bool fixed = given.kind == GivenAxes::Kind::fixed;
+  SphericalDyad dyad{fixed ? axis : fixed_axis_of(axis, conditions), fixed ? moving_axis_of(axis, conditions) : axis,
+                     static_cast<double>(side) + 0.5};
+  if (dot(dyad.fixed_axis, dyad.moving_axis) < 0) {
+    Vector3& found = fixed ? dyad.moving_axis : dyad.fixed_axis;
+    found = -found;
+  }
+  return dyad;
+}
+
+void find_given(const SphericalMotionTask& task, SphericalTaskFamily& given) {
+  for (const std::size_t side : {0u, 1u}) given.points.push_back(dyad_with(*task.given, side, given.conditions));
+  given.family = std::make_shared<SphericalPointFamily>(task.orientations, given.points);
+}
+
+void find_curve(const SphericalMotionTask& task, SphericalTaskFamily& given) {
+  given.curve = std::make_shared<const AxisCurve>(given.conditions);
+  given.family = std::make_shared<SphericalCurveFamily>(task.orientations, given.curve);
+}
+
+}  // namespace
+
+SphericalTaskFamily task_family(const SphericalMotionTask& task) {
+  SphericalTaskFamily given;
+  given.pattern = pattern(task.orientations);
+  given.conditions = orientation_conditions(task.orientations);
+  given.derivative_rows = rows_of_derivatives(task.orientations, given.conditions);
+  given.has_directions = !given.derivative_rows.empty();
+  given.degeneracy = orientation_degeneracy(task.orientations, given.conditions);
+  if (given.degeneracy) return given;
+  given.warnings = orientation_warnings(given.conditions);
+  if (task.given)
+    find_given(task, given);
+  else
+    find_curve(task, given);
+  return given;
+}
+
+Requirements with_default_angles(Requirements wanted) {
+  wanted.min_link_angle = wanted.min_link_angle.value_or(default_min_link_angle);
+  return wanted;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,83 @@
+#include "spherical_answer.hpp"
+
+#include <algorithm>
+
+#include "linkwright/spherical/spherical_task_family.hpp"
+#include "picked_place.hpp"
+#include "reason.hpp"
+#include "region_count.hpp"
+#include "searched_spherical.hpp"
+
+namespace linkwright {
+namespace {
+
+// No defects, then the larger least transmission angle, then the smaller coordinate.
+bool is_better_bar(const SphericalSolution& a, const SphericalSolution& b) {
+  if (a.report.defects.none() != b.report.defects.none()) return a.report.defects.none();
+  const double angle = a.report.min_transmission_angle, other = b.report.min_transmission_angle;
+  return angle != other ? angle > other : a.input.coordinate < b.input.coordinate;
+}
+
+// Of a few dyads: every pair as a four-bar, the better driver first named, best first.
+std::vector<SphericalSolution> pairs_of_points(const SphericalAnswer& answer) {
+  const SearchedSphericalFourBars search(answer);
+  const std::vector<double> places = answer.given.family->samples(Side::input, 0, Spacing::coordinate);
+  std::vector<SphericalSolution> pairs;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = i + 1; j < places.size(); ++j) {
+      auto one = search.make({places[i], places[j]}), other = search.make({places[j], places[i]});
+      if (one && other) pairs.push_back(is_better_bar(*other, *one) ? *other : *one);
+    }
+  std::sort(pairs.begin(), pairs.end(), is_better_bar);
+  return pairs;
+}
+
+ReasonFacts reason_facts(const SphericalAnswer& answer) {
+  return {answer.given.has_directions, "No pair of dyads makes a four-bar: in every pair a link has no length.", ""};
+}
+
+// What is found of a family; false where it was cancelled.
+bool find_spherical(SphericalAnswer& answer, const Progress& progress) {
+  const SphericalTaskFamily& given = answer.given;
+  if (given.curve)
+    for (const double at : given.curve->samples(answer.options.region_samples, answer.options.spacing))
+      answer.samples.push_back(given.curve->dyad(at));
+  if (!given.family) {
+    answer.status = given.has_no_dyads ? SolutionStatus::no_solution : SolutionStatus::degenerate;
+    answer.reason = given.degeneracy.value_or(Notice{});
+    return true;
+  }
+  const RequirementFilter filter =
+      count_region(answer, *given.family, {answer.options.region_samples, answer.options.window}, progress);
+  if (!given.points.empty()) answer.pairs = pairs_of_points(answer);
+  const SearchedSphericalFourBars search(answer);
+  if (answer.options.at) {
+    list_what_is_there(answer, *given.family,
+                       [&](MapPoint place, const auto& /*failed*/) { return search.make(place); });
+  } else {
+    auto best = best_linkages(search, answer, filter, progress);
+    answer.linkages = std::move(best.linkages);
+    answer.left_out = best.left_out;
+    state_reason(answer, spherical_words, reason_facts(answer));
+  }
+  progress(1);
+  return !progress.is_cancelled();
+}
+
+}  // namespace
+
+Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements& requirements,
+                             const SynthesisOptions& options, const Progress& progress) {
+  SphericalMotionAnswer answer;
+  answer.task = task;
+  answer.given = task_family(task);
+  answer.pattern = answer.given.pattern;
+  answer.condition = answer.given.conditions.condition();
+  answer.warnings = answer.given.warnings;
+  answer.requirements = with_default_angles(requirements);
+  answer.options = options;
+  if (!find_spherical(answer, progress)) return Error{"cancelled", "", "stopped before the answer was complete"};
+  return Answer(std::move(answer));
+}
+
+}  // namespace linkwright

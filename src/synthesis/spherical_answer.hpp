@@ -1,0 +1,15 @@
+#pragma once
+
+#include "linkwright/core/progress.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/synthesis/answer.hpp"
+#include "warnings.hpp"
+
+namespace linkwright {
+
+/// Everything found for a task of spherical four-bars without mistakes; what driving does not confirm is still among
+/// it. Cancelled: an error.
+[[nodiscard]] Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements& requirements,
+                                           const SynthesisOptions& options, const Progress& progress);
+
+}  // namespace linkwright
