@@ -1,5 +1,6 @@
 #include <emscripten/bind.h>
 
+#include "attitude_reply.hpp"
 #include "session.hpp"
 
 // The session as a JavaScript class. Arrays are views into the engine's memory: to be copied before the next call.
@@ -92,10 +93,12 @@ class BoundSession : public Session {
   std::vector<double> path_;
 };
 
+std::string report(const std::string& of, const std::string& text) { return attitude_reply(of, text); }
 std::string version() { return LINKWRIGHT_VERSION; }
 
 EMSCRIPTEN_BINDINGS(linkwright) {
   emscripten::function("version", &version);
+  emscripten::function("report", &report);
   emscripten::class_<BoundSession>("Session")
       .constructor<>()
       .function("set_problem", &BoundSession::set_problem_text)

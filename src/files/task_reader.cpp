@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "kinds.hpp"
@@ -45,6 +46,12 @@ void refuse(const JsonObject& task, std::string_view kind, std::string_view mech
 Task read_task(const JsonValue& value, const std::optional<Box>& options_box, Mistakes& mistakes) {
   const JsonObject any(value, mistakes, {});
   if (!value.is_object()) return MotionTask{};
+  if (const auto kind = any.find("kind"); kind && kind->json() == "attitude") {
+    kind->mistake("attitude_is_no_linkage",
+                  "an attitude is no linkage to be solved for: open this file in the workbench, or give its orientation "
+                  "to linkwright attitude convert");
+    return MotionTask{};
+  }
   const auto kind = required_name(any, "kind", task_kinds);
   const auto mechanism = required_name(any, "mechanism", mechanism_names);
   if (!kind || !mechanism) return MotionTask{};
