@@ -20,6 +20,7 @@ using Json = nlohmann::json;
 constexpr int path_steps = 48;
 
 Json json_of_vector(Vector3 v) { return {v.x, v.y, v.z}; }
+Vector3 vector_of(const Json& list) { return {list.at(0), list.at(1), list.at(2)}; }
 Json json_of_matrix(const Matrix3x3& m) {
   Json rows = Json::array();
   for (const Vector3 row : m.row) rows.push_back(json_of_vector(row));
@@ -153,11 +154,16 @@ Result<AngularMotionReport> rates_report(const Json& request, const Json& angles
   return task ? angular_motion_report(*task) : Result<AngularMotionReport>(task.errors());
 }
 
-Result<DisplacementReport> displacement_between(const Json& request, const UnitQuaternion& q) {
+Result<DisplacementReport> displacement_between(const Json& request, const Displacement& from,
+                                                const UnitQuaternion& q) {
   const Json second = {{"orientation", {{"quaternion", {q.w(), q.v().x, q.v().y, q.v().z}}}},
                        {"translation", request.value("translation", Json({0, 0, 0}))}};
-  const auto task = read_displacement_task(file("displacement", {{"from", request["from"]}, {"to", second}}).dump());
-  return task ? displacement_report(*task) : Result<DisplacementReport>(task.errors());
+  auto task = read_displacement_task(file("displacement", {{"from", request["from"]}, {"to", second}}).dump());
+  if (!task) return task.errors();
+  // What rounding leaves between two poses at one place is no translation.
+  const double size = norm(vector_of(second["translation"])) + norm(from.translation);
+  if (norm(task->displacement.translation) <= tolerance::no_turn * size) task->displacement.translation = {};
+  return displacement_report(*task);
 }
 
 Result<Json> attitude(const Json& request) {
@@ -173,7 +179,7 @@ Result<Json> attitude(const Json& request) {
                 {"rotation", rotation_of(*task, at.value("rotation", 1.0))}};
   const auto from = first_pose(request);
   if (!from) return from.errors();
-  const auto screw = displacement_between(request, q);
+  const auto screw = displacement_between(request, from->displacement, q);
   if (!screw) return screw.errors();
   reply["screw"] = Json::parse(write_displacement_report(*screw));
   reply["motion"] = motion_of(screw->screw, from->displacement, at.value("screw", 1.0));

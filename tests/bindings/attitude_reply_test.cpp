@@ -100,6 +100,12 @@ TEST(AttitudeReply, RunsOnTheConeAndOnTheHelix) {
   EXPECT_LE(distance(reply(first)["motion"]["now"], all["motion"]["from"]), 1e-15);
 }
 
+TEST(AttitudeReply, NothingMovesBetweenAPoseAndItself) {
+  json asked = task();
+  asked["from"] = {{"orientation", asked["orientation"]}, {"translation", asked["translation"] = {-60, 260, 90}}};
+  EXPECT_EQ(reply(asked)["screw"]["screw"]["kind"], "identity");
+}
+
 TEST(AttitudeReply, HasTheAngularVelocityOfTheRates) {
   const json all = reply(task());
   json sum = {0, 0, 0};

@@ -42,6 +42,8 @@ export interface Session {
 }
 export interface LinkwrightModule {
   Session: new () => Session;
+  /** JSON text: the report of this name, or {"mistakes"}. */
+  report(of: string, text: string): string;
   version(): string;
 }
 

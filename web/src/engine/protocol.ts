@@ -310,6 +310,8 @@ export interface Requests {
   verify: {problem: string; tau: TauPair};
   trace: {problem: string; tau: TauPair; point: Point}; // path of a body point (position 1 coordinates)
   export: {problem: string; tau: TauPair; format: ExportFormat};
+  /** What is no linkage's: JSON text that the engine's report of this name reads. */
+  report: {of: string; text: string};
   /** Reads a problem file: its normal form or its mistakes. */
   read: {text: string};
 }
@@ -334,6 +336,7 @@ export interface Replies {
   verify: {verified: boolean; residual: number};
   trace: {points: Float64Array}; // 2K, one per drive state
   export: {text: string; extension: string};
+  report: {report: object};
   read: {problem: string};
 }
 export type Kind = keyof Requests;

@@ -43,7 +43,7 @@ export class Server {
   private problem: string | null = null;
 
   constructor(
-    module: LinkwrightModule,
+    private readonly module: LinkwrightModule,
     private readonly tell: (message: ReplyMessage) => void = () => {},
   ) {
     this.session = new module.Session();
@@ -72,6 +72,7 @@ export class Server {
       verify: (r) => JSON.parse(this.holding(r.problem).verify(...r.tau)),
       trace: (r) => ({points: copied(this.holding(r.problem).trace(...r.tau, ...r.point))}),
       export: (r) => this.exported(r),
+      report: (r) => this.report(r),
       read: (r) => this.read(r),
     };
     return answers[kind](request);
@@ -140,6 +141,12 @@ export class Server {
         {code: "no_four_bar", place: "", values: {}, message: "a slider or zero link cannot be written as a four-bar"},
       ]);
     return {text, extension: extensions[format]};
+  }
+
+  private report({of, text}: Requests["report"]): Replies["report"] {
+    const report = JSON.parse(this.module.report(of, text)) as {mistakes?: Mistake[]};
+    if (report.mistakes) throw new Mistaken(report.mistakes);
+    return {report};
   }
 
   private read({text}: Requests["read"]): Replies["read"] {

@@ -6,6 +6,7 @@ import {save_problem} from "../exports/save";
 import {read_problem} from "../state/problem_shape";
 import type {Problem} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
+import {has_linkages} from "../tasks/kinds";
 import {mistakes_text} from "../texts/mistakes";
 import {t} from "../texts/texts.svelte";
 import {told} from "./own_files";
@@ -17,8 +18,19 @@ function page_mistake(code: string, place: string, message: string): Mistake {
   return {code, place, values: {}, message};
 }
 
+/** A file that is the page's own: no linkage is sought in it, and the engine's reader of problems has no use for it. */
+function own_problem(text: string): Problem | null {
+  try {
+    const problem = read_problem(JSON.parse(text));
+    return problem && !has_linkages(problem.task) ? problem : null;
+  } catch {
+    return null;
+  }
+}
 /** The problem in a file's text, or the engine's mistakes; nothing when another file came meanwhile. */
 export async function read_text(workbench: Workbench, text: string): Promise<Problem | Mistake[] | null> {
+  const own = own_problem(text);
+  if (own) return own;
   const engine = workbench.driver_client;
   if (!engine) return [page_mistake("no_engine", "", t("state.engine_missing"))];
   try {

@@ -15,7 +15,15 @@ import {
   type Window,
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
-import {incompleteness, kind_of, map_of, measure_of, properties_of, with_other_task} from "../tasks/kinds";
+import {
+  has_linkages,
+  incompleteness,
+  kind_of,
+  map_of,
+  measure_of,
+  properties_of,
+  with_other_task,
+} from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {Answers, type Halo} from "./answers.svelte";
 import {BestList} from "./best_list.svelte";
@@ -222,11 +230,11 @@ export class Workbench extends Editing {
   refresh(): void {
     this.incomplete = incompleteness(this.problem);
     this.show_whole_map();
-    if (this.incomplete) {
+    if (this.incomplete || !has_linkages(this.problem.task)) {
       this.answers.forget();
       this.maps.stop();
       this.maps.forget();
-      this.accept_unread();
+      if (this.incomplete) this.accept_unread(); // else its kind asks the engine itself
     } else {
       this.answers.asked_anew();
       this.maps.refresh();

@@ -78,6 +78,8 @@ export interface ObjectiveDescription<T extends Task = Task> {
 /** All but the views. */
 export interface TaskKind<T extends Task = Task> {
   name: TextKey;
+  /** Nothing is sought: no linkage in hand, no map, nothing required, pinned or driven. */
+  without_linkages?: true;
   is(task: Task): task is T;
   /** From outside; the engine says what is wrong with it in detail. */
   read(value: Object): T | null;

@@ -46,6 +46,11 @@ function first_told<T>(ask: (kind: TaskKind) => T | null | undefined): T | null 
   return null;
 }
 
+/** Whether linkages are sought. */
+export function has_linkages(task: Task): boolean {
+  return !kind_of(task).without_linkages;
+}
+
 // ---- of a task ------------------------------------------------------------------------------------------------------
 
 export function incompleteness({task}: Problem): Incomplete | null {

@@ -1,6 +1,7 @@
 // The kinds of tasks there are: a folder and a line to each.
+import {attitude} from "./attitude/index";
 import {function_generation} from "./function/index";
 import {motion} from "./motion/index";
 import {six_bar} from "./six_bar/index";
 
-export const task_modules = [motion, function_generation, six_bar] as const;
+export const task_modules = [motion, function_generation, six_bar, attitude] as const;

@@ -1,0 +1,149 @@
+// What is being looked at of an attitude, how far it is played, and the engine's answer, which follows both.
+import {Crashed, Refusal, Superseded} from "../../engine/client";
+import {in_form_of} from "../../orientation/orientation";
+import type {Workbench} from "../../state/workbench.svelte";
+import {prefers_stillness} from "../../transport/play";
+import type {AttitudeReply} from "./reply";
+import {is_attitude, type AttitudeTask} from "./task";
+
+export const sections = ["forms", "turns", "rotation", "screw", "rates"] as const;
+export type Section = (typeof sections)[number];
+type Played = "turns" | "rotation" | "screw";
+export const played_to: Record<Played, number> = {turns: 3, rotation: 1, screw: 1};
+const ms_each = 1400;
+
+export class AttitudeDesk {
+  section = $state<Section>("forms");
+  /** How far each is played: turns, and shares of one. */
+  at = $state.raw<Record<Played, number>>({...played_to});
+  playing = $state(false);
+  reply = $state.raw<AttitudeReply | null>(null);
+  /** A ring being dragged: from this task, about this axis of the body. */
+  private ring = $state.raw<{from: AttitudeTask; axis: number; angle_deg: number} | null>(null);
+  private asked = "";
+  private underway: Promise<void> = Promise.resolve();
+
+  constructor(private readonly workbench: Workbench) {}
+
+  get task(): AttitudeTask | null {
+    const {task} = this.workbench.problem;
+    return is_attitude(task) ? task : null;
+  }
+  get played(): Played | null {
+    const {section} = this;
+    return section === "forms" || section === "rates" ? null : section;
+  }
+  /** An edit of the task: a step. */
+  change(change: Partial<AttitudeTask>, merge: string | null = null): void {
+    this.workbench.edit((problem) => ({...problem, task: {...problem.task, ...change}}), merge);
+  }
+
+  // ---- the engine -----------------------------------------------------------------------------------------------------
+
+  private get question(): string | null {
+    const {task, ring, at} = this;
+    if (!task) return null;
+    const turn = ring && {axis: [0, 1, 2].map((k) => Number(k === ring.axis)), angle_deg: ring.angle_deg};
+    return JSON.stringify({...(ring?.from ?? task), at, ...(turn ? {turn} : {})});
+  }
+  /** Asks for what is to be shown, if that is something else: to be called where task, ring and play are followed. */
+  follow(): void {
+    const text = this.question,
+      {driver_client} = this.workbench;
+    if (!text || !driver_client || text === this.asked) return;
+    this.asked = text;
+    this.underway = this.ask(text);
+  }
+  private async ask(text: string): Promise<void> {
+    const {workbench, ring} = this,
+      {document} = workbench;
+    try {
+      const {report} = await workbench.driver_client!.follow("report", {of: "attitude", text});
+      const reply = report as AttitudeReply;
+      this.reply = reply;
+      if (!ring) workbench.accept(document);
+      else if (this.ring) this.show_turned(reply);
+    } catch (error) {
+      if (error instanceof Superseded) return;
+      if (this.asked === text) this.asked = "";
+      if (error instanceof Crashed) return void setTimeout(() => this.follow(), 200);
+      if (!(error instanceof Refusal)) throw error;
+      if (workbench.refuse(document.problem, error.mistakes) && !this.task) workbench.refresh(); // back to another kind
+    }
+  }
+
+  // ---- rings ----------------------------------------------------------------------------------------------------------
+
+  take_ring(axis: number): void {
+    if (!this.task) return;
+    this.playing = false;
+    this.workbench.begin_gesture();
+    this.ring = {from: this.task, axis, angle_deg: 0};
+  }
+  turn_ring(angle_deg: number): void {
+    if (!this.ring) return;
+    if (!this.workbench.gesture) return void (this.ring = null); // taken back meanwhile
+    const rounded = Math.round(angle_deg * 10) / 10;
+    if (rounded !== this.ring.angle_deg) this.ring = {...this.ring, angle_deg: rounded};
+    this.follow();
+  }
+  /** The task is what the engine says has come of the turn, in the form in which it was given. */
+  private show_turned({convert}: AttitudeReply): void {
+    const {ring} = this;
+    if (!ring) return;
+    const orientation = in_form_of(convert, ring.from.orientation);
+    this.workbench.drag((problem) => ({...problem, task: {...problem.task, orientation} as AttitudeTask}));
+  }
+  async leave_ring(): Promise<void> {
+    await this.underway;
+    this.ring = null;
+    this.workbench.end_gesture();
+  }
+  drop_ring(): void {
+    this.ring = null;
+    this.workbench.cancel_gesture();
+  }
+  /** By keys: a turn at once. */
+  async step_ring(axis: number, angle_deg: number): Promise<void> {
+    if (this.ring) return;
+    this.take_ring(axis);
+    this.turn_ring(angle_deg);
+    await this.leave_ring();
+  }
+
+  // ---- play -----------------------------------------------------------------------------------------------------------
+
+  go_to(share: number): void {
+    const {played} = this;
+    if (played) this.at = {...this.at, [played]: Math.min(Math.max(share, 0), played_to[played])};
+  }
+  play(): void {
+    const {played} = this;
+    if (!played) return;
+    this.playing = !this.playing;
+    if (this.playing && this.at[played] >= played_to[played]) this.go_to(0);
+  }
+  /** The loop behind ▶; returns how to end it. */
+  run(): () => void {
+    let before: number | null = null,
+      handle = 0;
+    const frame = (now: number) => {
+      const {played} = this;
+      if (!played || !this.playing) return void (this.playing = false);
+      const step = before === null ? 0 : Math.min(now - before, 200) / (ms_each * (played === "turns" ? 1 : 1.6));
+      before = now;
+      this.go_to(prefers_stillness() ? Math.floor(this.at[played] + 1) : this.at[played] + step);
+      if (this.at[played] >= played_to[played]) this.playing = false;
+      else handle = requestAnimationFrame(frame);
+    };
+    handle = requestAnimationFrame(frame);
+    return () => cancelAnimationFrame(handle);
+  }
+}
+
+const desks = new WeakMap<Workbench, AttitudeDesk>();
+export function desk_of(workbench: Workbench): AttitudeDesk {
+  const known = desks.get(workbench) ?? new AttitudeDesk(workbench);
+  desks.set(workbench, known);
+  return known;
+}

@@ -1,0 +1,31 @@
+// The formulas of docs/theory/attitude.md, as formula/parse.ts reads them.
+export const formulas = {
+  matrix: ['*r*_{i} = C *r*_{j} ; C = [ *x* *y* *z* ] ; C^{−1} = C^"T"'],
+  axis_angle: ['1 + 2 "cos" θ = "tr" C ; C *p* = *p*'],
+  quaternion: ['q = ( w , *v* ) = ( "cos" \\frac{θ}{2} , *p* "sin" \\frac{θ}{2} )'],
+  rotation_vector: ['*φ* = θ *p* ; C = "exp" {[*φ*]}_{×}'],
+  rodrigues: ['*g* = *p* "tan" \\frac{θ}{2} ; *m* = *p* "tan" \\frac{θ}{4}'],
+  angles: ["C = R_{a} (t₁) R_{b} (t₂) R_{c} (t₃)"],
+  lock_euler: ["t₂ = n π"],
+  lock_cardan: ["t₂ = \\frac{π}{2} + n π"],
+  back_euler: [
+    't₂ = 2 "atan2" ( \\sqrt{c^2 + d^2} , \\sqrt{a^2 + b^2} )',
+    'h₊ = "atan2" ( b , a ) ; h₋ = "atan2" ( d , c )',
+    "t₁ = h₊ + h₋ ; t₃ = h₊ − h₋",
+  ],
+  back_cardan: [
+    't₂ = 2 "atan2" ( \\sqrt{c^2 + d^2} , \\sqrt{a^2 + b^2} ) − \\frac{π}{2}',
+    'h₊ = "atan2" ( b , a ) ; h₋ = "atan2" ( d , c )',
+    "t₁ = h₊ + h₋ ; t₃ = h₊ − h₋",
+  ],
+  one_turn: ['C *p* = *p* ; θ = 2 "atan2" ( |*v*| , w ) ; *p* = \\frac{*v*}{|*v*|}'],
+  cone: ['*a* = "cos" θ *a₀* + ( 1 − "cos" θ ) *p* ( *p* · *a₀* ) + "sin" θ *p* × *a₀*'],
+  tensor: ['A = "cos" θ E + ( 1 − "cos" θ ) *p* *p* + "sin" θ *p* ×'],
+  screw: ['s = *p* · *d* ; *c* = \\frac{1}{2} ( *d*_{⊥} + "cot" \\frac{θ}{2} *p* × *d* )'],
+  poses: ["T = T_2 {T_1}^{−1}"],
+  displacement: ["*r*_{i} = *d* + C *r*_{j} ; *d* = ( E − C ) *c* + s *p*"],
+  rate_matrix_euler: ['"det" B = ± "sin" t₂'],
+  rate_matrix_cardan: ['"det" B = ± "cos" t₂'],
+  omega: ['{[*ω*]}_{×} = Ċ C^"T" ; *ω*_{j} = C^"T" *ω*_{i}'],
+  quaternion_rate: ["q̇ = \\frac{1}{2} ( 0 , *ω* ) q"],
+} as const satisfies Record<string, readonly string[]>;
