@@ -71,6 +71,18 @@ describe("a kind of its own", () => {
     expect(read).toEqual(JSON.parse(JSON.stringify(pin)));
     expect(task_view(read!.task).mechanism.ghost(read!.pivots, [], 0).joints).toHaveLength(1);
   });
+  it("may be one without linkages: nothing is required, pinned, driven or measured", async () => {
+    const {swing} = (await import("./swing/index")) as {swing: {without_linkages?: true}};
+    swing.without_linkages = true;
+    try {
+      const alone = page();
+      for (const own of ["swing.stage", "swing.editor"]) expect(alone).toContain(own);
+      for (const part of ["swing.max_swing_deg", "req.title", "pin.title", "drive.title", "num.title", "status.snap"])
+        expect(alone).not.toContain(`data-testid="${part}"`);
+    } finally {
+      delete swing.without_linkages;
+    }
+  });
   it("is printed with its table and its dimensions", () => {
     take();
     const sheet = page().split('data-testid="export.sheet"')[1]!;

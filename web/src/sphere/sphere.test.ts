@@ -143,10 +143,14 @@ describe("rings", () => {
 describe("labels", () => {
   it("stand apart, though their points are one", () => {
     const asked = ["x", "x₀", "a"].map((key) => ({key, x: 120, y: 80, width: 20}));
-    const placed = placed_labels(asked, {x: 100, y: 100});
+    const placed = placed_labels(asked, {width: 200, height: 200});
     for (const [k, a] of placed.entries())
       for (const b of placed.slice(0, k)) expect(Math.abs(a.x - b.x) >= 20 || Math.abs(a.y - b.y) >= 16).toBe(true);
     expect(placed[0]!.x).toBeGreaterThan(120);
     expect(placed[0]!.y).toBeLessThan(80);
+  });
+  it("stand within the view", () => {
+    const [label] = placed_labels([{key: "z", x: 199, y: 1, width: 20}], {width: 200, height: 200});
+    expect(label).toEqual({key: "z", x: 188, y: 10});
   });
 });

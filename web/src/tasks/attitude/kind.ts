@@ -57,6 +57,7 @@ export const attitude_kind: TaskKind<AttitudeTask> = {
   anchors: () => [],
   default_max_length: () => 1,
   map_of: () => "attitude",
+  types: [],
   properties: {},
   requirements: {},
   objectives: {},

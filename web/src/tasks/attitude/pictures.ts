@@ -132,7 +132,7 @@ export function turns_picture(task: AttitudeTask, {turns}: AttitudeReply, at: nu
   const {turn} = turn_at(at);
   return together(
     {items: [...gimbals(outwards), body(now.frame)]},
-    fixed_triad(1.36),
+    fixed_triad(1.32),
     triad("moving", now.frame, {size: 0.8}),
     ...[0, 1, 2].map((k) => (extrinsic ? k === turn : k <= turn) && sector(k, turning_axis(k), before[k]!, played[k]!)),
     {
