@@ -47,9 +47,10 @@ Task read_task(const JsonValue& value, const std::optional<Box>& options_box, Mi
   const JsonObject any(value, mistakes, {});
   if (!value.is_object()) return MotionTask{};
   if (const auto kind = any.find("kind"); kind && kind->json() == "attitude") {
-    kind->mistake("attitude_is_no_linkage",
-                  "an attitude is no linkage to be solved for: open this file in the workbench, or give its orientation "
-                  "to linkwright attitude convert");
+    kind->mistake(
+        "attitude_is_no_linkage",
+        "an attitude is no linkage to be solved for: open this file in the workbench, or give its orientation "
+        "to linkwright attitude convert");
     return MotionTask{};
   }
   const auto kind = required_name(any, "kind", task_kinds);

@@ -186,7 +186,7 @@ std::optional<Notice> orientation_degeneracy(std::span<const PrescribedOrientati
                               "the task. For a four-bar, tilt one of the orientations.",
                               axis->x, axis->y, axis->z),
                   {{"x", axis->x}, {"y", axis->y}, {"z", axis->z}}};
-  if (moving_axis_form(conditions).largest_coefficient() > 0) return std::nullopt;
+  if (conditions.rows.size() < 3 || moving_axis_form(conditions).largest_coefficient() > 0) return std::nullopt;
   return Notice{"every_axis",
                 "The conditions of the orientations depend on each other: every axis of the body has a fixed axis, and "
                 "infinitely many linkages of each shape do the task. Change one of the orientations.",

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Mutation test of the classifier: every wrong sign must be caught.
+"""Mutation test of the classifiers, planar and spherical: every wrong sign must be caught.
 
-Builds classifier_check.cpp with copies of src/analysis/defects.cpp and pair_verdict.hpp in which one thing is wrong. The
-right source must agree with driving everywhere, each mutant must not.
+Builds a check with copies of the classifier's sources in which one thing is wrong. The right sources must agree with
+driving everywhere, each mutant must not.
 
 usage: classifier_mutants.py SOURCE_DIR LIBRARY CXX [FLAG...]   (linker flags among them)
 """
@@ -14,7 +14,7 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
-MUTANTS = [
+PLANAR = [
     ("joint sign at the output", "(driver.arm_y[j] - d.frame_y)", "(driver.arm_y[j] + d.frame_y)"),
     ("joint sign at the input's moving pivot", "(arm_x(j) + d.frame_x)", "(arm_x(j) - d.frame_x)"),
     ("joint sign at the input's fixed pivot", "return d.frame_x * driver.arm_y[j] -", "return d.frame_x * driver.arm_y[j] +"),
@@ -34,17 +34,48 @@ MUTANTS = [
     ("last pose left out of the angle", "std::min(angle_at(0), angle_at(input.arm.size() - 1))", "angle_at(0)"),
     ("angle along the frame and opposite exchanged", "passes_0 ? angle_at(std::abs(l.ground - l.input))",
      "passes_0 ? angle_at(l.ground + l.input)"),
-    ("what the driver passes exchanged", "verdict.passes_0 = best.passes_0;", "verdict.passes_0 = best.passes_pi;"),
-    ("sense of the drive exchanged", "driver.at_least_half_turn & ccw_bit", "driver.at_least_half_turn & cw_bit"),
+    ("what the driver passes exchanged", "verdict.passes_0 = way.best.passes_0;", "verdict.passes_0 = way.best.passes_pi;"),
+    ("sense of the drive exchanged", "at_least_half_turn & ccw_bit", "at_least_half_turn & cw_bit"),
 ]
+
+SPHERICAL = [
+    ("first excess", "t1 = a + b", "t1 = a - b"),
+    ("second excess", "t2 = a - b", "t2 = a + b"),
+    ("third excess", "t3 = c - d", "t3 = d - c"),
+    ("fourth excess", "t4 = c + d", "t4 = c - d"),
+    ("ground and input exchanged in the frame's difference", "frame.sine_difference * rest.cosine_difference",
+     "frame.cosine_difference * rest.cosine_difference"),
+    ("passing along the frame", "~(n1 ^ n2) & ~flat_0", "(n1 ^ n2) & ~flat_0"),
+    ("passing opposite to the frame", "~(n3 ^ n4) & ~flat_pi", "(n3 ^ n4) & ~flat_pi"),
+    ("triple rockers taken for Grashof's", "regular() & ~(n1 ^ n2 ^ n3 ^ n4)", "regular() & (n1 ^ n2 ^ n3 ^ n4)"),
+    ("output's crank", "grashof() & (n1 ^ n3)", "grashof() & ~(n1 ^ n3)"),
+    ("types exchanged by their lowest bit", "bit_0 = (grashof & ~crank)", "bit_0 = (grashof & crank)"),
+    ("types exchanged by their second bit", "(crank ^ s.output_is_crank())) | triple", "(crank & s.output_is_crank())) | triple"),
+    ("circuit of a crank not looked at", "circuit = s.input_is_crank() & output_changes", "circuit = 0"),
+    ("circuit of a rocker-crank not looked at", "circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_moving(j); });", ";"),
+    ("circuit of a double rocker not looked at", "circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_fixed(j); });", ";"),
+    ("side of the frame turned", "-pairs.at_input_fixed(0),", "pairs.at_input_fixed(0),"),
+    ("last orientation left out of the angle", "angle_at(0), angle_at(orientations.size() - 1),", "angle_at(0),"),
+    ("angle along the frame and opposite exchanged", "passes_0 ? angle_at(std::abs(l.ground - l.input))", "passes_0 ? angle_at(shorter_arc(far))"),
+    ("what the driver passes exchanged", "verdict.passes_0 = way.best.passes_0;", "verdict.passes_0 = way.best.passes_pi;"),
+    ("a supplement taken for a link of its own", "cs = a.cosine * b.sine, ss", "cs = a.cosine * b.cosine, ss"),
+]
+
+# The unit that is built, the headers it is built with, the check, what the check shares, and what is wrong in turn.
+SUBJECTS = {
+    "planar": ("src/analysis/defects.cpp", ["src/analysis/pair_verdict.hpp", "src/analysis/driver_travel.hpp"],
+               ["tests/mutants/classifier_check.cpp", "tests/support/random_four_bar.cpp"], PLANAR),
+    "spherical": ("src/spherical/spherical_defects.cpp", ["src/spherical/spherical_verdict.hpp"],
+                  ["tests/mutants/spherical_check.cpp"], SPHERICAL),
+}
 
 
 class Workshop:
-    """Compiles what every mutant shares once; a mutant is one unit and a link."""
+    """Compiles what every mutant of a subject shares once; a mutant is one unit and a link."""
 
-    def __init__(self, source_dir, library, compiler, flags, scratch):
+    def __init__(self, source_dir, library, compiler, flags, scratch, shared):
         self.source_dir, self.library, self.compiler, self.flags, self.scratch = source_dir, library, compiler, flags, scratch
-        shared = ("tests/mutants/classifier_check.cpp", "tests/support/random_four_bar.cpp")
+        scratch.mkdir(parents=True)
         self.shared = [scratch / (pathlib.Path(path).stem + ".o") for path in shared]
         for path, target in zip(shared, self.shared):
             self.compile(source_dir / path, target, [])
@@ -54,43 +85,48 @@ class Workshop:
                    f"-I{self.source_dir}/tests", "-c", str(source), "-o", str(target)]
         subprocess.run(command, check=True)
 
-    def run(self, name, header, source):
-        """The check's result with these two files in place of the library's."""
+    def run(self, name, unit, texts):
+        """The check's result with these texts, by path, in place of the library's."""
         folder = self.scratch / name
-        (folder / "analysis").mkdir(parents=True)
-        (folder / "analysis" / "pair_verdict.hpp").write_text(header)
-        (folder / "defects.cpp").write_text(source)
-        self.compile(folder / "defects.cpp", folder / "defects.o", [f"-I{folder}"])
+        for path, text in texts.items():
+            place = folder / path.removeprefix("src/")
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_text(text)
+        target = folder / "unit.o"
+        self.compile(folder / unit.removeprefix("src/"), target, [f"-I{folder}"])
         program = folder / "check"
-        subprocess.run([self.compiler, *map(str, self.shared), str(folder / "defects.o"), self.library, "-o", str(program),
-                        *self.flags], check=True)
+        subprocess.run([self.compiler, *map(str, self.shared), str(target), self.library, "-o", str(program), *self.flags],
+                       check=True)
         return subprocess.run([str(program)], capture_output=True, text=True, check=False)
+
+
+def mutants_of(subject, texts, failures):
+    for name, before, after in SUBJECTS[subject][3]:
+        found = sum(text.count(before) for text in texts.values())
+        if found == 1:
+            yield name, {path: text.replace(before, after) for path, text in texts.items()}
+        else:
+            failures.append(f"'{before}' stands {found} times in the {subject} classifier: mend this list")
 
 
 def main():
     source_dir, library, compiler, *flags = sys.argv[1:]
     source_dir = pathlib.Path(source_dir)
-    header = (source_dir / "src/analysis/pair_verdict.hpp").read_text()
-    source = (source_dir / "src/analysis/defects.cpp").read_text()
     failures = []
-    wanted = []
-    for name, before, after in MUTANTS:
-        found = header.count(before) + source.count(before)
-        if found == 1:
-            wanted.append((name, header.replace(before, after), source.replace(before, after)))
-        else:
-            failures.append(f"'{before}' stands {found} times in pair_verdict.hpp and defects.cpp: mend this list")
     with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(os.cpu_count()) as pool:
-        workshop = Workshop(source_dir, library, compiler, flags, pathlib.Path(scratch))
-        right = pool.submit(workshop.run, "right", header, source)
-        results = [(name, pool.submit(workshop.run, str(number), *texts)) for number, (name, *texts) in enumerate(wanted)]
-        print("as it is:", right.result().stdout.strip())
-        if right.result().returncode != 0:
-            failures.append("the classifier itself disagrees with driving")
-        for name, result in results:
-            print(f"{name}: {result.result().stdout.strip()}")
-            if result.result().returncode == 0:
-                failures.append(f"not caught: {name}")
+        for subject, (unit, headers, shared, _) in SUBJECTS.items():
+            texts = {path: (source_dir / path).read_text() for path in [unit, *headers]}
+            workshop = Workshop(source_dir, library, compiler, flags, pathlib.Path(scratch) / subject, shared)
+            right = pool.submit(workshop.run, "right", unit, texts)
+            results = [(name, pool.submit(workshop.run, str(number), unit, wrong))
+                       for number, (name, wrong) in enumerate(mutants_of(subject, texts, failures))]
+            print(f"{subject} as it is:", right.result().stdout.strip())
+            if right.result().returncode != 0:
+                failures.append(f"the {subject} classifier itself disagrees with driving")
+            for name, result in results:
+                print(f"{subject}, {name}: {result.result().stdout.strip()}")
+                if result.result().returncode == 0:
+                    failures.append(f"not caught: {subject}, {name}")
     for failure in failures:
         print("FAILED:", failure)
     return 1 if failures else 0
