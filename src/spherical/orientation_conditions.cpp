@@ -95,14 +95,16 @@ CubicForm form_unless_rounding(const CubicForm& form, double noise) {
   return form.largest_coefficient() > tolerance::vanishing_cone * noise ? form : CubicForm{};
 }
 
+constexpr double nearly_one_axis = 1e-3;
+
 // Singular values of the rows side by side: an axis that all of them leave where it is.
-std::optional<Vector3> common_axis(const std::vector<Matrix3x3>& rows) {
+std::optional<Vector3> common_axis(const std::vector<Matrix3x3>& rows, double least) {
   Eigen::MatrixXd stacked(static_cast<Eigen::Index>(3 * rows.size()), 3);
   for (std::size_t k = 0; k < 3 * rows.size(); ++k)
     for (std::size_t j = 0; j < 3; ++j)
       stacked(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)) = rows[k / 3](k % 3, j);
   const Eigen::JacobiSVD<Eigen::MatrixXd> values(stacked, Eigen::ComputeFullV);
-  if (values.singularValues()[2] > tolerance::common_axis) return std::nullopt;
+  if (values.singularValues()[2] > least) return std::nullopt;
   const Eigen::Vector3d axis = values.matrixV().col(2);
   return Vector3{axis[0], axis[1], axis[2]};
 }
@@ -180,13 +182,15 @@ std::optional<Notice> orientation_degeneracy(std::span<const PrescribedOrientati
                 "an angular velocity in its place, or leave it out and give two fixed or two moving axes.",
                 i + 1, j + 1),
             {{"i", static_cast<double>(i + 1)}, {"j", static_cast<double>(j + 1)}}};
-  if (const auto axis = common_axis(conditions.rows))
+  const bool vanishes = conditions.rows.size() >= 3 && !(moving_axis_form(conditions).largest_coefficient() > 0);
+  // Where nothing is left of the cone, turns about nearly one axis are what they can be told from no more.
+  if (const auto axis = common_axis(conditions.rows, vanishes ? nearly_one_axis : tolerance::common_axis))
     return Notice{"common_axis",
                   fmt::format("The body only turns about one axis, ({:.6g}, {:.6g}, {:.6g}): a single hinge there does "
                               "the task. For a four-bar, tilt one of the orientations.",
                               axis->x, axis->y, axis->z),
                   {{"x", axis->x}, {"y", axis->y}, {"z", axis->z}}};
-  if (conditions.rows.size() < 3 || moving_axis_form(conditions).largest_coefficient() > 0) return std::nullopt;
+  if (!vanishes) return std::nullopt;
   return Notice{"every_axis",
                 "The conditions of the orientations depend on each other: every axis of the body has a fixed axis, and "
                 "infinitely many linkages of each shape do the task. Change one of the orientations.",

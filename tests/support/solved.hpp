@@ -7,18 +7,24 @@
 
 namespace linkwright::testing {
 
-/// The answer to a task without mistakes.
-inline MotionAnswer solved(const MotionTask& task, const Requirements& wanted = {},
-                           const SynthesisOptions& options = {}) {
+/// The answer that a task without mistakes has.
+template <class KindAnswer, class KindTask>
+KindAnswer solved_as(const KindTask& task, const Requirements& wanted, const SynthesisOptions& options) {
   auto answer = solve(task, wanted, options);
   EXPECT_TRUE(answer.ok());
-  return std::get<MotionAnswer>(std::move(answer).value());
+  return std::get<KindAnswer>(std::move(answer).value());
+}
+inline MotionAnswer solved(const MotionTask& task, const Requirements& wanted = {},
+                           const SynthesisOptions& options = {}) {
+  return solved_as<MotionAnswer>(task, wanted, options);
 }
 inline FunctionAnswer solved(const FunctionTask& task, const Requirements& wanted = {},
                              const SynthesisOptions& options = {}) {
-  auto answer = solve(task, wanted, options);
-  EXPECT_TRUE(answer.ok());
-  return std::get<FunctionAnswer>(std::move(answer).value());
+  return solved_as<FunctionAnswer>(task, wanted, options);
+}
+inline SphericalMotionAnswer solved(const SphericalMotionTask& task, const Requirements& wanted = {},
+                                    const SynthesisOptions& options = {}) {
+  return solved_as<SphericalMotionAnswer>(task, wanted, options);
 }
 
 }  // namespace linkwright::testing

@@ -197,9 +197,9 @@ inline constexpr double coincident_lines = 1e-15;
 /// printed digits pass.
 inline constexpr double derivative_defect = 1e-5;
 
-/// Coefficient of a cone of moving axes, over the size of the terms that make it up, below which it is zero: each of
-/// some forty terms carries 1e-16, and orientations given with sixteen digits take another.
-inline constexpr double vanishing_cone = 1e-13;
+/// Coefficient of a cone of moving axes, over the size of the terms that make it up, below which it is zero: some forty
+/// terms carry 1e-16 each.
+inline constexpr double vanishing_cone = 1e-14;
 
 /// Two orientations closer than this turn (radians) are the same orientation: a quaternion of unit length carries
 /// 1e-16.
