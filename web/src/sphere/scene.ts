@@ -12,27 +12,36 @@ import {
   MeshBasicMaterial,
   MeshLambertMaterial,
   Plane,
-  Quaternion,
   Scene,
   SphereGeometry,
   Vector3,
   WebGLRenderer,
+  type InterleavedBufferAttribute,
   type Material,
-  type Object3D,
 } from "three";
 import {Line2} from "three/examples/jsm/lines/Line2.js";
 import {LineGeometry} from "three/examples/jsm/lines/LineGeometry.js";
 import {LineMaterial} from "three/examples/jsm/lines/LineMaterial.js";
 import {craft_triangles} from "./craft";
-import type {Arrow, Band, Craft, Dot, Fan, Item, Path, SphereColor} from "./item";
-import {circle, column, length, minus, plus, times, unit, type Vec3} from "./vectors";
+import type {Arrow, Band, Craft, Fan, Item, Path, SphereColor} from "./item";
+import {circle, length, minus, plus, seen_from_outside, times, unit, type Vec3} from "./vectors";
 import type {View} from "./view";
 
 export type SphereColors = Record<SphereColor, string>;
 
 interface Part {
   item: Item;
-  objects: Object3D[];
+  objects: Mesh[];
+}
+/** What an item is made of. */
+interface Shape {
+  type: "line" | "surface" | "ball" | "cone";
+  material: Material;
+  /** Coordinates of a line's points, or of three corners to a triangle. */
+  corners?: readonly number[];
+  at?: Vec3;
+  along?: Vec3;
+  scale?: number;
 }
 type Side = "all" | "front" | "back";
 
@@ -52,8 +61,6 @@ export class SphereScene {
   private readonly back = new Plane();
   private asked = 0;
   private size = {width: 0, height: 0};
-  /** For tests. */
-  frames = 0;
 
   /** `drawn` is told after each frame: what stands over the canvas follows. */
   constructor(
@@ -80,11 +87,14 @@ export class SphereScene {
     const wanted = new Set(items.map(({key}) => key));
     for (const key of [...this.parts.keys()]) if (!wanted.has(key)) this.remove(key);
     for (const item of items) {
-      if (this.parts.get(item.key)?.item === item) continue;
-      this.remove(item.key);
-      const objects = this.made(item);
-      this.parts.set(item.key, {item, objects});
-      if (objects.length) this.scene.add(...objects);
+      const part = this.parts.get(item.key);
+      if (part?.item === item) continue;
+      const shapes = this.shapes_of(item);
+      if (part && part.objects.length === shapes.length && shapes.every((shape, k) => fits(part.objects[k]!, shape)))
+        part.item = item;
+      else this.replace(item, shapes);
+      const {objects} = this.parts.get(item.key)!;
+      for (const [k, shape] of shapes.entries()) put(objects[k]!, shape);
     }
     this.ask();
   }
@@ -117,18 +127,33 @@ export class SphereScene {
     this.back.set(eye.clone().negate(), horizon);
     this.light.position.copy(eye).add(new Vector3(0, 0, 0.6));
     this.renderer.render(this.scene, this.view.camera);
-    ++this.frames;
     this.drawn();
   }
 
+  private replace(item: Item, shapes: readonly Shape[]): void {
+    this.remove(item.key);
+    const objects = shapes.map((shape) => this.object(shape));
+    this.parts.set(item.key, {item, objects});
+    if (objects.length) this.scene.add(...objects);
+  }
+  private object({type, material, corners = []}: Shape): Mesh {
+    if (type === "ball" || type === "cone") return new Mesh(this[type], material);
+    if (type === "line") {
+      const geometry = new LineGeometry();
+      geometry.setPositions([...corners]);
+      return new Line2(geometry, material as LineMaterial) as unknown as Mesh;
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));
+    return new Mesh(geometry, material);
+  }
   private remove(key: string): void {
     const part = this.parts.get(key);
     if (!part) return;
     this.parts.delete(key);
     for (const object of part.objects) {
       this.scene.remove(object);
-      const {geometry} = object as Mesh;
-      if (geometry !== this.ball && geometry !== this.cone) geometry.dispose();
+      if (object.geometry !== this.ball && object.geometry !== this.cone) object.geometry.dispose();
     }
   }
 
@@ -183,79 +208,94 @@ export class SphereScene {
     );
   }
 
-  // ---- parts --------------------------------------------------------------------------------------------------------
+  // ---- shapes -------------------------------------------------------------------------------------------------------
 
-  private made(item: Item): Object3D[] {
+  private shapes_of(item: Item): Shape[] {
     switch (item.kind) {
       case "path":
         return this.path(item);
       case "arrow":
         return this.arrow(item);
       case "dot":
-        return this.dot(item);
+        return [{type: "ball", material: this.solid_material(item), at: item.at, scale: item.size ?? 0.025}];
       case "fan":
-        return this.fan(item);
+        return [{type: "surface", material: this.flat_material(item), corners: fan_corners(item)}];
       case "band":
-        return this.band(item);
+        return [{type: "surface", material: this.flat_material(item), corners: band_corners(item)}];
       case "craft":
-        return this.craft(item);
+        return [{type: "surface", material: this.solid_material(item), corners: craft_corners(item)}];
     }
   }
-  private line(points: readonly Vec3[], material: LineMaterial): Line2 {
-    const geometry = new LineGeometry();
-    geometry.setPositions(points.flatMap((point) => [...point]));
-    const line = new Line2(geometry, material);
-    if (material.dashed) line.computeLineDistances();
-    return line;
-  }
-  private path(item: Path): Object3D[] {
+  private path(item: Path): Shape[] {
     if (item.points.length < 2) return [];
-    const sides: Side[] = item.on_ball ? ["front", "back"] : ["all"];
-    return sides.map((side) => this.line(item.points, this.line_material(item, side)));
+    const sides: Side[] = item.on_ball ? ["front", "back"] : ["all"],
+      corners = item.points.flat();
+    return sides.map((side) => ({type: "line", material: this.line_material(item, side), corners}));
   }
-  private arrow(item: Arrow): Object3D[] {
+  private arrow(item: Arrow): Shape[] {
     const along = unit(minus(item.to, item.from)),
       whole = length(minus(item.to, item.from)),
       tip = Math.min(head.length, whole / 2);
     if (whole < 1e-9) return [];
-    const shaft = this.line([item.from, minus(item.to, times(tip, along))], this.line_material(item, "all"));
-    const cone = new Mesh(this.cone, this.flat_material(item));
-    cone.quaternion.copy(new Quaternion().setFromUnitVectors(up, new Vector3(...along)));
-    cone.position.set(...minus(item.to, times(tip / 2, along)));
-    cone.scale.setScalar((tip / head.length) * Math.min(1, 0.4 + 0.2 * (item.width ?? 3)));
-    return [shaft, cone];
+    const scale = (tip / head.length) * Math.min(1, 0.4 + 0.2 * (item.width ?? 3));
+    return [
+      {
+        type: "line",
+        material: this.line_material(item, "all"),
+        corners: [...item.from, ...minus(item.to, times(tip, along))],
+      },
+      {
+        type: "cone",
+        material: this.flat_material(item),
+        at: minus(item.to, times((scale * head.length) / 2, along)),
+        along,
+        scale,
+      },
+    ];
   }
-  private dot(item: Dot): Object3D[] {
-    const mesh = new Mesh(this.ball, this.solid_material(item));
-    mesh.position.set(...item.at);
-    mesh.scale.setScalar(item.size ?? 0.025);
-    return [mesh];
-  }
-  private fan(item: Fan): Object3D[] {
-    const corners = item.rim.slice(1).flatMap((point, k) => [...item.apex, ...item.rim[k]!, ...point]);
-    return [this.surface(corners, this.flat_material(item))];
-  }
-  private band(item: Band): Object3D[] {
-    const inner = circle(item.axis, item.inner),
-      outer = circle(item.axis, item.outer);
-    const corners = inner.slice(1).flatMap((a, k) => {
-      const [b, c, d] = [inner[k]!, outer[k]!, outer[k + 1]!];
-      return [...a, ...b, ...c, ...a, ...c, ...d];
-    });
-    return [this.surface(corners, this.flat_material(item))];
-  }
-  private craft(item: Craft): Object3D[] {
-    const {frame, at = [0, 0, 0], size = 1} = item;
-    const axes = [0, 1, 2].map((k) => times(size, column(frame, k)));
-    const corners = craft_triangles.flatMap(([x, y, z]) => [
-      ...plus(at, plus(times(x, axes[0]!), plus(times(y, axes[1]!), times(z, axes[2]!)))),
-    ]);
-    return [this.surface(corners, this.solid_material(item))];
-  }
-  private surface(corners: readonly number[], material: Material): Mesh {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));
+}
+
+function fan_corners({apex, rim}: Fan): number[] {
+  return rim.slice(1).flatMap((point, k) => [...apex, ...rim[k]!, ...point]);
+}
+function band_corners(item: Band): number[] {
+  const inner = circle(item.axis, item.inner),
+    outer = circle(item.axis, item.outer);
+  return inner.slice(1).flatMap((a, k) => {
+    const [b, c, d] = [inner[k]!, outer[k]!, outer[k + 1]!];
+    return [...a, ...b, ...c, ...a, ...c, ...d];
+  });
+}
+function craft_corners({frame, at = [0, 0, 0], size = 1}: Craft): number[] {
+  return craft_triangles.flatMap((corner) => [...plus(at, times(size, seen_from_outside(frame, corner)))]);
+}
+
+/** The numbers of an object's geometry, where it has its own: of a line its segments, two ends to each. */
+function numbers_of({geometry}: Mesh, type: Shape["type"]): Float32Array | null {
+  if (type === "line")
+    return (geometry.getAttribute("instanceStart") as InterleavedBufferAttribute).data.array as Float32Array;
+  return type === "surface" ? (geometry.getAttribute("position").array as Float32Array) : null;
+}
+/** Whether an object can become this shape as it is: another geometry costs much more than other numbers. */
+function fits(object: Mesh, {type, material, corners = []}: Shape): boolean {
+  if (object.material !== material) return false;
+  const wanted = type === "line" ? 2 * (corners.length - 3) : corners.length;
+  return (numbers_of(object, type)?.length ?? 0) === wanted;
+}
+function put(object: Mesh, {type, corners = [], at, along, scale = 1}: Shape): void {
+  const numbers = numbers_of(object, type),
+    {geometry} = object;
+  if (type === "line" && numbers) {
+    for (let k = 0; k + 3 < corners.length; k += 3) for (let i = 0; i < 6; ++i) numbers[2 * k + i] = corners[k + i]!;
+    (geometry.getAttribute("instanceStart") as InterleavedBufferAttribute).data.needsUpdate = true;
+    if ((object.material as LineMaterial).dashed) (object as unknown as Line2).computeLineDistances();
+  } else if (numbers) {
+    numbers.set(corners);
+    geometry.getAttribute("position").needsUpdate = true;
     geometry.computeVertexNormals();
-    return new Mesh(geometry, material);
   }
+  object.frustumCulled = false; // its bounds are those of before
+  if (at) object.position.set(...at);
+  if (along) object.quaternion.setFromUnitVectors(up, new Vector3(...along));
+  if (at) object.scale.setScalar(scale);
 }
