@@ -9,6 +9,7 @@
 #include "algebra/binomial.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "spherical/minor_forms.hpp"
 
 namespace linkwright {
 namespace {
@@ -62,35 +63,6 @@ void find_singular_values(OrientationConditions& conditions) {
   for (const double value : values.singularValues()) conditions.singular.push_back(value);
 }
 
-CubicForm operator+(CubicForm a, const CubicForm& b) {
-  for (std::size_t k = 0; k < a.coefficient.size(); ++k) a.coefficient[k] += b.coefficient[k];
-  return a;
-}
-CubicForm operator*(double s, CubicForm a) {
-  for (double& c : a.coefficient) c *= s;
-  return a;
-}
-
-/// (v·v)(a·v).
-CubicForm square_times(Vector3 a) {
-  return product({1, 0, 0}, {1, 0, 0}, a) + product({0, 1, 0}, {0, 1, 0}, a) + product({0, 0, 1}, {0, 0, 1}, a);
-}
-
-// One of the three cyclic terms of det [D₂W D₃W D₄W] / 8, with mᵢ = vᵢ·W.
-CubicForm cyclic_term(const UnitQuaternion& i, const UnitQuaternion& j, const UnitQuaternion& k) {
-  const Vector3 vi = i.v(), vj = j.v(), vk = k.v(), normal = cross(vj, vk);
-  const double ii = dot(vi, vi), jj = dot(vj, vj), kk = dot(vk, vk), ij = dot(vi, vj), ik = dot(vi, vk);
-  return (-j.w() * k.w()) * (ii * square_times(normal) + -1 * product(vi, vi, normal)) +
-         i.w() * (ij * product(vj, vk, vk) + -ik * product(vj, vj, vk) + (-kk * ij) * square_times(vj) +
-                  kk * product(vi, vj, vj) + (jj * ik) * square_times(vk) + -jj * product(vi, vk, vk)) +
-         -ii * product(normal, vj, vk);
-}
-
-CubicForm form_of_turns(const UnitQuaternion& a, const UnitQuaternion& b, const UnitQuaternion& c) {
-  return cyclic_term(a, b, c) + cyclic_term(b, c, a) + cyclic_term(c, a, b) +
-         determinant(a.v(), b.v(), c.v()) * product(a.v(), b.v(), c.v());
-}
-
 CubicForm form_unless_rounding(const CubicForm& form, double noise) {
   return form.largest_coefficient() > tolerance::vanishing_cone * noise ? form : CubicForm{};
 }
@@ -137,14 +109,21 @@ OrientationConditions conditions_of_turns(std::span<const UnitQuaternion> turns)
   return conditions;
 }
 
+OrientationConditions without_row(OrientationConditions conditions, std::size_t row) {
+  const auto at = static_cast<std::ptrdiff_t>(row);
+  conditions.rows.erase(conditions.rows.begin() + at);
+  if (conditions.are_finite) conditions.turns.erase(conditions.turns.begin() + at);
+  conditions.singular.clear();
+  find_singular_values(conditions);
+  return conditions;
+}
+
 CubicForm moving_axis_form(const OrientationConditions& conditions) {
   require(conditions.rows.size() >= 3, "a cone is left by three conditions");
-  if (!conditions.are_finite)
-    return form_unless_rounding(determinant_form({conditions.rows[0], conditions.rows[1], conditions.rows[2]}), 1);
+  const CubicForm form = minor_form(parts_of(conditions, 0), parts_of(conditions, 1), parts_of(conditions, 2));
+  if (!conditions.are_finite) return form_unless_rounding(form, 1);
   const auto& turns = conditions.turns;
-  const std::array<double, 3> sines = {norm(turns[0].v()), norm(turns[1].v()), norm(turns[2].v())};
-  const double terms = sines[0] * sines[1] * sines[2] * std::max({sines[0], sines[1], sines[2]});
-  return form_unless_rounding(form_of_turns(turns[0], turns[1], turns[2]), terms);
+  return form_unless_rounding(form, std::max({norm(turns[0].v()), norm(turns[1].v()), norm(turns[2].v())}));
 }
 
 Vector3 fixed_axis_of(Vector3 moving_axis, const OrientationConditions& conditions) {

@@ -209,4 +209,12 @@ inline constexpr double repeated_orientation = 1e-12;
 /// 1e-16, those of small turns somewhat more.
 inline constexpr double common_axis = 1e-13;
 
+/// Pivot beside the largest below which the multiples of five orientations' minors have a relation that they ought not
+/// to have, and more than lines in common: a dozen steps of an orthogonal elimination leave some 1e-15.
+inline constexpr double dependent_minors = 1e-13;
+
+/// Distance of two lines (sine), or of two conjugate complex lines from a real one, below which they are judged
+/// together: eigenvalues part lines that coincide by the root of their rounding, 1e-7, three of them by 1e-5.
+inline constexpr double nearly_double_line = 1e-4;
+
 }  // namespace linkwright::tolerance

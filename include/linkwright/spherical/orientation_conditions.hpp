@@ -33,9 +33,12 @@ struct OrientationConditions {
 /// Of finite turns A₁ⱼ.
 [[nodiscard]] OrientationConditions conditions_of_turns(std::span<const UnitQuaternion> turns);
 
-/// The cone of moving axes of the first three rows: det [D₂W D₃W D₄W]. For finite turns expanded in closed form, since
-/// for small ones the terms of third order vanish identically and the determinant keeps nothing. Zero where rounding
-/// has left nothing of it, and then every axis is a moving axis.
+/// The same without one of the rows (from 0). Poles are kept: meant for a row that depends on the others.
+[[nodiscard]] OrientationConditions without_row(OrientationConditions conditions, std::size_t row);
+
+/// The cone of moving axes of the first three rows: det [D₂W D₃W D₄W], expanded by the rows' skew and symmetric parts,
+/// since for small turns the terms of third order vanish identically and the bare determinant keeps nothing. Zero where
+/// rounding has left nothing of it, and then every axis is a moving axis.
 [[nodiscard]] CubicForm moving_axis_form(const OrientationConditions& conditions);
 
 /// The fixed axis to a moving axis by the first `count` rows: the normal of the two vectors DⱼW that span most; unit.
