@@ -49,14 +49,58 @@ SphericalDyad dyad_with(const GivenAxes& given, std::size_t side, const Orientat
   return dyad;
 }
 
+std::shared_ptr<const SphericalFamily> family_of_points(const SphericalMotionTask& task,
+                                                        const std::vector<SphericalDyadPoint>& points) {
+  std::vector<SphericalDyad> dyads;
+  for (const SphericalDyadPoint& point : points) dyads.push_back(point.dyad);
+  return std::make_shared<SphericalPointFamily>(task.orientations, std::move(dyads));
+}
+
 void find_given(const SphericalMotionTask& task, SphericalTaskFamily& given) {
-  for (const std::size_t side : {0u, 1u}) given.points.push_back(dyad_with(*task.given, side, given.conditions));
-  given.family = std::make_shared<SphericalPointFamily>(task.orientations, given.points);
+  for (const std::size_t side : {0u, 1u}) {
+    SphericalDyadPoint point{dyad_with(*task.given, side, given.conditions)};
+    point.residual = residual_of(point.dyad.fixed_axis, point.dyad.moving_axis, given.conditions);
+    given.points.push_back(point);
+  }
+  given.family = family_of_points(task, given.points);
 }
 
 void find_curve(const SphericalMotionTask& task, SphericalTaskFamily& given) {
   given.curve = std::make_shared<const AxisCurve>(given.conditions);
   given.family = std::make_shared<SphericalCurveFamily>(task.orientations, given.curve);
+}
+
+Notice too_few_dyads(std::size_t count) {
+  if (count == 0)
+    return {"no_dyad",
+            "No real dyad, and so no four-bar, passes exactly through these five orientations. Relax one of them.",
+            {}};
+  return {"one_dyad",
+          "Only one dyad passes exactly through these five orientations, and a four-bar needs two. Relax one of them.",
+          {}};
+}
+
+// Any two of at most six dyads. Where two conditions say the same, what is left is a curve.
+void find_points(const SphericalMotionTask& task, SphericalTaskFamily& given) {
+  FiveOrientationDyads found = five_orientation_dyads(given.conditions);
+  given.points = std::move(found.points);
+  if (found.degeneracy && !found.curve) {
+    given.degeneracy = std::move(found.degeneracy);
+    return;
+  }
+  if (found.curve) {
+    given.warnings.push_back(*found.degeneracy);
+    given.curve = std::move(found.curve);
+    given.family = std::make_shared<SphericalCurveFamily>(task.orientations, given.curve);
+    return;
+  }
+  given.warnings.insert(given.warnings.end(), found.warnings.begin(), found.warnings.end());
+  if (given.points.size() < 2) {
+    given.degeneracy = too_few_dyads(given.points.size());
+    given.has_no_dyads = true;
+    return;
+  }
+  given.family = family_of_points(task, given.points);
 }
 
 }  // namespace
@@ -72,6 +116,8 @@ SphericalTaskFamily task_family(const SphericalMotionTask& task) {
   given.warnings = orientation_warnings(given.conditions);
   if (task.given)
     find_given(task, given);
+  else if (position_count(task.orientations) == 5)
+    find_points(task, given);
   else
     find_curve(task, given);
   return given;

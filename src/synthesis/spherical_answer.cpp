@@ -76,7 +76,13 @@ Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements
   answer.warnings = answer.given.warnings;
   answer.requirements = with_default_angles(requirements);
   answer.options = options;
-  if (!find_spherical(answer, progress)) return Error{"cancelled", "", "stopped before the answer was complete"};
+  const Error cancelled{"cancelled", "", "stopped before the answer was complete"};
+  if (!find_spherical(answer, progress)) return cancelled;
+  const bool five = position_count(task.orientations) == 5 && !answer.given.curve;
+  if (five && answer.linkages.empty() && options.best > 0 && !options.at) {
+    answer.relaxed = drop_one_orientation(task, requirements, options.region, progress);
+    if (progress.is_cancelled()) return cancelled;
+  }
   return Answer(std::move(answer));
 }
 

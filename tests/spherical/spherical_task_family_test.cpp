@@ -36,7 +36,7 @@ TEST(SphericalTaskFamily, ThreeOrientationsAndGivenAxesHaveOneLinkage) {
       const SphericalTaskFamily given = task_family(SphericalMotionTask{orientations, axes});
       ASSERT_EQ(given.points.size(), 2u);
       for (std::size_t side = 0; side < 2; ++side) {
-        const SphericalDyad& dyad = given.points[side];
+        const SphericalDyad& dyad = given.points[side].dyad;
         const Vector3 asked = kind == GivenAxes::Kind::fixed ? dyad.fixed_axis : dyad.moving_axis;
         EXPECT_LT(norm(asked - normalized(axes.axes[side])), 1e-15);
         EXPECT_LT(residual_of(dyad.fixed_axis, dyad.moving_axis, given.conditions), 1e-13);
@@ -45,6 +45,15 @@ TEST(SphericalTaskFamily, ThreeOrientationsAndGivenAxesHaveOneLinkage) {
       EXPECT_TRUE(given.family->dyad_pair({0.5, 1.5}));
     }
   }
+}
+
+TEST(SphericalTaskFamily, FiveOrientationsHaveAFewDyads) {
+  const SphericalTaskFamily given =
+      task_family(SphericalMotionTask{testing::spherical_case("folding-wing-5").orientations, {}});
+  EXPECT_EQ(given.pattern, "P-P-P-P-P");
+  EXPECT_FALSE(given.curve);
+  ASSERT_TRUE(given.family || given.has_no_dyads);
+  EXPECT_EQ(given.family != nullptr, given.points.size() >= 2);
 }
 
 TEST(SphericalTaskFamily, DerivativesHaveRowsOfTheirOwn) {

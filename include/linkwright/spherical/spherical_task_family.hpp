@@ -7,6 +7,7 @@
 
 #include "linkwright/core/notice.hpp"
 #include "linkwright/region/requirements.hpp"
+#include "linkwright/spherical/five_orientations.hpp"
 #include "linkwright/spherical/spherical_family.hpp"
 #include "linkwright/spherical/spherical_motion_task.hpp"
 
@@ -19,7 +20,7 @@ struct SphericalTaskFamily {
   OrientationConditions conditions;
   std::vector<Matrix3x3> derivative_rows;  ///< those of the conditions that derivatives set
   std::shared_ptr<const AxisCurve> curve;  ///< four positions; five whose conditions depend on each other
-  std::vector<SphericalDyad> points;       ///< three and five positions
+  std::vector<SphericalDyadPoint> points;  ///< three and five positions
   std::vector<Notice> warnings;
   std::optional<Notice> degeneracy;  ///< why there is no family
   bool has_directions = false;       ///< some orientation prescribes how it is passed

@@ -18,6 +18,7 @@
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/region/requirements.hpp"
+#include "linkwright/spherical/relaxed_orientation.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
 #include "linkwright/synthesis/options.hpp"
 #include "linkwright/synthesis/task.hpp"
@@ -87,6 +88,7 @@ struct SphericalAnswer : Findings {
 
 struct SphericalMotionAnswer : SphericalAnswer {
   SphericalMotionTask task;
+  std::vector<RelaxedOrientation> relaxed;  ///< five positions, no linkage that meets the requirements: the ways out
 };
 
 struct SixBarAnswer : Findings {

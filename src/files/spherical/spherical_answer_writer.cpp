@@ -3,6 +3,7 @@
 #include "files/result_writer.hpp"
 #include "files/spherical/spherical_kind.hpp"
 #include "files/spherical/spherical_writer.hpp"
+#include "linkwright/core/angle.hpp"
 
 namespace linkwright {
 namespace {
@@ -49,6 +50,19 @@ void write_list(JsonWriter& json, std::string_view key, const std::vector<Spheri
   json.end_list();
 }
 
+void write_relaxed(JsonWriter& json, const RelaxedOrientation& way_out) {
+  json.begin_object();
+  json.member("orientation", static_cast<int>(way_out.orientation) + 1);
+  json.key("reason");
+  way_out.reason ? json.value(std::string_view(way_out.reason->message)) : json.null();
+  json.member("meeting_requirements", way_out.meeting);
+  json.key("miss_deg");
+  way_out.linkage ? json.value(degrees(way_out.error.angle)) : json.null();
+  json.key("linkage");
+  way_out.linkage ? write_spherical_four_bar(json, *way_out.linkage, std::nullopt) : json.null();
+  json.end_object();
+}
+
 }  // namespace
 
 void write_dyads(JsonWriter& json, const SphericalAnswer& answer) {
@@ -56,8 +70,7 @@ void write_dyads(JsonWriter& json, const SphericalAnswer& answer) {
   write_axis_curve(json, answer);
   json.key("dyads");
   json.begin_list();
-  for (const SphericalDyad& dyad : answer.given.points)
-    write_spherical_dyad(json, dyad, residual_of(dyad.fixed_axis, dyad.moving_axis, answer.given.conditions));
+  for (const SphericalDyadPoint& point : answer.given.points) write_spherical_dyad(json, point);
   json.end_list();
 }
 
@@ -66,6 +79,7 @@ void write_linkages(JsonWriter& json, const SphericalMotionAnswer& answer) {
   write_list(json, "pairs", answer.pairs, {});
   json.key("freed");
   json.begin_list();
+  for (const RelaxedOrientation& way_out : answer.relaxed) write_relaxed(json, way_out);
   json.end_list();
 }
 

@@ -57,14 +57,29 @@ void write_angles(JsonWriter& json, std::string_view key, const LinkAngles& angl
   json.end_object();
 }
 
-void write_spherical_dyad(JsonWriter& json, const SphericalDyad& dyad, double residual) {
-  json.begin_object();
+namespace {
+
+void write_dyad_members(JsonWriter& json, const SphericalDyad& dyad, double residual) {
   write_vector(json, "moving_axis", dyad.moving_axis);
   write_vector(json, "fixed_axis", dyad.fixed_axis);
   json.member("angle_deg", degrees(dyad.angle()));
   json.member("coordinate", dyad.coordinate);
   json.member("residual", residual);
-  json.member("multiplicity", 1);
+}
+
+}  // namespace
+
+void write_spherical_dyad(JsonWriter& json, const SphericalDyad& dyad, double residual) {
+  json.begin_object();
+  write_dyad_members(json, dyad, residual);
+  json.end_object();
+}
+
+void write_spherical_dyad(JsonWriter& json, const SphericalDyadPoint& point) {
+  json.begin_object();
+  write_dyad_members(json, point.dyad, point.residual);
+  json.member("multiplicity", point.multiplicity);
+  json.member("condition", point.condition);
   json.end_object();
 }
 

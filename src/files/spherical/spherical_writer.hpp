@@ -15,6 +15,8 @@ void write_orientations(JsonWriter& json, const std::vector<PrescribedOrientatio
 void write_angles(JsonWriter& json, std::string_view key, const LinkAngles& angles);
 /// `{"moving_axis": …, "fixed_axis": …, …}`.
 void write_spherical_dyad(JsonWriter& json, const SphericalDyad& dyad, double residual);
+/// The same with its multiplicity and condition.
+void write_spherical_dyad(JsonWriter& json, const SphericalDyadPoint& point);
 
 /// An element of a result's `linkages`. `fails`: at a picked place, the requirements that are not met.
 void write_spherical_four_bar(JsonWriter& json, const SphericalSolution& found,
