@@ -22,6 +22,7 @@ RANKS = (
     ("mechanism",),
     ("analysis",),
     ("region",),
+    ("function",),
     ("planar", "spherical", "infinitesimal", "robust"),
     ("straight_line",),
     ("synthesis",),

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "files/json/json_writer.hpp"
-#include "linkwright/planar/function_error.hpp"
+#include "linkwright/function/function_error.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_task.hpp"
 #include "linkwright/planar/task_family.hpp"

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <mutex>
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
@@ -13,34 +11,6 @@
 
 namespace linkwright {
 namespace {
-
-// Values of the free parameter at which the branches of its curves are counted.
-constexpr int looks_along_the_range = 33;
-
-std::vector<CurveBranch> point_branches(std::size_t count) {
-  std::vector<CurveBranch> branches;
-  for (std::size_t i = 0; i < count; ++i)
-    branches.push_back({"point", static_cast<double>(i), static_cast<double>(i + 1)});
-  return branches;
-}
-
-MapAxis coupler_axis(const FunctionTask& task, const FunctionCouplers& couplers) {
-  if (!couplers.curve) return {AxisQuantity::burmester_point, point_branches(couplers.points.size())};
-  MapAxis axis{AxisQuantity::curve_coordinate, couplers.curve->branches()};
-  for (int i = 0; task.free && i < looks_along_the_range; ++i) {
-    const double t = (i + 0.5) / looks_along_the_range;
-    const auto there = function_couplers(task_at(task, task.free->at(t)));
-    if (there.curve && there.curve->coordinate_length() > axis.coordinate_length())
-      axis.branches = there.curve->branches();
-  }
-  return axis;
-}
-
-MapAxis free_axis(const FunctionTask& task) {
-  if (!task.free) return {AxisQuantity::nothing, {{"point", 0, 1}}};
-  const bool scale = task.free->kind == FreeParameter::Kind::output_scale;
-  return {scale ? AxisQuantity::output_scale : AxisQuantity::pair_output, {{"range", 0, 1}}};
-}
 
 // The input link as a body that turns about the origin.
 std::vector<PrescribedPose> input_turns(const std::vector<AnglePair>& pairs) {
@@ -80,78 +50,33 @@ void put(DyadAxis& axis, std::size_t at, Point center, Point circle, const std::
   }
 }
 
-FunctionTask without_function(const FunctionTask& task) {
-  return {task.pairs, task.input_pivot, task.output_pivot, std::nullopt, task.free};
-}
-
 }  // namespace
 
-class FunctionFamily::RecentColumns {
- public:
-  [[nodiscard]] std::optional<Column> find(double tau) {
-    const std::lock_guard lock(using_);
-    const auto& kept = kept_[place_of(tau)];
-    return kept && kept->first == tau ? std::optional(kept->second) : std::nullopt;
-  }
-  void keep(double tau, const Column& column) {
-    const std::lock_guard lock(using_);
-    kept_[place_of(tau)] = std::pair(tau, column);
-  }
-
- private:
-  static constexpr std::size_t most = 256;
-  [[nodiscard]] static std::size_t place_of(double tau) { return std::hash<double>{}(tau) % most; }
-
-  std::mutex using_;
-  std::vector<std::optional<std::pair<double, Column>>> kept_ =
-      std::vector<std::optional<std::pair<double, Column>>>(most);
-};
-
-FunctionFamily::~FunctionFamily() = default;
-
 FunctionFamily::FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers)
-    : FourBarFamily(couplers->frame(), coupler_axis(without_function(task), *couplers), free_axis(task)),
+    : FunctionFamily(task, couplers->frame(),
+                     std::make_unique<const Columns>(
+                         task, couplers,
+                         [input = task.input_pivot, output = task.output_pivot](const std::vector<AnglePair>& pairs) {
+                           return function_couplers({{pairs, {}, {}}, input, output});
+                         })) {}
+
+FunctionFamily::FunctionFamily(FunctionTask task, WorkingFrame frame, std::unique_ptr<const Columns> columns)
+    : FourBarFamily(frame, columns->coupler_axis(), axis_of(task.free)),
       task_(std::move(task)),
-      bare_(without_function(task_)),
-      scaled_function_(task_.function ? std::optional(ScaledFunction(*task_.function)) : std::nullopt),
-      couplers_(std::move(couplers)),
-      recent_(std::make_unique<RecentColumns>()),
-      ground_((task_.output_pivot - task_.input_pivot) / frame().scale) {}
+      columns_(std::move(columns)),
+      ground_((task_.output_pivot - task_.input_pivot) / frame.scale) {}
 
 FunctionTask FunctionFamily::task_at(MapPoint place) const {
-  return task_.free ? linkwright::task_at(task_, task_.free->at(wrap_period(place.output, 1))) : task_;
-}
-
-std::vector<AnglePair> FunctionFamily::pairs_at(double tau) const {
-  return task_.free ? linkwright::task_at(bare_, task_.free->at(wrap_period(tau, 1))).pairs : task_.pairs;
+  return task_.free ? linkwright::task_at(task_, columns_->value_at(place.output)) : task_;
 }
 
 FunctionError FunctionFamily::error_of(const FourBar& bars, MapPoint place, const ErrorSampling& sampling) const {
-  const std::vector<AnglePair> pairs = pairs_at(place.output);
-  if (!scaled_function_ || !task_.free || task_.free->kind != FreeParameter::Kind::output_scale)
-    return function_error(bars, pairs, scaled_function_ ? &*scaled_function_ : nullptr, sampling);
-  const ScaledFunction stretched =
-      scaled_function_->stretched(pairs.front().output, task_.free->at(wrap_period(place.output, 1)));
-  return function_error(bars, pairs, &stretched, sampling);
-}
-
-FunctionFamily::Column FunctionFamily::column_at(double tau) const {
-  if (!task_.free) return {task_.pairs, couplers_};
-  FunctionTask fixed = linkwright::task_at(bare_, task_.free->at(wrap_period(tau, 1)));
-  auto couplers = std::make_shared<const FunctionCouplers>(function_couplers(fixed));
-  return {std::move(fixed.pairs), std::move(couplers)};
-}
-
-FunctionFamily::Column FunctionFamily::recent_column_at(double tau) const {
-  if (!task_.free) return column_at(tau);
-  if (auto known = recent_->find(tau)) return *std::move(known);
-  Column column = column_at(tau);
-  recent_->keep(tau, column);
-  return column;
+  return columns_->error_of([&](const AnglePair& first) { return generated_function(bars, first); }, place.output,
+                            sampling);
 }
 
 // In the frame of the family: the frames of all columns have their origin in the input's ground pivot.
-std::optional<Dyad> FunctionFamily::coupler(const Column& column, double tau) const {
+std::optional<Dyad> FunctionFamily::coupler(const Columns::Column& column, double tau) const {
   auto found = column.couplers->coupler(tau);
   if (!found) return std::nullopt;
   const double larger = column.couplers->frame().scale / frame().scale;
@@ -161,19 +86,19 @@ std::optional<Dyad> FunctionFamily::coupler(const Column& column, double tau) co
 }
 
 std::optional<DyadPair> FunctionFamily::dyad_pair(MapPoint place) const {
-  return dyad_pair(recent_column_at(place.output), place);
+  return dyad_pair(columns_->recent_at(place.output), place);
 }
 
 FourBarFamily::DyadPairsOfCells FunctionFamily::dyad_pairs_of_cells(std::span<const double> input,
                                                                     std::span<const double> output) const {
   constexpr int any_threads = 0;
-  const auto columns = std::make_shared<const std::vector<Column>>(columns_at(output, any_threads));
+  const auto columns = std::make_shared<const std::vector<Columns::Column>>(columns_->along(output, any_threads));
   return [this, input, output, columns](std::size_t row, std::size_t column) {
     return dyad_pair((*columns)[column], {input[row], output[column]});
   };
 }
 
-std::optional<DyadPair> FunctionFamily::dyad_pair(const Column& column, MapPoint place) const {
+std::optional<DyadPair> FunctionFamily::dyad_pair(const Columns::Column& column, MapPoint place) const {
   const auto found = coupler(column, place.input);
   if (!found) return std::nullopt;
   return DyadPair{{Homogeneous::of(0), found->circle, place.input},
@@ -181,28 +106,28 @@ std::optional<DyadPair> FunctionFamily::dyad_pair(const Column& column, MapPoint
 }
 
 std::vector<PrescribedPose> FunctionFamily::user_poses(MapPoint place, const FourBar& bars) const {
-  return coupler_poses(bars, pairs_at(place.output));
+  return coupler_poses(bars, columns_->pairs_at(place.output));
 }
 
 std::vector<PrescribedPose> FunctionFamily::working_poses(MapPoint place, const FourBar& bars) const {
-  return coupler_poses(bars, pairs_at(place.output));
+  return coupler_poses(bars, columns_->pairs_at(place.output));
 }
 
 double FunctionFamily::axis_value(Side side, double tau) const {
-  if (side == Side::input || !task_.free) return tau;
-  const double value = task_.free->at(tau);
-  return task_.free->kind == FreeParameter::Kind::pair_output ? degrees(value) : value;
+  return side == Side::input ? tau : axis_value_of(task_.free, tau);
 }
 
 std::vector<double> FunctionFamily::samples(Side side, int count, Spacing spacing) const {
-  if (side == Side::input && !task_.free && couplers_->curve) return couplers_->curve->samples(count, spacing);
+  const auto& curve = columns_->couplers().curve;
+  if (side == Side::input && !task_.free && curve) return curve->samples(count, spacing);
   return FourBarFamily::samples(side, count, spacing);
 }
 
 std::vector<Dyad> FunctionFamily::polygon(Side side) const {
   std::vector<Dyad> links;
-  if (task_.free || (couplers_->curve && couplers_->curve->coordinate_length() == 0)) return links;
-  const std::vector<Dyad> couplers = couplers_->curve ? couplers_->curve->polygon(drawn_side) : couplers_->points;
+  const FunctionCouplers& all = columns_->couplers();
+  if (task_.free || (all.curve && all.curve->coordinate_length() == 0)) return links;
+  const std::vector<Dyad> couplers = all.curve ? all.curve->polygon(drawn_side) : all.points;
   for (const Dyad& coupler : couplers)
     links.push_back(side == Side::input ? Dyad{Homogeneous::of(0), coupler.circle, coupler.coordinate}
                                         : Dyad{Homogeneous::of(ground_), coupler.center, coupler.coordinate});
@@ -211,8 +136,8 @@ std::vector<Dyad> FunctionFamily::polygon(Side side) const {
 
 // Verdicts do not change with size and attitude: every linkage is laid with its input link from 0 to 1 in the first
 // pair, so that one driver stands for the whole row.
-FourBarRow FunctionFamily::row_at(double tau, std::span<const Column> columns, std::span<const double> coordinates,
-                                  bool respect_direction) const {
+FourBarRow FunctionFamily::row_at(double tau, std::span<const Columns::Column> columns,
+                                  std::span<const double> coordinates, bool respect_direction) const {
   const std::vector<PrescribedPose> turns = input_turns(task_.pairs);
   FourBarRow row{DyadAxis({{Homogeneous::of(0), Homogeneous::of(1), tau}}, turns, respect_direction),
                  empty_axis(columns.size(), turns), std::vector<float>(columns.size(), 0)};
@@ -227,19 +152,10 @@ FourBarRow FunctionFamily::row_at(double tau, std::span<const Column> columns, s
   return row;
 }
 
-std::vector<FunctionFamily::Column> FunctionFamily::columns_at(std::span<const double> output, int threads,
-                                                               const Progress& progress) const {
-  std::vector<Column> columns(output.size());
-  parallel_for(output.size(), task_.free ? threads : 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end && !progress.is_cancelled(); ++k) columns[k] = column_at(output[k]);
-  });
-  return columns;
-}
-
 void FunctionFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                           bool respect_direction, const RegionOptions& options, const Progress& progress) const {
-  std::vector<Column> columns = columns_at(output, options.threads, progress);
-  if (progress.is_cancelled()) columns.assign(output.size(), {task_.pairs, couplers_});
+  std::vector<Columns::Column> columns = columns_->along(output, options.threads, progress);
+  if (progress.is_cancelled()) columns.assign(output.size(), columns_->at(0));
   classify_rows(
       map, input, output, [&](std::size_t row) { return row_at(input[row], columns, output, respect_direction); },
       frame().scale, options, progress);

@@ -6,6 +6,7 @@
 
 #include "algebra/binomial.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 namespace {
@@ -69,6 +70,29 @@ double coupler_residual(const FourBar& four_bar, const std::vector<AnglePair>& p
   for (const AnglePair& pair : pairs)
     worst = std::max(worst, std::abs(std::abs(arms_at(four_bar, pairs.front(), pair).coupler[0]) - length));
   return length > 0 ? worst / length : 0;
+}
+
+GeneratedFunction generated_function(const FourBar& four_bar, const AnglePair& first) {
+  const LinkLengths lengths = four_bar.lengths();
+  const Assembly assembly = assembly_of(four_bar);
+  const Configuration start = configuration_of(four_bar);
+  const auto output_angle = [lengths, assembly](double input_angle) {
+    const auto there = assemble(lengths, input_angle, assembly);
+    return there ? std::optional(there->output_angle) : std::nullopt;
+  };
+  return {output_angle, {start.input_angle, start.output_angle}, input_ranges(lengths), first};
+}
+
+FunctionError function_error(const FourBar& four_bar, std::span<const AnglePair> pairs, const ScaledFunction* function,
+                             const ErrorSampling& sampling) {
+  require(!pairs.empty(), "an error is that at pairs");
+  return function_error(generated_function(four_bar, pairs.front()), pairs, function, sampling);
+}
+
+FunctionError function_error(const FourBar& four_bar, const FunctionTask& task, const ErrorSampling& sampling) {
+  if (!task.function) return function_error(four_bar, task.pairs, nullptr, sampling);
+  const ScaledFunction scaled(*task.function);
+  return function_error(four_bar, task.pairs, &scaled, sampling);
 }
 
 }  // namespace linkwright

@@ -6,21 +6,13 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
+#include "linkwright/core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
 
 std::string place_of_pose(std::size_t pose) { return fmt::format("task.poses[{}]", pose); }
-
-void check_number(double value, double limit, const char* what, const std::string& place, std::vector<Error>& found) {
-  if (std::abs(value) <= limit) return;
-  const std::string most = limit_text(limit);
-  found.push_back({"number_range",
-                   place,
-                   fmt::format("{0} must be a number between −{1} and {1}", what, most),
-                   {{"name", what}, {"most", most}}});
-}
 
 bool is_zero(const PoseDerivative& d) {
   return std::max({std::abs(d.origin.real()), std::abs(d.origin.imag()), std::abs(d.angle)}) <
@@ -31,9 +23,9 @@ void check_derivatives(const std::vector<PoseDerivative>& derivatives, const std
                        std::vector<Error>& found) {
   for (std::size_t m = 0; m < derivatives.size(); ++m) {
     const std::string here = fmt::format("{}[{}]", place, m);
-    check_number(derivatives[m].origin.real(), largest_coordinate, "x", here + ".x", found);
-    check_number(derivatives[m].origin.imag(), largest_coordinate, "y", here + ".y", found);
-    check_number(derivatives[m].angle, largest_coordinate, "theta", here + ".theta", found);
+    check_number(derivatives[m].origin.real(), "x", here + ".x", found);
+    check_number(derivatives[m].origin.imag(), "y", here + ".y", found);
+    check_number(derivatives[m].angle, "theta", here + ".theta", found);
   }
   if (!derivatives.empty() && is_zero(derivatives.front()))
     found.push_back({"zero_derivative", place + "[0]",
@@ -44,9 +36,9 @@ void check_derivatives(const std::vector<PoseDerivative>& derivatives, const std
 void check_numbers(const MotionTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.poses.size(); ++i) {
     const Pose& pose = task.poses[i].pose;
-    check_number(pose.origin.real(), largest_coordinate, "x", place_of_pose(i) + ".x", found);
-    check_number(pose.origin.imag(), largest_coordinate, "y", place_of_pose(i) + ".y", found);
-    check_number(degrees(pose.angle), largest_coordinate, "theta_deg", place_of_pose(i) + ".theta_deg", found);
+    check_number(pose.origin.real(), "x", place_of_pose(i) + ".x", found);
+    check_number(pose.origin.imag(), "y", place_of_pose(i) + ".y", found);
+    check_number(degrees(pose.angle), "theta_deg", place_of_pose(i) + ".theta_deg", found);
     check_derivatives(task.poses[i].derivatives, place_of_pose(i) + ".derivatives", found);
   }
 }

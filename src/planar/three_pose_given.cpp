@@ -6,6 +6,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
+#include "linkwright/core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/motion_task.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/function_error.hpp"
+#include "linkwright/function/function_error.hpp"
 #include "linkwright/planar/function_linkage.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/random_function.hpp"

@@ -6,7 +6,7 @@
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/function_error.hpp"
+#include "linkwright/function/function_error.hpp"
 #include "linkwright/planar/function_linkage.hpp"
 #include "linkwright/planar/improved_linkage.hpp"
 #include "linkwright/synthesis/solve.hpp"

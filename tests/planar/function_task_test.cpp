@@ -1,11 +1,7 @@
 #include "linkwright/planar/function_task.hpp"
 
-#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-
-#include "linkwright/core/angle.hpp"
-#include "support/random_function.hpp"
 
 namespace linkwright::function_task_test {
 namespace {
@@ -16,129 +12,36 @@ FunctionTask four_pairs() {
   return task;
 }
 
-FunctionTask squares() { return testing::named_task("x^2", {0, 1}, 60, 90); }
-
 std::string codes(const FunctionTask& task) {
   std::string text;
   for (const Error& e : mistakes_in(task)) text += (text.empty() ? "" : " ") + e.code + "@" + e.place.substr(5);
   return text;
 }
 
-TEST(FunctionTask, FourOrFivePositionsOfAnyPatternAreFine) {
+TEST(FunctionTask, GroundPivotsAreTwoFinitePoints) {
   FunctionTask task = four_pairs();
   EXPECT_EQ(codes(task), "");
-  task.pairs.push_back({1.5, 1.4, {}});
-  EXPECT_EQ(codes(task), "");
-  task.pairs.push_back({1.6, 1.5, {}});
-  EXPECT_EQ(codes(task), "too_many_pairs@pairs");
-  task.pairs.resize(2);
-  EXPECT_EQ(codes(task), "too_few_pairs@pairs");
-  task.pairs[1].derivatives = {{1, 2}, {0, 0}};
-  EXPECT_EQ(codes(task), "");
-  EXPECT_EQ(pattern(task.pairs), "P-PPP");
-  task.pairs.clear();
-  EXPECT_EQ(codes(task), "too_few_pairs@pairs");
-}
-
-TEST(FunctionTask, NumbersAreFinite) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  FunctionTask task = four_pairs();
-  task.pairs[2].output = nan;
-  task.pairs[1].derivatives = {{nan, 1}};
-  task.input_pivot = {0, std::numeric_limits<double>::infinity()};
-  EXPECT_EQ(codes(task),
-            "number_range@pairs[1].derivatives[0].input number_range@pairs[2].output_deg "
-            "number_range@ground_pivots.input[1]");
-}
-
-TEST(FunctionTask, TheInputMovesWhereRatesAreGiven) {
-  FunctionTask task = four_pairs();
-  task.pairs[1].derivatives = {{0, 0}};
-  EXPECT_EQ(codes(task), "zero_rates@pairs[1].derivatives[0]");
-  task.pairs[1].derivatives = {{0, 1}};
-  EXPECT_EQ(codes(task), "input_at_rest@pairs[1].derivatives[0].input");
-  task.pairs[1].derivatives = {{1, 0}};
-  EXPECT_EQ(codes(task), "") << "a dwell";
-}
-
-TEST(FunctionTask, AnInputAngleComesOnceAndTheOutputMoves) {
-  FunctionTask task = four_pairs();
-  task.pairs[3].input = task.pairs[1].input + two_pi;
-  EXPECT_EQ(codes(task), "repeated_input@pairs[3].input_deg");
-  task = four_pairs();
-  for (AnglePair& pair : task.pairs) pair.output = 0.4;
-  EXPECT_EQ(codes(task), "constant_output@pairs");
-  task.pairs[0].derivatives = {{1, 0.5}};
-  EXPECT_EQ(codes(task), "") << "it moves through";
-}
-
-TEST(FunctionTask, GroundPivotsAreTwo) {
-  FunctionTask task = four_pairs();
   task.input_pivot = task.output_pivot = {3, 4};
   EXPECT_EQ(codes(task), "same_pivots@ground_pivots");
+  task.input_pivot = {0, std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(codes(task), "number_range@ground_pivots.input[1]");
 }
 
-TEST(FunctionTask, PairsComeFromTheFunction) {
-  const FunctionTask task = squares();
-  EXPECT_EQ(codes(task), "");
-  ASSERT_EQ(task.pairs.size(), 4u);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double x = 0.5 - 0.5 * std::cos((2 * static_cast<double>(i) + 1) * pi / 8);
-    EXPECT_NEAR(task.pairs[i].input, radians(60) * x, 1e-15);
-    EXPECT_NEAR(task.pairs[i].output, radians(90) * x * x, 1e-15);
-  }
-  FunctionTask wrong = task;
-  wrong.function->expression = "x^x";
-  EXPECT_EQ(codes(wrong), "unknown_expression@function.expression");
-  wrong.pairs.clear();
-  EXPECT_EQ(codes(wrong), "unknown_expression@function.expression") << "and nothing of the pairs that it would give";
-}
-
-TEST(FunctionTask, AFreeNumberChangesThePairs) {
-  FunctionTask task = squares();
-  task.pairs[1].derivatives = {{1, 3}};
-  task.free = FreeParameter{};
-  FunctionTask fixed = task_at(task, 2);
-  auto pairs = fixed.pairs;
-  for (std::size_t j = 0; j < 4; ++j) {
-    EXPECT_EQ(pairs[j].input, task.pairs[j].input);
-    EXPECT_NEAR(pairs[j].output - pairs[0].output, 2 * (task.pairs[j].output - task.pairs[0].output), 1e-15);
-  }
-  EXPECT_EQ(pairs[1].derivatives[0].output, 6);
-  EXPECT_FALSE(fixed.free);
-  const ScaledFunction stretched(*fixed.function);
-  for (const AnglePair& pair : pairs) EXPECT_NEAR(stretched.output_at(pair.input), pair.output, 1e-15);
-  task.free = FreeParameter{FreeParameter::Kind::pair_output, {0, 1}, 2};
-  pairs = task_at(task, 0.75).pairs;
-  EXPECT_EQ(pairs[2].output, 0.75);
-  EXPECT_EQ(pairs[2].input, task.pairs[2].input);
-}
-
-TEST(FunctionTask, AFreeNumberIsSpacedOverItsRange) {
-  const FreeParameter scale;
-  EXPECT_DOUBLE_EQ(scale.at(0), 0.5);
-  EXPECT_DOUBLE_EQ(scale.at(0.5), 1) << "by its logarithm";
-  EXPECT_DOUBLE_EQ(scale.at(1), 2);
-  const FreeParameter output{FreeParameter::Kind::pair_output, {-1, 3}};
-  EXPECT_DOUBLE_EQ(output.at(0.25), 0);
-  for (const FreeParameter& free : {scale, output})
-    for (const double t : {0.0, 0.3, 1.0}) EXPECT_NEAR(free.place_of(free.at(t)), t, 1e-15);
-  for (const auto kind : {FreeParameter::Kind::output_scale, FreeParameter::Kind::pair_output})
-    EXPECT_EQ(free_parameter_named(name(kind)), kind);
-}
-
-TEST(FunctionTask, AFreeNumberIsChecked) {
+TEST(FunctionTask, TheMistakesOfTheFunctionAreItsOwn) {
   FunctionTask task = four_pairs();
-  task.free = FreeParameter{FreeParameter::Kind::output_scale, {0, 2}};
-  EXPECT_EQ(codes(task), "scale_range@free.range");
-  task.free->range = {2, 1};
-  EXPECT_EQ(codes(task), "range_order@free.range");
-  task.free = FreeParameter{FreeParameter::Kind::pair_output, {0, 1}, 4};
-  EXPECT_EQ(codes(task), "no_such_pair@free.pair");
-  task = four_pairs();
-  task.pairs[0].derivatives = {{1, 1}};
-  task.free = FreeParameter{};
-  EXPECT_EQ(codes(task), "free_number_of_five@free");
+  task.pairs.pop_back();
+  task.output_pivot = task.input_pivot;
+  EXPECT_EQ(codes(task), "too_few_pairs@pairs same_pivots@ground_pivots");
+}
+
+TEST(FunctionTask, KeepsItsPivotsWhenItsParameterIsFixed) {
+  FunctionTask task = four_pairs();
+  task.input_pivot = {2, 3};
+  task.free = FreeParameter{FreeParameter::Kind::pair_output, {0, 1}, 2};
+  const FunctionTask fixed = task_at(task, 0.75);
+  EXPECT_EQ(fixed.pairs[2].output, 0.75);
+  EXPECT_EQ(fixed.input_pivot, task.input_pivot);
+  EXPECT_FALSE(fixed.free);
 }
 
 }  // namespace

@@ -5,9 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "linkwright/function/function_columns.hpp"
+#include "linkwright/function/function_error.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/function_couplers.hpp"
-#include "linkwright/planar/function_error.hpp"
 #include "linkwright/planar/function_task.hpp"
 #include "linkwright/planar/task_family.hpp"
 
@@ -23,12 +24,13 @@ class FunctionFamily : public FourBarFamily {
  public:
   /// `task` without mistakes, `couplers` its own, with a curve or points.
   FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers);
-  ~FunctionFamily() override;
 
   [[nodiscard]] Side costlier_side() const override { return Side::output; }
 
   /// The task at a place: its free parameter fixed.
   [[nodiscard]] FunctionTask task_at(MapPoint place) const;
+
+  [[nodiscard]] bool has_function() const { return columns_->has_function(); }
 
   /// How well a linkage from there, user's frame, generates the task's pairs and its named function.
   [[nodiscard]] FunctionError error_of(const FourBar& bars, MapPoint place, const ErrorSampling& sampling = {}) const;
@@ -46,31 +48,18 @@ class FunctionFamily : public FourBarFamily {
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
 
  private:
-  /// The couplers of the task at one value of the free parameter.
-  struct Column {
-    std::vector<AnglePair> pairs;
-    std::shared_ptr<const FunctionCouplers> couplers;
-  };
-  /// Columns found lately: a climb asks for the same one again and again, and each takes as long as a hundred linkages
-  /// of it.
-  class RecentColumns;
-  [[nodiscard]] std::vector<AnglePair> pairs_at(double tau) const;
-  [[nodiscard]] Column column_at(double tau) const;
-  [[nodiscard]] Column recent_column_at(double tau) const;
-  [[nodiscard]] std::vector<Column> columns_at(std::span<const double> output, int threads,
-                                               const Progress& progress = {}) const;
-  [[nodiscard]] std::optional<DyadPair> dyad_pair(const Column& column, MapPoint place) const;
-  [[nodiscard]] std::optional<Dyad> coupler(const Column& column, double tau) const;
-  [[nodiscard]] FourBarRow row_at(double tau, std::span<const Column> columns, std::span<const double> coordinates,
-                                  bool respect_direction) const;
+  using Columns = FunctionColumns<FunctionCouplers>;
+  FunctionFamily(FunctionTask task, WorkingFrame frame, std::unique_ptr<const Columns> columns);
+
+  [[nodiscard]] std::optional<DyadPair> dyad_pair(const Columns::Column& column, MapPoint place) const;
+  [[nodiscard]] std::optional<Dyad> coupler(const Columns::Column& column, double tau) const;
+  [[nodiscard]] FourBarRow row_at(double tau, std::span<const Columns::Column> columns,
+                                  std::span<const double> coordinates, bool respect_direction) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 
   FunctionTask task_;
-  FunctionTask bare_;                              ///< the task without its function, whose table may be long
-  std::optional<ScaledFunction> scaled_function_;  ///< of the function
-  std::shared_ptr<const FunctionCouplers> couplers_;
-  std::unique_ptr<RecentColumns> recent_;
+  std::unique_ptr<const Columns> columns_;
   Point ground_;  ///< the output's ground pivot, working frame; the input's is at 0
 };
 

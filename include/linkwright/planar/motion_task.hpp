@@ -26,9 +26,6 @@ struct MotionTask {
   friend bool operator==(const MotionTask&, const MotionTask&) = default;
 };
 
-/// Largest coordinate (user's unit), angle (degrees) and derivative that is accepted.
-inline constexpr double largest_coordinate = 1e9;
-
 /// The caller's mistakes: number of positions, numbers that are not finite or too large, first derivatives that are
 /// zero, repeated poses, what three positions want given and more do not. Places are `task.poses[i]…` (i from 0) and
 /// `task.given…`. Empty when the task can be solved.

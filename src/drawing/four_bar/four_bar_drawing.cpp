@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "drawing/four_bar/error_plot.hpp"
+#include "drawing/error_plot.hpp"
 #include "drawing/four_bar/linkage_strip.hpp"
 #include "drawing/palette.hpp"
 #include "drawing/region_figure.hpp"
@@ -12,6 +12,7 @@
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
+#include "linkwright/planar/function_linkage.hpp"
 
 namespace linkwright {
 namespace {
@@ -33,8 +34,10 @@ bool has_plot(const TaskScene& scene) { return scene.linkage != nullptr && scene
 void draw_plot(SvgCanvas& svg, const TaskScene& scene, const PixelBox& box) {
   if (scene.linkage == nullptr || !scene.linkage->function || !scene.function) return;
   const FunctionError& error = *scene.linkage->function;
-  error.samples.empty() ? draw_output_plot(svg, box, scene.linkage->four_bar, *scene.function)
-                        : draw_error_plot(svg, box, error, *scene.function);
+  error.samples.empty()
+      ? draw_output_plot(svg, box, generated_function(scene.linkage->four_bar, scene.function->pairs.front()),
+                         *scene.function)
+      : draw_error_plot(svg, box, error, *scene.function);
 }
 
 /// The cells, and room for a plot below them where there is one.

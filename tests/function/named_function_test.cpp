@@ -1,4 +1,4 @@
-#include "linkwright/planar/named_function.hpp"
+#include "linkwright/function/named_function.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

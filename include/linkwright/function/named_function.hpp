@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "linkwright/core/result.hpp"
-#include "linkwright/planar/formula.hpp"
+#include "linkwright/function/formula.hpp"
 
 namespace linkwright {
 

@@ -1,8 +1,9 @@
-#include "linkwright/planar/function_error.hpp"
+#include "linkwright/function/function_error.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "function/turned_into.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -10,10 +11,7 @@
 namespace linkwright {
 namespace {
 
-// The one of the angles φ + 2πk in [from, from + 2π).
-double turned_into(double angle, double from) { return from + wrap_positive(angle - from); }
-
-/// Error of one four-bar along its range of inputs.
+/// Error of one linkage along its range of inputs.
 class ErrorCurve {
  public:
   ErrorCurve(const GeneratedFunction& generated, const ScaledFunction& scaled)
@@ -172,40 +170,9 @@ void add_structural_error(const GeneratedFunction& generated, const ScaledFuncti
 
 }  // namespace
 
-GeneratedFunction::GeneratedFunction(const FourBar& four_bar, const AnglePair& first)
-    : lengths_(four_bar.lengths()), assembly_(assembly_of(four_bar)), reach_{first.input, first.input} {
-  const Configuration start = configuration_of(four_bar);
-  input_offset_ = start.input_angle - first.input;
-  output_offset_ = start.output_angle - first.output;
-  double nearest = two_pi;  // from the start to the range: 0 but for rounding
-  for (const AngleRange& range : input_ranges(lengths_)) {
-    const double from_low = turned_into(start.input_angle, range.from) - range.from, length = range.to - range.from;
-    const double missed = std::max(0.0, std::min(from_low - length, two_pi - from_low));
-    if (missed >= nearest) continue;
-    nearest = missed;
-    const double low =
-        from_low - length > two_pi - from_low ? first.input + (two_pi - from_low) : first.input - from_low;
-    reach_ = {low, low + length};
-  }
-}
-
-std::optional<double> GeneratedFunction::output_at(double input, double near) const {
-  const double length = reach_.to - reach_.from;
-  double from_low = turned_into(input, reach_.from) - reach_.from;
-  if (!reach_.is_full_turn()) {
-    if (from_low > two_pi - tolerance::end_of_reach) from_low = 0;
-    if (from_low > length + tolerance::end_of_reach) return std::nullopt;
-    from_low = std::min(from_low, length);
-  }
-  const auto configuration = assemble(lengths_, reach_.from + from_low + input_offset_, assembly_);
-  if (!configuration) return std::nullopt;
-  return near + wrap_signed(configuration->output_angle - output_offset_ - near);
-}
-
-FunctionError function_error(const FourBar& four_bar, std::span<const AnglePair> pairs, const ScaledFunction* function,
-                             const ErrorSampling& sampling) {
+FunctionError function_error(const GeneratedFunction& generated, std::span<const AnglePair> pairs,
+                             const ScaledFunction* function, const ErrorSampling& sampling) {
   require(!pairs.empty() && sampling.steps >= 2, "an error is that at pairs, over two samples or more");
-  const GeneratedFunction generated(four_bar, pairs.front());
   FunctionError error;
   error.reaches_pairs = true;
   for (const AnglePair& pair : pairs) {
@@ -216,12 +183,6 @@ FunctionError function_error(const FourBar& four_bar, std::span<const AnglePair>
   }
   if (function != nullptr) add_structural_error(generated, *function, sampling, error);
   return error;
-}
-
-FunctionError function_error(const FourBar& four_bar, const FunctionTask& task, const ErrorSampling& sampling) {
-  if (!task.function) return function_error(four_bar, task.pairs, nullptr, sampling);
-  const ScaledFunction scaled(*task.function);
-  return function_error(four_bar, task.pairs, &scaled, sampling);
 }
 
 }  // namespace linkwright

@@ -1,4 +1,4 @@
-#include "linkwright/planar/named_function.hpp"
+#include "linkwright/function/named_function.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
+#include "linkwright/core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
-#include "linkwright/planar/motion_task.hpp"
 
 namespace linkwright {
 namespace {

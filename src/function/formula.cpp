@@ -1,4 +1,4 @@
-#include "linkwright/planar/formula.hpp"
+#include "linkwright/function/formula.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,32 +7,11 @@
 #include <vector>
 
 #include "linkwright/analysis/position.hpp"
-#include "linkwright/mechanism/four_bar.hpp"
-#include "linkwright/planar/function_task.hpp"
+#include "linkwright/function/angle_pair.hpp"
+#include "linkwright/function/generated_function.hpp"
+#include "linkwright/function/named_function.hpp"
 
 namespace linkwright {
-
-/// The output that a driven four-bar generates, by forward kinematics alone: it stands at the first pair and is driven
-/// from there, without being taken apart. Angles in radians on the task's dials.
-class GeneratedFunction {
- public:
-  /// `four_bar` stands at `first`.
-  GeneratedFunction(const FourBar& four_bar, const AnglePair& first);
-
-  /// Output at an input angle (modulo whole turns), the one nearest to `near`; nothing where the drive does not get
-  /// there.
-  [[nodiscard]] std::optional<double> output_at(double input, double near) const;
-
-  /// The inputs that the drive reaches, around that of the first pair; a whole turn for a crank. Empty (from = to) for
-  /// links that are none.
-  [[nodiscard]] AngleRange reach() const { return reach_; }
-
- private:
-  LinkLengths lengths_;
-  Assembly assembly_ = Assembly::positive;
-  AngleRange reach_;
-  double input_offset_ = 0, output_offset_ = 0;  ///< angle from the frame's axis less the dial's
-};
 
 /// One point of the plot.
 struct ErrorSample {
@@ -40,7 +19,7 @@ struct ErrorSample {
   std::optional<double> generated;  ///< nothing where the drive does not get there
 };
 
-/// How well a four-bar generates a function.
+/// How well a linkage generates a function.
 struct FunctionError {
   /// Generated less wanted output at each pair, radians in (−π, π]; nothing where the drive does not get to the input.
   std::vector<std::optional<double>> at_pairs;
@@ -67,13 +46,9 @@ struct ErrorSampling {
   [[nodiscard]] static constexpr ErrorSampling coarse() { return {61, 200}; }
 };
 
-/// `four_bar` stands at the first of the pairs. `function`, where there is one, is looked at as `sampling` says, and
-/// where the reach ends; from the highest hills of its error the top is sought to 1e-10 of the range.
-[[nodiscard]] FunctionError function_error(const FourBar& four_bar, std::span<const AnglePair> pairs,
+/// `generated` goes through the first of the pairs. `function`, where there is one, is looked at as `sampling` says,
+/// and where the reach ends; from the highest hills of its error the top is sought to 1e-10 of the range.
+[[nodiscard]] FunctionError function_error(const GeneratedFunction& generated, std::span<const AnglePair> pairs,
                                            const ScaledFunction* function, const ErrorSampling& sampling = {});
-
-/// The same of a task: builds its function anew; of many linkages of a family, FunctionFamily::error_of() is quicker.
-[[nodiscard]] FunctionError function_error(const FourBar& four_bar, const FunctionTask& task,
-                                           const ErrorSampling& sampling = {});
 
 }  // namespace linkwright

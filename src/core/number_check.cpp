@@ -1,0 +1,19 @@
+#include "linkwright/core/number_check.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "linkwright/core/count_text.hpp"
+
+namespace linkwright {
+
+void check_number(double value, std::string_view what, const std::string& place, std::vector<Error>& found) {
+  if (std::abs(value) <= largest_coordinate) return;
+  const std::string most = limit_text(largest_coordinate);
+  found.push_back({"number_range",
+                   place,
+                   fmt::format("{0} must be a number between −{1} and {1}", what, most),
+                   {{"name", what}, {"most", most}}});
+}
+
+}  // namespace linkwright
