@@ -12,6 +12,7 @@
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "spherical/common_lines.hpp"
+#include "spherical/dyad_order.hpp"
 #include "spherical/minor_forms.hpp"
 
 namespace linkwright {
@@ -203,10 +204,9 @@ bool has_line_of_partners(const OrientationConditions& conditions, Vector3 movin
   return true;
 }
 
-SphericalDyadPoint point_of(const OrientationConditions& conditions, SphericalDyad dyad, int multiplicity) {
-  if (dot(dyad.fixed_axis, dyad.moving_axis) < 0) dyad.fixed_axis = -dyad.fixed_axis;
-  const ConditionSteps at(conditions, dyad);
-  return {dyad, multiplicity, at.residual(), condition_of(at)};
+SphericalDyadPoint point_of(const OrientationConditions& conditions, const SphericalDyad& dyad, int multiplicity) {
+  const ConditionSteps at(conditions, with_acute_link(dyad));
+  return {at.dyad, multiplicity, at.residual(), condition_of(at)};
 }
 
 // Fewer than four conditions are independent: what is left.

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "linkwright/attitude/rotation_vector.hpp"
+#include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 #include "support/spherical_case.hpp"
 
@@ -382,6 +383,110 @@ TEST(FiveOrientations, OfFourAboutOneAxisAreACurve) {
   ASSERT_TRUE(found.degeneracy);
   EXPECT_EQ(found.degeneracy->code, "dependent_rows");
   ASSERT_TRUE(found.curve);
+}
+
+std::vector<FiveOrientations> random_tasks(std::mt19937_64& random, int count) {
+  std::vector<FiveOrientations> tasks(static_cast<std::size_t>(count));
+  for (FiveOrientations& task : tasks)
+    for (UnitQuaternion& there : task) there = testing::random_rotation(random);
+  return tasks;
+}
+
+FiveOrientationDyads carefully(const FiveOrientations& task) {
+  Orientations orientations;
+  for (const UnitQuaternion& there : task) orientations.push_back({there, {}});
+  return dyads_of(orientations);
+}
+
+// Those of one task by the quick way are those by the careful one.
+void compare(const SphericalDyads& quick, const FiveOrientations& task) {
+  const FiveOrientationDyads found = carefully(task);
+  ASSERT_EQ(quick.count, static_cast<int>(found.points.size()));
+  EXPECT_EQ(quick.complex_roots, found.complex_roots);
+  EXPECT_EQ(quick.degenerate, found.degeneracy.has_value());
+  for (std::size_t k = 0; k < found.points.size(); ++k) {
+    EXPECT_EQ(quick.dyads[k].coordinate, found.points[k].dyad.coordinate);
+    EXPECT_EQ(quick.multiplicity[k], found.points[k].multiplicity);
+    EXPECT_GE(dot(quick.dyads[k].fixed_axis, quick.dyads[k].moving_axis), 0);
+    EXPECT_LT(apart(quick.dyads[k], found.points[k].dyad), 2e-15 * found.points[k].condition);
+  }
+}
+
+TEST(FiveOrientations, OfManyTasksAtOnceAreTheSame) {
+  std::mt19937_64 random(63);
+  std::vector<FiveOrientations> tasks = random_tasks(random, 64'001);  // no multiple of a pack or a block
+  const Vector3 axis = testing::random_direction(random);
+  for (std::size_t i = 0; i < 5; ++i) tasks[1][i] = UnitQuaternion::about(axis, 0.3 * static_cast<double>(i));
+  tasks[2][4] = tasks[2][0];
+  tasks[3][4] = -tasks[3][2];
+  for (std::size_t i = 1; i < 5; ++i)
+    tasks[4][i] = RotationVector::of(1e-6 * testing::random_direction(random))->quaternion() * tasks[4][0];
+  for (std::size_t i = 1; i < 5; ++i)
+    tasks[5][i] = UnitQuaternion::about(testing::random_direction(random), pi) * tasks[5][0];
+  std::vector<SphericalDyads> quick(tasks.size());
+  five_orientation_dyads_of_all(tasks, quick);
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    compare(quick[i], tasks[i]);
+    ASSERT_FALSE(HasFatalFailure()) << i;
+  }
+}
+
+// A body that turns on in steps of a few degrees: conditions that nearly depend on each other.
+TEST(FiveOrientations, OfManySweepsAtOnceAreTheSame) {
+  std::mt19937_64 random(64);
+  std::vector<FiveOrientations> tasks(2000);
+  for (FiveOrientations& task : tasks) {
+    const Orientations sweep = testing::random_sweep(random, 5);
+    for (std::size_t i = 0; i < 5; ++i) task[i] = sweep[i].orientation;
+  }
+  std::vector<SphericalDyads> quick(tasks.size());
+  five_orientation_dyads_of_all(tasks, quick);
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    compare(quick[i], tasks[i]);
+    ASSERT_FALSE(HasFatalFailure()) << i;
+  }
+}
+
+TEST(FiveOrientations, OfManyTasksAtOnceHaveTheSameBitsOnEveryMachine) {
+  std::mt19937_64 random(65);
+  const std::vector<FiveOrientations> tasks = random_tasks(random, 2000);
+  std::vector<SphericalDyads> scalar(tasks.size()), other(tasks.size());
+  five_orientation_dyads_of_all(tasks, scalar, Simd::scalar);
+  for (const Simd simd : {Simd::baseline, Simd::avx2, Simd::avx512}) {
+    if (!is_supported(simd)) continue;
+    five_orientation_dyads_of_all(tasks, other, simd);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      ASSERT_EQ(other[i].count, scalar[i].count) << name(simd) << i;
+      EXPECT_EQ(other[i].dyads, scalar[i].dyads) << name(simd) << i;
+    }
+  }
+}
+
+// Around tasks with a double dyad the quick way gives up in time.
+TEST(FiveOrientations, OfManyTasksAtOnceAreCountedWhereTwoMeet) {
+  std::mt19937_64 random(66);
+  for (int tried = 0; tried < 40;) {
+    FiveOrientations from = random_tasks(random, 1).front();
+    const Vector3 turn = 2.0 * testing::random_direction(random);
+    const auto at = [&](double s) {
+      FiveOrientations task = from;
+      task[4] = RotationVector::of(s * turn)->quaternion() * from[4];
+      return task;
+    };
+    double low = 0, high = 1;
+    const int first = carefully(at(0)).complex_roots;
+    if (first == carefully(at(1)).complex_roots) continue;
+    ++tried;
+    for (int step = 0; step < 50; ++step) {
+      const FiveOrientations middle = at((low + high) / 2);
+      SphericalDyads quick;
+      five_orientation_dyads_of_all(std::span(&middle, 1), std::span(&quick, 1));
+      const FiveOrientationDyads found = carefully(middle);
+      EXPECT_EQ(quick.complex_roots, found.complex_roots);
+      EXPECT_EQ(quick.count, static_cast<int>(found.points.size()));
+      (found.complex_roots == first ? low : high) = (low + high) / 2;
+    }
+  }
 }
 
 }  // namespace
