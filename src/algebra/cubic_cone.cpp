@@ -15,6 +15,10 @@ namespace {
 constexpr std::array<std::string_view, 6> cone_kind_names = {"one_component",         "two_components", "nodal",
                                                              "great_circle_and_cone", "great_circles",  "every_axis"};
 
+// Share of a form's coefficients within which it is taken for a product: a curve that is nearly a plane and more turns in
+// planes that close together, and axes of the product are as near to it.
+constexpr double nearly_reducible = 1e-7;
+
 // Coefficient that belongs to vᵢ vⱼ vₖ.
 constexpr std::array<std::array<std::array<std::size_t, 3>, 3>, 3> monomial_of_axes = {
     {{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}}, {{{1, 3, 4}, {3, 6, 7}, {4, 7, 8}}}, {{{2, 4, 5}, {4, 7, 8}, {5, 8, 9}}}}};
@@ -51,7 +55,7 @@ bool contains_plane(const CubicForm& form, Vector3 plane) {
   const Vector3 p = any_normal(plane), q = cross(plane, p);
   const std::array<double, 4> values = restricted(form, p, q);
   return std::all_of(values.begin(), values.end(), [&](double value) {
-    return std::abs(value) <= tolerance::vanishing_coefficient * form.largest_coefficient();
+    return std::abs(value) <= nearly_reducible * form.largest_coefficient();
   });
 }
 
@@ -156,7 +160,7 @@ bool CubicCone::take_apart() {
       3 * form_.polar(p, q, n), 3 * form_.polar(q, q, n), 1.5 * form_.polar(q, n, n),         //
       1.5 * form_.polar(p, n, n), 1.5 * form_.polar(q, n, n), form_(n);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(quadric);
-  const double zero = tolerance::vanishing_coefficient * axes.eigenvalues().cwiseAbs().maxCoeff();
+  const double zero = nearly_reducible * axes.eigenvalues().cwiseAbs().maxCoeff();
   const auto axis = [&](int i) {
     const Eigen::Vector3d v = axes.eigenvectors().col(i);
     return v[0] * p + v[1] * q + v[2] * n;
@@ -177,6 +181,9 @@ bool CubicCone::take_apart() {
                        (height / std::sqrt(std::abs(l[other]))) * axis(other), axis(odd)});
     add_branch("cone");
     kind_ = CubicConeKind::great_circle_and_cone;
+  } else if (std::min(std::abs(l[0]), std::abs(l[2])) <= zero) {  // two planes that meet in one real line
+    conics_.push_back({{}, {}, axis(low ? 2 : 0)});
+    add_branch("point");
   }
   return true;
 }
@@ -310,6 +317,7 @@ std::vector<double> CubicCone::places_of(std::size_t branch, Vector3 axis) const
   if (!conics_.empty()) {
     const Conic& conic = conics_[branch];
     const bool plane = conic.c == Vector3{};
+    if (conic.a == Vector3{}) return {0.5};
     const Vector3 towards = plane || dot(axis, conic.c) >= 0 ? axis : -axis;
     const double turn =
         std::atan2(dot(towards, conic.b) / dot(conic.b, conic.b), dot(towards, conic.a) / dot(conic.a, conic.a));

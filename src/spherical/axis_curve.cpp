@@ -1,8 +1,10 @@
 #include "linkwright/spherical/axis_curve.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
@@ -15,6 +17,34 @@ double run_between(const SphericalDyad& a, const SphericalDyad& b) {
   return arc_between_lines(a.moving_axis, b.moving_axis) + arc_between_lines(a.fixed_axis, b.fixed_axis);
 }
 
+// The nearest pair of axes that meets the three conditions, by Newton's method with the shortest steps: the cone's
+// coefficients of nearly dependent orientations leave fewer digits than the conditions do.
+void polish(const OrientationConditions& conditions, Vector3& fixed, Vector3& moving) {
+  constexpr int turns = 3;
+  double residual = residual_of(fixed, moving, conditions);
+  for (int turn = 0; turn < turns; ++turn) {
+    Eigen::Matrix<double, 3, 6> slope;
+    Eigen::Vector3d off;
+    for (int k = 0; k < 3; ++k) {
+      const Matrix3x3& row = conditions.rows[static_cast<std::size_t>(k)];
+      const Vector3 by_fixed = row * moving, by_moving = fixed * row;
+      const double value = dot(fixed, by_fixed);
+      // Along the axes themselves nothing changes but lengths.
+      const Vector3 of_fixed = by_fixed - value * fixed, of_moving = by_moving - value * moving;
+      slope.row(k) << of_fixed.x, of_fixed.y, of_fixed.z, of_moving.x, of_moving.y, of_moving.z;
+      off[k] = value;
+    }
+    const Eigen::Matrix<double, 6, 1> step = slope.completeOrthogonalDecomposition().solve(off);
+    const Vector3 next_fixed = normalized(fixed - Vector3{step[0], step[1], step[2]}),
+                  next_moving = normalized(moving - Vector3{step[3], step[4], step[5]});
+    const double left = residual_of(next_fixed, next_moving, conditions);
+    if (!(left < residual)) return;
+    residual = left;
+    fixed = next_fixed;
+    moving = next_moving;
+  }
+}
+
 }  // namespace
 
 AxisCurve::AxisCurve(OrientationConditions conditions)
@@ -23,9 +53,10 @@ AxisCurve::AxisCurve(OrientationConditions conditions)
 }
 
 SphericalDyad AxisCurve::dyad(double coordinate) const {
-  const Vector3 moving = cone_.axis(coordinate);
-  const Vector3 fixed = fixed_axis_of(moving, conditions_);
-  return {dot(fixed, moving) < 0 ? -fixed : fixed, moving, coordinate};
+  constexpr double enough = 4e-15;  // what rounding leaves of a condition
+  Vector3 moving = cone_.axis(coordinate), fixed = fixed_axis_of(moving, conditions_);
+  if (residual_of(fixed, moving, conditions_) > enough) polish(conditions_, fixed, moving);
+  return {dot(fixed, moving) < 0 ? -fixed : fixed, moving, coordinate_length() > 0 ? wrap_period(coordinate, coordinate_length()) : coordinate};
 }
 
 std::vector<SphericalDyad> AxisCurve::polygon(double longest_side) const {

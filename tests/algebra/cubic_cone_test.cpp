@@ -166,8 +166,22 @@ TEST(CubicCone, TakesApartPlanes) {
   const CubicCone one(product({1, 2, 3}, {1, 0, 0, 1, 0, 1}), {});  // and a cone with no real line
   EXPECT_EQ(one.kind(), CubicConeKind::great_circles);
   EXPECT_EQ(one.branches().size(), 1u);
+  const CubicCone with_line(product({1, 2, 3}, {1, 0, 0, 1, 0, 0}), {});  // and x² + y² = 0, the line z
+  ASSERT_EQ(with_line.branches().size(), 2u);
+  EXPECT_EQ(with_line.branches()[1].name, "point");
+  EXPECT_LT(norm(cross(with_line.axis(1.7), Vector3{0, 0, 1})), 1e-12);
+  EXPECT_GE(*with_line.coordinate_of({0, 0, 1}), 1);
   const CubicCone twice(product({1, 0, 0}, {0, 0, 0, 1, 0, 0}), {});  // x y²
   EXPECT_EQ(twice.branches().size(), 2u);
+}
+
+// A plane and an isolated line, all but for 1e-8: nothing of it may be lost.
+TEST(CubicCone, NearlyAProductIsTakenForOne) {
+  CubicForm form = product({1, 2, 3}, {1, 0, 0, 1, 0, 0});
+  form.coefficient[4] += 1e-8;
+  const CubicCone cone(form, {});
+  EXPECT_EQ(cone.kind(), CubicConeKind::great_circles);
+  for (double at = 0.05; at < 2; at += 0.1) EXPECT_LT(std::abs(cone.form()(cone.axis(at))), 1e-8);
 }
 
 TEST(CubicCone, PassesStraightThroughANode) {

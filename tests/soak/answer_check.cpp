@@ -53,7 +53,12 @@ const std::set<std::string>& keys_that_may_be_null() {
                                              "y",
                                              "freed_pose",
                                              "range",
-                                             "input_length"};
+                                             "input_length",
+                                             "miss_deg",
+                                             "min_link_angle_deg",
+                                             "max_link_angle_deg",
+                                             "fixed_axes_within",
+                                             "moving_axes_within"};
   return keys;
 }
 
@@ -76,12 +81,12 @@ void check_region_values(const RegionMap& map, Wrongs& wrongs) {
     }
 }
 
-void check_counts(const json& result, Wrongs& wrongs) {
+void check_counts(const Problem& problem, const json& result, Wrongs& wrongs) {
   const json& region = result["region"];
   if (region.is_null()) return;
   const json& counts = region["counts"];
   std::int64_t of_types = 0;
-  for (const LinkageType type : planar_linkages.types) of_types += counts[std::string(name(type))].get<std::int64_t>();
+  for (const LinkageType type : linkages(problem.task).types) of_types += counts[std::string(name(type))].get<std::int64_t>();
   const auto count = [&](const char* key) { return counts[key].get<std::int64_t>(); };
   const std::int64_t whole = count("pairs") - count("degenerate");
   if (of_types != count("pairs")) wrongs.push_back("the types do not add up to the pairs");
@@ -139,6 +144,7 @@ void check_requirements(const json& wanted, const Looked& linkage, Wrongs& wrong
   const auto angle = limit(wanted, "min_transmission_angle_deg");
   if (angle && *angle > 0 && usable && entry["min_transmission_angle_deg"].get<double>() < *angle - rounding)
     wrongs.push_back("less than the least transmission angle");
+  if (linkage.lengths.empty()) return;
   const auto [least, most] = std::minmax_element(linkage.lengths.begin(), linkage.lengths.end());
   const auto ratio = limit(wanted, "max_link_ratio"), longest = limit(wanted, "max_length");
   const auto shortest = limit(wanted, "min_length");
@@ -152,6 +158,39 @@ void check_requirements(const json& wanted, const Looked& linkage, Wrongs& wrong
 void check_confirmed(const json& entry, const std::string& which, Wrongs& wrongs) {
   if (no_defects(entry) && !entry["verified_by_driving"].get<bool>())
     wrongs.push_back(fmt::format("unconfirmed: {} is free of defects, and driving does not confirm it", which));
+}
+
+Vector3 vector_of(const json& value) { return {value[0], value[1], value[2]}; }
+
+/// Axes in their cones and angles of the links; an angle and its supplement are the same link.
+void check_spherical(const json& wanted, const json& entry, Wrongs& wrongs) {
+  for (const auto& [name, angle] : entry["angles_deg"].items()) {
+    const double acute = std::min(angle.get<double>(), 180 - angle.get<double>());
+    const auto least = limit(wanted, "min_link_angle_deg"), most = limit(wanted, "max_link_angle_deg");
+    if (least && acute < *least - rounding) wrongs.push_back("a link below min_link_angle_deg");
+    if (most && acute > *most + rounding) wrongs.push_back("a link above max_link_angle_deg");
+  }
+  for (const auto& [key, end] : {std::pair("fixed_axes_within", "fixed_axis"), {"moving_axes_within", "moving_axis"}}) {
+    const auto cone = wanted.find(key);
+    if (cone == wanted.end() || cone->is_null()) continue;
+    const Vector3 axis = normalized(vector_of((*cone)["axis"]));
+    for (const char* side : {"input", "output"}) {
+      const double cosine = std::abs(dot(axis, vector_of(entry[side][end])));
+      if (degrees(std::acos(std::min(cosine, 1.0))) > (*cone)["half_angle_deg"].get<double>() + 1e-5)
+        wrongs.push_back(fmt::format("an axis lies outside {}", key));
+    }
+  }
+}
+
+/// The angle between both axes of a dyad over finite orientations.
+void check_dyad_angle(const std::vector<PrescribedOrientation>& orientations, const json& dyad,
+                      const std::string& which, Wrongs& wrongs) {
+  const Vector3 fixed = vector_of(dyad["fixed_axis"]), moving = vector_of(dyad["moving_axis"]);
+  for (const PrescribedOrientation& there : orientations) {
+    const Vector3 moved = turned(moving, orientations.front().orientation, there.orientation);
+    if (!(std::abs(dot(fixed, moved - moving)) <= 1e-9))
+      wrongs.push_back(fmt::format("{} changes its angle by {:.1e}", which, dot(fixed, moved - moving)));
+  }
 }
 
 /// How far rounding of the coordinates alone can change a length, relative.
@@ -231,10 +270,17 @@ void check_linkages(const Problem& problem, const json& result, Wrongs& wrongs) 
   for (const json& entry : result["linkages"]) {
     Wrongs found;
     const std::string which = fmt::format("linkage {}", ++number);
-    const bool is_four_bar = entry["mechanism"] == "four_bar";
+    const bool is_four_bar = entry["mechanism"] == "four_bar", is_spherical = entry["mechanism"] == "spherical_four_bar";
     check_confirmed(entry, which, wrongs);
     check_residuals(entry, found);
-    check_requirements(wanted, is_four_bar ? four_bar_looked_at(entry) : six_bar_looked_at(entry), found);
+    check_requirements(wanted,
+                       is_four_bar    ? four_bar_looked_at(entry)
+                       : is_spherical ? Looked{entry, {}, {}, {}}
+                                      : six_bar_looked_at(entry),
+                       found);
+    if (is_spherical) check_spherical(wanted, entry, found);
+    if (const auto* sphere = std::get_if<SphericalMotionTask>(&problem.task))
+      for (const char* side : {"input", "output"}) check_dyad_angle(sphere->orientations, entry[side], side, found);
     if (is_four_bar && !poses.empty())
       for (const char* side : {"input", "output"}) check_grounded_link(poses, entry[side], side, found);
     for (const std::string& wrong : found) wrongs.push_back(fmt::format("{}: {}", which, wrong));
@@ -243,7 +289,9 @@ void check_linkages(const Problem& problem, const json& result, Wrongs& wrongs) 
   for (const json& entry : result["pairs"]) check_confirmed(entry, fmt::format("pair {}", ++number), wrongs);
   for (const json& way_out : result["freed"])
     if (!way_out["linkage"].is_null())
-      check_confirmed(way_out["linkage"], fmt::format("the way out of pose {}", way_out["pose"].get<int>()), wrongs);
+      check_confirmed(way_out["linkage"],
+                      fmt::format("the way out of position {}", way_out[way_out.contains("pose") ? "pose" : "orientation"].get<int>()),
+                      wrongs);
 }
 
 /// By the objective, best first; those with defects have no transmission angle.
@@ -259,6 +307,10 @@ void check_order(const json& result, Wrongs& wrongs) {
       worth = entry["min_transmission_angle_deg"].get<double>();
     } else if (objective == "structural_error") {
       worth = -entry.value("max_structural_error_deg", 0.0);
+    } else if (objective == "link_angle") {
+      worth = 180;
+      for (const auto& [name, angle] : entry["angles_deg"].items())
+        worth = std::min({worth, angle.get<double>(), 180 - angle.get<double>()});
     } else if (entry["lengths"].is_object()) {
       worth = -std::max_element(entry["lengths"].begin(), entry["lengths"].end())->get<double>();
     } else {
@@ -292,7 +344,7 @@ std::vector<std::string> wrongs_of(const Problem& problem, const Answer& answer,
   if (result.is_discarded()) return {"the result is no JSON"};
   look_for_nulls(result, "", wrongs);
   check_region_values(findings(answer).region, wrongs);
-  check_counts(result, wrongs);
+  check_counts(problem, result, wrongs);
   check_linkages(problem, result, wrongs);
   check_order(result, wrongs);
   check_status(problem, result, wrongs);

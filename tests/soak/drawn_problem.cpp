@@ -14,19 +14,40 @@ Json drawn_box(Draw& draw, const Sheet& sheet, double least, double most) {
           {"y", {middle.imag() - height, middle.imag() + height}}};
 }
 
-Json drawn_types(Draw& draw) {
+Json drawn_types(Draw& draw, const LinkageClass& linkages) {
   Json types = Json::array();
-  for (const LinkageType type : planar_linkages.types)
+  for (const LinkageType type : linkages.types)
     if (type != LinkageType::degenerate && draw.chance(0.4)) types.push_back(name(type));
   return types;
 }
 
-Json drawn_requirements(Draw& draw, const Sheet& sheet) {
+/// What can be required of any linkage.
+Json drawn_verdicts(Draw& draw, const LinkageClass& linkages) {
   Json wanted = Json::object();
-  if (draw.chance(0.25)) wanted["types"] = drawn_types(draw);
+  if (draw.chance(0.25)) wanted["types"] = drawn_types(draw, linkages);
   if (draw.chance(0.4)) wanted["no_defects"] = draw.chance(0.3);
   // With a defect there is no transmission angle.
   if (draw.chance(0.3) && wanted.value("no_defects", true)) wanted["min_transmission_angle_deg"] = draw.between(0, 60);
+  return wanted;
+}
+
+Json drawn_cone(Draw& draw) {
+  const double x = draw.between(-1, 1), y = draw.between(-1, 1);
+  return {{"axis", {x, y, draw.between(0.1, 1)}}, {"half_angle_deg", draw.between(5, 90)}};
+}
+
+Json drawn_spherical_requirements(Draw& draw) {
+  Json wanted = drawn_verdicts(draw, spherical_linkages);
+  if (draw.chance(0.4)) wanted["min_link_angle_deg"] = draw.chance(0.5) ? Json() : Json(draw.between(0, 30));
+  if (draw.chance(0.2)) wanted["max_link_angle_deg"] = draw.chance(0.3) ? Json() : Json(draw.between(40, 90));
+  if (draw.chance(0.15)) wanted["fixed_axes_within"] = drawn_cone(draw);
+  if (draw.chance(0.15)) wanted["moving_axes_within"] = drawn_cone(draw);
+  if (draw.chance(0.3)) wanted["respect_direction"] = draw.chance(0.5);
+  return wanted;
+}
+
+Json drawn_requirements(Draw& draw, const Sheet& sheet) {
+  Json wanted = drawn_verdicts(draw, planar_linkages);
   if (draw.chance(0.5)) wanted["max_link_ratio"] = draw.chance(0.6) ? Json() : Json(draw.power_of_ten(0.1, 2.5));
   if (draw.chance(0.5))
     wanted["max_length"] = draw.chance(0.6) ? Json() : Json(sheet.scale * draw.power_of_ten(-0.5, 3));
@@ -48,6 +69,7 @@ Json drawn_options(Draw& draw, const Sheet& sheet, std::string_view kind) {
   options["region_samples"] = draw.chance(0.1) ? draw.one_of({8, 9, 400}) : draw.whole(60, 200);
   if (draw.chance(0.3)) options["spacing"] = draw.one_of({"coordinate", "arc_length"});
   options["objective"] = draw.one_of({"min_transmission_angle", "link_ratio", "size"});
+  if (kind.starts_with("sphere")) options["objective"] = draw.one_of({"min_transmission_angle", "link_angle"});
   if (kind.starts_with("function") && draw.chance(0.4)) options["objective"] = "structural_error";
   if (draw.chance(0.3)) options["best"] = draw.one_of({0, 1, 2, 30, 100});
   if (draw.chance(0.1)) options["window"] = drawn_window(draw);
@@ -74,7 +96,8 @@ DrawnProblem drawn_problem(std::uint64_t seed, std::uint64_t index, std::optiona
   const std::string_view any = drawn_kind(draw), kind = wanted_kind.value_or(any);
   const Sheet sheet = drawn_sheet(draw);
   Json problem = {{"linkwright", 1}, {"task", drawn_task(draw, sheet, kind)}};
-  problem["requirements"] = drawn_requirements(draw, sheet);
+  problem["requirements"] =
+      kind.starts_with("sphere") ? drawn_spherical_requirements(draw) : drawn_requirements(draw, sheet);
   problem["options"] = drawn_options(draw, sheet, kind);
   return {kind, problem.dump() + "\n"};
 }

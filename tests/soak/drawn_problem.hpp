@@ -9,10 +9,11 @@
 namespace linkwright::soak {
 
 /// The kinds of problem that a file can state.
-inline constexpr std::array<std::string_view, 18> kinds = {
+inline constexpr std::array<std::string_view, 22> kinds = {
     "three_lengths", "three_length", "three_angle",    "three_center",   "three_mixed",   "four_finite",
     "four_mixed",    "five_finite",  "five_mixed",     "five_freed",     "pairs_four",    "pairs_mixed",
-    "pairs_five",    "pairs_free",   "function_named", "function_table", "six_bar_chain", "six_bar_search"};
+    "pairs_five",    "pairs_free",   "function_named", "function_table", "six_bar_chain", "six_bar_search",
+    "sphere_three",  "sphere_four",  "sphere_mixed",   "sphere_five"};
 
 struct DrawnProblem {
   std::string_view kind;

@@ -10,6 +10,7 @@ Json drawn_task(Draw& draw, const Sheet& sheet, std::string_view kind) {
   if (kind.starts_with("five")) return drawn_five_positions(draw, sheet, kind);
   if (kind.starts_with("pairs")) return drawn_pairs(draw, sheet, kind);
   if (kind.starts_with("function")) return drawn_function(draw, sheet, kind);
+  if (kind.starts_with("sphere")) return drawn_sphere(draw, kind);
   return drawn_six_bar(draw, sheet, kind);
 }
 

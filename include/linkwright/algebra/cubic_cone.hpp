@@ -76,7 +76,7 @@ class CubicCone {
     bool around = false;  ///< of a sheet that closes in itself, `sign` says which
     double sign = 1;
   };
-  /// A plane, or a quadratic cone: cos a + sin b + c.
+  /// A plane, a quadratic cone or a line: cos a + sin b + c.
   struct Conic {
     Vector3 a, b, c;
   };
