@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <benchmark/benchmark.h>
+#include <ctime>
 #include <string>
 #include <string_view>
 
@@ -26,5 +28,18 @@ struct SampledTask {
 
 /// Random tasks of five poses and their Burmester points (circle, centre; working frame) as JSON, for PHCpack.
 [[nodiscard]] std::string dump_five(int count);
+
+/// Random tasks of five orientations and their dyads (fixed, moving axis) as JSON, for PHCpack.
+[[nodiscard]] std::string dump_five_orientations(int count);
+
+/// As ns_per_task, the processor's time, as the peer's is: on a machine that others use, too, the clock on the wall
+/// says little.
+template <class Body>
+void time_tasks(benchmark::State& state, int count, const Body& body) {
+  const std::clock_t begin = std::clock();
+  for (auto _ : state) body();
+  const double taken = 1e9 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  state.counters["ns_per_task"] = taken / (static_cast<double>(count) * static_cast<double>(state.iterations()));
+}
 
 }  // namespace linkwright::bench

@@ -2,7 +2,6 @@
 
 #include <benchmark/benchmark.h>
 #include <cmath>
-#include <ctime>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -25,15 +24,6 @@ std::vector<FivePoses> random_tasks(int count) {
       pose = {{x, y}, uniform(-3, 3)};
     }
   return tasks;
-}
-
-// The processor's time, as the peer's is: on a machine that others use, too, the clock on the wall says little.
-template <class Body>
-void time_tasks(benchmark::State& state, int count, const Body& body) {
-  const std::clock_t begin = std::clock();
-  for (auto _ : state) body();
-  const double taken = 1e9 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  state.counters["ns_per_task"] = taken / (static_cast<double>(count) * static_cast<double>(state.iterations()));
 }
 
 void of_all(benchmark::State& state, int count, Simd simd) {

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Linkwright's region kernel beside numpy, the page's engine beside the native one, and Burmester points of five poses beside
-PHCpack, in one run: script/bench calls this.
+"""Linkwright's region kernel beside numpy, the page's engine beside the native one, and the dyads of five poses and of
+five orientations beside PHCpack, in one run: script/bench calls this.
 
 The two take turns, so that what else the machine does hits both; a ratio within a run counts, an absolute figure does
 not. Options of Google Benchmark (--benchmark_filter=…) run the benchmarks alone.
@@ -16,7 +16,7 @@ import statistics
 import subprocess
 import sys
 
-from peers import burmester_phc, region_numpy
+from peers import burmester_phc, five_orientations_phc, phc, region_numpy
 
 TASKS = ("landing_gear", "drawer_hinge", "tailgate")
 
@@ -27,6 +27,7 @@ def parse(arguments):
     parser.add_argument("--rounds", type=int, default=5, help="turns of each (default 5)")
     parser.add_argument("--samples", type=int, default=1000, help="N of the N×N region (default 1000; 100 … 10000)")
     parser.add_argument("--five", type=int, default=1000, help="tasks of five poses for phc, 25 ms each (default 1000)")
+    parser.add_argument("--five-orientations", type=int, default=20, help="the same of orientations (default 20; 1000 for a check)")
     parser.add_argument("--save", metavar="FILE", help="write the figures as JSON, as bench/results/region.json")
     return parser.parse_known_args(arguments)
 
@@ -103,30 +104,30 @@ def print_page_figures(figures):
     return None
 
 
-def five_pose_figures(bench, count):
-    """Burmester points: ns a task of ours, many at once and one with care, and what PHCpack found and took."""
-    ours = {name.removeprefix("burmester_points/"): entry["ns_per_task"]
-            for name, entry in run_benchmarks(bench, "^burmester_points/").items()}
-    if not burmester_phc.is_installed():
+def five_figures(bench, benchmarks, peer, dump, count):
+    """All dyads of five positions: ns a task of ours, many at once and one with care, and what PHCpack found and took."""
+    ours = {name.removeprefix(f"{benchmarks}/"): entry["ns_per_task"]
+            for name, entry in run_benchmarks(bench, f"^{benchmarks}/").items()}
+    if not phc.is_installed():
         return {"ns_per_task": ours, "phc": None}
-    tasks = subprocess.run([bench, "--dump-five", str(count)], check=True, capture_output=True, text=True).stdout
-    return {"ns_per_task": ours, "phc": burmester_phc.measure(json.loads(tasks))}
+    tasks = subprocess.run([bench, dump, str(count)], check=True, capture_output=True, text=True).stdout
+    return {"ns_per_task": ours, "phc": peer.measure(json.loads(tasks))}
 
 
-def print_five_pose_figures(figures):
-    print("\nfive poses, all Burmester points: ns of processor time a task, one thread")
+def print_five_figures(title, figures, roots):
+    print(f"\n{title}: ns of processor time a task, one thread")
     for name, ns in figures["ns_per_task"].items():
         print(f"  {name:<24}{ns:12.0f}")
-    phc = figures["phc"]
-    if phc is None:
+    theirs = figures["phc"]
+    if theirs is None:
         return print("  phc is not installed (Debian package phcpack): no peer")
     fastest = min(figures["ns_per_task"].values())
-    ratio, inside = (1e6 * phc[key] / fastest for key in ("ms_per_task", "ms_per_task_inside"))
-    print(f"  {'phc -b':<24}{1e6 * phc['ms_per_task']:12.0f}{ratio:9.0f}×   (its own work alone {inside:.0f}×)")
-    print(f"  {phc['tasks']} tasks: phc found {phc['roots_found']} roots of {4 * phc['tasks']}, counts differ on "
-          f"{phc['tasks_whose_counts_differ']}; roots differ by {phc['worst_difference']:.1e} at most, "
-          f"{phc['median_difference']:.1e} in the middle; phc asked again in double-double on "
-          f"{phc['asked_again_in_double_double']}")
+    ratio, inside = (1e6 * theirs[key] / fastest for key in ("ms_per_task", "ms_per_task_inside"))
+    print(f"  {'phc -b':<24}{1e6 * theirs['ms_per_task']:12.0f}{ratio:9.0f}×   (its own work alone {inside:.0f}×)")
+    print(f"  {theirs['tasks']} tasks: phc found {theirs['roots_found']} roots of {roots * theirs['tasks']}, counts differ on "
+          f"{theirs['tasks_whose_counts_differ']}; roots differ by {theirs['worst_difference']:.1e} at most, "
+          f"{theirs['median_difference']:.1e} in the middle; phc asked again in double-double on "
+          f"{theirs['asked_again_in_double_double']}")
     return None
 
 
@@ -156,8 +157,13 @@ def main(arguments):
         print(f"  {name:<24}{rate:8.2f}")
     page = page_figures(options.bench)
     print_page_figures(page)
-    five = five_pose_figures(options.bench, options.five)
-    print_five_pose_figures(five)
+    five = {
+        "five_poses": five_figures(options.bench, "burmester_points", burmester_phc, "--dump-five", options.five),
+        "five_orientations": five_figures(options.bench, "five_orientations", five_orientations_phc, "--dump-five-orientations",
+                                          options.five_orientations),
+    }
+    print_five_figures("five poses, all Burmester points", five["five_poses"], roots=4)
+    print_five_figures("five orientations, all dyads", five["five_orientations"], roots=6)
     if options.save:
         save(options, table, sizes, roofline, page, five)
     return 0
@@ -173,7 +179,7 @@ def save(options, table, sizes, roofline, page, five):
         "sizes_ns_per_mechanism": sizes,
         "roofline_per_ns": roofline,
         "page_ms": page,
-        "five_poses": five,
+        **five,
     }
     os.makedirs(os.path.dirname(options.save) or ".", exist_ok=True)
     with open(options.save, "w", encoding="utf-8") as file:

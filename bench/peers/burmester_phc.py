@@ -5,28 +5,19 @@ Each task is written as four equations in z, z̄, c, c̄ taken for independent u
 have, so that the root count of the polyhedral homotopy is the true one, four. Compares root by root (unit vectors) with what
 `linkwright_bench --dump-five COUNT` writes.
 
-usage: burmester_phc.py DUMP.json
+usage, in bench: python3 -m peers.burmester_phc DUMP.json
 """
 
 import cmath
 import json
 import math
-import os
-import re
-import resource
-import shutil
-import subprocess
 import sys
-import tempfile
 
-NUMBER = r"\s*([-+]?\d\.\d+[Ee][-+]\d+)"
-SOLUTION = re.compile(r"^solution \d+.*?(?=^==)", re.MULTILINE | re.DOTALL)
-AGREEMENT = 1e-12
+from peers import phc
+from peers.phc import apart, unit
+
+NAMES = ("z", "zz", "c", "cc")
 REAL = 1e-8  # |z̄ − conj z| of unit size below which a root stands for a real dyad
-
-
-def is_installed():
-    return shutil.which("phc") is not None
 
 
 def written(value):
@@ -47,29 +38,9 @@ def system_of(task):
     return "4\n" + "\n".join(equations) + "\n"
 
 
-def roots_in(text):
-    """(z, z̄, c, c̄) of the solutions that phc writes last."""
-    last = text[text.rindex("THE SOLUTIONS"):]
-    roots = []
-    for solution in SOLUTION.findall(last):
-        values = [re.search(rf"^ {name} :{NUMBER}{NUMBER}", solution, re.MULTILINE).groups() for name in ("z", "zz", "c", "cc")]
-        roots.append([complex(float(re_part), float(im_part)) for re_part, im_part in values])
-    return roots
-
-
 def is_real(root):
     z, zz, c, cc = root
     return abs(zz - z.conjugate()) < REAL * (1 + abs(z)) and abs(cc - c.conjugate()) < REAL * (1 + abs(c))
-
-
-def unit(vector):
-    length = math.hypot(*vector)
-    return [v / length for v in vector]
-
-
-def apart(u, v):
-    """Sine of the angle between two unit vectors."""
-    return math.hypot(u[0] * v[1] - u[1] * v[0], u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2])
 
 
 def worst_difference(task, roots):
@@ -81,59 +52,8 @@ def worst_difference(task, roots):
     return max((min(apart(z, circle) + apart(c, center) for z, c in pairs) for circle, center in task["real"]), default=0)
 
 
-def children_time():
-    """Processor's time of the programs that were run, seconds."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
-
-
-def solve(task, folder, option="-b"):
-    """What phc writes, and the milliseconds of processor time it took, its start included."""
-    given, answer = os.path.join(folder, "in"), os.path.join(folder, "out")
-    with open(given, "w", encoding="ascii") as file:
-        file.write(system_of(task))
-    if os.path.exists(answer):
-        os.remove(answer)  # phc would ask
-    begin = children_time()
-    subprocess.run(["phc", option, given, answer], check=True, capture_output=True)
-    taken = 1e3 * (children_time() - begin)
-    with open(answer, encoding="ascii") as file:
-        return file.read(), taken
-
-
-def median(values):
-    return sorted(values)[len(values) // 2] if values else None
-
-
 def measure(tasks):
-    """Milliseconds a task (with and without starting the program), roots found, worst difference, tasks that differ.
-
-    Where the roots differ by more than 1e-12, phc is asked again in double-double precision: who is off?
-    """
-    taken, inside, roots_found, differences, again = [], [], 0, [], 0
-    with tempfile.TemporaryDirectory() as folder:
-        for task in tasks:
-            text, ms = solve(task, folder)
-            taken.append(ms)
-            inside.append(1e3 * float(re.findall(r"User time in seconds was\s+([\d.]+)", text)[-1]))
-            roots = roots_in(text)
-            roots_found += len(roots)
-            difference = worst_difference(task, roots)
-            if difference is None or difference > AGREEMENT:
-                again += 1
-                difference = worst_difference(task, roots_in(solve(task, folder, "-b2")[0]))
-            differences.append(difference)
-    same = [d for d in differences if d is not None]
-    return {
-        "tasks": len(tasks),
-        "ms_per_task": median(taken),
-        "ms_per_task_inside": median(inside),
-        "roots_found": roots_found,
-        "tasks_whose_counts_differ": len(differences) - len(same),
-        "asked_again_in_double_double": again,
-        "median_difference": median(same),
-        "worst_difference": max(same, default=None),
-    }
+    return phc.measure(tasks, system_of, NAMES, worst_difference)
 
 
 def main():
