@@ -112,10 +112,11 @@ std::optional<CommonLines> common_lines(const std::array<CubicForm, 4>& minors, 
   const OnCubics below = times(*functional, denominator);
   const Multiplication multiplication = below.householderQr().solve(times(*functional, numerator));
   const Eigen::EigenSolver<Multiplication> eigen(multiplication);
+  const auto vectors = eigen.eigenvectors();
   CommonLines found;
   for (int k = 0; k < lines_in_all; ++k) {
     const bool is_complex = eigen.eigenvalues()[k].imag() != 0;
-    const NearestReal line(line_of(below * eigen.eigenvectors().col(k)));
+    const NearestReal line(line_of(below * vectors.col(k)));
     if (is_complex) ++k;  // its conjugate
     if (!is_complex || line.distance < tolerance::nearly_double_line)
       found.lines[static_cast<std::size_t>(found.count++)] = {line.axis, is_complex};
