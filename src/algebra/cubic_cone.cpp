@@ -15,8 +15,8 @@ namespace {
 constexpr std::array<std::string_view, 6> cone_kind_names = {"one_component",         "two_components", "nodal",
                                                              "great_circle_and_cone", "great_circles",  "every_axis"};
 
-// Share of a form's coefficients within which it is taken for a product: a curve that is nearly a plane and more turns in
-// planes that close together, and axes of the product are as near to it.
+// Share of a form's coefficients within which it is taken for a product: a curve that is nearly a plane and more turns
+// in planes that close together, and axes of the product are as near to it.
 constexpr double nearly_reducible = 1e-7;
 
 // Coefficient that belongs to vᵢ vⱼ vₖ.
@@ -54,9 +54,8 @@ std::vector<Vector3> lines_in_plane(const CubicForm& form, Vector3 plane) {
 bool contains_plane(const CubicForm& form, Vector3 plane) {
   const Vector3 p = any_normal(plane), q = cross(plane, p);
   const std::array<double, 4> values = restricted(form, p, q);
-  return std::all_of(values.begin(), values.end(), [&](double value) {
-    return std::abs(value) <= nearly_reducible * form.largest_coefficient();
-  });
+  return std::all_of(values.begin(), values.end(),
+                     [&](double value) { return std::abs(value) <= nearly_reducible * form.largest_coefficient(); });
 }
 
 // Planes in no relation to anybody's task.

@@ -56,7 +56,8 @@ SphericalDyad AxisCurve::dyad(double coordinate) const {
   constexpr double enough = 4e-15;  // what rounding leaves of a condition
   Vector3 moving = cone_.axis(coordinate), fixed = fixed_axis_of(moving, conditions_);
   if (residual_of(fixed, moving, conditions_) > enough) polish(conditions_, fixed, moving);
-  return {dot(fixed, moving) < 0 ? -fixed : fixed, moving, coordinate_length() > 0 ? wrap_period(coordinate, coordinate_length()) : coordinate};
+  return {dot(fixed, moving) < 0 ? -fixed : fixed, moving,
+          coordinate_length() > 0 ? wrap_period(coordinate, coordinate_length()) : coordinate};
 }
 
 std::vector<SphericalDyad> AxisCurve::polygon(double longest_side) const {

@@ -15,6 +15,11 @@ std::optional<SphericalCandidate> SphericalEvaluator::candidate(MapPoint place) 
   return links ? evaluated(place, *links) : std::nullopt;
 }
 
+std::optional<SphericalCandidate> SphericalEvaluator::candidate(MapPoint place, const Candidate& known) const {
+  const auto links = family_.dyad_pair_reusing(place, known.links);
+  return links ? evaluated(place, *links) : std::nullopt;
+}
+
 bool SphericalEvaluator::meets(const DefectReport& report) const {
   const Requirements& wanted = requirements_;
   const auto& types = wanted.types;

@@ -34,10 +34,8 @@ class SphericalEvaluator {
 
   [[nodiscard]] const SphericalFamily& family() const { return family_; }
   [[nodiscard]] std::optional<Candidate> candidate(MapPoint place) const;
-  /// The same: a dyad is soon found again.
-  [[nodiscard]] std::optional<Candidate> candidate(MapPoint place, const Candidate& /*known*/) const {
-    return candidate(place);
-  }
+  /// The same; of dyads known already those serve again whose coordinates are the place's.
+  [[nodiscard]] std::optional<Candidate> candidate(MapPoint place, const Candidate& known) const;
   /// The smallest excess, as a share of the four links together.
   [[nodiscard]] double change_point_margin(const Candidate& here) const;
   /// The same bars driven from the better side that meets the requirements: no defects, score, transmission angle,

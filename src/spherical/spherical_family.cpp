@@ -32,6 +32,14 @@ std::optional<SphericalDyadPair> SphericalProductFamily::dyad_pair(MapPoint plac
   return SphericalDyadPair{*input, *output};
 }
 
+std::optional<SphericalDyadPair> SphericalProductFamily::dyad_pair_reusing(MapPoint place,
+                                                                           const SphericalDyadPair& known) const {
+  const auto input = known.input.coordinate == place.input ? std::optional(known.input) : dyad(place.input);
+  const auto output = known.output.coordinate == place.output ? std::optional(known.output) : dyad(place.output);
+  if (!input || !output) return std::nullopt;
+  return SphericalDyadPair{*input, *output};
+}
+
 std::vector<SphericalDyad> SphericalProductFamily::dyads(std::span<const double> coordinates) const {
   std::vector<SphericalDyad> found;
   found.reserve(coordinates.size());

@@ -6,17 +6,17 @@
 namespace linkwright {
 namespace {
 
-double between_lines(Vector3 a, Vector3 b) { return std::atan2(norm(cross(a, b)), std::abs(dot(a, b))); }
-
+// 1 − |cos| of the largest angle between two axes, which have no sense.
 double farthest_axis(const SphericalFourBar& a, const SphericalFourBar& b) {
-  return std::max({between_lines(a.input_fixed, b.input_fixed), between_lines(a.input_moving, b.input_moving),
-                   between_lines(a.output_fixed, b.output_fixed), between_lines(a.output_moving, b.output_moving)});
+  const auto apart = [](Vector3 one, Vector3 other) { return 1 - std::abs(dot(one, other)); };
+  return std::max({apart(a.input_fixed, b.input_fixed), apart(a.input_moving, b.input_moving),
+                   apart(a.output_fixed, b.output_fixed), apart(a.output_moving, b.output_moving)});
 }
 
 }  // namespace
 
 double SearchedSphericalFourBars::distance(const SphericalCandidate& a, const SphericalCandidate& b) const {
-  return std::min(farthest_axis(a.bars, b.bars), farthest_axis(a.bars, b.bars.swapped()));
+  return std::sqrt(std::max(0.0, 2 * std::min(farthest_axis(a.bars, b.bars), farthest_axis(a.bars, b.bars.swapped()))));
 }
 
 std::optional<SphericalSolution> SearchedSphericalFourBars::make(MapPoint place) const {

@@ -14,7 +14,7 @@ class SearchedSphericalFourBars : public SphericalEvaluator {
       : SphericalEvaluator(*answer.given.family, answer.requirements, answer.options.objective, answer.options.window),
         answer_(answer) {}
 
-  /// Largest angle between two axes, which have no sense, radians.
+  /// Largest distance on the unit sphere between two axes, which have no sense.
   [[nodiscard]] double distance(const Candidate& a, const Candidate& b) const;
   /// On the unit sphere no design is larger than another.
   [[nodiscard]] double size(const Candidate& /*of*/) const { return 1; }

@@ -86,7 +86,8 @@ void check_counts(const Problem& problem, const json& result, Wrongs& wrongs) {
   if (region.is_null()) return;
   const json& counts = region["counts"];
   std::int64_t of_types = 0;
-  for (const LinkageType type : linkages(problem.task).types) of_types += counts[std::string(name(type))].get<std::int64_t>();
+  for (const LinkageType type : linkages(problem.task).types)
+    of_types += counts[std::string(name(type))].get<std::int64_t>();
   const auto count = [&](const char* key) { return counts[key].get<std::int64_t>(); };
   const std::int64_t whole = count("pairs") - count("degenerate");
   if (of_types != count("pairs")) wrongs.push_back("the types do not add up to the pairs");
@@ -270,7 +271,8 @@ void check_linkages(const Problem& problem, const json& result, Wrongs& wrongs) 
   for (const json& entry : result["linkages"]) {
     Wrongs found;
     const std::string which = fmt::format("linkage {}", ++number);
-    const bool is_four_bar = entry["mechanism"] == "four_bar", is_spherical = entry["mechanism"] == "spherical_four_bar";
+    const bool is_four_bar = entry["mechanism"] == "four_bar",
+               is_spherical = entry["mechanism"] == "spherical_four_bar";
     check_confirmed(entry, which, wrongs);
     check_residuals(entry, found);
     check_requirements(wanted,
@@ -290,7 +292,8 @@ void check_linkages(const Problem& problem, const json& result, Wrongs& wrongs) 
   for (const json& way_out : result["freed"])
     if (!way_out["linkage"].is_null())
       check_confirmed(way_out["linkage"],
-                      fmt::format("the way out of position {}", way_out[way_out.contains("pose") ? "pose" : "orientation"].get<int>()),
+                      fmt::format("the way out of position {}",
+                                  way_out[way_out.contains("pose") ? "pose" : "orientation"].get<int>()),
                       wrongs);
 }
 

@@ -102,7 +102,8 @@ void add_rates(Draw& draw, Json& orientation, int count) {
 Json drawn_sphere(Draw& draw, std::string_view kind) {
   Json task = {{"kind", "motion"}, {"mechanism", "spherical_four_bar"}};
   const int positions = kind == "sphere_three" ? 3 : kind == "sphere_five" ? 5 : 4;
-  const int mixed = kind == "sphere_mixed" || (kind == "sphere_five" && draw.chance(0.4)) ? draw.whole(1, positions - 1) : 0;
+  const int mixed =
+      kind == "sphere_mixed" || (kind == "sphere_five" && draw.chance(0.4)) ? draw.whole(1, positions - 1) : 0;
   Json list = orientations_json(draw, drawn_attitudes(draw, positions - mixed));
   std::vector<int> rates(list.size(), 0);
   for (int k = 0; k < mixed; ++k) ++rates[static_cast<std::size_t>(draw.whole(0, static_cast<int>(list.size()) - 1))];

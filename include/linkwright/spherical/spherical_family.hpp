@@ -29,6 +29,11 @@ class SphericalFamily : public LinkageFamily {
 
   /// The pair of dyads at a map point; nothing where the family has none there.
   [[nodiscard]] virtual std::optional<SphericalDyadPair> dyad_pair(MapPoint place) const = 0;
+  /// The same, reusing those of the known dyads whose coordinates are the point's.
+  [[nodiscard]] virtual std::optional<SphericalDyadPair> dyad_pair_reusing(MapPoint place,
+                                                                           const SphericalDyadPair& /*known*/) const {
+    return dyad_pair(place);
+  }
   /// What the coupler of the bars at a place is to visit, position 1 being the one in which they lie.
   [[nodiscard]] virtual std::vector<PrescribedOrientation> orientations(MapPoint place,
                                                                         const SphericalFourBar& bars) const = 0;
@@ -46,6 +51,8 @@ class SphericalProductFamily : public SphericalFamily {
 
   [[nodiscard]] bool is_symmetric() const override { return true; }
   [[nodiscard]] std::optional<SphericalDyadPair> dyad_pair(MapPoint place) const override;
+  [[nodiscard]] std::optional<SphericalDyadPair> dyad_pair_reusing(MapPoint place,
+                                                                   const SphericalDyadPair& known) const override;
   [[nodiscard]] std::vector<PrescribedOrientation> orientations(MapPoint /*place*/,
                                                                 const SphericalFourBar& /*bars*/) const override {
     return orientations_;
