@@ -26,6 +26,9 @@ struct SampledTask {
 /// The axis and the kernel's counts over it as JSON, for the peers (bench/peers).
 [[nodiscard]] std::string dump(std::string_view name, int samples);
 
+/// The folding wing's axis and the kernel's counts over it as JSON, for the peer.
+[[nodiscard]] std::string dump_sphere(int samples);
+
 /// Random tasks of five poses and their Burmester points (circle, centre; working frame) as JSON, for PHCpack.
 [[nodiscard]] std::string dump_five(int count);
 

@@ -1,5 +1,6 @@
 // linkwright_bench [options of Google Benchmark]
 // linkwright_bench --dump TASK SAMPLES     the sampled grounded links and the kernel's counts, JSON, for the peers
+// linkwright_bench --dump-sphere SAMPLES   the same of a spherical task
 // linkwright_bench --dump-five COUNT       random tasks of five poses and their Burmester points, JSON, for the peer
 // linkwright_bench --dump-five-orientations COUNT      the same of five orientations and their dyads
 
@@ -21,6 +22,10 @@ int main(int argc, char** argv) {
   }
   if (argc == 3 && std::string_view(argv[1]) == "--dump-five-orientations") {
     fmt::print("{}\n", linkwright::bench::dump_five_orientations(std::atoi(argv[2])));
+    return 0;
+  }
+  if (argc == 3 && std::string_view(argv[1]) == "--dump-sphere") {
+    fmt::print("{}\n", linkwright::bench::dump_sphere(std::atoi(argv[2])));
     return 0;
   }
   benchmark::Initialize(&argc, argv);

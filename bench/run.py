@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Linkwright's region kernel beside numpy, the page's engine beside the native one, and the dyads of five poses and of
+"""Linkwright's region kernels beside numpy, the page's engine beside the native one, and the dyads of five poses and of
 five orientations beside PHCpack, in one run: script/bench calls this.
 
 The two take turns, so that what else the machine does hits both; a ratio within a run counts, an absolute figure does
@@ -16,7 +16,7 @@ import statistics
 import subprocess
 import sys
 
-from peers import burmester_phc, five_orientations_phc, phc, region_numpy
+from peers import burmester_phc, five_orientations_phc, phc, region_numpy, sphere_numpy
 
 TASKS = ("landing_gear", "drawer_hinge", "tailgate")
 
@@ -131,6 +131,33 @@ def print_five_figures(title, figures, roots):
     return None
 
 
+def sphere_figures(bench, samples, rounds):
+    """The spherical kernel and numpy in turns: nanoseconds a mechanism; sizes; a task to its map, milliseconds."""
+    dump = json.loads(subprocess.run([bench, "--dump-sphere", str(samples)], check=True, capture_output=True, text=True).stdout)
+    figures = {}
+    for _ in range(rounds):
+        for name, entry in run_benchmarks(bench, f"^sphere_region/.*/{samples}/").items():
+            contender = name.removeprefix("sphere_region/folding_wing/").removesuffix(f"/{samples}")
+            figures.setdefault(contender, []).append(entry["ns_per_mechanism"])
+        figures.setdefault("numpy", []).append(min(sphere_numpy.measure(dump, 1)))
+    sizes = run_benchmarks(bench, "^sphere_region/.*/threads:1/")
+    return {
+        "ns_per_mechanism": {contender: summary(values) for contender, values in figures.items()},
+        "sizes_ns_per_mechanism": {name: entry["ns_per_mechanism"] for name, entry in sizes.items()},
+        "task_to_map_ms": run_benchmarks(bench, "^sphere_task_to_map")["sphere_task_to_map/400"]["real_time"],
+    }
+
+
+def print_sphere_figures(figures):
+    table = figures["ns_per_mechanism"]
+    best = min(s["min"] for contender, s in table.items() if "threads:1" in contender)
+    rows = [(contender, s, s["min"] / best) for contender, s in table.items()]
+    print_table("folding wing, on the sphere: ns a mechanism, median, min, max; min over the best of one thread", rows)
+    for name, ns in figures["sizes_ns_per_mechanism"].items():
+        print(f"  {name:<52}{ns:8.2f}")
+    print(f"  four orientations to the map of 400 × 400, one thread: {figures['task_to_map_ms']:.2f} ms")
+
+
 def main(arguments):
     options, rest = parse(arguments)
     if rest:
@@ -157,7 +184,10 @@ def main(arguments):
         print(f"  {name:<24}{rate:8.2f}")
     page = page_figures(options.bench)
     print_page_figures(page)
+    sphere = sphere_figures(options.bench, options.samples, options.rounds)
+    print_sphere_figures(sphere)
     five = {
+        "sphere": sphere,
         "five_poses": five_figures(options.bench, "burmester_points", burmester_phc, "--dump-five", options.five),
         "five_orientations": five_figures(options.bench, "five_orientations", five_orientations_phc, "--dump-five-orientations",
                                           options.five_orientations),
