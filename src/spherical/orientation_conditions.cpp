@@ -55,11 +55,14 @@ void add_derivatives(OrientationConditions& conditions, const UnitQuaternion& tu
 }
 
 void find_singular_values(OrientationConditions& conditions) {
-  Eigen::MatrixXd stacked(9, static_cast<Eigen::Index>(conditions.rows.size()));
+  constexpr int most_rows = 4;  // of five positions
+  require(conditions.rows.size() <= most_rows, "at most five positions are asked for");
+  Eigen::Matrix<double, 9, Eigen::Dynamic, Eigen::ColMajor, 9, most_rows> stacked(
+      9, static_cast<Eigen::Index>(conditions.rows.size()));
   for (std::size_t k = 0; k < conditions.rows.size(); ++k)
     for (std::size_t i = 0; i < 9; ++i)
       stacked(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = conditions.rows[k](i / 3, i % 3);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> values(stacked);
+  const Eigen::JacobiSVD<decltype(stacked)> values(stacked);
   for (const double value : values.singularValues()) conditions.singular.push_back(value);
 }
 
