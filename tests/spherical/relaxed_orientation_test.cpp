@@ -11,10 +11,7 @@
 namespace linkwright::relaxed_orientation_test {
 namespace {
 
-SphericalFourBar random_bars(std::mt19937_64& random) {
-  return {testing::random_direction(random), testing::random_direction(random), testing::random_direction(random),
-          testing::random_direction(random)};
-}
+SphericalFourBar random_bars(std::mt19937_64& random) { return testing::random_spherical_four_bar(random); }
 
 TEST(OrientationError, VanishesOnTheWay) {
   std::mt19937_64 random(1);

@@ -13,10 +13,7 @@
 namespace linkwright::spherical_analysis_test {
 namespace {
 
-SphericalFourBar random_bars(std::mt19937_64& random) {
-  return {testing::random_direction(random), testing::random_direction(random), testing::random_direction(random),
-          testing::random_direction(random)};
-}
+SphericalFourBar random_bars(std::mt19937_64& random) { return testing::random_spherical_four_bar(random); }
 
 TEST(SphericalAnalysis, MotionRunsOverTheRangeAndKeepsTheLinks) {
   std::mt19937_64 random(1);

@@ -7,18 +7,14 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_type.hpp"
 #include "support/attitude_case.hpp"
+#include "support/spherical_case.hpp"
 
 namespace linkwright::spherical_position_test {
 namespace {
 
 using testing::random_direction;
 
-SphericalFourBar random_bars(std::mt19937_64& random) {
-  SphericalFourBar bars;
-  do bars = {random_direction(random), random_direction(random), random_direction(random), random_direction(random)};
-  while (std::ranges::any_of(bars.angles().all(), [](double arc) { return arc < 0.1 || arc > pi - 0.1; }));
-  return bars;
-}
+SphericalFourBar random_bars(std::mt19937_64& random) { return testing::random_spherical_four_bar(random, 0.1); }
 
 double apart(const LinkAngles& a, const LinkAngles& b) {
   double worst = 0;

@@ -1,9 +1,10 @@
 #include "support/spherical_case.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
 
-#include "linkwright/attitude/rotation_vector.hpp"
+#include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 
 namespace linkwright::testing {
@@ -59,6 +60,14 @@ std::vector<PrescribedOrientation> random_sweep(std::mt19937_64& random, int cou
     made.push_back({UnitQuaternion::about(axis, turn(random)) * made.back().orientation, {}});
   }
   return made;
+}
+
+SphericalFourBar random_spherical_four_bar(std::mt19937_64& random, double least) {
+  const auto is_short = [&](double arc) { return std::min(arc, pi - arc) < least; };
+  SphericalFourBar bars;
+  do bars = {random_direction(random), random_direction(random), random_direction(random), random_direction(random)};
+  while (std::ranges::any_of(bars.angles().all(), is_short));
+  return bars;
 }
 
 }  // namespace linkwright::testing

@@ -35,4 +35,7 @@ struct SphericalCase {
 /// A body that turns on and on, by 0.1 to 0.6 rad from one to the next about an axis that wanders.
 [[nodiscard]] std::vector<PrescribedOrientation> random_sweep(std::mt19937_64& random, int count);
 
+/// Four axes in any directions, no link or its supplement shorter than `least`, radians.
+[[nodiscard]] SphericalFourBar random_spherical_four_bar(std::mt19937_64& random, double least = 0);
+
 }  // namespace linkwright::testing
