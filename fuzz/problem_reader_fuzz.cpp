@@ -55,6 +55,8 @@ void check_same(const SixBarTask& again, const SixBarTask& task) {
   if (task.chain) require(again.chain->b == task.chain->b && again.chain->assembly_mode == task.chain->assembly_mode);
 }
 
+void check_same(const SphericalMotionTask& again, const SphericalMotionTask& task) { require(again == task); }
+
 void check_same_task(const Task& again, const Task& task) {
   require(again.index() == task.index());
   std::visit([&](const auto& of_kind) { check_same(std::get<std::decay_t<decltype(of_kind)>>(again), of_kind); }, task);
@@ -72,6 +74,10 @@ void check_problem(std::string_view text) {
 
 bool same_bars(const StoredLinkage& again, const StoredLinkage& linkage) {
   return again.four_bar.input_circle == linkage.four_bar.input_circle;
+}
+
+bool same_bars(const StoredSphericalFourBar& again, const StoredSphericalFourBar& linkage) {
+  return again.four_bar == linkage.four_bar && again.orientations == linkage.orientations;
 }
 
 bool same_bars(const StoredSixBar& again, const StoredSixBar& linkage) {

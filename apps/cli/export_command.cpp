@@ -33,8 +33,14 @@ int export_linkage(const ExportArguments& arguments) {
   AnyStoredLinkage linkage = (*linkages)[static_cast<std::size_t>(arguments.linkage - 1)];
   std::string& title = std::visit([](auto& stored) -> std::string& { return stored.title; }, linkage);
   title += fmt::format("{}linkage {}", title.empty() ? "" : ", ", arguments.linkage);
-  const bool written =
-      write_output(arguments.output, [&](const TextSink& sink) { sink(exported(linkage, arguments.format)); });
+  const std::string text = exported(linkage, arguments.format);
+  if (text.empty()) {
+    print_mistakes(arguments.result, {{"format_of_a_sphere", "--format",
+                                       "the links of a spherical four-bar are arcs on a sphere, which no drawing in a "
+                                       "plane shows at true size; export it as svg, csv or json"}});
+    return mistake;
+  }
+  const bool written = write_output(arguments.output, [&](const TextSink& sink) { sink(text); });
   return written ? 0 : static_cast<int>(Status::failure);
 }
 

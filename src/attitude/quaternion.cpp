@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "linkwright/core/precondition.hpp"
 
@@ -14,6 +15,9 @@ Result<UnitQuaternion> UnitQuaternion::of(double w, Vector3 v) {
   const double largest = std::max({std::fabs(w), std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   if (largest == 0)
     return Error{"zero_quaternion", "quaternion", "all four components are zero: the identity is 1, 0, 0, 0"};
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  if (std::fabs(w * w + dot(v, v) - 1) <= rounding)
+    return UnitQuaternion{w, v};             // what was written reads back the same
   const int exponent = std::ilogb(largest);  // neither overflow nor underflow in the squares
   return normalized(std::scalbn(w, -exponent),
                     {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)});

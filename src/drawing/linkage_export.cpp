@@ -18,11 +18,8 @@ template <class Stored>
 std::string dxf_of(const Stored& linkage) {
   return draw_dxf(linkage);
 }
-// Arcs on a sphere have no flat drawing of true size: refused where the format is chosen.
-template <>
-std::string dxf_of(const StoredSphericalFourBar& linkage) {
-  return write_linkage(linkage);
-}
+// No drawing in a plane shows arcs on a sphere at true size.
+std::string dxf_of(const StoredSphericalFourBar& /*linkage*/) { return ""; }
 
 }  // namespace
 

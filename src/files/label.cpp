@@ -38,6 +38,13 @@ constexpr std::array<std::string_view, 9> cubic_labels = {"one branch",
                                                           "a line",
                                                           "every point"};
 
+constexpr std::array<std::string_view, 6> cone_labels = {"a cubic cone of one component",
+                                                         "a cubic cone of two components",
+                                                         "a cubic cone with a node",
+                                                         "a plane and a quadratic cone",
+                                                         "planes",
+                                                         "every axis"};
+
 constexpr std::array<std::string_view, 7> change_point_labels = {"",
                                                                  "crank-rocker at its limit (input shortest)",
                                                                  "rocker-crank at its limit (output shortest)",
@@ -66,20 +73,35 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> branch_l
     {"range", ""},
 }};
 
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> cone_branch_labels = {{
+    {"odd", "odd branch"},
+    {"oval", "oval"},
+    {"nodal", "branch with a node"},
+    {"point", "isolated axis"},
+    {"great_circle", "plane"},
+    {"cone", "quadratic cone"},
+}};
+
+template <std::size_t count>
+std::string_view words_for(std::string_view name,
+                           const std::array<std::pair<std::string_view, std::string_view>, count>& labels) {
+  for (const auto& [known, words] : labels) {
+    if (known == name) return words;
+  }
+  return name;
+}
+
 }  // namespace
 
 std::string_view label(LinkageType type) { return type_labels[static_cast<std::size_t>(type)]; }
 std::string_view short_label(LinkageType type) { return short_type_labels[static_cast<std::size_t>(type)]; }
 std::string_view label(DriveSense sense) { return sense_labels[static_cast<std::size_t>(sense)]; }
 std::string_view label(CubicKind kind) { return cubic_labels[static_cast<std::size_t>(kind)]; }
+std::string_view label(CubicConeKind kind) { return cone_labels[static_cast<std::size_t>(kind)]; }
 std::string_view label(SixBarTopology topology) { return topology_labels[static_cast<std::size_t>(topology)]; }
 std::string_view label(ChangePointKind kind) { return change_point_labels[static_cast<std::size_t>(kind)]; }
 
-std::string_view branch_label(std::string_view name) {
-  for (const auto& [known, words] : branch_labels) {
-    if (known == name) return words;
-  }
-  return name;
-}
+std::string_view branch_label(std::string_view name) { return words_for(name, branch_labels); }
+std::string_view cone_branch_label(std::string_view name) { return words_for(name, cone_branch_labels); }
 
 }  // namespace linkwright

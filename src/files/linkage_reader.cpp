@@ -9,6 +9,8 @@
 #include "files/json/json_object.hpp"
 #include "files/json/mistakes.hpp"
 #include "files/six_bar/six_bar_reader.hpp"
+#include "files/spherical/orientation_list_reader.hpp"
+#include "files/spherical/spherical_reader.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
@@ -24,6 +26,13 @@ namespace linkwright {
 namespace {
 
 constexpr std::size_t max_poses = 5;  // what find_defects judges
+
+/// What stands beside a linkage, or in a result's problem.
+struct Surroundings {
+  std::string title, length_unit;
+  std::vector<PrescribedPose> poses;
+  std::vector<PrescribedOrientation> orientations;
+};
 
 bool in_range(Point point) {
   return std::abs(point.real()) <= largest_number && std::abs(point.imag()) <= largest_number;
@@ -121,8 +130,8 @@ std::optional<FourBar> read_four_bar(const JsonValue& value, Mistakes& mistakes)
     const auto name = mechanism->as_text();
     if (name && *name != "four_bar") {
       mechanism->mistake("other_mechanism",
-                         fmt::format("only a \"four_bar\" and a \"six_bar\" can be analysed and exported; this is a "
-                                     "{}, whose pivots stand in the result file",
+                         fmt::format("only a \"four_bar\", a \"six_bar\" and a \"spherical_four_bar\" can be analysed "
+                                     "and exported; this is a {}",
                                      in_quotes(*name)),
                          {{"given", in_quotes(*name)}});
       return std::nullopt;
@@ -146,59 +155,85 @@ void read_linkage_poses(const JsonValue& value, Mistakes& mistakes, std::vector<
   });
 }
 
+void read_linkage_orientations(const JsonObject& around, Mistakes& mistakes, Surroundings& surroundings) {
+  const auto found = around.find("orientations");
+  if (!found) return;
+  if (found->json().is_array() && found->json().size() > max_poses) {
+    found->mistake("orientations_read", fmt::format("at most {} orientations are read; remove the others", max_poses),
+                   {{"most", max_poses}});
+    return;
+  }
+  if (!read_orientations(around, mistakes, UnknownMembers::ignored, surroundings.orientations))
+    surroundings.orientations.clear();
+}
+
+void read_positions(const JsonObject& around, Mistakes& mistakes, Surroundings& surroundings) {
+  if (const auto poses = around.find("poses")) read_linkage_poses(*poses, mistakes, surroundings.poses);
+  read_linkage_orientations(around, mistakes, surroundings);
+}
+
 /// The poses that a linkage brings along: of functions, and of what passes a part of the task, they are not the task's.
-void read_own_poses(const JsonValue& element, Mistakes& mistakes, StoredLinkage& linkage) {
+void read_own_poses(const JsonValue& element, Mistakes& mistakes, Surroundings& surroundings) {
   const auto own = element.is_object() ? JsonObject(element, mistakes, {}).find("poses") : std::nullopt;
   if (!own) return;
-  linkage.poses.clear();
-  read_linkage_poses(*own, mistakes, linkage.poses);
+  surroundings.poses.clear();
+  read_linkage_poses(*own, mistakes, surroundings.poses);
 }
 
-/// Title, unit and poses from beside a linkage or from a result's problem.
-void read_surroundings(const JsonObject& object, Mistakes& mistakes, StoredLinkage& linkage) {
-  if (const auto title = object.find("title")) linkage.title = title->as_text().value_or("");
-  if (const auto unit = object.find("length_unit")) linkage.length_unit = unit->as_text().value_or("");
-  if (const auto poses = object.find("poses")) read_linkage_poses(*poses, mistakes, linkage.poses);
-}
-
-StoredLinkage read_problem_echo(const JsonObject& file, Mistakes& mistakes) {
-  StoredLinkage surroundings;
-  const auto problem = file.find("problem");
-  if (!problem) return surroundings;
-  const JsonObject object(*problem, mistakes, {});
-  read_surroundings(object, mistakes, surroundings);
-  const auto task = object.find("task");
-  if (task && task->is_object()) {
-    const auto poses = JsonObject(*task, mistakes, {}).find("poses");
-    if (poses) read_linkage_poses(*poses, mistakes, surroundings.poses);
-  }
+/// Title, unit and positions from beside a linkage or from a result's problem.
+Surroundings read_surroundings(const JsonObject& object, Mistakes& mistakes) {
+  Surroundings surroundings;
+  if (const auto title = object.find("title")) surroundings.title = title->as_text().value_or("");
+  if (const auto unit = object.find("length_unit")) surroundings.length_unit = unit->as_text().value_or("");
+  read_positions(object, mistakes, surroundings);
   return surroundings;
 }
 
-/// What `element` holds, with its surroundings.
-std::optional<AnyStoredLinkage> read_element(const JsonValue& element, const StoredLinkage& surroundings,
-                                             Mistakes& mistakes) {
-  if (says_six_bar(element)) {
-    auto six_bar = read_six_bar(element, mistakes);
-    if (!six_bar) return std::nullopt;
-    six_bar->title = surroundings.title;
-    six_bar->length_unit = surroundings.length_unit;
-    six_bar->poses = surroundings.poses;
-    six_bar->record = element.json().dump();
-    return *std::move(six_bar);
-  }
+Surroundings read_problem_echo(const JsonObject& file, Mistakes& mistakes) {
+  const auto problem = file.find("problem");
+  if (!problem) return {};
+  const JsonObject object(*problem, mistakes, {});
+  Surroundings surroundings = read_surroundings(object, mistakes);
+  const auto task = object.find("task");
+  if (task && task->is_object()) read_positions(JsonObject(*task, mistakes, {}), mistakes, surroundings);
+  return surroundings;
+}
+
+std::optional<AnyStoredLinkage> read_stored_six_bar(const JsonValue& element, const Surroundings& around,
+                                                    Mistakes& mistakes) {
+  auto six_bar = read_six_bar(element, mistakes);
+  if (!six_bar) return std::nullopt;
+  six_bar->title = around.title;
+  six_bar->length_unit = around.length_unit;
+  six_bar->poses = around.poses;
+  six_bar->record = element.json().dump();
+  return *std::move(six_bar);
+}
+
+std::optional<AnyStoredLinkage> read_stored_spherical(const JsonValue& element, const Surroundings& around,
+                                                      Mistakes& mistakes) {
+  const auto bars = read_spherical_four_bar(element, mistakes);
+  if (!bars) return std::nullopt;
+  const std::string record = element.json().contains("axes") ? "" : element.json().dump();
+  return StoredSphericalFourBar{*bars, around.title, around.length_unit, around.orientations, record};
+}
+
+/// What `element` holds, with what stands around it.
+std::optional<AnyStoredLinkage> read_element(const JsonValue& element, const Surroundings& around, Mistakes& mistakes) {
+  if (says_six_bar(element)) return read_stored_six_bar(element, around, mistakes);
+  if (says_spherical_four_bar(element)) return read_stored_spherical(element, around, mistakes);
   const auto four_bar = read_four_bar(element, mistakes);
   if (!four_bar) return std::nullopt;
-  StoredLinkage linkage = surroundings;
-  linkage.four_bar = *four_bar;
-  if (!element.json().contains("pivots")) linkage.record = element.json().dump();
-  return linkage;
+  const std::string record = element.json().contains("pivots") ? "" : element.json().dump();
+  return StoredLinkage{*four_bar, around.title, around.length_unit, around.poses, record};
 }
 
 /// The four-bar among all linkages; nothing where it is another one.
 Result<StoredLinkage> as_four_bar(AnyStoredLinkage linkage) {
   if (auto* four_bar = std::get_if<StoredLinkage>(&linkage)) return std::move(*four_bar);
-  return Error{"not_a_four_bar", "mechanism", "this is a six-bar; only a \"four_bar\" belongs here"};
+  return Error{"not_a_four_bar", "mechanism",
+               fmt::format("this is a {}; only a \"four_bar\" belongs here",
+                           std::holds_alternative<StoredSixBar>(linkage) ? "six-bar" : "spherical four-bar")};
 }
 
 }  // namespace
@@ -216,8 +251,7 @@ Result<AnyStoredLinkage> read_any_linkage(std::string_view text) {
                   "this is a result file with many linkages; take one out with: linkwright export RESULT.json "
                   "--linkage 1 --format json -o LINKAGE.json");
   } else if (root.is_object()) {
-    StoredLinkage surroundings;
-    read_surroundings(file, mistakes, surroundings);
+    Surroundings surroundings = read_surroundings(file, mistakes);
     const auto held = file.find("linkage");
     if (held) read_own_poses(*held, mistakes, surroundings);
     if (auto found = read_element(held.value_or(root), surroundings, mistakes)) linkage = *std::move(found);
@@ -248,9 +282,9 @@ Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view 
   std::vector<AnyStoredLinkage> linkages;
   const auto list = file.require("linkages", {"linkages_of_result", "the list of linkages of a result file"});
   if (list) {
-    const StoredLinkage of_the_problem = read_problem_echo(file, mistakes);
+    const Surroundings of_the_problem = read_problem_echo(file, mistakes);
     list->for_each({"linkages", "a list of linkages"}, [&](const JsonValue& item) {
-      StoredLinkage surroundings = of_the_problem;
+      Surroundings surroundings = of_the_problem;
       read_own_poses(item, mistakes, surroundings);
       auto linkage = read_element(item, surroundings, mistakes);
       if (!linkage) return;

@@ -8,11 +8,12 @@
 
 namespace linkwright {
 
-std::string positions_text(int count) {
+std::string count_text(int count) {
   constexpr std::array<std::string_view, 6> words = {"no", "one", "two", "three", "four", "five"};
   const auto place = static_cast<std::size_t>(count);
-  return (place < words.size() ? std::string(words[place]) : fmt::format("{}", count)) + " positions";
+  return place < words.size() ? std::string(words[place]) : fmt::format("{}", count);
 }
+std::string positions_text(int count) { return count_text(count) + " positions"; }
 
 std::string task_label(const Task& task) {
   return std::visit([](const auto& of_kind) { return label_of(of_kind); }, task);

@@ -36,7 +36,7 @@ void check_derivatives(const SphericalMotionTask& task, std::vector<Error>& foun
 void check_orientation_count(const SphericalMotionTask& task, std::vector<Error>& found) {
   constexpr int fewest = 4, most = 5;
   const int count = position_count(task.orientations);
-  const Values values = {{"count", count}, {"fewest", fewest}, {"most", most}};
+  const Values values = {{"count", count}, {"missing", fewest - count}, {"excess", count - most}};
   if (count < fewest && !(count == 3 && task.given))
     found.push_back({"too_few_orientations", "task.orientations",
                      fmt::format("{} {} given and four or five are needed; add {} (an angular velocity counts as one "

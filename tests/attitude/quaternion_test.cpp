@@ -48,6 +48,18 @@ TEST(UnitQuaternion, TakesAnyLengthAndRefusesNone) {
   EXPECT_EQ(UnitQuaternion::of(1, {1, -infinity, 0}).errors().front().code, "not_finite");
 }
 
+/// What a file carries reads back as what it was.
+TEST(UnitQuaternion, OfUnitComponentsHasJustThem) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> component;
+  for (int i = 0; i < 1000; ++i) {
+    const UnitQuaternion q = make(component(random), {component(random), component(random), component(random)});
+    const UnitQuaternion again = make(q.w(), q.v());
+    EXPECT_EQ(again.w(), q.w());
+    EXPECT_EQ(again.v(), q.v());
+  }
+}
+
 TEST(UnitQuaternion, AndItsOppositeAreEqual) {
   EXPECT_EQ(make(1, {2, 3, 4}), make(-1, {-2, -3, -4}));
   EXPECT_EQ(-make(1, {2, 3, 4}), make(1, {2, 3, 4}));

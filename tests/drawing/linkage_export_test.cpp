@@ -31,5 +31,14 @@ TEST(LinkageExport, OfASixBar) {
   EXPECT_EQ(exported(linkage, "json"), write_linkage(linkage));
 }
 
+TEST(LinkageExport, OfASphericalFourBar) {
+  StoredSphericalFourBar linkage;
+  linkage.four_bar = {{0, 0, 1}, {0, 0.6, 0.8}, {0.8, 0.6, 0}, {1, 0, 0}};
+  EXPECT_EQ(exported(linkage, "svg"), draw_linkage(linkage));
+  EXPECT_EQ(exported(linkage, "dxf"), "");
+  EXPECT_EQ(exported(linkage, "csv"), motion_table(analyze(linkage)));
+  EXPECT_EQ(exported(linkage, "json"), write_linkage(linkage));
+}
+
 }  // namespace
 }  // namespace linkwright::linkage_export_test

@@ -24,6 +24,8 @@ TEST(Label, FollowsTheEnumerators) {
   EXPECT_EQ(label(CubicKind::line_and_circle), "a line and a circle");
   EXPECT_EQ(label(ChangePointKind::rhombus), "rhombus");
   EXPECT_EQ(label(ChangePointKind::none), "");
+  EXPECT_EQ(label(CubicConeKind::two_components), "a cubic cone of two components");
+  EXPECT_EQ(label(CubicConeKind::every_axis), "every axis");
   EXPECT_EQ(label(SixBarTopology::watt_1), "Watt I");
   EXPECT_EQ(label(SixBarTopology::stephenson_3), "Stephenson III");
 }
@@ -32,6 +34,9 @@ TEST(Label, OfAnUnknownBranchIsItsName) {
   EXPECT_EQ(branch_label("odd"), "branch through infinity");
   EXPECT_EQ(branch_label("sheet_2_opposite"), "sheet 2, opposite");
   EXPECT_EQ(branch_label("something"), "something");
+  EXPECT_EQ(cone_branch_label("odd"), "odd branch");
+  EXPECT_EQ(cone_branch_label("great_circle"), "plane");
+  EXPECT_EQ(cone_branch_label("something"), "something");
 }
 
 }  // namespace

@@ -69,7 +69,8 @@ TEST(LinkageFile, MistakesAreToldInTheirPlaces) {
        "pivots.input_center", "two numbers"},
       {R"({"pivots": {"input_center": [1e300, 0], "input_circle": [0, 1], "output_center": [4, 0], "output_circle": [3, 3]}})",
        "pivots", "between"},
-      {R"({"mechanism": "spherical_four_bar"})", "mechanism", "only a"},
+      {R"({"mechanism": "spherical_four_bar"})", "", "add \"axes\", \"angles_deg\""},
+      {R"({"mechanism": "slider_crank"})", "mechanism", "only a"},
       {R"({"linkages": []})", "linkages", "linkwright export"},
       {R"({"linkwright": 2})", "linkwright", "newer"},
   };

@@ -506,7 +506,7 @@ TEST(ResultFile, RefusesWhatIsNone) {
       {R"({"linkages": [{"input": {"center_point": null}}]})", "infinity"},
       {R"({"linkwright": 9, "linkages": []})", "newer Linkwright"},
       {write_problem(tailgate()), "problem file"},
-      {R"({"linkages": [{"mechanism": "spherical_four_bar"}]})", "this is a \"spherical_four_bar\""},
+      {R"({"linkages": [{"mechanism": "slider_crank"}]})", "this is a \"slider_crank\""},
       {R"({"linkages": [{"input": {"center_point": [0, 0], "circle_point": [0, 2]}, "output":
         {"center_point": [4, 0], "circle_point": [3, 3.5]}, "poses": [1, 2, 3, 4, 5, 6]}]})",
        "at most 5 poses"},

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "linkwright/algebra/circular_cubic.hpp"
+#include "linkwright/algebra/cubic_cone.hpp"
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
@@ -23,8 +24,13 @@ namespace linkwright {
 /// "two branches", "a line and a circle", …
 [[nodiscard]] std::string_view label(CubicKind kind);
 
+/// "a cubic cone of one component", "a plane and a quadratic cone", …
+[[nodiscard]] std::string_view label(CubicConeKind kind);
+
 /// Of a CurveBranch's name: "branch through infinity", "closed branch", …
 [[nodiscard]] std::string_view branch_label(std::string_view name);
+/// Of one on the sphere: "odd branch", "oval", …
+[[nodiscard]] std::string_view cone_branch_label(std::string_view name);
 
 /// "Watt I", "Stephenson II", …
 [[nodiscard]] std::string_view label(SixBarTopology topology);

@@ -32,12 +32,15 @@ struct StoredSixBar {
 
 using AnyStoredLinkage = std::variant<StoredLinkage, StoredSixBar, StoredSphericalFourBar>;
 
-/// As read_linkage(), six-bars among them: an element of a result's `linkages`, or what write_linkage() wrote, or
+/// As read_linkage(), other linkages among them: an element of a result's `linkages`, or what write_linkage() wrote, or
 /// `{"mechanism": "six_bar", "chain": {"a": [x, y], "b": …, "d": …}, "added": [{"between": "0-2", "points": [[x, y],
-/// [x, y]]}, …]}`.
+/// [x, y]]}, …]}`, or `{"mechanism": "spherical_four_bar", "axes": {"input_fixed": [x, y, z], "input_moving": …,
+/// "output_moving": …, "output_fixed": …}}` (of any length), or `{"mechanism": "spherical_four_bar", "angles_deg":
+/// {"ground": …, "input": …, "coupler": …, "output": …}}`, laid with the fixed axes (0, 0, 1) and (sin α₄, 0, cos α₄),
+/// the input as that of a four-bar given by its lengths.
 [[nodiscard]] Result<AnyStoredLinkage> read_any_linkage(std::string_view text);
 
-/// As read_result_linkages(), six-bars among them.
+/// As read_result_linkages(), other linkages among them.
 [[nodiscard]] Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view text);
 
 /// The linkages of an answer, best first, as the result file carries them.

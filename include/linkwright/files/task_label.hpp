@@ -13,6 +13,9 @@ namespace linkwright {
 /// The same without particulars: "three positions", "function on 4 precision points".
 [[nodiscard]] std::string short_task_label(const Task& task);
 
+/// "four"; beyond five in figures.
+[[nodiscard]] std::string count_text(int count);
+
 /// "three positions".
 [[nodiscard]] std::string positions_text(int count);
 

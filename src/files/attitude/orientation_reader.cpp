@@ -51,7 +51,7 @@ std::optional<StoredOrientation> read_matrix(const JsonObject& object, const Jso
 /// `axis` and `angle_deg`.
 std::optional<AxisAngle> read_turn(const JsonObject& object) {
   const auto axis = object.require("axis", {"axis", "the axis [x, y, z]"});
-  const auto angle = object.require("angle_deg", {"angle", "the angle about the axis, degrees"});
+  const auto angle = object.require("angle_deg", {"turn_angle", "the angle about the axis, degrees"});
   const auto vector = axis ? read_vector(*axis) : std::nullopt;
   const auto number = angle ? read_angle(*angle) : std::nullopt;
   return vector && number ? accepted(*axis, AxisAngle::of(*vector, *number)) : std::nullopt;
@@ -75,7 +75,7 @@ std::optional<StoredOrientation> read_quaternion(const JsonValue& value) {
 
 std::optional<EulerSequence> read_sequence(const JsonObject& object) {
   constexpr std::array<std::string_view, 2> turnings = {"intrinsic", "extrinsic"};
-  const auto found = object.require("sequence", {"sequence", "the order of the axes, like \"zxz\" or \"xyz\""});
+  const auto found = object.require("sequence", {"axis_order", "the order of the axes, like \"zxz\" or \"xyz\""});
   const auto name = found ? found->as_text() : std::nullopt;
   const auto turning = object.find("turning");
   const auto word = turning ? turning->as_one_of(turnings) : std::optional(turnings[0]);

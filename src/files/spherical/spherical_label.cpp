@@ -1,19 +1,29 @@
 #include <fmt/format.h>
 
 #include "files/spherical/spherical_kind.hpp"
+#include "linkwright/files/task_label.hpp"
 
 namespace linkwright {
 
+namespace {
+
+/// "four orientations"; where derivatives count, too, "four positions".
+std::string orientations_text(const SphericalMotionTask& task) {
+  const int count = position_count(task.orientations);
+  return count == static_cast<int>(task.orientations.size()) ? count_text(count) + " orientations"
+                                                             : positions_text(count);
+}
+
+}  // namespace
+
 std::string label_of(const SphericalMotionTask& task) {
-  const std::string text = fmt::format("{} orientations about a fixed centre ({})", position_count(task.orientations),
-                                       pattern(task.orientations));
+  const std::string text =
+      fmt::format("{} about a fixed centre ({})", orientations_text(task), pattern(task.orientations));
   if (!task.given) return text;
   return text + (task.given->kind == GivenAxes::Kind::fixed ? ", given fixed axes" : ", given moving axes");
 }
 
-std::string short_label_of(const SphericalMotionTask& task) {
-  return fmt::format("{} orientations", position_count(task.orientations));
-}
+std::string short_label_of(const SphericalMotionTask& task) { return orientations_text(task); }
 
 AxisLabel axis_label(const SphericalMotionAnswer& answer, Side side, std::string_view /*length_unit*/) {
   const MapAxis axis = answer.family() ? answer.family()->axis(side) : MapAxis{};

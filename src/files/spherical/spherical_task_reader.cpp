@@ -72,15 +72,18 @@ std::optional<GivenAxes> read_given_axes(const JsonValue& value, Mistakes& mista
   GivenAxes given{fixed ? GivenAxes::Kind::fixed : GivenAxes::Kind::moving, {}};
   std::size_t count = 0;
   bool complete = true;
-  const bool is_list = list.for_each({"two_axes", "two axes [[x, y, z], [x, y, z]]"}, [&](const JsonValue& item) {
-    const auto axis = read_vector(item);
-    if (axis && count < 2) given.axes[count] = *axis;
-    ++count;
-    complete = complete && axis;
-  });
+  const bool is_list =
+      list.for_each({"two_axes", "a list of two axes [[x, y, z], [x, y, z]]"}, [&](const JsonValue& item) {
+        const auto axis = read_vector(item);
+        if (axis && count < 2) given.axes[count] = *axis;
+        ++count;
+        complete = complete && axis;
+      });
   if (is_list && count != 2) {
-    list.mistake("axis_count", fmt::format("{} axes are given; two belong here, the input's first", count),
-                 {{"count", count}});
+    list.mistake(
+        "axis_count",
+        fmt::format("{} {} given; two belong here, the input's first", count, count == 1 ? "axis is" : "axes are"),
+        {{"count", count}});
     return std::nullopt;
   }
   return is_list && complete ? std::optional(given) : std::nullopt;
