@@ -24,7 +24,6 @@ Result<AnyStoredLinkage> read_linkage_file(const std::string& path) {
 
 std::string table_of(const LinkageAnalysis& analysis) { return motion_table(tabulated_cycle(analysis.linkage)); }
 std::string table_of(const StoredSixBarAnalysis& analysis) { return motion_table(analysis.motion); }
-
 std::string table_of(const StoredSphericalAnalysis& analysis) { return motion_table(analysis); }
 
 template <class Analysis>
@@ -36,9 +35,8 @@ bool write_report(const std::string& path, const Analysis& analysis) {
 
 std::string words(const LinkageAnalysis& analysis, std::string_view drive) { return linkage_words(analysis, drive); }
 std::string words(const StoredSixBarAnalysis& analysis, std::string_view /*drive*/) { return six_bar_words(analysis); }
-
-std::string words(const StoredSphericalAnalysis& analysis, std::string_view /*drive*/) {
-  return spherical_words(analysis);
+std::string words(const StoredSphericalAnalysis& analysis, std::string_view drive) {
+  return spherical_words(analysis, drive);
 }
 
 template <class Stored>

@@ -43,15 +43,18 @@ void add_border(std::vector<std::string>& touched, const std::optional<Box>& box
   check(pivot.imag(), box->y_low, box->y_high, 'y');
 }
 
+std::vector<std::string> limit_of_transmission(const Requirements& requirements, double gamma) {
+  const double least_gamma = requirements.min_transmission_angle;
+  if (least_gamma > 0 && gamma <= (1 + touching) * least_gamma)
+    return {"transmission angle at least " + angle_words(least_gamma)};
+  if (least_gamma == 0 && gamma < radians(1)) return {"a dead point, its transmission angle all but 0"};
+  return {};
+}
+
 /// Of those that ask for no place.
 std::vector<std::string> limits_of_size(const Requirements& requirements, double gamma, double ratio, double longest,
                                         std::string_view unit) {
-  std::vector<std::string> touched;
-  const double least_gamma = requirements.min_transmission_angle;
-  if (least_gamma > 0 && gamma <= (1 + touching) * least_gamma) {
-    touched.push_back("transmission angle at least " + angle_words(least_gamma));
-  }
-  if (least_gamma == 0 && gamma < radians(1)) touched.push_back("a dead point, its transmission angle all but 0");
+  std::vector<std::string> touched = limit_of_transmission(requirements, gamma);
   if (ratio >= (1 - touching) * requirements.max_link_ratio) {
     touched.push_back("link ratio at most " + significant_text(requirements.max_link_ratio, limit_digits));
   }
@@ -62,6 +65,13 @@ std::vector<std::string> limits_of_size(const Requirements& requirements, double
     touched.push_back("shortest link at least " + limit_words(*requirements.min_length, unit));
   }
   return touched;
+}
+
+/// "the input's fixed axis at the border of its cone, 30° of (0, 0, 1)", or nothing.
+void add_cone_border(std::vector<std::string>& touched, const std::optional<Cone>& cone, Vector3 axis,
+                     std::string_view which) {
+  if (cone && cone->angle_to(axis) >= (1 - touching) * cone->half_angle)
+    touched.push_back(fmt::format("{} at the border of its cone, {}", which, cone_words(*cone)));
 }
 
 }  // namespace
@@ -161,6 +171,20 @@ std::vector<std::string> limits_touched(const Requirements& requirements, const 
                joints[i].point, which);
     add_border(touched, search, joints[i].point, which, "the search's box");
   }
+  return touched;
+}
+
+std::vector<std::string> limits_touched(const Requirements& requirements, const SphericalSolution& found) {
+  std::vector<std::string> touched = limit_of_transmission(requirements, found.report.min_transmission_angle);
+  const double least = requirements.min_link_angle.value_or(0);
+  if (least > 0 && found.angles.shortest() <= (1 + touching) * least)
+    touched.push_back("link angles at least " + angle_words(least));
+  if (requirements.max_link_angle && found.angles.longest() >= (1 - touching) * *requirements.max_link_angle)
+    touched.push_back("link angles at most " + angle_words(*requirements.max_link_angle));
+  add_cone_border(touched, requirements.fixed_axes_within, found.input.fixed_axis, "the input's fixed axis");
+  add_cone_border(touched, requirements.fixed_axes_within, found.output.fixed_axis, "the output's fixed axis");
+  add_cone_border(touched, requirements.moving_axes_within, found.input.moving_axis, "the input's moving axis");
+  add_cone_border(touched, requirements.moving_axes_within, found.output.moving_axis, "the output's moving axis");
   return touched;
 }
 

@@ -27,6 +27,9 @@ namespace linkwright::cli {
 [[nodiscard]] std::vector<std::string> limits_touched(const Requirements& requirements, const SixBarSolution& found,
                                                       const std::optional<Box>& search, std::string_view unit);
 
+/// Of a spherical four-bar.
+[[nodiscard]] std::vector<std::string> limits_touched(const Requirements& requirements, const SphericalSolution& found);
+
 /// "touches no limit: …", or at which it lies.
 [[nodiscard]] std::string held_back_words(const std::vector<std::string>& limits);
 

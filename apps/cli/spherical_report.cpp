@@ -1,5 +1,7 @@
 #include "spherical_report.hpp"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <vector>
 
@@ -14,45 +16,293 @@
 namespace linkwright::cli {
 namespace {
 
-std::string spherical_map_words(const Problem& problem, const SphericalMotionAnswer& answer) {
-  if (answer.counts.pairs == 0) return "";
-  const RegionCounts& counts = answer.counts;
-  const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
-  return wrapped(fmt::format(
-      "The solution region of {} × {} pairs of dyads holds {} spherical four-bars. {} are free of defects; {} meet the "
-      "requirements: {}.",
-      answer.region.rows(), answer.region.columns(), grouped_text(whole), grouped_text(counts.defect_free),
-      grouped_text(answer.meeting_requirements),
-      requirement_words(answer.requirements, linkages(problem.task), problem.length_unit)));
+using Found = std::vector<SphericalSolution>;
+
+constexpr int angle_decimals = 2, axis_decimals = 4;
+
+std::string cone_kind_words(const SphericalAnswer& answer) {
+  if (!answer.given.curve) return "";
+  return wrapped(fmt::format("Cone of moving axes: {}. Each of its axes is that of a dyad with one fixed axis.",
+                             label(answer.given.curve->kind())));
 }
 
-std::string angle_table(const std::vector<SphericalSolution>& found) {
-  TextTable table({"#", "<type", "<drive", "turns", "γ", "ground", "input", "coupler", "output"});
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const SphericalSolution& one = found[i];
-    const bool clean = one.report.defects.none();
-    table.add_row({fmt::format("{}", i + 1), std::string(short_label(one.report.type)),
-                   clean ? std::string(name(one.report.sense)) : "–", clean ? angle_text(one.report.sweep, 1) : "–",
-                   clean ? angle_text(one.report.min_transmission_angle, 1) : "–", angle_text(one.angles.ground, 2),
-                   angle_text(one.angles.input, 2), angle_text(one.angles.coupler, 2),
-                   angle_text(one.angles.output, 2)});
+std::string spherical_map_words(const Problem& problem, const SphericalAnswer& answer) {
+  if (answer.counts.pairs == 0) return "";
+  const RegionCounts& counts = answer.counts;
+  const std::int64_t without = counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+  const std::int64_t whole = counts.pairs - without;
+  std::string text = fmt::format("The solution region of {} × {} pairs of dyads holds {} {}", answer.region.rows(),
+                                 answer.region.columns(), grouped_text(whole),
+                                 whole == 1 ? "spherical four-bar" : "spherical four-bars");
+  if (without > 0)
+    text += fmt::format(" and {} {} with a link of no length", grouped_text(without), without == 1 ? "pair" : "pairs");
+  text += fmt::format(". {} {} free of defects; {} {}: {}.", grouped_text(counts.defect_free),
+                      counts.defect_free == 1 ? "is" : "are", grouped_text(answer.meeting_requirements),
+                      answer.meeting_requirements == 1 ? "meets the requirements" : "meet the requirements",
+                      requirement_words(answer.requirements, linkages(problem.task), problem.length_unit));
+  return wrapped(text);
+}
+
+std::string axis_text(Vector3 axis) {
+  const auto number = [](double coordinate) { return fmt::format("{:>7}", rounded_text(coordinate, axis_decimals)); };
+  return fmt::format("{} {} {}", number(axis.x), number(axis.y), number(axis.z));
+}
+
+/// Three and five positions: the dyads that there are.
+std::string dyad_list(const SphericalAnswer& answer) {
+  const auto& points = answer.given.points;
+  if (points.empty()) return "";
+  TextTable table({"#", "fixed axis (x, y, z)", "moving axis, position 1", "angle", "multiplicity", "condition"});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SphericalDyad& dyad = points[i].dyad;
+    table.add_row({fmt::format("{}", i + 1), axis_text(dyad.fixed_axis), axis_text(dyad.moving_axis),
+                   angle_text(dyad.angle(), angle_decimals), fmt::format("{}", points[i].multiplicity),
+                   significant_text(points[i].condition, 2)});
   }
+  return "\nDyads of all positions:\n" + table.text();
+}
+
+/// Five positions that no linkage passes as required: what relaxing one of them comes to.
+std::string relaxed_words(const SphericalMotionAnswer& answer) {
+  if (answer.relaxed.empty()) return "";
+  std::string text =
+      "\nAlternatives, nearest first: four-bars through four of the positions that meet the requirements.\n";
+  for (const RelaxedOrientation& way : answer.relaxed) {
+    const std::string start = fmt::format("  Relax orientation {}: ", way.orientation + 1);
+    if (!way.linkage) {
+      text += wrapped(start + (way.reason ? way.reason->message : "nothing was found."), 4);
+      continue;
+    }
+    const DefectReport& report = way.linkage->report;
+    text += wrapped(
+        fmt::format("{}the nearest four-bar{} is off by {}° ({}, γ {}).", start,
+                    answer.requirements.no_defects ? " free of defects" : "",
+                    significant_text(degrees(way.error.angle), 3), short_label(report.type), task_gamma(report)),
+        4);
+  }
+  return text;
+}
+
+std::string best_spherical_heading(const SynthesisOptions& options) {
+  if (options.at) return "The linkage there:\n";
+  if (options.objective == Objective::link_angle) return "Best linkages, largest least link angle first:\n";
+  return "Best linkages, largest minimum transmission angle over the task (γ) first:\n";
+}
+
+std::vector<std::string> angle_cells(const SphericalSolution& found) {
+  const DefectReport& report = found.report;
+  std::vector<std::string> cells = {std::string(short_label(report.type)), drive_text(report),
+                                    report.defects.none() ? angle_text(report.sweep, 1) : "–", task_gamma(report),
+                                    full_turn_gamma(report)};
+  for (const double angle : {found.angles.ground, found.angles.input, found.angles.coupler, found.angles.output})
+    cells.push_back(angle_text(angle, angle_decimals));
+  return cells;
+}
+
+/// `first`: heads the column that names each.
+std::string angle_table(const Found& all, const std::string& first, const std::vector<std::string>& names) {
+  TextTable table({first, "<type", "<drive", "turns", "γ", "γ turn", "ground", "input", "coupler", "output"});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::vector<std::string> row = angle_cells(all[i]);
+    row.insert(row.begin(), names[i]);
+    table.add_row(std::move(row));
+  }
+  return table.text();
+}
+
+std::vector<std::string> numbers_of(const Found& all) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < all.size(); ++i) names.push_back(fmt::format("{}", i + 1));
+  return names;
+}
+
+/// Three and five positions: every pair, where more of them are known than are listed.
+std::string pair_list(const SphericalAnswer& answer) {
+  if (answer.pairs.size() <= answer.linkages.size()) return "";
+  const auto number = [](const SphericalDyad& dyad) { return static_cast<int>(dyad.coordinate) + 1; };
+  std::vector<std::string> names;
+  for (const SphericalSolution& pair : answer.pairs)
+    names.push_back(fmt::format("{}–{}", number(pair.input), number(pair.output)));
+  return "\nAll pairs as four-bars, best first:\n" + angle_table(answer.pairs, "pair", names);
+}
+
+std::string axis_table(const Found& all) {
+  TextTable table({"#", "<link", "fixed axis (x, y, z)", "moving axis, position 1"});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const SphericalFourBar& bars = all[i].four_bar;
+    table.add_row({fmt::format("{}", i + 1), "input", axis_text(bars.input_fixed), axis_text(bars.input_moving)});
+    table.add_row({"", "output", axis_text(bars.output_fixed), axis_text(bars.output_moving)});
+  }
+  return "Axes, unit vectors:\n" + table.text();
+}
+
+std::string spherical_score(Objective objective, const SphericalSolution& found) {
+  return angle_text(objective == Objective::link_angle ? found.angles.shortest() : found.report.min_transmission_angle,
+                    angle_decimals);
+}
+
+std::string why_it_is_best(const SphericalAnswer& answer) {
+  if (answer.options.at) return wrapped(answer.reason.message);
+  const Objective objective = answer.options.objective;
+  std::string text = fmt::format("Linkage 1 has the largest {}, {}",
+                                 objective == Objective::link_angle ? "least link angle" : "minimum transmission angle",
+                                 spherical_score(objective, answer.linkages[0]));
+  if (answer.linkages.size() > 1)
+    text += fmt::format("; linkage 2 follows with {}", spherical_score(objective, answer.linkages[1]));
+  return wrapped(
+      fmt::format("{}. It {}", text, held_back_words(limits_touched(answer.requirements, answer.linkages[0]))));
+}
+
+std::string spherical_check_words(const SphericalAnswer& answer) {
+  double worst = 0;
+  std::optional<double> of_derivatives;
+  bool all_driven = true;
+  for (const SphericalSolution& found : answer.linkages) {
+    worst = std::max(worst, found.residual);
+    of_derivatives = std::max(of_derivatives, found.residual_derivatives);
+    all_driven = all_driven && found.verified_by_driving;
+  }
+  const std::string derivatives =
+      of_derivatives ? fmt::format(", and their derivatives vanish to {}", significant_text(*of_derivatives, 2)) : "";
+  return wrapped(fmt::format("The grounded links keep their angles over the orientations (the cosines to {}){}; {}.",
+                             significant_text(worst, 2), derivatives,
+                             all_driven ? "simulation of the motion verified every linkage listed"
+                             : answer.options.at
+                                 ? "simulation of the motion disagrees with the table: rounding decides what the "
+                                   "linkage does there"
+                                 : "simulation of the motion disagrees with the table, which is a bug: please "
+                                   "report it"));
+}
+
+std::string no_spherical_words(const Problem& problem, const SphericalAnswer& answer) {
+  if (answer.options.best == 0 && !answer.options.at) return "";
+  std::string text = "\n" + wrapped(answer.reason.message);
+  if (answer.options.at) return text;
+  for (std::size_t i = 0; i < answer.relax.size(); ++i)
+    if (i > 0 || answer.relax[i].value)  // of the first the reason says what dropping it would leave
+      text += wrapped("  " + relaxation_words(answer.relax[i], problem.length_unit), 4);
+  return text;
+}
+
+std::string found_words(const SphericalAnswer& answer) {
+  return "\n" + best_spherical_heading(answer.options) +
+         angle_table(answer.linkages, "#", numbers_of(answer.linkages)) + "\n" + axis_table(answer.linkages) + "\n" +
+         why_it_is_best(answer) + spherical_check_words(answer);
+}
+
+/// To which side the links of a triple rocker swing; empty for other types.
+std::string triple_rocker_words(TripleRockerKind kind) {
+  constexpr std::array<std::string_view, 5> names = {"", "00", "0π", "π0", "ππ"};
+  if (kind == TripleRockerKind::none) return "";
+  const bool input_away = kind == TripleRockerKind::pi_zero || kind == TripleRockerKind::pi_pi;
+  const bool output_towards = kind == TripleRockerKind::zero_pi || kind == TripleRockerKind::pi_pi;
+  return fmt::format(
+      " Sub-class {}: the input swings on the side {} the output's fixed axis, the output on the side {} the input's.",
+      names[static_cast<std::size_t>(kind)], input_away ? "away from" : "towards",
+      output_towards ? "towards" : "away from");
+}
+
+std::string spherical_type_words(const StoredSphericalAnalysis& analysis) {
+  const std::string text = fmt::format("Type: {}", label(analysis.type));
+  if (analysis.type == LinkageType::change_point)
+    return wrapped(text + ". All four axes can lie in one plane, where the linkage may change its assembly mode.");
+  return wrapped(text + (is_grashof(analysis.type) ? " (Grashof: a link turns fully with respect to the others)."
+                                                   : " (not Grashof: no link turns fully with respect to the others)." +
+                                                         triple_rocker_words(analysis.triple_rocker)));
+}
+
+std::string spherical_range_words(const StoredSphericalAnalysis& analysis) {
+  const AngleRange& range = analysis.input_range;
+  if (range.is_full_turn())
+    return wrapped(analysis.dead_points.empty()
+                       ? "The input turns fully; it has no dead points."
+                       : "The input turns fully, through dead points where all axes lie in one plane.");
+  return wrapped(
+      fmt::format("The input rocks from {} to {} ({}), measured about its fixed axis from the arc between "
+                  "the fixed axes.",
+                  angle_text(range.from), angle_text(range.to), angle_text(range.to - range.from)));
+}
+
+std::string spherical_dead_points(const StoredSphericalAnalysis& analysis) {
+  if (analysis.dead_points.empty()) return "";
+  TextTable table({"dead point:", "input", "output", "<coupler and output link"});
+  for (const SphericalDeadPoint& dead : analysis.dead_points)
+    table.add_row({"", angle_text(wrap_signed(dead.configuration.input_angle)),
+                   angle_text(wrap_signed(dead.configuration.output_angle)), dead.extended ? "stretched" : "folded"});
+  return table.text();
+}
+
+std::string spherical_transmission_words(const StoredSphericalAnalysis& analysis) {
+  std::string text =
+      fmt::format("Transmission angle in the position given: {}", angle_text(analysis.transmission_angle));
+  if (input_is_crank(analysis.type)) {
+    text += fmt::format("; minimum over a full turn: {}", angle_text(analysis.min_transmission_angle));
+  } else if (!analysis.motion.empty()) {
+    const auto best =
+        std::max_element(analysis.motion.begin(), analysis.motion.end(),
+                         [](const auto& a, const auto& b) { return a.transmission_angle < b.transmission_angle; });
+    text += fmt::format("; it is 0 at the dead points and largest, {}, at input angle {}",
+                        angle_text(best->transmission_angle), angle_text(wrap_signed(best->configuration.input_angle)));
+  }
+  return wrapped(text + ".");
+}
+
+std::string ratio_words(const StoredSphericalAnalysis& analysis) {
+  if (!analysis.velocity_ratio) return "The position given is a dead point: the velocity ratio is undefined there.\n";
+  std::string text = fmt::format("The output turns {} times as fast as the input in the position given",
+                                 rounded_text(*analysis.velocity_ratio, 3));
+  if (!input_is_crank(analysis.type)) return wrapped(text + ".");  // unbounded next to dead points
+  double least = *analysis.velocity_ratio, most = least;
+  for (const SphericalState& state : analysis.motion) {
+    if (!state.velocity_ratio) continue;
+    least = std::min(least, *state.velocity_ratio);
+    most = std::max(most, *state.velocity_ratio);
+  }
+  return wrapped(fmt::format("{}, {} to {} over the turn.", text, rounded_text(least, 3), rounded_text(most, 3)));
+}
+
+std::string met_words(const StoredSphericalAnalysis& analysis) {
+  const std::size_t given = analysis.linkage.orientations.size();
+  if (given < 2) return "";
+  std::vector<int> met;
+  for (const SphericalState& state : analysis.motion)
+    if (state.position) met.push_back(*state.position);
+  std::sort(met.begin(), met.end());
+  met.erase(std::unique(met.begin(), met.end()), met.end());
+  if (met.size() == given) return wrapped(fmt::format("It meets all {} orientations of the file.", given));
+  return wrapped(met.empty()
+                     ? std::string("It meets none of the orientations of the file.")
+                     : fmt::format("Of the {} orientations of the file it meets {}.", given, fmt::join(met, ", ")));
+}
+
+std::string own_axes(const SphericalFourBar& bars) {
+  TextTable table({"<axis", "x, y, z"});
+  table.add_row({"input, fixed", axis_text(bars.input_fixed)});
+  table.add_row({"input, moving", axis_text(bars.input_moving)});
+  table.add_row({"output, moving", axis_text(bars.output_moving)});
+  table.add_row({"output, fixed", axis_text(bars.output_fixed)});
   return table.text();
 }
 
 }  // namespace
 
 std::string spherical_report(const Problem& problem, const SphericalMotionAnswer& answer) {
-  const std::string text = spherical_map_words(problem, answer);
-  if (answer.linkages.empty()) return text + "\n" + wrapped(answer.reason.message);
-  return text + "\n" + angle_table(answer.linkages);
+  return cone_kind_words(answer) + spherical_map_words(problem, answer) + dyad_list(answer) + pair_list(answer) +
+         (answer.linkages.empty() ? no_spherical_words(problem, answer) : found_words(answer)) + relaxed_words(answer);
 }
 
-std::string spherical_words(const StoredSphericalAnalysis& analysis) {
-  const LinkAngles& l = analysis.angles;
-  return wrapped(fmt::format("{}: ground {}, input {}, coupler {}, output {}", label(analysis.type),
-                             angle_text(l.ground, 3), angle_text(l.input, 3), angle_text(l.coupler, 3),
-                             angle_text(l.output, 3)));
+std::string spherical_words(const StoredSphericalAnalysis& analysis, std::string_view drive) {
+  const std::string title =
+      analysis.linkage.title.empty() ? "Spherical four-bar linkage" : printable(analysis.linkage.title);
+  const LinkAngles& angles = analysis.angles;
+  TextTable table({"ground", "input", "coupler", "output"});
+  table.add_row({angle_text(angles.ground, 3), angle_text(angles.input, 3), angle_text(angles.coupler, 3),
+                 angle_text(angles.output, 3)});
+  return wrapped(title + (drive == "output" ? ", driven by the file's output link (called input here)"
+                                            : ", driven by its input link")) +
+         "Angles of the links:\n" + table.text() + "Axes, unit vectors:\n" + own_axes(analysis.linkage.four_bar) +
+         spherical_type_words(analysis) + spherical_range_words(analysis) + spherical_dead_points(analysis) +
+         spherical_transmission_words(analysis) + ratio_words(analysis) + met_words(analysis);
 }
 
 }  // namespace linkwright::cli

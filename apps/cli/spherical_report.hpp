@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "linkwright/files/spherical_file.hpp"
 #include "linkwright/synthesis/answer.hpp"
@@ -11,7 +12,8 @@ namespace linkwright::cli {
 /// What is found for a task of spherical four-bars, for people; `problem` with printable text.
 [[nodiscard]] std::string spherical_report(const Problem& problem, const SphericalMotionAnswer& answer);
 
-/// What a spherical four-bar does, for people.
-[[nodiscard]] std::string spherical_words(const StoredSphericalAnalysis& analysis);
+/// The analysis of one spherical four-bar in words for people; `drive`: which of the file's grounded links is the
+/// input.
+[[nodiscard]] std::string spherical_words(const StoredSphericalAnalysis& analysis, std::string_view drive);
 
 }  // namespace linkwright::cli

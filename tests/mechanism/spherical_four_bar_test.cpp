@@ -35,6 +35,14 @@ TEST(SphericalFourBar, SensesAreChosenForShortLinks) {
   }
 }
 
+TEST(LinkAngles, AnAngleAndItsSupplementAreTheSameLink) {
+  const LinkAngles l{2.9, 0.4, 1.2, 1.9};
+  EXPECT_DOUBLE_EQ(l.shortest(), pi - 2.9);
+  EXPECT_DOUBLE_EQ(l.longest(), pi - 1.9);
+  EXPECT_DOUBLE_EQ((LinkAngles{1, 0.3, 1.5, 1}).shortest(), 0.3);
+  EXPECT_DOUBLE_EQ((LinkAngles{1, 0.3, 1.5, 1}).longest(), 1.5);
+}
+
 TEST(SphericalDyad, NoneMakesNothing) {
   EXPECT_EQ(no_spherical_dyad(0.3).fixed_axis, Vector3{});
   EXPECT_EQ(no_spherical_dyad(0.3).coordinate, 0.3);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "linkwright/algebra/vector3.hpp"
+#include "linkwright/core/angle.hpp"
 
 namespace linkwright {
 
@@ -29,6 +30,16 @@ struct LinkAngles {
 
   [[nodiscard]] std::array<double, 4> all() const { return {ground, input, coupler, output}; }
   [[nodiscard]] double sum() const { return ground + input + coupler + output; }
+  /// The least and the largest of the links, in [0, π/2]: an angle and its supplement are the same link.
+  [[nodiscard]] double shortest() const {
+    return std::min({acute(ground), acute(input), acute(coupler), acute(output)});
+  }
+  [[nodiscard]] double longest() const {
+    return std::max({acute(ground), acute(input), acute(coupler), acute(output)});
+  }
+
+ private:
+  [[nodiscard]] static double acute(double angle) { return std::min(angle, pi - angle); }
 };
 
 /// A spherical four-bar: four axes through one centre, in some position, unit vectors of the fixed frame.
