@@ -47,6 +47,7 @@ struct DrawnAxis {
   std::string title;
   std::string_view color;
   std::vector<AxisTick> ticks;
+  bool on_sphere = false;
 };
 
 TextStyle axis_text(const AxisPlace& place, double size, std::string_view color, int weight = 400) {
@@ -56,7 +57,7 @@ TextStyle axis_text(const AxisPlace& place, double size, std::string_view color,
 void draw_blocks(SvgCanvas& svg, const DrawnAxis& axis, const AxisPlace& place) {
   for (const RegionScale::Block& block : axis.scale.blocks()) {
     svg.line(place.at(block.from_px, axis_distance), place.at(block.to_px, axis_distance), stroke(axis.color, 2));
-    const std::string_view words = branch_label(block.branch);
+    const std::string_view words = axis.on_sphere ? cone_branch_label(block.branch) : branch_label(block.branch);
     const double middle = (block.from_px + block.to_px) / 2;
     if (words.empty() || text_width(words, 11) > block.to_px - block.from_px) continue;
     svg.text(place.at(middle, branch_distance) + place.to_baseline(), words, axis_text(place, 11, palette::ink2));
@@ -193,7 +194,8 @@ MapScales scales_of(const DrawnRegion& region, double input_length, double outpu
 
 DrawnAxis axis_of(const DrawnRegion& region, const RegionScale& scale, Side side) {
   const DrawnRegion::Axis& axis = side == Side::input ? region.input : region.output;
-  return {scale, axis.label.title, axis.color, axis_ticks(scale, region.family, side)};
+  return {scale, axis.label.title, axis.color, axis_ticks(scale, region.family, side),
+          &region.family.linkages() == &spherical_linkages};
 }
 
 /// The picture of a map of one column, its rows from left to right.
@@ -293,33 +295,31 @@ std::int64_t linkages_in(const RegionCounts& counts) {
   return counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
 }
 
-void draw_region_legend(SvgCanvas& svg, const Findings& found, Point corner, double width) {
+void draw_region_legend(SvgCanvas& svg, const Findings& found, const LinkageClass& of, Point corner, double width) {
   constexpr double line = 19, size = 12, swatch = 18;
   const double column = width / 2, number = column - 20;
+  const std::size_t shown = of.types.size() - 2;  // the last two are change points and what is none
+  const std::size_t rows = (shown + 3) / 2;
   const auto entry = [&](std::size_t index) {
-    return corner + Point{index < 5 ? 0 : column, line * static_cast<double>(index % 5)};
+    return corner + Point{index < rows ? 0 : column, line * static_cast<double>(index % rows)};
   };
-  constexpr std::array<LinkageType, 8> shown = {LinkageType::crank_rocker,          LinkageType::rocker_crank,
-                                                LinkageType::double_crank,          LinkageType::double_rocker,
-                                                LinkageType::triple_rocker_ground,  LinkageType::triple_rocker_input,
-                                                LinkageType::triple_rocker_coupler, LinkageType::triple_rocker_output};
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const auto type = static_cast<std::size_t>(shown[i]);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const auto type = static_cast<std::size_t>(of.types[i]);
     draw_swatch(svg, entry(i), fill(css(palette::types[type])));
-    svg.text(entry(i) + Point{swatch, 10.5}, label(shown[i]), {.size = size, .color = palette::ink});
+    svg.text(entry(i) + Point{swatch, 10.5}, label(of.types[i]), {.size = size, .color = palette::ink});
     svg.text(entry(i) + Point{number, 10.5}, grouped_text(found.counts.types[type]),
              {.size = size, .color = palette::ink2, .anchor = "end"});
   }
   const std::uint32_t washed = palette::mixed(palette::types[2], palette::white, 0.3);
-  draw_swatch(svg, entry(8), fill(css(washed)));
-  svg.text(entry(8) + Point{swatch, 10.5}, "Pale: requirement fails", {.size = size, .color = palette::ink});
+  draw_swatch(svg, entry(shown), fill(css(washed)));
+  svg.text(entry(shown) + Point{swatch, 10.5}, "Pale: requirement fails", {.size = size, .color = palette::ink});
   if (found.requirements.no_defects) {
-    svg.text(entry(8) + Point{number, 10.5}, grouped_text(found.counts.defect_free - found.meeting_requirements),
+    svg.text(entry(shown) + Point{number, 10.5}, grouped_text(found.counts.defect_free - found.meeting_requirements),
              {.size = size, .color = palette::ink2, .anchor = "end"});
   }
-  draw_hatched_swatch(svg, entry(9));
-  svg.text(entry(9) + Point{swatch, 10.5}, "Has a defect", {.size = size, .color = palette::ink});
-  svg.text(entry(9) + Point{number, 10.5}, grouped_text(linkages_in(found.counts) - found.counts.defect_free),
+  draw_hatched_swatch(svg, entry(shown + 1));
+  svg.text(entry(shown + 1) + Point{swatch, 10.5}, "Has a defect", {.size = size, .color = palette::ink});
+  svg.text(entry(shown + 1) + Point{number, 10.5}, grouped_text(linkages_in(found.counts) - found.counts.defect_free),
            {.size = size, .color = palette::ink2, .anchor = "end"});
 }
 

@@ -47,7 +47,7 @@ void draw_region(SvgCanvas& svg, const DrawnRegion& region, const PixelBox& map)
 /// Cells that are linkages, with all their pivots.
 [[nodiscard]] std::int64_t linkages_in(const RegionCounts& counts);
 
-/// Names, colours and counts of the types, in two columns, and what washed and hatched mean.
-void draw_region_legend(SvgCanvas& svg, const Findings& found, Point corner, double width);
+/// Names, colours and counts of the types of the class, in two columns, and what washed and hatched mean.
+void draw_region_legend(SvgCanvas& svg, const Findings& found, const LinkageClass& of, Point corner, double width);
 
 }  // namespace linkwright

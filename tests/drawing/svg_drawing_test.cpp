@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "drawing/svg_canvas.hpp"
+#include "linkwright/core/angle.hpp"
 #include "support/file_support.hpp"
+#include "support/spherical_case.hpp"
 
 namespace linkwright::svg_drawing_test {
 namespace {
@@ -240,6 +242,62 @@ TEST(SvgDrawing, OfASinglePoseHasRoom) {
     EXPECT_GT(count_of(svg, "<polyline"), 1u) << "the curves";
     EXPECT_LT(svg.size(), 300'000u);
   }
+}
+
+/// The wing of data/spherical with so many samples, and what is found for it.
+std::pair<Problem, Answer> folded_wing(int samples) {
+  Problem problem;
+  problem.title = "Wing & tip";
+  problem.task = SphericalMotionTask{testing::spherical_case("folding-wing-4").orientations, {}};
+  problem.options.region_samples = samples;
+  problem.options.best = 1;
+  return {problem, testing::answer_of(problem)};
+}
+
+TEST(SvgDrawing, OfASphericalTaskShowsBothConesTheMapAndTheLinkage) {
+  const auto [problem, answer] = folded_wing(60);
+  const std::string svg = draw_answer(problem, answer);
+  EXPECT_TRUE(is_well_formed(svg));
+  for (const char* words : {"Wing &amp; tip", "cone of fixed axes", "cone of moving axes", "odd branch", "oval",
+                            "data:image/png;base64,", "Best spherical four-bar", ">Triple rocker</text>"})
+    EXPECT_THAT(svg, HasSubstr(words));
+  EXPECT_THAT(svg, Not(HasSubstr("ground longest")));
+  for (const char* name : {">G₁</text>", ">G₂</text>", ">W₁</text>", ">W₂</text>"}) {
+    const auto first = svg.find(name);
+    ASSERT_NE(first, std::string::npos) << name;
+    EXPECT_NE(svg.find(name, first + 1), std::string::npos) << "in both views";
+  }
+  EXPECT_THAT(without_pictures(svg), Not(HasSubstr("nan")));
+  EXPECT_EQ(draw_answer(problem, answer), svg);
+}
+
+TEST(SvgDrawing, OfASphericalTaskStaysSmall) {
+  const auto [problem, answer] = folded_wing(400);
+  EXPECT_LT(draw_answer(problem, answer).size(), 300'000u);
+}
+
+TEST(SvgDrawing, OfASphericalTaskWithoutLinkagesSaysWhy) {
+  auto [problem, answer] = folded_wing(40);
+  problem.requirements.min_transmission_angle = radians(89.9);
+  problem.requirements.min_link_angle = radians(70);
+  const std::string svg = draw_answer(problem, testing::answer_of(problem));
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_THAT(svg, HasSubstr("No linkage to show"));
+  EXPECT_THAT(svg, HasSubstr("The orientations"));
+  EXPECT_THAT(svg, Not(HasSubstr(">G₁</text>")));
+}
+
+TEST(SvgDrawing, OfASphericalLinkageShowsWhatIsHiddenThin) {
+  StoredSphericalFourBar linkage;
+  linkage.four_bar = {{0, 0, 1}, {0, -0.6, 0.8}, {0.8, -0.6, 0}, {1, 0, 0}};
+  const std::string svg = draw_linkage(linkage);
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_THAT(svg, HasSubstr("stroke-width=\"7\""));
+  EXPECT_THAT(svg, HasSubstr("90°"));
+  const std::string dashed = "stroke-width=\"1.6\" stroke-dasharray=\"5 4\"";
+  EXPECT_THAT(svg, Not(HasSubstr(dashed))) << "all of it lies in front";
+  linkage.four_bar = {{0, 0, 1}, {0, 0.6, 0.8}, {0.8, 0.6, 0}, normalized(Vector3{0.6, -0.9, -0.2})};
+  EXPECT_THAT(draw_linkage(linkage), HasSubstr(dashed));
 }
 
 TEST(SvgDrawing, OfALinkageShowsItsDimensions) {

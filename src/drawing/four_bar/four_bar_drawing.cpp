@@ -50,7 +50,8 @@ void draw_map_and_plot(SvgCanvas& svg, const DrawnRegion& region, const TaskScen
   constexpr double plot_heading = 26, plot_axis = 46;
   const double plot_top = top + cells + axis + plot_heading, plot_bottom = top + side + axis - plot_axis - 6;
   draw_plot(svg, scene, {left, plot_top, side, plot_bottom - plot_top});
-  draw_region_legend(svg, region.found, {region_card.left + 18, top + side + axis}, region_card.width - 24);
+  draw_region_legend(svg, region.found, planar_linkages, {region_card.left + 18, top + side + axis},
+                     region_card.width - 24);
 }
 
 /// Why there is no map to see.

@@ -13,33 +13,33 @@
 namespace linkwright {
 namespace {
 
-void draw_type(SvgCanvas& svg, Point corner, const FourBarSolution& found) {
-  const std::uint32_t color = palette::types[static_cast<std::size_t>(found.report.type)];
+std::string pivot_text(Point pivot, int decimals) {
+  return fmt::format("{}, {}", rounded_text(pivot.real(), decimals), rounded_text(pivot.imag(), decimals));
+}
+
+}  // namespace
+
+void draw_type(SvgCanvas& svg, Point corner, const DefectReport& report) {
+  const std::uint32_t color = palette::types[static_cast<std::size_t>(report.type)];
   svg.rectangle(corner + Point{0, 19}, 14, 14,
                 fmt::format("rx=\"3\" {} {}", fill(fmt::format("#{:06X}", color)),
                             stroke("#000000", 0.8) + " stroke-opacity=\"0.35\""));
-  svg.text(corner + Point{22, 31}, label(found.report.type), {.size = 15, .weight = 650});
-  if (!found.report.defects.none()) {
+  svg.text(corner + Point{22, 31}, label(report.type), {.size = 15, .weight = 650});
+  if (!report.defects.none()) {
     svg.text(corner + Point{0, 70}, "has a defect", {.size = 18, .color = palette::bad, .weight = 650});
     return;
   }
-  const std::string angle = fmt::format("{}°", rounded_text(degrees(found.report.min_transmission_angle), 1));
+  const std::string angle = fmt::format("{}°", rounded_text(degrees(report.min_transmission_angle), 1));
   svg.text(corner + Point{0, 70}, angle, {.size = 28, .weight = 650});
   svg.text(corner + Point{text_width(angle, 28) + 16, 58}, "minimum transmission",
            {.size = 12, .color = palette::ink2});
   svg.text(corner + Point{text_width(angle, 28) + 16, 73}, "angle over the task", {.size = 12, .color = palette::ink2});
 }
 
-std::string pivot_text(Point pivot, int decimals) {
-  return fmt::format("{}, {}", rounded_text(pivot.real(), decimals), rounded_text(pivot.imag(), decimals));
-}
-
-std::string drive_text(const DefectReport& report) {
+std::string rotation_text(const DefectReport& report) {
   if (report.sense == DriveSense::none) return "–";
   return fmt::format("{}° {}", rounded_text(degrees(report.sweep), 1), label(report.sense));
 }
-
-}  // namespace
 
 void draw_card(SvgCanvas& svg, const PixelBox& card, std::string_view heading) {
   svg.rectangle(card.corner(), card.width, card.height,
@@ -133,7 +133,7 @@ void add_place(NumberRows& checks, const FourBarAnswer& answer) {
 void add_motion_checks(NumberRows& checks, const FourBarAnswer& answer) {
   const FourBarSolution& found = answer.linkages.front();
   checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
-  checks.row("input rotation range", drive_text(found.report));
+  checks.row("input rotation range", rotation_text(found.report));
   if (found.pose_error)
     checks.row("error at the relaxed position",
                fmt::format("{} and {}", significant_text(found.pose_error->distance, 3),
@@ -153,7 +153,7 @@ void add_function_checks(NumberRows& checks, const FourBarAnswer& answer, const 
                                                        rounded_text(degrees(error.worst_input), 1)));
   else
     checks.row("link ratio, longest to shortest", rounded_text(found.lengths.longest() / found.lengths.shortest(), 2));
-  checks.row("input rotation range", drive_text(found.report));
+  checks.row("input rotation range", rotation_text(found.report));
   add_place(checks, answer);
   const std::string_view reach = !has_function || error.unreached.empty() ? "" : ", not the whole range";
   checks.row("error at the pairs, by simulation",
@@ -201,7 +201,7 @@ void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const FourBarAnswe
   const FourBarSolution& found = answer.linkages.front();
   draw_card(svg, card, "");
   const Point corner = card.corner() + Point{18, -7};
-  draw_type(svg, corner + Point{0, 11}, found);
+  draw_type(svg, corner + Point{0, 11}, found.report);
   draw_length_rows(svg, corner + Point{320, 0}, 176, found.lengths, unit);
   draw_pivot_rows(svg, corner + Point{546, 0}, 344, found.four_bar, answer.given.reference_position());
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "drawing/plane_window.hpp"
@@ -13,6 +14,11 @@ void draw_card(SvgCanvas& svg, const PixelBox& card, std::string_view heading);
 
 /// A text in lines of about `width` px, at most `lines` of them; they lie one and a half sizes apart.
 void draw_wrapped(SvgCanvas& svg, Point position, std::string_view text, double width, int lines, double size = 15);
+
+/// The type with its colour, and the least transmission angle over the task or that there is a defect.
+void draw_type(SvgCanvas& svg, Point corner, const DefectReport& report);
+/// "71.8° counter-clockwise": what the input turns through, "–" with a defect.
+[[nodiscard]] std::string rotation_text(const DefectReport& report);
 
 /// Rows of the link lengths and of the pivots with the colours of their roles, `corner` the upper left one of a card;
 /// `position`: in which the moving pivots lie, from 1.

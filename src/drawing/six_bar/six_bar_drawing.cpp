@@ -100,7 +100,7 @@ void draw_map_card(SvgCanvas& svg, const SixBarAnswer& answer, std::string_view 
   constexpr double side = 444, left_axis = 76;
   const PixelBox map{side_card.left + left_axis, side_card.top + 44, side, side};
   if (answer.chain) draw_region(svg, drawn_region(answer, length_unit), map);
-  draw_region_legend(svg, answer, {side_card.left + 18, map.bottom() + 70}, side_card.width - 24);
+  draw_region_legend(svg, answer, planar_linkages, {side_card.left + 18, map.bottom() + 70}, side_card.width - 24);
 }
 
 void draw_search_card(SvgCanvas& svg, const SixBarAnswer& answer) {

@@ -6,6 +6,7 @@
 
 #include "drawing/four_bar/linkage_figure.hpp"
 #include "drawing/palette.hpp"
+#include "drawing/point_names.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
 
@@ -111,32 +112,6 @@ void draw_bodies(SvgCanvas& svg, const PlaneWindow& window, const SixBar& six_ba
 /// A hinge has the colour of the added link that it belongs to, else of the later body of the chain.
 std::string_view pin_color(const SixBarJoint& joint) { return body_color(std::max(joint.bodies[0], joint.bodies[1])); }
 
-/// Names each hinge where there is most room about it.
-class HingeNames {
- public:
-  explicit HingeNames(std::vector<Point> obstacles) : obstacles_(std::move(obstacles)) {}
-
-  void draw(SvgCanvas& svg, Point pin, std::string_view name, std::string_view color) {
-    constexpr double distance = 17, size = 13;
-    Point best = pin;
-    double best_room = -1;
-    for (int i = 0; i < 16; ++i) {
-      const Point place = pin + distance * direction(two_pi * i / 16);
-      double room = 1e9;
-      for (const Point obstacle : obstacles_) room = std::min(room, std::abs(obstacle - place));
-      if (room <= best_room) continue;
-      best_room = room;
-      best = place;
-    }
-    obstacles_.push_back(best);
-    svg.text(best + Point{0, 0.36 * size}, name,
-             {.size = size, .color = color, .anchor = "middle", .weight = 650, .halo = palette::paper});
-  }
-
- private:
-  std::vector<Point> obstacles_;
-};
-
 /// Points along the outlines of the bodies, on the poses' frames and on the ground's symbols (px).
 std::vector<Point> obstacles(const PlaneWindow& window, const SixBarScene& scene, const Hinges& hinges) {
   constexpr int points_a_side = 12;
@@ -206,7 +181,7 @@ void draw_six_bar(SvgCanvas& svg, const PlaneWindow& window, const SixBarScene& 
   for (std::size_t pose = scene.poses.size(); pose-- > 0;)
     draw_pose(svg, window, scene.poses[pose].pose, pose + 1, pose == 0);
   for (const SixBarJoint& joint : scene.six_bar.joints) draw_pin(svg, window.to_px(joint.point), pin_color(joint));
-  HingeNames names(obstacles(window, scene, hinges));
+  PointNames names(obstacles(window, scene, hinges));
   for (std::size_t joint = 0; joint < hinges.size(); ++joint)
     names.draw(svg, window.to_px(hinges[joint]), joint_name(joint), pin_color(scene.six_bar.joints[joint]));
 }

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "drawing/svg_canvas.hpp"
+#include "linkwright/files/spherical_file.hpp"
+#include "linkwright/synthesis/answer.hpp"
+#include "sphere_view.hpp"
+
+namespace linkwright {
+
+/// What a drawing shows of a spherical task and its linkage, fixed frame.
+struct SphericalScene {
+  using Paths = std::vector<std::vector<Vector3>>;
+
+  std::optional<SphericalFourBar> bars;             ///< in position 1
+  std::vector<PrescribedOrientation> orientations;  ///< drawn with their numbers
+  Vector3 marker{0, 0, 1};                          ///< point of the body in position 1 that carries the numbers
+  Paths moving_cone, fixed_cone;                    ///< branches of both curves; of a few dyads none
+  std::vector<SphericalDyad> dyads;                 ///< those few
+  std::vector<Vector3> path;                        ///< of the marker, over all that the linkage can do
+  std::vector<Vector3> dead_points;                 ///< the marker at the ends of that path
+};
+/// Of the best linkage, or of the task alone.
+[[nodiscard]] SphericalScene scene_of(const SphericalAnswer& answer,
+                                      const std::vector<PrescribedOrientation>& orientations);
+[[nodiscard]] SphericalScene scene_of(const StoredSphericalFourBar& linkage);
+
+/// Along the mean of the axes, with the fixed axes side by side.
+[[nodiscard]] SphereView front_view(const SphericalScene& scene, Point center, double radius);
+/// The same from 60° above: what was in front lies low.
+[[nodiscard]] SphereView view_from_above(const SphereView& front, Point center, double radius);
+
+/// Sphere, curves, path, other positions, links, orientations, axes with their names, from back to front; hidden lines
+/// are thin.
+void draw_scene(SvgCanvas& svg, const SphereView& view, const SphericalScene& scene);
+
+/// The axes of the fixed frame as they lie in a view.
+void draw_fixed_frame(SvgCanvas& svg, const SphereView& view, Point origin);
+
+/// Attributes of the lines, for keys.
+[[nodiscard]] std::string moving_cone_stroke();
+[[nodiscard]] std::string fixed_cone_stroke();
+[[nodiscard]] std::string marker_path_stroke();
+
+}  // namespace linkwright
