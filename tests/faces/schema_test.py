@@ -19,7 +19,11 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "range_outside_of_table", "dial_of_two_turns", "table_out_of_order", "spacing_of_other_count",
                  "spacing_out_of_order", "spacing_outside_of_range",
                  "chain_that_cannot_reach", "chain_with_no_first_link", "chain_without_elbow", "elbow_other_than_drawn",
-                 "search_box_of_nothing", "requirements_of_the_sphere", "objective_of_the_sphere", "place_of_a_search"}
+                 "search_box_of_nothing", "requirements_of_the_sphere", "objective_of_the_sphere", "place_of_a_search",
+                 "lengths_on_a_sphere", "boxes_on_a_sphere", "planar_type_on_a_sphere", "planar_objective_on_a_sphere",
+                 "axis_of_zeros", "cone_about_nothing", "given_axis_of_zeros", "given_axes_the_same", "quaternion_of_zeros",
+                 "velocity_zero", "link_angles_crossed", "matrix_that_mirrors", "matrix_that_stretches",
+                 "sequence_of_one_axis_twice"}
 
 # Words of refusals that no schema can give: what is wrong is no matter of structure.
 BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in which the body moves", "the lower number first",
@@ -162,6 +166,12 @@ class Schemas(FaceTest):
         for member in ("chain", "added"):
             self.check_changes_of({key: problem[key] for key in ("linkwright", "task")}, below=("task", member))
 
+    def test_of_spherical_four_bars_too(self):
+        turns = [{"quaternion": [1, 0.1, 0, 0], "angular_velocity": [0.1, 0.4, 0.2]}, {"axis": [0, 1, 1], "angle_deg": 30},
+                 {"euler_deg": [40, 50, 20], "sequence": "zyx"}]
+        self.check_changes_of({"linkwright": 1, "task": {"kind": "motion", "mechanism": "spherical_four_bar", "orientations": turns}},
+                              below=("task",))
+
     def test_all_that_the_reader_knows_is_in_the_schema(self):
         def task(**members):
             return {"kind": "function", "mechanism": "four_bar"} | members
@@ -182,6 +192,15 @@ class Schemas(FaceTest):
                   named(expression="x^2", x=[0, 1], y=[1, 0], spacing=[0, 0.2, 0.5, 0.7, 1])]
         tasks += [task(pairs=pairs, free=free) for free in (None, {"number": "output_scale"},
                                                             {"number": "pair_output", "pair": 2, "range": [20, 30]})]
+        turns = [{"rotation_vector": [0.1, 0, 0]}, {"matrix": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]},
+                 {"matrix": [[0.99, 0, 0], [0, 0, -1], [0, 1, 0]], "nearest": True},
+                 {"euler_deg": [10, 20, 30], "sequence": "xyz", "turning": "extrinsic"}]
+        sphere = {"kind": "motion", "mechanism": "spherical_four_bar"}
+        tasks += [sphere | {"orientations": turns}, sphere | {"orientations": turns, "given": None}]
+        tasks += [sphere | {"orientations": turns[:3], "given": {key: [[0, 0, 2], [1, 0, 0]]}} for key in ("fixed_axes", "moving_axes")]
+        way, bend = {"angular_velocity": [0.3, 0.1, 0.2]}, {"angular_acceleration": [0, 0, 0]}
+        tasks += [sphere | {"orientations": [turns[0] | way, turns[1] | way]}, sphere | {"orientations": [turns[0] | way | bend, turns[1]]},
+                  sphere | {"orientations": [turns[0] | way | bend | {"angular_jerk": [0.1, 0.2, -0.3]}]}]
         for one in tasks:
             problem = {"linkwright": 1, "task": one, "options": {"region_samples": 8, "best": 1}}
             with self.subTest(task=one):

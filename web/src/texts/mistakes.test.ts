@@ -79,7 +79,7 @@ function codes_of_sources(): string[] {
   const sources = readdirSync(`${root}src`, {recursive: true, encoding: "utf8"}).filter(
     (name) =>
       name.endsWith(".cpp") &&
-      !/attitude|files\/(linkage|text|stored_linkage|six_bar\/six_bar_reader)|synthesis\/(solve|six_bar_answer)/.test(
+      !/attitude|files\/(linkage|text|stored_linkage|six_bar\/six_bar_reader|spherical\/spherical_reader)|synthesis\/(solve|six_bar_answer)/.test(
         name,
       ),
   );
