@@ -157,7 +157,9 @@ PATTERNS = {"tailgate": "P-P-P-P", "drawer_hinge": "P-P-P-P", "dump_bucket": "P-
             "folding_table": "P-P-P-P", "lift_platform": "P-P-P-P", "hood_hinge": "PP-P-P", "corner_drawer": "PPP-P",
             "latch": "P-P-P", "airtight_hatch": "P-P-P", "footrest": "P-P-P", "nose_gear": "P-P-P-P-P", "transfer_arm": "PP-P-PP",
             "sine_generator": "P-P-P-P", "log_generator": "P-P-P-P-P", "flow_meter": "P-P-P-P",
-            "loader_bucket": "P-P-P-P", "loader_bucket_chain": "P-P-P-P"}
+            "loader_bucket": "P-P-P-P", "loader_bucket_chain": "P-P-P-P",
+            "folding_wing": "P-P-P-P", "wrist_orthosis": "P-P-P-P", "antenna_pointing": "P-P-P-P",
+            "ankle_orthosis": "P-P-P-P-P"}
 
 # What the function generators are to generate.
 WANTED = {"sine_generator": lambda x: math.sin(math.radians(x)), "log_generator": math.log10, "flow_meter": math.sqrt}
@@ -202,6 +204,57 @@ def errors(bars, function, written, scale):
     return at_points, between
 
 
+def dot3(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def cross3(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def turned_by(quaternion, vector):
+    w, axis = quaternion[0], quaternion[1:]
+    twice = [2 * x for x in cross3(axis, vector)]
+    return [v + w * t + c for v, t, c in zip(vector, twice, cross3(axis, twice))]
+
+
+class SphericalFourBar:
+    """Axes in position 1, and what follows from them."""
+
+    def __init__(self, linkage):
+        self.input_fixed, self.input_moving = (linkage["input"][end] for end in ("fixed_axis", "moving_axis"))
+        self.output_fixed, self.output_moving = (linkage["output"][end] for end in ("fixed_axis", "moving_axis"))
+
+    def carried(self, first, there, axis=None):
+        """Where the output's moving axis lies, or another, when the coupler has come from the first orientation to one."""
+        inverse = [first[0], *(-x for x in first[1:])]
+        return turned_by(there, turned_by(inverse, axis or self.output_moving))
+
+    def input_turn(self, first, there):
+        """By which angle the input has turned about its fixed axis."""
+        after = self.carried(first, there, self.input_moving)
+        before, axis = self.input_moving, self.input_fixed
+        sine = dot3(axis, cross3(before, after))
+        return math.atan2(sine, dot3(before, after) - dot3(axis, before) * dot3(axis, after))
+
+    def driven_to(self, turned, near):
+        """Moving axes with the input turned by that angle (radians), the output's nearer to `near`."""
+        moved = turned_by([math.cos(turned / 2), *(math.sin(turned / 2) * x for x in self.input_fixed)], self.input_moving)
+        a, b = moved, self.output_fixed
+        to_a, to_b, between = dot3(self.input_moving, self.output_moving), dot3(b, self.output_moving), dot3(a, b)
+        share = 1 - between**2
+        along = [((to_a - to_b * between) * x + (to_b - to_a * between) * y) / share for x, y in zip(a, b)]
+        height = math.sqrt(max(0, 1 - dot3(along, along)) / share)
+        sides = [[x + sign * height * y for x, y in zip(along, cross3(a, b))] for sign in (1, -1)]
+        return moved, min(sides, key=lambda joint: math.dist(joint, near))
+
+    def transmission_angle(self, moved, joint):
+        """Degrees between the planes of coupler and output link, the acute one."""
+        one, other = cross3(joint, moved), cross3(joint, self.output_fixed)
+        angle = math.degrees(math.atan2(math.hypot(*cross3(one, other)), dot3(one, other)))
+        return min(angle, 180 - angle)
+
+
 def longest_row(text):
     return max(map(len, text.splitlines()))
 
@@ -209,15 +262,15 @@ def longest_row(text):
 class Examples(FaceTest):
     @classmethod
     def setUpClass(cls):
-        cls.results, cls.six_bars = {}, {}
+        cls.results, cls.six_bars, cls.spherical = {}, {}, {}
         for path in EXAMPLES:
             status, output, error = run("solve", path, "-o", "-")
             if (status, error) != (0, ""):
                 raise AssertionError(f"{path.name}: exit status {status}: {error}")
             result = json.loads(output)
-            six_bar = result["problem"]["task"]["mechanism"] == "six_bar"
-            (cls.six_bars if six_bar else cls.results)[path.stem] = result
-        cls.all = cls.results | cls.six_bars
+            kinds = {"four_bar": cls.results, "six_bar": cls.six_bars, "spherical_four_bar": cls.spherical}
+            kinds[result["problem"]["task"]["mechanism"]][path.stem] = result
+        cls.all = cls.results | cls.six_bars | cls.spherical
 
     def for_each_linkage(self, check):
         """Calls check(requirements, poses, linkage as written, its FourBar)."""
@@ -241,7 +294,9 @@ class Examples(FaceTest):
                 self.assertIsNotNone(story)
                 self.assertIn(story[0].count("\n"), range(3, 8))
                 self.assertLessEqual(longest_row(text), 120)
-                self.assertTrue(load(path)["title"] and load(path)["length_unit"])
+                problem = load(path)
+                self.assertTrue(problem["title"])
+                self.assertEqual("length_unit" in problem, problem["task"]["mechanism"] != "spherical_four_bar")
 
     def test_each_is_solved(self):
         for name, result in self.all.items():
@@ -418,6 +473,35 @@ class Examples(FaceTest):
                         for value, axis in zip(pivot, "xy"):
                             low, high = wanted["ground_pivots_within"][axis]
                             self.assertTrue(low <= value <= high)
+
+    def test_spherical_linkages_are_driven_through_the_orientations(self):
+        """Driven again from their axes alone, by small steps of the input."""
+        self.assertTrue(self.spherical)
+        for name, result in self.spherical.items():
+            wanted = result["problem"]["requirements"]
+            turns = [one["quaternion"] for one in result["problem"]["task"]["orientations"]]
+            for number, linkage in enumerate(result["linkages"], start=1):
+                bars, sense = SphericalFourBar(linkage), {"ccw": 1, "cw": -1}[linkage["drive"]]
+                with self.subTest(example=name, linkage=number):
+                    self.assertIs(linkage["verified_by_driving"], True)
+                    stops = [bars.input_turn(turns[0], turn) * sense % math.tau for turn in turns[1:]]
+                    self.assertEqual(stops, sorted(stops))
+                    self.assertAlmostEqual(math.degrees(stops[-1]), linkage["driver_sweep_deg"], places=6)
+                    joint, least = bars.output_moving, 90.0
+                    for step in range(STEPS + 1):
+                        turned = stops[-1] * step / STEPS
+                        moved, joint = bars.driven_to(sense * turned, joint)
+                        least = min(least, bars.transmission_angle(moved, joint))
+                        if step == STEPS:
+                            self.assertLess(math.dist(joint, bars.carried(turns[0], turns[-1])), 1e-9)
+                    self.assertAlmostEqual(least, linkage["min_transmission_angle_deg"], delta=0.01)
+                    self.assertGreaterEqual(least, wanted["min_transmission_angle_deg"] - 0.01)
+                    for angle in linkage["angles_deg"].values():
+                        self.assertGreaterEqual(min(angle, 180 - angle), wanted["min_link_angle_deg"])
+                    cone = wanted["fixed_axes_within"] or {"axis": [0, 0, 1], "half_angle_deg": 90}
+                    for axis in (bars.input_fixed, bars.output_fixed):
+                        cosine = abs(dot3(axis, cone["axis"])) / math.hypot(*cone["axis"])
+                        self.assertGreaterEqual(cosine, math.cos(math.radians(cone["half_angle_deg"])) - 1e-12)
 
     def test_the_list_of_examples_is_true(self):
         text = (ROOT / "examples/README.md").read_text(encoding="utf-8")
