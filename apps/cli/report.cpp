@@ -16,6 +16,7 @@
 #include "pair_report.hpp"
 #include "requirement_report.hpp"
 #include "six_bar_report.hpp"
+#include "spherical_function_report.hpp"
 #include "spherical_report.hpp"
 #include "text_table.hpp"
 
@@ -61,13 +62,7 @@ std::string map_words(const MotionAnswer& answer) {
   return fmt::format(fmt::runtime(map), answer.region.rows(), answer.region.columns());
 }
 
-std::string map_words(const FunctionAnswer& answer) {
-  if (answer.family()->axis(Side::input).is_discrete()) return "The solution region of all linkages";
-  const std::size_t rows = answer.region.rows(), columns = answer.region.columns();
-  return answer.family()->axis(Side::output).is_discrete()
-             ? fmt::format("The curve of couplers, sampled at {} points,", rows)
-             : fmt::format("The solution region of {} couplers × {} values of the free parameter", rows, columns);
-}
+std::string map_words(const FunctionAnswer& answer) { return function_map_words(*answer.family(), answer.region); }
 
 /// Pairs of one curve always make something; elsewhere a cell may have no dyads at all.
 std::string degenerate_words(const FourBarFamily& family, std::int64_t count) {
@@ -249,13 +244,7 @@ std::string free_words(const MotionAnswer& answer) {
                                               shown, chosen));
 }
 
-std::string free_words(const FunctionAnswer& answer) {
-  if (!answer.family() || position_count(answer.task.pairs) == 5) return "";
-  return wrapped(answer.task.free
-                     ? "2 parameters are free, the axes of the solution region: the coupler's position on its "
-                       "curve and the parameter left free in the task."
-                     : "1 parameter is free: the coupler's position on its curve.");
-}
+std::string free_words(const FunctionAnswer& answer) { return function_free_words(answer.family(), answer.task); }
 
 /// The map is spoken of only where there is one.
 template <class KindAnswer>
@@ -279,6 +268,11 @@ std::string report_of_kind(const Problem& problem, const FunctionAnswer& answer)
 
 std::string report_of_kind(const Problem& problem, const SphericalMotionAnswer& answer) {
   return heading(problem, "") + warnings_words(answer) + spherical_report(problem, answer);
+}
+
+std::string report_of_kind(const Problem& problem, const SphericalFunctionAnswer& answer) {
+  return heading(problem, "") + function_free_words(answer.family(), answer.task) + warnings_words(answer) +
+         spherical_function_report(problem, answer);
 }
 
 std::string report_of_kind(const Problem& problem, const SixBarAnswer& answer) {

@@ -21,16 +21,16 @@ const FunctionFamily* function_family(const TaskFamily& given) {
   return dynamic_cast<const FunctionFamily*>(given.family.get());
 }
 
-void write_wanted_function(JsonWriter& json, const FunctionTask& task) {
+void write_wanted_function(JsonWriter& json, const WantedFunction& wanted) {
   json.begin_object();
   json.key("pairs");
   json.begin_list(Layout::one_line);
-  for (const AnglePair& pair : task.pairs) write_numbers(json, std::array{degrees(pair.input), degrees(pair.output)});
+  for (const AnglePair& pair : wanted.pairs) write_numbers(json, std::array{degrees(pair.input), degrees(pair.output)});
   json.end_list();
   json.key("curve");
   json.begin_list(Layout::one_line);
-  if (task.function) {
-    const ScaledFunction scaled(*task.function);
+  if (wanted.function) {
+    const ScaledFunction scaled(*wanted.function);
     const auto [from, to] = scaled.input_range();
     for (int i = 0; i <= steps_of_a_curve; ++i) {
       const double input = from + (to - from) * i / steps_of_a_curve;
@@ -41,14 +41,14 @@ void write_wanted_function(JsonWriter& json, const FunctionTask& task) {
   json.end_object();
 }
 
-void write_generated_function(JsonWriter& json, const FunctionTask& task, const FunctionError& error) {
+void write_generated_function(JsonWriter& json, const WantedFunction& wanted, const FunctionError& error) {
   json.begin_object();
   json.key("pairs");
   json.begin_list();
-  for (std::size_t j = 0; j < task.pairs.size(); ++j) {
+  for (std::size_t j = 0; j < wanted.pairs.size(); ++j) {
     json.begin_list(Layout::one_line);
-    write_angle(json, task.pairs[j].input);
-    write_angle(json, task.pairs[j].output);
+    write_angle(json, wanted.pairs[j].input);
+    write_angle(json, wanted.pairs[j].output);
     write_angle(json, error.at_pairs[j]);
     json.end_list();
   }

@@ -2,8 +2,8 @@
 
 #include "files/json/json_writer.hpp"
 #include "linkwright/function/function_error.hpp"
+#include "linkwright/function/wanted_function.hpp"
 #include "linkwright/planar/function_family.hpp"
-#include "linkwright/planar/function_task.hpp"
 #include "linkwright/planar/task_family.hpp"
 
 // What the page is told of function generation, degrees on the task's dials (web/src/engine/protocol.ts).
@@ -13,9 +13,9 @@ namespace linkwright::wasm {
 [[nodiscard]] const FunctionFamily* function_family(const TaskFamily& given);
 
 /// WantedFunction: the pairs, and the named function between them.
-void write_wanted_function(JsonWriter& json, const FunctionTask& task);
+void write_wanted_function(JsonWriter& json, const WantedFunction& wanted);
 
-/// GeneratedFunction: what a four-bar makes of `task`, whose free parameter is fixed.
-void write_generated_function(JsonWriter& json, const FunctionTask& task, const FunctionError& error);
+/// GeneratedFunction: what a linkage makes of `wanted`, whose free parameter is fixed.
+void write_generated_function(JsonWriter& json, const WantedFunction& wanted, const FunctionError& error);
 
 }  // namespace linkwright::wasm

@@ -10,6 +10,7 @@
 #include "linkwright/synthesis/solve.hpp"
 #include "reply_json.hpp"
 #include "six_bar_session.hpp"
+#include "spherical_function_session.hpp"
 #include "spherical_session.hpp"
 
 namespace linkwright::wasm {
@@ -26,6 +27,10 @@ std::unique_ptr<TaskSession> session_of(const SixBarTask& task, const Problem& /
 }
 std::unique_ptr<TaskSession> session_of(const SphericalMotionTask& task, const Problem& /*problem*/) {
   return std::make_unique<SphericalSession>(task);
+}
+
+std::unique_ptr<TaskSession> session_of(const SphericalFunctionTask& task, const Problem& /*problem*/) {
+  return std::make_unique<SphericalFunctionSession>(task);
 }
 
 }  // namespace

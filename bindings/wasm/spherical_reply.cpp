@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "files/problem_writer.hpp"
+#include "function_reply.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_analysis.hpp"
 #include "reply_json.hpp"
@@ -166,8 +167,8 @@ void append(const SphericalState& state, double first_input, std::vector<double>
 }  // namespace
 
 LinkageReply spherical_reply(const std::optional<SphericalSolution>& found,
-                             const std::vector<PrescribedOrientation>& orientations, MapPoint point,
-                             std::uint8_t fails) {
+                             const std::vector<PrescribedOrientation>& orientations, MapPoint point, std::uint8_t fails,
+                             const WantedFunction* wanted) {
   LinkageReply reply;
   const SphericalAnalysis analysis = found ? analyze(found->four_bar, orientations) : SphericalAnalysis{};
   reply.linkage = json_of([&](JsonWriter& json) {
@@ -178,7 +179,9 @@ LinkageReply spherical_reply(const std::optional<SphericalSolution>& found,
     json.member("fails", int{fails});
     write_side(json, "input", found ? found->input : no_spherical_dyad(point.input));
     write_side(json, "output", found ? found->output : no_spherical_dyad(point.output));
-    write_nulls(json, {"lengths", "link_ratio", "longest", "function"});
+    write_nulls(json, {"lengths", "link_ratio", "longest"});
+    json.key("function");
+    wanted&& found && found->function ? write_generated_function(json, *wanted, *found->function) : json.null();
     if (found) {
       write_spherical_verdict(json, *found, analysis);
       write_bars(json, *found, analysis);

@@ -121,7 +121,7 @@ DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFam
   return drawn;
 }
 
-std::vector<std::array<double, 2>> axis_ticks(const FourBarFamily& family, Side side) {
+std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, Side side) {
   std::vector<std::array<double, 2>> ticks;
   const MapAxis& axis = family.axis(side);
   if (axis.quantity == AxisQuantity::curve_coordinate || axis.is_discrete()) return ticks;

@@ -39,7 +39,7 @@ struct ShownAxes {
   [[nodiscard]] const ShownAxis& of(Side side) const { return side == Side::input ? input : output; }
 };
 /// Twelve to a branch where the axis has numbers of its own.
-[[nodiscard]] std::vector<std::array<double, 2>> axis_ticks(const FourBarFamily& family, Side side);
+[[nodiscard]] std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, Side side);
 
 /// What is said of a task before any linkage is looked for.
 struct TaskReply {

@@ -235,6 +235,17 @@ DrawnRegion region_of_four_bars(const FourBarAnswer& answer, AxisLabel input, Ax
   return drawn;
 }
 
+template <class KindAnswer>
+DrawnRegion region_of_spherical(const KindAnswer& answer, std::string_view length_unit) {
+  DrawnRegion drawn{answer,
+                    *answer.family(),
+                    {axis_label(answer, Side::input, length_unit), palette::input, {}},
+                    {axis_label(answer, Side::output, length_unit), palette::output, {}},
+                    {}};
+  for (const SphericalSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
+  return drawn;
+}
+
 }  // namespace
 
 DrawnRegion drawn_region(const MotionAnswer& answer, std::string_view length_unit) {
@@ -258,13 +269,11 @@ DrawnRegion drawn_region(const SixBarAnswer& answer, std::string_view length_uni
 }
 
 DrawnRegion drawn_region(const SphericalMotionAnswer& answer, std::string_view length_unit) {
-  DrawnRegion drawn{answer,
-                    *answer.family(),
-                    {axis_label(answer, Side::input, length_unit), palette::input, {}},
-                    {axis_label(answer, Side::output, length_unit), palette::output, {}},
-                    {}};
-  for (const SphericalSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
-  return drawn;
+  return region_of_spherical(answer, length_unit);
+}
+
+DrawnRegion drawn_region(const SphericalFunctionAnswer& answer, std::string_view length_unit) {
+  return region_of_spherical(answer, length_unit);
 }
 
 bool is_ribbon(const LinkageFamily* family) {

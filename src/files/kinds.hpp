@@ -11,6 +11,6 @@
 namespace linkwright {
 
 inline constexpr std::array task_forms = {motion_by_four_bar, function_by_four_bar, motion_by_six_bar,
-                                          motion_by_spherical_four_bar};
+                                          motion_by_spherical_four_bar, function_by_spherical_four_bar};
 
 }  // namespace linkwright

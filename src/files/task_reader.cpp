@@ -13,7 +13,8 @@ namespace linkwright {
 namespace {
 
 constexpr std::string_view what_is_available =
-    "there are motion by a four_bar, a six_bar or a spherical_four_bar, and function by a four_bar";
+    "there are motion by a four_bar, a six_bar or a spherical_four_bar, and function by a four_bar or a "
+    "spherical_four_bar";
 
 std::optional<std::string_view> required_name(const JsonObject& task, std::string_view key,
                                               std::span<const std::string_view> names) {

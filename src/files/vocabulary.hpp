@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace linkwright {
@@ -9,6 +10,9 @@ namespace linkwright {
 inline constexpr std::array<std::string_view, 3> task_kinds = {"motion", "function", "straight_line"};
 inline constexpr double largest_number =
     1e12;  ///< of coordinates and lengths: squares and products stay far from overflow
+
+/// Longer lists than any task has are refused at once: comparing pairs of thousands is slow.
+inline constexpr std::size_t most_positions_looked_at = 100;
 
 inline constexpr std::array<std::string_view, 3> mechanism_names = {"four_bar", "six_bar", "spherical_four_bar"};
 

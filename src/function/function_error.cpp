@@ -185,4 +185,17 @@ FunctionError function_error(const GeneratedFunction& generated, std::span<const
   return error;
 }
 
+void structural_errors_deg(const RegionMap& map, std::span<float> values,
+                           const std::function<std::optional<FunctionError>(MapPoint place)>& error_at) {
+  for (std::size_t row = 0; row < map.rows(); ++row)
+    for (std::size_t column = 0; column < map.columns(); ++column) {
+      const std::size_t cell = map.index(row, column);
+      values[cell] = 0;
+      if (map.defects()[cell] != 0) continue;
+      const auto error = error_at({map.input_coordinates()[row], map.output_coordinates()[column]});
+      if (error && error->max_structural_error && error->unreached.empty())
+        values[cell] = static_cast<float>(degrees(*error->max_structural_error));
+    }
+}
+
 }  // namespace linkwright

@@ -162,19 +162,12 @@ void FunctionFamily::fill(RegionMap& map, std::span<const double> input, std::sp
 }
 
 void structural_errors_deg(const FunctionFamily& family, const RegionMap& map, std::span<float> values) {
-  for (std::size_t row = 0; row < map.rows(); ++row)
-    for (std::size_t column = 0; column < map.columns(); ++column) {
-      const std::size_t cell = map.index(row, column);
-      values[cell] = 0;
-      if (map.defects()[cell] != 0) continue;
-      const MapPoint place{map.input_coordinates()[row], map.output_coordinates()[column]};
-      const auto links = family.dyad_pair(place);
-      const auto bars = links ? four_bar_of(*links) : std::nullopt;
-      if (!bars) continue;
-      const FunctionError error = family.error_of(*bars, place, ErrorSampling::coarse());
-      if (error.max_structural_error && error.unreached.empty())
-        values[cell] = static_cast<float>(degrees(*error.max_structural_error));
-    }
+  structural_errors_deg(map, values, [&](MapPoint place) -> std::optional<FunctionError> {
+    const auto links = family.dyad_pair(place);
+    const auto bars = links ? four_bar_of(*links) : std::nullopt;
+    if (!bars) return std::nullopt;
+    return family.error_of(*bars, place, ErrorSampling::coarse());
+  });
 }
 
 TaskFamily task_family(const FunctionTask& task) {

@@ -40,7 +40,7 @@ bool SphericalEvaluator::meets(const SphericalDyadPair& links) const {
 
 std::optional<SphericalCandidate> SphericalEvaluator::evaluated(MapPoint place, const SphericalDyadPair& links) const {
   if (!is_within(family_, window_, place) || !meets(links)) return std::nullopt;
-  const SphericalFourBar bars = four_bar_of(links);
+  const SphericalFourBar bars = family_.four_bar(links);
   const DefectReport report = find_defects(bars, family_.orientations(place, bars), requirements_.respect_direction);
   if (!meets(report)) return std::nullopt;
   double least = pi, largest = 0;

@@ -13,7 +13,7 @@
 namespace linkwright {
 namespace {
 
-void put(SphericalAxis::Columns& columns, std::size_t at, Vector3 v) {
+void put_axis(SphericalAxis::Columns& columns, std::size_t at, Vector3 v) {
   for (std::size_t i = 0; i < 3; ++i) columns[i][at] = v[i];
 }
 
@@ -21,19 +21,20 @@ void assign(SphericalAxis::Columns& columns, std::size_t count) {
   for (SphericalAxis::Column& column : columns) column.assign(count, 0);
 }
 
-SphericalKernelAxis plain_arrays(const SphericalAxis& axis) {
+// From that sample on.
+SphericalKernelAxis plain_arrays(const SphericalAxis& axis, std::size_t first = 0) {
   SphericalKernelAxis plain{{},
                             {},
                             {},
-                            axis.half_sine.data(),
-                            axis.half_cosine.data(),
-                            axis.admissible_directions.data(),
-                            axis.at_least_half_turn.data()};
+                            axis.half_sine.data() + first,
+                            axis.half_cosine.data() + first,
+                            axis.admissible_directions.data() + first,
+                            axis.at_least_half_turn.data() + first};
   for (std::size_t i = 0; i < 3; ++i) {
-    plain.fixed[i] = axis.fixed[i].data();
+    plain.fixed[i] = axis.fixed[i].data() + first;
     for (std::size_t j = 0; j < axis.orientation_count(); ++j) {
-      plain.moving[j][i] = axis.moving[j][i].data();
-      plain.normal[j][i] = axis.normal[j][i].data();
+      plain.moving[j][i] = axis.moving[j][i].data() + first;
+      plain.normal[j][i] = axis.normal[j][i].data() + first;
     }
   }
   return plain;
@@ -51,20 +52,31 @@ SphericalKernelCells spherical_cells(const RegionMap::Cells& cells) {
           cells.measures[2], cells.measures[3], cells.admissible_directions};
 }
 
+// The kernel's own way, a pair of links at a time.
+void classify_row(RegionMap& map, std::size_t row, const SphericalRow& links, Simd simd) {
+  const std::size_t columns = map.columns(), orientations = links.input.orientation_count();
+  require(links.input.size() == columns && links.output.size() == columns, "a row has two links a column");
+  const auto kernel = spherical_kernel.for_simd(simd);
+  for (std::size_t column = 0; column < columns; ++column)
+    kernel({plain_arrays(links.input, column), plain_arrays(links.output, column), 0, 1, 1,
+            static_cast<int>(orientations), tolerance::change_point, spherical_cells(map.cells(row, column))});
+  const DriverTravel travel = driver_travel(links.input, 0);
+  map.set_driver(row, travel);
+  if (orientations != 2) std::fill_n(map.cells(row).admissible_directions, columns, travel.admissible_directions);
+}
+
 bool same_axes(const SphericalDyad& a, const SphericalDyad& b) {
   return a.fixed_axis == b.fixed_axis && a.moving_axis == b.moving_axis;
 }
 
 }  // namespace
 
-SphericalAxis::SphericalAxis(std::vector<SphericalDyad> samples, std::span<const PrescribedOrientation> orientations,
-                             bool respect_direction, bool drives)
-    : dyads(std::move(samples)) {
-  require(!orientations.empty() && orientations.size() <= max_orientations, "one to five orientations are judged");
-  const std::size_t count = dyads.size();
+SphericalAxis::SphericalAxis(std::size_t count, std::size_t orientations) {
+  require(orientations >= 1 && orientations <= max_orientations, "one to five orientations are judged");
+  for (std::size_t i = 0; i < count; ++i) dyads.push_back(no_spherical_dyad(0));
   assign(fixed, count);
-  moving.resize(orientations.size());
-  normal.resize(orientations.size());
+  moving.resize(orientations);
+  normal.resize(orientations);
   for (std::vector<Columns>* axes : {&moving, &normal})
     for (Columns& columns : *axes) assign(columns, count);
   half_sine.assign(count, 0);
@@ -72,26 +84,40 @@ SphericalAxis::SphericalAxis(std::vector<SphericalDyad> samples, std::span<const
   admissible_directions.assign(count, 0);
   at_least_half_turn.assign(count, 0);
   sweep_ccw.assign(count, 0);
+}
+
+void SphericalAxis::put(std::size_t at, const SphericalDyad& dyad, std::span<const Vector3> at_orientations) {
+  dyads[at] = dyad;
+  put_axis(fixed, at, dyad.fixed_axis);
+  half_sine[at] = 0.5 * norm(dyad.fixed_axis - dyad.moving_axis);
+  half_cosine[at] = 0.5 * norm(dyad.fixed_axis + dyad.moving_axis);
+  for (std::size_t j = 0; j < at_orientations.size(); ++j) {
+    put_axis(moving[j], at, at_orientations[j]);
+    put_axis(normal[j], at, cross(dyad.fixed_axis, at_orientations[j]));
+  }
+}
+
+void SphericalAxis::put(std::size_t at, const DriverSequence& order) {
+  admissible_directions[at] = sense_bits(order.ccw, order.cw);
+  at_least_half_turn[at] = sense_bits(order.is_at_least_half_turn_ccw(), order.is_at_least_half_turn_cw());
+  sweep_ccw[at] = static_cast<float>(order.sweep_ccw);
+}
+
+SphericalAxis::SphericalAxis(std::vector<SphericalDyad> samples, std::span<const PrescribedOrientation> orientations,
+                             bool respect_direction, bool drives)
+    : SphericalAxis(samples.size(), orientations.size()) {
   std::vector<UnitQuaternion> turns;
   for (const PrescribedOrientation& there : orientations)
     turns.push_back(there.orientation * orientations.front().orientation.inverse());
-  for (std::size_t i = 0; i < count; ++i) {
-    const SphericalDyad& dyad = dyads[i];
+  std::vector<Vector3> at_orientations(turns.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const SphericalDyad& dyad = samples[i];
     if (dyad.fixed_axis == Vector3{}) continue;
-    put(fixed, i, dyad.fixed_axis);
-    half_sine[i] = 0.5 * norm(dyad.fixed_axis - dyad.moving_axis);
-    half_cosine[i] = 0.5 * norm(dyad.fixed_axis + dyad.moving_axis);
-    for (std::size_t j = 0; j < turns.size(); ++j) {
-      const Vector3 there = turns[j].apply(dyad.moving_axis);
-      put(moving[j], i, there);
-      put(normal[j], i, cross(dyad.fixed_axis, there));
-    }
-    if (!drives) continue;
-    const DriverSequence order = driver_sequence(dyad, orientations, respect_direction);
-    admissible_directions[i] = sense_bits(order.ccw, order.cw);
-    at_least_half_turn[i] = sense_bits(order.is_at_least_half_turn_ccw(), order.is_at_least_half_turn_cw());
-    sweep_ccw[i] = static_cast<float>(order.sweep_ccw);
+    for (std::size_t j = 0; j < turns.size(); ++j) at_orientations[j] = turns[j].apply(dyad.moving_axis);
+    put(i, dyad, at_orientations);
+    if (drives) put(i, driver_sequence(dyad, orientations, respect_direction));
   }
+  dyads = std::move(samples);
 }
 
 void classify_pairs(RegionMap& map, const SphericalAxis& input, const SphericalAxis& output,
@@ -110,6 +136,21 @@ void classify_pairs(RegionMap& map, const SphericalAxis& input, const SphericalA
                                  tolerance::change_point,
                                  spherical_cells(map.cells(0))};
   run_rows(map, task, spherical_kernel.for_simd(options.simd), options, progress);
+}
+
+void classify_rows(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                   const std::function<SphericalRow(std::size_t row)>& row_at, const RegionOptions& options,
+                   const Progress& progress) {
+  constexpr bool of_pairs = true;
+  map.lay(input, output, spherical_measures, of_pairs, options);
+  parallel_for(map.rows(), options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      if (progress.is_cancelled())
+        map.leave_empty(row, row + 1);
+      else
+        classify_row(map, row, row_at(row), options.simd);
+    }
+  });
 }
 
 }  // namespace linkwright

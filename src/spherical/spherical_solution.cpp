@@ -34,7 +34,7 @@ std::optional<SphericalSolution> make_spherical_four_bar(const SphericalTaskFami
   const auto links = given.family ? given.family->dyad_pair(place) : std::nullopt;
   if (!links) return std::nullopt;
   SphericalSolution made;
-  made.four_bar = four_bar_of(*links);
+  made.four_bar = given.family->four_bar(*links);
   made.input = {made.four_bar.input_fixed, made.four_bar.input_moving, links->input.coordinate};
   made.output = {made.four_bar.output_fixed, made.four_bar.output_moving, links->output.coordinate};
   made.angles = made.four_bar.angles();

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <span>
 
+#include "function_answer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -28,13 +29,6 @@ std::vector<Dyad> curve_samples(const TaskFamily& given, const SynthesisOptions&
   return dyads;
 }
 
-// No defects, then the larger least transmission angle, then the smaller coordinate.
-bool is_better(const FourBarSolution& a, const FourBarSolution& b) {
-  if (a.report.defects.none() != b.report.defects.none()) return a.report.defects.none();
-  const double angle = a.report.min_transmission_angle, other = b.report.min_transmission_angle;
-  return angle != other ? angle > other : a.input.coordinate < b.input.coordinate;
-}
-
 // Five positions: every pair of grounded links as a four-bar, the better driver first named, best first.
 std::vector<FourBarSolution> all_pairs(const FourBarAnswer& answer) {
   constexpr bool verify = true;
@@ -45,9 +39,9 @@ std::vector<FourBarSolution> all_pairs(const FourBarAnswer& answer) {
     for (std::size_t j = i + 1; j < places.size(); ++j) {
       auto one = make_four_bar(answer.given, {places[i], places[j]}, wanted.respect_direction, verify);
       auto other = make_four_bar(answer.given, {places[j], places[i]}, wanted.respect_direction, verify);
-      if (one && other) pairs.push_back(is_better(*other, *one) ? *other : *one);
+      if (one && other) pairs.push_back(is_better_linkage(*other, *one) ? *other : *one);
     }
-  std::sort(pairs.begin(), pairs.end(), is_better);
+  std::sort(pairs.begin(), pairs.end(), is_better_linkage<FourBarSolution>);
   return pairs;
 }
 
@@ -103,44 +97,6 @@ Progress part_of(const Progress& progress, double from, double to) {
   return {[&progress, from, to](double done) { progress(from + (to - from) * done); }, progress.cancelled};
 }
 
-std::vector<FourBarSolution> generators(const FunctionFamily& family, const FourBarAnswer& answer,
-                                        const Progress& progress) {
-  constexpr bool verify = true;
-  GeneratorSearchOptions search;
-  search.max_count = answer.options.best;
-  search.window = answer.options.window;
-  search.threads = answer.options.region.threads;
-  std::vector<FourBarSolution> found;
-  for (const RankedGenerator& ranked : best_generators(family, answer.requirements, search, progress))
-    if (auto made = make_four_bar(answer.given, ranked.place, answer.requirements.respect_direction, verify)) {
-      made->local_optimum = true;
-      found.push_back(*std::move(made));
-    }
-  return found;
-}
-
-// Where driving a generator free of defects confirms it, it must also have brought the output to each pair.
-void measure_function(FourBarSolution& found, const FunctionFamily& family) {
-  found.function = family.error_of(found.four_bar, {found.input.coordinate, found.output.coordinate});
-  if (found.report.defects.none())
-    found.verified_by_driving = found.verified_by_driving && found.function->reaches_pairs &&
-                                found.function->precision_error <= tolerance::pair_met;
-}
-
-// Five precision points: the few linkages there are, whatever their defects.
-std::vector<FourBarSolution> all_generators(const FourBarAnswer& answer) {
-  constexpr bool verify = true;
-  const FourBarFamily& family = *answer.given.family;
-  std::vector<FourBarSolution> found;
-  if (family.axis(Side::input).quantity != AxisQuantity::burmester_point) return found;
-  const double only = family.samples(Side::output, 0, Spacing::coordinate).front();
-  for (const double place : family.samples(Side::input, 0, Spacing::coordinate))
-    if (auto made = make_four_bar(answer.given, {place, only}, answer.requirements.respect_direction, verify))
-      found.push_back(*std::move(made));
-  std::sort(found.begin(), found.end(), is_better);
-  return found;
-}
-
 }  // namespace
 
 // Five positions that no usable four-bar passes: which of them to free, and what its error becomes.
@@ -166,12 +122,11 @@ Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requi
   if (!find_four_bars(answer, progress, function_words)) return cancelled();
   const auto* family = dynamic_cast<const FunctionFamily*>(answer.given.family.get());
   if (!family) return Answer(std::move(answer));
-  if (options.objective == Objective::structural_error && !options.at)
-    answer.linkages = generators(*family, answer, progress);
-  if (progress.is_cancelled()) return cancelled();
-  answer.pairs = all_generators(answer);
-  for (std::vector<FourBarSolution>* list : {&answer.linkages, &answer.pairs})
-    for (FourBarSolution& found : *list) measure_function(found, *family);
+  const auto make = [&](MapPoint place) {
+    constexpr bool verify = true;
+    return make_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
+  };
+  if (!find_generators(answer, *family, make, progress)) return cancelled();
   return Answer(std::move(answer));
 }
 

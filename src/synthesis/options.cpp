@@ -52,8 +52,8 @@ std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options
     return {{"place_of_search", "options.at",
              "six-bars that are searched for have no solution region; give the chain, or drop the place"}};
   if (options.objective != Objective::structural_error) return {};
-  const auto* function = std::get_if<FunctionTask>(&task);
-  if (function != nullptr && function->function) return {};
+  const WantedFunction* wanted = wanted_function(task);
+  if (wanted != nullptr && wanted->function) return {};
   return {{"objective_of_function", "options.objective",
            "a structural error belongs to a task with a named \"function\"; choose another objective"}};
 }

@@ -19,6 +19,9 @@ inline constexpr TaskWords function_words = {
     "four-bars that generate all pairs", "lock between two pairs (branch)",
     "Try other ranges of the dials, fewer or other pairs, or allow a defect (no_defects: false)."};
 
+inline constexpr TaskWords spherical_function_words = {"spherical four-bars that generate all pairs",
+                                                       function_words.lock, function_words.ways_out};
+
 inline constexpr TaskWords spherical_words = {
     "spherical four-bars that pass through all orientations", "lock between two orientations (branch)",
     "Try another order of the orientations, {}allow a defect (no_defects: false), or turn an orientation a little."};

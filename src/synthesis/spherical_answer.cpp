@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "function_answer.hpp"
+#include "linkwright/spherical/spherical_function_family.hpp"
+#include "linkwright/spherical/spherical_function_search.hpp"
 #include "linkwright/spherical/spherical_task_family.hpp"
 #include "picked_place.hpp"
 #include "reason.hpp"
@@ -11,13 +14,6 @@
 namespace linkwright {
 namespace {
 
-// No defects, then the larger least transmission angle, then the smaller coordinate.
-bool is_better_bar(const SphericalSolution& a, const SphericalSolution& b) {
-  if (a.report.defects.none() != b.report.defects.none()) return a.report.defects.none();
-  const double angle = a.report.min_transmission_angle, other = b.report.min_transmission_angle;
-  return angle != other ? angle > other : a.input.coordinate < b.input.coordinate;
-}
-
 // Of a few dyads: every pair as a four-bar, the better driver first named, best first.
 std::vector<SphericalSolution> pairs_of_points(const SphericalAnswer& answer) {
   const SearchedSphericalFourBars search(answer);
@@ -26,9 +22,9 @@ std::vector<SphericalSolution> pairs_of_points(const SphericalAnswer& answer) {
   for (std::size_t i = 0; i < places.size(); ++i)
     for (std::size_t j = i + 1; j < places.size(); ++j) {
       auto one = search.make({places[i], places[j]}), other = search.make({places[j], places[i]});
-      if (one && other) pairs.push_back(is_better_bar(*other, *one) ? *other : *one);
+      if (one && other) pairs.push_back(is_better_linkage(*other, *one) ? *other : *one);
     }
-  std::sort(pairs.begin(), pairs.end(), is_better_bar);
+  std::sort(pairs.begin(), pairs.end(), is_better_linkage<SphericalSolution>);
   return pairs;
 }
 
@@ -37,7 +33,7 @@ ReasonFacts reason_facts(const SphericalAnswer& answer) {
 }
 
 // What is found of a family; false where it was cancelled.
-bool find_spherical(SphericalAnswer& answer, const Progress& progress) {
+bool find_spherical(SphericalAnswer& answer, const TaskWords& words, const Progress& progress) {
   const SphericalTaskFamily& given = answer.given;
   if (given.curve)
     for (const double at : given.curve->samples(answer.options.region_samples, answer.options.spacing))
@@ -58,17 +54,17 @@ bool find_spherical(SphericalAnswer& answer, const Progress& progress) {
     auto best = best_linkages(search, answer, filter, progress);
     answer.linkages = std::move(best.linkages);
     answer.left_out = best.left_out;
-    state_reason(answer, spherical_words, reason_facts(answer));
+    state_reason(answer, words, reason_facts(answer));
   }
   progress(1);
   return !progress.is_cancelled();
 }
 
-}  // namespace
+Error stopped() { return {"cancelled", "", "stopped before the answer was complete"}; }
 
-Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements& requirements,
-                             const SynthesisOptions& options, const Progress& progress) {
-  SphericalMotionAnswer answer;
+template <class KindAnswer, class KindTask>
+KindAnswer begin_spherical(const KindTask& task, const Requirements& requirements, const SynthesisOptions& options) {
+  KindAnswer answer;
   answer.task = task;
   answer.given = task_family(task);
   answer.pattern = answer.given.pattern;
@@ -76,13 +72,33 @@ Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements
   answer.warnings = answer.given.warnings;
   answer.requirements = with_default_angles(requirements);
   answer.options = options;
-  const Error cancelled{"cancelled", "", "stopped before the answer was complete"};
-  if (!find_spherical(answer, progress)) return cancelled;
+  return answer;
+}
+
+}  // namespace
+
+Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements& requirements,
+                             const SynthesisOptions& options, const Progress& progress) {
+  auto answer = begin_spherical<SphericalMotionAnswer>(task, requirements, options);
+  if (!find_spherical(answer, spherical_words, progress)) return stopped();
   const bool five = position_count(task.orientations) == 5 && !answer.given.curve;
   if (five && answer.linkages.empty() && options.best > 0 && !options.at) {
     answer.relaxed = drop_one_orientation(task, requirements, options.region, progress);
-    if (progress.is_cancelled()) return cancelled;
+    if (progress.is_cancelled()) return stopped();
   }
+  return Answer(std::move(answer));
+}
+
+Result<Answer> solve_of_kind(const SphericalFunctionTask& task, const Requirements& requirements,
+                             const SynthesisOptions& options, const Progress& progress) {
+  auto answer = begin_spherical<SphericalFunctionAnswer>(task, requirements, options);
+  if (!find_spherical(answer, spherical_function_words, progress)) return stopped();
+  const auto* family = dynamic_cast<const SphericalFunctionFamily*>(answer.given.family.get());
+  if (!family) return Answer(std::move(answer));
+  const SearchedSphericalFourBars search(answer);
+  if (!find_generators(
+          answer, *family, [&](MapPoint place) { return search.make(place); }, progress))
+    return stopped();
   return Answer(std::move(answer));
 }
 

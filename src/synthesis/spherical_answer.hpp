@@ -11,5 +11,7 @@ namespace linkwright {
 /// it. Cancelled: an error.
 [[nodiscard]] Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements& requirements,
                                            const SynthesisOptions& options, const Progress& progress);
+[[nodiscard]] Result<Answer> solve_of_kind(const SphericalFunctionTask& task, const Requirements& requirements,
+                                           const SynthesisOptions& options, const Progress& progress);
 
 }  // namespace linkwright

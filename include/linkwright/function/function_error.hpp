@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -10,6 +11,8 @@
 #include "linkwright/function/angle_pair.hpp"
 #include "linkwright/function/generated_function.hpp"
 #include "linkwright/function/named_function.hpp"
+#include "linkwright/region/map_axis.hpp"
+#include "linkwright/region/region_map.hpp"
 
 namespace linkwright {
 
@@ -50,5 +53,10 @@ struct ErrorSampling {
 /// and where the reach ends; from the highest hills of its error the top is sought to 1e-10 of the range.
 [[nodiscard]] FunctionError function_error(const GeneratedFunction& generated, std::span<const AnglePair> pairs,
                                            const ScaledFunction* function, const ErrorSampling& sampling = {});
+
+/// Largest structural error of each cell of a map, degrees; 0 where a cell has a defect, there is none or the whole
+/// range is not reached. `values` has a place for each cell.
+void structural_errors_deg(const RegionMap& map, std::span<float> values,
+                           const std::function<std::optional<FunctionError>(MapPoint place)>& error_at);
 
 }  // namespace linkwright

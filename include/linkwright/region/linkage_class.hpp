@@ -45,7 +45,8 @@ inline constexpr std::array spherical_requirements = {RequirementKind::types,
                                                       RequirementKind::moving_axes_within};
 inline constexpr std::array planar_objectives = {Objective::min_transmission_angle, Objective::link_ratio,
                                                  Objective::size, Objective::structural_error};
-inline constexpr std::array spherical_objectives = {Objective::min_transmission_angle, Objective::link_angle};
+inline constexpr std::array spherical_objectives = {Objective::min_transmission_angle, Objective::link_angle,
+                                                    Objective::structural_error};
 }  // namespace class_members
 
 inline constexpr LinkageClass planar_linkages = {class_members::planar_types, class_members::planar_requirements,

@@ -34,6 +34,8 @@ class SphericalFamily : public LinkageFamily {
                                                                            const SphericalDyadPair& /*known*/) const {
     return dyad_pair(place);
   }
+  /// The bars of a pair of its dyads; by default four_bar_of().
+  [[nodiscard]] virtual SphericalFourBar four_bar(const SphericalDyadPair& links) const { return four_bar_of(links); }
   /// What the coupler of the bars at a place is to visit, position 1 being the one in which they lie.
   [[nodiscard]] virtual std::vector<PrescribedOrientation> orientations(MapPoint place,
                                                                         const SphericalFourBar& bars) const = 0;

@@ -76,7 +76,8 @@ struct SphericalAnswer : Findings {
   SphericalTaskFamily given;
   std::vector<SphericalDyad> samples;       ///< of the curve, by rising coordinate
   std::vector<SphericalSolution> linkages;  ///< best first
-  /// Three and five positions: every pair of dyads, whatever its defects, best first.
+  /// Three and five positions: every pair of dyads, whatever its defects, best first; five precision points: every
+  /// linkage.
   std::vector<SphericalSolution> pairs;
 
   /// What the map is of; null without one.
@@ -91,6 +92,10 @@ struct SphericalMotionAnswer : SphericalAnswer {
   std::vector<RelaxedOrientation> relaxed;  ///< five positions, no linkage that meets the requirements: the ways out
 };
 
+struct SphericalFunctionAnswer : SphericalAnswer {
+  SphericalFunctionTask task;
+};
+
 struct SixBarAnswer : Findings {
   SixBarTask task;
   std::shared_ptr<const ChainFamily> chain;  ///< of a given chain
@@ -103,7 +108,7 @@ struct SixBarAnswer : Findings {
 };
 
 /// Everything found for a task, by its kind.
-using Answer = std::variant<MotionAnswer, FunctionAnswer, SixBarAnswer, SphericalMotionAnswer>;
+using Answer = std::variant<MotionAnswer, FunctionAnswer, SixBarAnswer, SphericalMotionAnswer, SphericalFunctionAnswer>;
 
 /// What the answers of all kinds have in common.
 [[nodiscard]] const Findings& findings(const Answer& answer);

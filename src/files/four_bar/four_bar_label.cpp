@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "files/four_bar/four_bar_kind.hpp"
+#include "files/function/function_label.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
@@ -29,12 +30,6 @@ std::string given_words(const InstantCenter& given) {
   return given.at_infinity ? "instant centre at infinity in direction " + point : "instant centre " + point;
 }
 
-std::string on_points(const FunctionTask& task) {
-  const std::string counted = fmt::format("{} precision points", position_count(task.pairs));
-  const std::string multiplicities = pattern(task.pairs);
-  return multiplicities.find("PP") == std::string::npos ? counted : fmt::format("{} ({})", counted, multiplicities);
-}
-
 std::string titled(std::string_view title, std::string_view unit) {
   return unit.empty() ? std::string(title) : fmt::format("{}, {}", title, unit);
 }
@@ -49,18 +44,6 @@ bool runs_round_a_circle(const MapAxis& axis) {
 struct Words {
   std::string name, title, unit;
 };
-
-Words coupler_words(AxisQuantity quantity) {
-  if (quantity == AxisQuantity::burmester_point) return {"coupler, one of a few", "Linkage", "1"};
-  return {"coupler, coordinate on its curve", "Coupler's coordinate on its curve, τ", "tau"};
-}
-
-Words free_words(AxisQuantity quantity, const FunctionTask& task) {
-  if (quantity == AxisQuantity::output_scale) return {"output scale", "Output scale", "1"};
-  if (quantity != AxisQuantity::pair_output) return {"nothing is free", "", "1"};
-  const std::string name = fmt::format("output angle of pair {}", task.free ? task.free->pair + 1 : 1);
-  return {name, "O" + name.substr(1) + ", degrees", "deg"};
-}
 
 Words dyad_words(const MapAxis& axis, Side side, std::string_view length_unit) {
   const bool drives = side == Side::input;
@@ -101,32 +84,18 @@ std::string label_of(const MotionTask& task) {
   return text;
 }
 
-std::string label_of(const FunctionTask& task) {
-  std::string what = "function";
-  if (task.function)
-    what += task.function->table.empty() ? " " + task.function->expression
-                                         : fmt::format(" of a table with {} rows", task.function->table.size());
-  std::string text = fmt::format("{} on {}", what, on_points(task));
-  if (!task.free) return text;
-  return text + (task.free->kind == FreeParameter::Kind::output_scale
-                     ? ", the output scale free"
-                     : fmt::format(", the output of pair {} free", task.free->pair + 1));
-}
-
 std::string short_label_of(const MotionTask& task) { return positions_text(position_count(task.poses)); }
-
-std::string short_label_of(const FunctionTask& task) {
-  return fmt::format("function on {} precision points", position_count(task.pairs));
-}
 
 AxisLabel axis_label(const MotionAnswer& answer, Side side, std::string_view length_unit) {
   const MapAxis axis = axis_of(answer, side);
   return label_of(axis, dyad_words(axis, side, length_unit));
 }
 
+std::string label_of(const FunctionTask& task) { return function_label(task); }
+std::string short_label_of(const FunctionTask& task) { return short_function_label(task); }
+
 AxisLabel axis_label(const FunctionAnswer& answer, Side side, std::string_view /*length_unit*/) {
-  const MapAxis axis = axis_of(answer, side);
-  return label_of(axis, side == Side::input ? coupler_words(axis.quantity) : free_words(axis.quantity, answer.task));
+  return generator_axis_label(axis_of(answer, side), side, answer.task);
 }
 
 }  // namespace linkwright

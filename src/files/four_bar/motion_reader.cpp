@@ -8,6 +8,7 @@
 #include "files/four_bar/four_bar_kind.hpp"
 #include "files/four_bar/pose_reader.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/nearest_name.hpp"
 
 namespace linkwright {
 namespace {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "files/vocabulary.hpp"
 #include "linkwright/core/angle.hpp"
 
 namespace linkwright {

@@ -14,9 +14,6 @@ enum class OtherMembers { refused, ignored };
 /// at most four; nothing, with a mistake, where it is something else. How large the numbers are is ignored.
 [[nodiscard]] std::optional<PrescribedPose> read_pose(const JsonValue& value, Mistakes& mistakes, OtherMembers others);
 
-/// Longer lists than any task has are refused at once: comparing pairs of thousands is slow.
-inline constexpr std::size_t most_positions_looked_at = 100;
-
 /// The member `poses` of a task; false where one of them cannot be read.
 [[nodiscard]] bool read_poses(const JsonObject& task, Mistakes& mistakes, std::vector<PrescribedPose>& poses);
 

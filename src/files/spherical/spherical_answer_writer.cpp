@@ -42,12 +42,20 @@ void write_axis_curve(JsonWriter& json, const SphericalAnswer& answer) {
 }
 
 void write_list(JsonWriter& json, std::string_view key, const std::vector<SphericalSolution>& list,
-                const std::vector<std::vector<RequirementKind>>& fails) {
+                const SphericalAnswer& answer, const std::vector<std::vector<RequirementKind>>& fails) {
   json.key(key);
   json.begin_list();
-  for (std::size_t i = 0; i < list.size(); ++i)
-    write_spherical_four_bar(json, list[i], i < fails.size() ? std::optional(fails[i]) : std::nullopt);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    SphericalNotes notes = notes_on(list[i], *answer.family());
+    if (i < fails.size()) notes.fails = fails[i];
+    write_spherical_four_bar(json, list[i], notes);
+  }
   json.end_list();
+}
+
+void write_lists(JsonWriter& json, const SphericalAnswer& answer) {
+  write_list(json, "linkages", answer.linkages, answer, answer.fails);
+  write_list(json, "pairs", answer.pairs, answer, {});
 }
 
 void write_relaxed(JsonWriter& json, const RelaxedOrientation& way_out) {
@@ -59,8 +67,18 @@ void write_relaxed(JsonWriter& json, const RelaxedOrientation& way_out) {
   json.key("miss_deg");
   way_out.linkage ? json.value(degrees(way_out.error.angle)) : json.null();
   json.key("linkage");
-  way_out.linkage ? write_spherical_four_bar(json, *way_out.linkage, std::nullopt) : json.null();
+  way_out.linkage ? write_spherical_four_bar(json, *way_out.linkage, {}) : json.null();
   json.end_object();
+}
+
+StoredSphericalFourBar stored(const SphericalSolution& found, const SphericalAnswer& answer,
+                              const std::vector<PrescribedOrientation>& orientations) {
+  const SphericalNotes notes = notes_on(found, *answer.family());
+  StoredSphericalFourBar linkage;
+  linkage.four_bar = found.four_bar;
+  linkage.orientations = notes.orientations.empty() ? orientations : notes.orientations;
+  linkage.record = json_text_of([&](JsonWriter& json) { write_spherical_four_bar(json, found, notes); });
+  return linkage;
 }
 
 }  // namespace
@@ -75,20 +93,26 @@ void write_dyads(JsonWriter& json, const SphericalAnswer& answer) {
 }
 
 void write_linkages(JsonWriter& json, const SphericalMotionAnswer& answer) {
-  write_list(json, "linkages", answer.linkages, answer.fails);
-  write_list(json, "pairs", answer.pairs, {});
+  write_lists(json, answer);
   json.key("freed");
   json.begin_list();
   for (const RelaxedOrientation& way_out : answer.relaxed) write_relaxed(json, way_out);
   json.end_list();
 }
 
+void write_linkages(JsonWriter& json, const SphericalFunctionAnswer& answer) {
+  write_lists(json, answer);
+  json.key("freed");
+  json.begin_list();
+  json.end_list();
+}
+
 StoredSphericalFourBar stored(const SphericalSolution& found, const SphericalMotionAnswer& answer) {
-  StoredSphericalFourBar linkage;
-  linkage.four_bar = found.four_bar;
-  linkage.orientations = answer.task.orientations;
-  linkage.record = json_text_of([&](JsonWriter& json) { write_spherical_four_bar(json, found, std::nullopt); });
-  return linkage;
+  return stored(found, answer, answer.task.orientations);
+}
+
+StoredSphericalFourBar stored(const SphericalSolution& found, const SphericalFunctionAnswer& answer) {
+  return stored(found, answer, {});
 }
 
 }  // namespace linkwright

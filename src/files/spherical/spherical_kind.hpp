@@ -14,15 +14,22 @@ namespace linkwright {
 [[nodiscard]] Task read_spherical_motion(const JsonValue& value, const std::optional<Box>& options_box,
                                          Mistakes& mistakes);
 inline constexpr TaskForm motion_by_spherical_four_bar{"motion", "spherical_four_bar", read_spherical_motion};
+[[nodiscard]] Task read_spherical_function(const JsonValue& value, const std::optional<Box>& options_box,
+                                           Mistakes& mistakes);
+inline constexpr TaskForm function_by_spherical_four_bar{"function", "spherical_four_bar", read_spherical_function};
 
 /// The members of the object `task`.
 void write_of_kind(JsonWriter& json, const SphericalMotionTask& task);
+void write_of_kind(JsonWriter& json, const SphericalFunctionTask& task);
 
 /// As task_label() and short_task_label().
 [[nodiscard]] std::string label_of(const SphericalMotionTask& task);
+[[nodiscard]] std::string label_of(const SphericalFunctionTask& task);
 [[nodiscard]] std::string short_label_of(const SphericalMotionTask& task);
+[[nodiscard]] std::string short_label_of(const SphericalFunctionTask& task);
 
 [[nodiscard]] AxisLabel axis_label(const SphericalMotionAnswer& answer, Side side, std::string_view length_unit);
+[[nodiscard]] AxisLabel axis_label(const SphericalFunctionAnswer& answer, Side side, std::string_view length_unit);
 
 /// A result has a map.
 [[nodiscard]] inline bool is_mapped(const SphericalAnswer& /*answer*/) { return true; }
@@ -30,8 +37,11 @@ void write_of_kind(JsonWriter& json, const SphericalMotionTask& task);
 void write_dyads(JsonWriter& json, const SphericalAnswer& answer);
 /// The members `linkages`, `pairs` and `freed` of a result.
 void write_linkages(JsonWriter& json, const SphericalMotionAnswer& answer);
+void write_linkages(JsonWriter& json, const SphericalFunctionAnswer& answer);
 
 /// A linkage of an answer without title and unit.
 [[nodiscard]] StoredSphericalFourBar stored(const SphericalSolution& found, const SphericalMotionAnswer& answer);
+/// The orientations are those of its coupler at the pairs.
+[[nodiscard]] StoredSphericalFourBar stored(const SphericalSolution& found, const SphericalFunctionAnswer& answer);
 
 }  // namespace linkwright

@@ -1,9 +1,17 @@
 #include <fmt/format.h>
 
+#include "files/function/function_label.hpp"
 #include "files/spherical/spherical_kind.hpp"
 #include "linkwright/files/task_label.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/number_text.hpp"
 
 namespace linkwright {
+namespace {
+
+constexpr int shown_digits = 6;
+
+}  // namespace
 
 namespace {
 
@@ -24,6 +32,17 @@ std::string label_of(const SphericalMotionTask& task) {
 }
 
 std::string short_label_of(const SphericalMotionTask& task) { return orientations_text(task); }
+
+std::string label_of(const SphericalFunctionTask& task) {
+  return fmt::format("{}, fixed axes at {}°", function_label(task),
+                     significant_text(degrees(task.ground_angle), shown_digits));
+}
+
+std::string short_label_of(const SphericalFunctionTask& task) { return short_function_label(task); }
+
+AxisLabel axis_label(const SphericalFunctionAnswer& answer, Side side, std::string_view /*length_unit*/) {
+  return generator_axis_label(answer.family() ? answer.family()->axis(side) : MapAxis{}, side, answer.task);
+}
 
 AxisLabel axis_label(const SphericalMotionAnswer& answer, Side side, std::string_view /*length_unit*/) {
   const MapAxis axis = answer.family() ? answer.family()->axis(side) : MapAxis{};

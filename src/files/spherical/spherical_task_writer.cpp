@@ -1,5 +1,7 @@
+#include "files/function/wanted_function_writer.hpp"
 #include "files/spherical/spherical_kind.hpp"
 #include "files/spherical/spherical_writer.hpp"
+#include "linkwright/files/number_text.hpp"
 
 namespace linkwright {
 
@@ -19,6 +21,14 @@ void write_of_kind(JsonWriter& json, const SphericalMotionTask& task) {
   }
   json.end_list();
   json.end_object();
+}
+
+void write_of_kind(JsonWriter& json, const SphericalFunctionTask& task) {
+  json.member("kind", "function");
+  json.member("mechanism", "spherical_four_bar");
+  write_pairs_or_function(json, task);
+  json.member("ground_angle_deg", degrees_for_files(task.ground_angle));
+  write_free_parameter(json, task);
 }
 
 }  // namespace linkwright

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "files/attitude/space_writer.hpp"
+#include "files/function/wanted_function_writer.hpp"
 #include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
 #include "linkwright/core/angle.hpp"
@@ -83,8 +84,17 @@ void write_spherical_dyad(JsonWriter& json, const SphericalDyadPoint& point) {
   json.end_object();
 }
 
-void write_spherical_four_bar(JsonWriter& json, const SphericalSolution& found,
-                              const std::optional<std::vector<RequirementKind>>& fails) {
+SphericalNotes notes_on(const SphericalSolution& found, const SphericalFamily& family) {
+  SphericalNotes notes;
+  const MapPoint place{found.input.coordinate, found.output.coordinate};
+  if (found.function) notes.orientations = family.orientations(place, found.four_bar);
+  const AxisQuantity quantity = family.axis(Side::output).quantity;
+  if (quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output)
+    notes.free_value = family.axis_value(Side::output, place.output);
+  return notes;
+}
+
+void write_spherical_four_bar(JsonWriter& json, const SphericalSolution& found, const SphericalNotes& notes) {
   json.begin_object();
   json.member("mechanism", "spherical_four_bar");
   json.key("input");
@@ -104,9 +114,12 @@ void write_spherical_four_bar(JsonWriter& json, const SphericalSolution& found,
   input_is_crank(found.report.type) ? json.value(degrees(found.report.min_transmission_angle_full_turn)) : json.null();
   json.member("residual", found.residual);
   if (found.residual_derivatives) json.member("residual_derivatives", *found.residual_derivatives);
+  if (found.function) write_function_error(json, *found.function);
   json.member("local_optimum", found.local_optimum);
   json.member("verified_by_driving", found.verified_by_driving);
-  if (fails) write_failures(json, *fails);
+  if (notes.fails) write_failures(json, *notes.fails);
+  if (notes.free_value) json.member("free_value", *notes.free_value);
+  if (!notes.orientations.empty()) write_orientations(json, notes.orientations);
   json.key("swapped");
   json.begin_object();
   write_report(json, found.swapped);

@@ -18,8 +18,17 @@ void write_spherical_dyad(JsonWriter& json, const SphericalDyad& dyad, double re
 /// The same with its multiplicity and condition.
 void write_spherical_dyad(JsonWriter& json, const SphericalDyadPoint& point);
 
-/// An element of a result's `linkages`. `fails`: at a picked place, the requirements that are not met.
-void write_spherical_four_bar(JsonWriter& json, const SphericalSolution& found,
-                              const std::optional<std::vector<RequirementKind>>& fails);
+/// What a file says of a spherical four-bar beside the four-bar itself.
+struct SphericalNotes {
+  std::vector<PrescribedOrientation> orientations;    ///< of the coupler, where they are not the task's; otherwise none
+  std::optional<double> free_value;                   ///< of a function task's free parameter, as files hold it
+  std::optional<std::vector<RequirementKind>> fails;  ///< at a picked place: the requirements that are not met
+};
+
+/// The notes of a four-bar of a map.
+[[nodiscard]] SphericalNotes notes_on(const SphericalSolution& found, const SphericalFamily& family);
+
+/// An element of a result's `linkages`.
+void write_spherical_four_bar(JsonWriter& json, const SphericalSolution& found, const SphericalNotes& notes);
 
 }  // namespace linkwright

@@ -1,0 +1,57 @@
+#include "linkwright/spherical/spherical_function_search.hpp"
+
+#include <cmath>
+
+#include "linkwright/core/angle.hpp"
+#include "spherical/spherical_candidate.hpp"
+
+namespace linkwright {
+namespace {
+
+class SphericalGenerators : public GeneratorSource {
+ public:
+  SphericalGenerators(const SphericalFunctionFamily& family, const Requirements& requirements,
+                      const std::optional<MapWindow>& window)
+      : family_(family), evaluator_(family, requirements, Objective::min_transmission_angle, window) {}
+
+  [[nodiscard]] const LinkageFamily& family() const override { return family_; }
+
+  [[nodiscard]] std::optional<RankedGenerator> at(MapPoint place, const ErrorSampling& sampling) const override {
+    const auto candidate = evaluator_.candidate(place);
+    if (!candidate) return std::nullopt;
+    const FunctionError error = family_.error_of(candidate->bars, place, sampling);
+    if (!error.max_structural_error || !error.unreached.empty()) return std::nullopt;
+    return RankedGenerator{place, candidate->report.type, *error.max_structural_error};
+  }
+
+  [[nodiscard]] bool are_alike(MapPoint one, MapPoint other) const override {
+    const auto a = family_.dyad_pair(one), b = family_.dyad_pair(other);
+    if (!a || !b) return false;
+    return are_alike(a->input.moving_axis, b->input.moving_axis) &&
+           are_alike(a->output.moving_axis, b->output.moving_axis);
+  }
+
+ private:
+  [[nodiscard]] static bool are_alike(Vector3 a, Vector3 b) {
+    constexpr double alike = pi / 180;
+    return norm(cross(a, b)) < alike;
+  }
+
+  const SphericalFunctionFamily& family_;
+  SphericalEvaluator evaluator_;
+};
+
+}  // namespace
+
+std::vector<RankedGenerator> best_generators(const SphericalFunctionFamily& family, const Requirements& requirements,
+                                             const GeneratorSearchOptions& options, const Progress& progress) {
+  if (!family.has_function()) return {};
+  return best_generators(SphericalGenerators(family, requirements, options.window), options, progress);
+}
+
+std::optional<MapPoint> improved_generator(const SphericalFunctionFamily& family, const Requirements& requirements,
+                                           MapPoint start) {
+  return improved_generator(SphericalGenerators(family, requirements, {}), start);
+}
+
+}  // namespace linkwright

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "linkwright/core/progress.hpp"
+#include "linkwright/core/tolerance.hpp"
+#include "linkwright/function/generator_search.hpp"
+#include "linkwright/synthesis/answer.hpp"
+
+// What the answers to tasks of functions have in common, in the plane and on the sphere.
+namespace linkwright {
+
+/// No defects, then the larger least transmission angle, then the smaller coordinate.
+template <class Solution>
+[[nodiscard]] bool is_better_linkage(const Solution& a, const Solution& b) {
+  if (a.report.defects.none() != b.report.defects.none()) return a.report.defects.none();
+  const double angle = a.report.min_transmission_angle, other = b.report.min_transmission_angle;
+  return angle != other ? angle > other : a.input.coordinate < b.input.coordinate;
+}
+
+/// Where driving a generator free of defects confirms it, it must also have brought the output to each pair.
+template <class Solution, class Family>
+void measure_function(Solution& found, const Family& family) {
+  found.function = family.error_of(found.four_bar, {found.input.coordinate, found.output.coordinate});
+  if (found.report.defects.none())
+    found.verified_by_driving = found.verified_by_driving && found.function->reaches_pairs &&
+                                found.function->precision_error <= tolerance::pair_met;
+}
+
+/// The linkages of least structural error, as `make(place)` makes them.
+template <class KindAnswer, class Family, class Make>
+[[nodiscard]] auto least_error_linkages(const Family& family, const KindAnswer& answer, const Make& make,
+                                        const Progress& progress) {
+  GeneratorSearchOptions search;
+  search.max_count = answer.options.best;
+  search.window = answer.options.window;
+  search.threads = answer.options.region.threads;
+  decltype(answer.linkages) found;
+  for (const RankedGenerator& ranked : best_generators(family, answer.requirements, search, progress))
+    if (auto made = make(ranked.place)) {
+      made->local_optimum = true;
+      found.push_back(*std::move(made));
+    }
+  return found;
+}
+
+/// Five precision points: the few linkages there are, whatever their defects, best first; otherwise none.
+template <class KindAnswer, class Make>
+[[nodiscard]] auto all_generators(const KindAnswer& answer, const Make& make) {
+  const LinkageFamily& family = *answer.family();
+  decltype(answer.linkages) found;
+  if (family.axis(Side::input).quantity != AxisQuantity::burmester_point) return found;
+  const double only = family.samples(Side::output, 0, Spacing::coordinate).front();
+  for (const double place : family.samples(Side::input, 0, Spacing::coordinate))
+    if (auto made = make(MapPoint{place, only})) found.push_back(*std::move(made));
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return is_better_linkage(a, b); });
+  return found;
+}
+
+/// What a task of a function adds to the linkages found: those of least error where they are asked for, all of five
+/// precision points, and how well each generates. False where it was cancelled.
+template <class KindAnswer, class Family, class Make>
+[[nodiscard]] bool find_generators(KindAnswer& answer, const Family& family, const Make& make,
+                                   const Progress& progress) {
+  if (answer.options.objective == Objective::structural_error && !answer.options.at)
+    answer.linkages = least_error_linkages(family, answer, make, progress);
+  if (progress.is_cancelled()) return false;
+  answer.pairs = all_generators(answer, make);
+  for (auto* list : {&answer.linkages, &answer.pairs})
+    for (auto& found : *list) measure_function(found, family);
+  return true;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,46 @@
+#include "linkwright/spherical/spherical_function_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/spherical/spherical_solution.hpp"
+#include "support/spherical_function.hpp"
+
+namespace linkwright::spherical_function_search_test {
+namespace {
+
+TEST(SphericalFunctionSearch, NoSampleOfTheRibbonBettersTheBest) {
+  for (const SphericalFunctionTask& task : {testing::named_spherical_task("log", {1, 2}, 60, -70, 40),
+                                            testing::named_spherical_task("sin_deg", {0, 90}, 90, 90, 60),
+                                            testing::named_spherical_task("x^2", {0, 1}, 60, 90, 110),
+                                            testing::named_spherical_task("exp", {0, 1}, 60, 60, 30)}) {
+    const SphericalTaskFamily given = task_family(task);
+    const auto& family = dynamic_cast<const SphericalFunctionFamily&>(*given.family);
+    const Requirements wanted = with_default_angles({});
+    const auto best = best_generators(family, wanted);
+    ASSERT_FALSE(best.empty());
+    double least = 10;
+    for (const double tau : family.samples(Side::input, 700, Spacing::coordinate)) {
+      const auto made = make_spherical_four_bar(given, {tau, 0.5}, true, false);
+      if (!made || !made->report.defects.none() || made->report.min_transmission_angle < radians(0.1)) continue;
+      bool long_enough = true;
+      for (const double arc : made->angles.all())
+        long_enough = long_enough && std::min(arc, pi - arc) >= *wanted.min_link_angle;
+      const FunctionError error = family.error_of(made->four_bar, {tau, 0.5}, ErrorSampling::coarse());
+      if (long_enough && error.unreached.empty()) least = std::min(least, error.max_structural_error.value_or(10));
+    }
+    EXPECT_LE(best.front().max_structural_error, least + 1e-9);
+    EXPECT_LT(best.front().max_structural_error, radians(2)) << task.function->expression;
+    for (std::size_t i = 0; i + 1 < best.size(); ++i)
+      EXPECT_LE(best[i].max_structural_error, best[i + 1].max_structural_error);
+  }
+}
+
+TEST(SphericalFunctionSearch, WithoutANamedFunctionThereIsNoError) {
+  const SphericalTaskFamily given = task_family(testing::spherical_function_case("stapler-function-4"));
+  EXPECT_TRUE(
+      best_generators(dynamic_cast<const SphericalFunctionFamily&>(*given.family), with_default_angles({})).empty());
+}
+
+}  // namespace
+}  // namespace linkwright::spherical_function_search_test
