@@ -34,13 +34,13 @@ LinkageType spherical_class(LinkageType planar) {
 TEST(FunctionLimit, BetweenAxesCloseTogetherGeneratorsArePlanarOnes) {
   std::mt19937_64 random(3);
   int compared = 0, types = 0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 60; ++i) {
     SphericalFunctionTask task;
     task.pairs = testing::gentle_pairs(random, 4);
     task.ground_angle = ground_angle;
     const SphericalTaskFamily given = task_family(task);
     if (!given.family) continue;
-    for (const double tau : given.family->samples(Side::input, 400, Spacing::arc_length)) {
+    for (const double tau : given.family->samples(Side::input, 600, Spacing::coordinate)) {
       const auto links = given.family->dyad_pair({tau, 0.5});
       const Point a = in_plane(links->input.moving_axis), b = in_plane(links->output.moving_axis);
       const FourBar planar{0, a, 1, b};
