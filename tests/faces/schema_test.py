@@ -28,7 +28,8 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
 # Words of refusals that no schema can give: what is wrong is no matter of structure.
 BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in which the body moves", "the lower number first",
                     "does not change", "no value", "precision points", "lies outside of", "whole turn", "low below high",
-                    "at one place", "sort them", "is empty", "cannot reach", "on one line", "coincide", "the elbow is")
+                    "at one place", "sort them", "is empty", "cannot reach", "on one line", "coincide", "the elbow is",
+                    "are given and four or five are needed")
 
 
 def schemas():
