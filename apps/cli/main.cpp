@@ -36,7 +36,9 @@ void add_solve(CLI::App& app, SolveArguments& arguments) {
 void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("analyze", "Type, input ranges, dead points and transmission angles of one linkage");
-  command->add_option("LINKAGE", arguments.linkage, "Linkage file (JSON: pivots, lengths, or an exported linkage)")
+  command
+      ->add_option("LINKAGE", arguments.linkage,
+                   "Linkage file (JSON: pivots, lengths, axes, angles, or an exported linkage)")
       ->required();
   command->add_option("--drive", arguments.drive, "Which grounded link drives: input (default) or output")
       ->check(CLI::IsMember({"input", "output"}));
@@ -48,7 +50,7 @@ void add_export(CLI::App& app, ExportArguments& arguments) {
   CLI::App* command = app.add_subcommand("export", "Export one linkage of a result as a drawing or a table");
   command->add_option("RESULT", arguments.result, "Result file written by solve -o")->required();
   command->add_option("--linkage", arguments.linkage, "Which linkage of the result, from 1 (default 1, the best)");
-  command->add_option("--format", arguments.format, "svg, dxf, csv (its motion) or json")
+  command->add_option("--format", arguments.format, "svg, dxf (linkages of the plane), csv (its motion) or json")
       ->required()
       ->check(CLI::IsMember({"svg", "dxf", "csv", "json"}));
   command->add_option("-o,--output", arguments.output, "Output file (default: standard output)");

@@ -139,6 +139,27 @@ class Spherical(FaceTest):
         self.assertIn("Dyads of all positions", words)
         self.assertIn("given fixed axes", words)
 
+    def test_five_orientations_are_pairs_of_dyads(self):
+        result, words, picture = self.solve(ROOT / "examples/ankle_orthosis.json", "--region")
+        self.assertIn("five orientations about a fixed centre", words)
+        count = len(result["dyads"])
+        self.assertEqual([dyad["multiplicity"] for dyad in result["dyads"]], [1] * count)
+        self.assertEqual(len(result["pairs"]), count * (count - 1) // 2)
+        self.assertIn("Dyads of all positions", words)
+        self.assertIn("All pairs as four-bars", words)
+        self.assertIn("every cell is a pair of dyads", picture)
+        self.assertIn("fixed and moving axis of a dyad", picture)
+        self.export("svg")
+
+    def test_five_orientations_without_answer_have_ways_out(self):
+        angles = ((-4, -25, 6), (-1, -12, 3.5), (0, 0, 0), (2.5, 11, -2), (6, 20, -5.5))
+        result, words, _ = self.solve(motion([{"euler_deg": list(one), "sequence": "zyx"} for one in angles]))
+        self.assertEqual(result["linkages"], [])
+        ways = [way for way in result["freed"] if way["linkage"]]
+        self.assertTrue(ways)
+        for way in ways:
+            self.assertIn(f"Relax orientation {way['orientation']}: the nearest four-bar free of defects is off by ", words)
+
     def test_directions_are_positions(self):
         problem = motion([TURNS[0] | {"angular_velocity": [0.1, 0.4, 0.1]}, *TURNS[1:3]]) | {"requirements": {"no_defects": False}}
         result, words, _ = self.solve(problem, "--samples", 60)

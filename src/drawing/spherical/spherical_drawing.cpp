@@ -75,7 +75,7 @@ void draw_task_card(SvgCanvas& svg, const SphericalAnswer& answer,
   draw_scene(svg, above, scene);
   draw_caption(svg, above, "the same from 60° above");
   draw_fixed_frame(svg, front, task_card.corner() + Point{48, 618});
-  draw_fixed_frame(svg, above, task_card.corner() + Point{566, 618});
+  draw_fixed_frame(svg, above, task_card.corner() + Point{532, 618});
   draw_task_keys(svg, task_card.corner() + Point{550, 60}, scene);
 }
 

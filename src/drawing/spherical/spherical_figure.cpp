@@ -82,7 +82,7 @@ void draw_ghosts(SvgCanvas& svg, const SphereView& view, const SphericalScene& s
   svg.end_group();
 }
 
-/// A body's triad at its marker, with the number of the orientation on a disc.
+/// A body's triad at its marker, with the number of the orientation on a disc; position 1 names its axes.
 void draw_orientation(SvgCanvas& svg, const SphereView& view, const SphericalScene& scene, std::size_t j) {
   constexpr double arm = 30, disc = 8.5;
   const bool strong = j == 0;
@@ -98,7 +98,7 @@ void draw_orientation(SvgCanvas& svg, const SphereView& view, const SphericalSce
     const Point along = view.across(there.apply(axis)) / view.radius();
     const Point tip = origin + arm * along;
     svg.line(origin, tip, stroke(color, strong ? 1.8 : 1.2) + " stroke-linecap=\"round\"");
-    if (std::abs(along) * arm > 1.5 * disc)
+    if (strong && std::abs(along) * arm > 1.5 * disc)
       svg.text(tip + 6.5 * along / std::abs(along) + Point{0, 3.5}, names[k],
                {.size = 10.5, .color = color, .anchor = "middle", .halo = palette::paper});
   }
