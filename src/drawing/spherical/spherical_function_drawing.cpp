@@ -52,7 +52,8 @@ std::string draw_sheet(const Problem& problem, const SphericalFunctionAnswer& an
   draw_card(svg, map_card, "Solution region: every value is one four-bar");
   const PixelBox map{map_card.left + 76, map_card.top + 44, side, is_ribbon(answer.family()) ? ribbon : side};
   if (answer.family() && answer.region.rows() > 0) draw_region(svg, drawn_region(answer, problem.length_unit), map);
-  draw_region_legend(svg, answer, spherical_linkages, {map_card.left + 18, map_card.top + 44 + side + 70}, map_card.width - 24);
+  const Point legend{map_card.left + 18, map_card.top + 44 + side + 70};
+  draw_region_legend(svg, answer, spherical_linkages, legend, map_card.width - 24);
   draw_card(svg, strip_card, "");
   draw_wrapped(svg, {strip_card.left + 18, strip_card.top + 54},
                answer.linkages.empty() ? answer.reason.message : link_angles_text(answer.linkages.front().angles),
