@@ -262,15 +262,17 @@ def longest_row(text):
 class Examples(FaceTest):
     @classmethod
     def setUpClass(cls):
-        cls.results, cls.six_bars, cls.spherical = {}, {}, {}
+        cls.results, cls.six_bars, cls.spherical, cls.spherical_functions = {}, {}, {}, {}
         for path in EXAMPLES:
             status, output, error = run("solve", path, "-o", "-")
             if (status, error) != (0, ""):
                 raise AssertionError(f"{path.name}: exit status {status}: {error}")
             result = json.loads(output)
             kinds = {"four_bar": cls.results, "six_bar": cls.six_bars, "spherical_four_bar": cls.spherical}
-            kinds[result["problem"]["task"]["mechanism"]][path.stem] = result
-        cls.all = cls.results | cls.six_bars | cls.spherical
+            task = result["problem"]["task"]
+            is_motion = "orientations" in task or task["mechanism"] != "spherical_four_bar"
+            (kinds[task["mechanism"]] if is_motion else cls.spherical_functions)[path.stem] = result
+        cls.all = cls.results | cls.six_bars | cls.spherical | cls.spherical_functions
 
     def for_each_linkage(self, check):
         """Calls check(requirements, poses, linkage as written, its FourBar)."""
