@@ -35,17 +35,26 @@ void check_same(const MotionTask& again, const MotionTask& task) {
   require(again.given == task.given);
 }
 
-void check_same(const FunctionTask& again, const FunctionTask& task) {
+void check_same_function(const WantedFunction& again, const WantedFunction& task) {
   require(again.pairs.size() == task.pairs.size());
   for (std::size_t i = 0; i < task.pairs.size(); ++i) {
     require(std::isfinite(task.pairs[i].input) && std::isfinite(task.pairs[i].output));
     require(again.pairs[i].input == task.pairs[i].input && again.pairs[i].output == task.pairs[i].output);
     require(again.pairs[i].multiplicity() == task.pairs[i].multiplicity());
   }
-  require(again.input_pivot == task.input_pivot && again.output_pivot == task.output_pivot);
   require(again.function.has_value() == task.function.has_value());
   require(again.free.has_value() == task.free.has_value());
   if (task.free) require(again.free->range == task.free->range && again.free->pair == task.free->pair);
+}
+
+void check_same(const FunctionTask& again, const FunctionTask& task) {
+  check_same_function(again, task);
+  require(again.input_pivot == task.input_pivot && again.output_pivot == task.output_pivot);
+}
+
+void check_same(const SphericalFunctionTask& again, const SphericalFunctionTask& task) {
+  check_same_function(again, task);
+  require(again.ground_angle == task.ground_angle);
 }
 
 void check_same(const SixBarTask& again, const SixBarTask& task) {

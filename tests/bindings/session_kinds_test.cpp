@@ -9,6 +9,7 @@
 #include "linkwright/synthesis/solve.hpp"
 #include "session.hpp"
 #include "six_bar_reply.hpp"
+#include "spherical_reply.hpp"
 
 namespace linkwright::wasm::session_kinds_test {
 namespace {
@@ -69,6 +70,24 @@ void expect_linkage_without_defects(Explored& explored, std::size_t width) {
   EXPECT_EQ(reply.states.size() % width, 0u);
   for (const json& tick : linkage["drive"]["ticks"]) EXPECT_TRUE(tick["reached"].get<bool>());
   EXPECT_TRUE(json::parse(explored.session.verify(input, output))["verified"].get<bool>());
+}
+
+constexpr std::string_view spherical_square =
+    R"({"linkwright": 1, "task": {"kind": "function", "mechanism": "spherical_four_bar", "ground_angle_deg": 70,
+    "function": {"expression": "x^2", "x": [0, 1], "input_range_deg": [0, 60], "output_range_deg": [0, 80]}}})";
+
+TEST(SessionOfASphericalFunction, TellsTheFunctionAndWhatALinkageMakesOfIt) {
+  Explored explored(spherical_square);
+  EXPECT_EQ(explored.task["axes"]["output"]["quantity"], "nothing");
+  EXPECT_FALSE(explored.task["symmetric"].get<bool>());
+  EXPECT_EQ(explored.task["function"]["pairs"].size(), 4u);
+  EXPECT_NE(explored.reply.output_curves, nullptr);
+  EXPECT_EQ(explored.reply.map->census().meeting, meeting_requirements(spherical_square));
+  expect_linkage_without_defects(explored, spherical_state_width);
+  const auto [input, output] = explored.passing();
+  const json linkage = json::parse(explored.session.linkage(input, output).linkage);
+  EXPECT_LT(linkage["function"]["precision_error_deg"].get<double>(), 1e-7);
+  EXPECT_TRUE(linkage["function"]["max_structural_error_deg"].is_number());
 }
 
 TEST(SessionOfThreePoses, HasAMapOverTwoDirections) {

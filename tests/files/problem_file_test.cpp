@@ -386,6 +386,24 @@ TEST(ProblemFile, ANamedFunctionBringsItsPairs) {
   EXPECT_NEAR(degrees(task.pairs[1].output), 90.0 / 16, 1e-12);
 }
 
+TEST(ProblemFile, FunctionsOfSphericalFourBarsComeBack) {
+  for (const std::string wanted :
+       {R"("pairs": [{"input_deg": 0, "output_deg": 0}, {"input_deg": 12, "output_deg": 20},
+           {"input_deg": 26, "output_deg": 38, "derivatives": [{"input": 1, "output": 0.5}]}])",
+        R"("function": {"expression": "x^2", "x": [0, 1], "input_range_deg": [10, 70], "output_range_deg": [0, 90]},
+           "free": {"number": "output_scale", "range": [0.7, 1.4]})"}) {
+    const Problem problem = read(R"({"linkwright": 1, "task": {"kind": "function", "mechanism": "spherical_four_bar",
+      "ground_angle_deg": 70, )" +
+                                 wanted + "}}");
+    const auto& task = std::get<SphericalFunctionTask>(problem.task);
+    EXPECT_NEAR(degrees(task.ground_angle), 70, 1e-12);
+    EXPECT_EQ(position_count(task.pairs), 4);
+    const Problem again = read(write_problem(problem));
+    EXPECT_EQ(std::get<SphericalFunctionTask>(again.task), task);
+    EXPECT_EQ(write_problem(again), write_problem(problem));
+  }
+}
+
 TEST(ProblemFile, ASearchTakesItsBoxFromTheOptions) {
   const Problem problem =
       read(R"({"linkwright": 1, "options": {"box": {"x": [-300, 300], "y": [-200, 250]}}, "task":)" +

@@ -34,7 +34,7 @@ TEST(FunctionLinkage, TheCouplerIsWhereTheArmsAre) {
   int linkages = 0;
   for (int i = 0; i < 500; ++i) {
     const auto pairs = testing::random_pairs(random, {1, 1, 1, 1});
-    const auto bars = linkage_at({{pairs}, {2, 1}, {0, 4}}, uniform(random, 0, 1));
+    const auto bars = linkage_at({{pairs, {}, {}}, {2, 1}, {0, 4}}, uniform(random, 0, 1));
     if (!bars || bars->lengths().coupler < 1e-2) continue;
     const auto poses = coupler_poses(*bars, pairs);
     for (std::size_t j = 0; j < pairs.size(); ++j) {
@@ -86,7 +86,7 @@ TEST(FunctionLinkage, DefectsAreConfirmedByDriving) {
   for (int i = 0; i < 60; ++i) {
     const bool mixed = i % 3 == 2;
     const auto pairs = mixed ? testing::random_pairs(random, {1, 2, 1}) : testing::gentle_pairs(random, 4);
-    const auto bars = linkage_at({{pairs}, {1, 1}, {4, 0}}, uniform(random, 0, 1));
+    const auto bars = linkage_at({{pairs, {}, {}}, {1, 1}, {4, 0}}, uniform(random, 0, 1));
     if (!bars || bars->lengths().longest() > 30 * bars->lengths().shortest()) continue;
     const auto poses = coupler_poses(*bars, pairs);
     const DefectReport report = find_defects(*bars, poses);

@@ -26,5 +26,9 @@ inline SphericalMotionAnswer solved(const SphericalMotionTask& task, const Requi
                                     const SynthesisOptions& options = {}) {
   return solved_as<SphericalMotionAnswer>(task, wanted, options);
 }
+inline SphericalFunctionAnswer solved(const SphericalFunctionTask& task, const Requirements& wanted = {},
+                                      const SynthesisOptions& options = {}) {
+  return solved_as<SphericalFunctionAnswer>(task, wanted, options);
+}
 
 }  // namespace linkwright::testing

@@ -12,6 +12,7 @@
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"
 #include "support/solved.hpp"
+#include "support/spherical_function.hpp"
 #include "support/tailgate.hpp"
 
 namespace linkwright::solve_test {
@@ -515,6 +516,46 @@ TEST_F(SolveAtAPlace, OfAFunctionHasItsError) {
   ASSERT_EQ(picked.linkages.size(), 1u);
   EXPECT_EQ(picked.linkages[0].four_bar.output_circle, best.linkages.back().four_bar.output_circle);
   EXPECT_TRUE(picked.linkages[0].function);
+}
+
+TEST(SolveSphericalFunction, ListsGeneratorsThatDrivingConfirms) {
+  const SphericalFunctionAnswer answer = solved(testing::named_spherical_task("log", {1, 2}, 60, -70, 40));
+  EXPECT_EQ(answer.status, SolutionStatus::solved);
+  ASSERT_FALSE(answer.linkages.empty());
+  EXPECT_TRUE(answer.pairs.empty());
+  for (const SphericalSolution& found : answer.linkages) {
+    EXPECT_TRUE(found.verified_by_driving);
+    ASSERT_TRUE(found.function);
+    EXPECT_TRUE(found.function->reaches_pairs);
+    EXPECT_LT(found.function->precision_error, 1e-9);
+    EXPECT_NEAR(found.angles.ground, radians(40), 1e-12);
+  }
+}
+
+TEST(SolveSphericalFunction, RanksByStructuralErrorWhereAsked) {
+  SynthesisOptions options;
+  options.objective = Objective::structural_error;
+  const SphericalFunctionTask task = testing::named_spherical_task("log", {1, 2}, 60, -70, 40);
+  const SphericalFunctionAnswer answer = solved(task, {}, options), usual = solved(task);
+  ASSERT_FALSE(answer.linkages.empty());
+  for (std::size_t i = 0; i + 1 < answer.linkages.size(); ++i)
+    EXPECT_LE(*answer.linkages[i].function->max_structural_error,
+              *answer.linkages[i + 1].function->max_structural_error + 1e-12);
+  for (const SphericalSolution& found : usual.linkages)
+    EXPECT_GE(found.function->max_structural_error.value_or(10) + 1e-9,
+              *answer.linkages[0].function->max_structural_error);
+  const auto refused = solve(testing::spherical_function_case("stapler-function-4"), {}, options);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.errors()[0].code, "objective_of_function");
+}
+
+TEST(SolveSphericalFunction, FivePairsListEveryLinkageWhateverItsDefects) {
+  const SphericalFunctionAnswer answer = solved(testing::spherical_function_case("function-five-real-5"));
+  EXPECT_EQ(answer.pairs.size(), 5u);
+  for (const SphericalSolution& found : answer.pairs) {
+    ASSERT_TRUE(found.function);
+    EXPECT_LT(found.residual, 1e-9);
+  }
 }
 
 TEST_F(SolveAtAPlace, OfASearchIsRefused) {
