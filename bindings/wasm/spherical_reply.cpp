@@ -8,6 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_analysis.hpp"
 #include "reply_json.hpp"
+#include "spherical_travel.hpp"
 
 namespace linkwright::wasm {
 namespace {
@@ -53,7 +54,7 @@ Notice spherical_defect(Defects defects) {
   return {"spherical_order", "Order defect: it comes to the orientations in another order.", {}};
 }
 
-void write_spherical_verdict(JsonWriter& json, const SphericalSolution& found, const SphericalAnalysis& analysis) {
+void write_spherical_verdict(JsonWriter& json, const SphericalSolution& found, const SphericalTravel& travel) {
   const DefectReport& report = found.report;
   const bool clean = report.defects.none();
   json.member("type", name(report.type));
@@ -70,7 +71,7 @@ void write_spherical_verdict(JsonWriter& json, const SphericalSolution& found, c
   json.member("residual", found.residual);
   json.key("dead_points_deg");
   std::vector<double> dead;
-  for (const SphericalDeadPoint& point : analysis.dead_points) dead.push_back(degrees(point.configuration.input_angle));
+  for (const double turn : travel.dead_points) dead.push_back(degrees(turn));
   write_numbers(json, dead);
   json.key("swapped");
   json.begin_object(Layout::one_line);
@@ -105,6 +106,7 @@ void write_bars(JsonWriter& json, const SphericalSolution& found, const Spherica
   json.member("coupler", degrees(found.angles.coupler));
   json.member("output", degrees(found.angles.output));
   json.end_object();
+  json.member("min_link_angle_deg", degrees(least_link_angle(found.angles)));
   json.key("triple_rocker");
   analysis.triple_rocker == TripleRockerKind::none ? json.null() : json.value(name(analysis.triple_rocker));
   write_axis(json, "input_fixed", found.four_bar.input_fixed);
@@ -114,17 +116,8 @@ void write_bars(JsonWriter& json, const SphericalSolution& found, const Spherica
   json.end_object();
 }
 
-/// The row of each orientation; −1 where the drive does not come to it.
-std::vector<int> rows_of(const SphericalAnalysis& analysis, std::size_t orientations) {
-  std::vector<int> rows(orientations, -1);
-  for (std::size_t row = 0; row < analysis.motion.size(); ++row)
-    if (const auto position = analysis.motion[row].position)
-      rows[static_cast<std::size_t>(*position) - 1] = static_cast<int>(row);
-  return rows;
-}
-
-void write_spherical_drive(JsonWriter& json, const SphericalAnalysis& analysis, std::size_t orientations) {
-  const std::vector<int> rows = rows_of(analysis, orientations);
+void write_spherical_drive(JsonWriter& json, const SphericalTravel& travel) {
+  const std::vector<int>& rows = travel.row_of_position;
   const bool all = std::none_of(rows.begin(), rows.end(), [](int row) { return row < 0; });
   json.begin_object();
   json.member("width", static_cast<int>(spherical_state_width));
@@ -138,13 +131,12 @@ void write_spherical_drive(JsonWriter& json, const SphericalAnalysis& analysis, 
     json.end_object();
   }
   json.end_list();
-  const bool full = analysis.input_range.is_full_turn();
-  json.member("full_turn", full);
+  json.member("full_turn", travel.full_turn);
   json.key("limits");
   json.begin_object(Layout::one_line);
   for (const char* end : {"low", "high"}) {
     json.key(end);
-    full ? json.null() : json.value("dead_point");
+    travel.full_turn ? json.null() : json.value("dead_point");
   }
   json.end_object();
   json.key("task");
@@ -155,12 +147,13 @@ void write_spherical_drive(JsonWriter& json, const SphericalAnalysis& analysis, 
   json.end_object();
 }
 
-void append(const SphericalState& state, double first_input, std::vector<double>& states) {
+void append(const SphericalPassage& passage, std::vector<double>& states) {
+  const SphericalState& state = passage.state;
   const UnitQuaternion turn = state.turn.canonical();
   const Vector3 a = state.four_bar.input_moving, b = state.four_bar.output_moving, v = turn.v();
-  states.insert(states.end(), {degrees(state.configuration.input_angle - first_input), 0, 0, 0, 0, 0, 0, 0,
-                               degrees(state.transmission_angle), 0, degrees(state.configuration.output_angle),
-                               state.velocity_ratio.value_or(0), 0});
+  const double ratio = state.velocity_ratio.value_or(0);
+  states.insert(states.end(), {degrees(passage.input_turn), 0, 0, 0, 0, 0, 0, 0, degrees(state.transmission_angle), 0,
+                               degrees(passage.output_turn), ratio, ratio != 0 ? std::abs(1 / ratio) : 0});
   states.insert(states.end(), {a.x, a.y, a.z, b.x, b.y, b.z, turn.w(), v.x, v.y, v.z});
 }
 
@@ -171,6 +164,7 @@ LinkageReply spherical_reply(const std::optional<SphericalSolution>& found,
                              const WantedFunction* wanted) {
   LinkageReply reply;
   const SphericalAnalysis analysis = found ? analyze(found->four_bar, orientations) : SphericalAnalysis{};
+  const SphericalTravel travel = spherical_travel(analysis, orientations.size());
   reply.linkage = json_of([&](JsonWriter& json) {
     json.begin_object();
     json.member("mechanism", "spherical_four_bar");
@@ -183,16 +177,16 @@ LinkageReply spherical_reply(const std::optional<SphericalSolution>& found,
     json.key("function");
     wanted&& found && found->function ? write_generated_function(json, *wanted, *found->function) : json.null();
     if (found) {
-      write_spherical_verdict(json, *found, analysis);
+      write_spherical_verdict(json, *found, travel);
       write_bars(json, *found, analysis);
     } else {
       write_no_linkage(json);
     }
     json.key("drive");
-    analysis.motion.empty() ? json.null() : write_spherical_drive(json, analysis, orientations.size());
+    travel.passages.empty() ? json.null() : write_spherical_drive(json, travel);
     json.end_object();
   });
-  for (const SphericalState& state : analysis.motion) append(state, analysis.configuration.input_angle, reply.states);
+  for (const SphericalPassage& passage : travel.passages) append(passage, reply.states);
   return reply;
 }
 

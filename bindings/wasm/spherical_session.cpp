@@ -7,6 +7,7 @@
 #include "reply_json.hpp"
 #include "spherical/spherical_candidate.hpp"
 #include "spherical_reply.hpp"
+#include "spherical_travel.hpp"
 
 namespace linkwright::wasm {
 namespace {
@@ -137,6 +138,8 @@ void write_best_linkages(JsonWriter& json, const SphericalAnswer& answer) {
     write_numbers(json, std::array{found.input.coordinate, found.output.coordinate});
     json.member("type", name(found.report.type));
     json.member("min_transmission_angle_deg", degrees(found.report.min_transmission_angle));
+    json.member("min_link_angle_deg", degrees(least_link_angle(found.angles)));
+    json.member("driver_sweep_deg", degrees(found.report.sweep));
     for (const char* key : {"link_ratio", "longest", "max_structural_error_deg"}) {
       json.key(key);
       json.null();
