@@ -6,6 +6,8 @@
  *  (output) where each has an axis of its own. */
 export type TauPair = readonly [input: number, output: number];
 export type Point = readonly [x: number, y: number];
+/** Where a linkage has a joint: a point of the plane, or a unit vector along an axis through the centre of a sphere. */
+export type Pivot = Point | readonly [x: number, y: number, z: number];
 
 export const linkage_types = [
   "crank_rocker",
@@ -21,6 +23,7 @@ export const linkage_types = [
   "triple_rocker",
 ] as const; // index = code in the map
 export type LinkageType = (typeof linkage_types)[number];
+export const degenerate = linkage_types.indexOf("degenerate");
 
 export const defect_bits = {order: 1, branch: 2, circuit: 4} as const;
 
@@ -320,10 +323,10 @@ export interface Ranked extends Partial<Record<Property, number | null>> {
   tau: TauPair;
   type: LinkageType;
   min_transmission_angle_deg: number;
-  link_ratio: number;
-  longest: number;
+  link_ratio: number | null;
+  longest: number | null;
   /** Of a four-bar both ends of input and output, of a longer linkage all its hinges. */
-  pivots: Point[];
+  pivots: Pivot[];
 }
 export interface Replies {
   explore: {task: TaskAnswer; map: MapAnswer | null; engine_ms: number};

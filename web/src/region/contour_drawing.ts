@@ -1,5 +1,6 @@
 // Contours on a canvas: white lines with a dark edge, each labelled where it is straightest.
 import {contours, straightest, type Contour} from "./contours";
+import {degenerate} from "../engine/protocol";
 import type {Axes, Axis, MapAnswer} from "../engine/protocol";
 import {point_of, type Frame} from "./painter";
 
@@ -21,7 +22,7 @@ export function map_contours(map: MapAnswer, levels: readonly number[], axes: Ax
       columns,
       value,
       stride: Math.max(1, Math.round(Math.max(rows, columns) / most_lines)),
-      counts: (i) => defects[i] === 0 && type[i]! < 9 && (fails[i]! & ~ignored) === 0,
+      counts: (i) => defects[i] === 0 && type[i]! !== degenerate && (fails[i]! & ~ignored) === 0,
       row_breaks: breaks(window.input, edges(axes.input), rows),
       column_breaks: breaks(window.output, edges(axes.output), columns),
     },

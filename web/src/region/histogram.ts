@@ -1,3 +1,4 @@
+import {degenerate} from "../engine/protocol";
 import type {MapAnswer} from "../engine/protocol";
 import {most_of} from "../state/ends";
 
@@ -13,7 +14,7 @@ export function histogram(
   const {type, defects, value} = map;
   const step = type.length > 200_000 ? 5 : 1;
   for (let i = 0; i < type.length; i += step) {
-    if (defects[i] !== 0 || type[i]! >= 9) continue;
+    if (defects[i] !== 0 || type[i]! === degenerate) continue;
     const bin = Math.floor((value[i]! - from) * scale);
     if (bin >= 0 && bin < bins) ++counts[bin]!;
   }

@@ -1,5 +1,5 @@
 // Colours of the map: the page's tokens, and the table from what a cell is to its pixel.
-import {linkage_types} from "../engine/protocol";
+import {degenerate, linkage_types} from "../engine/protocol";
 
 export type Rgb = readonly [number, number, number];
 export interface Palette {
@@ -65,7 +65,7 @@ function level_of(kind: number, look: Look): Level {
   const type = kind & 15,
     meets = (kind & 16) !== 0,
     defects = kind >> 5;
-  if (type >= 9) return "paper";
+  if (type === degenerate) return "paper";
   if (look.only_meeting && !meets) return "paper";
   if (defects) return meets ? "through" : "clear"; // the hatching below shows
   return meets ? "full" : "washed";

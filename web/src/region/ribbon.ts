@@ -1,5 +1,6 @@
 // The plot under a map of one column: a property along the coordinate.
 import {round_step} from "../state/problem";
+import {degenerate} from "../engine/protocol";
 import type {MapAnswer, Property} from "../engine/protocol";
 import {pixel_of, type Scale} from "./scale";
 
@@ -27,7 +28,7 @@ export function ribbon_lines(map: MapAnswer, scale: Scale): RibbonLine[] {
     const place = from + ((row + 0.5) / rows) * (to - from),
       meets = fails[row] === 0;
     const here = scale.pieces.findIndex((p) => place >= p.from && place <= p.to);
-    if (value[row] === 0 || type[row]! >= 9 || here < 0) {
+    if (value[row] === 0 || type[row]! === degenerate || here < 0) {
       last = null;
       continue;
     }

@@ -1,4 +1,5 @@
 // Where both axes have sheets, the map has a part for each pair of them.
+import {degenerate} from "../engine/protocol";
 import type {Axis, MapAnswer, TaskAnswer, Window} from "../engine/protocol";
 
 export interface Sheet {
@@ -29,7 +30,7 @@ function is_empty(map: MapAnswer, {input, output}: Window): boolean {
     last_column = Math.round(output[1] * map.columns);
   for (let row = Math.round(input[0] * map.rows); row < last_row; ++row) {
     for (let column = Math.round(output[0] * map.columns); column < last_column; ++column)
-      if (map.type[row * map.columns + column]! < 9) return false;
+      if (map.type[row * map.columns + column]! !== degenerate) return false;
   }
   return true;
 }

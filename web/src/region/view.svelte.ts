@@ -1,5 +1,6 @@
 // How the map lies on the screen and where it is being pointed at. Nothing here outlives the pointer: what is shown of
 // the region, picked and hovered is the workbench's.
+import {degenerate} from "../engine/protocol";
 import type {Axis, Point, Side, TauPair} from "../engine/protocol";
 import {held_place, is_ribbon, place_of, places_of, stepped_place, tau_of_places} from "../state/axis";
 import type {Pin} from "../state/problem";
@@ -174,6 +175,6 @@ export class RegionView {
   is_empty(place: TauPair): boolean {
     const cell = this.cell(place),
       map = this.workbench.map;
-    return cell === null || !map || map.type[cell]! >= 9 || map.defects[cell] !== 0;
+    return cell === null || !map || map.type[cell]! === degenerate || map.defects[cell] !== 0;
   }
 }

@@ -1,9 +1,7 @@
 // The colours of a small map: in full what meets everything, washed what is only free of defects, grey the rest.
-import {linkage_types} from "../engine/protocol";
+import {degenerate, linkage_types} from "../engine/protocol";
 import type {Thumbnail} from "../engine/stored";
 import {mixed, rgb_of, washed_share} from "../region/palette";
-
-const degenerate = linkage_types.indexOf("degenerate");
 
 /** Pixels from the top: the input's place upwards, the output's to the right. `defect`: the bit of what has one. */
 export function painted(

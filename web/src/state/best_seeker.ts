@@ -1,5 +1,6 @@
 // Puts better linkages in hand: the best of all, the best of the next type, the best nearby.
 import type {EngineClient} from "../engine/client";
+import {degenerate} from "../engine/protocol";
 import type {Linkage, MapAnswer, TauPair} from "../engine/protocol";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import type {Answers} from "./answers.svelte";
@@ -126,6 +127,6 @@ function least_bad({type, defects, fails, columns, input_tau, output_tau}: MapAn
   if (type.length > few_cells) return null;
   const against = (cell: number) =>
     (defects[cell] ? 100 : 0) + [...fails[cell]!.toString(2)].filter((bit) => bit === "1").length;
-  const [best] = [...type.keys()].filter((cell) => type[cell]! < 9).sort((a, b) => against(a) - against(b));
+  const [best] = [...type.keys()].filter((cell) => type[cell]! !== degenerate).sort((a, b) => against(a) - against(b));
   return best === undefined ? null : [input_tau[Math.floor(best / columns)]!, output_tau[best % columns]!];
 }
