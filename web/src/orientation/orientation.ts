@@ -1,6 +1,7 @@
 // An orientation as files give it (schema/attitude.schema.json), and what the engine's report says of it.
 import {is_number, is_object, type Object} from "../state/shape";
 import type {Rows, Vec3} from "../sphere/vectors";
+import type {TextKey} from "../texts/texts.svelte";
 
 export const sequences = [
   ...["xyz", "xzy", "yxz", "yzx", "zxy", "zyx"],
@@ -17,6 +18,13 @@ export type Orientation =
   | {euler_deg: Vec3; sequence: string; turning?: Turning};
 export const forms = ["quaternion", "axis", "rotation_vector", "matrix", "euler_deg"] as const;
 export type Form = (typeof forms)[number];
+export const form_names: Record<Form, TextKey> = {
+  quaternion: "orientation.quaternion",
+  axis: "orientation.axis_angle",
+  rotation_vector: "orientation.rotation_vector",
+  matrix: "orientation.matrix",
+  euler_deg: "orientation.euler",
+};
 
 /** Of the sequences' twelve members each. */
 type BySequence<T> = Record<string, T>;

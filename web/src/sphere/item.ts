@@ -5,6 +5,7 @@ export const sphere_colors = [
   "paper",
   "sunk",
   "line",
+  "body",
   "ink",
   "ink2",
   "ink3",
@@ -70,7 +71,26 @@ export interface Craft extends Common {
   at?: Vec3;
   size?: number;
 }
-export type Item = Path | Arrow | Dot | Fan | Band | Craft;
+/** Stretches of lines on the ball, a beginning and an end to each; parts on the far side are thin and faint. */
+export interface Strokes extends Common {
+  kind: "strokes";
+  ends: readonly Vec3[];
+  width?: number;
+}
+/** A ball about the origin that lets through what is behind it. */
+export interface Ball extends Common {
+  kind: "ball";
+  radius: number;
+}
+/** A body of its own, its frame's origin in the middle of the ball. */
+export interface Solid extends Common {
+  kind: "solid";
+  /** Coordinates of three corners to a triangle, in its frame: the same list is the same body. */
+  corners: readonly number[] | Float32Array;
+  frame: Rows;
+  size?: number;
+}
+export type Item = Path | Arrow | Dot | Fan | Band | Craft | Strokes | Ball | Solid;
 
 /** A short text beside a point. */
 export interface Label {
@@ -78,6 +98,8 @@ export interface Label {
   at: Vec3;
   text: string;
   color: SphereColor;
+  /** It can be pressed: by this name. */
+  button?: {name: string; testid: string; pressed: boolean; press(): void};
 }
 
 /** Three axes with their names: x₀ y₀ z₀, or x′ y′ z′. */

@@ -6,23 +6,29 @@ import type {Spot, View} from "./view";
 export const ring_radius = 1;
 
 /** Points around a ring, every three degrees. */
-export function ring(frame: Rows, axis: number): Vec3[] {
-  return arc(column(frame, axis), times(ring_radius, column(frame, (axis + 1) % 3)), 2 * Math.PI);
+export function ring(frame: Rows, axis: number, radius = ring_radius): Vec3[] {
+  return arc(column(frame, axis), times(radius, column(frame, (axis + 1) % 3)), 2 * Math.PI);
 }
 /** Where a ring has its knob: between the two other axes, on the side of the eye. */
-export function knob(frame: Rows, axis: number, towards_eye: Vec3): Vec3 {
+export function knob(frame: Rows, axis: number, towards_eye: Vec3, radius = ring_radius): Vec3 {
   const a = column(frame, (axis + 1) % 3),
     b = column(frame, (axis + 2) % 3);
   const candidates = [plus(a, b), minus(a, b), minus(b, a), times(-1, plus(a, b))];
   const nearest = candidates.reduce((best, other) => (dot(other, towards_eye) > dot(best, towards_eye) ? other : best));
-  return times(ring_radius, unit(nearest));
+  return times(radius, unit(nearest));
 }
 /** The ring under the pointer within so many pixels, the part before the middle first; nothing where there is none. */
-export function ring_at(view: View, frame: Rows, spot: Spot, within: number): {axis: number; at: Vec3} | null {
+export function ring_at(
+  view: View,
+  frame: Rows,
+  spot: Spot,
+  within: number,
+  radius = ring_radius,
+): {axis: number; at: Vec3} | null {
   let found: {axis: number; at: Vec3} | null = null,
     least = Infinity;
   for (const axis of [0, 1, 2]) {
-    for (const at of ring(frame, axis)) {
+    for (const at of ring(frame, axis, radius)) {
       const seen = view.spot(at),
         away = Math.hypot(seen.x - spot.x, seen.y - spot.y),
         behind = dot(at, view.towards_eye) < -0.05 ? within / 2 : 0;

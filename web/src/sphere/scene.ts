@@ -7,7 +7,11 @@ import {
   DirectionalLight,
   DoubleSide,
   Float32BufferAttribute,
+  FrontSide,
   HemisphereLight,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
@@ -21,10 +25,12 @@ import {
 } from "three";
 import {Line2} from "three/examples/jsm/lines/Line2.js";
 import {LineGeometry} from "three/examples/jsm/lines/LineGeometry.js";
+import {LineSegments2} from "three/examples/jsm/lines/LineSegments2.js";
+import {LineSegmentsGeometry} from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import {LineMaterial} from "three/examples/jsm/lines/LineMaterial.js";
 import {craft_triangles} from "./craft";
-import type {Arrow, Band, Craft, Fan, Item, Path, SphereColor} from "./item";
-import {circle, length, minus, plus, seen_from_outside, times, unit, type Vec3} from "./vectors";
+import type {Arrow, Band, Craft, Fan, Item, Path, Solid, SphereColor, Strokes} from "./item";
+import {circle, length, minus, plus, seen_from_outside, times, unit, type Rows, type Vec3} from "./vectors";
 import type {View} from "./view";
 
 export type SphereColors = Record<SphereColor, string>;
@@ -35,10 +41,13 @@ interface Part {
 }
 /** What an item is made of. */
 interface Shape {
-  type: "line" | "surface" | "ball" | "cone";
+  type: "line" | "segments" | "hairs" | "surface" | "ball" | "large_ball" | "cone" | "solid";
   material: Material;
   /** Coordinates of a line's points, or of three corners to a triangle. */
   corners?: readonly number[];
+  /** Of a body that only moves. */
+  body?: Solid["corners"];
+  frame?: Rows;
   at?: Vec3;
   along?: Vec3;
   scale?: number;
@@ -55,6 +64,8 @@ export class SphereScene {
   private readonly parts = new Map<string, Part>();
   private readonly materials = new Map<string, {color: SphereColor; material: Material & {color: Color}}>();
   private readonly ball = new SphereGeometry(1, 20, 14);
+  private readonly large_ball = new SphereGeometry(1, 72, 48);
+  private readonly bodies = new Map<Solid["corners"], {geometry: BufferGeometry; users: number}>();
   private readonly cone = new ConeGeometry(head.radius, head.length, 16);
   /** Between the near and the far side of the ball. */
   private readonly front = new Plane();
@@ -78,6 +89,7 @@ export class SphereScene {
     for (const key of [...this.parts.keys()]) this.remove(key);
     for (const {material} of this.materials.values()) material.dispose();
     this.ball.dispose();
+    this.large_ball.dispose();
     this.cone.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
@@ -136,8 +148,23 @@ export class SphereScene {
     this.parts.set(item.key, {item, objects});
     if (objects.length) this.scene.add(...objects);
   }
-  private object({type, material, corners = []}: Shape): Mesh {
-    if (type === "ball" || type === "cone") return new Mesh(this[type], material);
+  private object({type, material, corners = [], body}: Shape): Mesh {
+    if (type === "solid" && body) {
+      const mesh = new Mesh(this.geometry_of(body), material);
+      mesh.userData.body = body;
+      return mesh;
+    }
+    if (type === "hairs") {
+      const geometry = new BufferGeometry();
+      geometry.setAttribute("position", new Float32BufferAttribute(new Float32Array(room_for(corners.length)), 3));
+      return new LineSegments(geometry, material) as unknown as Mesh;
+    }
+    if (type === "segments") {
+      const geometry = new LineSegmentsGeometry();
+      geometry.setPositions(new Float32Array(room_for(corners.length)));
+      return new LineSegments2(geometry, material as LineMaterial) as unknown as Mesh;
+    }
+    if (type === "ball" || type === "large_ball" || type === "cone") return new Mesh(this[type], material);
     if (type === "line") {
       const geometry = new LineGeometry();
       geometry.setPositions([...corners]);
@@ -153,8 +180,28 @@ export class SphereScene {
     this.parts.delete(key);
     for (const object of part.objects) {
       this.scene.remove(object);
-      if (object.geometry !== this.ball && object.geometry !== this.cone) object.geometry.dispose();
+      if (part.item.kind === "solid") this.forget_body(part.item.corners);
+      else if (![this.ball, this.cone, this.large_ball].includes(object.geometry as SphereGeometry & ConeGeometry))
+        object.geometry.dispose();
     }
+  }
+  private geometry_of(corners: Solid["corners"]): BufferGeometry {
+    const known = this.bodies.get(corners);
+    if (known) {
+      ++known.users;
+      return known.geometry;
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));
+    geometry.computeVertexNormals();
+    this.bodies.set(corners, {geometry, users: 1});
+    return geometry;
+  }
+  private forget_body(corners: Solid["corners"]): void {
+    const known = this.bodies.get(corners);
+    if (!known || --known.users > 0) return;
+    known.geometry.dispose();
+    this.bodies.delete(corners);
   }
 
   // ---- materials ----------------------------------------------------------------------------------------------------
@@ -222,6 +269,20 @@ export class SphereScene {
         return [{type: "surface", material: this.flat_material(item), corners: fan_corners(item)}];
       case "band":
         return [{type: "surface", material: this.flat_material(item), corners: band_corners(item)}];
+      case "strokes":
+        return this.strokes(item);
+      case "ball":
+        return [{type: "large_ball", material: this.veil(item), at: [0, 0, 0], scale: item.radius}];
+      case "solid":
+        return [
+          {
+            type: "solid",
+            material: this.solid_material(item),
+            body: item.corners,
+            frame: item.frame,
+            scale: item.size ?? 1,
+          },
+        ];
       case "craft":
         return [{type: "surface", material: this.solid_material(item), corners: craft_corners(item)}];
     }
@@ -231,6 +292,35 @@ export class SphereScene {
     const sides: Side[] = item.on_ball ? ["front", "back"] : ["all"],
       corners = item.points.flat();
     return sides.map((side) => ({type: "line", material: this.line_material(item, side), corners}));
+  }
+  private strokes(item: Strokes): Shape[] {
+    const corners = item.ends.flat();
+    return [
+      {type: "segments", material: this.line_material(item, "front"), corners},
+      {type: "hairs", material: this.hair_material(item), corners},
+    ];
+  }
+  /** On the far side: a pixel wide, which costs a processor that draws a tenth of a line of a width. */
+  private hair_material({color, opacity = 1}: Item): LineBasicMaterial {
+    return this.material(
+      `hair ${color} ${opacity}`,
+      color,
+      () =>
+        new LineBasicMaterial({
+          transparent: true,
+          opacity: 0.45 * opacity,
+          depthWrite: false,
+          clippingPlanes: [this.back],
+        }),
+    );
+  }
+  /** Of a ball, its near side. */
+  private veil({color, opacity = 1}: Item): MeshBasicMaterial {
+    return this.material(
+      `veil ${color} ${opacity}`,
+      color,
+      () => new MeshBasicMaterial({transparent: true, opacity, side: FrontSide, depthWrite: false}),
+    );
   }
   private arrow(item: Arrow): Shape[] {
     const along = unit(minus(item.to, item.from)),
@@ -272,20 +362,34 @@ function craft_corners({frame, at = [0, 0, 0], size = 1}: Craft): number[] {
 
 /** The numbers of an object's geometry, where it has its own: of a line its segments, two ends to each. */
 function numbers_of({geometry}: Mesh, type: Shape["type"]): Float32Array | null {
-  if (type === "line")
+  if (type === "line" || type === "segments")
     return (geometry.getAttribute("instanceStart") as InterleavedBufferAttribute).data.array as Float32Array;
-  return type === "surface" ? (geometry.getAttribute("position").array as Float32Array) : null;
+  return type === "surface" || type === "hairs" ? (geometry.getAttribute("position").array as Float32Array) : null;
 }
 /** Whether an object can become this shape as it is: another geometry costs much more than other numbers. */
-function fits(object: Mesh, {type, material, corners = []}: Shape): boolean {
+function fits(object: Mesh, {type, material, corners = [], body}: Shape): boolean {
   if (object.material !== material) return false;
+  if (body) return object.userData.body === body;
+  if (type === "segments" || type === "hairs") return (numbers_of(object, type)?.length ?? 0) >= corners.length;
   const wanted = type === "line" ? 2 * (corners.length - 3) : corners.length;
   return (numbers_of(object, type)?.length ?? 0) === wanted;
 }
-function put(object: Mesh, {type, corners = [], at, along, scale = 1}: Shape): void {
+/** How many numbers are kept for stretches of so many: there will be more. */
+function room_for(numbers: number): number {
+  return 6 * 2 ** Math.ceil(Math.log2(numbers / 6 + 16));
+}
+function put(object: Mesh, {type, corners = [], frame, at, along, scale = 1}: Shape): void {
   const numbers = numbers_of(object, type),
     {geometry} = object;
-  if (type === "line" && numbers) {
+  if (type === "hairs" && numbers) {
+    numbers.set(corners);
+    geometry.getAttribute("position").needsUpdate = true;
+    geometry.setDrawRange(0, corners.length / 3);
+  } else if (type === "segments" && numbers) {
+    numbers.set(corners);
+    (geometry.getAttribute("instanceStart") as InterleavedBufferAttribute).data.needsUpdate = true;
+    (geometry as LineSegmentsGeometry).instanceCount = corners.length / 6;
+  } else if (type === "line" && numbers) {
     for (let k = 0; k + 3 < corners.length; k += 3) for (let i = 0; i < 6; ++i) numbers[2 * k + i] = corners[k + i]!;
     (geometry.getAttribute("instanceStart") as InterleavedBufferAttribute).data.needsUpdate = true;
     if ((object.material as LineMaterial).dashed) (object as unknown as Line2).computeLineDistances();
@@ -295,6 +399,11 @@ function put(object: Mesh, {type, corners = [], at, along, scale = 1}: Shape): v
     geometry.computeVertexNormals();
   }
   object.frustumCulled = false; // its bounds are those of before
+  if (frame) {
+    const [x, y, z] = frame;
+    object.quaternion.setFromRotationMatrix(new Matrix4().set(...x, 0, ...y, 0, ...z, 0, 0, 0, 0, 1));
+    object.scale.setScalar(scale);
+  }
   if (at) object.position.set(...at);
   if (along) object.quaternion.setFromUnitVectors(up, new Vector3(...along));
   if (at) object.scale.setScalar(scale);

@@ -9,6 +9,9 @@ export const identity: Rows = [
   [0, 0, 1],
 ];
 
+/** From where one looks at first. */
+export const first_eye: Vec3 = [1, 0.55, 0.5];
+
 export function plus(a: Vec3, b: Vec3): Vec3 {
   return [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 }

@@ -1,6 +1,6 @@
 // How one looks at a ball: freely, in perspective, or flat, along an axis without perspective. The camera only.
 import {Matrix4, OrthographicCamera, PerspectiveCamera, Quaternion, Vector3, type Camera} from "three";
-import type {Vec3} from "./vectors";
+import {first_eye, type Vec3} from "./vectors";
 
 export type Flat = "x" | "y" | "z";
 export interface Size {
@@ -35,7 +35,7 @@ function looking(from: Vec3, up: Vec3): Quaternion {
   const matrix = new Matrix4().lookAt(new Vector3(...from), new Vector3(), new Vector3(...up));
   return new Quaternion().setFromRotationMatrix(matrix);
 }
-const first_look = () => looking([1, 0.55, 0.5], [0, 0, 1]);
+const first_look = () => looking(first_eye, [0, 0, 1]);
 
 export class View {
   private readonly perspective = new PerspectiveCamera(view_angle, 1, 0.1, 100);
@@ -57,6 +57,11 @@ export class View {
   get towards_eye(): Vec3 {
     const {x, y, z} = new Vector3(0, 0, 1).applyQuaternion(this.look);
     return [x, y, z];
+  }
+  /** To the right and up on the canvas. */
+  get across(): readonly [Vec3, Vec3] {
+    const of = (x: number, y: number) => new Vector3(x, y, 0).applyQuaternion(this.look).toArray() as unknown as Vec3;
+    return [of(1, 0), of(0, 1)];
   }
   /** How far before the middle the ball's outline lies. */
   get horizon(): number {
@@ -117,6 +122,16 @@ export class View {
   spot(at: Vec3): Spot {
     const {x, y} = new Vector3(...at).project(this.camera);
     return {x: ((x + 1) / 2) * this.size.width, y: ((1 - y) / 2) * this.size.height};
+  }
+  /** The point of the ball's near side under a spot; beyond the outline the nearest of that. */
+  on_ball(spot: Spot): Vec3 {
+    const {from, along} = this.ray(spot),
+      a = new Vector3(...from),
+      d = new Vector3(...along),
+      half = a.dot(d),
+      under_root = half ** 2 - a.lengthSq() + 1;
+    const at = a.addScaledVector(d, under_root > 0 ? -half - Math.sqrt(under_root) : -half).normalize();
+    return at.toArray() as unknown as Vec3;
   }
   /** The line of sight through a spot. */
   ray({x, y}: Spot): {from: Vec3; along: Vec3} {

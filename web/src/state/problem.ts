@@ -1,5 +1,5 @@
 // The problem file as the page holds it: a plain immutable value. Its normal form and its mistakes come from the engine.
-import type {Box, LinkageType, Point, Requirements, TauPair} from "../engine/protocol";
+import type {Box, LinkageType, Pivot, Point, Requirements, TauPair} from "../engine/protocol";
 import {diagonal_of, poses_of, type Pose, type Task} from "./task";
 
 /** What linkages can be the best by. Kinds of tasks add theirs (tasks/<kind>/replies.ts). */
@@ -35,7 +35,7 @@ export interface Pin {
   longest: number | null;
   lengths: {ground: number; input: number; coupler: number; output: number} | null;
   /** By name, as its kind keeps them (tasks/kind.ts); null: at infinity. */
-  pivots: Readonly<Record<string, Point | null>>;
+  pivots: Readonly<Record<string, Pivot | null>>;
 }
 export interface Background {
   image: string; // data: URL
@@ -46,10 +46,14 @@ export interface Background {
   aspect: number; // height / width
   opacity?: number; // 0.5 unless told
 }
+/** What is turned where a body is guided in space: a simple one, or triangles from a file. */
+export type SolidBody =
+  {shape: "triad" | "wing" | "dish" | "box" | "craft"} | {shape: "own"; name: string; corners: string}; // base64 of 16-bit coordinates, nine to a triangle (sphere/bodies.ts)
 /** The workbench's own part of the file: kept by the engine, never read. */
 export interface View {
   outline?: readonly Point[]; // body coordinates, the moving frame of each pose
   background?: Background | null;
+  body?: SolidBody;
   picked?: TauPair;
   pins?: readonly Pin[];
   traced?: readonly Point[]; // body points whose curves are drawn, body coordinates

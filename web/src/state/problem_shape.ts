@@ -1,10 +1,10 @@
 // What comes from outside (a link, a file, the browser's store) as a problem, or nothing. The engine says what is wrong
 // with a task; the view, which it keeps and never reads, is looked through here: what does not fit is left out.
-import {linkage_types, type Point, type TauPair} from "../engine/protocol";
+import {linkage_types, type Pivot, type Point, type TauPair} from "../engine/protocol";
 import {objective_descriptions, read_task, requirement_descriptions, task_of_poses} from "../tasks/kinds";
 import type {RequirementDescription} from "../tasks/kind";
 import {unused_name} from "./pins";
-import {most_pins, type Background, type Pin, type Problem, type View} from "./problem";
+import {most_pins, type Background, type Pin, type Problem, type SolidBody, type View} from "./problem";
 import {is_finite, is_number, is_object, is_pair, read_list, type Object} from "./shape";
 
 const most_points = 10_000,
@@ -41,8 +41,9 @@ function read_pin(value: unknown): Pin | null {
   };
 }
 /** However far away: it is what the engine found. */
-function read_pivot(value: unknown): Point | null {
-  return Array.isArray(value) && value.length === 2 && value.every(is_finite) ? (value as unknown as Point) : null;
+function read_pivot(value: unknown): Pivot | null {
+  if (!Array.isArray(value) || (value.length !== 2 && value.length !== 3)) return null;
+  return value.every(is_finite) ? (value as unknown as Pivot) : null;
 }
 function read_lengths(value: unknown): Pin["lengths"] {
   if (!is_object(value)) return null;
@@ -72,6 +73,17 @@ function read_background(value: unknown): Background | undefined {
   return {image, x, y, width, aspect, ...opacity};
 }
 
+const simple_bodies = ["triad", "wing", "dish", "box", "craft"] as const;
+function read_body(value: unknown): SolidBody | undefined {
+  if (!is_object(value)) return undefined;
+  const {shape, name, corners} = value,
+    simple = simple_bodies.find((one) => one === shape);
+  if (simple) return {shape: simple};
+  if (shape !== "own" || typeof name !== "string" || typeof corners !== "string") return undefined;
+  if (!/^[A-Za-z0-9+/]*={0,2}$/.test(corners)) return undefined;
+  return {shape, name: name.slice(0, longest_name), corners};
+}
+
 /** The workbench's part of a file, as far as it is one. */
 export function read_view(value: unknown): View {
   if (!is_object(value)) return {};
@@ -80,6 +92,7 @@ export function read_view(value: unknown): View {
   const view: {[K in keyof Required<View>]: View[K]} = {
     outline: outline && outline.length >= 3 ? outline : undefined,
     background,
+    body: read_body(value.body),
     picked: is_pair(value.picked) ? value.picked : undefined,
     pins: read_pins(value.pins),
     traced: pairs(value.traced),
