@@ -107,8 +107,9 @@ function thumbnail_of(session, problem) {
   }
   const tau = map && best_tau(session); // a chain is not searched for here
   if (tau) {
-    const {type, input, output, six_bar} = JSON.parse(session.linkage(...tau).linkage);
-    const pivots = [input.center, input.circle, output.center, output.circle];
+    const {type, input, output, six_bar, spherical} = JSON.parse(session.linkage(...tau).linkage);
+    const ends = spherical ? ["center_homogeneous", "circle_homogeneous"] : ["center", "circle"],
+      pivots = [input, output].flatMap((dyad) => ends.map((end) => dyad[end]));
     if (!six_bar)
       thumbnail.linkage = {tau, type, pivots: pivots.map((point) => point.map((x) => Number(x.toPrecision(6))))};
   }

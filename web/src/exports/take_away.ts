@@ -6,6 +6,7 @@ import {engine_text, outline_of, type Problem} from "../state/problem";
 import {poses_of} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {with_other_task} from "../tasks/kinds";
+import type {OwnFile} from "../tasks/view";
 import {task_view} from "../tasks/views";
 import {animated_gif, type Progress} from "./animation";
 import {containers, film, film_angles, type Container} from "./film";
@@ -66,6 +67,15 @@ export async function made_file(
     blob: new Blob([text], {type: engine_types[format]}),
   };
 }
+/** One that its kind has the page make. */
+export async function own_file(
+  workbench: Workbench,
+  target: Target,
+  file: OwnFile,
+): Promise<{name: string; blob: Blob}> {
+  const linkage = await linkage_of(workbench, target);
+  return {name: file_name(file_stem(target.problem, target, workbench.pins), file.extension), blob: file.made(linkage)};
+}
 /** What is told of a linkage in its problem: another unit or title makes another drawing of the same bars. */
 export function question_of({problem, tau}: Target): string {
   return JSON.stringify([engine_text(problem), tau]);
@@ -81,7 +91,8 @@ export async function svg_of(workbench: Workbench, target: Target): Promise<stri
   return (await from_engine(workbench, target, "svg")).text;
 }
 async function png(workbench: Workbench, target: Target): Promise<Blob> {
-  const solid = target.pin === null ? document.querySelector<HTMLCanvasElement>(".solid canvas") : null;
+  const solid =
+    target.pin === null ? document.querySelector<HTMLCanvasElement>(".solid canvas, canvas[data-picture]") : null;
   if (solid) return copied(solid, css_values(document.documentElement, ["paper"]).paper);
   const on_screen = target.pin === null ? drawing_svg() : null;
   return rasterised(on_screen ?? (await svg_of(workbench, target)), 2);

@@ -22,6 +22,7 @@ class Painter {
   paint(figure: Figure): void {
     this.context.globalAlpha = 1;
     this.context.lineCap = this.context.lineJoin = "round";
+    this.backdrop(figure);
     this.positions(figure);
     this.path(figure);
     this.numbers(figure);
@@ -50,6 +51,12 @@ class Painter {
     this.context.globalAlpha = 1;
   }
 
+  private backdrop({backdrop = []}: Figure): void {
+    for (const points of backdrop) {
+      this.trace(points, false);
+      this.stroke(this.colors.line, 1.2);
+    }
+  }
   private positions({positions}: Figure): void {
     for (const {outline} of positions) {
       this.trace(outline, true);
@@ -85,7 +92,7 @@ class Painter {
   private links(figure: Figure): void {
     const bar_width = is_slender(figure) ? 6 : 7;
     for (const body of figure.bodies) {
-      this.trace(body.corners, is_plate(body));
+      this.trace(body.along ?? body.corners, is_plate(body));
       if (is_plate(body)) this.fill(this.color(body.role), 0.2);
       this.stroke(this.color(body.role), is_plate(body) ? 4 : bar_width);
     }

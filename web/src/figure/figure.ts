@@ -25,6 +25,8 @@ export interface Body {
   role: Role;
   /** Its joints: two make a bar, more a plate. */
   corners: readonly Point[];
+  /** Its middle line from the first joint to the last, where that is bent. */
+  along?: readonly Point[];
   label?: Label;
 }
 export interface Joint {
@@ -71,6 +73,8 @@ export interface Position {
   outline: readonly Point[];
 }
 export interface Figure {
+  /** Thin lines behind it all: of the space that it lies in. */
+  backdrop?: readonly (readonly Point[])[];
   /** From the back to the front. */
   bodies: readonly Body[];
   joints: readonly Joint[];
@@ -103,9 +107,10 @@ export function positions_of(poses: readonly Place[], outline: readonly Point[])
   }));
 }
 /** Everything that is to be seen of it. */
-export function points_of({bodies, joints, guided, positions, traces}: Figure): Point[] {
+export function points_of({backdrop = [], bodies, joints, guided, positions, traces}: Figure): Point[] {
   return [
-    ...bodies.flatMap(({corners}) => corners),
+    ...backdrop.flat(),
+    ...bodies.flatMap(({corners, along}) => along ?? corners),
     ...joints.map(({at}) => at),
     ...(guided ? placed_outline(guided) : []),
     ...positions.flatMap(({outline}) => outline),

@@ -14,7 +14,7 @@ import {
   type Place,
   type Slider,
 } from "./figure";
-import {reached_rows, type Carrier, type Configuration, type Mechanism, type PlateOrder} from "./mechanism";
+import {in_plane, reached_rows, type Carrier, type Configuration, type Mechanism, type PlateOrder} from "./mechanism";
 
 const sides = ["input", "output"] as const,
   coupler = "coupler";
@@ -135,20 +135,17 @@ export const four_bar: Mechanism = {
     return center && circle && moved && {first: frame(center, circle), now: frame(center, moved)};
   },
   pivots: (linkage) => pivots_of(ends_of(linkage)),
-  sketch([a0, a, b0, b, ...more]) {
+  sketch(pivots) {
+    const [a0, a, b0, b, ...more] = pivots.map(in_plane);
     if (!a0 || !a || !b0 || !b || more.length) return empty_figure;
     return linked({input: {center: a0, circle: a}, output: {center: b0, circle: b}});
   },
-  ghost(
-    {input_center = null, input_circle = null, output_center = null, output_circle = null}: Pin["pivots"],
-    poses,
-    stage,
-  ) {
+  ghost({input_center, input_circle, output_center, output_circle}: Pin["pivots"], poses, stage) {
     const [first = at_rest] = poses,
       pose = nearest(poses, stage) ?? first;
     const ends: Ends = {
-      input: {center: input_center, circle: input_circle},
-      output: {center: output_center, circle: output_circle},
+      input: {center: in_plane(input_center), circle: in_plane(input_circle)},
+      output: {center: in_plane(output_center), circle: in_plane(output_circle)},
     };
     return linked(carried(ends, first, pose));
   },

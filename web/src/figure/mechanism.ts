@@ -1,5 +1,5 @@
 // How linkages are put together: what a kind of task tells of its linkages so that they can be placed and drawn.
-import type {Drive, Linkage, Point, Side} from "../engine/protocol";
+import type {Drive, Linkage, Pivot, Point, Side} from "../engine/protocol";
 import {joints_at, row_count, row_joints, row_state, state_at, type State} from "../state/drive";
 import {least_of, most_of} from "../state/ends";
 import {placed, type Pin} from "../state/problem";
@@ -24,7 +24,9 @@ export interface Carrier {
 /** A length or a place that one needs to build a linkage. */
 export interface Dimension {
   name: string;
-  value: number | Point | null; // null: at infinity
+  value: number | Pivot | null; // null: at infinity
+  /** In degrees. */
+  is_angle?: true;
   role?: "input" | "output" | "body";
 }
 /** Layers in which plates may lie, by the name of the link; the ground is 0. */
@@ -46,7 +48,9 @@ export interface Mechanism {
   /** All pivots in position 1. */
   pivots(linkage: Linkage): Point[];
   /** As the list of the best tells a linkage: by its pivots. Nothing where they are those of something else. */
-  sketch(pivots: readonly Point[]): Figure;
+  sketch(pivots: readonly Pivot[]): Figure;
+  /** A joint by the three numbers that the curves have of it, where these are not homogeneous coordinates of a point. */
+  end_of?(...numbers: readonly [number, number, number]): Pivot;
   /** What a pin shows without asking the engine. */
   ghost(pivots: Pin["pivots"], poses: readonly Place[], stage: number): Figure;
   dimensions(linkage: Linkage): Dimension[];
@@ -54,6 +58,10 @@ export interface Mechanism {
   plates: readonly PlateOrder[] | {missing: TextKey};
 }
 
+/** A joint of the plane; nothing where it is one of something else. */
+export function in_plane(pivot: Pivot | null | undefined): Point | null {
+  return pivot?.length === 2 ? pivot : null;
+}
 export function at_angle(mechanism: Mechanism, linkage: Linkage, drive: Drive, angle_deg: number): Configuration {
   return mechanism.driven(linkage, state_at(drive, angle_deg), joints_at(drive, angle_deg));
 }

@@ -4,6 +4,7 @@ import corner_drawer from "../../../examples/corner_drawer.json?raw";
 import dump_bucket from "../../../examples/dump_bucket.json?raw";
 import drawer_hinge from "../../../examples/drawer_hinge.json?raw";
 import folding_table from "../../../examples/folding_table.json?raw";
+import folding_wing from "../../../examples/folding_wing.json?raw";
 import footrest from "../../../examples/footrest.json?raw";
 import hood_hinge from "../../../examples/hood_hinge.json?raw";
 import landing_gear from "../../../examples/landing_gear.json?raw";
@@ -30,6 +31,7 @@ const files = {
   dump_bucket,
   landing_gear,
   folding_table,
+  folding_wing,
   lift_platform,
   hood_hinge,
   latch,

@@ -1,5 +1,5 @@
 // How the numbers of a linkage are said.
-import type {Linkage, LinkageType, Point, RequirementKey, Requirements, TaskAnswer} from "../engine/protocol";
+import type {Linkage, LinkageType, Pivot, RequirementKey, Requirements, TaskAnswer} from "../engine/protocol";
 import {value_text} from "../requirements/requirements";
 import type {Task} from "../state/task";
 import {called, made_up, name_of, requirement_descriptions} from "../tasks/kinds";
@@ -34,8 +34,8 @@ export function short_linkage_name(linkage: Pick<Linkage, "type">): string {
 export function link_text(length: number, longest: number): string {
   return length_text(length, longest / 10);
 }
-export function point_text(point: Point | null, longest: number): string {
-  return point ? `${length_text(point[0], longest)}, ${length_text(point[1], longest)}` : "∞";
+export function point_text(point: Pivot | null, longest: number): string {
+  return point ? point.map((value) => length_text(value, longest)).join(", ") : "∞";
 }
 /** For a spreadsheet: all digits, set apart by tabs. */
 export function row_text(numbers: readonly number[]): string {

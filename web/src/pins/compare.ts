@@ -1,6 +1,7 @@
 // Pinned linkages side by side: what is compared, which is best, in which order, and as a table to take away.
 import type {Linkage} from "../engine/protocol";
 import type {Pin} from "../state/problem";
+import {lengths_of} from "../tasks/kinds";
 import {least_of, most_of} from "../state/ends";
 
 export const compared = [
@@ -31,9 +32,14 @@ export interface Column {
 
 export function value_of({pin, linkage}: Column, key: Compared): number | null {
   if (key === "ground" || key === "input" || key === "coupler" || key === "output")
-    return (linkage?.lengths ?? pin.lengths)?.[key] ?? null;
+    return (linkage?.lengths ?? pin.lengths)?.[key] ?? (linkage && own_length(linkage, key));
   if (key === "driver_sweep_deg" || key === "min_transmission_angle_full_turn_deg") return linkage?.[key] ?? null;
   return linkage ? linkage[key] : pin[key];
+}
+
+/** As its kind tells it, where it is no four-bar of the plane. */
+function own_length(linkage: Linkage, key: string): number | null {
+  return lengths_of(linkage)?.find((named) => named.key === key)?.length ?? null;
 }
 
 /** Of the values, those that are best; none where all are equal or only one is known. */

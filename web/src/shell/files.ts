@@ -6,7 +6,7 @@ import {save_problem} from "../exports/save";
 import {read_problem} from "../state/problem_shape";
 import type {Problem} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
-import {has_linkages} from "../tasks/kinds";
+import {has_linkages, kind_of} from "../tasks/kinds";
 import {mistakes_text} from "../texts/mistakes";
 import {t} from "../texts/texts.svelte";
 import {told} from "./own_files";
@@ -27,6 +27,16 @@ function own_problem(text: string): Problem | null {
     return null;
   }
 }
+/** What the engine has read, its task in the form in which the file has it where that is kept. */
+function as_typed(read: Problem | null, text: string): Problem | null {
+  if (!read || !kind_of(read.task).keeps_form) return read;
+  try {
+    const typed = read_problem(JSON.parse(text.replace(/^\s*\/\/.*$/gm, ""))); // comments stand on lines of their own
+    return typed && kind_of(typed.task) === kind_of(read.task) ? {...read, task: typed.task} : read;
+  } catch {
+    return read;
+  }
+}
 /** The problem in a file's text, or the engine's mistakes; nothing when another file came meanwhile. */
 export async function read_text(workbench: Workbench, text: string): Promise<Problem | Mistake[] | null> {
   const own = own_problem(text);
@@ -35,7 +45,9 @@ export async function read_text(workbench: Workbench, text: string): Promise<Pro
   if (!engine) return [page_mistake("no_engine", "", t("state.engine_missing"))];
   try {
     const {problem} = await engine.follow("read", {text});
-    return read_problem(JSON.parse(problem)) ?? [page_mistake("not_on_page", "task", t("file.not_on_page"))];
+    return (
+      as_typed(read_problem(JSON.parse(problem)), text) ?? [page_mistake("not_on_page", "task", t("file.not_on_page"))]
+    );
   } catch (error) {
     if (error instanceof Refusal) return error.mistakes;
     if (error instanceof Crashed) return [page_mistake("crashed", "", t("file.crashed"))];

@@ -16,6 +16,7 @@ import {
 } from "../engine/protocol";
 import type {Incomplete} from "../tasks/kind";
 import {
+  has_lengths,
   has_linkages,
   incompleteness,
   kind_of,
@@ -166,7 +167,7 @@ export class Workbench extends Editing {
     return this.coloring === "type" ? measure_of(this.problem) : this.coloring;
   }
   get unit(): string {
-    return this.problem.length_unit ?? "";
+    return has_lengths(this.problem.task) ? (this.problem.length_unit ?? "") : "";
   }
   /** The problem as it is saved and shared: with what is picked and pinned. */
   get whole_problem(): Problem {

@@ -1,4 +1,5 @@
 // What the table does to the list of poses.
+import {in_plane} from "../figure/mechanism";
 import type {Box, Point} from "../engine/protocol";
 import {body_point, with_task, type Pin} from "../state/problem";
 import type {Document} from "../state/document";
@@ -105,7 +106,10 @@ function referred_pose(pose: Pose, origin: Pose): Pose {
   };
 }
 function referred_pin(pin: Pin, task: Task, point: (p: Point) => Point): Pin {
-  const pivots = Object.entries(pin.pivots).map(([name, at]) => [name, at && point(at)]);
+  const pivots = Object.entries(pin.pivots).map(([name, pivot]) => {
+    const at = in_plane(pivot);
+    return [name, at ? point(at) : pivot];
+  });
   return {...pin, task, pivots: Object.fromEntries(pivots)};
 }
 /** A turned box is no box: the smallest one around it. */

@@ -1,5 +1,5 @@
 // What a kind of task brings: the frame asks it through kinds.ts, its views through views.ts, and knows none by name.
-import type {Linkage, LinkageType, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
+import type {Linkage, LinkageType, Pivot, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
 import type {End} from "../figure/figure";
 import type {Objective, Pin, Problem} from "../state/problem";
 import type {Object} from "../state/shape";
@@ -24,13 +24,14 @@ export interface Beginning {
 export interface NamedLength {
   key: string;
   name: string;
+  /** In degrees where the joints' axes meet. */
   length: number;
   color: string | null;
 }
 export interface NamedJoint {
   key: string;
   name: string;
-  at: Point;
+  at: Pivot;
   on_ground: boolean;
   color: string;
 }
@@ -80,6 +81,10 @@ export interface TaskKind<T extends Task = Task> {
   name: TextKey;
   /** Nothing is sought: no linkage in hand, no map, nothing required, pinned or driven. */
   without_linkages?: true;
+  /** Its links are angles: there is no unit, no size and no ratio of them. */
+  without_lengths?: true;
+  /** The engine's normal form is another than what was typed, which the page keeps. */
+  keeps_form?: true;
   is(task: Task): task is T;
   /** From outside; the engine says what is wrong with it in detail. */
   read(value: Object): T | null;

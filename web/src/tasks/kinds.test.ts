@@ -7,8 +7,8 @@ import type {FunctionTask} from "./function/task";
 import type {MotionTask} from "./motion/task";
 import {
   anchors_of,
-  default_max_length,
   extent_of,
+  first_requirements,
   has_linkages,
   incompleteness,
   kind_of,
@@ -47,7 +47,7 @@ describe("kinds of tasks", () => {
     if (has_linkages(problem.task)) {
       expect(anchors_of(problem.task).length).toBeGreaterThanOrEqual(2);
       expect(extent_of(problem.task)).toBeGreaterThan(1);
-      expect(default_max_length(problem)).toBe(problem.requirements!.max_length);
+      expect(first_requirements(problem)).toEqual(problem.requirements);
     } else expect(problem.requirements).toBeUndefined();
     const table = kind.table(problem.task, "mm");
     expect(table.rows.length).toBeGreaterThan(0);

@@ -1,5 +1,5 @@
 // What the frame asks the kind of the task at hand.
-import type {Linkage, LinkageType, Notice, Point, Property, RequirementKey} from "../engine/protocol";
+import type {Linkage, LinkageType, Notice, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
 import {with_options, with_task, type Objective, type Pin, type Problem} from "../state/problem";
 import {is_object} from "../state/shape";
 import {diagonal_of, poses_of, type Pose, type Task} from "../state/task";
@@ -46,6 +46,15 @@ function first_told<T>(ask: (kind: TaskKind) => T | null | undefined): T | null 
   return null;
 }
 
+/** Whether links have lengths: otherwise they are angles, in degrees. */
+export function has_lengths(task: Task): boolean {
+  return !kind_of(task).without_lengths;
+}
+/** What new tasks require, and what is gone back to. */
+export function first_requirements(problem: Problem): Requirements {
+  const size = has_lengths(problem.task) ? {max_length: default_max_length(problem)} : {};
+  return {min_transmission_angle_deg: 30, ...size};
+}
 /** Whether linkages are sought. */
 export function has_linkages(task: Task): boolean {
   return !kind_of(task).without_linkages;

@@ -3,5 +3,6 @@ import {attitude} from "./attitude/index";
 import {function_generation} from "./function/index";
 import {motion} from "./motion/index";
 import {six_bar} from "./six_bar/index";
+import {spherical} from "./spherical/index";
 
-export const task_modules = [motion, function_generation, six_bar, attitude] as const;
+export const task_modules = [motion, function_generation, six_bar, spherical, attitude] as const;

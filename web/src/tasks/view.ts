@@ -2,14 +2,24 @@
 import type {Component} from "svelte";
 import type {Handle} from "../drawing/handles";
 import type {Surface} from "../drawing/surface";
-import type {Linkage, RequirementKey, Requirements} from "../engine/protocol";
+import type {ExportFormat, Linkage, RequirementKey, Requirements} from "../engine/protocol";
 import type {Mechanism} from "../figure/mechanism";
 import type {Task} from "../state/task";
+import type {TextKey} from "../texts/texts.svelte";
 import type {PlotChoice} from "../transport/plot";
 
 export interface EditorProperties {
   /** A sentence about a field, or that there is nothing to say about it any more. */
   report: (place: string, sentence: string | null) => void;
+}
+/** A file that the page itself makes of a linkage. */
+export interface OwnFile {
+  format: string;
+  name: TextKey;
+  about: TextKey;
+  extension: string;
+  type: string;
+  made(linkage: Linkage): Blob;
 }
 export interface RequirementProperties {
   key: RequirementKey;
@@ -46,6 +56,9 @@ export interface TaskView {
   Numbers?: Component<{hand: Linkage}>;
   /** The first one is shown first. */
   plots(task: Task): readonly [PlotChoice, ...PlotChoice[]];
+  /** Of a linkage, beside what the engine writes; and what of that it does not. */
+  files?: readonly OwnFile[];
+  not_written?: readonly ExportFormat[];
   /** What a new task is about, at a glance, on a field of 72 by 46: one to each of the kind's beginnings. */
   Picture: Component<{id: string}>;
 }

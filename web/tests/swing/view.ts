@@ -1,4 +1,5 @@
 import {empty_figure, type Figure} from "../../src/figure/figure";
+import {in_plane} from "../../src/figure/mechanism";
 import type {Point} from "../../src/engine/protocol";
 import type {TaskView} from "../../src/tasks/view";
 import Editor from "./Editor.svelte";
@@ -33,7 +34,10 @@ export const swing_view: TaskView = {
     carrier: () => null,
     pivots: () => [hinge],
     sketch: () => empty_figure,
-    ghost: ({hinge: kept}) => (kept ? gate(kept, kept) : empty_figure),
+    ghost: ({hinge}) => {
+      const kept = in_plane(hinge);
+      return kept ? gate(kept, kept) : empty_figure;
+    },
     dimensions: () => [{name: "radius of the gate", value: 50}],
     plates: {missing: "drawing.title"},
   },

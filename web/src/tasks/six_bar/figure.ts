@@ -3,7 +3,7 @@ import type {Linkage, Point, Side} from "../../engine/protocol";
 import {row_joints} from "../../state/drive";
 import {empty_figure, ground, type Body, type Ends, type Figure, type Joint, type Role} from "../../figure/figure";
 import {frame} from "../../figure/four_bar";
-import {reached_rows, type Configuration, type Mechanism} from "../../figure/mechanism";
+import {in_plane, reached_rows, type Configuration, type Mechanism} from "../../figure/mechanism";
 import type {SixBar} from "./replies";
 import {added, end_joints, role_of_body, role_of_joint} from "./roles";
 import {body_name, joint_mark, joint_words, length_words} from "./names";
@@ -103,7 +103,8 @@ export const six_bar: Mechanism = {
     return from && to && from_now && to_now ? {first: frame(from, to), now: frame(from_now, to_now)} : null;
   },
   pivots: pivots_of,
-  sketch([a, b, d, c4, z4, c5, z5, ...more]): Figure {
+  sketch(pivots): Figure {
+    const [a, b, d, c4, z4, c5, z5, ...more] = pivots.map(in_plane);
     if (!a || !b || !d || !c4 || !z4 || !c5 || !z5 || more.length) return empty_figure;
     return {
       ...empty_figure,
@@ -112,14 +113,14 @@ export const six_bar: Mechanism = {
     };
   },
   /** A pin keeps the added links in position 1. */
-  ghost({input_center = null, input_circle = null, output_center = null, output_circle = null}) {
+  ghost({input_center, input_circle, output_center, output_circle}) {
     const link = (role: Side, center: Point | null, circle: Point | null): Figure => ({
       ...empty_figure,
       bodies: center && circle ? [bar(role, [center, circle])] : [],
       joints: [center, circle].flatMap((at) => (at ? [hinge(role, at)] : [])),
     });
-    const input = link("input", input_center, input_circle),
-      output = link("output", output_center, output_circle);
+    const input = link("input", in_plane(input_center), in_plane(input_circle)),
+      output = link("output", in_plane(output_center), in_plane(output_circle));
     return {
       ...empty_figure,
       bodies: [...input.bodies, ...output.bodies],

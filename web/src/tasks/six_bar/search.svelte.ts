@@ -127,7 +127,9 @@ export class ChainSearch {
       if (!entry.chain) return [];
       const chain = plain(entry.chain),
         before = known.find((other) => same_value(other.chain, chain) && same_value(other.tau, entry.tau));
-      return [{...entry, chain, added, linkage: before?.linkage ?? null}];
+      const {link_ratio, longest} = entry;
+      if (link_ratio === null || longest === null) return [];
+      return [{...entry, link_ratio, longest, chain, added, linkage: before?.linkage ?? null}];
     });
   }
   /** For their pictures: by the engine that follows the pointer, in turn with what it follows. */

@@ -1,0 +1,156 @@
+// What is being looked at of orientations: the engine's word on each, and the ring that is being dragged.
+import {Crashed, Refusal, Superseded} from "../../engine/client";
+import {in_form_of, type Converted, type Orientation} from "../../orientation/orientation";
+import type {Workbench} from "../../state/workbench.svelte";
+import {
+  is_spherical,
+  turned,
+  with_orientations,
+  without_rates,
+  type PrescribedOrientation,
+  type SphericalTask,
+} from "./task";
+
+interface Ring {
+  from: SphericalTask;
+  index: number;
+  axis: number;
+  angle_deg: number;
+}
+const most_known = 500;
+
+export class SphericalDesk {
+  /** By the text of an orientation. */
+  private known = $state.raw<Readonly<Record<string, Converted>>>({});
+  private readonly asked: Record<string, true> = {};
+  private ring: Ring | null = null;
+  private underway: Promise<void> = Promise.resolve();
+
+  constructor(private readonly workbench: Workbench) {}
+
+  get task(): SphericalTask | null {
+    const {task} = this.workbench.problem;
+    return is_spherical(task) ? task : null;
+  }
+  get selected(): number | null {
+    const {selected_pose} = this.workbench,
+      count = this.task?.orientations.length ?? 0;
+    return selected_pose !== null && selected_pose < count ? selected_pose : null;
+  }
+  select(index: number | null): void {
+    this.workbench.selected_pose = index;
+  }
+  /** What the engine says of an orientation; null: nothing yet. */
+  converted(prescribed: PrescribedOrientation): Converted | null {
+    return this.known[text_of(prescribed)] ?? null;
+  }
+
+  // ---- edits ----------------------------------------------------------------------------------------------------------
+
+  change(
+    to: (orientations: readonly PrescribedOrientation[]) => readonly PrescribedOrientation[],
+    merge: string | null = null,
+  ): void {
+    this.workbench.edit((problem) => {
+      const {task} = problem;
+      return is_spherical(task) ? {...problem, task: with_orientations(task, to(task.orientations))} : problem;
+    }, merge);
+  }
+  change_one(
+    index: number,
+    to: (one: PrescribedOrientation) => PrescribedOrientation,
+    merge: string | null = null,
+  ): void {
+    this.change((orientations) => orientations.map((one, i) => (i === index ? to(one) : one)), merge);
+  }
+
+  // ---- the engine -----------------------------------------------------------------------------------------------------
+
+  /** Asks of what is not known yet: to be called where the task is followed. */
+  follow(): void {
+    const client = this.workbench.driver_client;
+    if (!client) return;
+    for (const one of this.task?.orientations ?? []) {
+      const text = text_of(one);
+      if (text in this.known || text in this.asked) continue;
+      this.asked[text] = true;
+      void client
+        .run({kind: "report", of: "orientation", text: JSON.stringify({orientation: without_rates(one)})})
+        .then(({report}) => this.learn(text, (report as {convert: Converted}).convert))
+        .catch((error: unknown) => {
+          if (error instanceof Crashed) setTimeout(() => this.follow(), 200);
+          else if (!(error instanceof Refusal) && !(error instanceof Superseded)) throw error; // the task is refused itself
+        })
+        .finally(() => delete this.asked[text]);
+    }
+  }
+  private learn(text: string, convert: Converted): void {
+    const recent = Object.entries(this.known).slice(-most_known);
+    this.known = Object.fromEntries([...recent, [text, convert]]);
+  }
+
+  // ---- rings ----------------------------------------------------------------------------------------------------------
+
+  take_ring(axis: number): void {
+    const {task, selected} = this;
+    if (!task || selected === null) return;
+    this.workbench.playing = false;
+    this.workbench.begin_gesture();
+    this.ring = {from: task, index: selected, axis, angle_deg: 0};
+  }
+  turn_ring(angle_deg: number): void {
+    if (!this.ring) return;
+    if (!this.workbench.gesture) return void (this.ring = null); // taken back meanwhile
+    const rounded = Math.round(angle_deg * 10) / 10;
+    if (rounded === this.ring.angle_deg) return;
+    this.ring = {...this.ring, angle_deg: rounded};
+    this.underway = this.show_turned(this.ring);
+  }
+  /** The task is what the engine says has come of the turn, in the form in which it was given. */
+  private async show_turned(ring: Ring): Promise<void> {
+    const client = this.workbench.driver_client,
+      before = ring.from.orientations[ring.index];
+    if (!client || !before) return;
+    const axis = [0, 1, 2].map((k) => Number(k === ring.axis)),
+      text = JSON.stringify({orientation: without_rates(before), turn: {axis, angle_deg: ring.angle_deg}});
+    try {
+      const {convert} = (await client.follow("report", {of: "orientation", text})).report as {convert: Converted};
+      if (!this.ring || this.ring.from !== ring.from) return;
+      const after = turned(before, in_form_of(convert, without_rates(before)));
+      this.learn(text_of(after), convert);
+      this.workbench.drag((problem) => ({
+        ...problem,
+        task: {...ring.from, orientations: ring.from.orientations.toSpliced(ring.index, 1, after)} as SphericalTask,
+      }));
+    } catch (error) {
+      if (!(error instanceof Superseded) && !(error instanceof Crashed) && !(error instanceof Refusal)) throw error;
+    }
+  }
+  async leave_ring(): Promise<void> {
+    await this.underway;
+    this.ring = null;
+    this.workbench.end_gesture();
+  }
+  drop_ring(): void {
+    this.ring = null;
+    this.workbench.cancel_gesture();
+  }
+  /** By keys: a turn at once. */
+  async step_ring(axis: number, angle_deg: number): Promise<void> {
+    if (this.ring) return;
+    this.take_ring(axis);
+    this.turn_ring(angle_deg);
+    await this.leave_ring();
+  }
+}
+function text_of(prescribed: PrescribedOrientation): string {
+  const bare: Orientation = without_rates(prescribed);
+  return JSON.stringify(bare);
+}
+
+const desks = new WeakMap<Workbench, SphericalDesk>();
+export function desk_of(workbench: Workbench): SphericalDesk {
+  const known = desks.get(workbench) ?? new SphericalDesk(workbench);
+  desks.set(workbench, known);
+  return known;
+}

@@ -1,0 +1,239 @@
+// A body is turned through orientations about a point by a spherical four-bar.
+import type {LinkageType} from "../../engine/protocol";
+import {form_names, form_of, read_orientation, read_vector} from "../../orientation/orientation";
+import type {Vec3} from "../../sphere/vectors";
+import {with_requirements, type Problem} from "../../state/problem";
+import {is_number, is_object, present, read_list, type Object} from "../../state/shape";
+import {pattern_of} from "../../state/task";
+import {significant} from "../../texts/numbers";
+import {t} from "../../texts/texts.svelte";
+import type {Beginning, NamedJoint, NamedLength, TaskKind} from "../kind";
+import {planar_objectives, planar_properties, planar_requirements} from "../planar";
+import type {AxisName, Cone} from "./replies";
+import {
+  is_spherical,
+  position_count,
+  rate_keys,
+  rates_of,
+  turned,
+  without_rates,
+  type GivenAxes,
+  type PrescribedOrientation,
+  type SphericalTask,
+} from "./task";
+
+const most_orientations = 1000; // the engine takes five; what was typed is kept until it is set right
+
+function read_prescribed(value: unknown): PrescribedOrientation | null {
+  const orientation = read_orientation(value);
+  if (!orientation || !is_object(value)) return null;
+  const rates: [string, Vec3][] = [];
+  for (const key of rate_keys) {
+    const rate = read_vector(value[key]);
+    if (!rate) break;
+    rates.push([key, rate]);
+  }
+  return turned(Object.fromEntries(rates) as unknown as PrescribedOrientation, orientation);
+}
+function read_two(value: unknown): readonly [Vec3, Vec3] | null {
+  const list = read_list(value, read_vector, 2);
+  return list?.length === 2 ? [list[0]!, list[1]!] : null;
+}
+function read_given(value: unknown): GivenAxes | null {
+  if (!is_object(value)) return null;
+  const fixed_axes = read_two(value.fixed_axes),
+    moving_axes = read_two(value.moving_axes);
+  return fixed_axes ? {fixed_axes} : moving_axes && {moving_axes};
+}
+function read(value: Object): SphericalTask | null {
+  const orientations = read_list(value.orientations, read_prescribed, most_orientations);
+  if (value.kind !== "motion" || value.mechanism !== "spherical_four_bar" || !orientations) return null;
+  return {
+    kind: "motion",
+    mechanism: "spherical_four_bar",
+    orientations,
+    ...present({given: read_given(value.given)}),
+  };
+}
+
+export function is_cone(value: unknown): value is Cone {
+  return (
+    is_object(value) &&
+    read_vector(value.axis) !== null &&
+    is_number(value.half_angle_deg) &&
+    value.half_angle_deg > 0 &&
+    value.half_angle_deg <= 90
+  );
+}
+
+// ---- beginnings -----------------------------------------------------------------------------------------------------
+
+function problem_of(orientations: readonly PrescribedOrientation[]): Problem {
+  const task: SphericalTask = {kind: "motion", mechanism: "spherical_four_bar", orientations};
+  return with_requirements({linkwright: 1, title: "", task}, {min_transmission_angle_deg: 30});
+}
+const zyx = (...angles: Vec3[]) => angles.map((euler_deg) => ({euler_deg, sequence: "zyx"}));
+const beginnings: Beginning[] = [
+  {
+    id: "four_orientations",
+    name: "new.four_orientations",
+    about: "new.four_orientations_about",
+    make: () => problem_of(zyx([0, 0, 5], [-22.7, -3.4, 24.8], [-50.2, -16.3, 53.3], [-88.2, -42, 87.3])),
+  },
+  {
+    id: "wrist",
+    name: "new.wrist",
+    about: "new.wrist_about",
+    make: () => problem_of(zyx([0, 0, 0], [6, 18, 4], [9, 36, 11], [10, 52, 21])),
+  },
+];
+
+// ---- a linkage ------------------------------------------------------------------------------------------------------
+
+const links = ["ground", "input", "coupler", "output"] as const;
+const link_colors = {ground: null, input: "input", coupler: "body", output: "output"} as const;
+const axes: readonly AxisName[] = ["input_fixed", "input_moving", "output_fixed", "output_moving"];
+
+function lengths({
+  spherical,
+}: {
+  spherical?: {angles_deg: Record<(typeof links)[number], number>};
+}): NamedLength[] | null {
+  if (!spherical) return null;
+  return links.map((link) => ({
+    key: link,
+    name: t(`num.${link}`),
+    length: spherical.angles_deg[link],
+    color: link_colors[link],
+  }));
+}
+function joints({spherical}: {spherical?: Record<AxisName, Vec3>}): NamedJoint[] | null {
+  if (!spherical) return null;
+  return axes.map((axis) => {
+    const on_ground = axis.endsWith("fixed");
+    return {
+      key: axis,
+      name: t(on_ground ? "spherical.fixed_axis" : "spherical.moving_axis"),
+      at: spherical[axis],
+      on_ground,
+      color: axis.startsWith("input") ? "input" : "output",
+    };
+  });
+}
+
+const spherical_types = [
+  "crank_rocker",
+  "rocker_crank",
+  "double_crank",
+  "double_rocker",
+  "triple_rocker",
+  "change_point",
+] as const satisfies readonly LinkageType[];
+const {min_transmission_angle_deg, min_transmission_angle_full_turn_deg, driver_sweep_deg} = planar_properties;
+
+export const spherical_kind: TaskKind<SphericalTask> = {
+  name: "task.kind_spherical",
+  without_lengths: true,
+  keeps_form: true,
+  is: is_spherical,
+  read,
+  incompleteness(task) {
+    const n = position_count(task);
+    if (n === 0) return {state: "empty", text: "spherical.empty", n};
+    if (n < 3) return {state: "too_few", text: "spherical.too_few", n};
+    if (n > 5) return {state: "too_many", text: "spherical.too_many", n};
+    return n === 3 && !task.given ? {state: "no_given", text: "spherical.no_given", n} : null;
+  },
+  stops: ({orientations}) => orientations.length,
+  pattern: ({orientations}) => pattern_of(orientations.map((one) => ({derivatives: rates_of(one)}))),
+  is_mixed: ({orientations}) => orientations.some((one) => rates_of(one).length > 0),
+  /** The unit ball. */
+  anchors: () => [
+    [-1, -1],
+    [1, 1],
+  ],
+  default_max_length: () => 1,
+  map_of: (task) => `spherical ${position_count(task)} ${Object.keys(task.given ?? {}).join("")}`,
+  properties: {
+    min_transmission_angle_deg,
+    min_link_angle_deg: {
+      text: "region.by_link_angle",
+      short: "region.short_link_angle",
+      term: null,
+      larger_is_better: true,
+      requirement: "min_link_angle_deg",
+      quantity: "angle",
+      span: () => [0, 90],
+      levels: () => [15, 30, 45, 60, 75],
+    },
+    min_transmission_angle_full_turn_deg: {...min_transmission_angle_full_turn_deg, short: "num.min_turn_short"},
+    driver_sweep_deg,
+  },
+  types: spherical_types,
+  requirements: {
+    types: planar_requirements.types,
+    no_defects: planar_requirements.no_defects,
+    min_transmission_angle_deg: planar_requirements.min_transmission_angle_deg,
+    min_link_angle_deg: {
+      name: "req.min_link_angle",
+      short: "req.short.min_link_angle_deg",
+      term: null,
+      control: "limit",
+      bound: "least",
+      quantity: "angle",
+      from: 0,
+    },
+    max_link_angle_deg: {
+      name: "req.max_link_angle",
+      short: "req.short.max_link_angle_deg",
+      term: null,
+      control: "limit",
+      bound: "most",
+      quantity: "angle",
+      from: 0,
+    },
+    fixed_axes_within: {
+      name: "req.fixed_axes",
+      short: "req.short.fixed_axes_within",
+      term: null,
+      control: "own",
+      is_value: is_cone,
+    },
+    moving_axes_within: {
+      name: "req.moving_axes",
+      short: "req.short.moving_axes_within",
+      term: null,
+      control: "own",
+      is_value: is_cone,
+    },
+  },
+  objectives: {
+    min_transmission_angle: planar_objectives.min_transmission_angle,
+    link_angle: {name: "req.objective.link_angle", measure: "min_link_angle_deg"},
+  },
+  moved: (task) => task,
+  table: ({orientations}) => ({
+    head: [t("orientation.form"), ""],
+    rows: orientations.map((one) => {
+      const bare = without_rates(one),
+        form = form_of(bare),
+        sequence = "euler_deg" in bare ? ` ${bare.sequence}` : "";
+      return [
+        t(form_names[form]) + sequence,
+        numbers_of(bare)
+          .map((value) => significant(value, 6))
+          .join(", "),
+      ];
+    }),
+  }),
+  beginnings,
+  kept_pivots: ({spherical}) => (spherical ? Object.fromEntries(axes.map((axis) => [axis, spherical[axis]])) : {}),
+  lengths,
+  joints,
+};
+
+function numbers_of(orientation: object): number[] {
+  return Object.values(orientation).flatMap((value): number[] =>
+    typeof value === "number" ? [value] : Array.isArray(value) ? (value.flat() as number[]) : [],
+  );
+}

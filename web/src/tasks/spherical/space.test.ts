@@ -1,0 +1,106 @@
+import {describe, expect, it} from "vitest";
+import type {Drive, Linkage} from "../../engine/protocol";
+import {column, dot, length, unit, type Vec3} from "../../sphere/vectors";
+import {spherical_four_bar} from "./figure";
+import {stretches} from "./pictures";
+import type {SphericalBars} from "./replies";
+import {after, angle_between, arc_frame, distance_from_arc, rows_of_quaternion, stand_at, stands} from "./space";
+
+const half = Math.SQRT1_2;
+const bars: SphericalBars = {
+  angles_deg: {ground: 90, input: 90, coupler: 90, output: 90},
+  min_link_angle_deg: 90,
+  triple_rocker: null,
+  input_fixed: [0, 0, 1],
+  input_moving: [1, 0, 0],
+  output_moving: [0, 1, 0],
+  output_fixed: [0, 0, -1],
+};
+const row = (angle: number, ...numbers: number[]) => [angle, ...Array<number>(12).fill(0), ...numbers];
+const drive: Drive = {
+  states: Float64Array.from([...row(0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0), ...row(90, 0, 1, 0, -1, 0, 0, half, 0, 0, half)]),
+  width: 23,
+  ticks: [
+    {position: 1, state: 0, reached: true},
+    {position: 2, state: 1, reached: true},
+  ],
+  full_turn: false,
+  limits: {low: null, high: null},
+  task: [0, 1],
+};
+const linkage = {type: "double_crank", spherical: bars, drive} as unknown as Linkage;
+const near = (a: Vec3, b: Vec3) => a.forEach((value, k) => expect(value).toBeCloseTo(b[k]!, 9));
+
+describe("a spherical linkage that moves", () => {
+  it("stands where its table says, between rows on the ball", () => {
+    near(stand_at(bars, drive, 90).input_moving, [0, 1, 0]);
+    const between = stand_at(bars, drive, 45);
+    expect(length(between.input_moving)).toBeCloseTo(1);
+    near(between.input_moving, [half, half, 0]);
+    near(column(stand_at(bars, drive, 90).turn, 0), [0, 1, 0]);
+  });
+  it("carries its coupler and what is on it", () => {
+    const {turn, output_moving} = stand_at(bars, drive, 90);
+    near(
+      column(
+        after(turn, [
+          [0, 0, 0],
+          [1, 0, 0],
+          [0, 0, 0],
+        ]),
+        0,
+      ),
+      output_moving,
+    );
+  });
+  it("is told row by row to the last", () => {
+    expect(stands(linkage, [0, 1])).toHaveLength(2);
+    expect(stands(linkage, [0, 1], 5)).toHaveLength(2);
+    expect(stands({} as Linkage, [0, 1])).toEqual([]);
+  });
+  it("is drawn flat with arcs for links", () => {
+    const figure = spherical_four_bar.figure(linkage, spherical_four_bar.still(linkage, [], 0));
+    expect(figure.bodies.map(({role}) => role)).toEqual(["coupler", "input", "output"]);
+    for (const {along, corners} of figure.bodies) expect(along![0]).toEqual(corners[0]);
+    expect(spherical_four_bar.ghost({input_fixed: [0, 0, 1]}, [], 0).bodies).toEqual([]);
+    expect(
+      spherical_four_bar.sketch([
+        [1, 2],
+        [1, 2],
+        [1, 2],
+        [1, 2],
+      ]).bodies,
+    ).toEqual([]);
+  });
+});
+
+describe("arcs", () => {
+  it("have a frame whose y leads from the beginning to the end", () => {
+    const from = unit([1, 2, 3]),
+      to = unit([-1, 2, 0.5]),
+      frame = arc_frame(from, to);
+    near(column(frame, 0), from);
+    expect(dot(column(frame, 1), to)).toBeGreaterThan(0);
+    expect(dot(column(frame, 2), to)).toBeCloseTo(0);
+  });
+  it("lie as far from an axis as their nearest point", () => {
+    expect(distance_from_arc([0, 0, 1], [1, 0, 0], [0, 1, 0])).toBeCloseTo(Math.PI / 2);
+    expect(distance_from_arc([half, half, 0], [1, 0, 0], [0, 1, 0])).toBeCloseTo(0);
+    expect(distance_from_arc([0, -1, 0], [1, 0, 0], [0, 1, 0])).toBeCloseTo(Math.PI / 2);
+    expect(angle_between([1, 0, 0], [-1, 0, 0])).toBeCloseTo(Math.PI);
+  });
+  it("turn as quaternions of any length say", () => {
+    near(column(rows_of_quaternion([2, 0, 0, 2]), 0), [0, 1, 0]);
+  });
+});
+
+describe("curves of axes", () => {
+  it("are closed branch by branch, twice: an axis has two ends", () => {
+    const points = Float64Array.from([1, 0, 0, 0, 1, 0, 0, 0, 1, -1, 0, 0, 0, 1, 0]),
+      branch = Uint8Array.from([0, 0, 0, 1, 1]);
+    const ends = stretches(points, branch);
+    expect(ends).toHaveLength(4 * (3 + 2));
+    for (let k = 0; k < ends.length; k += 2) expect(dot(ends[k]!, ends[k + 1]!)).toBeGreaterThanOrEqual(0);
+    expect(stretches(points, branch, (i) => i < 2)).toHaveLength(4);
+  });
+});

@@ -1,0 +1,20 @@
+import type {TaskView} from "../view";
+import Editor from "./Editor.svelte";
+import {spherical_four_bar} from "./figure";
+import {spherical_files} from "./files";
+import Numbers from "./Numbers.svelte";
+import Picture from "./Picture.svelte";
+import Requirement from "./Requirement.svelte";
+import Stage from "./Stage.svelte";
+
+export const spherical_view: TaskView = {
+  mechanism: spherical_four_bar,
+  Stage,
+  Editor,
+  Requirement,
+  Numbers,
+  Picture,
+  files: spherical_files,
+  not_written: ["dxf"],
+  plots: () => ["transmission", "output", "velocity", "advantage"],
+};
