@@ -2,9 +2,9 @@
 
 #include "files/function/function_label.hpp"
 #include "files/spherical/spherical_kind.hpp"
-#include "linkwright/files/task_label.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "linkwright/files/task_label.hpp"
 
 namespace linkwright {
 namespace {
