@@ -193,7 +193,6 @@ export class SphereScene {
     }
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));
-    geometry.computeVertexNormals();
     this.bodies.set(corners, {geometry, users: 1});
     return geometry;
   }

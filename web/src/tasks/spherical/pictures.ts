@@ -25,7 +25,7 @@ const directions: readonly Vec3[] = [
   [0, 0, 1],
 ];
 export const ball: readonly Item[] = [
-  {kind: "ball", key: "ball", radius: 0.992, color: "sunk", opacity: 0.6},
+  {kind: "ball", key: "ball", radius: 0.992, color: "sunk", opacity: 0.35},
   ...directions.map((axis, k): Item => ({
     kind: "path",
     key: `meridian ${k}`,
@@ -152,7 +152,16 @@ export function body_now(frame: Rows, corners: Corners): Item[] {
 // ---- the linkage ----------------------------------------------------------------------------------------------------
 
 /** Of the drawing, in radii of the ball. */
-const sizes: Sizes = {inner: 1.004, thickness: 0.026, half_width: 0.024, hub: 0.044, bore: 0.014, clearance: 0.004};
+const sizes: Sizes = {
+  inner: 1.004,
+  thickness: 0.026,
+  half_width: 0.024,
+  hub: 0.044,
+  bore: 0.014,
+  clearance: 0.004,
+  corners: 12,
+  step_deg: 6,
+};
 const order: ShellOrder = ["ground", "input", "coupler", "output"];
 const link_colors: Record<LinkName, SphereColor> = {ground: "ink3", input: "input", coupler: "body", output: "output"};
 const axis_names: readonly AxisName[] = ["input_fixed", "input_moving", "output_moving", "output_fixed"];
@@ -190,23 +199,14 @@ export function linkage_picture(bodies: Record<LinkName, readonly number[]>, sta
 export function ways_picture(linkage: Linkage, first: Rows | null, tip: number): Picture {
   const {drive} = linkage;
   if (!drive) return nothing;
-  const items: Item[] = [],
-    way = (rows: readonly [number, number]) => {
-      const all = first ? stands(linkage, rows, 2).map(({turn}) => column(after(turn, first), tip)) : [];
-      return all;
-    };
+  const items: Item[] = [];
+  const way = (rows: readonly [number, number]): Vec3[] => {
+    const points = first ? stands(linkage, rows, 6).map(({turn}) => column(after(turn, first), tip)) : [];
+    return points.slice(1).flatMap((point, k) => [points[k]!, point]);
+  };
   const task = task_rows(drive);
-  items.push({
-    kind: "path",
-    key: "way",
-    points: way(all_rows(drive)),
-    color: "accent",
-    width: 1.2,
-    opacity: 0.5,
-    on_ball: true,
-  });
-  if (task)
-    items.push({kind: "path", key: "way of the task", points: way(task), color: "accent", width: 3, on_ball: true});
+  items.push({kind: "strokes", key: "way", ends: way(all_rows(drive)), color: "accent", width: 1.2, opacity: 0.5});
+  if (task) items.push({kind: "strokes", key: "way of the task", ends: way(task), color: "accent", width: 3});
   const last = row_count(drive) - 1;
   const ends = [drive.limits.low && 0, drive.limits.high && last].filter((row) => typeof row === "number");
   for (const row of ends) {

@@ -14,8 +14,20 @@ export interface Sizes {
   bore: number; // radius
   /** Between what moves against each other. */
   clearance: number;
+  /** Of a hub on the side away from the bar; a bar has one every so many degrees. */
+  corners: number;
+  step_deg: number;
 }
-export const usual_sizes: Sizes = {inner: 36, thickness: 4, half_width: 3, hub: 5, bore: 1.6, clearance: 0.4};
+export const usual_sizes: Sizes = {
+  inner: 36,
+  thickness: 4,
+  half_width: 3,
+  hub: 5,
+  bore: 1.6,
+  clearance: 0.4,
+  corners: 24,
+  step_deg: 3,
+};
 /** Three corners to a triangle, counter-clockwise from outside. */
 export type Triangles = Vec3[];
 export interface Shell {
@@ -26,9 +38,6 @@ export interface Shell {
 export type Reach = readonly [from: number, to: number];
 /** From the inside outwards. */
 export type ShellOrder = readonly LinkName[];
-
-const around = 24; // corners of a hub on the side away from the bar
-const step_deg = 3;
 
 // ---- the layers -----------------------------------------------------------------------------------------------------
 
@@ -95,7 +104,12 @@ function quad(a: Vec3, b: Vec3, c: Vec3, d: Vec3): Triangles {
   return [a, b, c, a, c, d];
 }
 /** Its side away from the bar; where the bar begins it is open between the shell's radii. */
-function hub(place: Place, reach: Reach, {inner, outer}: Shell, {hub: radius, half_width, bore}: Sizes): Triangles {
+function hub(
+  place: Place,
+  reach: Reach,
+  {inner, outer}: Shell,
+  {hub: radius, half_width, bore, corners: around}: Sizes,
+): Triangles {
   const begin = Math.asin(half_width / radius),
     angles = Array.from({length: around + 1}, (_, k) => begin + ((2 * Math.PI - 2 * begin) * k) / around),
     front = Array.from({length: 5}, (_, k) => -begin + (2 * begin * k) / 4),
@@ -146,7 +160,7 @@ function turned_over(triangles: Triangles): Triangles {
 
 /** In its own frame (space.arc_frame): from the x axis about the z axis. */
 export function link_solid(angle: number, shell: Shell, reaches: readonly [Reach, Reach], sizes: Sizes): Triangles {
-  const {half_width, hub: radius} = sizes,
+  const {half_width, hub: radius, step_deg} = sizes,
     chord = Math.sqrt(radius ** 2 - half_width ** 2),
     far = Math.atan2(chord, shell.inner) + 0.01;
   const direction = (turn: number): Vec3 => [Math.cos(turn), Math.sin(turn), 0];
