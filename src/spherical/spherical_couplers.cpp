@@ -41,9 +41,9 @@ double between(Vector3 a, Vector3 b) { return std::atan2(norm(cross(a, b)), std:
 
 // However far rounding has taken it in an ill-conditioned task, the ground link is one of them.
 void leave_ground_out(std::vector<SphericalDyadPoint>& points, double ground_angle) {
-  const auto [input, output] = fixed_axes(ground_angle);
+  const std::array<Vector3, 2> ground_link = fixed_axes(ground_angle);
   const auto distance = [&](const SphericalDyadPoint& point) {
-    return std::max(between(point.dyad.fixed_axis, input), between(point.dyad.moving_axis, output));
+    return std::max(between(point.dyad.fixed_axis, ground_link[0]), between(point.dyad.moving_axis, ground_link[1]));
   };
   const auto ground = std::min_element(points.begin(), points.end(),
                                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
