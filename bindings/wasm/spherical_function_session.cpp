@@ -117,9 +117,9 @@ std::optional<SphericalSolution> SphericalFunctionSession::made(MapPoint place, 
 LinkageReply SphericalFunctionSession::linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const {
   constexpr bool verify = false;
   const auto found = made(place, respect_direction, verify);
-  if (!found) return spherical_reply(found, {}, place, fails);
+  if (!found) return spherical_reply(given_, found, {}, place, fails);
   const SphericalFunctionTask there = family_->task_at(place);
-  return spherical_reply(found, family_->orientations(place, found->four_bar), place, fails, &there);
+  return spherical_reply(given_, found, family_->orientations(place, found->four_bar), place, fails, &there);
 }
 
 Verification SphericalFunctionSession::verify(MapPoint place, bool respect_direction) const {

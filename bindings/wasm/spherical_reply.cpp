@@ -157,12 +157,18 @@ void append(const SphericalPassage& passage, std::vector<double>& states) {
   states.insert(states.end(), {a.x, a.y, a.z, b.x, b.y, b.z, turn.w(), v.x, v.y, v.z});
 }
 
+SphericalDyadPair dyads_at(const SphericalTaskFamily& known, MapPoint point) {
+  const auto found = known.family ? known.family->dyad_pair(point) : std::nullopt;
+  return found.value_or(SphericalDyadPair{no_spherical_dyad(point.input), no_spherical_dyad(point.output)});
+}
+
 }  // namespace
 
-LinkageReply spherical_reply(const std::optional<SphericalSolution>& found,
+LinkageReply spherical_reply(const SphericalTaskFamily& known, const std::optional<SphericalSolution>& found,
                              const std::vector<PrescribedOrientation>& orientations, MapPoint point, std::uint8_t fails,
                              const WantedFunction* wanted) {
   LinkageReply reply;
+  const SphericalDyadPair dyads = dyads_at(known, point);
   const SphericalAnalysis analysis = found ? analyze(found->four_bar, orientations) : SphericalAnalysis{};
   const SphericalTravel travel = spherical_travel(analysis, orientations.size());
   reply.linkage = json_of([&](JsonWriter& json) {
@@ -171,8 +177,8 @@ LinkageReply spherical_reply(const std::optional<SphericalSolution>& found,
     json.key("tau");
     write_numbers(json, std::array{point.input, point.output});
     json.member("fails", int{fails});
-    write_side(json, "input", found ? found->input : no_spherical_dyad(point.input));
-    write_side(json, "output", found ? found->output : no_spherical_dyad(point.output));
+    write_side(json, "input", dyads.input);
+    write_side(json, "output", dyads.output);
     write_nulls(json, {"lengths", "link_ratio", "longest"});
     json.key("function");
     wanted&& found && found->function ? write_generated_function(json, *wanted, *found->function) : json.null();

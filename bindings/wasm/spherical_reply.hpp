@@ -6,15 +6,18 @@
 #include "linkage_reply.hpp"
 #include "linkwright/function/wanted_function.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
+#include "linkwright/spherical/spherical_task_family.hpp"
 #include "task_session.hpp"
 
 namespace linkwright::wasm {
 
 /// SphericalLinkage of the protocol, and its drive over the whole range of the input: rows of state_columns, of which
 /// those of the plane are 0, followed by the input's and the output's moving axis and the coupler's turn from position
-/// 1 as a quaternion (w, x, y, z). `fails`: requirement bits. `wanted`: of generators, its free parameter fixed.
+/// 1 as a quaternion (w, x, y, z). `known`: its axes are told where they make no linkage, too. `fails`: requirement
+/// bits. `wanted`: of generators, its free parameter fixed.
 inline constexpr std::size_t spherical_state_width = state_width + 10;
-[[nodiscard]] LinkageReply spherical_reply(const std::optional<SphericalSolution>& found,
+[[nodiscard]] LinkageReply spherical_reply(const SphericalTaskFamily& known,
+                                           const std::optional<SphericalSolution>& found,
                                            const std::vector<PrescribedOrientation>& orientations, MapPoint point,
                                            std::uint8_t fails, const WantedFunction* wanted = nullptr);
 

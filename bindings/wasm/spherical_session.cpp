@@ -97,8 +97,8 @@ std::vector<double> SphericalSession::coordinates(const ExploreRequest& request,
 
 LinkageReply SphericalSession::linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const {
   constexpr bool verify = false;
-  return spherical_reply(make_spherical_four_bar(given_, place, respect_direction, verify), task_.orientations, place,
-                         fails);
+  return spherical_reply(given_, make_spherical_four_bar(given_, place, respect_direction, verify), task_.orientations,
+                         place, fails);
 }
 
 Verification SphericalSession::verify(MapPoint place, bool respect_direction) const {

@@ -1,6 +1,7 @@
 // The links of a spherical four-bar as solids that can be printed: each bar on a shell of its own about the centre, straight
 // hubs along the axes with a bore for a pin. What joins two links that are no neighbours reaches through the shells between.
 import {plus, seen_from_outside, times, type Rows, type Vec3} from "../../sphere/vectors";
+import {least_of} from "../../state/ends";
 import type {AxisName, LinkName} from "./replies";
 import {distance_from_arc, link_angle, link_ends, link_frame, link_names, type Stand} from "./space";
 
@@ -91,7 +92,7 @@ export function shell_order(stands: readonly Stand[], sizes: Sizes): {order: She
 }
 /** Sizes at which the hubs of the shortest link leave room for a bar between them. */
 export function fitting_sizes(stand: Stand, sizes: Sizes = usual_sizes): Sizes {
-  const least = Math.min(...link_names.map((link) => Math.min(link_angle(link, stand), Math.PI / 2)));
+  const least = Math.min(least_of(link_names.map((link) => link_angle(link, stand))), Math.PI / 2);
   return {...sizes, inner: Math.max(sizes.inner, (1.25 * sizes.hub) / Math.tan(least / 2))};
 }
 

@@ -79,7 +79,7 @@ export function all_rows(drive: Drive): readonly [number, number] {
 
 /** Of any length: between the rows of a table it is interpolated. */
 export function rows_of_quaternion(q: readonly [number, number, number, number]): Rows {
-  const size = Math.hypot(...q) || 1,
+  const size = Math.hypot(q[0], q[1], q[2], q[3]) || 1,
     [w, x, y, z] = q.map((value) => value / size) as [number, number, number, number];
   return [
     [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
