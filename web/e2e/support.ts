@@ -213,9 +213,13 @@ export interface Shown {
 export async function shown(page: Page): Promise<Shown> {
   await page.waitForFunction(() => {
     const {workbench, ready} = globalThis.__linkwright!;
-    const {picked, picked_linkage} = workbench;
+    const {picked, picked_linkage, just_changed} = workbench; // what the change has cost may yet be replaced
     return (
-      ready && workbench.map!.samples === 1000 && picked !== null && picked_linkage?.tau.join() === picked.tau.join()
+      ready &&
+      !just_changed &&
+      workbench.map!.samples === 1000 &&
+      picked !== null &&
+      picked_linkage?.tau.join() === picked.tau.join()
     );
   });
   return read_state(page, ({map, picked, pins, problem}) => {
