@@ -70,7 +70,7 @@ Json drawn_options(Draw& draw, const Sheet& sheet, std::string_view kind) {
   if (draw.chance(0.3)) options["spacing"] = draw.one_of({"coordinate", "arc_length"});
   options["objective"] = draw.one_of({"min_transmission_angle", "link_ratio", "size"});
   if (kind.starts_with("sphere")) options["objective"] = draw.one_of({"min_transmission_angle", "link_angle"});
-  if (kind.starts_with("function") && draw.chance(0.4)) options["objective"] = "structural_error";
+  if (kind.find("function") != std::string_view::npos && draw.chance(0.4)) options["objective"] = "structural_error";
   if (draw.chance(0.3)) options["best"] = draw.one_of({0, 1, 2, 30, 100});
   if (draw.chance(0.1)) options["window"] = drawn_window(draw);
   if (kind == "six_bar_search") {
