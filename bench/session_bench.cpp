@@ -1,10 +1,13 @@
 // What the page asks of its engine, by the native engine: web/scripts/bench.mjs asks the same of the page's own. Names
-// and questions are the same there; a pose of the tailgate moves before each map, as in a drag.
+// and questions are the same there; a pose of the tailgate moves, or an
+// orientation of the folding wing turns, before each map, as in a drag.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "session.hpp"
 
@@ -20,30 +23,49 @@ std::string example(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 std::string tailgate() { return example("tailgate"); }
-std::string moved(std::string text, int step) {
-  const std::string x = "\"x\": -220, \"y\": 220";
-  return text.replace(text.find(x), x.size(), fmt::format("\"x\": {}, \"y\": 220", -220 - 0.01 * (step % 100)));
-}
+
+/// An example and a number in it that a drag changes, between the texts before and after it.
+struct Dragged {
+  const char* name;
+  std::string before;
+  double number;
+  std::string after;
+
+  [[nodiscard]] std::string text(int step) const {
+    std::string text = example(name);
+    const std::string old = fmt::format("{}{}{}", before, number, after);
+    return text.replace(text.find(old), old.size(), fmt::format("{}{}{}", before, number - 0.01 * (step % 100), after));
+  }
+};
+const Dragged tailgate_pose{"tailgate", "\"x\": ", -220, ", \"y\": 220"};
+const Dragged wing_orientation{"folding_wing", "[-40, 16, ", 62, "]"};
+
 ExploreRequest whole_map(int samples) {
   ExploreRequest request;
   request.samples = samples;
   return request;
 }
 
-void session_drag(benchmark::State& state) {
-  const std::string text = tailgate();
+void session_drag(benchmark::State& state, const Dragged& dragged) {
+  std::vector<std::string> texts;
+  for (int step = 0; step < 100; ++step) texts.push_back(dragged.text(step));
   Session session;
-  int step = 0;
+  std::size_t step = 0;
   for (auto _ : state) {
-    session.set_problem(moved(text, ++step));
+    session.set_problem(texts[++step % texts.size()]);
     benchmark::DoNotOptimize(session.explore(whole_map(static_cast<int>(state.range(0)))));
   }
 }
-BENCHMARK(session_drag)
+BENCHMARK_CAPTURE(session_drag, pose, tailgate_pose)
     ->Name("session/drag")
     ->Arg(100)
     ->Arg(400)
     ->Arg(1000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(session_drag, orientation, wing_orientation)
+    ->Name("session/turn")
+    ->Arg(400)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
@@ -57,8 +79,9 @@ void session_open(benchmark::State& state, const char* name) {
   }
 }
 const bool opened = [] {
-  for (const char* name : {"tailgate", "latch", "airtight_hatch", "transfer_arm", "nose_gear", "sine_generator",
-                           "flow_meter", "log_generator", "loader_bucket_chain"})
+  for (const char* name :
+       {"tailgate", "latch", "airtight_hatch", "transfer_arm", "nose_gear", "sine_generator", "flow_meter",
+        "log_generator", "loader_bucket_chain", "folding_wing", "ankle_orthosis", "universal_joint_like"})
     benchmark::RegisterBenchmark(fmt::format("session/open/{}", name).c_str(), session_open, name)
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime();

@@ -9,7 +9,9 @@ const example = (name) => readFileSync(new URL(`../../examples/${name}.json`, im
 const tailgate = example("tailgate");
 const tau = [1.3125, 1.1125];
 
+const wing = example("folding_wing");
 const moved = (step) => tailgate.replace('"x": -220, "y": 220', `"x": ${-220 - 0.01 * (step % 100)}, "y": 220`);
+const turned = (step) => wing.replace("[-40, 16, 62]", `[-40, 16, ${62 - 0.01 * (step % 100)}]`);
 function whole_map(session, samples) {
   session.explore(samples, 0, 1, 0, 1, "min_transmission_angle_deg", 0);
 }
@@ -34,6 +36,10 @@ for (const samples of [100, 400, 1000]) {
     whole_map(session, samples);
   });
 }
+found["turn/400"] = timed((step) => {
+  session.set_problem(turned(step));
+  whole_map(session, 400);
+});
 session.set_problem(tailgate);
 whole_map(session, 400);
 found.hover = timed(() => session.linkage(...tau));
@@ -52,6 +58,9 @@ for (const name of [
   "flow_meter",
   "log_generator",
   "loader_bucket_chain",
+  "folding_wing",
+  "ankle_orthosis",
+  "universal_joint_like",
 ]) {
   const text = example(name);
   found[`open/${name}`] = timed(() => {
