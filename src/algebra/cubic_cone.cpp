@@ -165,7 +165,7 @@ bool CubicCone::take_apart() {
     return v[0] * p + v[1] * q + v[2] * n;
   };
   const Eigen::Vector3d l = axes.eigenvalues();  // rising
-  const bool low = l[0]<-zero, high = l[2]> zero;
+  const bool low = -l[0] > zero, high = l[2] > zero;
   if (std::abs(l[1]) <= zero && low && high) {  // two planes
     const Vector3 first = std::sqrt(-l[0]) * axis(0), second = std::sqrt(l[2]) * axis(2);
     add_plane(normalized(first + second));
