@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "support/file_support.hpp"
@@ -179,6 +180,84 @@ TEST(SphericalFile, MistakesSayWhereAndWhat) {
     EXPECT_EQ(read.errors()[0].place, bad.place) << read.errors()[0].message;
     EXPECT_NE(read.errors()[0].message.find(bad.words), std::string::npos) << read.errors()[0].message;
   }
+}
+
+/// The orientations of a task, each in another form.
+nlohmann::json in_all_forms() {
+  return nlohmann::json::parse(R"([
+    {"matrix": [[1, 0, 0], [0, 0.6, -0.8], [0, 0.8, 0.6]]},
+    {"matrix": [[0.8, -0.61, 0], [0.6, 0.8, 0], [0, 0.001, 1.01]], "nearest": true},
+    {"axis": [0, 0.1, 3], "angle_deg": 390.1, "angular_velocity": [0.1, 0, 0.2]},
+    {"rotation_vector": [0.1, 0.7000000000000001, -2e-3]},
+    {"quaternion": [-2, 0.1, 0.3333333333333333, 5]},
+    {"euler_deg": [10.1, -400, 3.3], "sequence": "zyx"},
+    {"euler_deg": [10.1, -40, 3.3], "sequence": "zxz", "turning": "extrinsic"}
+  ])");
+}
+
+nlohmann::json problem_of(const nlohmann::json& orientations) {
+  return {{"linkwright", 1},
+          {"task", {{"kind", "motion"}, {"mechanism", "spherical_four_bar"}, {"orientations", orientations}}}};
+}
+
+Problem read_task(const nlohmann::json& orientations) {
+  const auto read = read_problem(problem_of(orientations).dump());
+  EXPECT_TRUE(read.ok()) << read.errors()[0].message;
+  return *read;
+}
+
+TEST(SphericalFile, TaskIsEchoedInTheFormsInWhichItWasGiven) {
+  const auto all = in_all_forms();
+  for (std::size_t first = 0; first + 4 <= all.size(); ++first) {
+    const nlohmann::json given(std::vector<nlohmann::json>(all.begin() + first, all.begin() + first + 4));
+    const Problem problem = read_task(given);
+    const std::string text = write_problem(problem);
+    EXPECT_EQ(nlohmann::json::parse(text)["task"]["orientations"], given) << text;
+    const auto again = read_problem(text);
+    ASSERT_TRUE(again.ok());
+    EXPECT_EQ(again->task, problem.task);
+    EXPECT_EQ(write_problem(*again), text);
+  }
+}
+
+TEST(SphericalFile, LinkagesCarryTheOrientationsAsGiven) {
+  const auto all = in_all_forms();
+  StoredSphericalFourBar linkage = stored();
+  linkage.orientations.clear();
+  for (const std::size_t i : {1, 2, 6})
+    linkage.orientations.push_back(
+        std::get<SphericalMotionTask>(read_task({all[i], all[0], all[3], all[4]}).task).orientations[0]);
+  const std::string text = write_linkage(linkage);
+  EXPECT_EQ(nlohmann::json::parse(text)["orientations"], (nlohmann::json{all[1], all[2], all[6]}));
+  EXPECT_EQ(write_linkage(read_one(text)), text);
+  EXPECT_EQ(read_one(text).orientations, linkage.orientations);
+}
+
+TEST(SphericalFile, AChangedOrientationIsWrittenAsItIs) {
+  auto problem = read_task({in_all_forms()[0], in_all_forms()[3], in_all_forms()[4], in_all_forms()[5]});
+  auto& task = std::get<SphericalMotionTask>(problem.task);
+  task.orientations[0].orientation = UnitQuaternion::about({0, 0, 1}, 1);
+  const auto again = read_problem(write_problem(problem));
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->task, problem.task);
+}
+
+TEST(SphericalFile, SequencesAreEchoedByLetters) {
+  auto orientations = in_all_forms();
+  orientations.erase(orientations.begin(), orientations.begin() + 3);
+  orientations[2]["sequence"] = "3-2-1";
+  const auto written = nlohmann::json::parse(write_problem(read_task(orientations)));
+  EXPECT_EQ(written["task"]["orientations"][2]["sequence"], "zyx");
+}
+
+TEST(SphericalFile, TasksTakeFiveForms) {
+  auto orientations = in_all_forms();
+  orientations.erase(orientations.begin(), orientations.begin() + 3);
+  orientations[1] = {{"rodrigues", {0, 0, 1}}};
+  const auto read = read_problem(problem_of(orientations).dump());
+  ASSERT_FALSE(read.ok());
+  EXPECT_EQ(read.errors()[0].code, "unknown_key");
+  EXPECT_EQ(read.errors()[0].place, "task.orientations[1].rodrigues");
 }
 
 TEST(SphericalFile, ReadersOfFourBarsRefuseIt) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "linkwright/attitude/quaternion.hpp"
+#include "linkwright/attitude/given_orientation.hpp"
 #include "linkwright/mechanism/positions.hpp"
 
 namespace linkwright {
@@ -11,7 +11,7 @@ namespace linkwright {
 /// angular jerk there, by any parameter that grows along the task (fixed frame, radians per power of the parameter).
 /// With m derivatives it counts as m + 1 infinitesimally close positions.
 struct PrescribedOrientation {
-  UnitQuaternion orientation;  ///< the turn that carries the body from its reference attitude into this one
+  GivenOrientation orientation;  ///< the turn that carries the body from its reference attitude into this one
   std::vector<Vector3> derivatives;
 
   /// How many infinitesimally close positions it counts as, ≥ 1.

@@ -34,7 +34,7 @@ StoredSphericalAnalysis analyze(const StoredSphericalFourBar& linkage) {
 
 std::string motion_table(const StoredSphericalAnalysis& analysis) {
   const auto& orientations = analysis.linkage.orientations;
-  const UnitQuaternion first = orientations.empty() ? UnitQuaternion{} : orientations.front().orientation;
+  const UnitQuaternion first = orientations.empty() ? GivenOrientation() : orientations.front().orientation;
   std::string table(spherical_header);
   for (const SphericalState& state : analysis.motion) table += state_line(state, first);
   return table;

@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t most_orientations = 1000;  // what is read to count them in the mistake
 constexpr std::array<std::string_view, 4> rate_keys = {"angular_velocity", "angular_acceleration", "angular_jerk",
                                                        "angular_snap"};
+constexpr std::array<const char*, 9> form_keys = {"matrix",          "nearest",   "axis",     "angle_deg", "quaternion",
+                                                  "rotation_vector", "euler_deg", "sequence", "turning"};
 
 /// The derivatives beside an orientation; nothing where one is no vector or one before it is missing.
 std::optional<std::vector<Vector3>> read_rates(const JsonObject& object) {
@@ -37,26 +39,41 @@ std::optional<std::vector<Vector3>> read_rates(const JsonObject& object) {
   return complete ? std::optional(rates) : std::nullopt;
 }
 
-/// The object without its rates, for the reader of orientations.
-nlohmann::json without_rates(const JsonValue& value, UnknownMembers others) {
-  nlohmann::json bare = value.json();
-  for (const std::string_view key : rate_keys) bare.erase(std::string(key));
-  if (others == UnknownMembers::refused) return bare;
-  nlohmann::json known = nlohmann::json::object();
-  for (const char* key : {"matrix", "axis", "angle_deg", "quaternion", "rotation_vector", "euler_deg", "sequence"})
-    if (bare.contains(key)) known[key] = bare[key];
-  return known;
+/// The members that give the orientation itself.
+nlohmann::json form_in(const JsonValue& value) {
+  nlohmann::json form = nlohmann::json::object();
+  for (const char* key : form_keys)
+    if (value.json().contains(key)) form[key] = value.json()[key];
+  return form;
+}
+
+/// As it stood there, but for the sequence, which is written in one way.
+GivenOrientation as_given(const StoredOrientation& read, nlohmann::json form) {
+  if (read.euler) form["sequence"] = read.euler->sequence.name();
+  std::string members;
+  for (const char* key : form_keys)
+    if (form.contains(key)) members += fmt::format("{}\"{}\": {}", members.empty() ? "" : ", ", key, form[key].dump());
+  return {read.quaternion, members};
+}
+
+JsonObject members_of(const JsonValue& value, Mistakes& mistakes, UnknownMembers others) {
+  if (others == UnknownMembers::ignored) return {value, mistakes, {}};
+  return {value,
+          mistakes,
+          {"matrix", "nearest", "axis", "angle_deg", "quaternion", "rotation_vector", "euler_deg", "sequence",
+           "turning", "angular_velocity", "angular_acceleration", "angular_jerk", "angular_snap"}};
 }
 
 std::optional<PrescribedOrientation> read_prescribed(const JsonValue& value, Mistakes& mistakes,
                                                      UnknownMembers others) {
-  const JsonObject object(value, mistakes, {});
-  if (!value.is_object()) return std::nullopt;
+  const std::size_t before = mistakes.size();
+  const JsonObject object = members_of(value, mistakes, others);
+  if (mistakes.size() != before) return std::nullopt;
   const auto rates = read_rates(object);
-  const nlohmann::json bare = without_rates(value, others);
-  const auto orientation = read_orientation(JsonValue(bare, value.place(), mistakes), mistakes);
+  const nlohmann::json form = form_in(value);
+  const auto orientation = read_orientation(JsonValue(form, value.place(), mistakes), mistakes);
   if (!rates || !orientation) return std::nullopt;
-  return PrescribedOrientation{orientation->quaternion, *rates};
+  return PrescribedOrientation{as_given(*orientation, form), *rates};
 }
 
 std::optional<GivenAxes> read_given_axes(const JsonValue& value, Mistakes& mistakes) {

@@ -23,6 +23,14 @@ void write_transmission(JsonWriter& json, const DefectReport& report) {
   report.defects.none() ? json.value(degrees(report.min_transmission_angle)) : json.null();
 }
 
+/// In the form in which it was given; otherwise as a quaternion.
+void write_given(JsonWriter& json, const GivenOrientation& there) {
+  if (there.form().empty())
+    write_numbers(json, "quaternion", {there.w(), there.v().x, there.v().y, there.v().z});
+  else
+    json.json(there.form());
+}
+
 void write_report(JsonWriter& json, const DefectReport& report) {
   json.member("type", name(report.type));
   json.key("defects");
@@ -36,11 +44,7 @@ void write_orientations(JsonWriter& json, const std::vector<PrescribedOrientatio
   json.begin_list();
   for (const PrescribedOrientation& there : orientations) {
     json.begin_object(Layout::one_line);
-    json.key("quaternion");
-    json.begin_list(Layout::one_line);
-    json.value(there.orientation.w());
-    for (std::size_t i = 0; i < 3; ++i) json.value(there.orientation.v()[i]);
-    json.end_list();
+    write_given(json, there.orientation);
     for (std::size_t m = 0; m < there.derivatives.size(); ++m)
       write_vector(json, derivative_keys[m], there.derivatives[m]);
     json.end_object();
