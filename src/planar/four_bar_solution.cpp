@@ -14,12 +14,7 @@ namespace {
 // By how much the grounded links, at unit scale, fail to keep still to the orders that the derivatives prescribe.
 std::optional<double> derivative_residual(const std::vector<HomogeneousMatrix>& rows, const DyadPair& links) {
   if (rows.empty()) return std::nullopt;
-  double worst = 0;
-  for (const Dyad& dyad : {links.input, links.output}) {
-    const Homogeneous circle = normalized(dyad.circle), center = normalized(dyad.center);
-    for (const HomogeneousMatrix& row : rows) worst = std::max(worst, std::abs(dot(circle, row * center)));
-  }
-  return worst;
+  return std::max(residual_of(links.input, rows), residual_of(links.output, rows));
 }
 
 std::optional<FourBar> user_four_bar(const DyadPair& links, const WorkingFrame& frame) {

@@ -213,4 +213,11 @@ std::vector<HomogeneousMatrix> derivative_conditions(const std::vector<Prescribe
   return conditions;
 }
 
+double residual_of(const Dyad& dyad, const std::vector<HomogeneousMatrix>& rows) {
+  const Homogeneous circle = normalized(dyad.circle), center = normalized(dyad.center);
+  double worst = 0;
+  for (const HomogeneousMatrix& row : rows) worst = std::max(worst, std::abs(dot(circle, row * center)));
+  return worst;
+}
+
 }  // namespace linkwright

@@ -21,7 +21,7 @@ double run_between(const SphericalDyad& a, const SphericalDyad& b) {
 // coefficients of nearly dependent orientations leave fewer digits than the conditions do.
 void polish(const OrientationConditions& conditions, Vector3& fixed, Vector3& moving) {
   constexpr int turns = 3;
-  double residual = residual_of(fixed, moving, conditions);
+  double residual = residual_of(fixed, moving, conditions.rows);
   for (int turn = 0; turn < turns; ++turn) {
     Eigen::Matrix<double, 3, 6> slope;
     Eigen::Vector3d off;
@@ -37,7 +37,7 @@ void polish(const OrientationConditions& conditions, Vector3& fixed, Vector3& mo
     const Eigen::Matrix<double, 6, 1> step = slope.completeOrthogonalDecomposition().solve(off);
     const Vector3 next_fixed = normalized(fixed - Vector3{step[0], step[1], step[2]}),
                   next_moving = normalized(moving - Vector3{step[3], step[4], step[5]});
-    const double left = residual_of(next_fixed, next_moving, conditions);
+    const double left = residual_of(next_fixed, next_moving, conditions.rows);
     if (!(left < residual)) return;
     residual = left;
     fixed = next_fixed;
@@ -55,7 +55,7 @@ AxisCurve::AxisCurve(OrientationConditions conditions)
 SphericalDyad AxisCurve::dyad(double coordinate) const {
   constexpr double enough = 4e-15;  // what rounding leaves of a condition
   Vector3 moving = cone_.axis(coordinate), fixed = fixed_axis_of(moving, conditions_);
-  if (residual_of(fixed, moving, conditions_) > enough) polish(conditions_, fixed, moving);
+  if (residual_of(fixed, moving, conditions_.rows) > enough) polish(conditions_, fixed, moving);
   return {dot(fixed, moving) < 0 ? -fixed : fixed, moving,
           coordinate_length() > 0 ? wrap_period(coordinate, coordinate_length()) : coordinate};
 }

@@ -145,9 +145,9 @@ Vector3 fixed_axis_of(Vector3 moving_axis, const OrientationConditions& conditio
   return norm(across) > 0 ? normalized(across) : moving_axis;
 }
 
-double residual_of(Vector3 fixed_axis, Vector3 moving_axis, const OrientationConditions& conditions) {
+double residual_of(Vector3 fixed_axis, Vector3 moving_axis, const std::vector<Matrix3x3>& rows) {
   double worst = 0;
-  for (const Matrix3x3& row : conditions.rows) worst = std::max(worst, std::abs(dot(fixed_axis, row * moving_axis)));
+  for (const Matrix3x3& row : rows) worst = std::max(worst, std::abs(dot(fixed_axis, row * moving_axis)));
   return worst;
 }
 

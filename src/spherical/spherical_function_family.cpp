@@ -63,6 +63,14 @@ FunctionError SphericalFunctionFamily::error_of(const SphericalFourBar& bars, Ma
                             sampling);
 }
 
+std::optional<double> SphericalFunctionFamily::rate_residual(MapPoint place) const {
+  const Columns::Column column = columns_->recent_at(place.output);
+  const auto coupler = column.couplers->coupler(place.input);
+  const auto rows = derivative_rows(column.pairs, column.couplers->conditions);
+  if (!coupler || rows.empty()) return std::nullopt;
+  return residual_of(coupler->fixed_axis, coupler->moving_axis, rows);
+}
+
 SphericalDyadPair SphericalFunctionFamily::links_of(const SphericalDyad& coupler, MapPoint place) const {
   return {{axes_[0], coupler.fixed_axis, place.input}, {axes_[1], coupler.moving_axis, place.output}};
 }

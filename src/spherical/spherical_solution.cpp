@@ -21,10 +21,8 @@ double angle_residual(const SphericalDyad& dyad, const std::vector<PrescribedOri
 
 std::optional<double> rate_residual(const std::vector<Matrix3x3>& rows, const SphericalDyadPair& links) {
   if (rows.empty()) return std::nullopt;
-  double worst = 0;
-  for (const SphericalDyad& dyad : {links.input, links.output})
-    for (const Matrix3x3& row : rows) worst = std::max(worst, std::abs(dot(dyad.fixed_axis, row * dyad.moving_axis)));
-  return worst;
+  return std::max(residual_of(links.input.fixed_axis, links.input.moving_axis, rows),
+                  residual_of(links.output.fixed_axis, links.output.moving_axis, rows));
 }
 
 }  // namespace

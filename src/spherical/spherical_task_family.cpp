@@ -19,17 +19,6 @@ std::vector<Notice> orientation_warnings(const OrientationConditions& conditions
        {{"condition", conditions.condition()}}}};
 }
 
-std::vector<Matrix3x3> rows_of_derivatives(const std::vector<PrescribedOrientation>& orientations,
-                                           const OrientationConditions& conditions) {
-  std::vector<Matrix3x3> rows;
-  auto row = conditions.rows.begin();
-  for (const PrescribedOrientation& there : orientations) {
-    if (&there != &orientations.front()) ++row;
-    for (std::size_t m = 0; m < there.derivatives.size(); ++m) rows.push_back(*row++);
-  }
-  return rows;
-}
-
 // The moving axis to a fixed one, by the transposed conditions.
 Vector3 moving_axis_of(Vector3 fixed_axis, const OrientationConditions& conditions) {
   OrientationConditions transposed_rows;
@@ -59,7 +48,7 @@ std::shared_ptr<const SphericalFamily> family_of_points(const SphericalMotionTas
 void find_given(const SphericalMotionTask& task, SphericalTaskFamily& given) {
   for (const std::size_t side : {0u, 1u}) {
     SphericalDyadPoint point{dyad_with(*task.given, side, given.conditions)};
-    point.residual = residual_of(point.dyad.fixed_axis, point.dyad.moving_axis, given.conditions);
+    point.residual = residual_of(point.dyad.fixed_axis, point.dyad.moving_axis, given.conditions.rows);
     given.points.push_back(point);
   }
   given.family = family_of_points(task, given.points);
@@ -109,7 +98,7 @@ SphericalTaskFamily task_family(const SphericalMotionTask& task) {
   SphericalTaskFamily given;
   given.pattern = pattern(task.orientations);
   given.conditions = orientation_conditions(task.orientations);
-  given.derivative_rows = rows_of_derivatives(task.orientations, given.conditions);
+  given.derivative_rows = derivative_rows(task.orientations, given.conditions);
   given.has_directions = !given.derivative_rows.empty();
   given.degeneracy = orientation_degeneracy(task.orientations, given.conditions);
   if (given.degeneracy) return given;

@@ -23,7 +23,9 @@ template <class Solution>
 /// Where driving a generator free of defects confirms it, it must also have brought the output to each pair.
 template <class Solution, class Family>
 void measure_function(Solution& found, const Family& family) {
-  found.function = family.error_of(found.four_bar, {found.input.coordinate, found.output.coordinate});
+  const MapPoint place{found.input.coordinate, found.output.coordinate};
+  found.function = family.error_of(found.four_bar, place);
+  found.residual_derivatives = family.rate_residual(place);
   if (found.report.defects.none())
     found.verified_by_driving = found.verified_by_driving && found.function->reaches_pairs &&
                                 found.function->precision_error <= tolerance::pair_met;

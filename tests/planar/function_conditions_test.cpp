@@ -1,8 +1,10 @@
 #include "linkwright/planar/function_conditions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/angle.hpp"
@@ -221,6 +223,45 @@ TEST(FunctionConditions, TheInverseFunctionHasTheSameLinkages) {
       return normalized(back.conditions.frame.to_working(Homogeneous{p.w, p.w - p.x, -p.y}));
     };
     EXPECT_LT(back_curve.residual({turned(dyad.circle), turned(dyad.center), 0}), 1e-11);
+  }
+}
+
+/// f = (|B − A|² − const)/2 of a coupler seen while the pairs run on, at a time t past the first.
+double length_change(const Dyad& coupler, const WorkingFrame& frame, const AnglePair& pair, double t) {
+  const Point b = *finite_point(frame.to_user(coupler.center)), a = *finite_point(frame.to_user(coupler.circle));
+  const AngleDerivative first = pair.derivatives[0], second = pair.derivatives[1];
+  const Point turned_a = direction(t * first.input + t * t / 2 * second.input) * a;
+  const Point turned_b = 1.0 + direction(t * first.output + t * t / 2 * second.output) * (b - 1.0);
+  return std::norm(turned_b - turned_a) / 2;
+}
+
+/// Rows of one pair's two derivatives, orthonormal: what they say of a coupler, f′ and f″ say with other factors.
+TEST(FunctionConditions, DerivativeRowsAreDifferencesOfTheCouplersLength) {
+  const AnglePair first{0.3, 0.1, {{1, 0.6}, {0.2, -0.3}}};
+  const FunctionConditions given = function_conditions({first, {0.9, 0.7, {}}});
+  const auto rows = given.derivative_rows();
+  ASSERT_EQ(rows.size(), 2u);
+  std::mt19937_64 random(5);
+  const auto values = [&] {
+    const WorkingFrame& frame = given.conditions.frame;
+    const Dyad coupler{Homogeneous::of({uniform(random, -2, 2), uniform(random, -2, 2)}),
+                       Homogeneous::of({uniform(random, -2, 2), uniform(random, -2, 2)}), 0};
+    constexpr double h = 1e-3;
+    const double before = length_change(coupler, frame, first, -h), here = length_change(coupler, frame, first, 0),
+                 after = length_change(coupler, frame, first, h);
+    return std::array{(after - before) / (2 * h), (after - 2 * here + before) / (h * h),
+                      dot(coupler.circle, rows[0] * coupler.center), dot(coupler.circle, rows[1] * coupler.center)};
+  };
+  // f′ and f″ as sums of the rows, from two couplers; then of others.
+  const auto one = values(), other = values();
+  const double area = one[2] * other[3] - one[3] * other[2];
+  for (int i = 0; i < 20; ++i) {
+    const auto third = values();
+    for (const std::size_t order : {0u, 1u}) {
+      const double p = (one[order] * other[3] - other[order] * one[3]) / area,
+                   q = (one[2] * other[order] - other[2] * one[order]) / area;
+      EXPECT_NEAR(p * third[2] + q * third[3], third[order], 1e-4 * (1 + std::abs(third[order])));
+    }
   }
 }
 

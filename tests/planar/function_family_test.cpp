@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
@@ -240,6 +241,21 @@ TEST(FunctionFamily, AParallelogramIsNoFamily) {
   EXPECT_FALSE(given.family);
   ASSERT_TRUE(given.degeneracy);
   EXPECT_EQ(given.degeneracy->code, "parallelogram");
+}
+
+TEST(FunctionFamily, DerivativesAreMetAllAlongTheCurve) {
+  std::mt19937_64 random(11);
+  for (const auto& multiplicities : testing::four_position_patterns()) {
+    FunctionTask task = squares();
+    task.function.reset();
+    task.pairs = testing::random_pairs(random, multiplicities);
+    const TaskFamily given = task_family(task);
+    for (const double tau : given.family->samples(Side::input, 40, Spacing::coordinate)) {
+      const auto residual = family_of(given).rate_residual({tau, 0.5});
+      ASSERT_EQ(residual.has_value(), multiplicities.size() < 4);
+      EXPECT_LT(residual.value_or(0), 1e-9);
+    }
+  }
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(OrientationConditions, PartnerMeetsAllThree) {
     const auto conditions = orientation_conditions(random_orientations(random, 4));
     const CubicCone cone(moving_axis_form(conditions), conditions.poles);
     const Vector3 moving = cone.axis(0.37);
-    EXPECT_LT(residual_of(fixed_axis_of(moving, conditions), moving, conditions), 1e-13);
+    EXPECT_LT(residual_of(fixed_axis_of(moving, conditions), moving, conditions.rows), 1e-13);
   }
 }
 

@@ -143,5 +143,35 @@ TEST(SphericalCouplers, SmallTurnsLeaveTheirDigits) {
   EXPECT_LT(worst_change(task, along(*couplers.curve, 50)), 1e-14);
 }
 
+/// Rows that derivatives set say of any coupler what differences of the cosine of its angle say, but for a factor each.
+TEST(SphericalCouplers, DerivativeRowsAreDifferencesOfTheCouplersAngle) {
+  const AnglePair first{0.3, 0.1, {{1, 0.6}, {0.2, -0.3}}};
+  const double ground = radians(70);
+  const SphericalCouplers couplers = spherical_couplers({first, {0.9, 0.7, {}}, {1.4, 1.2, {}}}, ground);
+  const auto rows = derivative_rows(std::vector<AnglePair>{first, {0.9, 0.7, {}}, {1.4, 1.2, {}}}, couplers.conditions);
+  ASSERT_EQ(rows.size(), 2u);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> coordinate;
+  const auto axis = [&] { return normalized(Vector3{coordinate(random), coordinate(random), coordinate(random)}); };
+  const auto [input, output] = fixed_axes(ground);
+  std::array<double, 2> factor{};
+  for (int i = 0; i < 20; ++i) {
+    const Vector3 on_input = axis(), on_output = axis();
+    const auto cosine = [&, z = input, u = output](double t) {
+      const AnglePair then = testing::pair_after(first, t);
+      return dot(UnitQuaternion::about(z, then.input - first.input).apply(on_input),
+                 UnitQuaternion::about(u, then.output - first.output).apply(on_output));
+    };
+    constexpr double h = 1e-3;
+    const std::array<double, 2> differences = {(cosine(h) - cosine(-h)) / (2 * h),
+                                               (cosine(h) - 2 * cosine(0) + cosine(-h)) / (h * h)};
+    for (const std::size_t order : {0u, 1u}) {
+      const double of_row = dot(on_input, rows[order] * on_output);
+      if (i == 0) factor[order] = differences[order] / of_row;
+      EXPECT_NEAR(differences[order], factor[order] * of_row, 1e-5);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace linkwright::spherical_couplers_test

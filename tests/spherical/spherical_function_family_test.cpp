@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_defects.hpp"
@@ -114,6 +115,22 @@ TEST(SphericalFunctionFamily, TheUniversalJointIsAmongTheGeneratorsOfItsFunction
     }
   }
   EXPECT_LT(nearest, 5e-3);
+}
+
+TEST(SphericalFunctionFamily, DerivativesAreMetAllAlongTheCurve) {
+  std::mt19937_64 random(11);
+  for (const auto& multiplicities : testing::four_position_patterns()) {
+    SphericalFunctionTask task;
+    task.pairs = testing::random_pairs(random, multiplicities);
+    task.ground_angle = 1.1;
+    const SphericalTaskFamily given = task_family(task);
+    const SphericalFunctionFamily& family = family_of(given);
+    for (const double tau : family.samples(Side::input, 40, Spacing::coordinate)) {
+      const auto residual = family.rate_residual({tau, 0.5});
+      ASSERT_EQ(residual.has_value(), multiplicities.size() < 4);
+      EXPECT_LT(residual.value_or(0), 1e-9);
+    }
+  }
 }
 
 }  // namespace

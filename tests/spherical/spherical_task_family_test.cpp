@@ -39,7 +39,7 @@ TEST(SphericalTaskFamily, ThreeOrientationsAndGivenAxesHaveOneLinkage) {
         const SphericalDyad& dyad = given.points[side].dyad;
         const Vector3 asked = kind == GivenAxes::Kind::fixed ? dyad.fixed_axis : dyad.moving_axis;
         EXPECT_LT(norm(asked - normalized(axes.axes[side])), 1e-15);
-        EXPECT_LT(residual_of(dyad.fixed_axis, dyad.moving_axis, given.conditions), 1e-13);
+        EXPECT_LT(residual_of(dyad.fixed_axis, dyad.moving_axis, given.conditions.rows), 1e-13);
         EXPECT_GE(dot(dyad.fixed_axis, dyad.moving_axis), 0);
       }
       EXPECT_TRUE(given.family->dyad_pair({0.5, 1.5}));

@@ -371,6 +371,33 @@ TEST(SolveMotion, FinitePosesHaveNoResidualOfDerivatives) {
   EXPECT_FALSE(solved(tailgate_task()).linkages.front().residual_derivatives);
 }
 
+// y = x² with its rate at the beginning.
+std::vector<AnglePair> pairs_with_rate() {
+  const auto pair = [](double x) { return AnglePair{radians(60 * x), radians(70 * x * x), {}}; };
+  std::vector<AnglePair> pairs = {pair(0.1), pair(0.5), pair(0.9)};
+  pairs[0].derivatives = {{radians(60), radians(14)}};
+  return pairs;
+}
+
+template <class KindAnswer, class KindTask>
+void expect_rates_met(const KindTask& task) {
+  const auto answer = solve(task, {}, {});
+  ASSERT_TRUE(answer.ok());
+  const auto& linkages = std::get<KindAnswer>(*answer).linkages;
+  ASSERT_FALSE(linkages.empty());
+  for (const auto& found : linkages) EXPECT_LT(found.residual_derivatives.value_or(1), 1e-12);
+}
+
+TEST(SolveFunction, LinkagesSayHowWellTheyMeetRates) {
+  FunctionTask planar;
+  planar.pairs = pairs_with_rate();
+  expect_rates_met<FunctionAnswer>(planar);
+  SphericalFunctionTask spherical;
+  spherical.pairs = pairs_with_rate();
+  spherical.ground_angle = radians(60);
+  expect_rates_met<SphericalFunctionAnswer>(spherical);
+}
+
 TEST(SolveMotion, AgainstTheDirectionIsADefectUnlessItDoesNotCount) {
   MotionTask against = hood();
   against.poses[0].derivatives[0] = {{0, -1}, 0.004};

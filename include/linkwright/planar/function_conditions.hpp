@@ -23,6 +23,11 @@ struct FunctionConditions {
                                       ///< input's ground pivot
   PoseConditions conditions;          ///< of those poses; its frame is in the user's
   Dyad ground;                        ///< the ground link, working frame, unit vectors
+
+  /// Those conditions alone that the derivatives set: orthonormal rows, working frame.
+  [[nodiscard]] std::vector<HomogeneousMatrix> derivative_rows() const {
+    return derivative_conditions(poses, {0, conditions.frame.scale});
+  }
 };
 
 /// Displacement j: turn about the input's ground pivot by φⱼ − φ₁, then about the output's by −(ψⱼ − ψ₁); derivatives

@@ -35,6 +35,10 @@ class FunctionFamily : public FourBarFamily {
   /// How well a linkage from there, user's frame, generates the task's pairs and its named function.
   [[nodiscard]] FunctionError error_of(const FourBar& bars, MapPoint place, const ErrorSampling& sampling = {}) const;
 
+  /// Largest |Zᵀ M C| of the coupler there, seen from the input link, over the orthonormal rows of the derivatives'
+  /// conditions (unit Z and C); nothing where no pair has derivatives.
+  [[nodiscard]] std::optional<double> rate_residual(MapPoint place) const;
+
   /// Input: ground pivot and moving pivot of the input link; output likewise; both carry their axis' coordinate.
   [[nodiscard]] std::optional<DyadPair> dyad_pair(MapPoint place) const override;
   [[nodiscard]] DyadPairsOfCells dyad_pairs_of_cells(std::span<const double> input,
@@ -67,8 +71,8 @@ class FunctionFamily : public FourBarFamily {
 /// where a cell has a defect or does not reach the whole range. `values` has a place for each cell.
 void structural_errors_deg(const FunctionFamily& family, const RegionMap& map, std::span<float> values);
 
-/// What a function task says before its linkages are classified; `derivative_rows` stays empty. `task` without
-/// mistakes.
+/// What a function task says before its linkages are classified; `derivative_rows` stays empty, for those of the
+/// couplers depend on the place: FunctionFamily::rate_residual(). `task` without mistakes.
 [[nodiscard]] TaskFamily task_family(const FunctionTask& task);
 
 }  // namespace linkwright

@@ -69,4 +69,7 @@ struct PoseConditions {
 [[nodiscard]] std::vector<HomogeneousMatrix> derivative_conditions(const std::vector<PrescribedPose>& poses,
                                                                    const WorkingFrame& frame);
 
+/// Largest |Zᵀ M C| of a dyad, its points at unit length, over rows.
+[[nodiscard]] double residual_of(const Dyad& dyad, const std::vector<HomogeneousMatrix>& rows);
+
 }  // namespace linkwright

@@ -44,8 +44,21 @@ struct OrientationConditions {
 /// The fixed axis to a moving axis by the first `count` rows: the normal of the two vectors DⱼW that span most; unit.
 [[nodiscard]] Vector3 fixed_axis_of(Vector3 moving_axis, const OrientationConditions& conditions);
 
-/// Largest |Gᵀ D W| over the rows.
-[[nodiscard]] double residual_of(Vector3 fixed_axis, Vector3 moving_axis, const OrientationConditions& conditions);
+/// Those of the rows that derivatives set; `positions` are what the conditions came from, or counted alike.
+template <class Position>
+[[nodiscard]] std::vector<Matrix3x3> derivative_rows(const std::vector<Position>& positions,
+                                                     const OrientationConditions& conditions) {
+  std::vector<Matrix3x3> rows;
+  auto row = conditions.rows.begin();
+  for (const Position& there : positions) {
+    if (&there != &positions.front()) ++row;
+    for (int m = 1; m < there.multiplicity(); ++m) rows.push_back(*row++);
+  }
+  return rows;
+}
+
+/// Largest |Gᵀ D W| over rows.
+[[nodiscard]] double residual_of(Vector3 fixed_axis, Vector3 moving_axis, const std::vector<Matrix3x3>& rows);
 
 /// Why every axis is a moving axis, or more than a curve: common_axis {x, y, z} (the body turns about one axis),
 /// repeated_orientation {i, j} (from 1; the first two that are the same), else every_axis. Nothing where the first

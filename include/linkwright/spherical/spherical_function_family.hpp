@@ -33,6 +33,10 @@ class SphericalFunctionFamily : public SphericalFamily {
   [[nodiscard]] FunctionError error_of(const SphericalFourBar& bars, MapPoint place,
                                        const ErrorSampling& sampling = {}) const;
 
+  /// Largest |Gᵀ D W| of the coupler there, seen from the input link, over the conditions of the derivatives (unit
+  /// rows); nothing where no pair has derivatives.
+  [[nodiscard]] std::optional<double> rate_residual(MapPoint place) const;
+
   /// Input: fixed and moving axis of the input link; output likewise; both carry their axis' coordinate.
   [[nodiscard]] std::optional<SphericalDyadPair> dyad_pair(MapPoint place) const override;
   /// Its fixed axes are those of the task, senses included: angles are counted about them.
@@ -63,8 +67,8 @@ class SphericalFunctionFamily : public SphericalFamily {
 /// where a cell has a defect or does not reach the whole range. `values` has a place for each cell.
 void structural_errors_deg(const SphericalFunctionFamily& family, const RegionMap& map, std::span<float> values);
 
-/// What a function task says before its linkages are classified: `points` and `derivative_rows` stay empty. `task`
-/// without mistakes.
+/// What a function task says before its linkages are classified: `points` and `derivative_rows` stay empty, for
+/// those of the couplers depend on the place: SphericalFunctionFamily::rate_residual(). `task` without mistakes.
 [[nodiscard]] SphericalTaskFamily task_family(const SphericalFunctionTask& task);
 
 }  // namespace linkwright
