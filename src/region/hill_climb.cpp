@@ -74,11 +74,14 @@ class Climb {
     return slope_;
   }
 
-  /// What stands at the same second coordinate, or a few steps aside where that is not allowed.
+  /// What stands at the same second coordinate, or aside where that is not allowed: a few cells off, however short the
+  /// step, since along an edge of what is allowed the second coordinate may run far while the first hardly changes.
   [[nodiscard]] std::optional<Crossed> allowed_near(double first, double second, double step) {
-    constexpr std::array<double, 7> steps_aside = {0, 1, -1, 2, -2, 4, -4};
-    for (const double aside : steps_aside)
-      if (const auto found = at(first, second + aside * step)) return found;
+    if (const auto found = at(first, second)) return found;
+    const double farthest = 4 * options_.first_step[1];
+    for (double aside = step; aside > 0 && aside <= farthest; aside *= 2)
+      for (const double there : {second + aside, second - aside})
+        if (const auto found = at(first, there)) return found;
     return std::nullopt;
   }
 

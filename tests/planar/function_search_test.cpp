@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <optional>
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/function/function_error.hpp"
+#include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/planar/function_linkage.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "support/random_function.hpp"
@@ -97,6 +99,36 @@ TEST(FunctionSearch, ClimbsOnOverTheEndOfAClosedBranch) {
   for (const RankedGenerator& generator : best_of(named_task("sin_deg", {0, 90}, 90, 45), wanted)) {
     const double tau = generator.place.input;
     EXPECT_GT(std::abs(tau - std::round(tau)), 1e-6) << "stopped where nothing but the count of τ ends";
+  }
+}
+
+// Where what is allowed ends, the rows' coordinate runs far while the free pair hardly changes: from wherever a climb
+// meets that edge it must go on along it, and no place around its end is better.
+TEST(FunctionSearch, ClimbsAlongTheEdgeOfTheReach) {
+  FunctionTask task = named_task("sqrt", {1, 2}, 60, -70);
+  const double output = task.pairs[1].output;
+  task.free = FreeParameter{FreeParameter::Kind::pair_output, {output - 0.15, output + 0.15}, 1};
+  const TaskFamily given = task_family(task);
+  const auto& family = dynamic_cast<const FunctionFamily&>(*given.family);
+  std::optional<LinkageType> type;  // a climb keeps the type
+  const auto error_at = [&](MapPoint place) {
+    const auto found = make_four_bar(given, place, true, false);
+    if (!found || !found->report.defects.none() || found->report.type != type.value_or(found->report.type) ||
+        found->lengths.longest() > std::min(10.0, 20 * found->lengths.shortest()))
+      return 10.0;
+    type = found->report.type;
+    const FunctionError error = family.error_of(found->four_bar, place, ErrorSampling::coarse());
+    return error.unreached.empty() ? error.max_structural_error.value_or(10) : 10.0;
+  };
+  for (const MapPoint start : {MapPoint{0.1709, 0.4999}, {0.1709, 0.5029}, {0.1729, 0.5009}}) {
+    const double before = error_at(start);
+    const auto top = improved_generator(family, usual(), start);
+    ASSERT_TRUE(top);
+    const double reached = error_at(*top);
+    EXPECT_LT(reached, 0.9 * before);
+    for (int i = -15; i <= 15; ++i)
+      for (int j = -15; j <= 15; ++j)
+        EXPECT_GE(error_at({top->input + 2e-4 * i, top->output + 1e-4 * j}), reached - 1e-9) << i << " " << j;
   }
 }
 

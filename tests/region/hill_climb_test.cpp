@@ -50,6 +50,29 @@ TEST(HillClimb, KeepsToWhatIsAllowed) {
   EXPECT_NEAR(top.score, 0.75 + 0.3 * std::hypot(1, 0.5), 1e-4);
 }
 
+// The best place lies on a straight edge of what is allowed, wherever that points: along it one coordinate may run far
+// while the other hardly changes.
+TEST(HillClimb, SlidesAlongEdgesInAllDirections) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> share(-1, 1);
+  for (int degree = 0; degree < 360; degree += 3) {
+    const double angle = 3.14159265358979323846 / 180 * (degree + share(random));
+    const std::array<double, 2> normal = {std::cos(angle), std::sin(angle)};
+    const auto place = [&](double across, double along) {
+      return std::array{0.5 + across * normal[0] - along * normal[1], 0.5 + across * normal[1] + along * normal[0]};
+    };
+    const auto best = place(0.2, 0.15 * share(random));
+    const auto score_at = [&](double u, double v) -> std::optional<double> {
+      if ((u - 0.5) * normal[0] + (v - 0.5) * normal[1] > 0) return std::nullopt;
+      return -std::hypot(u - best[0], v - best[1]);
+    };
+    const auto start = place(-0.1, 0.15 * share(random));
+    const HillTop top = climb_hill({score_at, {0, 1}, {0, 1}}, start, *score_at(start[0], start[1]), usual);
+    EXPECT_NEAR(top.score, -0.2, 1e-6) << degree;
+    EXPECT_LT(top.evaluations, 6000);
+  }
+}
+
 // A narrow strip across both axes: far steps along the one hit it only where the other is led along.
 TEST(HillClimb, RunsAlongAStripAslant) {
   const auto strip = [](double u, double v) -> std::optional<double> {
