@@ -77,7 +77,7 @@ export interface Strokes extends Common {
   ends: readonly Vec3[];
   width?: number;
 }
-/** A ball about the origin that lets through what is behind it. */
+/** A ball about the origin, behind all else: as a disc. */
 export interface Ball extends Common {
   kind: "ball";
   radius: number;

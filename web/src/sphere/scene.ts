@@ -2,34 +2,20 @@
 // changed is built anew: smooth where a processor does the drawing.
 import {
   BufferGeometry,
-  Color,
+  CircleGeometry,
   ConeGeometry,
-  DirectionalLight,
-  DoubleSide,
   Float32BufferAttribute,
-  FrontSide,
-  HemisphereLight,
-  LineBasicMaterial,
-  LineSegments,
   Matrix4,
   Mesh,
-  MeshBasicMaterial,
-  MeshLambertMaterial,
-  Plane,
   Scene,
   SphereGeometry,
   Vector3,
   WebGLRenderer,
-  type InterleavedBufferAttribute,
-  type Material,
 } from "three";
-import {Line2} from "three/examples/jsm/lines/Line2.js";
-import {LineGeometry} from "three/examples/jsm/lines/LineGeometry.js";
-import {LineSegments2} from "three/examples/jsm/lines/LineSegments2.js";
-import {LineSegmentsGeometry} from "three/examples/jsm/lines/LineSegmentsGeometry.js";
-import {LineMaterial} from "three/examples/jsm/lines/LineMaterial.js";
 import {craft_triangles} from "./craft";
-import type {Arrow, Band, Craft, Fan, Item, Path, Solid, SphereColor, Strokes} from "./item";
+import type {Arrow, Band, Craft, Fan, Item, Path, Solid, SphereColor} from "./item";
+import {BallPaint, LinePaint, new_sight, SurfacePaint, type LineLook, type Paint} from "./paints";
+import {has_room, new_strip, put_stretches} from "./strips";
 import {circle, length, minus, plus, seen_from_outside, times, unit, type Rows, type Vec3} from "./vectors";
 import type {View} from "./view";
 
@@ -41,9 +27,11 @@ interface Part {
 }
 /** What an item is made of. */
 interface Shape {
-  type: "line" | "segments" | "hairs" | "surface" | "ball" | "large_ball" | "cone" | "solid";
-  material: Material;
-  /** Coordinates of a line's points, or of three corners to a triangle. */
+  type: "lines" | "surface" | "dot" | "disc" | "cone" | "solid";
+  paint: Paint;
+  /** Of lines, a beginning and an end to each stretch. */
+  ends?: readonly Vec3[];
+  /** Of a surface, coordinates of three corners to a triangle. */
   corners?: readonly number[];
   /** Of a body that only moves. */
   body?: Solid["corners"];
@@ -52,26 +40,34 @@ interface Shape {
   along?: Vec3;
   scale?: number;
 }
-type Side = "all" | "front" | "back";
 
 const head = {length: 0.085, radius: 0.03};
 const up = new Vector3(0, 1, 0);
+const rest_ms = 160;
+
+function is_drawn_by_processor(renderer: WebGLRenderer): boolean {
+  const gl = renderer.getContext(),
+    named = gl.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER;
+  return /SwiftShader|llvmpipe|software|Basic Render/i.test(String(gl.getParameter(named)));
+}
 
 export class SphereScene {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly light = new DirectionalLight(0xffffff, 2.1);
+  private readonly sight = new_sight();
   private readonly parts = new Map<string, Part>();
-  private readonly materials = new Map<string, {color: SphereColor; material: Material & {color: Color}}>();
-  private readonly ball = new SphereGeometry(1, 20, 14);
-  private readonly large_ball = new SphereGeometry(1, 72, 48);
+  private readonly paints = new Map<string, {color: SphereColor; paint: Paint}>();
+  private readonly shared = {
+    dot: new SphereGeometry(1, 14, 10),
+    disc: new CircleGeometry(1, 72),
+    cone: new ConeGeometry(head.radius, head.length, 16),
+  };
   private readonly bodies = new Map<Solid["corners"], {geometry: BufferGeometry; users: number}>();
-  private readonly cone = new ConeGeometry(head.radius, head.length, 16);
-  /** Between the near and the far side of the ball. */
-  private readonly front = new Plane();
-  private readonly back = new Plane();
   private asked = 0;
+  private resting = 0;
   private size = {width: 0, height: 0};
+  private ratio = 1;
+  private readonly is_slow: boolean;
 
   /** `drawn` is told after each frame: what stands over the canvas follows. */
   constructor(
@@ -80,17 +76,15 @@ export class SphereScene {
     private colors: SphereColors,
     private readonly drawn: () => void,
   ) {
-    this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true, preserveDrawingBuffer: true});
-    this.renderer.localClippingEnabled = true;
-    this.scene.add(new HemisphereLight(0xffffff, 0x8090a0, 1.6), this.light);
+    this.renderer = new WebGLRenderer({canvas, alpha: true, preserveDrawingBuffer: true});
+    this.is_slow = is_drawn_by_processor(this.renderer);
   }
   dispose(): void {
     cancelAnimationFrame(this.asked);
+    clearTimeout(this.resting);
     for (const key of [...this.parts.keys()]) this.remove(key);
-    for (const {material} of this.materials.values()) material.dispose();
-    this.ball.dispose();
-    this.large_ball.dispose();
-    this.cone.dispose();
+    for (const {paint} of this.paints.values()) paint.dispose();
+    for (const geometry of Object.values(this.shared)) geometry.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
@@ -98,48 +92,78 @@ export class SphereScene {
   show(items: readonly Item[]): void {
     const wanted = new Set(items.map(({key}) => key));
     for (const key of [...this.parts.keys()]) if (!wanted.has(key)) this.remove(key);
-    for (const item of items) {
+    for (const [place, item] of items.entries()) {
       const part = this.parts.get(item.key);
-      if (part?.item === item) continue;
+      if (part?.item === item) {
+        in_order(part.objects, place);
+        continue;
+      }
       const shapes = this.shapes_of(item);
       if (part && part.objects.length === shapes.length && shapes.every((shape, k) => fits(part.objects[k]!, shape)))
         part.item = item;
       else this.replace(item, shapes);
       const {objects} = this.parts.get(item.key)!;
       for (const [k, shape] of shapes.entries()) put(objects[k]!, shape);
+      in_order(objects, place);
     }
     this.ask();
   }
   recolor(colors: SphereColors): void {
     this.colors = colors;
-    for (const {color, material} of this.materials.values()) material.color.set(colors[color]);
+    for (const {color, paint} of this.paints.values()) paint.set_color(colors[color]);
     this.ask();
   }
   resize(width: number, height: number, ratio: number): void {
     if (width === 0 || height === 0) return;
     this.size = {width, height};
-    this.renderer.setPixelRatio(Math.min(ratio, 1.5));
-    this.renderer.setSize(width, height, false);
+    this.ratio = ratio;
     this.view.resize(this.size);
     this.ask();
   }
-  /** A frame, soon. */
+  /** A frame, soon. Where a processor draws, it is a coarse one until all has come to rest. */
   ask(): void {
     if (this.asked) return;
     this.asked = requestAnimationFrame(() => {
       this.asked = 0;
-      this.draw();
+      clearTimeout(this.resting);
+      this.draw(this.is_slow ? Math.min(this.ratio, 1) : this.fine_ratio);
+      if (this.is_slow) this.resting = window.setTimeout(() => this.draw(this.fine_ratio), rest_ms);
+      this.drawn();
     });
   }
-  private draw(): void {
-    if (this.size.width === 0) return;
-    const eye = new Vector3(...this.view.towards_eye),
-      {horizon} = this.view;
-    this.front.set(eye, -horizon);
-    this.back.set(eye.clone().negate(), horizon);
-    this.light.position.copy(eye).add(new Vector3(0, 0, 0.6));
-    this.renderer.render(this.scene, this.view.camera);
-    this.drawn();
+  /** Finer than the screen: that is what smooths the edges of solids. */
+  private get fine_ratio(): number {
+    return Math.max(this.ratio, 2);
+  }
+  private draw(ratio: number): void {
+    const {sight, view, renderer, size} = this;
+    if (size.width === 0) return;
+    const eye = new Vector3(...view.towards_eye),
+      wanted = [size.width, size.height].map((pixels) => Math.floor(pixels * ratio)),
+      {width, height} = renderer.domElement;
+    if (wanted[0] !== width || wanted[1] !== height) {
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(size.width, size.height, false);
+    }
+    sight.eye.value.set(...view.towards_eye, view.horizon);
+    sight.light.value
+      .copy(eye)
+      .add(new Vector3(0, 0, 0.6))
+      .normalize();
+    sight.ratio.value = ratio;
+    sight.half.value.set(wanted[0]! / 2, wanted[1]! / 2);
+    this.place_disc(eye);
+    renderer.render(this.scene, view.camera);
+  }
+  /** What is seen of a ball: its outline, and what that encloses. */
+  private place_disc(eye: Vector3): void {
+    for (const {item, objects} of this.parts.values()) {
+      if (item.kind !== "ball") continue;
+      const away = this.view.horizon * item.radius;
+      objects[0]!.position.copy(eye).multiplyScalar(away);
+      objects[0]!.scale.setScalar(Math.sqrt(item.radius ** 2 - away ** 2));
+      objects[0]!.quaternion.copy(this.view.camera.quaternion);
+    }
   }
 
   private replace(item: Item, shapes: readonly Shape[]): void {
@@ -148,31 +172,15 @@ export class SphereScene {
     this.parts.set(item.key, {item, objects});
     if (objects.length) this.scene.add(...objects);
   }
-  private object({type, material, corners = [], body}: Shape): Mesh {
-    if (type === "solid" && body) {
-      const mesh = new Mesh(this.geometry_of(body), material);
+  private object({type, paint, ends = [], corners = [], body}: Shape): Mesh {
+    if (type === "dot" || type === "disc" || type === "cone") return new Mesh(this.shared[type], paint);
+    if (type === "lines") return new Mesh(new_strip(ends.length / 2, "DASHED" in paint.defines), paint);
+    if (body) {
+      const mesh = new Mesh(this.geometry_of(body), paint);
       mesh.userData.body = body;
       return mesh;
     }
-    if (type === "hairs") {
-      const geometry = new BufferGeometry();
-      geometry.setAttribute("position", new Float32BufferAttribute(new Float32Array(room_for(corners.length)), 3));
-      return new LineSegments(geometry, material) as unknown as Mesh;
-    }
-    if (type === "segments") {
-      const geometry = new LineSegmentsGeometry();
-      geometry.setPositions(new Float32Array(room_for(corners.length)));
-      return new LineSegments2(geometry, material as LineMaterial) as unknown as Mesh;
-    }
-    if (type === "ball" || type === "large_ball" || type === "cone") return new Mesh(this[type], material);
-    if (type === "line") {
-      const geometry = new LineGeometry();
-      geometry.setPositions([...corners]);
-      return new Line2(geometry, material as LineMaterial) as unknown as Mesh;
-    }
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));
-    return new Mesh(geometry, material);
+    return new Mesh(triangles(corners), paint);
   }
   private remove(key: string): void {
     const part = this.parts.get(key);
@@ -181,8 +189,7 @@ export class SphereScene {
     for (const object of part.objects) {
       this.scene.remove(object);
       if (part.item.kind === "solid") this.forget_body(part.item.corners);
-      else if (![this.ball, this.cone, this.large_ball].includes(object.geometry as SphereGeometry & ConeGeometry))
-        object.geometry.dispose();
+      else if (!Object.values<BufferGeometry>(this.shared).includes(object.geometry)) object.geometry.dispose();
     }
   }
   private geometry_of(corners: Solid["corners"]): BufferGeometry {
@@ -191,8 +198,7 @@ export class SphereScene {
       ++known.users;
       return known.geometry;
     }
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));
+    const geometry = triangles(corners);
     this.bodies.set(corners, {geometry, users: 1});
     return geometry;
   }
@@ -203,55 +209,30 @@ export class SphereScene {
     this.bodies.delete(corners);
   }
 
-  // ---- materials ----------------------------------------------------------------------------------------------------
+  // ---- paints -------------------------------------------------------------------------------------------------------
 
-  private material<M extends Material & {color: Color}>(key: string, color: SphereColor, make: () => M): M {
-    const known = this.materials.get(key);
-    if (known) return known.material as unknown as M;
-    const material = make();
-    material.color.set(this.colors[color]);
-    this.materials.set(key, {color, material});
-    return material;
+  private paint(key: string, color: SphereColor, make: () => Paint): Paint {
+    const name = `${key} ${color}`,
+      known = this.paints.get(name);
+    if (known) return known.paint;
+    const paint = make();
+    paint.set_color(this.colors[color]);
+    this.paints.set(name, {color, paint});
+    return paint;
   }
-  private line_material(path: Pick<Path, "color" | "opacity" | "width" | "dashed">, side: Side): LineMaterial {
-    const {color, dashed = false} = path,
-      faint = side === "back",
-      opacity = (path.opacity ?? 1) * (faint ? 0.38 : 1),
-      linewidth = faint ? Math.min(path.width ?? 2, 1.2) : (path.width ?? 2);
-    return this.material(`line ${color} ${opacity} ${linewidth} ${dashed} ${side}`, color, () => {
-      const planes = side === "all" ? [] : [side === "front" ? this.front : this.back];
-      return new LineMaterial({
-        linewidth,
-        dashed,
-        dashSize: 0.045,
-        gapSize: 0.035,
-        transparent: opacity < 1,
-        opacity,
-        depthWrite: opacity === 1,
-        clippingPlanes: planes,
-      });
-    });
+  private line_paint({color, ...asked}: Pick<Path, "color" | "opacity" | "width" | "dashed" | "on_ball">): Paint {
+    const {opacity = 1, width = 2, dashed = false, on_ball = false} = asked;
+    const look: LineLook = {
+      width,
+      far_width: on_ball ? Math.min(width, 1.2) : width,
+      opacity,
+      far_opacity: on_ball ? 0.38 * opacity : opacity,
+      dashed,
+    };
+    return this.paint(`line ${Object.values(look).join(" ")}`, color, () => new LinePaint(this.sight, look));
   }
-  private flat_material({color, opacity = 1}: Item): MeshBasicMaterial {
-    return this.material(
-      `flat ${color} ${opacity}`,
-      color,
-      () => new MeshBasicMaterial({transparent: opacity < 1, opacity, side: DoubleSide, depthWrite: opacity === 1}),
-    );
-  }
-  private solid_material({color, opacity = 1}: Item): MeshLambertMaterial {
-    return this.material(
-      `solid ${color} ${opacity}`,
-      color,
-      () =>
-        new MeshLambertMaterial({
-          transparent: opacity < 1,
-          opacity,
-          side: DoubleSide,
-          flatShading: true,
-          depthWrite: opacity === 1,
-        }),
-    );
+  private surface_paint({color, opacity = 1}: Item, is_lit: boolean): Paint {
+    return this.paint(`surface ${is_lit} ${opacity}`, color, () => new SurfacePaint(this.sight, is_lit, opacity));
   }
 
   // ---- shapes -------------------------------------------------------------------------------------------------------
@@ -263,63 +244,37 @@ export class SphereScene {
       case "arrow":
         return this.arrow(item);
       case "dot":
-        return [{type: "ball", material: this.solid_material(item), at: item.at, scale: item.size ?? 0.025}];
+        return [{type: "dot", paint: this.surface_paint(item, true), at: item.at, scale: item.size ?? 0.025}];
       case "fan":
-        return [{type: "surface", material: this.flat_material(item), corners: fan_corners(item)}];
+        return [{type: "surface", paint: this.surface_paint(item, false), corners: fan_corners(item)}];
       case "band":
-        return [{type: "surface", material: this.flat_material(item), corners: band_corners(item)}];
+        return [{type: "surface", paint: this.surface_paint(item, false), corners: band_corners(item)}];
       case "strokes":
-        return this.strokes(item);
+        return [{type: "lines", paint: this.line_paint({...item, on_ball: true}), ends: item.ends}];
       case "ball":
-        return [{type: "large_ball", material: this.veil(item), at: [0, 0, 0], scale: item.radius}];
+        return [{type: "disc", paint: this.ball_paint(item)}];
       case "solid":
         return [
           {
             type: "solid",
-            material: this.solid_material(item),
+            paint: this.surface_paint(item, true),
             body: item.corners,
             frame: item.frame,
             scale: item.size ?? 1,
           },
         ];
       case "craft":
-        return [{type: "surface", material: this.solid_material(item), corners: craft_corners(item)}];
+        return [{type: "surface", paint: this.surface_paint(item, true), corners: craft_corners(item)}];
     }
   }
   private path(item: Path): Shape[] {
-    if (item.points.length < 2) return [];
-    const sides: Side[] = item.on_ball ? ["front", "back"] : ["all"],
-      corners = item.points.flat();
-    return sides.map((side) => ({type: "line", material: this.line_material(item, side), corners}));
+    const {points} = item;
+    if (points.length < 2) return [];
+    const ends = points.slice(1).flatMap((point, k) => [points[k]!, point]);
+    return [{type: "lines", paint: this.line_paint(item), ends}];
   }
-  private strokes(item: Strokes): Shape[] {
-    const corners = item.ends.flat();
-    return [
-      {type: "segments", material: this.line_material(item, "front"), corners},
-      {type: "hairs", material: this.hair_material(item), corners},
-    ];
-  }
-  /** On the far side: a pixel wide, which costs a processor that draws a tenth of a line of a width. */
-  private hair_material({color, opacity = 1}: Item): LineBasicMaterial {
-    return this.material(
-      `hair ${color} ${opacity}`,
-      color,
-      () =>
-        new LineBasicMaterial({
-          transparent: true,
-          opacity: 0.45 * opacity,
-          depthWrite: false,
-          clippingPlanes: [this.back],
-        }),
-    );
-  }
-  /** Of a ball, its near side. */
-  private veil({color, opacity = 1}: Item): MeshBasicMaterial {
-    return this.material(
-      `veil ${color} ${opacity}`,
-      color,
-      () => new MeshBasicMaterial({transparent: true, opacity, side: FrontSide, depthWrite: false}),
-    );
+  private ball_paint({color, opacity = 1}: Item): Paint {
+    return this.paint(`ball ${opacity}`, color, () => new BallPaint(opacity));
   }
   private arrow(item: Arrow): Shape[] {
     const along = unit(minus(item.to, item.from)),
@@ -328,14 +283,10 @@ export class SphereScene {
     if (whole < 1e-9) return [];
     const scale = (tip / head.length) * Math.min(1, 0.4 + 0.2 * (item.width ?? 3));
     return [
-      {
-        type: "line",
-        material: this.line_material(item, "all"),
-        corners: [...item.from, ...minus(item.to, times(tip, along))],
-      },
+      {type: "lines", paint: this.line_paint(item), ends: [item.from, minus(item.to, times(tip, along))]},
       {
         type: "cone",
-        material: this.flat_material(item),
+        paint: this.surface_paint(item, false),
         at: minus(item.to, times((scale * head.length) / 2, along)),
         along,
         scale,
@@ -359,43 +310,32 @@ function craft_corners({frame, at = [0, 0, 0], size = 1}: Craft): number[] {
   return craft_triangles.flatMap((corner) => [...plus(at, times(size, seen_from_outside(frame, corner)))]);
 }
 
-/** The numbers of an object's geometry, where it has its own: of a line its segments, two ends to each. */
-function numbers_of({geometry}: Mesh, type: Shape["type"]): Float32Array | null {
-  if (type === "line" || type === "segments")
-    return (geometry.getAttribute("instanceStart") as InterleavedBufferAttribute).data.array as Float32Array;
-  return type === "surface" || type === "hairs" ? (geometry.getAttribute("position").array as Float32Array) : null;
+function triangles(corners: Solid["corners"]): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));
+  geometry.computeVertexNormals();
+  return geometry;
+}
+/** Lines are painted after what they lie on, the first ones first. */
+function in_order(objects: readonly Mesh[], place: number): void {
+  for (const object of objects)
+    object.renderOrder =
+      object.material instanceof LinePaint ? 1 + place : object.material instanceof BallPaint ? -1 : 0;
 }
 /** Whether an object can become this shape as it is: another geometry costs much more than other numbers. */
-function fits(object: Mesh, {type, material, corners = [], body}: Shape): boolean {
-  if (object.material !== material) return false;
-  if (body) return object.userData.body === body;
-  if (type === "segments" || type === "hairs") return (numbers_of(object, type)?.length ?? 0) >= corners.length;
-  const wanted = type === "line" ? 2 * (corners.length - 3) : corners.length;
-  return (numbers_of(object, type)?.length ?? 0) === wanted;
+function fits({material, userData, geometry}: Mesh, {type, paint, ends = [], corners = [], body}: Shape): boolean {
+  if (material !== paint) return false;
+  if (type === "solid") return userData.body === body;
+  if (type === "lines") return has_room(geometry, ends.length / 2);
+  return type !== "surface" || 3 * geometry.getAttribute("position").count === corners.length;
 }
-/** How many numbers are kept for stretches of so many: there will be more. */
-function room_for(numbers: number): number {
-  return 6 * 2 ** Math.ceil(Math.log2(numbers / 6 + 16));
-}
-function put(object: Mesh, {type, corners = [], frame, at, along, scale = 1}: Shape): void {
-  const numbers = numbers_of(object, type),
-    {geometry} = object;
-  if (type === "hairs" && numbers) {
-    numbers.set(corners);
-    geometry.getAttribute("position").needsUpdate = true;
-    geometry.setDrawRange(0, corners.length / 3);
-  } else if (type === "segments" && numbers) {
-    numbers.set(corners);
-    (geometry.getAttribute("instanceStart") as InterleavedBufferAttribute).data.needsUpdate = true;
-    (geometry as LineSegmentsGeometry).instanceCount = corners.length / 6;
-  } else if (type === "line" && numbers) {
-    for (let k = 0; k + 3 < corners.length; k += 3) for (let i = 0; i < 6; ++i) numbers[2 * k + i] = corners[k + i]!;
-    (geometry.getAttribute("instanceStart") as InterleavedBufferAttribute).data.needsUpdate = true;
-    if ((object.material as LineMaterial).dashed) (object as unknown as Line2).computeLineDistances();
-  } else if (numbers) {
-    numbers.set(corners);
-    geometry.getAttribute("position").needsUpdate = true;
-    geometry.computeVertexNormals();
+function put(object: Mesh, {type, ends = [], corners = [], frame, at, along, scale = 1}: Shape): void {
+  if (type === "lines") put_stretches(object.geometry, ends);
+  if (type === "surface") {
+    const position = object.geometry.getAttribute("position");
+    (position.array as Float32Array).set(corners);
+    position.needsUpdate = true;
+    object.geometry.computeVertexNormals();
   }
   object.frustumCulled = false; // its bounds are those of before
   if (frame) {

@@ -25,7 +25,7 @@ const directions: readonly Vec3[] = [
   [0, 0, 1],
 ];
 export const ball: readonly Item[] = [
-  {kind: "ball", key: "ball", radius: 0.992, color: "sunk", opacity: 0.35},
+  {kind: "ball", key: "ball", radius: 0.992, color: "line", opacity: 0.6},
   ...directions.map((axis, k): Item => ({
     kind: "path",
     key: `meridian ${k}`,
