@@ -4,7 +4,7 @@ import {readdirSync, readFileSync} from "node:fs";
 import {join, resolve} from "node:path";
 import {gzipSync} from "node:zlib";
 import type {Page} from "@playwright/test";
-import {expect, map_hash, open_workbench, test, until_settled} from "./support";
+import {drag, expect, file_menu, map_hash, map_pixel, middle_of, open_workbench, test, until_settled} from "./support";
 import type {MotionTask} from "../src/tasks/motion/task";
 
 test.use({fresh: true}); // what is timed is what a visitor waits for
@@ -150,6 +150,54 @@ test("a requirement is tried by its slider", async ({page}) => {
     `requirement slider: engine ${median(times.map((t) => t.engine)).toFixed(1)} ms, paint ${median(times.map((t) => t.paint)).toFixed(1)} ms, until painted ${median(times.map((t) => t.whole)).toFixed(1)} ms (medians of 40)`,
   );
   expect(median(times.map((t) => t.paint)), "painting the map, main thread").toBeLessThan(16);
+});
+
+/** The time from one frame to the next while something is done. */
+async function frame_times(page: Page, act: () => Promise<void>): Promise<string> {
+  await page.evaluate(() => {
+    const times: number[] = [],
+      hook = globalThis as unknown as {spent?: number[]; watching?: boolean};
+    [hook.spent, hook.watching] = [times, true];
+    let before = performance.now();
+    const frame = (now: number) => {
+      times.push(now - before);
+      before = now;
+      if (hook.watching) requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  });
+  await act();
+  const times = await page.evaluate(() => {
+    const hook = globalThis as unknown as {spent: number[]; watching: boolean};
+    hook.watching = false;
+    return hook.spent.toSorted((a, b) => a - b);
+  });
+  const at = (share: number) => times[Math.floor(share * (times.length - 1))]!.toFixed(1);
+  return `median ${at(0.5)} ms, 95 % ${at(0.95)} ms of ${times.length} frames`;
+}
+
+test("the sphere follows a ring, the mouse over the map, and the drive", async ({page}) => {
+  await open_workbench(page);
+  await file_menu(page, "file.examples");
+  await page.getByTestId("example.folding_wing").click();
+  await expect(page.getByTestId("spherical.view")).not.toHaveAttribute("data-drawn", "0");
+  await until_fine(page);
+  await page.getByTestId("spherical.mark.3").click();
+  const from = await middle_of(page.getByTestId("spherical.view.ring.z")),
+    a = await map_pixel(page, [0.2, 0.3]),
+    b = await map_pixel(page, [0.8, 0.7]);
+  const ring = await frame_times(page, () => drag(page, from, {x: from.x + 24, y: from.y - 14}, 60));
+  await until_fine(page);
+  const hover = await frame_times(page, async () => {
+    await page.mouse.move(a.x, a.y);
+    await page.mouse.move(b.x, b.y, {steps: 60});
+  });
+  await page.mouse.move(0, 0);
+  await page.getByTestId("num.best").click();
+  await until_settled(page);
+  await page.getByTestId("drive.play").click();
+  const play = await frame_times(page, () => page.waitForTimeout(1500));
+  console.log(`sphere, from frame to frame: ring ${ring}; hover ${hover}; play ${play}`);
 });
 
 test("what a first visit loads", async ({page}) => {

@@ -9,7 +9,6 @@ import {
   file_menu,
   keep_screenshot,
   map_hash,
-  map_pixel,
   middle_of,
   open_workbench,
   read_state,
@@ -31,34 +30,9 @@ async function open_wing(page: Page): Promise<void> {
   await expect(page.getByTestId("spherical.stage")).toBeVisible();
   await until_settled(page);
 }
-/** The time from one frame to the next while something is done. */
-async function frame_times(page: Page, act: () => Promise<void>): Promise<string> {
-  await page.evaluate(() => {
-    const times: number[] = [],
-      hook = globalThis as unknown as {spent?: number[]; watching?: boolean};
-    [hook.spent, hook.watching] = [times, true];
-    let before = performance.now();
-    const frame = (now: number) => {
-      times.push(now - before);
-      before = now;
-      if (hook.watching) requestAnimationFrame(frame);
-    };
-    requestAnimationFrame(frame);
-  });
-  await act();
-  const times = await page.evaluate(() => {
-    const hook = globalThis as unknown as {spent: number[]; watching: boolean};
-    hook.watching = false;
-    return hook.spent;
-  });
-  const sorted = times.toSorted((a, b) => a - b),
-    at = (share: number) => sorted[Math.floor(share * (sorted.length - 1))]!.toFixed(1);
-  return `median ${at(0.5)} ms, 95 % ${at(0.95)} ms of ${sorted.length} frames`;
-}
-
 test("a newcomer folds the wing: a ring, the map, a linkage without defects, its motion, its links as STL", async ({
   page,
-}, info) => {
+}) => {
   await open_wing(page);
   expect(await read_state(page, ({census}) => census!.meeting)).toBeGreaterThan(0);
   const before = await map_hash(page),
@@ -66,8 +40,7 @@ test("a newcomer folds the wing: a ring, the map, a linkage without defects, its
   await page.getByTestId("spherical.mark.3").click();
   const knob = page.getByTestId("spherical.view.ring.z"),
     from = await middle_of(knob);
-  const drag_times = await frame_times(page, () => drag(page, from, {x: from.x + 24, y: from.y - 14}, 30));
-  info.annotations.push({type: "note", description: `drag of a ring: ${drag_times}`});
+  await drag(page, from, {x: from.x + 24, y: from.y - 14}, 30);
   await until_settled(page);
   const turned = await task(page);
   expect(turned.orientations[2]).not.toEqual(first.orientations[2]);
@@ -77,16 +50,6 @@ test("a newcomer folds the wing: a ring, the map, a linkage without defects, its
   await page.keyboard.press("Control+z");
   await until_settled(page);
   expect(await task(page)).toEqual(first);
-
-  const hover_times = await frame_times(page, async () => {
-    const a = await map_pixel(page, [0.2, 0.3]),
-      b = await map_pixel(page, [0.8, 0.7]);
-    await page.mouse.move(a.x, a.y);
-    await page.mouse.move(b.x, b.y, {steps: 60});
-  });
-  info.annotations.push({type: "note", description: `hover over the map: ${hover_times}`});
-  console.log(`  drag of a ring: ${drag_times}; hover: ${hover_times}`);
-  await page.mouse.move(0, 0);
 
   await page.getByTestId("num.best").click();
   await until_settled(page);
@@ -145,13 +108,11 @@ test("a body is chosen, or taken from an STL file", async ({page}) => {
   await page.getByTestId("spherical.body").selectOption("dish");
   await expect.poll(body).toEqual({shape: "dish"});
   const facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 10 0 0\nvertex 0 20 5\nendloop\nendfacet\n";
-  await page
-    .getByTestId("spherical.body_file")
-    .setInputFiles({
-      name: "flap.stl",
-      mimeType: "model/stl",
-      buffer: Buffer.from(`solid flap\n${facet}endsolid flap\n`),
-    });
+  await page.getByTestId("spherical.body_file").setInputFiles({
+    name: "flap.stl",
+    mimeType: "model/stl",
+    buffer: Buffer.from(`solid flap\n${facet}endsolid flap\n`),
+  });
   await expect.poll(body).toMatchObject({shape: "own", name: "flap.stl"});
   await page
     .getByTestId("spherical.body_file")
