@@ -2,6 +2,7 @@ import {describe, expect, it} from "vitest";
 import type {Axis} from "../engine/protocol";
 import {axis_bars, axis_numbers} from "./axis_marks";
 import {make_scale} from "./scale";
+import {spherical_kind} from "../tasks/spherical/kind";
 
 const ticks = [0, 1].flatMap((sheet) => Array.from({length: 12}, (_, i) => [sheet + i / 12, 30 * i] as const));
 const directions: Axis = {
@@ -36,6 +37,8 @@ const directions: Axis = {
   ],
 };
 
+const as_it_is = <Key>(key: Key) => key;
+
 describe("an axis with numbers", () => {
   it("has as many as there is room for, with their sign", () => {
     const wide = axis_numbers(directions, make_scale(directions.blocks, [0, 1], 404));
@@ -48,13 +51,14 @@ describe("an axis with numbers", () => {
     numbers.slice(1).forEach(({at}, i) => expect(at - numbers[i]!.at).toBeGreaterThanOrEqual(34));
   });
   it("says what its blocks are", () => {
-    const bars = axis_bars(directions, "output", make_scale(directions.blocks, [0, 1], 404), "mm");
+    const bars = axis_bars(directions, "output", make_scale(directions.blocks, [0, 1], 404), "mm", as_it_is);
     expect(bars.map(({text}) => text)).toEqual(["Direction β₂ ° · sheet I", "Direction β₂ ° · sheet II"]);
     const length = axis_bars(
       {...directions, quantity: "side_length"},
       "input",
       make_scale(directions.blocks, [0, 1], 404),
       "mm",
+      as_it_is,
     );
     expect(length[0]!.text).toBe("Length R₁ mm · sheet I");
     const points = axis_bars(
@@ -62,6 +66,7 @@ describe("an axis with numbers", () => {
       "input",
       make_scale(directions.blocks, [0, 1], 404),
       "mm",
+      as_it_is,
     );
     expect(points.map(({text}) => text)).toEqual(["1", "2"]);
     expect(
@@ -70,7 +75,25 @@ describe("an axis with numbers", () => {
         "input",
         make_scale([{from: 0, to: 1}], [0, 1], 404),
         "mm",
+        as_it_is,
       )[0]!.text,
     ).toBe("");
+  });
+  it("calls its branches as the kind of task does, and explains only what is called as in the frame", () => {
+    const axis: Axis = {...directions, quantity: "curve_coordinate", ticks: null};
+    const branches = [
+      {name: "odd", from: 0, to: 1},
+      {name: "oval", from: 1, to: 2},
+    ];
+    const bars = (say: Parameters<typeof axis_bars>[4]) =>
+      axis_bars({...axis, branches}, "input", make_scale(directions.blocks, [0, 1], 404), "", say);
+    expect(bars(as_it_is)).toMatchObject([
+      {text: "Branch through infinity", term: "branch_infinity"},
+      {text: "Closed branch", term: "branch_closed"},
+    ]);
+    expect(bars((key) => spherical_kind.texts?.[key] ?? key)).toMatchObject([
+      {text: "Branch through antipodes", term: null},
+      {text: "Pair of ovals", term: null},
+    ]);
   });
 });

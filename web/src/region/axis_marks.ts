@@ -16,6 +16,8 @@ const branch_texts: Record<string, TextKey> = {
   conic: "curve.conic",
   line_at_infinity: "curve.line_at_infinity",
   point: "curve.single_point",
+  great_circle: "curve.great_circle",
+  cone: "curve.cone",
   center_line: "curve.center_line",
   direct: "axis.direct",
   opposite: "axis.opposite",
@@ -46,7 +48,10 @@ export interface AxisNumber {
   text: string;
 }
 
-export function block_text(axis: Axis, index: number): string {
+/** `say`: a text of the frame as the kind of task says it (tasks/kinds.text_for). */
+type Say = (key: TextKey) => TextKey;
+
+export function block_text(axis: Axis, index: number, say: Say): string {
   const branch = axis.blocks[index]?.branch ?? -1,
     halves = axis.blocks.filter((block) => block.branch === branch),
     name = axis.branches[branch]?.name ?? "range";
@@ -57,24 +62,29 @@ export function block_text(axis: Axis, index: number): string {
   if (axis.branches.length === 1 && halves.length === 2)
     return t(halves[0] === axis.blocks[index] ? "region.first_half" : "region.second_half");
   const key = branch_texts[name];
-  return key ? t(key) : name;
+  return key ? t(say(key)) : name;
+}
+/** A term of the frame explains the frame's own words only. */
+function term_of({name}: Branch, say: Say): TermName | null {
+  const key = branch_texts[name];
+  return key && say(key) === key ? (branch_terms[name] ?? null) : null;
 }
 function branch_of(axis: Axis, block: number): Branch | undefined {
   return axis.branches[axis.blocks[block]?.branch ?? -1];
 }
 /** Each block with what its numbers are, if it has any, and its name. */
-export function axis_bars(axis: Axis, side: Side, scale: Scale, unit: string): AxisBar[] {
+export function axis_bars(axis: Axis, side: Side, scale: Scale, unit: string, say: Say): AxisBar[] {
   const key = quantity_texts[axis.quantity],
     of = side === "input" ? "₁" : "₂";
   const quantity = key ? [t(key, {of, unit}).trim()] : [];
   return scale.pieces.map(({start, end, block}) => {
-    const name = block_text(axis, block),
+    const name = block_text(axis, block, say),
       branch = branch_of(axis, block);
     return {
       start,
       end,
       text: [...quantity, ...(name ? [name] : [])].join(" · "),
-      term: (branch && branch_terms[branch.name]) ?? null,
+      term: branch ? term_of(branch, say) : null,
     };
   });
 }

@@ -226,6 +226,11 @@ export const spherical_kind: TaskKind<SphericalTask> = {
       ];
     }),
   }),
+  texts: {
+    "curve.odd": "spherical.curve.odd",
+    "curve.oval": "spherical.curve.oval",
+    "curve.single_point": "spherical.curve.single_point",
+  },
   beginnings,
   kept_pivots: ({spherical}) => (spherical ? Object.fromEntries(axes.map((axis) => [axis, spherical[axis]])) : {}),
   lengths,
