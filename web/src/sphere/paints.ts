@@ -48,7 +48,8 @@ export class LinePaint extends Paint {
       },
       defines: dashed ? {DASHED: ""} : {},
       vertexShader: `
-        attribute vec4 other; // the other end of the stretch, and on which side the corner lies: 2 at the end, 1 at the beginning
+        attribute vec3 behind, before;
+        attribute float side;
         #ifdef DASHED
         attribute float along;
         varying float v_along;
@@ -59,13 +60,13 @@ export class LinePaint extends Paint {
         varying float v_across, v_half, v_facing;
         void main() {
           mat4 seen = projectionMatrix * modelViewMatrix;
-          vec4 here = seen * vec4(position, 1.0), there = seen * vec4(other.xyz, 1.0);
-          vec2 way = there.xy / there.w * half_size - here.xy / here.w * half_size;
-          float size = length(way), sense = abs(other.w) > 1.5 ? -1.0 : 1.0;
+          vec4 here = seen * vec4(position, 1.0), from = seen * vec4(behind, 1.0), to = seen * vec4(before, 1.0);
+          vec2 way = (to.xy / to.w - from.xy / from.w) * half_size;
+          float size = length(way);
           v_facing = dot(position, eye.xyz) - eye.w;
           v_half = 0.5 * ratio * (v_facing < 0.0 ? widths.y : widths.x);
-          v_across = sign(other.w) * (v_half + 1.0);
-          if (size > 0.0) here.xy += sense * vec2(-way.y, way.x) / size * v_across / half_size * here.w;
+          v_across = side * (v_half + 1.0);
+          if (size > 0.0) here.xy += vec2(-way.y, way.x) / size * v_across / half_size * here.w;
           #ifdef DASHED
           v_along = along;
           #endif

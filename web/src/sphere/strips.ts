@@ -16,7 +16,10 @@ export function new_strip(stretches: number, dashed: boolean): BufferGeometry {
   const values = (size: number) =>
     new BufferAttribute(new Float32Array(corners * room * size), size).setUsage(DynamicDrawUsage);
   geometry.setAttribute("position", values(3));
-  geometry.setAttribute("other", values(4));
+  geometry.setAttribute("before", values(3));
+  geometry.setAttribute("behind", values(3));
+  const side = new Float32Array(corners * room).map((_, i) => (i % 2 ? 1 : -1));
+  geometry.setAttribute("side", new BufferAttribute(side, 1));
   if (dashed) geometry.setAttribute("along", values(1));
   const index = new Uint32Array(6 * room);
   for (let k = 0; k < room; ++k)
@@ -30,25 +33,32 @@ export function new_strip(stretches: number, dashed: boolean): BufferGeometry {
 export function has_room(strip: BufferGeometry, stretches: number): boolean {
   return strip.getAttribute("position").count >= corners * stretches;
 }
-/** A beginning and an end to each stretch. */
+/** A beginning and an end to each stretch; where one begins with the point at which the last one ends, they are joined
+ *  without a gap: the points behind and before a corner say which way the line goes there. */
 export function put_stretches(strip: BufferGeometry, ends: readonly Vec3[]): void {
-  const position = strip.getAttribute("position") as BufferAttribute,
-    other = strip.getAttribute("other") as BufferAttribute,
-    along = strip.getAttribute("along") as BufferAttribute | undefined;
+  const values = (name: string) => strip.getAttribute(name) as BufferAttribute | undefined,
+    [position, behind, before, along] = [values("position")!, values("behind")!, values("before")!, values("along")];
+  const count = ends.length / 2,
+    joined = (k: number) => k > 0 && k < count && ends[2 * k] === ends[2 * k - 1]; // to the one before it
   let far = 0;
-  for (let k = 0; 2 * k < ends.length; ++k) {
+  for (let k = 0; k < count; ++k) {
     const from = ends[2 * k]!,
       to = ends[2 * k + 1]!,
-      next = along ? far + length(minus(to, from)) : 0;
-    for (let i = 0; i < corners; ++i) {
-      const [here, there] = i < 2 ? [from, to] : [to, from],
-        side = (i % 2 ? 1 : -1) * (i < 2 ? 1 : 2);
-      position.setXYZ(corners * k + i, here[0], here[1], here[2]);
-      other.setXYZW(corners * k + i, there[0], there[1], there[2], side);
-      along?.setX(corners * k + i, i < 2 ? far : next);
+      last = joined(k) ? ends[2 * k - 2]! : from,
+      next = joined(k + 1) ? ends[2 * k + 3]! : to,
+      end = along ? far + length(minus(to, from)) : 0;
+    for (let i = corners * k; i < corners * k + 2; ++i) {
+      position.setXYZ(i, ...from);
+      behind.setXYZ(i, ...last);
+      before.setXYZ(i, ...to);
+      along?.setX(i, far);
+      position.setXYZ(i + 2, ...to);
+      behind.setXYZ(i + 2, ...from);
+      before.setXYZ(i + 2, ...next);
+      along?.setX(i + 2, end);
     }
-    far = next;
+    far = end;
   }
-  for (const values of [position, other, along]) if (values) values.needsUpdate = true;
+  for (const changed of [position, behind, before, along]) if (changed) changed.needsUpdate = true;
   strip.setDrawRange(0, 3 * ends.length);
 }

@@ -25,7 +25,7 @@ const directions: readonly Vec3[] = [
   [0, 0, 1],
 ];
 export const ball: readonly Item[] = [
-  {kind: "ball", key: "ball", radius: 0.992, color: "line", opacity: 0.6},
+  {kind: "ball", key: "ball", radius: 1, color: "line", opacity: 0.6},
   ...directions.map((axis, k): Item => ({
     kind: "path",
     key: `meridian ${k}`,
@@ -45,18 +45,26 @@ export function stretches(
   branch: Uint8Array,
   is_shown: (index: number) => boolean = () => true,
 ): Vec3[] {
-  const ends: Vec3[] = [],
-    at = (i: number): Vec3 => [points[3 * i]!, points[3 * i + 1]!, points[3 * i + 2]!];
-  for (const list of kept_by_branch(branch, (i, j) => dot(at(i), at(j)), is_shown)) {
+  const at = (i: number): Vec3 => [points[3 * i]!, points[3 * i + 1]!, points[3 * i + 2]!];
+  return kept_by_branch(branch, (i, j) => dot(at(i), at(j)), is_shown).flatMap((list) => {
+    const ends: Vec3[] = [];
+    let last: Vec3 | null = null;
     list.forEach((i, k) => {
       const next = list[(k + 1) % list.length]!;
-      if (next === i || !is_shown(i) || !is_shown(next)) return;
-      const from = at(i),
+      if (next === i || !is_shown(i) || !is_shown(next)) return void (last = null);
+      const from: Vec3 = last ?? at(i),
         to = dot(from, at(next)) < 0 ? times(-1, at(next)) : at(next);
-      ends.push(from, to, times(-1, from), times(-1, to));
+      ends.push(from, to);
+      last = to;
     });
-  }
-  return ends;
+    return [...ends, ...opposite(ends)];
+  });
+}
+/** What was joined stays so. */
+function opposite(ends: readonly Vec3[]): Vec3[] {
+  const turned: Vec3[] = [];
+  ends.forEach((end, i) => turned.push(i > 0 && end === ends[i - 1] ? turned[i - 1]! : times(-1, end)));
+  return turned;
 }
 const near = Math.cos(0.025);
 /** Of each branch as many samples as are seen: those that lie apart, and where what is shown begins and ends. */
@@ -201,7 +209,7 @@ export function ways_picture(linkage: Linkage, first: Rows | null, tip: number):
   if (!drive) return nothing;
   const items: Item[] = [];
   const way = (rows: readonly [number, number]): Vec3[] => {
-    const points = first ? stands(linkage, rows, 6).map(({turn}) => column(after(turn, first), tip)) : [];
+    const points = first ? stands(linkage, rows, 3).map(({turn}) => column(after(turn, first), tip)) : [];
     return points.slice(1).flatMap((point, k) => [points[k]!, point]);
   };
   const task = task_rows(drive);
