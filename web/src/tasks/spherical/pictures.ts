@@ -90,13 +90,33 @@ const curve_colors = {center: "ink2", circle: "curve"} as const satisfies Record
 export const curve_names = ["center", "circle"] as const;
 
 export function curves_picture({curves}: TaskAnswer): Item[] {
-  return curve_names.map((curve) => ({
-    kind: "strokes",
-    key: `curve ${curve}`,
-    ends: stretches(curves[curve], curves.branch),
-    color: curve_colors[curve],
-    width: curve === "center" ? 2.2 : 1.8,
-  }));
+  return curve_names.flatMap((curve): Item[] => [
+    {
+      kind: "strokes",
+      key: `curve ${curve}`,
+      ends: stretches(curves[curve], curves.branch),
+      color: curve_colors[curve],
+      width: curve === "center" ? 2.2 : 1.8,
+    },
+    ...single_axes(curves[curve], curves.branch).map((at, k): Item => ({
+      kind: "dot",
+      key: `axis of ${curve} ${k}`,
+      at,
+      color: curve_colors[curve],
+      size: 0.016,
+    })),
+  ]);
+}
+/** Both ends of each axis that is a branch of its own: of a few dyads, or beside a curve. */
+export function single_axes(points: Float64Array, branch: Uint8Array): Vec3[] {
+  const at = (i: number): Vec3 => [points[3 * i]!, points[3 * i + 1]!, points[3 * i + 2]!];
+  return kept_by_branch(
+    branch,
+    (i, j) => dot(at(i), at(j)),
+    () => true,
+  ).flatMap(([first, last]) =>
+    last === undefined || Math.abs(dot(at(first!), at(last))) > near ? [at(first!), times(-1, at(first!))] : [],
+  );
 }
 /** Where one side can go with the other held, everything still met. */
 export function live_picture({curves}: TaskAnswer, live: Replies["live"]): Item[] {
@@ -208,8 +228,12 @@ export function ways_picture(linkage: Linkage, first: Rows | null, tip: number):
   const {drive} = linkage;
   if (!drive) return nothing;
   const items: Item[] = [];
-  const way = (rows: readonly [number, number]): Vec3[] => {
-    const points = first ? stands(linkage, rows, 3).map(({turn}) => column(after(turn, first), tip)) : [];
+  const place = (row: number): Vec3 => {
+    const [{turn}] = stands(linkage, [row, row]) as [Stand];
+    return first ? column(after(turn, first), tip) : [0, 0, 1];
+  };
+  const way = ([from, to]: readonly [number, number]) => {
+    const points = first ? smooth_way(place, from, to) : [];
     return points.slice(1).flatMap((point, k) => [points[k]!, point]);
   };
   const task = task_rows(drive);
@@ -229,6 +253,19 @@ export function ways_picture(linkage: Linkage, first: Rows | null, tip: number):
       });
   }
   return {items, labels: []};
+}
+const coarse = 8, // rows
+  fine = Math.cos(0.09);
+/** Places at rows from the first to the last, the closer the faster they follow each other. */
+export function smooth_way(place: (row: number) => Vec3, first: number, last: number): Vec3[] {
+  const between = (from: number, a: Vec3, to: number, b: Vec3): Vec3[] => {
+    const middle = Math.floor((from + to) / 2);
+    if (middle === from || (to - from <= coarse && dot(a, b) > fine)) return [b];
+    const c = place(middle);
+    return [...between(from, a, middle, c), ...between(middle, c, to, b)];
+  };
+  const start = place(first);
+  return first < last ? [start, ...between(first, start, last, place(last))] : [];
 }
 /** Pinned linkages, thin, as in position 1. */
 export function ghosts_picture(pins: readonly Pin[]): Item[] {

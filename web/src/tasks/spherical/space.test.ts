@@ -2,7 +2,7 @@ import {describe, expect, it} from "vitest";
 import type {Drive, Linkage} from "../../engine/protocol";
 import {column, dot, length, unit, type Vec3} from "../../sphere/vectors";
 import {spherical_four_bar} from "./figure";
-import {stretches} from "./pictures";
+import {single_axes, smooth_way, stretches} from "./pictures";
 import type {SphericalBars} from "./replies";
 import {after, angle_between, arc_frame, distance_from_arc, rows_of_quaternion, stand_at, stands} from "./space";
 
@@ -102,5 +102,26 @@ describe("curves of axes", () => {
     expect(ends).toHaveLength(4 * (3 + 2));
     for (let k = 0; k < ends.length; k += 2) expect(dot(ends[k]!, ends[k + 1]!)).toBeGreaterThanOrEqual(0);
     expect(stretches(points, branch, (i) => i < 2)).toHaveLength(4);
+  });
+  it("are points where a branch is one axis, again twice", () => {
+    const points = Float64Array.from([1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0]),
+      branch = Uint8Array.from([0, 0, 1, 1, 2]);
+    const ends = single_axes(points, branch);
+    expect(ends).toHaveLength(4);
+    near(ends[0]!, [1, 0, 0]);
+    near(ends[2]!, [0, 1, 0]);
+    near(ends[3]!, [0, -1, 0]);
+  });
+});
+
+describe("the way of a point over rows", () => {
+  it("has few places where it goes evenly, and more where it is fast", () => {
+    const at = (angle: number): [number, number, number] => [Math.cos(angle), Math.sin(angle), 0],
+      even = smooth_way((row) => at(row / 200), 0, 80),
+      fast = smooth_way((row) => at(row < 40 ? row / 200 : 0.2 + (row - 40) / 20), 0, 80);
+    expect(even.length).toBeLessThan(20);
+    expect(fast.length).toBeGreaterThan(2 * even.length);
+    fast.slice(1).forEach((place, k) => expect(angle_between(fast[k]!, place)).toBeLessThan(0.1));
+    near(fast.at(-1)!, at(2.2));
   });
 });
