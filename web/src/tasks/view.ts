@@ -20,6 +20,13 @@ export interface OwnFile {
   extension: string;
   type: string;
   made(linkage: Linkage): Blob;
+  /** What is found of it before it is saved. */
+  report?(linkage: Linkage): FileReport | null;
+}
+export interface FileReport {
+  text: string;
+  /** It will not do what it is for. */
+  is_warning?: true;
 }
 export interface RequirementProperties {
   key: RequirementKey;
@@ -56,9 +63,9 @@ export interface TaskView {
   Numbers?: Component<{hand: Linkage}>;
   /** The first one is shown first. */
   plots(task: Task): readonly [PlotChoice, ...PlotChoice[]];
-  /** Of a linkage, beside what the engine writes; and what of that it does not. */
+  /** Of a linkage, beside what the engine writes; and what of that it does not, with the reason. */
   files?: readonly OwnFile[];
-  not_written?: readonly ExportFormat[];
+  not_written?: Partial<Record<ExportFormat, TextKey>>;
   /** What a new task is about, at a glance, on a field of 72 by 46: one to each of the kind's beginnings. */
   Picture: Component<{id: string}>;
 }

@@ -230,6 +230,8 @@ export const spherical_kind: TaskKind<SphericalTask> = {
     "curve.odd": "spherical.curve.odd",
     "curve.oval": "spherical.curve.oval",
     "curve.single_point": "spherical.curve.single_point",
+    "export.csv_inside": "spherical.csv_inside",
+    "export.json_inside": "spherical.json_inside",
   },
   beginnings,
   kept_pivots: ({spherical}) => (spherical ? Object.fromEntries(axes.map((axis) => [axis, spherical[axis]])) : {}),

@@ -8,8 +8,8 @@ import {triad} from "../../sphere/item";
 import {circle, column, dot, great_circle, times, type Rows, type Vec3} from "../../sphere/vectors";
 import {is_axis} from "./figure";
 import {link_solid, hub_reaches, shells, type ShellOrder, type Sizes} from "./print";
-import type {AxisName, Cone, LinkName} from "./replies";
-import {after, all_rows, link_angle, link_ends, link_frame, link_names, stands, type Stand} from "./space";
+import type {Cone, LinkName} from "./replies";
+import {after, all_rows, axis_names, link_angle, link_ends, link_frame, link_names, stands, type Stand} from "./space";
 
 export interface Picture {
   items: Item[];
@@ -186,13 +186,13 @@ const sizes: Sizes = {
   half_width: 0.024,
   hub: 0.044,
   bore: 0.014,
+  pin: 0.013,
   clearance: 0.004,
   corners: 12,
   step_deg: 6,
 };
 const order: ShellOrder = ["ground", "input", "coupler", "output"];
 const link_colors: Record<LinkName, SphereColor> = {ground: "ink3", input: "input", coupler: "body", output: "output"};
-const axis_names: readonly AxisName[] = ["input_fixed", "input_moving", "output_moving", "output_fixed"];
 
 /** The bodies of the links, which stay the same while it moves. */
 export function link_bodies(stand: Stand): Record<LinkName, readonly number[]> {

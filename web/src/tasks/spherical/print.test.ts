@@ -1,12 +1,11 @@
 import {describe, expect, it} from "vitest";
 import {identity, length, unit, type Vec3} from "../../sphere/vectors";
 import {
-  collisions,
   fitting_sizes,
   hub_reaches,
   link_solid,
   link_solids,
-  shell_order,
+  pins,
   shells,
   stl,
   usual_sizes,
@@ -133,12 +132,21 @@ describe("links to be printed", () => {
       expect(volume(solid)).toBeGreaterThan(0);
     }
   });
-  it("are layered so that no boss stands in a bar's way, where that can be", () => {
-    const over_ground: Stand = {...stand, input_moving: stand.output_fixed};
-    expect(collisions(order, [over_ground], usual_sizes)).toBeGreaterThan(0);
-    expect(shell_order([stand], usual_sizes).collisions).toBe(0);
-    const found = shell_order([stand, over_ground], usual_sizes);
-    expect(found.collisions).toBeLessThanOrEqual(collisions(order, [stand, over_ground], usual_sizes));
+  it("have a pin to each axis beside them, as long as the hubs that it joins", () => {
+    const of = shells(order, usual_sizes),
+      found = pins(order, usual_sizes, 50, -20),
+      each = found.length / 4;
+    expect_closed(found);
+    expect(Math.min(...found.map(([x]) => x))).toBeGreaterThan(50);
+    const heights = [0, 1, 2, 3].map((k) => {
+      const z = found.slice(k * each, (k + 1) * each).map((corner) => corner[2]);
+      expect(Math.min(...z)).toBeCloseTo(-20);
+      return Math.max(...z) + 20;
+    });
+    expect(heights[0]).toBeCloseTo(of.input.outer - of.ground.inner); // the input's fixed axis
+    expect(heights[3]).toBeCloseTo(of.output.outer - of.ground.inner);
+    expect(volume(found)).toBeGreaterThan(0);
+    expect(usual_sizes.pin).toBeLessThan(usual_sizes.bore);
   });
   it("are written as binary STL", () => {
     const solid = link_solid(

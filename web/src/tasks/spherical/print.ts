@@ -2,8 +2,8 @@
 // hubs along the axes with a bore for a pin. What joins two links that are no neighbours reaches through the shells between.
 import {plus, seen_from_outside, times, type Rows, type Vec3} from "../../sphere/vectors";
 import {least_of} from "../../state/ends";
-import type {AxisName, LinkName} from "./replies";
-import {distance_from_arc, link_angle, link_ends, link_frame, link_names, type Stand} from "./space";
+import type {LinkName} from "./replies";
+import {axis_names, link_angle, link_ends, link_frame, link_names, type Stand} from "./space";
 
 /** Millimetres. */
 export interface Sizes {
@@ -13,6 +13,7 @@ export interface Sizes {
   half_width: number;
   hub: number; // radius
   bore: number; // radius
+  pin: number; // radius
   /** Between what moves against each other. */
   clearance: number;
   /** Of a hub on the side away from the bar; a bar has one every so many degrees. */
@@ -25,6 +26,7 @@ export const usual_sizes: Sizes = {
   half_width: 3,
   hub: 5,
   bore: 1.6,
+  pin: 1.5,
   clearance: 0.4,
   corners: 24,
   step_deg: 3,
@@ -61,34 +63,6 @@ export function hub_reaches(link: LinkName, order: ShellOrder, sizes: Sizes): re
     const other = link_names.find((name) => name !== link && link_ends[name].includes(axis))!;
     return [own.inner, Math.max(own.outer, of[other].inner > own.outer ? of[other].inner - sizes.clearance : 0)];
   }) as unknown as readonly [Reach, Reach];
-}
-const orders: ShellOrder[] = permutations([...link_names]);
-function permutations<T>(list: T[]): T[][] {
-  if (list.length < 2) return [list];
-  return list.flatMap((one, i) => permutations(list.toSpliced(i, 1)).map((rest) => [one, ...rest]));
-}
-/** In how many of the states a link runs into a hub that reaches through its shell. */
-export function collisions(order: ShellOrder, stands: readonly Stand[], sizes: Sizes): number {
-  const of = shells(order, sizes);
-  let count = 0;
-  for (const axis of ["input_fixed", "input_moving", "output_moving", "output_fixed"] as AxisName[]) {
-    const places = order.flatMap((link, place) => (link_ends[link].includes(axis) ? [place] : []));
-    for (const link of order.slice(places[0]! + 1, places[1])) {
-      const [from, to] = link_ends[link],
-        room = (2 * sizes.hub + sizes.clearance) / of[link].inner;
-      count += stands.filter((stand) => distance_from_arc(stand[axis], stand[from], stand[to]) < room).length;
-    }
-  }
-  return count;
-}
-/** The order of the shells in which the links collide least over the states, the simplest first. */
-export function shell_order(stands: readonly Stand[], sizes: Sizes): {order: ShellOrder; collisions: number} {
-  let best = {order: orders[0]!, collisions: Infinity};
-  for (const order of orders) {
-    const found = collisions(order, stands, sizes);
-    if (found < best.collisions) best = {order, collisions: found};
-  }
-  return best;
 }
 /** Sizes at which the hubs of the shortest link leave room for a bar between them. */
 export function fitting_sizes(stand: Stand, sizes: Sizes = usual_sizes): Sizes {
@@ -207,6 +181,25 @@ export function link_solids(stand: Stand, order: ShellOrder, sizes: Sizes): Reco
     );
   };
   return Object.fromEntries(link_names.map((link) => [link, solid(link)])) as Record<LinkName, Triangles>;
+}
+
+/** A pin to each axis, upright beside what is at smaller x, its foot at `floor`: as long as the hubs that it joins. */
+export function pins(order: ShellOrder, sizes: Sizes, beside: number, floor: number): Triangles {
+  const of = shells(order, sizes),
+    {pin: radius, corners: around} = sizes;
+  return axis_names.flatMap((axis, k) => {
+    const joined = link_names.filter((link) => link_ends[link].includes(axis)).map((link) => of[link]),
+      height = Math.max(...joined.map(({outer}) => outer)) - Math.min(...joined.map(({inner}) => inner));
+    const middle: Vec3 = [beside + 3 * radius, 6 * radius * (k - 1.5), floor],
+      at = (size: number, turn: number, z: number) => plus(middle, [size * Math.cos(turn), size * Math.sin(turn), z]);
+    return Array.from({length: around}, (_, i) => [i, i + 1].map((j) => (2 * Math.PI * (j % around)) / around)).flatMap(
+      ([a, b]) => [
+        ...quad(at(radius, a!, 0), at(radius, b!, 0), at(radius, b!, height), at(radius, a!, height)),
+        ...[at(0, 0, height), at(radius, a!, height), at(radius, b!, height)],
+        ...[at(0, 0, 0), at(radius, b!, 0), at(radius, a!, 0)],
+      ],
+    );
+  });
 }
 
 /** Binary STL (80 bytes of title, count, then normal, three corners and two bytes to each triangle). */

@@ -21,6 +21,12 @@ import type {Converted} from "../../orientation/orientation";
 import type {AxisName, LinkName, SphericalBars} from "./replies";
 
 export const link_names = ["ground", "input", "coupler", "output"] as const satisfies readonly LinkName[];
+export const axis_names = [
+  "input_fixed",
+  "input_moving",
+  "output_moving",
+  "output_fixed",
+] as const satisfies readonly AxisName[];
 /** Between which axes each link lies. */
 export const link_ends: Record<LinkName, readonly [AxisName, AxisName]> = {
   ground: ["input_fixed", "output_fixed"],

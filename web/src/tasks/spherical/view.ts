@@ -15,6 +15,6 @@ export const spherical_view: TaskView = {
   Numbers,
   Picture,
   files: spherical_files,
-  not_written: ["dxf"],
+  not_written: {dxf: "spherical.no_dxf"},
   plots: () => ["transmission", "output", "velocity", "advantage"],
 };
