@@ -1,34 +1,54 @@
 // For tests: states of the page as they can come about, drawn at random.
 import fc, {type Arbitrary} from "fast-check";
-import {linkage_types, type Property, type Requirements} from "../engine/protocol";
+import {linkage_types, type Pivot, type Property, type RequirementKey, type Requirements} from "../engine/protocol";
 import {box, far_point, found, number, pair, points, positive, record, text} from "./arbitrary_values";
 import {from_problem, to_problem, type Document} from "./document";
-import {objective_descriptions, property_descriptions} from "../tasks/kinds";
-import type {Background, Objective, Options, Pin, Problem, View} from "./problem";
+import type {RequirementDescription} from "../tasks/kind";
+import {objective_descriptions, property_descriptions, requirement_descriptions} from "../tasks/kinds";
+import type {Background, Objective, Options, Pin, Problem, SolidBody, View} from "./problem";
 import type {Task} from "./task";
 
-/** Of all kinds. */
-const tasks = import.meta.glob<{arbitrary_task: Arbitrary<Task>}>("../tasks/*/arbitrary.ts", {eager: true});
-export const task: Arbitrary<Task> = fc.oneof(...Object.values(tasks).map(({arbitrary_task}) => arbitrary_task));
+/** Of all kinds: tasks, and what is required by a control of the kind's own. */
+interface OfKind {
+  arbitrary_task: Arbitrary<Task>;
+  arbitrary_requirements?: {[K in RequirementKey]?: Arbitrary<Requirements[K]>};
+}
+const kinds = Object.values(import.meta.glob<OfKind>("../tasks/*/arbitrary.ts", {eager: true}));
+export const task: Arbitrary<Task> = fc.oneof(...kinds.map(({arbitrary_task}) => arbitrary_task));
 
 // ---- the rest of a problem ------------------------------------------------------------------------------------------
 
 const limit = (low: number, high: number) => fc.oneof(fc.constant(null), fc.double({min: low, max: high, noNaN: true}));
-const requirements = record<Requirements>(
+function requirement(key: RequirementKey, described: RequirementDescription): Arbitrary<unknown> {
+  switch (described.control) {
+    case "types":
+      return fc.uniqueArray(fc.constantFrom(...linkage_types));
+    case "no_defects":
+      return fc.boolean();
+    case "transmission_angle":
+      return fc.double({min: 0, max: 89, noNaN: true});
+    case "limit":
+      return limit(described.from, 1e9);
+    case "box":
+      return fc.oneof(fc.constant(null), box);
+    case "own":
+      return fc.oneof(fc.constant(null), own_requirements[key] as Arbitrary<unknown>);
+  }
+}
+const own_requirements: OfKind["arbitrary_requirements"] & object = Object.assign(
   {},
-  {
-    types: fc.uniqueArray(fc.constantFrom(...linkage_types)),
-    no_defects: fc.boolean(),
-    min_transmission_angle_deg: fc.double({min: 0, max: 89, noNaN: true}),
-    max_link_ratio: limit(1, 1e6),
-    max_length: limit(1e-6, 1e9),
-    min_length: limit(0, 1),
-    ground_pivots_within: fc.oneof(fc.constant(null), box),
-    moving_pivots_within: fc.oneof(fc.constant(null), box),
-    respect_direction: fc.boolean(),
-    ...({least_sweep: limit(0, 1)} as object), // of a later version
-  },
+  ...kinds.map(({arbitrary_requirements}) => arbitrary_requirements),
 );
+const requirements = record<Requirements>({}, {
+  ...Object.fromEntries(
+    (Object.keys(requirement_descriptions) as RequirementKey[]).map((key) => [
+      key,
+      requirement(key, requirement_descriptions[key]),
+    ]),
+  ),
+  respect_direction: fc.boolean(),
+  least_sweep: limit(0, 1), // of a later version
+} as object);
 const options = record<Options>(
   {},
   {
@@ -47,6 +67,12 @@ const name = fc.oneof(
     .map((typed) => typed.trim())
     .filter(Boolean),
 );
+const joints = (names: readonly string[], of: Arbitrary<Pivot | null>): Arbitrary<Pin["pivots"]> =>
+  fc.record(Object.fromEntries(names.map((joint) => [joint, of])));
+const axes = joints(
+  ["input_fixed", "input_moving", "output_fixed", "output_moving"],
+  fc.tuple(number(1), number(1), number(1)),
+);
 const pin = record<Pin>(
   {
     name,
@@ -60,12 +86,7 @@ const pin = record<Pin>(
       fc.constant(null),
       fc.record({ground: positive(1e300), input: positive(), coupler: positive(), output: positive()}),
     ),
-    pivots: fc.record({
-      input_center: far_point,
-      input_circle: far_point,
-      output_center: far_point,
-      output_circle: far_point,
-    }),
+    pivots: fc.oneof(joints(["input_center", "input_circle", "output_center", "output_circle"], far_point), axes),
   },
   {note: text(200), place: pair, shown: fc.constant(true)},
 );
@@ -83,7 +104,13 @@ const background = record<Background>(
   },
   {opacity: fc.double({min: 0, max: 1, noNaN: true})},
 );
-const view = record<View>({}, {outline: points(3, 40), background, traced: points(0, 5)});
+const body: Arbitrary<SolidBody> = fc.oneof(
+  fc.record({
+    shape: fc.constantFrom("triad" as const, "wing" as const, "dish" as const, "box" as const, "craft" as const),
+  }),
+  fc.record({shape: fc.constant("own" as const), name: text(50), corners: fc.base64String({maxLength: 200})}),
+);
+const view = record<View>({}, {outline: points(3, 40), background, body, traced: points(0, 5)});
 const problem: Arbitrary<Problem> = record<Problem>(
   {linkwright: fc.constant(1), task},
   {title: text(200), length_unit: text(20), requirements, options, view},

@@ -3,6 +3,7 @@ import fc, {type Arbitrary} from "fast-check";
 import {sequences, type Quaternion} from "../../orientation/orientation";
 import {identity, type Vec3} from "../../sphere/vectors";
 import {number, record} from "../../state/arbitrary_values";
+import type {Cone} from "./replies";
 import type {PrescribedOrientation, Rates, SphericalTask} from "./task";
 
 const vector: Arbitrary<Vec3> = fc.tuple(number(), number(), number());
@@ -28,3 +29,5 @@ export const arbitrary_task = record<SphericalTask>(
   },
   {given: fc.oneof(fc.record({fixed_axes: two}), fc.record({moving_axes: two}))},
 );
+const cone: Arbitrary<Cone> = fc.record({axis: vector, half_angle_deg: fc.double({min: 1e-9, max: 90, noNaN: true})});
+export const arbitrary_requirements = {fixed_axes_within: cone, moving_axes_within: cone};
