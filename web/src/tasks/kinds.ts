@@ -121,6 +121,15 @@ export function with_other_task<T extends Task>(problem: Problem, task: T): Prob
     ? with_options(changed, {objective: undefined})
     : changed;
 }
+/** The problem with a task of another kind: of the requirements those that it has, too. */
+export function with_task_of_other_kind(problem: Problem, task: Task): Problem {
+  const {requirements: old = {}, ...changed} = with_other_task(problem, task),
+    has = kind_of(task).requirements,
+    kept = Object.entries(old).filter(([key]) => key in has || key === "respect_direction"),
+    requirements: Requirements = {...first_requirements(changed), ...Object.fromEntries(kept)};
+  const types = requirements.types?.filter((type) => types_of(task).includes(type));
+  return {...changed, requirements: types ? {...requirements, types} : requirements};
+}
 /** The task with other poses, and without what does not go with them. */
 export function with_task_poses(task: Task, poses: readonly Pose[]): Task {
   return kind_of(task).with_poses?.(task, poses) ?? task;

@@ -4,5 +4,6 @@ import {function_generation} from "./function/index";
 import {motion} from "./motion/index";
 import {six_bar} from "./six_bar/index";
 import {spherical} from "./spherical/index";
+import {spherical_function} from "./spherical_function/index";
 
-export const task_modules = [motion, function_generation, six_bar, spherical, attitude] as const;
+export const task_modules = [motion, function_generation, six_bar, spherical, spherical_function, attitude] as const;

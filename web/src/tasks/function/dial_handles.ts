@@ -9,13 +9,22 @@ import type {Problem} from "../../state/problem";
 import {t} from "../../texts/texts.svelte";
 import {angle_scales_of, hold_angle_scales, release_angle_scales, type AngleScale, type Mark} from "./dials";
 import {ground_pivots_of} from "./kind";
-import {angle_keys, function_of, pairs_in_hand, pairs_of, unstretched, with_ground_pivot, with_pair} from "./pairs";
+import {
+  angle_keys,
+  angles_of,
+  function_of,
+  pairs_in_hand,
+  pairs_of,
+  unstretched,
+  with_ground_pivot,
+  with_pair,
+} from "./pairs";
 
 export function mark_id(mark: Pick<Mark, "side" | "pair">): string {
   return `mark_${mark.side}_${mark.pair + 1}`;
 }
 export function angle_scale_handles(surface: Surface): Handle[] {
-  const free = function_of(surface.workbench.problem).free;
+  const free = angles_of(surface.workbench.problem).free;
   const is_free = ({side, pair}: Mark) =>
     side === "output" && free?.number === "pair_output" && (free.pair ?? 1) === pair + 1;
   const marks = angle_scales_of(surface).flatMap((dial) =>
@@ -30,7 +39,7 @@ export function snapped_mark(raw: number, on: boolean, keys: Keys): number {
 }
 /** Told once a named function has become pairs. */
 export function tell_pairs(workbench: Desk, was_named: boolean): void {
-  if (was_named && !function_of(workbench.problem).function)
+  if (was_named && !angles_of(workbench.problem).function)
     workbench.say("function.now_pairs", {}, {key: "edit.undo", run: () => workbench.undo()});
 }
 
@@ -41,13 +50,13 @@ function mark_handle(surface: Surface, dial: AngleScale, mark: Mark): Handle {
   const set = (value: number) => {
     const own = pairs_of(workbench),
       shown = pairs_in_hand(workbench);
-    const stretched = mark.side === "output" && function_of(workbench.problem).free?.number === "output_scale";
+    const stretched = mark.side === "output" && angles_of(workbench.problem).free?.number === "output_scale";
     return (problem: Problem) =>
       with_pair(problem, own, mark.pair, {
         [angle_keys[mark.side]]: stretched ? unstretched(own, shown, mark.pair, value) : value,
       });
   };
-  const is_named = () => function_of(workbench.problem).function !== undefined;
+  const is_named = () => angles_of(workbench.problem).function !== undefined;
   return task_handle(
     {
       part,

@@ -3,9 +3,16 @@ import type {Point} from "../../engine/protocol";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
 import {diagonal_of, pattern_of, position_count, type Range} from "../../state/task";
-import {is_function, type AnglePair, type FreeParameter, type FunctionTask, type NamedFunction} from "./task";
+import {
+  is_function,
+  type AnglePair,
+  type AngleTask,
+  type FreeParameter,
+  type FunctionTask,
+  type NamedFunction,
+} from "./task";
 import {significant} from "../../texts/numbers";
-import type {TaskKind} from "../kind";
+import type {ObjectiveDescription, PropertyDescription, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
 import {defaults} from "../../state/defaults";
 
@@ -54,27 +61,27 @@ function read_free(value: unknown): FreeParameter | null {
     ...present({pair: is_number(value.pair) ? value.pair : null, range: read_range(value.range)}),
   } as FreeParameter;
 }
-function read(value: Object): FunctionTask | null {
-  if (value.kind !== "function" || value.mechanism !== "four_bar") return null;
+/** What is prescribed; nothing where it is neither pairs nor a function. */
+export function read_angles(value: Object): Pick<AngleTask, "pairs" | "function" | "free"> | null {
   const pairs = read_list(value.pairs, read_pair, most_pairs),
     of = read_function(value.function);
-  if (!pairs && !of) return null;
-  const pivots = value.ground_pivots;
+  return pairs || of ? present({pairs: of ? null : pairs, function: of, free: read_free(value.free)}) : null;
+}
+function read(value: Object): FunctionTask | null {
+  const angles = read_angles(value),
+    pivots = value.ground_pivots;
+  if (value.kind !== "function" || value.mechanism !== "four_bar" || !angles) return null;
   const ground_pivots =
     is_object(pivots) && is_pair(pivots.input) && is_pair(pivots.output)
       ? {input: pivots.input, output: pivots.output}
       : null;
-  return {
-    kind: "function",
-    mechanism: "four_bar",
-    ...present({pairs: of ? null : pairs, function: of, ground_pivots, free: read_free(value.free)}),
-  } as FunctionTask;
+  return {kind: "function", mechanism: "four_bar", ...angles, ...present({ground_pivots})};
 }
 
 export function ground_pivots_of({ground_pivots}: FunctionTask): {input: Point; output: Point} {
   return ground_pivots ?? {input: [0, 0], output: [1, 0]};
 }
-export function position_count_of(task: FunctionTask): number {
+export function position_count_of(task: AngleTask): number {
   return task.function ? (task.function.points ?? defaults.function.points) : position_count(task.pairs ?? []);
 }
 /** A table's own where none is given. */
@@ -119,10 +126,8 @@ function new_problem(): Problem {
   return {...problem, requirements: {min_transmission_angle_deg: 30, max_length: default_max_length(problem)}};
 }
 
-export const function_kind: TaskKind<FunctionTask> = {
-  name: "task.kind_function",
-  is: is_function,
-  read,
+/** What every kind has whose tasks prescribe angles. */
+export const angles_kind = {
   incompleteness(task) {
     const n = position_count_of(task);
     if (n < 4) return {state: "too_few", text: "state.too_few_pairs", n};
@@ -131,47 +136,6 @@ export const function_kind: TaskKind<FunctionTask> = {
   stops: (task) => task.pairs?.length ?? position_count_of(task),
   pattern: (task) => pattern_of(task.pairs ?? Array.from({length: position_count_of(task)}, () => ({}))),
   is_mixed: ({pairs}) => (pairs ?? []).some((pair) => pair.derivatives?.length),
-  anchors: (task) => Object.values(ground_pivots_of(task)),
-  around(task) {
-    const pivots = Object.values(ground_pivots_of(task)),
-      room = 0.5 * diagonal_of(pivots);
-    return pivots.flatMap(([x, y]): Point[] => [
-      [x - room, y],
-      [x + room, y],
-      [x, y - room],
-      [x, y + room],
-    ]);
-  },
-  default_max_length,
-  map_of: (task) => `function ${position_count_of(task)} ${task.free?.number ?? ""}`,
-  moved: (task, point) => ({
-    ...task,
-    ground_pivots: {input: point(ground_pivots_of(task).input), output: point(ground_pivots_of(task).output)},
-  }),
-  properties: {
-    ...planar_properties,
-    max_structural_error_deg: {
-      is_of: ({function: named, free}) => named !== undefined && !free,
-      text: "function.max_error",
-      short: "function.error",
-      term: "structural_error",
-      larger_is_better: false,
-      requirement: null,
-      quantity: "fine_angle",
-      span: () => [0, 2],
-      levels: () => [0.1, 0.2, 0.5, 1],
-    },
-  },
-  types: planar_types,
-  requirements: planar_requirements,
-  objectives: {
-    structural_error: {
-      name: "req.objective.structural_error",
-      measure: "max_structural_error_deg",
-      is_of: ({function: named}) => named !== undefined,
-    },
-    ...planar_objectives,
-  },
   table({pairs, function: named}) {
     if (!named)
       return {
@@ -201,6 +165,56 @@ export const function_kind: TaskKind<FunctionTask> = {
     "notice.every_point": "function.every_point",
     "notice.dependent_rows": "function.dependent_rows",
     "notice.ill_conditioned": "function.ill_conditioned",
+  },
+} satisfies Partial<TaskKind<AngleTask>>;
+export const max_structural_error_deg: PropertyDescription<AngleTask> = {
+  is_of: ({function: named, free}) => named !== undefined && !free,
+  text: "function.max_error",
+  short: "function.error",
+  term: "structural_error",
+  larger_is_better: false,
+  requirement: null,
+  quantity: "fine_angle",
+  span: () => [0, 2],
+  levels: () => [0.1, 0.2, 0.5, 1],
+};
+export const structural_error: ObjectiveDescription<AngleTask> = {
+  name: "req.objective.structural_error",
+  measure: "max_structural_error_deg",
+  is_of: ({function: named}) => named !== undefined,
+};
+
+export const function_kind: TaskKind<FunctionTask> = {
+  name: "task.kind_function",
+  ...angles_kind,
+  is: is_function,
+  read,
+  anchors: (task) => Object.values(ground_pivots_of(task)),
+  around(task) {
+    const pivots = Object.values(ground_pivots_of(task)),
+      room = 0.5 * diagonal_of(pivots);
+    return pivots.flatMap(([x, y]): Point[] => [
+      [x - room, y],
+      [x + room, y],
+      [x, y - room],
+      [x, y + room],
+    ]);
+  },
+  default_max_length,
+  map_of: (task) => `function ${position_count_of(task)} ${task.free?.number ?? ""}`,
+  moved: (task, point) => ({
+    ...task,
+    ground_pivots: {input: point(ground_pivots_of(task).input), output: point(ground_pivots_of(task).output)},
+  }),
+  properties: {
+    ...planar_properties,
+    max_structural_error_deg,
+  },
+  types: planar_types,
+  requirements: planar_requirements,
+  objectives: {
+    structural_error,
+    ...planar_objectives,
   },
   beginnings: [{id: "function", name: "new.function", about: "new.function_about", make: new_problem}],
 };

@@ -1,7 +1,7 @@
 // The pairs of angles of a function task, whether they are given or taken from a named function.
 import type {Point, Side} from "../../engine/protocol";
 import type {DegreePair} from "./replies";
-import type {AnglePair, FreeParameter, FunctionTask, NamedFunction} from "./task";
+import type {AnglePair, AngleTask, FreeParameter, FunctionTask, NamedFunction} from "./task";
 import type {Desk} from "../../drawing/surface";
 import {with_task, type Problem} from "../../state/problem";
 import {is_pair, read_list} from "../../state/shape";
@@ -13,13 +13,17 @@ import {position_count_of} from "./kind";
 
 export const angle_keys = {input: "input_deg", output: "output_deg"} as const;
 
+/** What is prescribed, wherever the links turn. */
+export function angles_of(problem: Problem): AngleTask {
+  return problem.task as AngleTask;
+}
 export function function_of(problem: Problem): FunctionTask {
   return problem.task as FunctionTask;
 }
 /** Given ones as they are; those of a named function as the engine has found them. */
 export function pairs_of({problem, task}: Pick<Desk, "problem" | "task">): readonly AnglePair[] {
   return (
-    function_of(problem).pairs ??
+    angles_of(problem).pairs ??
     (task?.function?.pairs ?? []).map(([input_deg, output_deg]) => ({input_deg, output_deg}))
   );
 }
@@ -27,7 +31,7 @@ export function pairs_of({problem, task}: Pick<Desk, "problem" | "task">): reado
 export function pairs_in_hand(workbench: Pick<Desk, "problem" | "task" | "hand">): DegreePair[] {
   const own = pairs_of(workbench),
     made = workbench.hand?.function?.pairs,
-    free = function_of(workbench.problem).free;
+    free = angles_of(workbench.problem).free;
   return own.map(({input_deg, output_deg}, j) => [
     input_deg,
     (free && made?.length === own.length ? made[j]?.[1] : undefined) ?? output_deg,
@@ -36,28 +40,28 @@ export function pairs_in_hand(workbench: Pick<Desk, "problem" | "task" | "hand">
 
 /** Given pairs take the place of a named function. */
 export function with_pairs(problem: Problem, pairs: readonly AnglePair[]): Problem {
-  const {function: _, ...task} = function_of(problem);
+  const {function: _, ...task} = angles_of(problem);
   return with_other_task(problem, without_foreign_free({...task, pairs}));
 }
 export function with_named(problem: Problem, named: NamedFunction): Problem {
-  const {pairs: _, ...task} = function_of(problem);
+  const {pairs: _, ...task} = angles_of(problem);
   return with_other_task(problem, without_foreign_free({...task, function: named}));
 }
 export function with_free(problem: Problem, free: FreeParameter | null): Problem {
-  const {free: _, ...task} = function_of(problem);
+  const {free: _, ...task} = angles_of(problem);
   return with_other_task(problem, free ? {...task, free} : task);
 }
 /** Five positions leave nothing free. */
-function without_foreign_free(task: FunctionTask): FunctionTask {
+function without_foreign_free(task: AngleTask): AngleTask {
   if (!task.free || position_count_of(task) <= 4) return task;
   const {free: _, ...rest} = task;
   return rest;
 }
 /** A step that says so where it leaves no room for the number that was free. */
 export function edit_angles(workbench: Desk, change: (problem: Problem) => Problem, merge: string | null = null): void {
-  const had_free = function_of(workbench.problem).free !== undefined;
+  const had_free = angles_of(workbench.problem).free !== undefined;
   workbench.edit(change, merge);
-  if (had_free && !function_of(workbench.problem).free)
+  if (had_free && !angles_of(workbench.problem).free)
     workbench.say("function.free_dropped", {}, {key: "edit.undo", run: () => workbench.undo()});
 }
 export function with_pair(

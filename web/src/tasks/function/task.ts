@@ -25,13 +25,16 @@ export interface FreeParameter {
   pair?: number;
   range?: Range;
 }
-export interface FunctionTask extends Task {
+/** The output shall turn with the input as prescribed, in the plane or about axes through one point. */
+export interface AngleTask extends Task {
   kind: "function";
-  mechanism: "four_bar";
   pairs?: readonly AnglePair[]; // these or the function
   function?: NamedFunction;
-  ground_pivots?: {input: Point; output: Point};
   free?: FreeParameter;
+}
+export interface FunctionTask extends AngleTask {
+  mechanism: "four_bar";
+  ground_pivots?: {input: Point; output: Point};
 }
 
 export function is_function(task: Task): task is FunctionTask {

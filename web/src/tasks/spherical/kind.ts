@@ -81,10 +81,10 @@ const beginnings: Beginning[] = [
     make: () => problem_of(zyx([0, 0, 5], [-22.7, -3.4, 24.8], [-50.2, -16.3, 53.3], [-88.2, -42, 87.3])),
   },
   {
-    id: "wrist",
-    name: "new.wrist",
-    about: "new.wrist_about",
-    make: () => problem_of(zyx([0, 0, 0], [6, 18, 4], [9, 36, 11], [10, 52, 21])),
+    id: "five_orientations",
+    name: "new.five_orientations",
+    about: "new.five_orientations_about",
+    make: () => problem_of(zyx([-4, -25, 5.5], [-2.5, -12, 4], [0, 0, 0], [3.5, 11, -4], [8, 20, -6])),
   },
 ];
 
@@ -232,6 +232,11 @@ export const spherical_kind: TaskKind<SphericalTask> = {
     "curve.single_point": "spherical.curve.single_point",
     "export.csv_inside": "spherical.csv_inside",
     "export.json_inside": "spherical.json_inside",
+    "notice.common_component": "spherical.common_component",
+    "notice.dependent_rows": "spherical.dependent_rows",
+    "notice.ill_conditioned": "spherical.ill_conditioned",
+    "notice.no_pair": "spherical.no_pair",
+    "state.none_defect_free": "spherical.none_defect_free",
   },
   beginnings,
   kept_pivots: ({spherical}) => (spherical ? Object.fromEntries(axes.map((axis) => [axis, spherical[axis]])) : {}),
