@@ -1,5 +1,7 @@
 // The tasks that are shown to choose from: the examples of the project, then some that show a property of the curves.
 import airtight_hatch from "../../../examples/airtight_hatch.json?raw";
+import ankle_orthosis from "../../../examples/ankle_orthosis.json?raw";
+import antenna_pointing from "../../../examples/antenna_pointing.json?raw";
 import corner_drawer from "../../../examples/corner_drawer.json?raw";
 import dump_bucket from "../../../examples/dump_bucket.json?raw";
 import drawer_hinge from "../../../examples/drawer_hinge.json?raw";
@@ -15,9 +17,12 @@ import nose_gear from "../../../examples/nose_gear.json?raw";
 import sine_generator from "../../../examples/sine_generator.json?raw";
 import tailgate from "../../../examples/tailgate.json?raw";
 import transfer_arm from "../../../examples/transfer_arm.json?raw";
+import universal_joint_like from "../../../examples/universal_joint_like.json?raw";
+import wrist_orthosis from "../../../examples/wrist_orthosis.json?raw";
 import type {Problem} from "../state/problem";
 import type {TextKey} from "../texts/texts.svelte";
 import almost_symmetric from "./almost_symmetric.json?raw";
+import part_transfer from "./attitude/part_transfer.json?raw";
 import five_hatch from "./five_hatch.json?raw";
 import hatchback_lid from "./hatchback_lid.json?raw";
 import wheel_loader from "./wheel_loader.json?raw";
@@ -42,6 +47,11 @@ const files = {
   transfer_arm,
   sine_generator,
   log_generator,
+  wrist_orthosis,
+  antenna_pointing,
+  ankle_orthosis,
+  universal_joint_like,
+  part_transfer,
   five_hatch,
   wheel_loader,
   hatchback_lid,

@@ -112,23 +112,26 @@ export const objective_descriptions = in_all("objectives") as Record<Objective, 
 function in_all(list: "properties" | "requirements" | "objectives"): object {
   return Object.assign({}, ...task_kinds.map((kind) => kind[list]));
 }
-/** The problem with another task; what linkages can be the best by only in the old one is no objective any more. */
+/** The problem with another task, without what goes only with the old one: an objective, requirements of another kind. */
 export function with_other_task<T extends Task>(problem: Problem, task: T): Problem {
   const changed = with_task(problem, task),
     has = objectives_of(task),
-    lost = objectives_of(problem.task).filter((objective) => !has.includes(objective));
+    lost = objectives_of(problem.task).filter((objective) => !has.includes(objective)),
+    fitting = kind_of(problem.task) === kind_of(task) ? changed : with_known_requirements(changed);
   return lost.some((objective) => objective === problem.options?.objective)
-    ? with_options(changed, {objective: undefined})
-    : changed;
+    ? with_options(fitting, {objective: undefined})
+    : fitting;
 }
-/** The problem with a task of another kind: of the requirements those that it has, too. */
-export function with_task_of_other_kind(problem: Problem, task: Task): Problem {
-  const {requirements: old = {}, ...changed} = with_other_task(problem, task),
-    has = kind_of(task).requirements,
-    kept = Object.entries(old).filter(([key]) => key in has || key === "respect_direction"),
-    requirements: Requirements = {...first_requirements(changed), ...Object.fromEntries(kept)};
-  const types = requirements.types?.filter((type) => types_of(task).includes(type));
-  return {...changed, requirements: types ? {...requirements, types} : requirements};
+/** Only what can be required of a linkage of its task. */
+function with_known_requirements(problem: Problem): Problem {
+  const {task, requirements} = problem,
+    has = kind_of(task).requirements;
+  if (!requirements) return problem;
+  const kept: Requirements = Object.fromEntries(
+    Object.entries(requirements).filter(([key]) => key in has || key === "respect_direction"),
+  );
+  const types = kept.types?.filter((type) => types_of(task).includes(type));
+  return {...problem, requirements: types ? {...kept, types} : kept};
 }
 /** The task with other poses, and without what does not go with them. */
 export function with_task_poses(task: Task, poses: readonly Pose[]): Task {

@@ -2,7 +2,7 @@
 import type {Problem} from "../../state/problem";
 import type {FunctionTask} from "../function/task";
 import {angles_of} from "../function/pairs";
-import {with_task_of_other_kind} from "../kinds";
+import {default_max_length, with_other_task} from "../kinds";
 import type {SphericalFunctionTask} from "./task";
 
 const ground_angle_deg = 60,
@@ -22,11 +22,12 @@ export function on_sphere({length_unit: _, ...problem}: Problem): Problem {
     ...prescribed(problem),
     ground_angle_deg,
   };
-  return with_task_of_other_kind(problem, task);
+  return with_other_task(problem, task);
 }
 export function in_plane(problem: Problem): Problem {
   const task: FunctionTask = {kind: "function", mechanism: "four_bar", ...prescribed(problem), ground_pivots};
-  return with_task_of_other_kind({...problem, length_unit: "mm"}, task);
+  const changed = with_other_task({...problem, length_unit: "mm"}, task);
+  return {...changed, requirements: {max_length: default_max_length(changed), ...changed.requirements}};
 }
 export function with_ground_angle(problem: Problem, angle_deg: number): Problem {
   return {...problem, task: {...task_of(problem), ground_angle_deg: angle_deg} as SphericalFunctionTask};
