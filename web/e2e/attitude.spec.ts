@@ -1,7 +1,9 @@
 // The attitude of a body: turned by hand, shown in every form, played turn by turn.
 import type {Page} from "@playwright/test";
+import {readFileSync} from "node:fs";
 import {link_of} from "../src/shell/share";
 import {
+  attitude_report,
   drag,
   expect,
   expect_accessible,
@@ -110,6 +112,42 @@ test("what is no orientation is refused with a sentence, and the last one stays"
   await type_into(page, "attitude.orientation.matrix.0", "2");
   await expect(page.getByTestId("task.fault").first()).toContainText("rotation");
   await expect(page.getByTestId("attitude.matrix")).toContainText("0.390519");
+});
+
+test("it is taken away: reports as the program writes them, a picture, a representation", async ({page, context}) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await open_attitude(page);
+  await page.getByTestId("export.title").click();
+  const taken = async (format: string) => {
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByTestId(`export.task.${format}`).click(),
+    ]);
+    return {name: download.suggestedFilename(), data: readFileSync(await download.path())};
+  };
+  const convert = await taken("convert"),
+    report = JSON.parse(convert.data.toString());
+  expect(convert.name).toBe("linkage-convert.json");
+  const orientation = {euler_deg: [40, 50, 35], sequence: "zxz"},
+    program = attitude_report("convert", {orientation, vectors: [[1, 0, 0]]});
+  expect(Object.keys(report).sort()).toEqual(Object.keys(program).sort());
+  for (const [k, component] of program.quaternion.entries()) expect(report.quaternion[k]).toBeCloseTo(component, 14);
+  expect(JSON.parse((await taken("screw")).data.toString()).screw.slide).toBeCloseTo(41.89322, 4);
+  expect(JSON.parse((await taken("rates")).data.toString()).fixed.velocity).toHaveLength(3);
+  const picture = await taken("png");
+  expect(picture.name).toBe("linkage.png");
+  expect(picture.data.length).toBeGreaterThan(5000);
+  await expect(page.getByTestId("export.csv")).toHaveCount(0);
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", {name: "Copy: Quaternion"}).click();
+  expect(JSON.parse(await page.evaluate(() => navigator.clipboard.readText()))).toEqual(report.quaternion);
+});
+
+test("half a turn has its Rodrigues vector at infinity; at the lock it is said", async ({page}) => {
+  await open_attitude(page);
+  await page.getByTestId("attitude.orientation.form").selectOption("axis");
+  await type_into(page, "attitude.orientation.axis.3", "180");
+  await expect(page.getByTestId("attitude.panel")).toContainText("infinity");
 });
 
 test("it is kept, and shared by a link", async ({page}) => {

@@ -359,7 +359,11 @@ export function run_program(command: string, content: unknown, ...flags: string[
   try {
     const file = join(folder, "input.json");
     writeFileSync(file, typeof content === "string" ? content : JSON.stringify(content));
-    return execFileSync(program, [command, file, ...flags], {encoding: "utf8", maxBuffer: 1 << 28, timeout: 60_000});
+    return execFileSync(program, [...command.split(" "), file, ...flags], {
+      encoding: "utf8",
+      maxBuffer: 1 << 28,
+      timeout: 60_000,
+    });
   } finally {
     rmSync(folder, {recursive: true});
   }
@@ -371,6 +375,10 @@ export function solve(problem: unknown, ...flags: string[]): any {
 /** The program's analysis of a linkage. */
 export function analyze(linkage: unknown, ...flags: string[]): any {
   return JSON.parse(run_program("analyze", linkage, "-o", "-", ...flags));
+}
+/** What `linkwright attitude` says: convert, screw or rates. */
+export function attitude_report(of: string, asked: object): any {
+  return JSON.parse(run_program(`attitude ${of}`, {linkwright: 1, ...asked}, "-o", "-"));
 }
 /** A problem of examples/, its comments taken out. */
 export function example(name: string): any {

@@ -14,7 +14,7 @@ import {film_choice} from "./film_form.svelte";
 import {animation_frames} from "./frames";
 import {file_name, file_stem} from "./names";
 import {picture_colors, picture_of} from "./picture";
-import {copied, rasterised} from "./raster";
+import {has_stage_picture, rasterised, stage_picture} from "./raster";
 
 export interface Target {
   /** A pin's; null: the picked linkage. */
@@ -91,9 +91,7 @@ export async function svg_of(workbench: Workbench, target: Target): Promise<stri
   return (await from_engine(workbench, target, "svg")).text;
 }
 async function png(workbench: Workbench, target: Target): Promise<Blob> {
-  const solid =
-    target.pin === null ? document.querySelector<HTMLCanvasElement>(".solid canvas, canvas[data-picture]") : null;
-  if (solid) return copied(solid, css_values(document.documentElement, ["paper"]).paper);
+  if (target.pin === null && has_stage_picture()) return stage_picture();
   const on_screen = target.pin === null ? drawing_svg() : null;
   return rasterised(on_screen ?? (await svg_of(workbench, target)), 2);
 }

@@ -5,6 +5,7 @@ import type {Surface} from "../drawing/surface";
 import type {ExportFormat, Linkage, RequirementKey, Requirements} from "../engine/protocol";
 import type {Mechanism} from "../figure/mechanism";
 import type {Task} from "../state/task";
+import type {Workbench} from "../state/workbench.svelte";
 import type {TextKey} from "../texts/texts.svelte";
 import type {PlotChoice} from "../transport/plot";
 
@@ -27,6 +28,15 @@ export interface FileReport {
   text: string;
   /** It will not do what it is for. */
   is_warning?: true;
+}
+/** A file of the task itself, where no linkage is sought. */
+export interface TaskFile {
+  format: string;
+  name: TextKey;
+  about: TextKey;
+  /** What follows the title in its name. */
+  ending: string;
+  made(workbench: Workbench): Promise<Blob>;
 }
 export interface RequirementProperties {
   key: RequirementKey;
@@ -66,6 +76,8 @@ export interface TaskView {
   /** Of a linkage, beside what the engine writes; and what of that it does not, with the reason. */
   files?: readonly OwnFile[];
   not_written?: Partial<Record<ExportFormat, TextKey>>;
+  /** Of the task itself, where no linkage is sought. */
+  task_files?: readonly TaskFile[];
   /** What a new task is about, at a glance, on a field of 72 by 46: one to each of the kind's beginnings. */
   Picture: Component<{id: string}>;
 }

@@ -3,6 +3,7 @@ import {no_mechanism} from "../../figure/no_mechanism";
 import type {TaskView} from "../view";
 import Editor from "./Editor.svelte";
 import Panel from "./Panel.svelte";
+import {attitude_files} from "./files";
 import Picture from "./Picture.svelte";
 import Stage from "./Stage.svelte";
 
@@ -12,5 +13,6 @@ export const attitude_view: TaskView = {
   Region: Panel,
   Editor,
   Picture: Picture as Component<{id: string}>,
+  task_files: attitude_files,
   plots: () => ["path"],
 };
