@@ -27,6 +27,7 @@ export interface NamedLength {
   /** In degrees where the joints' axes meet. */
   length: number;
   color: string | null;
+  term?: TermName;
 }
 export interface NamedJoint {
   key: string;
@@ -34,6 +35,7 @@ export interface NamedJoint {
   at: Pivot;
   on_ground: boolean;
   color: string;
+  term?: TermName;
 }
 /** What a colour of the map stands for. `T`: the kind's tasks, here and below. */
 export interface PropertyDescription<T extends Task = Task> {

@@ -45,6 +45,22 @@ const four_bar = (bars: Bars, ...about: Stroke[]): Stroke[] => [
   ...links(bars),
   ...bars.map(pin),
 ];
+/** A ball with a four-bar of arcs on it: as four pins, and the arcs between them. */
+const sphere: readonly Stroke[] = [ring("thin", [48, 32], 28), ["thin", "M20 32A28 8 0 0 0 76 32"]];
+const axis_ends: Bars = [
+  [38, 12],
+  [30, 40],
+  [60, 46],
+  [64, 18],
+];
+const spherical_four_bar = (...about: Stroke[]): Stroke[] => [
+  ...sphere,
+  ...about,
+  ["input", "M38 12Q28 25 30 40"],
+  ["output", "M64 18Q71 33 60 46"],
+  ["body", "M30 40Q44 49 60 46"],
+  ...axis_ends.map(pin),
+];
 /** A body in a position, as a small tilted plate. */
 const plate = (role: Role, [x, y]: Spot, turn: number, size = 7): Stroke => {
   const c = size * Math.cos(turn),
@@ -220,14 +236,19 @@ export const pictures = {
     ["accent", "M69.6 36.1A13 13 0 0 0 61.2 43.2"],
     ring("dash", [42, 13], 9),
   ),
-  triple_rocker: [
-    ...four_bar([
-      [18, 42.8],
-      [35.2, 18.3],
-      [60.2, 17.2],
-      [78, 42.8],
-    ]),
-  ],
+  triple_rocker: spherical_four_bar(
+    ["accent", "M24 34A10 10 0 0 0 33 50"],
+    ["accent", "M54 51A10 10 0 0 0 68 40"],
+    ["dash", "M38 12Q52 8 64 18"],
+  ),
+  spherical_four_bar: spherical_four_bar(
+    ["dash", "M38 12L48 32L64 18"],
+    ["dash", "M30 40L48 32L60 46"],
+    ring("accent", [48, 32], 2.4),
+  ),
+  fixed_axis: spherical_four_bar(["accent", "M33 2L63 62"], ["accent", "M76 7.5L20 56.5"]),
+  moving_axis: spherical_four_bar(["accent", "M16 46.2L80 17.8"], ["accent", "M65 52L31 18"]),
+  link_angle: spherical_four_bar(["dash", "M38 12L48 32L30 40"], ["accent", "M44.4 24.8A8 8 0 0 0 40.7 35.2"]),
   triple_rocker_ground: [
     line("bad", [18, 42.8], [78, 42.8]),
     ...four_bar([

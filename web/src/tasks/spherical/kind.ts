@@ -105,6 +105,7 @@ function lengths({
     name: t(`num.${link}`),
     length: spherical.angles_deg[link],
     color: link_colors[link],
+    ...(link === "input" ? {} : {term: "link_angle" as const}),
   }));
 }
 function joints({spherical}: {spherical?: Record<AxisName, Vec3>}): NamedJoint[] | null {
@@ -117,6 +118,7 @@ function joints({spherical}: {spherical?: Record<AxisName, Vec3>}): NamedJoint[]
       at: spherical[axis],
       on_ground,
       color: axis.startsWith("input") ? "input" : "output",
+      term: on_ground ? ("fixed_axis" as const) : ("moving_axis" as const),
     };
   });
 }
@@ -159,7 +161,7 @@ export const spherical_kind: TaskKind<SphericalTask> = {
     min_link_angle_deg: {
       text: "region.by_link_angle",
       short: "region.short_link_angle",
-      term: null,
+      term: "link_angle",
       larger_is_better: true,
       requirement: "min_link_angle_deg",
       quantity: "angle",
@@ -177,7 +179,7 @@ export const spherical_kind: TaskKind<SphericalTask> = {
     min_link_angle_deg: {
       name: "req.min_link_angle",
       short: "req.short.min_link_angle_deg",
-      term: null,
+      term: "link_angle",
       control: "limit",
       bound: "least",
       quantity: "angle",
@@ -186,7 +188,7 @@ export const spherical_kind: TaskKind<SphericalTask> = {
     max_link_angle_deg: {
       name: "req.max_link_angle",
       short: "req.short.max_link_angle_deg",
-      term: null,
+      term: "link_angle",
       control: "limit",
       bound: "most",
       quantity: "angle",
@@ -195,14 +197,14 @@ export const spherical_kind: TaskKind<SphericalTask> = {
     fixed_axes_within: {
       name: "req.fixed_axes",
       short: "req.short.fixed_axes_within",
-      term: null,
+      term: "fixed_axis",
       control: "own",
       is_value: is_cone,
     },
     moving_axes_within: {
       name: "req.moving_axes",
       short: "req.short.moving_axes_within",
-      term: null,
+      term: "moving_axis",
       control: "own",
       is_value: is_cone,
     },
