@@ -44,6 +44,21 @@ describe("an export that is opened", () => {
       ["B", "triple_rocker_input", 252],
     ]);
   });
+  it("as a result of several spherical linkages has them pinned by their axes", () => {
+    for (const name of ["wrist_orthosis", "universal_joint_like"]) {
+      const {text} = exported(examples.find((example) => example.name === name)!.problem, "result"),
+        file = JSON.parse(text);
+      file.linkages.push(file.linkages[0]);
+      const [pin] = opened(JSON.stringify(file)).problem!.view!.pins!,
+        {input, output} = file.linkages[0];
+      expect(pin!.pivots, name).toEqual({
+        input_fixed: input.fixed_axis,
+        input_moving: input.moving_axis,
+        output_fixed: output.fixed_axis,
+        output_moving: output.moving_axis,
+      });
+    }
+  });
   it("as a linkage has its positions for a task", () => {
     const {tau, text} = exported(first_example.problem, "json"),
       {kind, problem} = opened(text);

@@ -6,7 +6,7 @@ import type {Pin} from "../state/problem";
 import {read_view} from "../state/problem_shape";
 import {is_finite, is_object, is_pair, type Object} from "../state/shape";
 import {poses_of, position_count} from "../state/task";
-import {read_task, task_of_poses} from "../tasks/kinds";
+import {filed_pivots, read_task, task_of_poses} from "../tasks/kinds";
 
 export type Told =
   | {kind: "problem" | "result" | "linkage"; text: string} // of the problem in it
@@ -86,7 +86,7 @@ function pin_of(linkage: Object, of: unknown): Pin | null {
     link_ratio: number(link_ratio),
     longest: all && Object.values(all).reduce((longest, length) => Math.max(longest, length), 0),
     lengths: all,
-    pivots: {
+    pivots: filed_pivots(task, linkage) ?? {
       input_center: point(input.center_point),
       input_circle: point(input.circle_point),
       output_center: point(output.center_point),

@@ -129,6 +129,8 @@ export interface TaskKind<T extends Task = Task> {
 
   /** What a pin keeps of a linkage, to show it without the engine (Mechanism.ghost); else the ends of its grounded links. */
   kept_pivots?(linkage: Linkage): Pin["pivots"];
+  /** The same of a linkage in a file of the program's. */
+  filed_pivots?(linkage: Object): Pin["pivots"];
 
   // Of a linkage, where it is one of this kind and not told like any four-bar; otherwise null.
   called?(linkage: Linkage): TextKey | null;

@@ -1,7 +1,7 @@
 // What the frame asks the kind of the task at hand.
 import type {Linkage, LinkageType, Notice, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
 import {with_options, with_task, type Objective, type Pin, type Problem} from "../state/problem";
-import {is_object} from "../state/shape";
+import {is_object, type Object} from "../state/shape";
 import {diagonal_of, poses_of, type Pose, type Task} from "../state/task";
 import {notice_text, type TextKey} from "../texts/texts.svelte";
 import type {TermName} from "../terms/pictures";
@@ -171,6 +171,11 @@ export function kept_pivots(task: Task, linkage: Linkage): Pin["pivots"] {
     output_center: output.center,
     output_circle: output.circle,
   };
+}
+
+/** The same of a linkage in a file of the program's; null: a four-bar of the plane. */
+export function filed_pivots(task: Task, linkage: Object): Pin["pivots"] | null {
+  return kind_of(task).filed_pivots?.(linkage) ?? null;
 }
 
 // ---- of a linkage, which tells by what it carries whose it is -------------------------------------------------------

@@ -2,7 +2,7 @@
 import type {LinkageType} from "../../engine/protocol";
 import {form_names, form_of, read_orientation, read_vector} from "../../orientation/orientation";
 import type {Vec3} from "../../sphere/vectors";
-import {with_requirements, type Problem} from "../../state/problem";
+import {with_requirements, type Pin, type Problem} from "../../state/problem";
 import {is_number, is_object, present, read_list, type Object} from "../../state/shape";
 import {pattern_of} from "../../state/task";
 import {significant} from "../../texts/numbers";
@@ -242,10 +242,20 @@ export const spherical_kind: TaskKind<SphericalTask> = {
   },
   beginnings,
   kept_pivots: ({spherical}) => (spherical ? Object.fromEntries(axes.map((axis) => [axis, spherical[axis]])) : {}),
+  filed_pivots,
   lengths,
   joints,
 };
 
+function filed_pivots(linkage: Object): Pin["pivots"] {
+  return Object.fromEntries(
+    axes.map((axis) => {
+      const [side, end] = axis.split("_") as ["input" | "output", "fixed" | "moving"],
+        dyad = linkage[side];
+      return [axis, is_object(dyad) ? read_vector(dyad[`${end}_axis`]) : null];
+    }),
+  );
+}
 function numbers_of(orientation: object): number[] {
   return Object.values(orientation).flatMap((value): number[] =>
     typeof value === "number" ? [value] : Array.isArray(value) ? (value.flat() as number[]) : [],

@@ -33,7 +33,7 @@ function new_problem(): Problem {
   };
   return {linkwright: 1, title: "", task, requirements: {min_transmission_angle_deg: 30}};
 }
-const {without_lengths, anchors, default_max_length, types, requirements, kept_pivots} = spherical_kind;
+const {without_lengths, anchors, default_max_length, types, requirements, kept_pivots, filed_pivots} = spherical_kind;
 
 export const spherical_function_kind: TaskKind<SphericalFunctionTask> = {
   ...angles_kind,
@@ -66,4 +66,5 @@ export const spherical_function_kind: TaskKind<SphericalFunctionTask> = {
     },
   ],
   kept_pivots,
+  filed_pivots,
 };
