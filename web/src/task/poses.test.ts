@@ -73,7 +73,10 @@ describe("poses", () => {
     expect(y[1] - y[0]).toBeCloseTo(20 * Math.cos(0.9075712) + 10 * Math.sin(0.9075712), 4);
     expect(seen.problem.requirements!.max_length).toBe(450);
     expect(seen.pins[0]!.task).toBe(seen.problem.task);
-    expect(placed(in_plane(seen.pins[0]!.pivots.input_center)!, back!)).toEqual([expect.closeTo(1, 9), expect.closeTo(2, 9)]);
+    expect(placed(in_plane(seen.pins[0]!.pivots.input_center)!, back!)).toEqual([
+      expect.closeTo(1, 9),
+      expect.closeTo(2, 9),
+    ]);
     const given = referred(
       {
         ...document,

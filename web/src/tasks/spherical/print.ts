@@ -1,7 +1,7 @@
 // The links of a spherical four-bar as solids that can be printed: each bar on a shell of its own about the centre, straight
 // hubs along the axes with a bore for a pin. What joins two links that are no neighbours reaches through the shells between.
 import {plus, seen_from_outside, times, type Rows, type Vec3} from "../../sphere/vectors";
-import {least_of} from "../../state/ends";
+import {least_of, most_of} from "../../state/ends";
 import type {LinkName} from "./replies";
 import {axis_names, link_angle, link_ends, link_frame, link_names, type Stand} from "./space";
 
@@ -189,7 +189,7 @@ export function pins(order: ShellOrder, sizes: Sizes, beside: number, floor: num
     {pin: radius, corners: around} = sizes;
   return axis_names.flatMap((axis, k) => {
     const joined = link_names.filter((link) => link_ends[link].includes(axis)).map((link) => of[link]),
-      height = Math.max(...joined.map(({outer}) => outer)) - Math.min(...joined.map(({inner}) => inner));
+      height = most_of(joined.map(({outer}) => outer)) - least_of(joined.map(({inner}) => inner));
     const middle: Vec3 = [beside + 3 * radius, 6 * radius * (k - 1.5), floor],
       at = (size: number, turn: number, z: number) => plus(middle, [size * Math.cos(turn), size * Math.sin(turn), z]);
     return Array.from({length: around}, (_, i) => [i, i + 1].map((j) => (2 * Math.PI * (j % around)) / around)).flatMap(
