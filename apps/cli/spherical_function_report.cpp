@@ -1,14 +1,11 @@
 #include "spherical_function_report.hpp"
 
 #include <fmt/format.h>
-#include <vector>
 
-#include "four_bar_columns.hpp"
 #include "function_report.hpp"
-#include "linkwright/core/angle.hpp"
-#include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "requirement_report.hpp"
+#include "spherical_report.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {
@@ -24,28 +21,15 @@ std::string generator_counts(const Problem& problem, const SphericalFunctionAnsw
                              requirement_words(answer.requirements, linkages(problem.task), problem.length_unit)));
 }
 
-std::string generator_table(const std::vector<SphericalSolution>& all) {
-  TextTable table({"#", "<type", "<drive", "turns", "γ", "ground", "input", "coupler", "output"});
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const DefectReport& report = all[i].report;
-    std::vector<std::string> row = {fmt::format("{}", i + 1), std::string(short_label(report.type)), drive_text(report),
-                                    report.defects.none() ? angle_text(report.sweep, 1) : "–", task_gamma(report)};
-    const LinkAngles& l = all[i].angles;
-    for (const double angle : {l.ground, l.input, l.coupler, l.output}) row.push_back(angle_text(angle, 2));
-    table.add_row(std::move(row));
-  }
-  return table.text();
-}
-
 }  // namespace
 
 std::string spherical_function_report(const Problem& problem, const SphericalFunctionAnswer& answer) {
   std::string text = generator_counts(problem, answer);
   if (!answer.pairs.empty())
-    text += "\nAll linkages that satisfy the five precision points, best first:\n" + generator_table(answer.pairs);
+    text += "\nAll linkages that satisfy the five precision points, best first:\n" + spherical_table(answer.pairs);
   if (answer.linkages.empty()) return text + "\n" + wrapped(answer.reason.message);
   const std::string errors = function_error_words(answer);
-  return text + "\nBest linkages:\n" + generator_table(answer.linkages) + (errors.empty() ? "" : "\n" + errors) + "\n" +
+  return text + "\nBest linkages:\n" + spherical_table(answer.linkages) + (errors.empty() ? "" : "\n" + errors) + "\n" +
          wrapped("Linkages listed: " + precision_words(answer) + ".");
 }
 

@@ -110,12 +110,6 @@ std::string angle_table(const Found& all, const std::string& first, const std::v
   return table.text();
 }
 
-std::vector<std::string> numbers_of(const Found& all) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < all.size(); ++i) names.push_back(fmt::format("{}", i + 1));
-  return names;
-}
-
 /// Three and five positions: every pair, where more of them are known than are listed.
 std::string pair_list(const SphericalAnswer& answer) {
   if (answer.pairs.size() <= answer.linkages.size()) return "";
@@ -185,9 +179,8 @@ std::string no_spherical_words(const Problem& problem, const SphericalAnswer& an
 }
 
 std::string found_words(const SphericalAnswer& answer) {
-  return "\n" + best_spherical_heading(answer.options) +
-         angle_table(answer.linkages, "#", numbers_of(answer.linkages)) + "\n" + axis_table(answer.linkages) + "\n" +
-         why_it_is_best(answer) + spherical_check_words(answer);
+  return "\n" + best_spherical_heading(answer.options) + spherical_table(answer.linkages) + "\n" +
+         axis_table(answer.linkages) + "\n" + why_it_is_best(answer) + spherical_check_words(answer);
 }
 
 /// To which side the links of a triple rocker swing; empty for other types.
@@ -285,6 +278,12 @@ std::string own_axes(const SphericalFourBar& bars) {
 }
 
 }  // namespace
+
+std::string spherical_table(const std::vector<SphericalSolution>& all) {
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < all.size(); ++i) numbers.push_back(fmt::format("{}", i + 1));
+  return angle_table(all, "#", numbers);
+}
 
 std::string spherical_report(const Problem& problem, const SphericalMotionAnswer& answer) {
   return cone_kind_words(answer) + spherical_map_words(problem, answer) + dyad_list(answer) + pair_list(answer) +
