@@ -32,12 +32,6 @@ std::string spherical_subtitle(const Problem& problem, const SphericalAnswer& an
                      grouped_text(answer.meeting_requirements), separator);
 }
 
-void draw_caption(SvgCanvas& svg, const SphereView& view, std::string_view words) {
-  constexpr double below = 46;
-  svg.text(view.center() + Point{0, view.radius() + below}, words,
-           {.size = 12, .color = palette::ink2, .anchor = "middle"});
-}
-
 void draw_task_keys(SvgCanvas& svg, Point corner, const SphericalScene& scene) {
   constexpr double leading = 22;
   double y = 0;
@@ -58,10 +52,7 @@ void draw_task_keys(SvgCanvas& svg, Point corner, const SphericalScene& scene) {
   }
   if (!scene.path.empty()) key(marker_path_stroke(), "path of the coupler's middle");
   key(stroke(palette::line, 1.2), "coordinate planes, fixed frame");
-  if (!scene.dead_points.empty()) {
-    svg.circle(corner + Point{15, y}, 3.6, fill(palette::bad));
-    svg.text(corner + Point{37, y + 4}, "dead point of the input", {.size = 12, .color = palette::ink2});
-  }
+  if (!scene.dead_points.empty()) draw_dead_point_key(svg, corner + Point{0, y});
 }
 
 void draw_task_card(SvgCanvas& svg, const SphericalAnswer& answer,
@@ -71,9 +62,9 @@ void draw_task_card(SvgCanvas& svg, const SphericalAnswer& answer,
   const SphereView front = front_view(scene, task_card.corner() + Point{290, 326}, 262);
   const SphereView above = view_from_above(front, task_card.corner() + Point{668, 480}, 108);
   draw_scene(svg, front, scene);
-  draw_caption(svg, front, scene.bars ? "along the mean of the axes" : "from in front");
+  draw_caption(svg, front, scene.bars ? front_view_words : "from in front");
   draw_scene(svg, above, scene);
-  draw_caption(svg, above, "the same from 60° above");
+  draw_caption(svg, above, view_from_above_words);
   draw_fixed_frame(svg, front, task_card.corner() + Point{48, 618});
   draw_fixed_frame(svg, above, task_card.corner() + Point{532, 618});
   draw_task_keys(svg, task_card.corner() + Point{550, 60}, scene);
@@ -146,18 +137,10 @@ constexpr PixelBox sheet_card{linkage_sheet::border, 64, linkage_sheet::width - 
 constexpr PixelBox sheet_strip{linkage_sheet::border, 660, linkage_sheet::width - 2 * linkage_sheet::border, 120};
 
 void draw_sheet_views(SvgCanvas& svg, const SphericalScene& scene) {
-  const SphereView front = front_view(scene, sheet_card.corner() + Point{252, 250}, 218);
-  const SphereView above = view_from_above(front, sheet_card.corner() + Point{708, 250}, 218);
-  draw_scene(svg, front, scene);
-  draw_scene(svg, above, scene);
-  draw_caption(svg, front, "along the mean of the axes");
-  draw_caption(svg, above, "the same from 60° above");
-  draw_fixed_frame(svg, front, sheet_card.corner() + Point{48, 530});
-  draw_fixed_frame(svg, above, sheet_card.corner() + Point{504, 530});
-  draw_line_key(svg, sheet_card.corner() + Point{556, 552}, marker_path_stroke(), "path of the coupler's middle");
-  if (scene.dead_points.empty()) return;
-  svg.circle(sheet_card.corner() + Point{786, 552}, 3.6, fill(palette::bad));
-  svg.text(sheet_card.corner() + Point{798, 556}, "dead point of the input", {.size = 12, .color = palette::ink2});
+  draw_views(svg, scene, sheet_card.corner() + Point{252, 250}, sheet_card.corner() + Point{708, 250}, 218);
+  const Point keys = sheet_card.corner() + Point{360, 552};
+  draw_line_key(svg, keys, marker_path_stroke(), "path of the coupler's middle");
+  if (!scene.dead_points.empty()) draw_dead_point_key(svg, keys + Point{270, 0});
 }
 
 }  // namespace

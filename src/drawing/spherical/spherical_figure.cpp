@@ -260,6 +260,29 @@ void draw_scene(SvgCanvas& svg, const SphereView& view, const SphericalScene& sc
   draw_names(svg, view, scene);
 }
 
+void draw_caption(SvgCanvas& svg, const SphereView& view, std::string_view words) {
+  constexpr double below = 46;
+  svg.text(view.center() + Point{0, view.radius() + below}, words,
+           {.size = 12, .color = palette::ink2, .anchor = "middle"});
+}
+
+void draw_views(SvgCanvas& svg, const SphericalScene& scene, Point front_center, Point above_center, double radius) {
+  const SphereView front = front_view(scene, front_center, radius);
+  const SphereView above = view_from_above(front, above_center, radius);
+  constexpr double beside_caption = 152;
+  for (const SphereView& view : {front, above}) {
+    draw_scene(svg, view, scene);
+    draw_fixed_frame(svg, view, view.center() + Point{-std::max(radius - 16, beside_caption), radius + 32});
+  }
+  draw_caption(svg, front, front_view_words);
+  draw_caption(svg, above, view_from_above_words);
+}
+
+void draw_dead_point_key(SvgCanvas& svg, Point left) {
+  svg.circle(left + Point{15, 0}, 3.6, fill(palette::bad));
+  svg.text(left + Point{37, 4}, "dead point of the input", {.size = 12, .color = palette::ink2});
+}
+
 void draw_fixed_frame(SvgCanvas& svg, const SphereView& view, Point origin) {
   constexpr double arm = 26;
   constexpr std::array<std::string_view, 3> names = {"x", "y", "z"};

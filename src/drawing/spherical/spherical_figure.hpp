@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "drawing/svg_canvas.hpp"
@@ -36,9 +38,19 @@ struct SphericalScene {
 /// are thin.
 void draw_scene(SvgCanvas& svg, const SphereView& view, const SphericalScene& scene);
 
+/// What a view is, below it.
+inline constexpr std::string_view front_view_words = "along the mean of the axes",
+                                  view_from_above_words = "the same from 60° above";
+void draw_caption(SvgCanvas& svg, const SphereView& view, std::string_view words);
+
+/// Both views of a linkage side by side with their captions and the fixed frame.
+void draw_views(SvgCanvas& svg, const SphericalScene& scene, Point front_center, Point above_center, double radius);
+
 /// The axes of the fixed frame as they lie in a view.
 void draw_fixed_frame(SvgCanvas& svg, const SphereView& view, Point origin);
 
+/// The key of the dead points, as wide before its words as draw_line_key().
+void draw_dead_point_key(SvgCanvas& svg, Point left);
 /// Attributes of the lines, for keys.
 [[nodiscard]] std::string moving_cone_stroke();
 [[nodiscard]] std::string fixed_cone_stroke();

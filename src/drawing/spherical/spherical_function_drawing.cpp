@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "drawing/error_plot.hpp"
+#include "drawing/four_bar/linkage_figure.hpp"
 #include "drawing/four_bar/linkage_strip.hpp"
 #include "drawing/region_figure.hpp"
 #include "drawing/sheet.hpp"
@@ -11,6 +12,7 @@
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
 #include "linkwright/spherical/spherical_function_linkage.hpp"
+#include "spherical_figure.hpp"
 
 namespace linkwright {
 namespace {
@@ -40,15 +42,30 @@ void draw_generated(SvgCanvas& svg, const SphericalFunctionAnswer& answer, const
       : draw_error_plot(svg, box, *first.function, there);
 }
 
+/// In both views, at the first pair.
+void draw_linkage(SvgCanvas& svg, const SphericalFunctionAnswer& answer, Point corner) {
+  const SphericalSolution& best = answer.linkages.front();
+  StoredSphericalFourBar linkage;
+  linkage.four_bar = best.four_bar;
+  linkage.orientations = answer.family()->orientations({best.input.coordinate, best.output.coordinate}, best.four_bar);
+  const SphericalScene scene = scene_of(linkage);
+  draw_views(svg, scene, corner + Point{222, 188}, corner + Point{574, 188}, 134);
+  const Point keys = corner + Point{206, 392};
+  draw_line_key(svg, keys, marker_path_stroke(), "path of the coupler's middle");
+  if (!scene.dead_points.empty()) draw_dead_point_key(svg, keys + Point{270, 0});
+}
+
 }  // namespace
 
 std::string draw_sheet(const Problem& problem, const SphericalFunctionAnswer& answer) {
   SvgCanvas svg = solution_sheet::begin(problem, generator_subtitle(problem, answer));
   constexpr PixelBox map_card{836, 84, 580, 664}, plot_card{24, 84, 796, 664};
   constexpr double ribbon = 72, side = 444;
-  draw_card(svg, plot_card, "");
-  if (!answer.linkages.empty())
-    draw_generated(svg, answer, {plot_card.left + 76, plot_card.top + 64, plot_card.width - 116, 520});
+  draw_card(svg, plot_card, answer.linkages.empty() ? "" : "Best spherical four-bar");
+  if (!answer.linkages.empty()) {
+    draw_linkage(svg, answer, plot_card.corner());
+    draw_generated(svg, answer, {plot_card.left + 76, plot_card.top + 426, plot_card.width - 116, 172});
+  }
   draw_card(svg, map_card, "Solution region: every value is one four-bar");
   const PixelBox map{map_card.left + 76, map_card.top + 44, side, is_ribbon(answer.family()) ? ribbon : side};
   if (answer.family() && answer.region.rows() > 0) draw_region(svg, drawn_region(answer, problem.length_unit), map);
