@@ -1,5 +1,6 @@
 #include "linkwright/spherical/axis_curve.hpp"
 
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -135,6 +136,25 @@ TEST(AxisCurve, SamplesByArcLengthRunEvenly) {
     run += step;
   }
   EXPECT_LT(longest, 1.1 * run / 398);
+}
+
+/// Where a moving axis has a pencil of fixed ones, the curve shows one of them; of a task a little aside it runs
+/// through all (docs/theory/spherical.md, section 2).
+TEST(AxisCurve, BesideAPencilOfFixedAxesTheCurveRunsThroughIt) {
+  auto orientations = testing::spherical_case("nasty-gimbal-lock-4").orientations;
+  const Vector3 moving{1, 0, 0};
+  const OrientationConditions conditions = orientation_conditions(orientations);
+  const Vector3 normal = normalized(conditions.rows[0] * moving);
+  for (const Matrix3x3& row : conditions.rows) EXPECT_LT(norm(cross(row * moving, normal)), 1e-14);
+  orientations[2].orientation = UnitQuaternion::about(normalized(Vector3{3, 5, 8}), 1e-6) * orientations[2].orientation;
+  const Vector3 one = normalized(cross(normal, Vector3{0.3, 0.5, 0.8})), other = cross(normal, one);
+  std::array<int, 12> found{};  // by 15° of the pencil
+  for (const SphericalDyad& dyad : curve_of(orientations).polygon()) {
+    if (off_line(dyad.moving_axis, moving) > 0.02 || std::abs(dot(dyad.fixed_axis, normal)) > 0.05) continue;
+    const double turn = std::atan2(dot(dyad.fixed_axis, other), dot(dyad.fixed_axis, one)) / 3.14159265358979323846;
+    ++found[static_cast<std::size_t>(12 * (turn < 0 ? turn + 1 : turn)) % 12];
+  }
+  for (const int of_part : found) EXPECT_GT(of_part, 3);
 }
 
 }  // namespace
