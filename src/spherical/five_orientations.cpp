@@ -1,6 +1,5 @@
 #include "linkwright/spherical/five_orientations.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -74,14 +73,31 @@ SphericalDyad polished(const OrientationConditions& conditions, const SphericalD
   return at.dyad;
 }
 
+// Of a symmetric matrix without negative ones: Newton's method on the characteristic polynomial, its coefficients from
+// the traces of powers, comes down to its largest root from above without passing it.
+double largest_eigenvalue(const Eigen::Matrix4d& matrix) {
+  constexpr double resolution = 1e-10;
+  constexpr int most_steps = 50;
+  const double trace = matrix.trace();
+  const Eigen::Matrix4d unit = matrix / trace, square = unit * unit;
+  const double p2 = square.trace(), p3 = square.cwiseProduct(unit).sum(), p4 = square.squaredNorm();
+  const double e2 = (1 - p2) / 2, e3 = (e2 - p2 + p3) / 3, e4 = (e3 - e2 * p2 + p3 - p4) / 4;
+  double root = std::sqrt(p2);
+  for (int step = 0; step < most_steps; ++step) {
+    const double value = (((root - 1) * root + e2) * root - e3) * root + e4;
+    const double slope = ((4 * root - 3) * root + 2 * e2) * root - e3;
+    const double next = root - value / slope;
+    if (!(next < (1 - resolution) * root)) break;
+    root = next;
+  }
+  return trace * root;
+}
+
 // The norm of the inverse of the slope, whose largest singular value is well conditioned.
 double condition_of(const ConditionSteps& at) {
   constexpr double most = 1 / std::numeric_limits<double>::epsilon();
-  const Eigen::Matrix4d inverse = at.slope.inverse();
-  if (!inverse.allFinite()) return most;
-  const Eigen::Matrix4d square = inverse * inverse.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> values(square, Eigen::EigenvaluesOnly);
-  return std::min(std::sqrt(values.eigenvalues()[3]), most);
+  const Eigen::Matrix4d inverse = at.slope.inverse(), square = inverse * inverse.transpose();
+  return square.allFinite() ? std::min(std::sqrt(largest_eigenvalue(square)), most) : most;
 }
 
 /// Dyads found by one pencil.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 
 #include "algebra/binomial.hpp"
@@ -54,16 +55,37 @@ void add_derivatives(OrientationConditions& conditions, const UnitQuaternion& tu
   }
 }
 
+// Rows as columns of nine, turned in pairs until all are at right angles; their lengths are the singular values, each
+// with digits of its own (M. R. Hestenes, Inversion of matrices by biorthogonalization and related results, 1958).
 void find_singular_values(OrientationConditions& conditions) {
-  constexpr int most_rows = 4;  // of five positions
+  constexpr int most_rows = 4, most_sweeps = 30;  // of five positions; six sweeps are usual
+  constexpr double right_angle = 1e-15;
   require(conditions.rows.size() <= most_rows, "at most five positions are asked for");
-  Eigen::Matrix<double, 9, Eigen::Dynamic, Eigen::ColMajor, 9, most_rows> stacked(
+  Eigen::Matrix<double, 9, Eigen::Dynamic, Eigen::ColMajor, 9, most_rows> columns(
       9, static_cast<Eigen::Index>(conditions.rows.size()));
   for (std::size_t k = 0; k < conditions.rows.size(); ++k)
     for (std::size_t i = 0; i < 9; ++i)
-      stacked(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = conditions.rows[k](i / 3, i % 3);
-  const Eigen::JacobiSVD<decltype(stacked)> values(stacked);
-  for (const double value : values.singularValues()) conditions.singular.push_back(value);
+      columns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = conditions.rows[k](i / 3, i % 3);
+  bool turned = true;
+  for (int sweep = 0; turned && sweep < most_sweeps; ++sweep) {
+    turned = false;
+    for (Eigen::Index j = 1; j < columns.cols(); ++j)
+      for (Eigen::Index i = 0; i < j; ++i) {
+        const double p = columns.col(i).squaredNorm(), q = columns.col(j).squaredNorm(),
+                     inner = columns.col(i).dot(columns.col(j));
+        if (!(std::abs(inner) > right_angle * std::sqrt(p * q))) continue;
+        const double cotangent = (q - p) / (2 * inner);
+        const double tangent =
+            std::copysign(1.0, cotangent) / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent));
+        const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
+        const Eigen::Matrix<double, 9, 1> before = columns.col(i);
+        columns.col(i) = cosine * before - sine * columns.col(j);
+        columns.col(j) = sine * before + cosine * columns.col(j);
+        turned = true;
+      }
+  }
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) conditions.singular.push_back(columns.col(i).norm());
+  std::sort(conditions.singular.begin(), conditions.singular.end(), std::greater<>());
 }
 
 CubicForm form_unless_rounding(const CubicForm& form, double noise) {

@@ -1,6 +1,7 @@
 #include "linkwright/spherical/five_orientations.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -487,6 +488,32 @@ TEST(FiveOrientations, OfManyTasksAtOnceAreCountedWhereTwoMeet) {
       (found.complex_roots == first ? low : high) = (low + high) / 2;
     }
   }
+}
+
+TEST(FiveOrientations, ConditionIsTheNormOfTheInverseOfTheSlope) {
+  std::mt19937_64 random(8);
+  int compared = 0;
+  for (int task = 0; task < 200; ++task) {
+    const OrientationConditions conditions = orientation_conditions(random_orientations(random, 5));
+    for (const SphericalDyadPoint& point : five_orientation_dyads(conditions).points) {
+      const Vector3 g = point.dyad.fixed_axis, w = point.dyad.moving_axis;
+      const auto across = [](Vector3 axis) {
+        const Vector3 one = normalized(cross(axis, std::abs(axis.x) < 0.8 ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
+        return std::array{one, cross(axis, one)};
+      };
+      Eigen::Matrix4d slope;
+      for (int k = 0; k < 4; ++k) {
+        const Matrix3x3& d = conditions.rows[static_cast<std::size_t>(k)];
+        slope.row(k) << dot(across(g)[0], d * w), dot(across(g)[1], d * w), dot(g, d * across(w)[0]),
+            dot(g, d * across(w)[1]);
+      }
+      const double least = Eigen::JacobiSVD<Eigen::Matrix4d>(slope).singularValues()[3];
+      if (least < 1e-5) continue;
+      EXPECT_NEAR(point.condition * least, 1, 1e-8);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 300);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "linkwright/spherical/orientation_conditions.hpp"
 
+#include <Eigen/SVD>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -125,6 +126,22 @@ TEST(OrientationConditions, DependentOnesHaveNoCondition) {
   EXPECT_GT(orientation_conditions(one_axis.orientations).condition(), 1e14);
   const auto wing = testing::spherical_case("folding-wing-4");
   EXPECT_LT(orientation_conditions(wing.orientations).condition(), 100);
+}
+
+TEST(OrientationConditions, SingularValuesAreThoseOfTheRowsSideBySide) {
+  std::mt19937_64 random(4);
+  for (const int count : {2, 3, 4, 5})
+    for (const double largest_turn : {3.0, 1e-3, 1e-6}) {
+      const auto conditions = orientation_conditions(testing::random_orientations(random, count, largest_turn));
+      Eigen::MatrixXd stacked(9, count - 1);
+      for (int k = 0; k < count - 1; ++k)
+        for (std::size_t i = 0; i < 9; ++i)
+          stacked(static_cast<Eigen::Index>(i), k) = conditions.rows[static_cast<std::size_t>(k)](i / 3, i % 3);
+      const Eigen::JacobiSVD<Eigen::MatrixXd> svd(stacked);
+      ASSERT_EQ(conditions.singular.size(), static_cast<std::size_t>(count - 1));
+      for (int k = 0; k < count - 1; ++k)
+        EXPECT_NEAR(conditions.singular[static_cast<std::size_t>(k)], svd.singularValues()[k], 1e-14);
+    }
 }
 
 }  // namespace
