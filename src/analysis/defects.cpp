@@ -80,23 +80,6 @@ isa_single::PairVerdict<1> verdict(const GroundedLink& input, const GroundedLink
                                      tolerance::change_point);
 }
 
-isa_single::PairVerdict<1> verdict_of(const GroundedLink& input, const GroundedLink& output,
-                                      const DriverSequence& order) {
-  switch (input.arm.size()) {
-    case 1:
-      return verdict<1>(input, output, order);
-    case 2:
-      return verdict<2>(input, output, order);
-    case 3:
-      return verdict<3>(input, output, order);
-    case 4:
-      return verdict<4>(input, output, order);
-    default:
-      require(input.arm.size() == 5, "at most five poses are judged");
-      return verdict<5>(input, output, order);
-  }
-}
-
 }  // namespace
 
 std::string_view name(DriveSense sense) { return sense_names[static_cast<std::size_t>(sense)]; }
@@ -111,7 +94,9 @@ DefectReport find_defects(const FourBar& four_bar, std::span<const PrescribedPos
   const GroundedLink input = grounded_link(four_bar.input_center, four_bar.input_circle, poses);
   const GroundedLink output = grounded_link(four_bar.output_center, four_bar.output_circle, poses);
   const DriverSequence order = driver_sequence(input.center, four_bar.input_circle, poses, respect_direction);
-  const auto v = verdict_of(input, output, order);
+  const auto v = isa_single::with_position_count(static_cast<int>(poses.size()), [&](auto count) {
+    return verdict<decltype(count)::value>(input, output, order);
+  });
   DefectReport report;
   report.type = static_cast<LinkageType>(v.type);
   report.defects = Defects{static_cast<std::uint8_t>(v.defects)};

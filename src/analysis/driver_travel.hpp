@@ -10,6 +10,31 @@ namespace linkwright::LINKWRIGHT_ISA {
 /// Senses of rotation, as bits.
 inline constexpr int ccw_bit = 1, cw_bit = 2;
 
+/// A number of positions that the compiler knows.
+template <int Count>
+struct PositionCount {
+  static constexpr int value = Count;
+};
+
+/// What `judge` says with the PositionCount of `count`, which is one to five.
+template <class Judge>
+LINKWRIGHT_INLINE auto with_position_count(int count, Judge judge) {
+  switch (count) {
+    case 1:
+      return judge(PositionCount<1>{});
+    case 2:
+      return judge(PositionCount<2>{});
+    case 3:
+      return judge(PositionCount<3>{});
+    case 4:
+      return judge(PositionCount<4>{});
+    case 5:
+      return judge(PositionCount<5>{});
+    default:
+      __builtin_unreachable();
+  }
+}
+
 /// Lanes in which a value changes its sign from pose to pose. An exact zero has the sign that its arithmetic gave it,
 /// the same on every machine: + where the two products of a vector product are equal.
 template <int Width, int Poses, class ValueAt>

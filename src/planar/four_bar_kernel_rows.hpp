@@ -140,20 +140,7 @@ void four_bar_rows(const KernelTask& task) {
 
 template <int Width>
 void four_bar_kernel(const KernelTask& task) {
-  switch (task.poses) {
-    case 1:
-      return four_bar_rows<Width, 1>(task);
-    case 2:
-      return four_bar_rows<Width, 2>(task);
-    case 3:
-      return four_bar_rows<Width, 3>(task);
-    case 4:
-      return four_bar_rows<Width, 4>(task);
-    case 5:
-      return four_bar_rows<Width, 5>(task);
-    default:
-      __builtin_unreachable();
-  }
+  with_position_count(task.poses, [&](auto count) { four_bar_rows<Width, decltype(count)::value>(task); });
 }
 
 }  // namespace linkwright::LINKWRIGHT_ISA

@@ -61,23 +61,6 @@ isa_single_spherical::SphericalVerdict<1> verdict(const TurnedLink& input, const
   return isa_single_spherical::spherical_verdict<1>(driver, driven, 0, tolerance::change_point);
 }
 
-isa_single_spherical::SphericalVerdict<1> verdict_of(const TurnedLink& input, const TurnedLink& output,
-                                                     const DriverSequence& order) {
-  switch (input.moving.size()) {
-    case 1:
-      return verdict<1>(input, output, order);
-    case 2:
-      return verdict<2>(input, output, order);
-    case 3:
-      return verdict<3>(input, output, order);
-    case 4:
-      return verdict<4>(input, output, order);
-    default:
-      require(input.moving.size() == 5, "at most five orientations are judged");
-      return verdict<5>(input, output, order);
-  }
-}
-
 // Of coupler and output link at the output's moving axis, by the planes that they lie in.
 double angle_between_links(Vector3 input_moving, Vector3 output_moving, Vector3 output_fixed) {
   return transmission_angle({{}, input_moving, output_moving, output_fixed});
@@ -114,7 +97,9 @@ DefectReport find_defects(const SphericalFourBar& four_bar, std::span<const Pres
   const TurnedLink input = turned_link(four_bar.input_fixed, four_bar.input_moving, orientations);
   const TurnedLink output = turned_link(four_bar.output_fixed, four_bar.output_moving, orientations);
   const DriverSequence order = driver_sequence(input.dyad, orientations, respect_direction);
-  const auto v = verdict_of(input, output, order);
+  const auto v = isa_single_spherical::with_position_count(static_cast<int>(orientations.size()), [&](auto count) {
+    return verdict<decltype(count)::value>(input, output, order);
+  });
   const LinkAngles angles = four_bar.angles();
   DefectReport report;
   report.type = static_cast<LinkageType>(v.type);

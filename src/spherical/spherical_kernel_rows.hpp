@@ -139,20 +139,7 @@ void spherical_rows(const SphericalKernelTask& task) {
 
 template <int Width>
 void spherical_kernel(const SphericalKernelTask& task) {
-  switch (task.orientations) {
-    case 1:
-      return spherical_rows<Width, 1>(task);
-    case 2:
-      return spherical_rows<Width, 2>(task);
-    case 3:
-      return spherical_rows<Width, 3>(task);
-    case 4:
-      return spherical_rows<Width, 4>(task);
-    case 5:
-      return spherical_rows<Width, 5>(task);
-    default:
-      __builtin_unreachable();
-  }
+  with_position_count(task.orientations, [&](auto count) { spherical_rows<Width, decltype(count)::value>(task); });
 }
 
 }  // namespace linkwright::LINKWRIGHT_ISA
