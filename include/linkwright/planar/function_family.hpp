@@ -35,7 +35,7 @@ class FunctionFamily : public FourBarFamily {
   /// How well a linkage from there, user's frame, generates the task's pairs and its named function.
   [[nodiscard]] FunctionError error_of(const FourBar& bars, MapPoint place, const ErrorSampling& sampling = {}) const;
 
-  /// Largest |Zᵀ M C| of the coupler there, seen from the input link, over the orthonormal rows of the derivatives'
+  /// Largest |Zᵀ M C| of the coupler there, seen from the output link, over the orthonormal rows of the derivatives'
   /// conditions (unit Z and C); nothing where no pair has derivatives.
   [[nodiscard]] std::optional<double> rate_residual(MapPoint place) const;
 
