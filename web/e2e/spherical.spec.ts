@@ -14,6 +14,7 @@ import {
   read_state,
   test,
   type_into,
+  until_mapped,
   until_settled,
 } from "./support";
 
@@ -100,6 +101,71 @@ test("a cone is drawn about the axes, dragged by its handles and dropped", async
   await expect(page.getByTestId("spherical.view.grip.fixed_axes_within.rim")).toHaveCount(0);
   await page.getByTestId("moving_axes_within.begin").click();
   await expect(page.getByTestId("spherical.view.grip.moving_axes_within.axis")).toBeVisible();
+});
+
+test("a linkage is pinned, compared, kept in a link and a file, and taken away", async ({page}) => {
+  await open_wing(page);
+  await page.getByTestId("num.best").click();
+  await until_settled(page);
+  await page.getByTestId("pin.add").click();
+  await page.getByTestId("pin.compare").click();
+  await expect(page.getByTestId("pin.column")).toHaveCount(1);
+  await page.keyboard.press("Escape");
+  const kept = () =>
+    read_state(page, ({problem, picked, pins}) =>
+      JSON.stringify([problem.task, picked?.tau, pins.map(({tau}) => tau)]),
+    );
+  const before = await kept();
+
+  await page.getByRole("button", {name: "Export", exact: true}).click();
+  await expect(page.getByTestId("export.stl.report")).toContainText("No links collide over the whole travel");
+  await expect(page.getByTestId("export.missing")).toContainText("no plane");
+  await expect(page.getByTestId("export.csv")).toContainText("quaternion");
+  const taken = async (format: string) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(`export.${format}`).click()]);
+    return readFileSync(await download.path());
+  };
+  expect((await taken("svg")).toString()).toContain("<svg");
+  expect((await taken("csv")).toString()).toContain("quaternion_w");
+  expect((await taken("png")).readUInt32BE(16)).toBeGreaterThan(800); // the sphere as it is on screen
+  const file = await taken("problem");
+  await page.keyboard.press("Escape");
+
+  await read_state(page, (workbench) => workbench.drag((problem) => ({...problem, title: "Another"})));
+  await page.getByTestId("file.menu").click();
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByTestId("file.open").click()]);
+  await chooser.setFiles({name: "wing.json", mimeType: "application/json", buffer: file});
+  await until_settled(page);
+  await expect.poll(kept).toBe(before);
+});
+
+test("links that collide are told before they are saved", async ({page}) => {
+  await open_wing(page);
+  await read_state(page, (workbench) => {
+    workbench.edit((problem) => ({...problem, requirements: {...problem.requirements, min_link_angle_deg: 0}}));
+    workbench.pick([1.3632489968250148, 0.8795044523844786]); // short links, hub by hub
+  });
+  await until_settled(page);
+  await page.getByTestId("num.stl").click();
+  await expect(page.getByTestId("export.stl.report")).toContainText("collide between");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId("export.stl").click()]);
+  expect(download.suggestedFilename()).toMatch(/\.stl$/);
+});
+
+test("five orientations leave a few axes, and a cell with a picture to each pair", async ({page}) => {
+  await open_wing(page);
+  await read_state(page, (workbench) =>
+    workbench.edit((problem) => {
+      const {orientations} = problem.task as SphericalTask,
+        last = {euler_deg: [-60, 12, 75], sequence: "xyz"} as const;
+      return {...problem, task: {...problem.task, orientations: [...orientations, last]} as SphericalTask};
+    }),
+  );
+  await until_mapped(page);
+  await expect(page.getByTestId("task.pattern")).toHaveText("P-P-P-P-P");
+  expect(await read_state(page, ({census}) => census!.pairs)).toBe(2);
+  for (const cell of ["1_2", "2_1"])
+    await expect(page.getByTestId(`region.board.${cell}`).locator("path").first()).toBeAttached();
 });
 
 test("a body is chosen, or taken from an STL file", async ({page}) => {
