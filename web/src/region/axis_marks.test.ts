@@ -92,7 +92,7 @@ describe("an axis with numbers", () => {
       {text: "Closed branch", term: "branch_closed"},
     ]);
     expect(bars((key) => spherical_kind.texts?.[key] ?? key)).toMatchObject([
-      {text: "Branch through antipodes", term: null},
+      {text: "Through antipodes", term: null},
       {text: "Pair of ovals", term: null},
     ]);
   });

@@ -120,21 +120,20 @@ export class SphereScene {
     this.view.resize(this.size);
     this.ask();
   }
-  /** A frame, soon. Where a processor draws, it is a coarse one until all has come to rest. */
+  /** A frame, soon, and a finer one when all has come to rest. */
   ask(): void {
     if (this.asked) return;
     this.asked = requestAnimationFrame(() => {
       this.asked = 0;
       clearTimeout(this.resting);
-      this.draw(this.is_slow ? Math.min(this.ratio, 1) : this.fine_ratio);
-      if (this.is_slow) this.resting = window.setTimeout(() => this.draw(this.fine_ratio), rest_ms);
+      const moving = this.is_slow ? Math.min(this.ratio, 1) : Math.max(this.ratio, 2),
+        at_rest = this.ratio > 1.25 ? 3 : 2;
+      this.draw(moving);
+      if (at_rest > moving) this.resting = window.setTimeout(() => this.draw(at_rest), rest_ms);
       this.drawn();
     });
   }
-  /** Finer than the screen: that is what smooths the edges of solids. */
-  private get fine_ratio(): number {
-    return Math.max(this.ratio, 2);
-  }
+  /** `ratio`: pixels of the picture to a CSS pixel; finer than the screen smooths the edges of solids. */
   private draw(ratio: number): void {
     const {sight, view, renderer, size} = this;
     if (size.width === 0) return;
