@@ -133,6 +133,12 @@ const spherical_types = [
 ] as const satisfies readonly LinkageType[];
 const {min_transmission_angle_deg, min_transmission_angle_full_turn_deg, driver_sweep_deg} = planar_properties;
 
+/** Branches of a cubic cone are not those of a plane curve. */
+export const cone_texts: TaskKind["texts"] = {
+  "curve.odd": "spherical.curve.odd",
+  "curve.oval": "spherical.curve.oval",
+  "curve.single_point": "spherical.curve.single_point",
+};
 export const spherical_kind: TaskKind<SphericalTask> = {
   name: "task.kind_spherical",
   without_lengths: true,
@@ -229,9 +235,7 @@ export const spherical_kind: TaskKind<SphericalTask> = {
     }),
   }),
   texts: {
-    "curve.odd": "spherical.curve.odd",
-    "curve.oval": "spherical.curve.oval",
-    "curve.single_point": "spherical.curve.single_point",
+    ...cone_texts,
     "export.csv_inside": "spherical.csv_inside",
     "export.json_inside": "spherical.json_inside",
     "notice.common_component": "spherical.common_component",

@@ -9,7 +9,7 @@ import {
   structural_error,
 } from "../function/kind";
 import type {TaskKind} from "../kind";
-import {spherical_kind} from "../spherical/kind";
+import {cone_texts, spherical_kind} from "../spherical/kind";
 import {is_spherical_function, type SphericalFunctionTask} from "./task";
 
 function read(value: Object): SphericalFunctionTask | null {
@@ -51,6 +51,7 @@ export const spherical_function_kind: TaskKind<SphericalFunctionTask> = {
   objectives: {structural_error, ...(spherical_kind as unknown as TaskKind).objectives},
   texts: {
     ...angles_kind.texts,
+    ...cone_texts,
     "notice.every_axis": "function.every_point",
     "notice.no_pair": "spherical_function.no_pair",
     "notice.spherical_branch": "spherical_function.branch",
