@@ -35,8 +35,10 @@ export function picture_of(
   if (!drive) return null;
   const shown = shown_configurations(mechanism, linkage, drive, whole),
     positions = positions_of(poses, outline),
+    backdrop = shown[0] ? (mechanism.figure(linkage, shown[0], outline).backdrop ?? []) : [],
     traces: Trace[] = [{name: "path", role: "path", points: shown.map(({pose}): Point => [pose.x, pose.y])}];
   const points = [
+    ...backdrop.flat(),
     ...positions.flatMap((position) => position.outline),
     ...shown.flatMap(({joints, pose}) => [...joints, ...placed_outline({outline, pose})]),
   ];

@@ -1,5 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {Drive, Linkage} from "../../engine/protocol";
+import {picture_of} from "../../exports/picture";
 import {column, dot, length, unit, type Vec3} from "../../sphere/vectors";
 import {spherical_four_bar} from "./figure";
 import {single_axes, smooth_way, stretches} from "./pictures";
@@ -91,6 +92,28 @@ describe("arcs", () => {
   });
   it("turn as quaternions of any length say", () => {
     near(column(rows_of_quaternion([2, 0, 0, 2]), 0), [0, 1, 0]);
+  });
+});
+
+describe("an animation", () => {
+  it("shows the whole ball, and the linkage on it", () => {
+    const [width, height] = [640, 480],
+      near_x = [...unit([1, 0, 0.3]), ...unit([1, 0.3, 0.3]), 1, 0, 0, 0],
+      small = {
+        ...linkage,
+        spherical: {...bars, input_fixed: [1, 0, 0], output_fixed: unit([1, 0.3, 0])},
+        drive: {...drive, states: Float64Array.from([...row(0, ...near_x), ...row(90, ...near_x)])},
+      } as unknown as Linkage,
+      subject = {linkage: small, mechanism: spherical_four_bar, outline: [], poses: []},
+      {figure_at, at} = picture_of(subject, true, width, height, {} as never)!;
+    const {backdrop = [], joints} = figure_at(45);
+    expect(joints).toHaveLength(4);
+    for (const [x, y] of [...backdrop.flat(), ...joints.map((joint) => joint.at)].map(at)) {
+      expect(x).toBeGreaterThan(0);
+      expect(x).toBeLessThan(width);
+      expect(y).toBeGreaterThan(0);
+      expect(y).toBeLessThan(height);
+    }
   });
 });
 
