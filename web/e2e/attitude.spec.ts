@@ -97,6 +97,8 @@ test("a cone, a screw and an angular velocity have their numbers", async ({page}
   await expect(page.getByTestId("attitude.image")).toHaveText("(0.390519, 0.808972, 0.439385)");
   await page.getByTestId("attitude.tab.screw").click();
   await expect(page.getByTestId("attitude.screw")).toContainText("41.89322 mm");
+  for (const k of [0, 1, 2]) await type_into(page, `attitude.second.${k}`, "0");
+  await expect(page.getByTestId("attitude.screw")).toContainText("rotation about one axis");
   await page.getByTestId("attitude.make_first").click();
   await expect(page.getByTestId("attitude.screw")).toContainText("nothing moves");
   await page.getByTestId("attitude.tab.rates").click();
@@ -112,6 +114,12 @@ test("what is no orientation is refused with a sentence, and the last one stays"
   await type_into(page, "attitude.orientation.matrix.0", "2");
   await expect(page.getByTestId("task.fault").first()).toContainText("rotation");
   await expect(page.getByTestId("attitude.matrix")).toContainText("0.390519");
+  await page.getByTestId("attitude.tab.screw").click();
+  await page.getByTestId("attitude.first").click();
+  await page.getByTestId("attitude.from.form").selectOption("quaternion");
+  await type_into(page, "attitude.from.quaternion.0", "0");
+  await page.waitForTimeout(500); // the sentence stays
+  await expect(page.getByTestId("task.fault").filter({hasText: "all four components are zero"})).toBeVisible();
 });
 
 test("it is taken away: reports as the program writes them, a picture, a representation", async ({page, context}) => {

@@ -21,6 +21,8 @@ export class AttitudeDesk {
   /** A ring being dragged: from this task, about this axis of the body. */
   private ring = $state.raw<{from: AttitudeTask; axis: number; angle_deg: number} | null>(null);
   private asked = "";
+  /** What `reply` answers. */
+  private answered = "";
   private underway: Promise<void> = Promise.resolve();
 
   constructor(private readonly workbench: Workbench) {}
@@ -61,13 +63,15 @@ export class AttitudeDesk {
       const {report} = await workbench.driver_client!.follow("report", {of: "attitude", text});
       const reply = report as AttitudeReply;
       this.reply = reply;
+      this.answered = text;
       if (!ring) workbench.accept(document);
       else if (this.ring) this.show_turned(reply);
     } catch (error) {
       if (error instanceof Superseded) return;
-      if (this.asked === text) this.asked = "";
+      const refused = error instanceof Refusal;
+      if (this.asked === text) this.asked = refused ? this.answered : ""; // what it goes back to needs no asking
       if (error instanceof Crashed) return void setTimeout(() => this.follow(), 200);
-      if (!(error instanceof Refusal)) throw error;
+      if (!refused) throw error;
       if (workbench.refuse(document.problem, error.mistakes) && !this.task) workbench.refresh(); // back to another kind
     }
   }

@@ -146,7 +146,7 @@ export function turns_picture(task: AttitudeTask, {turns}: AttitudeReply, at: nu
           dashed: true,
         },
       ],
-      labels: [{key: "nodes", at: times(1.3, nodes), text: proper ? "N" : "2", color: "accent"}],
+      labels: [{key: "nodes", at: times(1.3, nodes), text: proper ? "N" : "e₂", color: "accent"}],
     },
   );
 }

@@ -24,7 +24,7 @@ export function second_axis_formula(sequence: string): string {
     factors = [`*${first}₀*`, `*${third}*`];
   if (first === third) return `*N* "sin" t₂ = ${factors.join(" × ")}`;
   const cyclic = ["xyz", "yzx", "zxy"].includes(sequence);
-  return `*N* "cos" t₂ = ${(cyclic ? factors.toReversed() : factors).join(" × ")}`;
+  return `*e₂* "cos" t₂ = ${(cyclic ? factors.toReversed() : factors).join(" × ")}`;
 }
 const marks: Record<string, string> = {xyz: "α β γ", zyx: "θ β α", zxz: "ψ ϑ φ"};
 /** What the three angles of a sequence are called in the books. */
