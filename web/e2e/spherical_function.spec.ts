@@ -167,6 +167,10 @@ test("from the plane to the sphere and back, a pin of each", async ({page}) => {
   expect((await task(page)).function!.expression).toBe(JSON.parse(planar).task.function.expression);
   expect(await read_state(page, ({hand}) => hand!.spherical!.angles_deg.ground)).toBeCloseTo(60);
   await page.getByTestId("pin.add").click();
+  await page.getByTestId("pin.compare").click();
+  await expect(page.getByTestId("pin.value.ground.A")).toHaveText("100.00");
+  await expect(page.getByTestId("pin.value.ground.B")).toHaveText("60.0°"); // and no difference
+  await page.keyboard.press("Escape");
   await page.getByTestId("function.in_plane").click();
   await until_settled(page);
   await expect(page.getByTestId("drawing.canvas")).toBeVisible();
