@@ -1,0 +1,99 @@
+// For tests: the one state with the real engine behind it, in this thread.
+import {readFileSync} from "node:fs";
+import {afterEach, beforeAll} from "vitest";
+import {create_linkwright} from "../engine/module";
+import type {ReplyMessage, RequestMessage} from "../engine/protocol";
+import {Server} from "../engine/serve";
+import {preferences} from "./preferences.svelte";
+import type {Problem} from "./problem";
+import {Workbench} from "./workbench.svelte";
+
+const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
+let servers: (() => Server)[];
+
+/** What the engine says a map took; null: the truth. */
+interface Machine {
+  map_ms: number | null;
+  /** How much later the best linkages come. */
+  best_ms: number;
+  /** It does not answer. */
+  mute: boolean;
+}
+/** Answers a little later, as a worker does. */
+class Thread {
+  onmessage: ((event: MessageEvent<ReplyMessage>) => void) | null = null;
+  dead = false;
+  constructor(
+    private readonly server: Server,
+    private readonly asked: RequestMessage[],
+    private readonly machine: Machine,
+  ) {
+    setTimeout(() => this.say({kind: "ready", version: "test"}));
+  }
+  postMessage(message: RequestMessage): void {
+    this.asked.push(message);
+    if (!this.machine.mute)
+      setTimeout(
+        () => !this.dead && this.say(this.slowed(this.server.serve(message).message)),
+        message.kind === "best" ? this.machine.best_ms : 0,
+      );
+  }
+  private slowed(reply: ReplyMessage): ReplyMessage {
+    const answer = (reply as {reply?: {engine_ms?: number}}).reply;
+    if (answer?.engine_ms !== undefined && this.machine.map_ms !== null) answer.engine_ms = this.machine.map_ms;
+    return reply;
+  }
+  terminate(): void {
+    this.dead = true;
+  }
+  private say(data: ReplyMessage): void {
+    if (!this.dead) this.onmessage?.({data} as MessageEvent<ReplyMessage>);
+  }
+}
+
+beforeAll(async () => {
+  const modules = [await create_linkwright({wasmBinary: wasm}), await create_linkwright({wasmBinary: wasm})];
+  servers = modules.map((module) => () => new Server(module));
+  preferences.colour_by = "type";
+});
+
+const open: Workbench[] = [];
+/** Nobody waits for the fine map of a test that is over. */
+afterEach(() => {
+  for (const {engine, driver_client} of open.splice(0)) for (const client of [engine, driver_client]) client?.close();
+});
+
+export interface Bench {
+  workbench: Workbench;
+  asked: RequestMessage[];
+  now: {time: number};
+  machine: Machine;
+}
+export function bench(problem: Problem, cores = 2): Bench {
+  const now = {time: 0},
+    asked: RequestMessage[] = [],
+    machine: Machine = {map_ms: null, best_ms: 0, mute: false};
+  const workbench = new Workbench(problem, () => now.time);
+  open.push(workbench);
+  let started = 0;
+  workbench.connect(() => new Thread(servers[started++ % 2]!(), asked, machine) as unknown as Worker, cores);
+  return {workbench, asked, now, machine};
+}
+export async function until(what: () => unknown, ms = 20_000): Promise<void> {
+  const end = performance.now() + ms;
+  while (!what()) {
+    if (performance.now() > end) throw new Error(`never: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 2));
+  }
+}
+/** Until nothing more will come by itself but the fine map. */
+export async function settled({workbench}: Bench): Promise<void> {
+  await until(
+    () =>
+      workbench.is_current && workbench.picked !== null && workbench.picked_linkage !== null && workbench.hand !== null,
+  );
+  await until(() => workbench.picked_linkage!.tau.join() === workbench.picked!.tau.join());
+  await new Promise((resolve) => setTimeout(resolve, 60));
+}
+export const digest = ({workbench}: Bench) =>
+  JSON.stringify([workbench.document, workbench.picked_linkage, workbench.task!.axes.input]);
