@@ -9,6 +9,7 @@
 #include "linkwright/core/angle.hpp"
 #include "support/file_support.hpp"
 #include "support/spherical_case.hpp"
+#include "support/spherical_function.hpp"
 
 namespace linkwright::svg_drawing_test {
 namespace {
@@ -298,6 +299,38 @@ TEST(SvgDrawing, OfASphericalLinkageShowsWhatIsHiddenThin) {
   EXPECT_THAT(svg, Not(HasSubstr(dashed))) << "all of it lies in front";
   linkage.four_bar = {{0, 0, 1}, {0, 0.6, 0.8}, {0.8, 0.6, 0}, normalized(Vector3{0.6, -0.9, -0.2})};
   EXPECT_THAT(draw_linkage(linkage), HasSubstr(dashed));
+}
+
+/// Left ends of a text.
+std::vector<double> places_of(const std::string& words, const std::string& svg) {
+  const std::regex text("<text x=\"([0-9.]+)\"[^>]*>" + words);
+  std::vector<double> found;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), text), end; at != end; ++at)
+    found.push_back(std::stod((*at)[1]));
+  return found;
+}
+
+TEST(SvgDrawing, OfASphericalLinkageHasRoomForItsKeys) {
+  StoredSphericalFourBar linkage;
+  linkage.four_bar = {{0, 0, 1}, {0, -0.6, 0.8}, {0.8, -0.6, 0}, {1, 0, 0}};
+  const auto places = places_of("dead point of the input", draw_linkage(linkage));
+  ASSERT_EQ(places.size(), 1u);
+  constexpr double wide_letter = 10, right_edge = 980;
+  EXPECT_LT(places[0] + 23 * wide_letter, right_edge);
+}
+
+TEST(SvgDrawing, OfASphericalFunctionShowsTheLinkageInBothViewsAboveItsError) {
+  Problem problem;
+  problem.task = testing::named_spherical_task("x^2", {0, 1}, 60, 80, 70);
+  problem.options.region_samples = 100;
+  const std::string svg = draw_answer(problem, testing::answer_of(problem));
+  EXPECT_TRUE(is_well_formed(svg));
+  for (const char* words : {"Best spherical four-bar", "along the mean of the axes", "the same from 60° above",
+                            "path of the coupler's middle", "Structural error of linkage 1"})
+    EXPECT_THAT(svg, HasSubstr(words));
+  for (const char* name : {"G₁</text>", "G₂</text>", "W₁</text>", "W₂</text>"})
+    EXPECT_EQ(places_of(name, svg).size(), 2u);
+  EXPECT_THAT(without_pictures(svg), Not(HasSubstr("nan")));
 }
 
 TEST(SvgDrawing, OfALinkageShowsItsDimensions) {
