@@ -162,6 +162,7 @@ test("it is kept, and shared by a link", async ({page}) => {
   await open_attitude(page);
   await type_into(page, "attitude.orientation.euler_deg.0", "12.5");
   await page.reload();
+  await expect(page.getByTestId("attitude.panel")).toBeVisible();
   await expect.poll(async () => (await task(page)).orientation.euler_deg).toEqual([12.5, 50, 35]);
   const link = link_of(await read_state(page, ({whole_problem}) => whole_problem), page.url())!;
   await file_menu(page, "file.examples");
