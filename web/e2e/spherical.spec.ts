@@ -86,6 +86,16 @@ test("orientations are typed in any form, added, moved, given rates and removed"
   expect((await task(page)).given).toMatchObject({fixed_axes: [[0, 0, 1], expect.anything()]});
 });
 
+test("an orientation that is added stands a little away from the last, in its form", async ({page}) => {
+  await open_wing(page);
+  await page.getByTestId("spherical.add").click();
+  await expect.poll(async () => (await task(page)).orientations.length).toBe(5);
+  expect((await task(page)).orientations[4]).toMatchObject({sequence: "xyz"});
+  await until_mapped(page);
+  await page.keyboard.press("Control+z");
+  await expect.poll(async () => (await task(page)).orientations.length).toBe(4);
+});
+
 test("a cone is drawn about the axes, dragged by its handles and dropped", async ({page}) => {
   await open_wing(page);
   const half = () => read_state(page, ({problem}) => problem.requirements?.fixed_axes_within?.half_angle_deg ?? null);

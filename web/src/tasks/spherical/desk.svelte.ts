@@ -18,6 +18,7 @@ interface Ring {
   angle_deg: number;
 }
 const most_known = 500;
+const first_turn_deg = 10; // of one that is added, about z
 
 export class SphericalDesk {
   /** By the text of an orientation. */
@@ -62,6 +63,21 @@ export class SphericalDesk {
     merge: string | null = null,
   ): void {
     this.change((orientations) => orientations.map((one, i) => (i === index ? to(one) : one)), merge);
+  }
+
+  /** One more, in the form of the last and turned a little from it: the same twice is no task. */
+  async add(): Promise<void> {
+    const last = this.task?.orientations.at(-1),
+      client = this.workbench.driver_client;
+    let next: PrescribedOrientation = {euler_deg: [0, 0, 0], sequence: "zyx"};
+    if (last && client) {
+      const text = turn_text(last, 2, first_turn_deg);
+      const reply = await client.run({kind: "report", of: "orientation", text}).catch(() => null);
+      const bare = without_rates(last);
+      next = reply ? in_form_of((reply.report as {convert: Converted}).convert, bare) : bare;
+    }
+    this.change((all) => [...all, next]);
+    this.select((this.task?.orientations.length ?? 1) - 1);
   }
 
   // ---- the engine -----------------------------------------------------------------------------------------------------
@@ -111,8 +127,7 @@ export class SphericalDesk {
     const client = this.workbench.driver_client,
       before = ring.from.orientations[ring.index];
     if (!client || !before) return;
-    const axis = [0, 1, 2].map((k) => Number(k === ring.axis)),
-      text = JSON.stringify({orientation: without_rates(before), turn: {axis, angle_deg: ring.angle_deg}});
+    const text = turn_text(before, ring.axis, ring.angle_deg);
     try {
       const {convert} = (await client.follow("report", {of: "orientation", text})).report as {convert: Converted};
       if (!this.ring || this.ring.from !== ring.from) return;
@@ -142,6 +157,10 @@ export class SphericalDesk {
     this.turn_ring(angle_deg);
     await this.leave_ring();
   }
+}
+function turn_text(orientation: PrescribedOrientation, about: number, angle_deg: number): string {
+  const axis = [0, 1, 2].map((k) => Number(k === about));
+  return JSON.stringify({orientation: without_rates(orientation), turn: {axis, angle_deg}});
 }
 function text_of(prescribed: PrescribedOrientation): string {
   const bare: Orientation = without_rates(prescribed);
