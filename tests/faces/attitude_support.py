@@ -33,6 +33,16 @@ def matrix_of(sequence, angles):
     return matrix
 
 
+def quaternion_of(orientation):
+    """Of three angles about the axes of a sequence, as files give them."""
+    w, v = 1, [0, 0, 0]
+    for axis, angle in zip(orientation["sequence"], orientation["euler_deg"]):
+        c, s = math.cos(math.radians(angle) / 2), math.sin(math.radians(angle) / 2)
+        u = [s if name == axis else 0 for name in "xyz"]
+        w, v = w * c - sum(a * b for a, b in zip(v, u)), [w * a + c * b + x for a, b, x in zip(u, v, cross(v, u))]
+    return [w, *v]
+
+
 class AttitudeTest(FaceTest):
     def report(self, command, content):
         """What the program writes for a file."""

@@ -7,6 +7,7 @@ import math
 import re
 import unittest
 
+from attitude_support import quaternion_of
 from face_support import ROOT, FaceTest, load, run
 
 EXAMPLES = sorted((ROOT / "examples").glob("*.json"))
@@ -481,7 +482,7 @@ class Examples(FaceTest):
         self.assertTrue(self.spherical)
         for name, result in self.spherical.items():
             wanted = result["problem"]["requirements"]
-            turns = [one["quaternion"] for one in result["problem"]["task"]["orientations"]]
+            turns = [quaternion_of(one) for one in result["problem"]["task"]["orientations"]]
             for number, linkage in enumerate(result["linkages"], start=1):
                 bars, sense = SphericalFourBar(linkage), {"ccw": 1, "cw": -1}[linkage["drive"]]
                 with self.subTest(example=name, linkage=number):

@@ -7,6 +7,7 @@ import math
 import unittest
 import xml.etree.ElementTree
 
+from attitude_support import quaternion_of
 from face_support import ROOT, FaceTest, load, run
 from schema_test import jsonschema, schemas
 
@@ -74,7 +75,7 @@ class Spherical(FaceTest):
             t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])]
             return [v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2], v[2] + w * t[2] + x * t[1] - y * t[0]]
 
-        turns = [one["quaternion"] for one in result["problem"]["task"]["orientations"]]
+        turns = [quaternion_of(one) for one in result["problem"]["task"]["orientations"]]
         for linkage in result["linkages"]:
             for side in ("input", "output"):
                 fixed, moving = linkage[side]["fixed_axis"], linkage[side]["moving_axis"]
