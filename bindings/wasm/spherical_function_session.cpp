@@ -53,32 +53,16 @@ bool SphericalFunctionSession::serves(const Task& task) const {
   return function && *function == task_;
 }
 
-const Notice& SphericalFunctionSession::no_map() const {
-  static const Notice none{"no_map", "There is no map of this task.", {}};
-  return given_.degeneracy ? *given_.degeneracy : none;
-}
+const Notice& SphericalFunctionSession::no_map() const { return no_spherical_map(given_); }
 
-const Notice& SphericalFunctionSession::nothing_on_map() const {
-  static const Notice no_pair{"no_pair", "No pair of dyads makes a four-bar: in every pair a link has no length.", {}};
-  return no_pair;
-}
+const Notice& SphericalFunctionSession::nothing_on_map() const { return no_spherical_pair(); }
 
 Requirements SphericalFunctionSession::with_defaults(Requirements wanted) const {
   return with_default_angles(std::move(wanted));
 }
 
 TaskReply SphericalFunctionSession::about() const {
-  TaskReply reply{given_.pattern, given_.conditions.condition(), 1, given_.warnings, {}, {}};
-  reply.write_curves = [this](JsonWriter& json) {
-    const CubicConeKind kind = given_.curve ? given_.curve->kind() : CubicConeKind::every_axis;
-    json.begin_object();
-    json.member("kind", given_.curve || !given_.family ? name(kind) : name(AxisQuantity::burmester_point));
-    for (const char* key : {"center_kind", "kappa", "asymptotes"}) {
-      json.key(key);
-      json.null();
-    }
-    json.end_object();
-  };
+  TaskReply reply = about_spherical(given_);
   reply.write_function = [this](JsonWriter& json) { write_wanted_function(json, task_); };
   return reply;
 }

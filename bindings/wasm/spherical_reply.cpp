@@ -164,6 +164,31 @@ SphericalDyadPair dyads_at(const SphericalTaskFamily& known, MapPoint point) {
 
 }  // namespace
 
+const Notice& no_spherical_map(const SphericalTaskFamily& known) {
+  static const Notice none{"no_map", "There is no map of this task.", {}};
+  return known.degeneracy ? *known.degeneracy : none;
+}
+
+const Notice& no_spherical_pair() {
+  static const Notice no_pair{"no_pair", "No pair of dyads makes a four-bar: in every pair a link has no length.", {}};
+  return no_pair;
+}
+
+TaskReply about_spherical(const SphericalTaskFamily& known) {
+  TaskReply reply{known.pattern, known.conditions.condition(), 1, known.warnings, {}, {}};
+  reply.write_curves = [&known](JsonWriter& json) {
+    const CubicConeKind kind = known.curve ? known.curve->kind() : CubicConeKind::every_axis;
+    json.begin_object();
+    json.member("kind", known.curve || !known.family ? name(kind) : name(AxisQuantity::burmester_point));
+    for (const char* key : {"center_kind", "kappa", "asymptotes"}) {
+      json.key(key);
+      json.null();
+    }
+    json.end_object();
+  };
+  return reply;
+}
+
 LinkageReply spherical_reply(const SphericalTaskFamily& known, const std::optional<SphericalSolution>& found,
                              const std::vector<PrescribedOrientation>& orientations, MapPoint point, std::uint8_t fails,
                              const WantedFunction* wanted) {

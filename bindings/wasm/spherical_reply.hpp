@@ -11,6 +11,12 @@
 
 namespace linkwright::wasm {
 
+/// What spherical tasks of all kinds tell of themselves: why there is no map, that no pair makes a four-bar, and what
+/// is known before linkages are looked at.
+[[nodiscard]] const Notice& no_spherical_map(const SphericalTaskFamily& known);
+[[nodiscard]] const Notice& no_spherical_pair();
+[[nodiscard]] TaskReply about_spherical(const SphericalTaskFamily& known);
+
 /// SphericalLinkage of the protocol, and its drive over the whole range of the input: rows of state_columns, of which
 /// those of the plane are 0, followed by the input's and the output's moving axis and the coupler's turn from position
 /// 1 as a quaternion (w, x, y, z). `known`: its axes are told where they make no linkage, too. `fails`: requirement

@@ -32,36 +32,15 @@ bool SphericalSession::serves(const Task& task) const {
   return spherical && *spherical == task_;
 }
 
-const Notice& SphericalSession::no_map() const {
-  static const Notice none{"no_map", "There is no map of this task.", {}};
-  return given_.degeneracy ? *given_.degeneracy : none;
-}
+const Notice& SphericalSession::no_map() const { return no_spherical_map(given_); }
 
-const Notice& SphericalSession::nothing_on_map() const {
-  static const Notice no_pair{"no_pair", "No pair of dyads makes a four-bar: in every pair a link has no length.", {}};
-  return no_pair;
-}
+const Notice& SphericalSession::nothing_on_map() const { return no_spherical_pair(); }
 
 Requirements SphericalSession::with_defaults(Requirements wanted) const {
   return with_default_angles(std::move(wanted));
 }
 
-TaskReply SphericalSession::about() const {
-  TaskReply reply{given_.pattern, given_.conditions.condition(), 1, given_.warnings, {}, {}};
-  reply.write_curves = [this](JsonWriter& json) {
-    const CubicConeKind kind = given_.curve ? given_.curve->kind() : CubicConeKind::every_axis;
-    json.begin_object();
-    json.member("kind", given_.curve || !given_.family ? name(kind) : name(AxisQuantity::burmester_point));
-    json.key("center_kind");
-    json.null();
-    json.key("kappa");
-    json.null();
-    json.key("asymptotes");
-    json.null();
-    json.end_object();
-  };
-  return reply;
-}
+TaskReply SphericalSession::about() const { return about_spherical(given_); }
 
 Drawn SphericalSession::drawn() const {
   DrawnCurves curves;
