@@ -10,6 +10,7 @@
 #include "linkwright/attitude/rotation_vector.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
+#include "support/draws.hpp"
 #include "support/spherical_case.hpp"
 
 namespace linkwright::five_orientations_test {
@@ -139,7 +140,7 @@ std::vector<SphericalDyad> by_newton(const Orientations& orientations, std::mt19
 TEST(FiveOrientations, AreAllThatNewtonFindsFromAnywhere) {
   std::mt19937_64 random(52);
   int missed_by_newton = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < testing::draws(200); ++i) {
     const Orientations orientations = random_orientations(random, 5);
     const FiveOrientationDyads found = dyads_of(orientations);
     const auto theirs = by_newton(orientations, random, 300);
@@ -415,7 +416,8 @@ void compare(const SphericalDyads& quick, const FiveOrientations& task) {
 
 TEST(FiveOrientations, OfManyTasksAtOnceAreTheSame) {
   std::mt19937_64 random(63);
-  std::vector<FiveOrientations> tasks = random_tasks(random, 64'001);  // no multiple of a pack or a block
+  std::vector<FiveOrientations> tasks =
+      random_tasks(random, testing::draws(64'000) + 1);  // no multiple of a pack or a block
   const Vector3 axis = testing::random_direction(random);
   for (std::size_t i = 0; i < 5; ++i) tasks[1][i] = UnitQuaternion::about(axis, 0.3 * static_cast<double>(i));
   tasks[2][4] = tasks[2][0];
