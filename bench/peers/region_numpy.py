@@ -181,7 +181,7 @@ class Region:
 
     def counts(self):
         whole = self.types != DEGENERATE_CODE
-        types = np.bincount(self.types.ravel(), minlength=10)
+        types = np.bincount(self.types.ravel(), minlength=11)
         types[DEGENERATE_CODE] -= self.size  # the diagonal
         return {
             "types": types.tolist(),
