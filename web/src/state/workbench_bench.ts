@@ -86,14 +86,17 @@ export async function until(what: () => unknown, ms = 20_000): Promise<void> {
     await new Promise((resolve) => setTimeout(resolve, 2));
   }
 }
-/** Until nothing more will come by itself but the fine map. */
+/** Until nothing more will come by itself but the fine map: what a drag has asked for may come after its end. */
 export async function settled({workbench}: Bench): Promise<void> {
-  await until(
-    () =>
-      workbench.is_current && workbench.picked !== null && workbench.picked_linkage !== null && workbench.hand !== null,
-  );
-  await until(() => workbench.picked_linkage!.tau.join() === workbench.picked!.tau.join());
-  await new Promise((resolve) => setTimeout(resolve, 60));
+  const is_settled = () =>
+    workbench.is_current &&
+    workbench.picked !== null &&
+    workbench.hand !== null &&
+    workbench.picked_linkage?.tau.join() === workbench.picked.tau.join();
+  do {
+    await until(is_settled);
+    await new Promise((resolve) => setTimeout(resolve, 60));
+  } while (!is_settled());
 }
 export const digest = ({workbench}: Bench) =>
   JSON.stringify([workbench.document, workbench.picked_linkage, workbench.task!.axes.input]);
