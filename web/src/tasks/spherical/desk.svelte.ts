@@ -26,6 +26,7 @@ export class SphericalDesk {
   private readonly asked: Record<string, true> = {};
   private ring: Ring | null = null;
   private underway: Promise<void> = Promise.resolve();
+  private adding = false;
 
   constructor(private readonly workbench: Workbench) {}
 
@@ -67,17 +68,20 @@ export class SphericalDesk {
 
   /** One more, in the form of the last and turned a little from it: the same twice is no task. */
   async add(): Promise<void> {
+    if (this.adding) return; // a second one would be turned from the same
+    this.adding = true;
     const last = this.task?.orientations.at(-1),
-      client = this.workbench.driver_client;
-    let next: PrescribedOrientation = {euler_deg: [0, 0, 0], sequence: "zyx"};
-    if (last && client) {
-      const text = turn_text(last, 2, first_turn_deg);
-      const reply = await client.run({kind: "report", of: "orientation", text}).catch(() => null);
-      const bare = without_rates(last);
-      next = reply ? in_form_of((reply.report as {convert: Converted}).convert, bare) : bare;
-    }
+      next: PrescribedOrientation = last ? await this.beside(last) : {euler_deg: [0, 0, 0], sequence: "zyx"};
+    this.adding = false;
     this.change((all) => [...all, next]);
     this.select((this.task?.orientations.length ?? 1) - 1);
+  }
+  /** The same where there is no engine to turn it. */
+  private async beside(orientation: PrescribedOrientation): Promise<PrescribedOrientation> {
+    const text = turn_text(orientation, 2, first_turn_deg),
+      bare = without_rates(orientation);
+    const reply = await this.workbench.driver_client?.run({kind: "report", of: "orientation", text}).catch(() => null);
+    return reply ? in_form_of((reply.report as {convert: Converted}).convert, bare) : bare;
   }
 
   // ---- the engine -----------------------------------------------------------------------------------------------------
