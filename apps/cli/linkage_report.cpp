@@ -8,6 +8,7 @@
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "text_table.hpp"
+#include "transmission_words.hpp"
 
 namespace linkwright::cli {
 namespace {
@@ -60,21 +61,6 @@ std::string dead_point_words(const LinkageAnalysis& analysis) {
   return table.text();
 }
 
-std::string transmission_words(const LinkageAnalysis& analysis) {
-  std::string text =
-      fmt::format("Transmission angle in the position given: {}", angle_text(analysis.transmission_angle));
-  if (input_is_crank(analysis.type)) {
-    text += fmt::format("; minimum over a full turn: {}", angle_text(analysis.min_transmission_angle_full_turn));
-  } else if (!analysis.motion.empty()) {
-    const auto best =
-        std::max_element(analysis.motion.begin(), analysis.motion.end(),
-                         [](const auto& a, const auto& b) { return a.transmission_angle < b.transmission_angle; });
-    text += fmt::format("; it is 0 at the dead points and largest, {}, at input angle {}",
-                        angle_text(best->transmission_angle), angle_text(wrap_signed(best->configuration.input_angle)));
-  }
-  return wrapped(text + ".");
-}
-
 std::string rate_words(const LinkageAnalysis& analysis) {
   double least = 0, most = 0;
   bool is_first = true;
@@ -96,7 +82,8 @@ std::string linkage_words(const LinkageAnalysis& analysis, std::string_view driv
   const std::string driven =
       drive == "output" ? " driven by the file's output link (called input here)" : " driven by its input link";
   return wrapped(title + "," + driven) + lengths_words(analysis) + type_words(analysis) + range_words(analysis) +
-         dead_point_words(analysis) + transmission_words(analysis) + rate_words(analysis);
+         dead_point_words(analysis) + transmission_words(analysis, analysis.min_transmission_angle_full_turn) +
+         rate_words(analysis);
 }
 
 }  // namespace linkwright::cli

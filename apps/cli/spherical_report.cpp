@@ -12,6 +12,7 @@
 #include "linkwright/files/task_label.hpp"
 #include "requirement_report.hpp"
 #include "text_table.hpp"
+#include "transmission_words.hpp"
 
 namespace linkwright::cli {
 namespace {
@@ -225,21 +226,6 @@ std::string spherical_dead_points(const StoredSphericalAnalysis& analysis) {
   return table.text();
 }
 
-std::string spherical_transmission_words(const StoredSphericalAnalysis& analysis) {
-  std::string text =
-      fmt::format("Transmission angle in the position given: {}", angle_text(analysis.transmission_angle));
-  if (input_is_crank(analysis.type)) {
-    text += fmt::format("; minimum over a full turn: {}", angle_text(analysis.min_transmission_angle));
-  } else if (!analysis.motion.empty()) {
-    const auto best =
-        std::max_element(analysis.motion.begin(), analysis.motion.end(),
-                         [](const auto& a, const auto& b) { return a.transmission_angle < b.transmission_angle; });
-    text += fmt::format("; it is 0 at the dead points and largest, {}, at input angle {}",
-                        angle_text(best->transmission_angle), angle_text(wrap_signed(best->configuration.input_angle)));
-  }
-  return wrapped(text + ".");
-}
-
 std::string ratio_words(const StoredSphericalAnalysis& analysis) {
   if (!analysis.velocity_ratio) return "The position given is a dead point: the velocity ratio is undefined there.\n";
   std::string text = fmt::format("The output turns {} times as fast as the input in the position given",
@@ -301,7 +287,7 @@ std::string spherical_words(const StoredSphericalAnalysis& analysis, std::string
                                             : ", driven by its input link")) +
          "Angles of the links:\n" + table.text() + "Axes, unit vectors:\n" + own_axes(analysis.linkage.four_bar) +
          spherical_type_words(analysis) + spherical_range_words(analysis) + spherical_dead_points(analysis) +
-         spherical_transmission_words(analysis) + ratio_words(analysis) + met_words(analysis);
+         transmission_words(analysis, analysis.min_transmission_angle) + ratio_words(analysis) + met_words(analysis);
 }
 
 }  // namespace linkwright::cli
