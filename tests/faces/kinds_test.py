@@ -1,12 +1,10 @@
 """Three positions, five positions and functions from outside: solved, told in words, written, drawn, exported."""
 
-import json
 import re
 import unittest
-import xml.etree.ElementTree
 
 from face_support import ROOT, FaceTest, load, run
-from schema_test import jsonschema, schemas
+from solve_support import SolveTest
 
 FORMATS = ("svg", "dxf", "csv", "json")
 
@@ -29,21 +27,7 @@ PAIRS = [{"input_deg": a, "output_deg": b} for a, b in ((0, 0), (30, 10), (50, 3
 SQUARE = {"expression": "x^2", "x": [0, 1], "input_range_deg": [0, 90], "output_range_deg": [0, 90], "points": 4}
 
 
-class Kinds(FaceTest):
-    def solve(self, problem, *arguments):
-        """(result, words, picture) of a problem as an object or a file."""
-        path = problem if not isinstance(problem, dict) else self.write("problem.json", problem)
-        result, picture = self.folder / "result.json", self.folder / "picture.svg"
-        status, words, error = run("solve", path, "-o", result, "--svg", picture, *arguments)
-        self.assertEqual((status, error), (0, ""))
-        self.assertTrue(all(len(line) <= 100 for line in words.splitlines()), words)
-        text = result.read_text(encoding="utf-8")
-        self.assertNotRegex(text, r"\b(nan|inf|NaN|Infinity)\b")
-        if jsonschema is not None:
-            schemas()[1].validate(json.loads(text))
-        xml.etree.ElementTree.parse(picture)
-        return json.loads(text), " ".join(words.split()), picture.read_text(encoding="utf-8")
-
+class Kinds(SolveTest):
     def check_exports(self, result, count):
         """The first linkage in every format; analyze reads the JSON, and it holds so many poses."""
         for form in FORMATS:
