@@ -81,6 +81,18 @@ inline constexpr double pair_met = 1e-6;
 /// cosine and of the whole turns that bring the angle into the reach, and three digits of room.
 inline constexpr double end_of_reach = 1e-12;
 
+/// Vector product of the two rows of a four-bar's closure (links over the perimeter) below which all links lie in one
+/// line: a linkage at a change point is given with ten digits, and the curve of its configurations crosses itself there.
+inline constexpr double collinear_links = 1e-9;
+
+/// Radius of the way of the pole, or turn of the body, over the size of the motion below which there is none: terms of
+/// the second order of a motion that was computed carry a few 1e-16, magnified by the linkage.
+inline constexpr double vanishing_motion = 1e-12;
+
+/// Coefficient of a path's deviation from a line over the sum of its terms' magnitudes below which it is zero: each
+/// order of a four-bar's motion costs a digit of it, and six of them leave this many.
+inline constexpr double vanishing_deviation = 1e-9;
+
 /// Smallest singular value of the condition rows relative to the largest below which they are dependent:
 /// rows of unit size carry rounding of a few 1e-16.
 inline constexpr double dependent_rows = 1e-14;

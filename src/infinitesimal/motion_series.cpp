@@ -1,0 +1,82 @@
+#include "linkwright/infinitesimal/motion_series.hpp"
+
+#include <algorithm>
+
+#include "linkwright/algebra/vector3.hpp"
+#include "linkwright/core/precondition.hpp"
+#include "linkwright/core/tolerance.hpp"
+
+namespace linkwright {
+namespace {
+
+// Σ zⱼ e^{ifⱼ} without what its k-th coefficient owes to the k-th coefficients of f.
+Point known_part(const std::array<Point, 3>& links, const std::array<RealSeries<motion_order>, 3>& turns,
+                 std::size_t k) {
+  Point known{};
+  for (std::size_t j = 0; j < 3; ++j) known += links[j] * rotation(turns[j]).c[k];  // turns[j].c[k] is 0 as yet
+  return known;
+}
+
+}  // namespace
+
+ComplexSeries<motion_order> MotionSeries::path_of(Point point) const {
+  ComplexSeries<motion_order> moved = path + (point - path.c[0]) * rotation(turn);
+  moved.c[0] = point;
+  return moved;
+}
+
+std::optional<MotionSeries> MotionSeries::by_turn() const {
+  if (turn.c[1] == 0) return std::nullopt;
+  MotionSeries same{composed(path, inverse(turn)), RealSeries<motion_order>::variable(0), order};
+  for (std::size_t k = order + 1; k <= motion_order; ++k) same.path.c[k] = 0;
+  return same;
+}
+
+std::optional<LoopSeries> loop_series(const FourBar& four_bar) {
+  const double size = four_bar.lengths().perimeter();
+  const std::array<Point, 3> links = {(four_bar.input_circle - four_bar.input_center) / size,
+                                      (four_bar.output_circle - four_bar.input_circle) / size,
+                                      (four_bar.output_center - four_bar.output_circle) / size};
+  const Vector3 along_x{links[0].real(), links[1].real(), links[2].real()},
+      along_y{links[0].imag(), links[1].imag(), links[2].imag()};
+  const Vector3 way = cross(along_x, along_y);
+  const double square = dot(way, way);
+  if (!(square > tolerance::collinear_links * tolerance::collinear_links)) return std::nullopt;
+  Vector3 tangent = normalized(way);
+  const double leading = std::abs(tangent.x) > tolerance::collinear_links   ? tangent.x
+                         : std::abs(tangent.y) > tolerance::collinear_links ? tangent.y
+                                                                            : tangent.z;
+  if (leading < 0) tangent = -tangent;
+  std::array<RealSeries<motion_order>, 3> turns{};
+  for (std::size_t j = 0; j < 3; ++j) turns[j].c[1] = tangent[j];
+  for (std::size_t k = 2; k <= motion_order; ++k) {
+    // i Σ zⱼ fⱼ = −known, the shortest f.
+    const Point known = known_part(links, turns, k);
+    const Vector3 f = (-known.imag() / square) * cross(along_y, way) + (known.real() / square) * cross(way, along_x);
+    for (std::size_t j = 0; j < 3; ++j) turns[j].c[k] = f[j];
+  }
+  return LoopSeries{turns[0], turns[1], turns[2]};
+}
+
+MotionSeries coupler_motion(const FourBar& four_bar, const LoopSeries& loop) {
+  const Point arm = four_bar.input_circle - four_bar.input_center;
+  ComplexSeries<motion_order> path = arm * rotation(loop.input);
+  path.c[0] = four_bar.input_circle;
+  return {path, loop.coupler};
+}
+
+MotionSeries prescribed_motion(const PrescribedPose& pose) {
+  require(pose.derivatives.size() <= motion_order, "a motion is known to at most so many derivatives");
+  MotionSeries motion;
+  motion.path.c[0] = pose.pose.origin;
+  motion.order = pose.derivatives.size();
+  double factorial = 1;
+  for (std::size_t k = 1; k <= motion.order; ++k) {
+    factorial *= static_cast<double>(k);
+    motion.path.c[k] = pose.derivatives[k - 1].origin / factorial;
+    motion.turn.c[k] = pose.derivatives[k - 1].angle / factorial;
+  }
+  return motion;
+}
+
+}  // namespace linkwright
