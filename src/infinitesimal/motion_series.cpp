@@ -9,13 +9,22 @@
 namespace linkwright {
 namespace {
 
-// Σ zⱼ e^{ifⱼ} without what its k-th coefficient owes to the k-th coefficients of f.
-Point known_part(const std::array<Point, 3>& links, const std::array<RealSeries<motion_order>, 3>& turns,
-                 std::size_t k) {
-  Point known{};
-  for (std::size_t j = 0; j < 3; ++j) known += links[j] * rotation(turns[j]).c[k];  // turns[j].c[k] is 0 as yet
-  return known;
-}
+// A turn and its rotation e^{if}, coefficient by coefficient.
+struct TurnInTheMaking {
+  RealSeries<motion_order> turn;
+  ComplexSeries<motion_order> rotation = ComplexSeries<motion_order>::constant(1);
+
+  // What the k-th coefficient of the rotation owes to those before: k E_k = i Σ j f_j E_{k−j}.
+  [[nodiscard]] Point known_part(std::size_t k) const {
+    Point sum{};
+    for (std::size_t j = 1; j < k; ++j) sum += static_cast<double>(j) * turn.c[j] * rotation.c[k - j];
+    return Point{-sum.imag(), sum.real()} / static_cast<double>(k);
+  }
+  void add(std::size_t k, Point known, double f) {
+    turn.c[k] = f;
+    rotation.c[k] = known + Point{0, f};
+  }
+};
 
 }  // namespace
 
@@ -47,15 +56,17 @@ std::optional<LoopSeries> loop_series(const FourBar& four_bar) {
                          : std::abs(tangent.y) > tolerance::collinear_links ? tangent.y
                                                                             : tangent.z;
   if (leading < 0) tangent = -tangent;
-  std::array<RealSeries<motion_order>, 3> turns{};
-  for (std::size_t j = 0; j < 3; ++j) turns[j].c[1] = tangent[j];
+  std::array<TurnInTheMaking, 3> turns{};
+  for (std::size_t j = 0; j < 3; ++j) turns[j].add(1, {}, tangent[j]);
   for (std::size_t k = 2; k <= motion_order; ++k) {
-    // i Σ zⱼ fⱼ = −known, the shortest f.
-    const Point known = known_part(links, turns, k);
-    const Vector3 f = (-known.imag() / square) * cross(along_y, way) + (known.real() / square) * cross(way, along_x);
-    for (std::size_t j = 0; j < 3; ++j) turns[j].c[k] = f[j];
+    std::array<Point, 3> known;
+    Point sum{};
+    for (std::size_t j = 0; j < 3; ++j) sum += links[j] * (known[j] = turns[j].known_part(k));
+    // i Σ zⱼ fⱼ = −sum, the shortest f.
+    const Vector3 f = (-sum.imag() / square) * cross(along_y, way) + (sum.real() / square) * cross(way, along_x);
+    for (std::size_t j = 0; j < 3; ++j) turns[j].add(k, known[j], f[j]);
   }
-  return LoopSeries{turns[0], turns[1], turns[2]};
+  return LoopSeries{turns[0].turn, turns[1].turn, turns[2].turn};
 }
 
 MotionSeries coupler_motion(const FourBar& four_bar, const LoopSeries& loop) {
