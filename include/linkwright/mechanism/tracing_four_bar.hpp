@@ -1,0 +1,21 @@
+#pragma once
+
+#include "linkwright/mechanism/four_bar.hpp"
+
+namespace linkwright {
+
+/// A four-bar and the point of its coupler whose path is looked at, both as they lie; fixed frame.
+struct TracingFourBar {
+  FourBar bars;
+  Point point{};
+
+  /// Of the four links and of both arms of the point, which have to be built as well.
+  [[nodiscard]] double longest() const {
+    return std::max(
+        {bars.lengths().longest(), std::abs(point - bars.input_circle), std::abs(point - bars.output_circle)});
+  }
+  /// The same, driven from the other grounded link.
+  [[nodiscard]] TracingFourBar swapped() const { return {bars.swapped(), point}; }
+};
+
+}  // namespace linkwright
