@@ -142,8 +142,9 @@ struct StraightPath::Walk {
   bool cut(Stretch& stretch) {
     double& far = sense > 0 ? stretch.to : stretch.from;
     bool ends = false;
+    // `series` is positive where the walk goes on; between two stretches lies a rounding, and a limit may lie in it.
     const auto cut_at = [&](const Series& series, PathEnd why) {
-      const auto place = first_change(series.c, far);
+      const auto place = series.c[0] < 0 ? std::optional(0.0) : first_change(series.c, far);
       if (!place) return;
       far = *place;
       end = why;
@@ -151,11 +152,11 @@ struct StraightPath::Walk {
     };
     cut_at(slope_of(stretch.s), PathEnd::turn);
     if (std::isfinite(limits.max_deviation)) {
-      cut_at(shifted(stretch.e, limits.max_deviation), PathEnd::deviation);
+      cut_at(shifted(-1.0 * stretch.e, -limits.max_deviation), PathEnd::deviation);
       cut_at(shifted(stretch.e, -limits.max_deviation), PathEnd::deviation);
     }
     const double travel = sense > 0 ? limits.to : limits.from;
-    if (std::isfinite(travel)) cut_at(shifted(stretch.s, travel), PathEnd::travel);
+    if (std::isfinite(travel)) cut_at(-1.0 * sense * shifted(stretch.s, travel), PathEnd::travel);
     return ends;
   }
 
@@ -177,7 +178,7 @@ struct StraightPath::Walk {
 };
 
 std::optional<StraightPath> StraightPath::of(const TracingFourBar& linkage, Point direction, const PathLimits& limits) {
-  require(limits.max_deviation > 0 && limits.from <= 0 && limits.to >= 0, "limits hold the point itself");
+  require(limits.max_deviation > 0 && limits.from < 0 && limits.to > 0, "limits leave room on both sides of the point");
   Walk ahead{linkage, direction, limits, 1, {}, PathEnd::unfinished},
       back{linkage, direction, limits, -1, {}, PathEnd::unfinished};
   const auto first = ahead.stretch_at({});
@@ -232,11 +233,13 @@ std::vector<StraightPath::Place> StraightPath::extremes(double from, double to, 
   return found;
 }
 
-UsableLine StraightPath::usable(double deviation) const {
+UsableLine StraightPath::within(double low, double high) const {
   UsableLine line{from(), to(), begin_, end_};
   const auto first_off = [&](const Stretch& stretch, double far) {
+    // Between two stretches lies a rounding, and a limit may lie in it.
+    if (stretch.e.c[0] < low || stretch.e.c[0] > high) return std::optional(0.0);
     std::optional<double> nearest;
-    for (const double limit : {deviation, -deviation})
+    for (const double limit : {low, high})
       if (const auto place = first_change(shifted(stretch.e, limit).c, far))
         if (!nearest || std::abs(*place) < std::abs(*nearest)) nearest = place;
     return nearest;
@@ -256,64 +259,48 @@ UsableLine StraightPath::usable(double deviation) const {
   return line;
 }
 
-// The farther it goes one way, the less is left for the other: the end behind is a falling function of the end ahead.
+UsableLine StraightPath::usable(double deviation) const { return within(-deviation, deviation); }
+
+// Over the level of the strip, which holds 0: the stretch within it changes smoothly but where an edge of the strip
+// passes an extreme of e.
 UsableLine StraightPath::usable_strip(double deviation) const {
-  const UsableLine widest = usable(2 * deviation);  // e ranges over 0
-  struct Band {
-    double low, high;
-  };
-  const std::vector<Place> ahead = extremes(0, widest.to, 0), back = extremes(widest.from, 0, 0);
-  const auto band_to = [&](double s) {
-    Band band{0, 0};
-    const auto take = [&](Place place) {
-      band.low = std::min(band.low, e_at(place));
-      band.high = std::max(band.high, e_at(place));
-    };
-    for (const Place place : ahead)
-      if (s_at(place) <= s) take(place);
-    take(place_at(s));
-    return band;
-  };
-  // From 0 backwards over stretches between extremes, the first place at which e leaves [high − 2δ, low + 2δ].
-  const auto behind = [&](const Band& band) {
-    double low = band.low, high = band.high;
-    for (std::size_t i = back.size(); i-- > 1;) {
-      const Place near = back[i], far = back[i - 1];
-      const double e = e_at(far);
-      if (std::max(high, e) - std::min(low, e) <= 2 * deviation) {
-        low = std::min(low, e);
-        high = std::max(high, e);
-        continue;
-      }
-      const double limit = e > high ? low + 2 * deviation : high - 2 * deviation;
-      const Stretch& stretch = stretches_[far.stretch];
-      const double from_t = far.t, to_t = near.stretch == far.stretch ? near.t : stretch.to;
-      const auto places = sign_changes_within(shifted(stretch.e, limit).c, from_t, to_t);
-      return places.empty() ? s_at(near) : s_at({far.stretch, places.back()});
-    }
-    return widest.from;
-  };
-  const auto length_at = [&](double s) { return s - behind(band_to(s)); };
-  constexpr int places = 64;
-  double best = 0, longest = -1;
-  for (int i = 0; i <= places; ++i) {
-    const double s = widest.to * i / places;
-    if (const double length = length_at(s); length > longest) {
+  const double width = 2 * deviation, edge = 1e-9 * width;  // on the very edge the path begins outside
+  const UsableLine widest = usable(width);
+  std::vector<double> levels = {edge - width, -edge};
+  for (const Place place : extremes(widest.from, widest.to, 0))
+    for (const double level : {e_at(place), e_at(place) - width})
+      if (level > edge - width && level < -edge) levels.push_back(level);
+  std::sort(levels.begin(), levels.end());
+  const auto length_at = [&](double level) { return within(level, level + width).length(); };
+  constexpr int samples = 8;
+  double best = 0, longest = -1, low = 0, high = 0;
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    const double step = (levels[i] - levels[i - 1]) / samples;
+    if (step < edge) continue;
+    for (int k = 0; k < samples; ++k) {
+      const double level = levels[i - 1] + (k + 0.5) * step, length = length_at(level);
+      if (length <= longest) continue;
       longest = length;
-      best = s;
+      best = level;
+      low = level - 0.5 * step - (k > 0 ? step : 0);
+      high = level + 0.5 * step + (k + 1 < samples ? step : 0);
     }
   }
   const double golden = 0.5 * (std::sqrt(5.0) - 1);
-  double low = std::max(best - widest.to / places, 0.0), high = std::min(best + widest.to / places, widest.to);
-  for (int turn = 0; turn < 60; ++turn) {
-    const double a = high - golden * (high - low), b = low + golden * (high - low);
-    (length_at(a) >= length_at(b) ? high : low) = length_at(a) >= length_at(b) ? b : a;
+  double a = high - golden * (high - low), b = low + golden * (high - low);
+  double at_a = length_at(a), at_b = length_at(b);
+  for (int turn = 0; turn < 50; ++turn) {
+    if (at_a >= at_b) {
+      high = b, b = a, at_b = at_a;
+      a = high - golden * (high - low), at_a = length_at(a);
+    } else {
+      low = a, a = b, at_a = at_b;
+      b = low + golden * (high - low), at_b = length_at(b);
+    }
   }
-  if (const double middle = 0.5 * (low + high); length_at(middle) >= longest) best = middle;
-  UsableLine line{behind(band_to(best)), best, PathEnd::deviation, PathEnd::deviation};
-  if (line.from == from() && begin_ != PathEnd::deviation) line.begin = begin_;
-  if (line.to == to() && end_ != PathEnd::deviation) line.end = end_;
-  return line;
+  if (at_a > longest) longest = at_a, best = a;
+  if (at_b > longest) best = b;
+  return within(best, best + width);
 }
 
 // ½ min over k of the range of e − k s, a convex function of k: the next k is where the tangents of both sides meet.

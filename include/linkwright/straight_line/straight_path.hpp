@@ -48,7 +48,7 @@ struct StrokeReport {
   std::optional<DriveOfStroke> drive;  ///< nothing where the input turns back on the way, and the velocity is unbounded
 };
 
-/// How far a path is traced from where the linkage lies, either way along the line.
+/// How far a path is traced from where the linkage lies, either way along the line: some way, both.
 struct PathLimits {
   double max_deviation = std::numeric_limits<double>::infinity();                                        ///< |e|
   double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();  ///< s
@@ -97,6 +97,8 @@ class StraightPath {
   };
   struct Walk;
 
+  /// The connected stretch around s = 0 with low ≤ e ≤ high.
+  [[nodiscard]] UsableLine within(double low, double high) const;
   [[nodiscard]] Place place_at(double s) const;
   [[nodiscard]] double s_at(Place place) const;
   [[nodiscard]] double e_at(Place place) const;
