@@ -82,7 +82,8 @@ inline constexpr double pair_met = 1e-6;
 inline constexpr double end_of_reach = 1e-12;
 
 /// Vector product of the two rows of a four-bar's closure (links over the perimeter) below which all links lie in one
-/// line: a linkage at a change point is given with ten digits, and the curve of its configurations crosses itself there.
+/// line: a linkage at a change point is given with ten digits, and the curve of its configurations crosses itself
+/// there.
 inline constexpr double collinear_links = 1e-9;
 
 /// Radius of the way of the pole, or turn of the body, over the size of the motion below which there is none: terms of

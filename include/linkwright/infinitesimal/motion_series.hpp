@@ -9,8 +9,8 @@
 
 namespace linkwright {
 
-/// Powers of the parameter that are kept of a motion. A contact of six points takes seven; with twelve a series is exact
-/// to twelve digits over a tenth of its radius of convergence, and a path takes few of them.
+/// Powers of the parameter that are kept of a motion. A contact of six points takes seven; with twelve a series is
+/// exact to twelve digits over a tenth of its radius of convergence, and a path takes few of them.
 inline constexpr std::size_t motion_order = 12;
 
 /// The motion of a body of the plane from where it is now, by a parameter t: the body turns by `turn` (radians) while
