@@ -94,6 +94,12 @@ inline constexpr double vanishing_motion = 1e-12;
 /// order of a four-bar's motion costs a digit of it, and six of them leave this many.
 inline constexpr double vanishing_deviation = 1e-9;
 
+/// A link over the longest below which it has no length, and the task's size over the distance of a pivot below which
+/// the pivot is at infinity: a linkage of a straight line carries 1e-13 beside its singular places, and nobody builds
+/// links in a ratio of 10⁶.
+inline constexpr double vanishing_link = 1e-6;
+inline constexpr double sliding_pivot = 1e-6;
+
 /// Smallest singular value of the condition rows relative to the largest below which they are dependent:
 /// rows of unit size carry rounding of a few 1e-16.
 inline constexpr double dependent_rows = 1e-14;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "linkwright/algebra/point.hpp"
+
+namespace linkwright {
+
+/// A line through a point and a sense along it.
+struct DirectedLine {
+  Point point{};
+  Point direction{1, 0};  ///< unit vector
+
+  /// To the left of the direction, unit vector.
+  [[nodiscard]] Point left() const { return {-direction.imag(), direction.real()}; }
+  /// The point as (way along the line from `point`, distance to its left) in one complex number, and back.
+  [[nodiscard]] Point to_line(Point fixed) const { return std::conj(direction) * (fixed - point); }
+  [[nodiscard]] Point to_fixed(Point on_line) const { return point + direction * on_line; }
+
+  friend bool operator==(const DirectedLine&, const DirectedLine&) = default;
+};
+
+}  // namespace linkwright
