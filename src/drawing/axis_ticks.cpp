@@ -72,9 +72,7 @@ std::vector<double> scattered_values(double low, double high, bool fine) {
   return values;
 }
 
-bool is_even(AxisQuantity quantity) {
-  return quantity == AxisQuantity::side_direction || quantity == AxisQuantity::pair_output;
-}
+bool is_even(AxisQuantity quantity) { return is_angle(quantity); }
 
 std::vector<double> candidates(const Readings& readings, AxisQuantity quantity, double length) {
   const double low = readings.values.front(), high = readings.values.back();

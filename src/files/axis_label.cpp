@@ -3,8 +3,8 @@
 namespace linkwright {
 
 bool has_values(AxisQuantity quantity) {
-  return quantity == AxisQuantity::side_direction || quantity == AxisQuantity::side_length ||
-         quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output;
+  return quantity != AxisQuantity::curve_coordinate && quantity != AxisQuantity::burmester_point &&
+         quantity != AxisQuantity::nothing;
 }
 
 }  // namespace linkwright

@@ -36,6 +36,10 @@ bool is_asked(const Requirements& wanted, RequirementKind kind) {
       return wanted.fixed_axes_within.has_value();
     case RequirementKind::moving_axes_within:
       return wanted.moving_axes_within.has_value();
+    case RequirementKind::min_stroke:
+      return wanted.min_stroke > 0;
+    case RequirementKind::max_deviation:
+      return wanted.max_deviation < Requirements::unlimited;
     default:
       return false;  // every class has them
   }

@@ -8,12 +8,29 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, 7> quantity_names = {
-    "curve_coordinate", "burmester_point", "side_direction", "side_length", "output_scale", "pair_output", "nothing"};
+constexpr std::array<std::string_view, 19> quantity_names = {
+    "curve_coordinate", "burmester_point", "side_direction", "side_length",    "output_scale",
+    "pair_output",      "nothing",         "link_direction", "link_ray",       "point_ray",
+    "pole_height",      "pivot_height",    "frame_height",   "pivot_distance", "output_arm",
+    "link_length",      "crank_length",    "point_arm",      "crank_range"};
 
 }  // namespace
 
 std::string_view name(AxisQuantity quantity) { return quantity_names[static_cast<std::size_t>(quantity)]; }
+bool is_angle(AxisQuantity quantity) {
+  switch (quantity) {
+    case AxisQuantity::side_direction:
+    case AxisQuantity::pair_output:
+    case AxisQuantity::link_direction:
+    case AxisQuantity::link_ray:
+    case AxisQuantity::point_ray:
+    case AxisQuantity::crank_range:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::string_view name(Spacing spacing) { return spacing == Spacing::coordinate ? "coordinate" : "arc_length"; }
 
 double AxisStretch::onto(double coordinate) const {

@@ -5,8 +5,9 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, 5> objective_names = {"min_transmission_angle", "link_ratio", "size",
-                                                             "structural_error", "link_angle"};
+constexpr std::array<std::string_view, 8> objective_names = {
+    "min_transmission_angle", "link_ratio", "size", "structural_error", "link_angle", "stroke", "deviation",
+    "velocity_uniformity"};
 
 }  // namespace
 
@@ -20,6 +21,12 @@ const Measure& measure_of(Objective objective) {
       return measures::longest_link;
     case Objective::link_angle:
       return measures::min_link_angle;
+    case Objective::stroke:
+      return measures::stroke_over_longest;
+    case Objective::deviation:
+      return measures::deviation;
+    case Objective::velocity_uniformity:
+      return measures::velocity_nonuniformity;
     default:
       return measures::min_transmission_angle;
   }
@@ -33,6 +40,12 @@ double score_of(Objective objective, const RankedNumbers& numbers) {
       return -numbers.longest_link;
     case Objective::link_angle:
       return numbers.link_versine;
+    case Objective::stroke:
+      return numbers.stroke_over_longest;
+    case Objective::deviation:
+      return -numbers.deviation;
+    case Objective::velocity_uniformity:
+      return -numbers.velocity_nonuniformity;
     default:
       return numbers.transmission_versine;
   }

@@ -14,7 +14,9 @@ constexpr std::array<std::string_view, requirement_kind_count> requirement_keys 
                                                                                    "min_link_angle_deg",
                                                                                    "max_link_angle_deg",
                                                                                    "fixed_axes_within",
-                                                                                   "moving_axes_within"};
+                                                                                   "moving_axes_within",
+                                                                                   "min_stroke",
+                                                                                   "max_deviation"};
 
 }  // namespace
 

@@ -86,6 +86,11 @@ std::vector<Error> mistakes_in(const Requirements& wanted) {
   check_link_angles(wanted, found);
   check_cone(wanted.fixed_axes_within, "requirements.fixed_axes_within", found);
   check_cone(wanted.moving_axes_within, "requirements.moving_axes_within", found);
+  if (!(wanted.min_stroke >= 0 && std::isfinite(wanted.min_stroke)))
+    mistake("min_stroke_range", "requirements.min_stroke", "the least stroke must be a positive length, or 0 for any");
+  if (!(wanted.max_deviation > 0))
+    mistake("max_deviation_range", "requirements.max_deviation",
+            "the largest deviation must be a positive length; null lets any pass");
   return found;
 }
 

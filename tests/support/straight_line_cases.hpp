@@ -18,7 +18,16 @@ struct StraightLineCase {
   nlohmann::json json;
 };
 
-/// All solutions of all files in data/straight_line.
+/// A task and its solutions, none where there is none.
+struct StraightLineFile {
+  std::string name;
+  std::vector<StraightLineCase> solutions;
+  nlohmann::json json;
+};
+
+/// All files in data/straight_line.
+[[nodiscard]] const std::vector<StraightLineFile>& straight_line_files();
+/// All their solutions.
 [[nodiscard]] const std::vector<StraightLineCase>& straight_line_cases();
 
 }  // namespace linkwright::testing

@@ -43,6 +43,13 @@ inline constexpr std::array spherical_requirements = {RequirementKind::types,
                                                       RequirementKind::max_link_angle,
                                                       RequirementKind::fixed_axes_within,
                                                       RequirementKind::moving_axes_within};
+inline constexpr std::array straight_line_requirements = {
+    RequirementKind::types,      RequirementKind::min_transmission_angle, RequirementKind::max_link_ratio,
+    RequirementKind::max_length, RequirementKind::ground_pivots_within,   RequirementKind::moving_pivots_within,
+    RequirementKind::min_stroke, RequirementKind::max_deviation};
+inline constexpr std::array straight_line_objectives = {Objective::stroke, Objective::deviation,
+                                                        Objective::min_transmission_angle, Objective::size,
+                                                        Objective::velocity_uniformity};
 inline constexpr std::array planar_objectives = {Objective::min_transmission_angle, Objective::link_ratio,
                                                  Objective::size, Objective::structural_error};
 inline constexpr std::array spherical_objectives = {Objective::min_transmission_angle, Objective::link_angle,
@@ -53,6 +60,8 @@ inline constexpr LinkageClass planar_linkages = {class_members::planar_types, cl
                                                  class_members::planar_objectives};
 inline constexpr LinkageClass spherical_linkages = {
     class_members::spherical_types, class_members::spherical_requirements, class_members::spherical_objectives};
+inline constexpr LinkageClass straight_line_linkages = {
+    class_members::planar_types, class_members::straight_line_requirements, class_members::straight_line_objectives};
 
 /// A requirement that linkages of the class do not have. Place `requirements.…`.
 [[nodiscard]] Error foreign_requirement(RequirementKind kind, const LinkageClass& of);

@@ -30,9 +30,24 @@ enum class AxisQuantity {
   output_scale,      ///< factor on the output's travel
   pair_output,       ///< output angle of one pair, degrees
   nothing,           ///< one place only
+  // Of linkages with a straight line; angles in degrees, lengths in the user's unit.
+  link_direction,  ///< direction of the line of a grounded link, in [0, 180)
+  link_ray,        ///< of the ray from the pole along a grounded link to the pole tangent, in (−90, 90]
+  point_ray,       ///< the same of the ray to the point
+  pole_height,     ///< of the pole off the line
+  pivot_height,    ///< of a ground pivot off the line
+  frame_height,    ///< of the point off the ground link
+  pivot_distance,  ///< of a ground pivot from the pole, signed
+  output_arm,      ///< length of the output link, signed
+  link_length,     ///< length of a grounded link, signed
+  crank_length,    ///< of the input link
+  point_arm,       ///< distance of the point from the input's moving pivot
+  crank_range,     ///< angle that the crank turns over the stroke
 };
 /// "curve_coordinate", "side_direction", …
 [[nodiscard]] std::string_view name(AxisQuantity quantity);
+/// It is told in degrees.
+[[nodiscard]] bool is_angle(AxisQuantity quantity);
 
 /// How samples are laid along an axis: equal steps of its coordinate, or equal steps of the sum of the great-circle
 /// lengths run by the unit vectors of circle point and centre point.

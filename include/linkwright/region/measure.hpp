@@ -36,6 +36,17 @@ inline constexpr Measure longest_link{"longest_link"};
 /// its supplement are the same link; 0 degenerate.
 inline constexpr Measure min_link_angle{"min_link_angle_deg", Measure::Stored::as_versine, true};
 inline constexpr Measure max_link_angle{"max_link_angle_deg", Measure::Stored::as_versine};
+/// Of linkages with a straight line, user's unit: length of the line that is usable by its tangent, and by a strip; the
+/// largest deviation over the stroke. 0 degenerate.
+inline constexpr Measure usable_stroke{"usable_stroke", Measure::Stored::as_it_is, true};
+inline constexpr Measure usable_strip{"usable_strip", Measure::Stored::as_it_is, true};
+inline constexpr Measure deviation{"deviation"};
+/// Usable length over the longest link or arm.
+inline constexpr Measure stroke_over_longest{"stroke_over_longest", Measure::Stored::as_it_is, true};
+/// (fastest − slowest) / mean of the point's velocity by the input's angle; infinite where the input turns back.
+inline constexpr Measure velocity_nonuniformity{"velocity_nonuniformity"};
+/// |K| of the first term K s^k of the deviation that does not vanish; in units of length¹⁻ᵏ.
+inline constexpr Measure contact_coefficient{"contact_coefficient"};
 /// Angle that the driver turns from the first to the last position; every map computes it, none keeps it.
 inline constexpr Measure driver_sweep{"driver_sweep_deg"};
 }  // namespace measures

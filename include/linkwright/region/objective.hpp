@@ -8,8 +8,18 @@ namespace linkwright {
 
 /// What ranks linkages: the largest least transmission angle, the smallest link ratio, the smallest longest link; of
 /// generators of a named function the smallest structural error, which no map holds: its cells are ranked by the
-/// transmission angle; of spherical linkages the largest least link angle.
-enum class Objective { min_transmission_angle, link_ratio, size, structural_error, link_angle };
+/// transmission angle; of spherical linkages the largest least link angle; of linkages with a straight line the longest
+/// usable length over the longest link, the least deviation, the most even velocity.
+enum class Objective {
+  min_transmission_angle,
+  link_ratio,
+  size,
+  structural_error,
+  link_angle,
+  stroke,
+  deviation,
+  velocity_uniformity
+};
 /// Key in problem files: "min_transmission_angle", …
 [[nodiscard]] std::string_view name(Objective objective);
 
@@ -22,6 +32,9 @@ struct RankedNumbers {
   double link_ratio = 0;
   double longest_link = 0;  ///< user's unit
   double link_versine = 0;  ///< 1 − cos of the least link angle
+  double stroke_over_longest = 0;
+  double deviation = 0;  ///< user's unit
+  double velocity_nonuniformity = 0;
 };
 /// Larger is better: a versine, −ratio or −longest link.
 [[nodiscard]] double score_of(Objective objective, const RankedNumbers& numbers);

@@ -22,8 +22,10 @@ enum class RequirementKind : std::uint8_t {
   max_link_angle,
   fixed_axes_within,
   moving_axes_within,
+  min_stroke,
+  max_deviation,
 };
-inline constexpr std::size_t requirement_kind_count = 12;
+inline constexpr std::size_t requirement_kind_count = 14;
 /// Key in the problem file: types, no_defects, min_transmission_angle_deg, …
 [[nodiscard]] std::string_view key(RequirementKind kind);
 /// A number or a place of it is given as an angle: radians, degrees in files.

@@ -58,6 +58,8 @@ struct Requirements {
   std::optional<double> max_link_angle;     ///< of all four links, radians; nothing: any
   std::optional<Cone> fixed_axes_within;    ///< both fixed axes
   std::optional<Cone> moving_axes_within;   ///< both moving axes, position 1
+  double min_stroke = 0;                    ///< usable length of a straight line, user's unit; 0: any
+  double max_deviation = unlimited;         ///< off the line over the stroke, user's unit
   bool respect_direction = true;            ///< poses with derivatives are passed in their direction
 };
 
