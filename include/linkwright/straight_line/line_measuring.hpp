@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "linkwright/mechanism/tracing_four_bar.hpp"
+
+namespace linkwright {
+
+/// What is usable of a path: by the line itself, the tangent, or by a strip as wide that may lie anywhere beside it.
+enum class LineMeasure { tangent, strip };
+/// Key in files: "tangent", "strip".
+[[nodiscard]] std::string_view name(LineMeasure measure);
+
+/// How straight lines are measured.
+struct LineMeasuring {
+  static constexpr double default_share = 1e-4;
+
+  std::optional<double> deviation;  ///< δ, half the width of the strip, user's unit; nothing: 1e-4 of the longest link
+  std::optional<double> stroke;     ///< over which deviations are looked at, half of it either way; nothing: none
+  LineMeasure measure = LineMeasure::tangent;
+
+  [[nodiscard]] double deviation_of(const TracingFourBar& linkage) const {
+    return deviation.value_or(default_share * linkage.longest());
+  }
+
+  friend bool operator==(const LineMeasuring&, const LineMeasuring&) = default;
+};
+
+}  // namespace linkwright

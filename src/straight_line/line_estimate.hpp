@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+
+#include "linkwright/core/simd.hpp"
+#include "linkwright/straight_line/line_measuring.hpp"
+
+namespace linkwright {
+
+/// What a straight line is worth, quickly, as maps have it; StraightPath has it exactly.
+struct LineEstimate {
+  double usable_stroke = 0, usable_strip = 0;
+  double deviation = 0;              ///< over the stroke, or the usable length; infinite where it is not reached
+  double min_transmission_sine = 0;  ///< of the angle, over the usable length
+  double velocity_nonuniformity = 0;
+  double contact_coefficient = 0;  ///< |K| of s^contact
+
+  /// By the measure that counts.
+  [[nodiscard]] double usable(LineMeasure by) const { return by == LineMeasure::strip ? usable_strip : usable_stroke; }
+};
+
+/// What the linkages of an estimate have in common.
+struct LineEstimateTask {
+  Point direction{1, 0};  ///< of the line
+  int contact = 4;
+  bool by_input = false;  ///< the pole is at infinity, and the coupler does not turn
+  LineMeasuring measuring;
+  Simd simd = Simd::automatic;
+};
+
+/// `estimates` has a place for each linkage.
+void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimateTask& task,
+                    std::span<LineEstimate> estimates);
+
+}  // namespace linkwright
