@@ -100,6 +100,10 @@ inline constexpr double vanishing_deviation = 1e-9;
 inline constexpr double vanishing_link = 1e-6;
 inline constexpr double sliding_pivot = 1e-6;
 
+/// Distance of two contacts with a line over the size of the task below which they are one: of a multiple contact at
+/// their mean they differ by its square, 1e-8, and what parts conditions of three such contacts has as many digits.
+inline constexpr double double_contact = 1e-4;
+
 /// Smallest singular value of the condition rows relative to the largest below which they are dependent:
 /// rows of unit size carry rounding of a few 1e-16.
 inline constexpr double dependent_rows = 1e-14;
