@@ -10,13 +10,29 @@ namespace {
 
 constexpr Point i_times(Point z) { return {-z.imag(), z.real()}; }
 
+// With x along the velocity v and y to its left from the base, dκ/dt = 0 reads (p_y‴ + θ‴ x) v = 3 (p_y″ + θ″ x)(p_x″ −
+// θ″ y): the points whose curvature stays.
+std::optional<EquilateralHyperbola> stationary_hyperbola(const MotionSeries& motion, Point along) {
+  const double speed = std::abs(motion.path.c[1]);
+  const Point second = std::conj(along) * motion.path.derivative(2),
+              third = std::conj(along) * motion.path.derivative(3);
+  const double turn2 = motion.turn.derivative(2), turn3 = motion.turn.derivative(3);
+  const double size = std::abs(second) + speed * std::sqrt(std::abs(turn2));
+  if (!(std::abs(turn2) * speed * speed > tolerance::vanishing_motion * size * size)) return std::nullopt;
+  const double x = -second.imag() / turn2, share = speed / (3 * turn2 * turn2);
+  const double y = second.real() / turn2 - share * turn3;
+  return EquilateralHyperbola{motion.path.c[0] + along * Point{x, y}, -share * (third.imag() + turn3 * x)};
+}
+
 TranslatingInstant translating(const MotionSeries& motion) {
   const Point velocity = motion.path.c[1], along = velocity / std::abs(velocity);
   const double square = std::norm(velocity), turn = 2 * motion.turn.c[2];
   const double here = 2 * cross(along, motion.path.c[2]) / square;
   // By the point c: z″ = base″ + i θ″ (c − base), and u × i c = u · c.
   const double slope = turn / square;
-  return {along, here - slope * dot(along, motion.path.c[0]), slope};
+  TranslatingInstant instant{along, here - slope * dot(along, motion.path.c[0]), slope, {}};
+  instant.circling_points = stationary_hyperbola(motion, along);
+  return instant;
 }
 
 // e^{−iα} (d⁽ᵏ⁾ + iᵏ (P − base)) for the derivative of order k ≥ 2 of the base's path by the body's turn.
@@ -68,10 +84,13 @@ std::optional<Circle> bresse_circle(const TurningInstant& instant, TurningRates 
   return Circle{instant.to_fixed({radius, 0}), std::abs(radius)};
 }
 
-// z̈ = (i φ̈ − φ̇²) w + i D φ̇² vanishes.
-Point acceleration_pole(const TurningInstant& instant, TurningRates rates) {
-  const double square = rates.velocity * rates.velocity;
-  return instant.to_fixed(Point{0, instant.diameter * square} / Point{square, -rates.acceleration});
+// Of the point at c: z̈ = base″ + (i θ″ − θ′²)(c − base).
+std::optional<Point> acceleration_pole(const MotionSeries& by_time) {
+  const double velocity = by_time.turn.derivative(1);
+  const Point pace{-velocity * velocity, by_time.turn.derivative(2)};
+  if (pace == Point{}) return std::nullopt;
+  const Point pole = by_time.path.c[0] - by_time.path.derivative(2) / pace;
+  return is_finite(pole) ? std::optional(pole) : std::nullopt;
 }
 
 }  // namespace linkwright

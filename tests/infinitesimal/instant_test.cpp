@@ -113,7 +113,10 @@ TEST(Instant, AccelerationPoleAndBresseCircleAreWhatTimeShows) {
   MotionSeries timed = *motion.by_turn();
   timed.path = composed(timed.path, in_time);
   timed.turn = in_time;
-  EXPECT_NEAR(std::abs(timed.path_of(acceleration_pole(instant, rates)).derivative(2)), 0, 1e-12);
+  const auto pole = acceleration_pole(timed);
+  ASSERT_TRUE(pole);
+  EXPECT_NEAR(std::abs(timed.path_of(*pole).derivative(2)), 0, 1e-12);
+  EXPECT_NEAR(std::abs(*pole - instant.inflection_circle().center), instant.diameter / 2, 1e-12);
   const auto circle = bresse_circle(instant, rates);
   ASSERT_TRUE(circle);
   for (double angle = 0; angle < two_pi; angle += 0.4) {

@@ -4,6 +4,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
+#include "support/circle_contact.hpp"
 #include "support/straight_line_cases.hpp"
 
 namespace linkwright::stationary_curvature_test {
@@ -13,17 +14,6 @@ const FourBar some{{0, 0}, {1, 1.2}, {4, 0.3}, {3.5, 3}};
 MotionSeries motion_of(const FourBar& bars) { return coupler_motion(bars, *loop_series(bars)); }
 TurningInstant instant_at(const FourBar& bars) { return std::get<TurningInstant>(*instant_of(motion_of(bars))); }
 
-// Powers of t up to which a point's distance from its centre of curvature stays: the order of contact.
-int contact_with_circle(const MotionSeries& motion, Point point, Point center) {
-  const auto from_center = motion.path_of(point) - ComplexSeries<motion_order>::constant(center);
-  auto mirrored = from_center;
-  for (Point& c : mirrored.c) c = std::conj(c);
-  const auto square = from_center * mirrored;
-  for (std::size_t k = 1; k <= motion_order; ++k)
-    if (std::abs(square.c[k]) > 1e-8 * std::norm(point - center)) return static_cast<int>(k);
-  return motion_order + 1;
-}
-
 TEST(StationaryCurvature, PairsHaveFourPointContactAndPivotsAreAmongThem) {
   const MotionSeries motion = motion_of(some);
   const TurningInstant instant = instant_at(some);
@@ -31,7 +21,7 @@ TEST(StationaryCurvature, PairsHaveFourPointContactAndPivotsAreAmongThem) {
     const CurvaturePair pair = stationary_pair(instant, angle);
     const auto moving = finite_point(pair.moving), center = finite_point(pair.center);
     ASSERT_TRUE(moving && center);
-    EXPECT_GE(contact_with_circle(motion, *moving, *center), 4) << angle;
+    EXPECT_GE(testing::contact_with_circle(motion, *moving, *center), 4) << angle;
   }
   const Point local = instant.to_canonical(some.input_circle);
   const CurvaturePair pair = stationary_pair(instant, std::arg(local));
@@ -108,7 +98,7 @@ TEST(StationaryCurvature, BurmesterPointsOfASymmetricLinkageLieSymmetrically) {
   int on_normal = 0;
   for (const CurvaturePair& pair : points) {
     const Point moving = *finite_point(pair.moving);
-    EXPECT_GE(contact_with_circle(motion, moving, *finite_point(pair.center)), 5);
+    EXPECT_GE(testing::contact_with_circle(motion, moving, *finite_point(pair.center)), 5);
     sum += moving.real();
     on_normal += std::abs(moving.real()) < 1e-9;
   }

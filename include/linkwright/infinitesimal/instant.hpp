@@ -48,11 +48,27 @@ struct PivotingInstant {
   Point pole{};
 };
 
+/// x y = product with the origin at `center`, axes in a given direction and to its left.
+struct EquilateralHyperbola {
+  Point center{};
+  double product = 0;
+};
+
 /// A body that does not turn now: the pole is at infinity, normal to the velocity.
 struct TranslatingInstant {
   Point velocity{};  ///< unit vector
   /// κ of the paths, over the coordinate along the velocity: κ = curvature + slope · ⟨velocity, point⟩.
   double curvature = 0, slope = 0;
+  /// What the cubic of stationary curvature has become beside the line at infinity, x along the velocity: one asymptote
+  /// is the inflection line. With the product 0 all points of that line have four-point contact with their tangents.
+  /// Nothing where all paths are equally curved.
+  std::optional<EquilateralHyperbola> circling_points{};
+
+  /// Of the centres of curvature of those points; the same asymptotes.
+  [[nodiscard]] std::optional<EquilateralHyperbola> centering_points() const {
+    if (!circling_points) return std::nullopt;
+    return EquilateralHyperbola{circling_points->center, circling_points->product + 1 / slope};
+  }
 
   /// Where that vanishes: the line ⟨velocity, point⟩ = this; nothing where all paths are equally curved.
   [[nodiscard]] std::optional<double> inflection_line() const {
@@ -70,14 +86,16 @@ using Instant = std::variant<TurningInstant, PivotingInstant, TranslatingInstant
 /// nothing for one that rests (the pole).
 [[nodiscard]] std::optional<Homogeneous> center_of_curvature(const MotionSeries& motion, Point point);
 
-/// Bresse's circles and the acceleration pole depend on how fast the body turns; radians per unit of time.
+/// The point of the body without acceleration, where Bresse's circle meets the inflection circle once more; nothing
+/// where the body neither turns nor begins to. `by_time`: the motion by time, on whose pace it depends.
+[[nodiscard]] std::optional<Point> acceleration_pole(const MotionSeries& by_time);
+
+/// How fast the body turns; radians per unit of time.
 struct TurningRates {
   double velocity = 0, acceleration = 0;
 };
 /// Of the points without tangential acceleration, (x² + y²) φ̈ + D φ̇² x = 0; nothing where the body turns evenly: the
 /// points of the pole normal.
 [[nodiscard]] std::optional<Circle> bresse_circle(const TurningInstant& instant, TurningRates rates);
-/// The point of the body without acceleration: where Bresse's circle meets the inflection circle once more.
-[[nodiscard]] Point acceleration_pole(const TurningInstant& instant, TurningRates rates);
 
 }  // namespace linkwright

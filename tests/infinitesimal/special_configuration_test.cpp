@@ -1,0 +1,75 @@
+#include "linkwright/infinitesimal/special_configuration.hpp"
+
+#include <gtest/gtest.h>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/infinitesimal/instant.hpp"
+#include "linkwright/infinitesimal/stationary_curve.hpp"
+
+namespace linkwright::special_configuration_test {
+namespace {
+
+std::vector<std::string> codes_of(const FourBar& bars) {
+  std::vector<std::string> codes;
+  for (const Notice& note : special_configurations(bars)) codes.push_back(note.code);
+  return codes;
+}
+TurningInstant instant_at(const FourBar& bars) {
+  return std::get<TurningInstant>(*instant_of(coupler_motion(bars, *loop_series(bars))));
+}
+using Codes = std::vector<std::string>;
+
+// Each of them with what its sentence says, in a frame that lies aslant.
+class SpecialConfigurations : public ::testing::Test {
+ protected:
+  static FourBar aslant(const FourBar& bars) {
+    const auto moved = [](Point p) { return Point{3, -2} + 1.7 * direction(0.6) * p; };
+    return {moved(bars.input_center), moved(bars.input_circle), moved(bars.output_center), moved(bars.output_circle)};
+  }
+};
+
+TEST_F(SpecialConfigurations, OrdinaryLinkagesHaveNone) {
+  EXPECT_EQ(codes_of(aslant({{0, 0}, {1, 1.2}, {4, 0.3}, {3.5, 3}})), Codes{});
+}
+
+TEST_F(SpecialConfigurations, ASideLinkOnTheFrameLineHasThePoleAtTheOtherFixedPivot) {
+  const FourBar bars = aslant({{0, 0}, {1, 0}, {4, 0}, {3, 2}});
+  EXPECT_EQ(codes_of(bars), Codes{"side_link_on_frame_line"});
+  const TurningInstant instant = instant_at(bars);
+  EXPECT_NEAR(std::abs(instant.pole - bars.output_center), 0, 1e-12);
+  EXPECT_NEAR(instant.to_canonical(bars.output_circle).imag(), 0, 1e-12);
+  EXPECT_NEAR(instant.m() * instant.diameter, 0, 1e-12);
+  EXPECT_EQ(circling_point_curve(instant).pieces.size(), 2U);
+  EXPECT_EQ(special_configurations(bars.swapped()).at(0).values.at(0).value,
+            (std::variant<double, std::string>("output")));
+}
+
+TEST_F(SpecialConfigurations, ACrankInLineWithTheCouplerHasThePoleAtTheOtherMovingPivot) {
+  const FourBar bars = aslant({{0, 0}, {1, 0.5}, {4, -1}, {3, 1.5}});
+  EXPECT_EQ(codes_of(bars), Codes{"side_link_in_line_with_coupler"});
+  const TurningInstant instant = instant_at(bars);
+  EXPECT_NEAR(std::abs(instant.pole - bars.output_circle), 0, 1e-12);
+  EXPECT_NEAR(instant.to_canonical(bars.output_center).imag(), 0, 1e-12);
+  EXPECT_EQ(centering_point_curve(instant).pieces.size(), 2U);
+}
+
+TEST_F(SpecialConfigurations, ACouplerParallelToTheFrameHasThePoleNormalInBothCurves) {
+  const FourBar bars = aslant({{-2, 0}, {-1, 1.5}, {3, 0}, {1, 1.5}});
+  EXPECT_EQ(codes_of(bars), Codes{"coupler_parallel_to_frame"});
+  const TurningInstant instant = instant_at(bars);
+  EXPECT_NEAR(instant.n() * instant.diameter, 0, 1e-12);
+  EXPECT_EQ(circling_point_curve(instant).pieces.size(), 2U);
+  EXPECT_EQ(centering_point_curve(instant).pieces.size(), 2U);
+}
+
+TEST_F(SpecialConfigurations, ParallelSideLinksTranslateTheCoupler) {
+  EXPECT_EQ(codes_of(aslant({{0, 0}, {0, 1}, {3, 4}, {3, 1.5}})), Codes{"parallel_side_links"});
+  EXPECT_EQ(codes_of(aslant({{0, 0}, {1, 2}, {4, 0}, {5, 2}})), Codes{"parallelogram"});
+}
+
+TEST_F(SpecialConfigurations, LinksInOneLineAreNoneOfThese) {
+  EXPECT_EQ(codes_of(aslant({{0, 0}, {1, 0}, {4, 0}, {3, 0}})), Codes{});
+}
+
+}  // namespace
+}  // namespace linkwright::special_configuration_test
