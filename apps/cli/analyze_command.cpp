@@ -1,9 +1,16 @@
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "instant_report.hpp"
 #include "linkage_report.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/count_text.hpp"
+#include "linkwright/drawing/instant_drawing.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/files/text_file.hpp"
@@ -46,6 +53,101 @@ int report_on(const Stored& linkage, const AnalyzeArguments& arguments) {
   return arguments.report == "-" || print_answer(words(analysis, arguments.drive)) ? 0 : failure;
 }
 
+// ---- one instant
+
+constexpr double largest_angle_deg = 1e6, largest_number = 1e12;  // of flags; the latter as in files
+
+std::optional<Error> mistake_in(const AnalyzeArguments& arguments) {
+  const auto is_beyond = [](double value, double most) { return !(std::abs(value) <= most); };
+  const auto beyond = [](std::string_view flag, double most) {
+    return Error{"flag_range", std::string(flag), fmt::format("a number between ±{} belongs here", limit_text(most))};
+  };
+  if (std::any_of(arguments.point.begin(), arguments.point.end(),
+                  [&](double x) { return is_beyond(x, largest_number); }))
+    return beyond("--point", largest_number);
+  if (arguments.input_deg && is_beyond(*arguments.input_deg, largest_angle_deg))
+    return beyond("--input-deg", largest_angle_deg);
+  if (arguments.input_acceleration && is_beyond(*arguments.input_acceleration, largest_number))
+    return beyond("--input-acceleration", largest_number);
+  if (arguments.instant && ends_with(arguments.report, ".csv"))
+    return Error{"instant_table", "--output", "an instant has no table; give the file a name that ends in .json"};
+  return std::nullopt;
+}
+
+std::optional<Point> point_of(const AnalyzeArguments& arguments) {
+  if (arguments.point.empty()) return std::nullopt;
+  return Point{arguments.point[0], arguments.point[1]};
+}
+
+Result<LinkageInstant> instant_of(const StoredLinkage& linkage, const AnalyzeArguments& arguments) {
+  const auto point = point_of(arguments);
+  TracingFourBar traced{linkage.four_bar, point.value_or(linkage.four_bar.input_circle)};
+  if (arguments.input_deg) {
+    const auto turned = with_input_at(traced, radians(*arguments.input_deg));
+    if (!turned)
+      return Error{"input_out_of_reach", "--input-deg",
+                   fmt::format("the input cannot be there; {}", range_sentence(input_ranges(traced.bars.lengths())))};
+    traced = *turned;
+  }
+  const InstantQuestion question{point ? std::optional(traced.point) : std::nullopt,
+                                 arguments.input_acceleration.value_or(0)};
+  return LinkageInstant{traced.bars, analyze_instant(traced.bars, question)};
+}
+
+template <class Drawable>
+bool draw(const AnalyzeArguments& arguments, const Drawable& drawable) {
+  return arguments.picture.empty() ||
+         write_output(arguments.picture, [&](const TextSink& sink) { sink(draw_instant(drawable)); });
+}
+
+int report_instant_of(const StoredLinkage& linkage, const AnalyzeArguments& arguments) {
+  auto instant = instant_of(linkage, arguments);
+  if (!instant) {
+    print_mistakes(arguments.linkage, instant.errors());
+    return mistake;
+  }
+  LinkageAnalysis analysis = linkwright::analyze(linkage);
+  analysis.instant = *std::move(instant);
+  if (!arguments.report.empty() && !write_report(arguments.report, analysis)) return failure;
+  if (!draw(arguments, analysis)) return failure;
+  return arguments.report == "-" || print_answer(words(analysis, arguments.drive) + instant_words(analysis)) ? 0
+                                                                                                             : failure;
+}
+
+int report_instant_of(const Problem& problem, const AnalyzeArguments& arguments) {
+  for (const auto& [is_given, flag] : {std::pair(arguments.input_deg.has_value(), "--input-deg"),
+                                       std::pair(arguments.input_acceleration.has_value(), "--input-acceleration")}) {
+    if (!is_given) continue;
+    print_mistakes(arguments.linkage,
+                   {{"no_input", flag, "a prescribed motion has no input link; leave this flag out"}});
+    return mistake;
+  }
+  const auto instant = prescribed_instant(problem, point_of(arguments));
+  if (!instant) {
+    print_mistakes(arguments.linkage, instant.errors());
+    return mistake;
+  }
+  const auto write = [&](const TextSink& sink) { sink(write_instant(*instant)); };
+  if (!arguments.report.empty() && !write_output(arguments.report, write)) return failure;
+  if (!draw(arguments, *instant)) return failure;
+  return arguments.report == "-" || print_answer(instant_words(*instant)) ? 0 : failure;
+}
+
+/// Of a file that was read as a linkage and is none, the problem.
+int report_instant_of_problem(const AnalyzeArguments& arguments) {
+  const auto problem = read_problem_file(arguments.linkage);
+  if (problem) return report_instant_of(*problem, arguments);
+  print_mistakes(arguments.linkage, problem.errors());
+  return mistake;
+}
+
+int refuse_instant(const AnalyzeArguments& arguments, std::string_view linkage) {
+  print_mistakes(arguments.linkage,
+                 {{"instant_of_a_plane", "--instant",
+                   fmt::format("an instant is told of planar four-bars; this is a {}; leave --instant out", linkage)}});
+  return mistake;
+}
+
 }  // namespace
 
 int analyze(const AnalyzeArguments& arguments) {
@@ -56,24 +158,32 @@ int analyze(const AnalyzeArguments& arguments) {
                    {{"unknown_format", "--output", "the file's name ends in .json or .csv, which chooses the format"}});
     return mistake;
   }
+  if (const auto wrong = mistake_in(arguments)) {
+    print_mistakes(arguments.linkage, {*wrong});
+    return mistake;
+  }
   auto linkage = read_linkage_file(arguments.linkage);
   if (!linkage) {
+    if (arguments.instant && linkage.errors().front().code == "problem_without_linkage")
+      return report_instant_of_problem(arguments);
     print_mistakes(arguments.linkage, linkage.errors());
     return mistake;
   }
   if (const auto* six_bar = std::get_if<StoredSixBar>(&linkage.value())) {
+    if (arguments.instant) return refuse_instant(arguments, "six-bar");
     if (arguments.drive == "input") return report_on(*six_bar, arguments);
     print_mistakes(arguments.linkage, {{"six_bar_driver", "--drive",
                                         "a six-bar is analysed as body 1 drives it, at hinge a; leave --drive out"}});
     return mistake;
   }
   if (auto* spherical = std::get_if<StoredSphericalFourBar>(&linkage.value())) {
+    if (arguments.instant) return refuse_instant(arguments, "spherical four-bar");
     if (arguments.drive == "output") spherical->four_bar = spherical->four_bar.swapped();
     return report_on(*spherical, arguments);
   }
   auto four_bar = std::get<StoredLinkage>(*linkage);
   if (arguments.drive == "output") four_bar.four_bar = four_bar.four_bar.swapped();
-  return report_on(four_bar, arguments);
+  return arguments.instant ? report_instant_of(four_bar, arguments) : report_on(four_bar, arguments);
 }
 
 }  // namespace linkwright::cli

@@ -20,8 +20,13 @@ struct SolveArguments {
 
 struct AnalyzeArguments {
   std::string linkage;
-  std::string drive = "input";  ///< input or output
-  std::string report;           ///< path ending in .json or .csv, "-" for JSON on standard output, or empty
+  std::string drive = "input";      ///< input or output
+  std::string report;               ///< path ending in .json or .csv, "-" for JSON on standard output, or empty
+  bool instant = false;             ///< what follows belongs to it
+  std::optional<double> input_deg;  ///< from the ground link
+  std::vector<double> point;        ///< x and y, or empty
+  std::optional<double> input_acceleration;
+  std::string picture;  ///< path or empty
 };
 [[nodiscard]] int analyze(const AnalyzeArguments& arguments);
 

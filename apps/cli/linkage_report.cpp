@@ -41,13 +41,9 @@ std::string range_words(const LinkageAnalysis& analysis) {
                ? "The input turns fully; it has no dead points.\n"
                : "The input turns fully, through dead points where all links lie in one line.\n";
   }
-  std::string text = "The input rocks";
-  for (std::size_t i = 0; i < analysis.input_ranges.size(); ++i) {
-    const AngleRange& range = analysis.input_ranges[i];
-    text += fmt::format("{} from {} to {} ({})", i == 0 ? "" : ", or in the other assembly mode,",
-                        angle_text(range.from), angle_text(range.to), angle_text(range.to - range.from));
-  }
-  return wrapped(text + ", measured from the ground link.");
+  std::string text = range_sentence(analysis.input_ranges) + ", measured from the ground link.";
+  text.front() = 'T';
+  return wrapped(text);
 }
 
 std::string dead_point_words(const LinkageAnalysis& analysis) {
@@ -76,6 +72,15 @@ std::string rate_words(const LinkageAnalysis& analysis) {
 }
 
 }  // namespace
+
+std::string range_sentence(const std::vector<AngleRange>& ranges) {
+  std::string text = "the input rocks";
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    text +=
+        fmt::format("{} from {} to {} ({})", i == 0 ? "" : ", or in the other assembly mode,",
+                    angle_text(ranges[i].from), angle_text(ranges[i].to), angle_text(ranges[i].to - ranges[i].from));
+  return text;
+}
 
 std::string linkage_words(const LinkageAnalysis& analysis, std::string_view drive) {
   const std::string title = analysis.linkage.title.empty() ? "Four-bar linkage" : printable(analysis.linkage.title);

@@ -33,6 +33,25 @@ void add_solve(CLI::App& app, SolveArguments& arguments) {
                       "Samples per axis of the solution region (overrides options.region_samples)");
 }
 
+/// Flags of `analyze --instant`.
+void add_instant(CLI::App& command, AnalyzeArguments& arguments) {
+  CLI::Option* instant = command.add_flag(
+      "--instant", arguments.instant,
+      "What one instant of the coupler tells, too: pole, inflection circle, stationary curvature, Ball's point, "
+      "Burmester points; also of a problem file with one pose and its derivatives");
+  command.add_option("--input-deg", arguments.input_deg, "Turn the input to this angle from the ground link first")
+      ->needs(instant);
+  command.add_option("--point", arguments.point, "A point x,y of the coupler, as the linkage lies in the file")
+      ->delimiter(',')
+      ->expected(2)
+      ->needs(instant);
+  command
+      .add_option("--input-acceleration", arguments.input_acceleration,
+                  "Angular acceleration of the input over its squared angular velocity (default 0)")
+      ->needs(instant);
+  command.add_option("--svg", arguments.picture, "Draw the instant to this SVG file")->needs(instant);
+}
+
 void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {
   CLI::App* command =
       app.add_subcommand("analyze", "Type, input ranges, dead points and transmission angles of one linkage");
@@ -44,6 +63,7 @@ void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {
       ->check(CLI::IsMember({"input", "output"}));
   command->add_option("-o,--output", arguments.report,
                       "Write the analysis to FILE.json or the motion to FILE.csv (- for JSON on standard output)");
+  add_instant(*command, arguments);
 }
 
 void add_export(CLI::App& app, ExportArguments& arguments) {

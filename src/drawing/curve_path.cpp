@@ -1,7 +1,9 @@
 #include "curve_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace linkwright {
@@ -12,55 +14,56 @@ constexpr int max_halvings = 12;     // of a first step
 constexpr double longest_step = 3;   // px
 constexpr double longest_line = 60;  // px of what is seen
 
-/// A place on both curves, with their points in px.
-struct Sample {
-  double tau = 0;
-  Homogeneous center, circle;  ///< fixed frame
-};
+using Path = std::vector<Point>;  // px
 
-/// Traces the curves of one solution in one window.
+/// Traces K curves that run together, by one parameter, in one window.
+template <std::size_t K>
 class CurveTracer {
  public:
-  CurveTracer(const BurmesterCurve& curve, const WorkingFrame& frame, const PlaneWindow& window)
-      : curve_(curve), frame_(frame), window_(window) {}
+  using Points = std::array<Homogeneous, K>;  ///< fixed frame
+  using Paths = std::array<std::vector<Path>, K>;
 
-  CurvePaths trace() {
-    for (const CurveBranch& branch : curve_.branches()) {
-      if (branch.to > branch.from) trace_branch(branch);
-    }
-    return std::move(paths_);
-  }
+  CurveTracer(std::function<Points(double parameter)> points, const PlaneWindow& window)
+      : points_(std::move(points)), window_(window) {}
 
- private:
-  [[nodiscard]] Sample sample(double tau) const {
-    const Dyad dyad = frame_.to_user(curve_.dyad(tau));
-    return {tau, normalized(dyad.center), normalized(dyad.circle)};
-  }
-
-  void trace_branch(const CurveBranch& branch) {
-    const auto at = [&](int step) { return branch.from + (branch.to - branch.from) * (step + 0.5) / first_steps; };
+  /// A closed branch over [from, to).
+  void trace(double from, double to) {
+    const auto at = [&](int step) { return from + (to - from) * (step + 0.5) / first_steps; };
+    from_ = from;
+    to_ = to;
     Sample last = sample(at(0));
     for (int step = 1; step <= first_steps; ++step) {
-      const Sample next = sample(step < first_steps ? at(step) : at(0));  // branches are closed
-      connect(last, next, branch, at(step), max_halvings);
+      const Sample next = sample(at(step));
+      connect(last, next, max_halvings);
       last = next;
-      last.tau = at(step);
     }
   }
 
-  /// `end_tau`: τ of `to`, which may lie beyond the branch's end where it closes.
-  void connect(const Sample& from, const Sample& to, const CurveBranch& branch, double end_tau, int halvings) {
-    const bool fine = is_fine(from.center, to.center) && is_fine(from.circle, to.circle);
-    if (fine || halvings == 0) {  // what is still a leap after all halvings is one: no line
-      add(paths_.centers, from.center, to.center);
-      add(paths_.circles, from.circle, to.circle);
+  [[nodiscard]] Paths paths() && { return std::move(paths_); }
+
+ private:
+  /// A place on the curves; the parameter may lie beyond the branch's end, where it closes.
+  struct Sample {
+    double parameter = 0;
+    Points points{};
+  };
+
+  [[nodiscard]] Sample sample(double parameter) const {
+    Sample there{parameter, points_(parameter < to_ ? parameter : parameter - (to_ - from_))};
+    for (Homogeneous& point : there.points) point = normalized(point);
+    return there;
+  }
+
+  void connect(const Sample& from, const Sample& to, int halvings) {
+    bool is_smooth = true;
+    for (std::size_t i = 0; i < K; ++i) is_smooth = is_smooth && is_fine(from.points[i], to.points[i]);
+    if (is_smooth || halvings == 0) {  // what is still a leap after all halvings is one: no line
+      for (std::size_t i = 0; i < K; ++i) add(paths_[i], from.points[i], to.points[i]);
       return;
     }
-    const double middle_tau = (from.tau + end_tau) / 2;
-    Sample middle = sample(middle_tau < branch.to ? middle_tau : middle_tau - (branch.to - branch.from));
-    middle.tau = middle_tau;
-    connect(from, middle, branch, middle_tau, halvings - 1);
-    connect(middle, to, branch, end_tau, halvings - 1);
+    const Sample middle = sample((from.parameter + to.parameter) / 2);
+    connect(from, middle, halvings - 1);
+    connect(middle, to, halvings - 1);
   }
 
   /// The stretch between two points of a curve in px; nothing where it runs through infinity.
@@ -94,7 +97,7 @@ class CurveTracer {
     return std::hypot(dx, dy);
   }
 
-  void add(std::vector<std::vector<Point>>& paths, Homogeneous from, Homogeneous to) const {
+  void add(std::vector<Path>& paths, Homogeneous from, Homogeneous to) const {
     const auto ends = stretch(from, to);
     if (!ends) return;
     const auto seen = window_.clipped(ends->first, ends->second);
@@ -104,13 +107,11 @@ class CurveTracer {
     paths.back().push_back(seen->second);
   }
 
-  const BurmesterCurve& curve_;
-  const WorkingFrame& frame_;
+  std::function<Points(double)> points_;
   const PlaneWindow& window_;
-  CurvePaths paths_;
+  double from_ = 0, to_ = 1;
+  Paths paths_;
 };
-
-using Path = std::vector<Point>;  // px
 
 /// Paths of one pivot, a new one at each branch, leap, and run through infinity.
 std::vector<Path> paths_of(std::span<const Dyad> dyads, Homogeneous Dyad::*point, const PlaneWindow& window) {
@@ -192,7 +193,21 @@ CurvePaths visible_polygon(std::span<const Dyad> dyads, const PlaneWindow& windo
 }
 
 CurvePaths visible_curves(const BurmesterCurve& curve, const WorkingFrame& frame, const PlaneWindow& window) {
-  return CurveTracer(curve, frame, window).trace();
+  const auto pivots = [&](double tau) {
+    const Dyad dyad = frame.to_user(curve.dyad(tau));
+    return std::array{dyad.center, dyad.circle};
+  };
+  CurveTracer<2> tracer(pivots, window);
+  for (const CurveBranch& branch : curve.branches())
+    if (branch.to > branch.from) tracer.trace(branch.from, branch.to);
+  auto [centers, circles] = std::move(tracer).paths();
+  return {std::move(centers), std::move(circles)};
+}
+
+std::vector<Path> visible_curve(const std::function<Homogeneous(double)>& curve, const PlaneWindow& window) {
+  CurveTracer<1> tracer([&](double share) { return std::array{curve(share)}; }, window);
+  tracer.trace(0, 1);
+  return std::move(tracer).paths()[0];
 }
 
 }  // namespace linkwright

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct CurvePaths {
 /// Follows both curves by τ, with smaller steps where the window shows them.
 [[nodiscard]] CurvePaths visible_curves(const BurmesterCurve& curve, const WorkingFrame& frame,
                                         const PlaneWindow& window);
+
+/// A closed curve by the share of its way round in [0, 1), as it is seen in a window.
+[[nodiscard]] std::vector<std::vector<Point>> visible_curve(const std::function<Homogeneous(double)>& curve,
+                                                            const PlaneWindow& window);
 
 /// The pivots of grounded links along an axis of a map (fixed frame, by rising coordinate), joined where they follow
 /// each other on one branch.

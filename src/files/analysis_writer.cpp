@@ -1,6 +1,7 @@
 #include <functional>
 
 #include "files/json/json_writer.hpp"
+#include "instant_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
@@ -65,6 +66,17 @@ void write_motion(JsonWriter& json, const std::vector<MotionState>& motion) {
   json.end_object();
 }
 
+void write_instant_members(JsonWriter& json, const LinkageInstant& instant) {
+  json.key("configuration");
+  json.begin_object();
+  json.member("input_angle_deg", degrees(configuration_of(instant.four_bar).input_angle));
+  json.key("pivots");
+  write_pivots(json, instant.four_bar);
+  json.end_object();
+  json.key("instant");
+  write_instant(json, instant.analysis);
+}
+
 void write_members(JsonWriter& json, const LinkageAnalysis& analysis) {
   json.member("linkwright", file_version);
   json.member("title", std::string_view(analysis.linkage.title));
@@ -87,6 +99,7 @@ void write_members(JsonWriter& json, const LinkageAnalysis& analysis) {
   input_is_crank(analysis.type) ? json.value(degrees(analysis.min_transmission_angle_full_turn)) : json.null();
   json.key("motion");
   write_motion(json, analysis.motion);
+  if (analysis.instant) write_instant_members(json, *analysis.instant);
 }
 
 }  // namespace

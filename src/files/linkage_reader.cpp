@@ -250,6 +250,11 @@ Result<AnyStoredLinkage> read_any_linkage(std::string_view text) {
     list->mistake("result_file",
                   "this is a result file with many linkages; take one out with: linkwright export RESULT.json "
                   "--linkage 1 --format json -o LINKAGE.json");
+  } else if (file.find("task")) {
+    return Error{
+        "problem_without_linkage", "task",
+        "this is a problem file, which has no linkage yet; solve it: linkwright solve PROBLEM.json -o RESULT.json, "
+        "then take one out: linkwright export RESULT.json --format json -o LINKAGE.json"};
   } else if (root.is_object()) {
     Surroundings surroundings = read_surroundings(file, mistakes);
     const auto held = file.find("linkage");

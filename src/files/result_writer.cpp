@@ -17,17 +17,6 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-void write_warnings(JsonWriter& json, const std::vector<Notice>& warnings) {
-  json.begin_list();
-  for (const Notice& warning : warnings) {
-    json.begin_object(Layout::one_line);
-    json.member("code", std::string_view(warning.code));
-    json.member("message", std::string_view(warning.message));
-    json.end_object();
-  }
-  json.end_list();
-}
-
 void write_numbers(JsonWriter& json, std::string_view key, std::span<const double> numbers) {
   json.key(key);
   json.begin_list(Layout::one_line);
@@ -112,7 +101,7 @@ void write_answer(JsonWriter& json, const Problem& problem, const KindAnswer& an
   json.member("condition", answer.condition);
   json.member("characteristic_length", answer.characteristic_length);
   json.key("warnings");
-  write_warnings(json, answer.warnings);
+  write_notices(json, answer.warnings);
   write_dyads(json, answer);
   json.key("region");
   is_mapped(answer) ? write_region(json, problem, answer, with_region) : json.null();
@@ -126,6 +115,17 @@ void write_answer(JsonWriter& json, const Problem& problem, const KindAnswer& an
 }
 
 }  // namespace
+
+void write_notices(JsonWriter& json, const std::vector<Notice>& notices) {
+  json.begin_list();
+  for (const Notice& notice : notices) {
+    json.begin_object(Layout::one_line);
+    json.member("code", std::string_view(notice.code));
+    json.member("message", std::string_view(notice.message));
+    json.end_object();
+  }
+  json.end_list();
+}
 
 void write_relaxed_value(JsonWriter& json, const Relaxation& relaxation) {
   json.key("value");

@@ -3,10 +3,14 @@
 #include <vector>
 
 #include "files/json/json_writer.hpp"
+#include "linkwright/core/notice.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 
 namespace linkwright {
+
+/// `[{"code": …, "message": …}, …]`.
+void write_notices(JsonWriter& json, const std::vector<Notice>& notices);
 
 /// `[{"name": …, "from": τ, "to": τ}, …]`.
 void write_branches(JsonWriter& json, const std::vector<CurveBranch>& branches);

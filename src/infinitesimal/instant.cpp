@@ -67,6 +67,19 @@ std::optional<Instant> instant_of(const MotionSeries& motion) {
   return instant;
 }
 
+std::optional<Point> pole_of(const Instant& instant) {
+  if (const auto* turning = std::get_if<TurningInstant>(&instant)) return turning->pole;
+  if (const auto* pivoting = std::get_if<PivotingInstant>(&instant)) return pivoting->pole;
+  return std::nullopt;
+}
+
+std::optional<CircleOrLine> inflection_circle(const Instant& instant) {
+  if (const auto* turning = std::get_if<TurningInstant>(&instant)) return turning->inflection_circle();
+  if (const auto* translating = std::get_if<TranslatingInstant>(&instant))
+    if (const auto line = translating->inflection_line()) return *line;
+  return std::nullopt;
+}
+
 std::optional<Homogeneous> center_of_curvature(const MotionSeries& motion, Point point) {
   const auto path = motion.path_of(point);
   const Point velocity = path.c[1], bend = 2.0 * path.c[2];
@@ -78,12 +91,6 @@ std::optional<Homogeneous> center_of_curvature(const MotionSeries& motion, Point
   return Homogeneous{w, w * point.real() + normal.real(), w * point.imag() + normal.imag()};
 }
 
-std::optional<Circle> bresse_circle(const TurningInstant& instant, TurningRates rates) {
-  if (rates.acceleration == 0) return std::nullopt;
-  const double radius = -instant.diameter * rates.velocity * rates.velocity / (2 * rates.acceleration);
-  return Circle{instant.to_fixed({radius, 0}), std::abs(radius)};
-}
-
 // Of the point at c: z̈ = base″ + (i θ″ − θ′²)(c − base).
 std::optional<Point> acceleration_pole(const MotionSeries& by_time) {
   const double velocity = by_time.turn.derivative(1);
@@ -91,6 +98,20 @@ std::optional<Point> acceleration_pole(const MotionSeries& by_time) {
   if (pace == Point{}) return std::nullopt;
   const Point pole = by_time.path.c[0] - by_time.path.derivative(2) / pace;
   return is_finite(pole) ? std::optional(pole) : std::nullopt;
+}
+
+std::optional<CircleOrLine> bresse_circle(const Instant& instant, const MotionSeries& by_time) {
+  if (const auto* translating = std::get_if<TranslatingInstant>(&instant)) {
+    const auto pole = acceleration_pole(by_time);
+    return pole ? std::optional(StraightLine{*pole, translating->velocity}) : std::nullopt;
+  }
+  const auto* turning = std::get_if<TurningInstant>(&instant);
+  if (!turning) return std::nullopt;
+  const double velocity = by_time.turn.derivative(1), acceleration = by_time.turn.derivative(2);
+  if (std::abs(acceleration) <= tolerance::vanishing_motion * velocity * velocity)
+    return StraightLine{turning->pole, turning->tangent * Point{0, 1}};
+  const double radius = -turning->diameter * velocity * velocity / (2 * acceleration);
+  return Circle{turning->to_fixed({radius, 0}), std::abs(radius)};
 }
 
 }  // namespace linkwright

@@ -1,5 +1,6 @@
 #include "linkwright/infinitesimal/instant_analysis.hpp"
 
+#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
 #include "linkwright/infinitesimal/special_configuration.hpp"
@@ -39,8 +40,9 @@ std::optional<MotionSeries> by_time(const MotionSeries& motion, const LoopSeries
 }
 
 void add_rates(InstantAnalysis& analysis, const MotionSeries& by_time) {
-  analysis.rates = {by_time.turn.derivative(1), by_time.turn.derivative(2)};
+  analysis.rates = BodyRates{by_time.turn.derivative(1), by_time.turn.derivative(2)};
   if (std::holds_alternative<TranslatingInstant>(*analysis.instant)) analysis.rates->velocity = 0;
+  analysis.bresse_circle = bresse_circle(*analysis.instant, by_time);
   analysis.acceleration_pole = acceleration_pole(by_time);
 }
 
@@ -68,6 +70,17 @@ InstantAnalysis analyze_instant(const FourBar& four_bar, const InstantQuestion& 
                               "Bresse circle and no acceleration pole",
                               {}});
   return analysis;
+}
+
+std::optional<TracingFourBar> with_input_at(const TracingFourBar& linkage, double input_angle) {
+  const FourBar& bars = linkage.bars;
+  const auto there = assemble(bars.lengths(), input_angle, assembly_of(bars));
+  if (!there) return std::nullopt;
+  const FourBar turned = placed(bars, *there);
+  const auto coupler = [](const FourBar& at) {
+    return Pose{at.input_circle, std::arg(at.output_circle - at.input_circle)};
+  };
+  return TracingFourBar{turned, displaced(linkage.point, coupler(bars), coupler(turned))};
 }
 
 InstantAnalysis analyze_instant(const PrescribedPose& pose, std::optional<Point> point) {

@@ -45,6 +45,11 @@ std::vector<Notice> special_configurations(const FourBar& bars) {
          "the linkage is a parallelogram, whose coupler moves along a circle without turning: all its points have the "
          "same curvature, and there is no inflection line",
          {}}};
+  if (has_parallel_sides && are_parallel(input, coupler * Point{0, 1}))
+    return {{"parallel_side_links_across_coupler",
+             "the side links are parallel and at right angles to the coupler, which does not turn now: the pole is at "
+             "infinity, the inflection circle is a line, and every point of it has four-point contact with its tangent",
+             {}}};
   if (has_parallel_sides)
     return {
         {"parallel_side_links",

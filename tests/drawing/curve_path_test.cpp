@@ -3,6 +3,7 @@
 #include <array>
 #include <gtest/gtest.h>
 
+#include "linkwright/core/angle.hpp"
 #include "support/draws.hpp"
 #include "support/file_support.hpp"
 
@@ -95,6 +96,34 @@ TEST(CurvePath, OfAPolygonJoinsTheEndsOfSheetsThatMeet) {
   for (int i = 0; i < 10; ++i) dyads.push_back(dyad_at(100 + 20 * i, 0.05 * i));
   for (int i = 0; i < 10; ++i) dyads.push_back({{1, 100.0 + 20 * i, 30}, {1, 100, 30.0 + i}, 1 + 0.05 * i});
   EXPECT_EQ(visible_polygon(dyads, window).centers.size(), 4u) << "two paths and a stretch at either end";
+}
+
+// A circle of 40 times the window's width, and a line through it: what can be seen, and nothing else.
+TEST(CurvePath, OfAClosedCurveIsThePartInTheWindow) {
+  const std::array<Point, 2> around = {Point{-4, -3}, Point{4, 3}};
+  const PlaneWindow window(box, around, 0);
+  constexpr double radius = 320;
+  const auto circle = [=](double share) {
+    return Homogeneous::of(Point{0, radius} + radius * direction(two_pi * share));
+  };
+  const auto arc = visible_curve(circle, window);
+  ASSERT_FALSE(arc.empty());
+  double length = 0;
+  for (const auto& path : arc)
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      length += std::abs(path[i + 1] - path[i]);
+      EXPECT_NEAR(std::abs(window.to_user(path[i]) - Point{0, radius}), radius, 1e-3);
+    }
+  EXPECT_NEAR(length, 840, 10);  // with what is drawn beyond the borders
+  const auto line = visible_curve(
+      [](double share) {
+        return Homogeneous{std::cos(pi * share), std::sin(pi * share), 1e-3};
+      },
+      window);
+  EXPECT_TRUE(line.size() == 1 || line.size() == 2);  // which begins in the window or beyond it
+  const auto nowhere =
+      visible_curve([](double share) { return Homogeneous::of(100.0 + direction(two_pi * share)); }, window);
+  EXPECT_TRUE(nowhere.empty());
 }
 
 }  // namespace

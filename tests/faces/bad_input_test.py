@@ -98,7 +98,7 @@ class CommandLines(FaceTest):
 
     def test_a_problem_is_no_result(self):
         self.assert_mistake(run("export", TAILGATE, "--format", "svg"), "problem file")
-        self.assert_mistake(run("analyze", TAILGATE), "no linkage")
+        self.assert_mistake(run("analyze", TAILGATE), "no linkage yet")
 
 
 if __name__ == "__main__":

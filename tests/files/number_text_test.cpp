@@ -57,6 +57,11 @@ TEST(NumberText, SignificantTextDropsTrailingZeros) {
   EXPECT_EQ(significant_text(0, 3), "0");
 }
 
+TEST(NumberText, RoundingBesideASizeIsZero) {
+  EXPECT_EQ(significant_text(-3.7e-17, 4, 1), "0");
+  EXPECT_EQ(significant_text(-3.7e-17, 4, 1e-6), "-3.7e-17");
+}
+
 TEST(NumberText, LengthsHaveFourOrFiveDigits) {
   EXPECT_EQ(length_decimals(250), 2);
   EXPECT_EQ(length_decimals(0.25), 5);

@@ -67,9 +67,23 @@ TEST(InstantAnalysis, OfATranslatingCouplerHasAnAccelerationPoleOnTheInflectionL
   const auto analysis = analyze_instant(FourBar{{0, 0}, {0, 1}, {3, 4}, {3, 1.5}}, {});
   const auto& instant = std::get<TranslatingInstant>(*analysis.instant);
   ASSERT_TRUE(analysis.acceleration_pole);
-  EXPECT_NEAR(dot(instant.velocity, *analysis.acceleration_pole), *instant.inflection_line(), 1e-12);
+  EXPECT_NEAR(dot(instant.velocity, *analysis.acceleration_pole - instant.inflection_line()->point), 0, 1e-12);
+  EXPECT_TRUE(std::holds_alternative<StraightLine>(*analysis.bresse_circle));
   EXPECT_EQ(analysis.rates->velocity, 0);
   EXPECT_FALSE(analysis.ball_point);
+}
+
+TEST(InstantAnalysis, TurnsTheInputAndCarriesThePoint) {
+  const TracingFourBar linkage{some, {2, 4}};
+  const double angle = configuration_of(some).input_angle;
+  const auto same = with_input_at(linkage, angle), turned = with_input_at(linkage, angle + 0.2);
+  ASSERT_TRUE(same && turned);
+  EXPECT_NEAR(std::abs(same->point - linkage.point), 0, 1e-13);
+  for (const auto arm : {&FourBar::input_circle, &FourBar::output_circle})
+    EXPECT_NEAR(std::abs(turned->point - turned->bars.*arm), std::abs(linkage.point - some.*arm), 1e-13);
+  EXPECT_EQ(turned->bars.input_center, some.input_center);
+  EXPECT_EQ(assembly_of(turned->bars), assembly_of(some));
+  EXPECT_FALSE(with_input_at({{{0, 0}, {0, 5}, {4, 0}, {4, 3}}, {}}, 3.1));
 }
 
 TEST(InstantAnalysis, TakesAPrescribedMotion) {

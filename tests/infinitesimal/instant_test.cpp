@@ -86,8 +86,9 @@ TEST(Instant, ParallelSideLinksTranslate) {
   ASSERT_NE(translating, nullptr);
   const auto line = translating->inflection_line();
   ASSERT_TRUE(line);
+  EXPECT_NEAR(dot(line->direction, translating->velocity), 0, 1e-15);
   // κ is linear along the velocity, 1 at x = 0 and −1 / 2.5 at x = 3.
-  EXPECT_NEAR(*line * translating->velocity.real(), 3 / 1.4, 1e-14);
+  EXPECT_NEAR(line->point.real(), 3 / 1.4, 1e-14);
   EXPECT_NEAR(std::abs(translating->slope), 1.4 / 3, 1e-14);
   const FourBar parallelogram{{0, 0}, {1, 2}, {4, 0}, {5, 2}};
   EXPECT_FALSE(std::get<TranslatingInstant>(*instant_of(motion_of(parallelogram))).inflection_line());
@@ -107,9 +108,9 @@ TEST(Instant, AccelerationPoleAndBresseCircleAreWhatTimeShows) {
   const FourBar bars{{0, 0}, {1, 1.2}, {4, 0.3}, {3.5, 3}};
   const MotionSeries motion = motion_of(bars);
   const auto instant = std::get<TurningInstant>(*instant_of(motion));
-  constexpr TurningRates rates{1.5, -0.8};
+  constexpr double velocity = 1.5, acceleration = -0.8;
   RealSeries<motion_order> in_time;
-  in_time.c = {0, rates.velocity, rates.acceleration / 2};
+  in_time.c = {0, velocity, acceleration / 2};
   MotionSeries timed = *motion.by_turn();
   timed.path = composed(timed.path, in_time);
   timed.turn = in_time;
@@ -117,13 +118,24 @@ TEST(Instant, AccelerationPoleAndBresseCircleAreWhatTimeShows) {
   ASSERT_TRUE(pole);
   EXPECT_NEAR(std::abs(timed.path_of(*pole).derivative(2)), 0, 1e-12);
   EXPECT_NEAR(std::abs(*pole - instant.inflection_circle().center), instant.diameter / 2, 1e-12);
-  const auto circle = bresse_circle(instant, rates);
-  ASSERT_TRUE(circle);
+  const auto circle = std::get<Circle>(*bresse_circle(instant, timed));
   for (double angle = 0; angle < two_pi; angle += 0.4) {
-    const auto path = timed.path_of(circle->center + circle->radius * direction(angle));
+    const auto path = timed.path_of(circle.center + circle.radius * direction(angle));
     EXPECT_NEAR(dot(path.derivative(1), path.derivative(2)), 0, 1e-10);
   }
-  EXPECT_FALSE(bresse_circle(instant, {1, 0}));
+  const auto even = std::get<StraightLine>(*bresse_circle(instant, *motion.by_turn()));
+  EXPECT_NEAR(dot(even.direction, instant.tangent), 0, 1e-15);
+}
+
+TEST(Instant, BressesCircleOfATranslationIsALine) {
+  const FourBar bars{{0, 0}, {0, 1}, {3, 4}, {3, 1.5}};
+  const MotionSeries motion = motion_of(bars);
+  const auto line = std::get<StraightLine>(*bresse_circle(*instant_of(motion), motion));
+  for (const double way : {-2.0, 0.0, 5.0}) {
+    const auto path = motion.path_of(line.point + way * line.direction);
+    EXPECT_NEAR(dot(path.derivative(1), path.derivative(2)), 0, 1e-12);
+  }
+  EXPECT_FALSE(bresse_circle(PivotingInstant{}, motion));
 }
 
 }  // namespace

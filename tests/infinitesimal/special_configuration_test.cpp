@@ -4,6 +4,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/infinitesimal/instant.hpp"
+#include "linkwright/infinitesimal/line_contact.hpp"
 #include "linkwright/infinitesimal/stationary_curve.hpp"
 
 namespace linkwright::special_configuration_test {
@@ -65,6 +66,14 @@ TEST_F(SpecialConfigurations, ACouplerParallelToTheFrameHasThePoleNormalInBothCu
 TEST_F(SpecialConfigurations, ParallelSideLinksTranslateTheCoupler) {
   EXPECT_EQ(codes_of(aslant({{0, 0}, {0, 1}, {3, 4}, {3, 1.5}})), Codes{"parallel_side_links"});
   EXPECT_EQ(codes_of(aslant({{0, 0}, {1, 2}, {4, 0}, {5, 2}})), Codes{"parallelogram"});
+  const FourBar watt = aslant({{-2, 0.5}, {0, 0.5}, {2, -0.5}, {0, -0.5}});
+  EXPECT_EQ(codes_of(watt), Codes{"parallel_side_links_across_coupler"});
+  const MotionSeries motion = coupler_motion(watt, *loop_series(watt));
+  const auto instant = std::get<TranslatingInstant>(*instant_of(motion));
+  for (const double way : {-1.0, 0.3, 2.0}) {
+    const Point point = instant.inflection_line()->point + way * instant.inflection_line()->direction;
+    EXPECT_GE(contact_with_line(motion, point, instant.velocity).points, 4);
+  }
 }
 
 TEST_F(SpecialConfigurations, LinksInOneLineAreNoneOfThese) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "linkwright/analysis/four_bar_analysis.hpp"
+#include "linkwright/files/instant_file.hpp"
 #include "linkwright/files/linkage_file.hpp"
 
 namespace linkwright {
@@ -10,6 +11,7 @@ namespace linkwright {
 /// The analysis of a four-bar and the file that it came from.
 struct LinkageAnalysis : FourBarAnalysis {
   StoredLinkage linkage;
+  std::optional<LinkageInstant> instant{};  ///< where it is asked for
 };
 
 /// Traced is traced_point().

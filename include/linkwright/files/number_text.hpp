@@ -16,6 +16,8 @@ namespace linkwright {
 /// A number for people with so many significant digits, without trailing zeros: "0.00213", "133.2"; whole numbers
 /// in full up to 1e15.
 [[nodiscard]] std::string significant_text(double value, int digits);
+/// The same, with 0 for what is only rounding (1e-12) beside `size`.
+[[nodiscard]] std::string significant_text(double value, int digits, double size);
 
 /// Decimals with which lengths of about this size are told to people: four or five significant digits.
 [[nodiscard]] int length_decimals(double typical_length);

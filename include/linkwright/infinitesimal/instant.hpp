@@ -12,6 +12,12 @@ struct Circle {
   Point center{};
   double radius = 0;
 };
+struct StraightLine {
+  Point point{};
+  Point direction{};  ///< unit vector
+};
+/// A circle, or what it has become where its centre is at infinity.
+using CircleOrLine = std::variant<Circle, StraightLine>;
 
 /// Invariants of the fourth order, by the body's own turn (Bottema and Roth, Theoretical Kinematics, ch. VIII).
 struct FourthOrderInvariants {
@@ -70,9 +76,10 @@ struct TranslatingInstant {
     return EquilateralHyperbola{circling_points->center, circling_points->product + 1 / slope};
   }
 
-  /// Where that vanishes: the line ⟨velocity, point⟩ = this; nothing where all paths are equally curved.
-  [[nodiscard]] std::optional<double> inflection_line() const {
-    return slope == 0 ? std::nullopt : std::optional(-curvature / slope);
+  /// Where that vanishes; nothing where all paths are equally curved.
+  [[nodiscard]] std::optional<StraightLine> inflection_line() const {
+    if (!circling_points) return std::nullopt;
+    return StraightLine{circling_points->center, velocity * Point{0, 1}};
   }
 };
 
@@ -82,6 +89,12 @@ using Instant = std::variant<TurningInstant, PivotingInstant, TranslatingInstant
 /// velocity).
 [[nodiscard]] std::optional<Instant> instant_of(const MotionSeries& motion);
 
+/// Nothing where the body translates: the pole is at infinity.
+[[nodiscard]] std::optional<Point> pole_of(const Instant& instant);
+
+/// Of the points whose paths have no curvature now; nothing where there are none.
+[[nodiscard]] std::optional<CircleOrLine> inflection_circle(const Instant& instant);
+
 /// Centre of curvature of the path of a point, from its first two derivatives; at infinity for a point that inflects,
 /// nothing for one that rests (the pole).
 [[nodiscard]] std::optional<Homogeneous> center_of_curvature(const MotionSeries& motion, Point point);
@@ -90,12 +103,9 @@ using Instant = std::variant<TurningInstant, PivotingInstant, TranslatingInstant
 /// where the body neither turns nor begins to. `by_time`: the motion by time, on whose pace it depends.
 [[nodiscard]] std::optional<Point> acceleration_pole(const MotionSeries& by_time);
 
-/// How fast the body turns; radians per unit of time.
-struct TurningRates {
-  double velocity = 0, acceleration = 0;
-};
-/// Of the points without tangential acceleration, (x² + y²) φ̈ + D φ̇² x = 0; nothing where the body turns evenly: the
-/// points of the pole normal.
-[[nodiscard]] std::optional<Circle> bresse_circle(const TurningInstant& instant, TurningRates rates);
+/// Bresse's circle, of the points without tangential acceleration, (x² + y²) φ̈ + D φ̇² x = 0: the pole normal where the
+/// body turns evenly, a line along the velocity where it translates. Nothing where every point is one, or the pole
+/// only.
+[[nodiscard]] std::optional<CircleOrLine> bresse_circle(const Instant& instant, const MotionSeries& by_time);
 
 }  // namespace linkwright

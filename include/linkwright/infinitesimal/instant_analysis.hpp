@@ -6,6 +6,7 @@
 #include "linkwright/core/notice.hpp"
 #include "linkwright/infinitesimal/instant.hpp"
 #include "linkwright/infinitesimal/stationary_curvature.hpp"
+#include "linkwright/mechanism/tracing_four_bar.hpp"
 
 namespace linkwright {
 
@@ -16,12 +17,18 @@ struct PathNow {
   int contact_points = 0;  ///< of path and tangent: 2, at an inflection 3, Ball's point 4, …; 0 at the pole
 };
 
+/// How fast the body turns, by the turn of the input or the parameter of its motion.
+struct BodyRates {
+  double velocity = 0, acceleration = 0;
+};
+
 /// All that one instant of a motion tells.
 struct InstantAnalysis {
   std::optional<Instant> instant;  ///< nothing where there is none; then `degenerate` says why
   Notice degenerate;
-  std::vector<Notice> notes;          ///< what holds because the links lie as they do
-  std::optional<TurningRates> rates;  ///< of the body; nothing where the input stands still
+  std::vector<Notice> notes;       ///< what holds because the links lie as they do
+  std::optional<BodyRates> rates;  ///< nothing where the input stands still
+  std::optional<CircleOrLine> bresse_circle;
   std::optional<Point> acceleration_pole;
   std::optional<Point> ball_point;
   std::vector<CurvaturePair> burmester_points;
@@ -35,6 +42,10 @@ struct InstantQuestion {
 
 /// Of a four-bar's coupler as it lies; rates by the turn of the input.
 [[nodiscard]] InstantAnalysis analyze_instant(const FourBar& four_bar, const InstantQuestion& question);
+
+/// The linkage with its input at that angle (radians) from the ground link, joined as it is, its point carried along;
+/// nothing where the input cannot be there.
+[[nodiscard]] std::optional<TracingFourBar> with_input_at(const TracingFourBar& linkage, double input_angle);
 
 /// Of a body whose pose is known with three derivatives at least; rates by their parameter.
 [[nodiscard]] InstantAnalysis analyze_instant(const PrescribedPose& pose, std::optional<Point> point);

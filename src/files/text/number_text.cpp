@@ -32,6 +32,11 @@ std::string significant_text(double value, int digits) {
   return text;
 }
 
+std::string significant_text(double value, int digits, double size) {
+  constexpr double rounding = 1e-12;
+  return significant_text(std::abs(value) <= rounding * size ? 0 : value, digits);
+}
+
 int length_decimals(double typical_length) {
   if (!(typical_length > 0) || !std::isfinite(typical_length)) return 2;
   return std::clamp(4 - static_cast<int>(std::floor(std::log10(typical_length))), 0, 15);
