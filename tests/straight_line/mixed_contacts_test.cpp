@@ -1,5 +1,6 @@
 #include "linkwright/straight_line/mixed_contacts.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -225,22 +226,36 @@ TEST(MixedDesigns, OfAllButStraightCouplersHoldThoseOfStraightOnes) {
   EXPECT_GT(compared, draws(2000));
 }
 
+// On a walk over the crank's length the next linkage of a layer is nearer than that of the other one, but where they
+// meet.
 TEST(MixedDesigns, AreContinuousOverTheirTwoLengths) {
   RandomTasks random(4);
-  int four_bars = 0, near = 0;
-  for (int i = 0; i < draws(4000); ++i) {
-    Task task = random.of(patterns[static_cast<std::size_t>(i) % patterns.size()], i % 3 ? random.angle() : 0);
-    const auto here = task.designs();
-    task.crank += 1e-9;
-    const auto there = task.designs();
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (here[k].kind != DesignKind::four_bar) continue;
-      ++four_bars;
-      near += there[k].kind == DesignKind::four_bar && difference(here[k].linkage, there[k].linkage) < 1e-4;
+  int steps = 0, near = 0, swapped = 0;
+  for (int i = 0; i < draws(400); ++i) {
+    Task task = random.of(patterns[static_cast<std::size_t>(i) % patterns.size()], random.angle());
+    const double crank = task.crank;
+    auto before = task.designs();
+    for (int step = 1; step <= 200; ++step) {
+      task.crank = crank * (1 + 1e-3 * step);
+      const auto now = task.designs();
+      const auto is_four_bar = [](const LineDesign& design) {
+        return design.kind == DesignKind::four_bar && design.linkage.longest() < 30;
+      };
+      if (std::all_of(now.begin(), now.end(), is_four_bar) && std::all_of(before.begin(), before.end(), is_four_bar)) {
+        ++steps;
+        const double same =
+                         difference(before[0].linkage, now[0].linkage) + difference(before[1].linkage, now[1].linkage),
+                     other =
+                         difference(before[0].linkage, now[1].linkage) + difference(before[1].linkage, now[0].linkage);
+        near += same < 0.05;
+        swapped += other < 0.05 && 2 * other < same;
+      }
+      before = now;
     }
   }
-  EXPECT_GT(four_bars, draws(3000));
-  EXPECT_GT(near, 0.998 * four_bars);
+  EXPECT_GT(steps, draws(10000));
+  EXPECT_GT(near, 0.9 * steps);
+  EXPECT_EQ(swapped, 0);
 }
 
 TEST(MixedDesigns, MoveWithTheTask) {
@@ -292,6 +307,10 @@ TEST(MixedDesigns, OfContactsThatMeetAreThoseOfTheMultipleContact) {
         ++compared;
         near += found[k].kind == DesignKind::four_bar &&
                 difference(wanted[k].linkage, found[k].linkage) < 10 * apart + 1e-6;
+        if (apart < tolerance::double_contact && found[k].kind == DesignKind::four_bar) {
+          EXPECT_LT(std::abs(found[k].linkage.bars.output_center - wanted[k].linkage.bars.output_center),
+                    1e-7 * wanted[k].linkage.longest());
+        }
         // They have the contacts asked for all the same.
         if (found[k].kind != DesignKind::four_bar) continue;
         for (const PlacedContact& contact : task.contacts) {
@@ -306,12 +325,34 @@ TEST(MixedDesigns, OfContactsThatMeetAreThoseOfTheMultipleContact) {
   EXPECT_GT(near, 0.95 * compared);
 }
 
+TEST(MixedDesigns, OfContactsThatMeetOnBothSidesKeepThem) {
+  RandomTasks random(10);
+  int four_bars = 0;
+  for (int i = 0; i < draws(500); ++i) {
+    Task task = random.of({2, 1, 1, 0}, random.angle());
+    task.contacts[0].multiplicity = 1;
+    task.contacts.insert(task.contacts.begin() + 1, task.contacts[0]);
+    task.contacts[1].s += 1e-6;
+    task.contacts[1].side = -task.contacts[0].side;
+    for (const LineDesign& design : task.designs()) {
+      if (design.kind != DesignKind::four_bar || design.linkage.longest() > 100) continue;
+      ++four_bars;
+      EXPECT_LT(*worst_miss(task, design.linkage), 1e-6);
+    }
+  }
+  EXPECT_GT(four_bars, draws(200));
+}
+
 TEST(MixedDesigns, AreNoneWhereTheDyadIsStretchedOrFoldedOrOutOfReach) {
   Task task{{{0, 3}, {1, 0}}, 0, {{-1, 1, 1}, {0, 1, 1}, {1, 1, 1}, {2, 1, 1}}, 0.3, 1, 4};
   task.point_arm = 2;  // stretched at s = 0, out of reach elsewhere
   for (const LineDesign& design : task.designs()) EXPECT_EQ(design.kind, DesignKind::none);
   task = {{{0, 3}, {1, 0}}, 0, {{-1, 1, 1}, {1, 3, 1}}, 0, 1.5, 1.5 + std::sqrt(10)};  // folded at both
   EXPECT_EQ(task.designs()[0].kind, DesignKind::none);
+  for (const double short_of_folded : {1e-3, 1e-15}) {
+    const Task hoecken{{{0, 4}, {1, 0}}, 0, {{0, 1, 1}, {2, 2, 1}, {4, 1, 1}}, 0, 1, 5 - short_of_folded};
+    EXPECT_EQ(hoecken.designs()[0].kind == DesignKind::four_bar, short_of_folded > 1e-14);
+  }
   EXPECT_TRUE(contact_poses({{0, {1.5, 0}, 1, {2, 2}}, {3 + std::sqrt(10.0), 0}}, task.line, task.contacts).empty());
 }
 
@@ -350,6 +391,37 @@ TEST(MixedDesigns, NameASlider) {
   }
   EXPECT_GT(sliders, draws(10));
   EXPECT_EQ(sliders + vanishing, passages);
+}
+
+TEST(ContactPoses, AreThoseOfTheCoupler) {
+  RandomTasks random(11);
+  int multiple = 0;
+  for (int i = 0; i < draws(500); ++i) {
+    const Task task = random.of(patterns[static_cast<std::size_t>(i) % patterns.size()], random.angle());
+    for (const LineDesign& design : task.designs()) {
+      if (design.kind != DesignKind::four_bar) continue;
+      const auto poses = contact_poses(design.linkage, task.line, task.contacts);
+      ASSERT_EQ(poses.size(), task.contacts.size());
+      for (std::size_t j = 0; j < poses.size(); ++j) {
+        const PlacedContact& contact = task.contacts[j];
+        const auto way = [&](double step) {
+          PlacedContact beside = contact;
+          beside.s += step;
+          return task.line.to_fixed(beside.s) - pin_at(task, beside);
+        };
+        EXPECT_LT(std::abs(poses[j].pose.origin - task.line.to_fixed(contact.s)), 1e-13);
+        EXPECT_LT(std::abs(way(0) / task.point_arm - direction(poses[j].pose.angle)), 1e-9);
+        ASSERT_EQ(poses[j].derivatives.size(), contact.multiplicity > 1 ? 1u : 0u);
+        if (contact.multiplicity == 1) continue;
+        ++multiple;
+        EXPECT_EQ(poses[j].derivatives[0].origin, task.line.direction);
+        const double step = 1e-6, slope = std::arg(way(step) / way(-step)) / (2 * step);
+        EXPECT_TRUE(!std::isfinite(slope) ||
+                    std::abs(poses[j].derivatives[0].angle - slope) < 1e-4 * (1 + std::abs(slope)));
+      }
+    }
+  }
+  EXPECT_GT(multiple, draws(200));
 }
 
 TEST(ContactPoses, AreJudgedAsTheDriveThroughThemIs) {
