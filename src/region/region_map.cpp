@@ -13,7 +13,7 @@ namespace linkwright {
 
 void RegionMap::lay(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
                     bool of_pairs, const RegionOptions& options) {
-  require(measures.size() <= MapCell::max_measures, "a map has eight measures at most");
+  require(measures.size() <= MapCell::max_measures, "a map has twelve measures at most");
   const std::size_t cells = input.size() * output.size();
   rows_ = columns_ = 0;
   type_.resize(cells);
@@ -81,7 +81,7 @@ std::span<const float> RegionMap::values(const Measure& measure) const {
 
 std::vector<Measure> RegionMap::reported_measures() const {
   std::vector<Measure> told = measures_;
-  told.push_back(measures::driver_sweep);
+  if (rows_ == 0 || !drivers_.empty()) told.push_back(measures::driver_sweep);
   return told;
 }
 
@@ -95,7 +95,7 @@ bool RegionMap::pair_decides_sense(std::size_t row) const {
 
 DriveSense RegionMap::drive_sense(std::size_t row, std::size_t column) const {
   const std::size_t cell = index(row, column);
-  if (type(cell) == LinkageType::degenerate || !defects(cell).none()) return DriveSense::none;
+  if (drivers_.empty() || type(cell) == LinkageType::degenerate || !defects(cell).none()) return DriveSense::none;
   const bool by_pair = pair_decides_sense(row) && !cell_directions_.view().empty();
   const unsigned admissible_directions = by_pair ? cell_directions_[cell] : drivers_[row].admissible_directions;
   return linkwright::drive_sense(admissible_directions & DriverTravel::ccw, admissible_directions & DriverTravel::cw);

@@ -56,6 +56,8 @@ RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& r
   add_bound(RequirementKind::min_length, measures::longest_link, wanted.min_length.value_or(0), &measures::link_ratio);
   add_bound(RequirementKind::min_link_angle, measures::min_link_angle, wanted.min_link_angle.value_or(0));
   add_bound(RequirementKind::max_link_angle, measures::max_link_angle, wanted.max_link_angle.value_or(pi));
+  add_bound(RequirementKind::min_stroke, measures::usable_length, wanted.min_stroke);
+  add_bound(RequirementKind::max_deviation, measures::deviation, wanted.max_deviation);
   if (!pivots) return;
   add_places();
   if (places_.empty()) return;
@@ -68,7 +70,7 @@ void RequirementFilter::add_bound(RequirementKind kind, const Measure& measure, 
   const std::span<const float> values = map_->values(measure);
   if (place_among(kinds_, kind) == kinds_.size() || values.empty()) return;
   const bool is_least = kind == RequirementKind::min_transmission_angle || kind == RequirementKind::min_length ||
-                        kind == RequirementKind::min_link_angle;
+                        kind == RequirementKind::min_link_angle || kind == RequirementKind::min_stroke;
   const double stored = measure.stored == Measure::Stored::as_versine ? versine_of_angle(limit) : limit;
   bounds_.push_back({kind, bit(kind), measure, values, per ? map_->values(*per) : std::span<const float>{},
                      static_cast<float>(stored), is_least});
@@ -106,6 +108,8 @@ std::vector<std::uint8_t> RequirementFilter::verdict_failures() const {
       unsigned failed = 0;
       if (!wanted.types.empty() && named == wanted.types.end()) failed |= bit(RequirementKind::types);
       if (wanted.no_defects && defects != 0) failed |= bit(RequirementKind::no_defects);
+      // A class that has no such requirement lets no defect pass.
+      if (defects != 0 && place_among(kinds_, RequirementKind::no_defects) == kinds_.size()) failed = all_failures;
       if (type == static_cast<std::size_t>(LinkageType::degenerate)) failed = all_failures;
       failures[type * 8 + defects] = static_cast<std::uint8_t>(failed);
     }

@@ -1,8 +1,11 @@
 #include "straight_line/line_cases.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
+#include "linkwright/straight_line/symmetric_lambda.hpp"
 
 namespace linkwright {
 namespace {
@@ -191,6 +194,23 @@ LineDesigns designs_of(const ParallelSideLinks& given, const DirectedLine& line,
   return {four_bar_of({a, a + input * line.left()}, {b, b + output * line.left()}, line.point, std::abs(length))};
 }
 
+LineDesigns designs_of(const MixedContacts& given, const DirectedLine& line, double crank, double arm) {
+  double scale = 0;
+  for (const PlacedContact& contact : given.contacts)
+    scale = std::max(scale, std::abs(line.to_fixed(contact.s) - given.input_pivot));
+  const auto found = mixed_designs(line, given.input_pivot, given.contacts, given.coupler_angle, crank, arm, scale);
+  return {found[0], found[1]};
+}
+
+LineDesigns designs_of(const SymmetricLambdas& given, const DirectedLine& line, double range, double /*nothing*/) {
+  LineDesigns designs;
+  const double crank_range = given.crank_range.value_or(range);
+  const std::array found = {minimax_lambda(crank_range, given.stroke), near_minimax_lambda(crank_range, given.stroke)};
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (found[k]) designs[k] = line_design(lambda_linkage(*found[k], line, false), given.stroke);
+  return designs;
+}
+
 LineDesigns designs_of(const PoleAtGivenPivot& given, const DirectedLine& line) {
   const Point pole = given.output, point = line.to_fixed(line.to_line(pole).real());
   const Point to_point = point - pole, to_input = given.input - pole;
@@ -253,19 +273,31 @@ struct AxesOfCase {
   Axes operator()(const ParallelSideLinks& /*given*/) const {
     return {length(AxisQuantity::link_length), length(AxisQuantity::link_length)};
   }
+  Axes operator()(const MixedContacts& /*given*/) const {
+    return {LineAxis{AxisQuantity::crank_length, 0, 2 * size}, LineAxis{AxisQuantity::point_arm, 0, 2 * size}};
+  }
+  Axes operator()(const SymmetricLambdas& given) const {
+    if (given.crank_range) return {};
+    return {LineAxis{AxisQuantity::crank_range, radians(60), radians(180)}, LineAxis{}};
+  }
 };
+
+bool is_straight(double coupler_angle) { return std::abs(std::sin(coupler_angle)) < tolerance::no_turn; }
 
 struct LayerNames {
   std::array<std::string_view, 3> names;
   int count;
 };
 constexpr LayerNames one_layer = {{"", "", ""}, 1}, both_tangents = {{"alpha", "alpha_plus_90", ""}, 2},
-                     both_rays = {{"first", "second", ""}, 2}, pairs_of_three = {{"AB", "AD", "BD"}, 3},
-                     pairs_at_pivot = {{"AB", "DB", "AD"}, 3};
+                     both_rays = {{"first", "second", ""}, 2}, lambdas = {{"minimax", "near_minimax", ""}, 2},
+                     pairs_of_three = {{"AB", "AD", "BD"}, 3}, pairs_at_pivot = {{"AB", "DB", "AD"}, 3};
 
 const LayerNames& layers_named(const StraightLineCase& given) {
   if (std::holds_alternative<FourPointPivots>(given)) return both_tangents;
   if (std::holds_alternative<PoleAtGivenPivot>(given)) return both_rays;
+  if (std::holds_alternative<SymmetricLambdas>(given)) return lambdas;
+  if (const auto* mixed = std::get_if<MixedContacts>(&given))
+    return is_straight(mixed->coupler_angle) ? one_layer : both_rays;
   if (std::holds_alternative<FivePointSideLinkOnFrame>(given)) return pairs_at_pivot;
   if (std::holds_alternative<FivePoint>(given) || std::holds_alternative<FivePointInflectionPole>(given) ||
       std::holds_alternative<SixPoint>(given))
@@ -287,14 +319,6 @@ std::array<LineAxis, 2> axes_of(const StraightLineTask& task) {
 int layers_of(const StraightLineCase& given) { return layers_named(given).count; }
 std::string_view layer_name(const StraightLineCase& given, int layer) {
   return layers_named(given).names[static_cast<std::size_t>(layer)];
-}
-
-int contact_of(const StraightLineCase& given) {
-  if (std::holds_alternative<SixPoint>(given)) return 6;
-  const bool five =
-      std::holds_alternative<FivePoint>(given) || std::holds_alternative<FivePointInflectionPole>(given) ||
-      std::holds_alternative<FivePointSideLinkOnFrame>(given) || std::holds_alternative<ParallelSideLinks>(given);
-  return five ? 5 : 4;
 }
 
 LineDesigns designs_at(const StraightLineTask& task, LineAxisValue first, LineAxisValue second) {

@@ -31,8 +31,6 @@ using LineDesigns = std::array<LineDesign, 3>;
 [[nodiscard]] int layers_of(const StraightLineCase& given);
 /// What of two layers the linkages are, in files: "alpha", "alpha_plus_90", "AB", …; empty where there is one.
 [[nodiscard]] std::string_view layer_name(const StraightLineCase& given, int layer);
-/// Points of contact that the case promises.
-[[nodiscard]] int contact_of(const StraightLineCase& given);
 
 /// The linkages of a case at a place, without trigonometry. Formulas: docs/theory/straight_lines.md.
 [[nodiscard]] LineDesigns designs_at(const StraightLineTask& task, LineAxisValue first, LineAxisValue second);

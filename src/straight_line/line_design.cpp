@@ -13,9 +13,7 @@ LineDesign line_design(const TracingFourBar& linkage, double scale) {
   for (const Point p : {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle})
     farthest = std::max(farthest, std::abs(p - linkage.point));
   if (!(farthest * tolerance::sliding_pivot <= scale)) return {DesignKind::slider, {}};
-  const double shortest = std::min({bars.lengths().shortest(), std::abs(linkage.point - bars.input_circle),
-                                    std::abs(linkage.point - bars.output_circle)});
-  if (!(shortest > tolerance::vanishing_link * linkage.longest())) return {};
+  if (!(linkage.shortest() > tolerance::vanishing_link * linkage.longest())) return {};
   return {DesignKind::four_bar, linkage};
 }
 

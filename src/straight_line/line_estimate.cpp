@@ -146,7 +146,8 @@ class TracedPath {
   int first_, last_;
 };
 
-LineEstimate estimate_of(const LineTraceBlock& block, std::size_t lane, const LineMeasuring& measuring) {
+LineEstimate estimate_of(const LineTraceBlock& block, std::size_t lane, const LineEstimateTask& task) {
+  const LineMeasuring& measuring = task.measuring;
   const TracedPath path(block, lane);
   const double deviation = block.deviation[lane];
   const Stretch tangent = path.within(-deviation, deviation), strip = path.strip(2 * deviation);
@@ -154,8 +155,8 @@ LineEstimate estimate_of(const LineTraceBlock& block, std::size_t lane, const Li
   const Stretch usable = by_strip ? strip : tangent;
   LineEstimate estimate{
       tangent.length(), std::max(strip.length(), tangent.length()), 0, 0, 0, std::abs(block.coefficient[lane])};
-  if (measuring.stroke) {
-    const Stretch stroke{-*measuring.stroke / 2, *measuring.stroke / 2};
+  if (task.stroke) {
+    const Stretch stroke{(*task.stroke)[0], (*task.stroke)[1]};
     estimate.deviation = path.reaches(stroke) ? path.largest_deviation(stroke) : infinity;
   } else {
     estimate.deviation = std::min(deviation, path.largest_deviation(usable));
@@ -193,14 +194,13 @@ void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimate
   block.direction[1] = task.direction.imag();
   block.contact = task.contact;
   block.by_input = task.by_input;
-  block.half_stroke = task.measuring.stroke.value_or(0) / 2;
+  if (task.stroke) block.half_stroke = std::max(-(*task.stroke)[0], (*task.stroke)[1]);
   constexpr std::size_t size = LineTraceBlock::size;
   for (std::size_t begin = 0; begin < linkages.size(); begin += size) {
     const auto some = linkages.subspan(begin, std::min(size, linkages.size() - begin));
     fill(block, some, task.measuring);
     kernel(block);
-    for (std::size_t lane = 0; lane < some.size(); ++lane)
-      estimates[begin + lane] = estimate_of(block, lane, task.measuring);
+    for (std::size_t lane = 0; lane < some.size(); ++lane) estimates[begin + lane] = estimate_of(block, lane, task);
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 
 #include "linkwright/core/simd.hpp"
@@ -25,6 +27,7 @@ struct LineEstimateTask {
   int contact = 4;
   bool by_input = false;  ///< the pole is at infinity, and the coupler does not turn
   LineMeasuring measuring;
+  std::optional<std::array<double, 2>> stroke{};  ///< over which deviations are looked at
   Simd simd = Simd::automatic;
 };
 

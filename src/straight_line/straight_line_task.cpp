@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <string>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/straight_line/symmetric_lambda.hpp"
 
 namespace linkwright {
 namespace {
@@ -30,6 +32,8 @@ struct CaseName {
   }
   std::string_view operator()(const SixPoint& /*given*/) const { return "six_point"; }
   std::string_view operator()(const ParallelSideLinks& /*given*/) const { return "parallel_side_links"; }
+  std::string_view operator()(const MixedContacts& /*given*/) const { return "mixed"; }
+  std::string_view operator()(const SymmetricLambdas& /*given*/) const { return "symmetric_lambda"; }
 };
 
 // What is given beside the line, number by number.
@@ -83,6 +87,29 @@ class GivenCheck {
     if (given.input_offset == given.output_offset)
       mistake("offsets_equal", "task.output_offset", "both offsets are the same: the coupler would have no length");
   }
+  void operator()(const MixedContacts& given) {
+    check_point(given.input_pivot, "task.input_pivot");
+    check(degrees(given.coupler_angle), "the angle of the coupler", "task.coupler_angle_deg");
+    int points = 0;
+    for (std::size_t j = 0; j < given.contacts.size(); ++j) check_contact(given, j, points);
+    if (points != 4)
+      found_.push_back({"contact_points",
+                        "task.contacts",
+                        fmt::format("the multiplicities of the contacts add up to {}; they must add up to 4", points),
+                        {{"count", points}}});
+  }
+  void operator()(const SymmetricLambdas& given) {
+    check(given.stroke, "the stroke", "task.stroke");
+    if (std::isfinite(given.stroke) && !(given.stroke > 0))
+      mistake("stroke_positive", "task.stroke", "the stroke is a positive length");
+    if (given.crank_range && !(*given.crank_range > 0 && *given.crank_range < longest_lambda_range))
+      found_.push_back({"crank_range",
+                        "task.crank_range_deg",
+                        fmt::format("the crank turns between 0 and {:.2f} degrees over the stroke: at more its point "
+                                    "turns back; null leaves the range open",
+                                    degrees(longest_lambda_range)),
+                        {{"most", degrees(longest_lambda_range)}}});
+  }
 
  private:
   void mistake(const char* code, const char* place, const char* message) { found_.push_back({code, place, message}); }
@@ -90,6 +117,21 @@ class GivenCheck {
   void check_point(Point point, const std::string& place) {
     check_number(point.real(), "a coordinate", place + "[0]", found_);
     check_number(point.imag(), "a coordinate", place + "[1]", found_);
+  }
+  void check_contact(const MixedContacts& given, std::size_t j, int& points) {
+    const PlacedContact& contact = given.contacts[j];
+    const std::string place = fmt::format("task.contacts[{}]", j);
+    check_number(contact.s, "a place of the line", place + ".s", found_);
+    if (contact.multiplicity < 1 || contact.multiplicity > 4)
+      found_.push_back({"contact_multiplicity", place + ".multiplicity",
+                        "a contact has 1 (crosses), 2 (touches), 3 (inflects) or 4 points in common with the line"});
+    if (contact.side != 1 && contact.side != -1)
+      found_.push_back({"contact_side", place + ".side",
+                        "the side of the dyad is 1 or −1: the crank's pin left or right of the way to the point"});
+    points += contact.multiplicity;
+    if (j == 0 || given.contacts[j - 1].s < contact.s) return;
+    found_.push_back({"contact_order", place + ".s",
+                      "contacts come by rising s; two at the same place are one of higher multiplicity"});
   }
   void check_pivots(Point input, Point output) {
     check_point(input, "task.ground_pivots.input");
@@ -132,6 +174,13 @@ struct CaseSize {
   double operator()(const IsoscelesTrapezoid& given) const { return 2 * given.half_frame; }
   double operator()(const PoleAtGivenPivot& given) const { return std::abs(given.output - given.input); }
   double operator()(const ParallelSideLinks& given) const { return std::abs(given.output_offset - given.input_offset); }
+  double operator()(const MixedContacts& given) const {
+    double farthest = 0;
+    for (const PlacedContact& contact : given.contacts)
+      farthest = std::max(farthest, std::abs(line.to_fixed(contact.s) - given.input_pivot));
+    return farthest;
+  }
+  double operator()(const SymmetricLambdas& given) const { return given.stroke; }
   template <class OfPole>
   double operator()(const OfPole& given) const {
     return std::abs(given.pole_distance);
@@ -142,14 +191,23 @@ struct CaseSize {
 
 std::string_view name(const StraightLineCase& of) { return std::visit(CaseName{}, of); }
 
+int promised_contact(const StraightLineCase& of) {
+  if (std::holds_alternative<SixPoint>(of)) return 6;
+  if (std::holds_alternative<SymmetricLambdas>(of)) return 2;
+  if (const auto* mixed = std::get_if<MixedContacts>(&of)) return mixed->contacts.front().multiplicity;
+  const bool five = std::holds_alternative<FivePoint>(of) || std::holds_alternative<FivePointInflectionPole>(of) ||
+                    std::holds_alternative<FivePointSideLinkOnFrame>(of) ||
+                    std::holds_alternative<ParallelSideLinks>(of);
+  return five ? 5 : 4;
+}
+
 double size_of(const StraightLineTask& task) { return std::visit(CaseSize{task.line}, task.given); }
 
 std::vector<Error> mistakes_in(const StraightLineTask& task) {
   std::vector<Error> found;
   check_number(task.line.point.real(), "a coordinate", "task.line.point[0]", found);
   check_number(task.line.point.imag(), "a coordinate", "task.line.point[1]", found);
-  if (!is_finite(task.line.direction))
-    found.push_back({"number_finite", "task.line.direction_deg", "the direction of the line must be a finite number"});
+  check_number(degrees(task.line.angle), "the direction of the line", "task.line.direction_deg", found);
   GivenCheck check(task.line, found);
   std::visit(check, task.given);
   return found;

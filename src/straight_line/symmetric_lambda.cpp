@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
+#include "linkwright/straight_line/straight_path.hpp"
 
 namespace linkwright {
 
@@ -30,6 +32,62 @@ std::optional<SymmetricLambda> minimax_lambda(double crank_range, double stroke)
   // The triangle of coupler and output is isosceles; its base is 1 in the middle and 2w at the ends.
   const auto between = [&](double base) { return 2 * std::asin(base / (1 + 2 * w)); };
   lambda.min_transmission_angle = std::min({between(1), pi - between(1), between(2 * w)});
+  return lambda;
+}
+
+namespace {
+
+// In units of d + r: w = d − r by 2 w³ + S w² − Π = 0, where the line is met at u₁, u₂, u₃ with sum S and product Π.
+// The nodes lie over the crank range, whose ends depend on w: contracts by some tenth a turn.
+struct MetAtNodes {
+  double w = 0, sum = 0;
+};
+MetAtNodes met_at_chebyshev_nodes(double crank_range) {
+  const double sine = std::sin(crank_range / 4);
+  MetAtNodes met{0.5, 0};
+  for (int turn = 0; turn < 200; ++turn) {
+    const double end = 1 - (1 - met.w * met.w) * sine * sine, middle = (1 + end) / 2, half = (1 - end) / 2;
+    const double node = half * std::cos(pi / 6);
+    const double sum = 3 * middle, product = (middle - node) * middle * (middle + node);
+    double w = met.w;
+    for (int newton = 0; newton < 50; ++newton) {
+      const double step = (2 * w * w * w + sum * w * w - product) / (6 * w * w + 2 * sum * w);
+      w -= step;
+      if (std::abs(step) <= tolerance::last_newton_correction * w) break;
+    }
+    const double change = std::abs(w - met.w);
+    met = {w, sum};
+    if (change <= tolerance::no_difference) break;
+  }
+  return met;
+}
+
+}  // namespace
+
+std::optional<SymmetricLambda> near_minimax_lambda(double crank_range, double stroke) {
+  if (!(crank_range > 0 && crank_range < longest_lambda_range && stroke > 0 && std::isfinite(stroke)))
+    return std::nullopt;
+  const auto [w, sum] = met_at_chebyshev_nodes(crank_range);
+  SymmetricLambda lambda;
+  lambda.crank = (1 - w) / 2;
+  lambda.ground = (1 + w) / 2;
+  lambda.link = std::sqrt(sum + 2 * w) / 2;
+  const double end = 1 - (1 - w * w) * std::pow(std::sin(crank_range / 4), 2);  // square of the pin's distance
+  // x of the point at the end: the coupler's perpendicular from the output's centre, turned with the pin.
+  const double reach = std::sqrt(4 * lambda.link * lambda.link / end - 1);
+  const double way = 2 * reach * lambda.crank * std::sin(crank_range / 2);
+  const double unit = stroke / way;
+  for (double* length : {&lambda.crank, &lambda.ground, &lambda.link}) *length *= unit;
+  lambda.crank_range = crank_range;
+  lambda.stroke = stroke;
+  const TracingFourBar linkage = lambda_linkage(lambda, {}, false);
+  const auto path = StraightPath::of(linkage, {1, 0}, {.from = -0.51 * stroke, .to = 0.51 * stroke});
+  const auto report = path ? path->stroke(-stroke / 2, stroke / 2) : std::nullopt;
+  if (!report) return std::nullopt;
+  lambda.max_deviation = report->parallel_line_deviation;
+  lambda.line_height = std::sqrt(4 * lambda.link * lambda.link - std::pow(lambda.ground + lambda.crank, 2)) +
+                       report->max_deviation - report->parallel_line_deviation;
+  lambda.min_transmission_angle = report->min_transmission_angle;
   return lambda;
 }
 

@@ -50,7 +50,7 @@ struct Sample {
   bool by_input;
 };
 std::vector<Sample> samples() {
-  const DirectedLine line{{1, 2}, direction(0.4)};
+  const LineAtAngle line({1, 2}, 0.4);
   return {{{line, FourPointPivots{{0, 0}, {3, 1}}}, 4, false},
           {{line, IsoscelesTrapezoid{1}}, 4, false},
           {{line, FivePoint{1.5, 1}}, 5, false},
@@ -69,7 +69,7 @@ TEST(LineEstimate, IsCloseToTheExactPath) {
     const auto linkages = linkages_of(sample.task, 600, 3);
     std::vector<LineEstimate> estimates(linkages.size());
     const Point along = sample.task.line.direction;
-    estimate_lines(linkages, {along, sample.contact, sample.by_input, {}, Simd::automatic}, estimates);
+    estimate_lines(linkages, {along, sample.contact, sample.by_input, {}, {}, Simd::automatic}, estimates);
     std::vector<double> stroke, strip, angle;
     for (std::size_t i = 0; i < linkages.size(); ++i) {
       const auto path = StraightPath::of(linkages[i], along);
@@ -100,7 +100,10 @@ TEST(LineEstimate, MeasuresTheStrokeAskedFor) {
   const Point along = sample.task.line.direction;
   for (const double stroke : {0.05, 0.4}) {
     const LineMeasuring measuring{{}, stroke, LineMeasure::strip};
-    estimate_lines(linkages, {along, sample.contact, sample.by_input, measuring, Simd::automatic}, estimates);
+    estimate_lines(
+        linkages,
+        {along, sample.contact, sample.by_input, measuring, std::array{-stroke / 2, stroke / 2}, Simd::automatic},
+        estimates);
     int reached = 0, close = 0, even = 0;
     for (std::size_t i = 0; i < linkages.size(); ++i) {
       const auto path = StraightPath::of(linkages[i], along);
@@ -127,7 +130,7 @@ TEST(LineEstimate, IsTheSameForEveryInstructionSet) {
   for (const Simd simd : {Simd::baseline, Simd::avx2, Simd::avx512}) {
     if (!is_supported(simd)) continue;
     const auto estimate = [&](Simd with, std::vector<LineEstimate>& to) {
-      estimate_lines(linkages, {sample.task.line.direction, 5, false, {}, with}, to);
+      estimate_lines(linkages, {sample.task.line.direction, 5, false, {}, {}, with}, to);
     };
     estimate(Simd::scalar, one);
     estimate(simd, other);

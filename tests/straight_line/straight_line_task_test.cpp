@@ -32,7 +32,7 @@ std::optional<Place> place_of(const std::string& file, const nlohmann::json& in)
   const auto length = [&](const char* key) { return number(in[key]); };
   Place place;
   if (!in.contains("line_direction_deg")) return std::nullopt;
-  place.task.line = {point_of(in.contains("C") ? in["C"] : in["line_point"]), direction(angle("line_direction_deg"))};
+  place.task.line = LineAtAngle(point_of(in.contains("C") ? in["C"] : in["line_point"]), angle("line_direction_deg"));
   if (file.starts_with("c92")) {
     place.task.given = FourPointCubic{length("c"), angle("psiC_deg"), length("N")};
     place.first = angle("psiA_deg"), place.second = angle("psiB_deg");
@@ -112,7 +112,7 @@ TEST(LineCases, AgreeWithThirtyDigits) {
 
 std::vector<StraightLineTask> tasks_of_every_case(std::mt19937& draw) {
   std::uniform_real_distribution<double> number(-3, 3), length(0.2, 3), ray(0.1, 1.4);
-  const DirectedLine line{{number(draw), number(draw)}, direction(number(draw))};
+  const LineAtAngle line({number(draw), number(draw)}, number(draw));
   const Point a{number(draw), number(draw)}, b{number(draw), number(draw)};
   const double c = number(draw) > 0 ? length(draw) : -length(draw);
   return {{line, FourPointPivots{a, b}},
@@ -128,11 +128,6 @@ std::vector<StraightLineTask> tasks_of_every_case(std::mt19937& draw) {
           {line, FivePointSideLinkOnFrame{c}},
           {line, SixPoint{c}},
           {line, ParallelSideLinks{number(draw), number(draw)}}};
-}
-
-double shortest_of(const TracingFourBar& linkage) {
-  return std::min({linkage.bars.lengths().shortest(), std::abs(linkage.point - linkage.bars.input_circle),
-                   std::abs(linkage.point - linkage.bars.output_circle)});
 }
 
 // The first term is one below the promised contact and counts at a way over which the promised term and the next are
@@ -163,14 +158,14 @@ TEST(LineCases, KeepTheContactThatTheyPromise) {
           const TracingFourBar& linkage = design.linkage;
           EXPECT_LT(std::abs(task.line.to_line(linkage.point).imag()), 1e-9 * linkage.longest());
           // As requirements do by default: rounding shows in the contact with a high power of the ratio of the links.
-          if (linkage.longest() > 20 * shortest_of(linkage)) continue;
+          if (linkage.longest() > 20 * linkage.shortest()) continue;
           const auto loop = loop_series(linkage.bars);
           if (!loop) continue;
           const auto contact =
               contact_with_line(coupler_motion(linkage.bars, *loop), linkage.point, task.line.direction);
           auto& [seen, low] = counts[std::string(name(task.given))];
           ++seen;
-          if (falls_short(contact, contact_of(task.given))) ++low;
+          if (falls_short(contact, promised_contact(task.given))) ++low;
         }
       }
     }

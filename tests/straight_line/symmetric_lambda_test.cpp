@@ -156,6 +156,27 @@ TEST(SymmetricLambda, OfASmallRangeIsThatOfSixPoints) {
   }
 }
 
+// docs/theory/straight_lines.md, the row of Chebyshev's nodes: 80, 120, 140, 160, 180 degrees.
+TEST(SymmetricLambda, AtChebyshevsNodesIsAllButTheBest) {
+  struct Row {
+    double range, ground, link, stroke, percent;
+  };
+  for (const Row& row : {Row{80, 2.8245, 3.7368, 2.2989, 0.00114}, Row{120, 2.6245, 3.4370, 3.2379, 0.0100},
+                         Row{140, 2.5053, 3.2584, 3.6267, 0.0239}, Row{160, 2.3776, 3.0674, 3.9552, 0.0522},
+                         Row{180, 2.2447, 2.8691, 4.2203, 0.107}}) {
+    const auto near = near_minimax_lambda(radians(row.range), 1), best = minimax_lambda(radians(row.range), 1);
+    ASSERT_TRUE(near && best);
+    EXPECT_NEAR(near->ground / near->crank, row.ground, 6e-5);
+    EXPECT_NEAR(near->link / near->crank, row.link, 6e-5);
+    EXPECT_NEAR(near->stroke / near->crank, row.stroke, 6e-5);
+    EXPECT_NEAR(200 * near->max_deviation / near->stroke, row.percent, 0.006 * row.percent);
+    EXPECT_LT(best->max_deviation, near->max_deviation);
+    EXPECT_GT(best->max_deviation, 0.8 * near->max_deviation);
+    EXPECT_NEAR(near->line_height, best->line_height, 0.02 * best->line_height);
+  }
+  EXPECT_FALSE(near_minimax_lambda(0, 1));
+}
+
 TEST(SymmetricLambda, IsThereUntilThePointTurnsBack) {
   EXPECT_TRUE(minimax_lambda(longest_lambda_range * (1 - 1e-12), 1));
   for (const double range : {0.0, -1.0, longest_lambda_range, 6.0, std::numeric_limits<double>::quiet_NaN()})

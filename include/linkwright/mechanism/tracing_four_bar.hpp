@@ -14,6 +14,11 @@ struct TracingFourBar {
     return std::max(
         {bars.lengths().longest(), std::abs(point - bars.input_circle), std::abs(point - bars.output_circle)});
   }
+  /// Of the same.
+  [[nodiscard]] double shortest() const {
+    return std::min(
+        {bars.lengths().shortest(), std::abs(point - bars.input_circle), std::abs(point - bars.output_circle)});
+  }
   /// The same, driven from the other grounded link.
   [[nodiscard]] TracingFourBar swapped() const { return {bars.swapped(), point}; }
 };

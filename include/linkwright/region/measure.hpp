@@ -45,6 +45,10 @@ inline constexpr Measure deviation{"deviation"};
 inline constexpr Measure stroke_over_longest{"stroke_over_longest", Measure::Stored::as_it_is, true};
 /// (fastest − slowest) / mean of the point's velocity by the input's angle; infinite where the input turns back.
 inline constexpr Measure velocity_nonuniformity{"velocity_nonuniformity"};
+/// The usable length that counts, by tangent or strip.
+inline constexpr Measure usable_length{"usable_length", Measure::Stored::as_it_is, true};
+/// 0 where there is nothing, 1 a linkage, 2 one with a slider in place of a link.
+inline constexpr Measure valid{"valid"};
 /// |K| of the first term K s^k of the deviation that does not vanish; in units of length¹⁻ᵏ.
 inline constexpr Measure contact_coefficient{"contact_coefficient"};
 /// Angle that the driver turns from the first to the last position; every map computes it, none keeps it.

@@ -46,7 +46,7 @@ struct DriverTravel {
 
 /// The verdict over one cell.
 struct MapCell {
-  static constexpr std::size_t max_measures = 8;
+  static constexpr std::size_t max_measures = 12;
 
   LinkageType type = LinkageType::degenerate;
   Defects defects;
@@ -74,6 +74,8 @@ class RegionMap {
   [[nodiscard]] Cells cells(std::size_t row, std::size_t column = 0);
   /// How the driving link of a row travels through its positions.
   void set_driver(std::size_t row, DriverTravel travel) { drivers_[row] = travel; }
+  /// Its linkages have no positions to be driven through.
+  void leave_out_drivers() { drivers_.clear(); }
   /// For each row, the column in which the same grounded link stands a second time; none: no such.
   static constexpr std::uint32_t no_diagonal = 0xFFFFFFFF;
   void set_diagonal(std::vector<std::uint32_t> column_of_row) { diagonal_ = std::move(column_of_row); }
@@ -103,7 +105,7 @@ class RegionMap {
   [[nodiscard]] std::span<const float> values(const Measure& measure) const;
   /// Those that the map holds, in order.
   [[nodiscard]] const std::vector<Measure>& measures() const { return measures_; }
-  /// Those and what is computed without being held: driver_sweep.
+  /// Those and, where there are positions to be driven through, what is computed without being held: driver_sweep.
   [[nodiscard]] std::vector<Measure> reported_measures() const;
 
   /// `cell`: index().

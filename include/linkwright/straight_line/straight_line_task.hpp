@@ -9,6 +9,7 @@
 #include "linkwright/algebra/directed_line.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/region/linkage_class.hpp"
+#include "linkwright/straight_line/mixed_contacts.hpp"
 
 namespace linkwright {
 
@@ -86,6 +87,21 @@ struct ParallelSideLinks {
   friend bool operator==(const ParallelSideLinks&, const ParallelSideLinks&) = default;
 };
 
+/// Ch. 11: contacts at places of the line, which add up to four points. Axes: lengths of the crank and of the point's
+/// arm, from the crank's pin to the point. The linkage is given as it lies at the first contact.
+struct MixedContacts {
+  Point input_pivot{};
+  std::vector<PlacedContact> contacts;  ///< by rising s
+  double coupler_angle = 0;             ///< from the point, seen from the pin, to the output's moving pivot; 0: a λ
+  friend bool operator==(const MixedContacts&, const MixedContacts&) = default;
+};
+/// 11.4: the λ with equal links, in the middle of its stroke. Axis: the crank's range, where none is given.
+struct SymmetricLambdas {
+  double stroke = 0;
+  std::optional<double> crank_range;
+  friend bool operator==(const SymmetricLambdas&, const SymmetricLambdas&) = default;
+};
+
 }  // namespace straight_cases
 
 /// In the order of the contract's table.
@@ -94,16 +110,30 @@ using StraightLineCase =
                  straight_cases::IsoscelesTrapezoid, straight_cases::PoleAtGivenPivot, straight_cases::PoleAtFixedPivot,
                  straight_cases::PoleAtFixedPivotBallPointOnFrame, straight_cases::FivePoint,
                  straight_cases::FivePointInflectionPole, straight_cases::FivePointSideLinkOnFrame,
-                 straight_cases::SixPoint, straight_cases::ParallelSideLinks>;
+                 straight_cases::SixPoint, straight_cases::ParallelSideLinks, straight_cases::MixedContacts,
+                 straight_cases::SymmetricLambdas>;
 
 /// Key in files: "four_point_pivots", …; both cases with the pole at a pivot have one.
 [[nodiscard]] std::string_view name(const StraightLineCase& of);
+
+/// Points that path and line have in common at least, where the linkage lies.
+[[nodiscard]] int promised_contact(const StraightLineCase& of);
+
+/// A line with the angle of its direction as it was given, radians.
+struct LineAtAngle : DirectedLine {
+  double angle = 0;
+
+  LineAtAngle() = default;
+  LineAtAngle(Point through, double its_angle)
+      : DirectedLine{through, linkwright::direction(its_angle)}, angle(its_angle) {}
+  friend bool operator==(const LineAtAngle&, const LineAtAngle&) = default;
+};
 
 /// A point of a four-bar's coupler that is to run along a line.
 struct StraightLineTask {
   static constexpr const LinkageClass& linkages = straight_line_linkages;
 
-  DirectedLine line;
+  LineAtAngle line;
   StraightLineCase given;
 
   friend bool operator==(const StraightLineTask&, const StraightLineTask&) = default;

@@ -27,6 +27,10 @@ inline constexpr double longest_lambda_range = 4.70118208261419;
 /// 0 < crank_range < longest_lambda_range and stroke > 0.
 [[nodiscard]] std::optional<SymmetricLambda> minimax_lambda(double crank_range, double stroke);
 
+/// The one whose point meets a line at Chebyshev's nodes of |pin − output's centre|² over the crank range: all but as
+/// straight as minimax_lambda(), and the way in which it was designed before (Han Jianyou et al., ch. 11).
+[[nodiscard]] std::optional<SymmetricLambda> near_minimax_lambda(double crank_range, double stroke);
+
 /// As it lies in the middle of its stroke, the point being at `line.point` (max_deviation short of the best line, which
 /// is parallel) and the crank at the beginning of the line; pivots to the right of the line, `mirrored` to the left.
 [[nodiscard]] TracingFourBar lambda_linkage(const SymmetricLambda& lambda, const DirectedLine& line, bool mirrored);

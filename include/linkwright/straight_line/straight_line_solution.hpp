@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/infinitesimal/line_contact.hpp"
+#include "linkwright/straight_line/straight_line_family.hpp"
+#include "linkwright/straight_line/straight_path.hpp"
+
+namespace linkwright {
+
+/// A four-bar found whose point runs straight, fixed frame, user's unit, in the configuration in which the point is on
+/// the line.
+struct StraightLineSolution {
+  TracingFourBar linkage;
+  LinkLengths lengths;
+  LinkageType type = LinkageType::degenerate;
+  Defects defects;        ///< of contacts at places; none of other cases
+  StraightLineTask task;  ///< whose map it is from
+  MapNumbers place;       ///< there
+  LineContact contact;    ///< by the referee, not by the family's name
+  double deviation = 0;   ///< δ by which it is measured
+  UsableLine usable, usable_strip;
+  StrokeReport over_usable;            ///< over the usable length that counts
+  std::optional<StrokeReport> stroke;  ///< over the stroke that is asked for; nothing where it does not go so far
+  double residual = 0;                 ///< distance of the point from the task's line, as it lies
+  bool local_optimum = false;          ///< the top of its hill; otherwise a distinct linkage beside those
+  /// Assembled by the triangles of its links it passes the places of its path; driven, the contacts at places.
+  bool verified_by_driving = false;
+
+  /// The usable length that counts.
+  [[nodiscard]] const UsableLine& counted(LineMeasure by) const {
+    return by == LineMeasure::strip ? usable_strip : usable;
+  }
+  /// Distances of the point from the moving pivots.
+  [[nodiscard]] double point_to_input() const { return std::abs(linkage.point - linkage.bars.input_circle); }
+  [[nodiscard]] double point_to_output() const { return std::abs(linkage.point - linkage.bars.output_circle); }
+};
+
+/// The linkage at a place of a map, measured exactly. Nothing where there is none, all its links lie in one line, or
+/// its point rests there.
+[[nodiscard]] std::optional<StraightLineSolution> make_straight_line(const StraightLineFamily& family, MapPoint place);
+
+}  // namespace linkwright

@@ -1,0 +1,62 @@
+#include "straight_line/line_candidate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwright/straight_line/straight_line_solution.hpp"
+#include "linkwright/straight_line/straight_path.hpp"
+
+namespace linkwright {
+
+bool LineEvaluator::can_be_built(const TracingFourBar& linkage) const {
+  const Requirements& wanted = requirements_;
+  const FourBar& bars = linkage.bars;
+  const LinkageType type = linkage_type(bars.lengths());
+  if (type == LinkageType::degenerate) return false;
+  if (!wanted.types.empty() && std::find(wanted.types.begin(), wanted.types.end(), type) == wanted.types.end())
+    return false;
+  const auto inside = [](const std::optional<Box>& box, Point one, Point other) {
+    return !box || (box->contains(one) && box->contains(other));
+  };
+  return linkage.longest() <= wanted.max_length.value_or(Requirements::unlimited) &&
+         linkage.longest() <= wanted.max_link_ratio * linkage.shortest() &&
+         inside(wanted.ground_pivots_within, bars.input_center, bars.output_center) &&
+         inside(wanted.moving_pivots_within, bars.input_circle, bars.output_circle);
+}
+
+std::optional<LineCandidate> LineEvaluator::candidate(MapPoint place) const {
+  const LineDesign design = family_.design(place);
+  if (design.kind != DesignKind::four_bar || !can_be_built(design.linkage)) return std::nullopt;
+  const TracingFourBar& linkage = design.linkage;
+  const LineMeasuring& measuring = family_.measuring();
+  const double deviation = measuring.deviation_of(linkage);
+  const auto asked = family_.stroke();
+  PathLimits limits;
+  if (!asked) limits.max_deviation = 2.1 * deviation;  // a strip reaches no farther
+  const auto path = StraightPath::of(linkage, family_.task().line.direction, limits);
+  if (!path) return std::nullopt;
+  const UsableLine usable =
+      measuring.measure == LineMeasure::strip ? path->usable_strip(deviation) : path->usable(deviation);
+  if (!(usable.length() >= requirements_.min_stroke) || !family_.defects(linkage).none()) return std::nullopt;
+  const auto over = path->stroke(usable.from, usable.to);
+  const auto stroke = asked ? path->stroke((*asked)[0], (*asked)[1]) : over;
+  if (!over || !stroke || !(stroke->max_deviation <= requirements_.max_deviation) ||
+      over->min_transmission_angle < requirements_.min_transmission_angle)
+    return std::nullopt;
+  RankedNumbers numbers;
+  numbers.transmission_versine = versine_of_angle(over->min_transmission_angle);
+  numbers.longest_link = linkage.longest();
+  numbers.stroke_over_longest = usable.length() / linkage.longest();
+  numbers.deviation = stroke->max_deviation;
+  numbers.velocity_nonuniformity =
+      over->drive ? over->drive->nonuniformity(usable.length()) : std::numeric_limits<double>::infinity();
+  return LineCandidate{place, linkage, score_of(objective_, numbers), false};
+}
+
+double LineEvaluator::change_point_margin(const LineCandidate& here) const {
+  const LinkLengths lengths = here.linkage.bars.lengths();
+  const GrashofExcesses t = grashof_excesses(lengths);
+  return std::min({std::abs(t.t1), std::abs(t.t2), std::abs(t.t3)}) / lengths.perimeter();
+}
+
+}  // namespace linkwright

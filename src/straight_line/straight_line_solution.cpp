@@ -1,0 +1,70 @@
+#include "linkwright/straight_line/straight_line_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwright/analysis/drive_through.hpp"
+#include "linkwright/analysis/position.hpp"
+
+namespace linkwright {
+namespace {
+
+// By the triangles of the links, which the path knows nothing of: the coupler stands where the input's angle puts it.
+bool assembles_alike(const TracingFourBar& start, const StraightPath& path) {
+  constexpr int places = 17;
+  constexpr double alike = 1e-7;  // next to a dead point the input's rounding shows as its root
+  const LinkLengths lengths = start.bars.lengths();
+  const Point arm = (start.point - start.bars.input_circle) / (start.bars.output_circle - start.bars.input_circle);
+  const auto states = path.states(places);
+  return std::all_of(states.begin(), states.end(), [&](const StraightPath::State& state) {
+    const auto found =
+        assemble(lengths, configuration_of(state.linkage.bars).input_angle, assembly_of(state.linkage.bars));
+    if (!found) return false;
+    const FourBar bars = placed(start.bars, *found);
+    const Point point = bars.input_circle + arm * (bars.output_circle - bars.input_circle);
+    return std::abs(point - state.linkage.point) <= alike * start.longest();
+  });
+}
+
+// Contacts at places, by continuation: with the defects that the sign tests name.
+bool drives_alike(const StraightLineSolution& found) {
+  const auto* mixed = std::get_if<straight_cases::MixedContacts>(&found.task.given);
+  if (!mixed) return true;
+  const auto poses = contact_poses(found.linkage, found.task.line, mixed->contacts);
+  const DriveThroughReport report =
+      drive_through(found.linkage.bars, poses, {.max_steps = 400'000, .respect_direction = true});
+  return report.completed && report.defects.bits == found.defects.bits;
+}
+
+}  // namespace
+
+std::optional<StraightLineSolution> make_straight_line(const StraightLineFamily& family, MapPoint place) {
+  const LineDesign design = family.design(place);
+  if (design.kind != DesignKind::four_bar) return std::nullopt;
+  const TracingFourBar& linkage = design.linkage;
+  const Point along = family.task().line.direction;
+  const auto path = StraightPath::of(linkage, along);
+  const auto loop = loop_series(linkage.bars);
+  if (!path || !loop) return std::nullopt;
+  StraightLineSolution found;
+  found.linkage = linkage;
+  found.lengths = linkage.bars.lengths();
+  found.type = linkage_type(found.lengths);
+  found.task = family.task();
+  found.place = family.place_of(place);
+  found.contact = contact_with_line(coupler_motion(linkage.bars, *loop), linkage.point, along);
+  found.deviation = family.measuring().deviation_of(linkage);
+  found.usable = path->usable(found.deviation);
+  found.usable_strip = path->usable_strip(found.deviation);
+  const UsableLine& counted = found.counted(family.measuring().measure);
+  const auto over = path->stroke(counted.from, counted.to);
+  if (!over) return std::nullopt;
+  found.over_usable = *over;
+  if (const auto asked = family.stroke()) found.stroke = path->stroke((*asked)[0], (*asked)[1]);
+  found.residual = std::abs(family.task().line.to_line(linkage.point).imag());
+  found.defects = family.defects(linkage);
+  found.verified_by_driving = assembles_alike(linkage, *path) && drives_alike(found);
+  return found;
+}
+
+}  // namespace linkwright
