@@ -18,6 +18,7 @@
 #include "six_bar_report.hpp"
 #include "spherical_function_report.hpp"
 #include "spherical_report.hpp"
+#include "straight_line_report.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {
@@ -273,6 +274,10 @@ std::string report_of_kind(const Problem& problem, const SphericalMotionAnswer& 
 std::string report_of_kind(const Problem& problem, const SphericalFunctionAnswer& answer) {
   return heading(problem, "") + function_free_words(answer.family(), answer.task) + warnings_words(answer) +
          spherical_function_report(problem, answer);
+}
+
+std::string report_of_kind(const Problem& problem, const StraightLineAnswer& answer) {
+  return heading(problem, "") + warnings_words(answer) + straight_line_report(problem, answer);
 }
 
 std::string report_of_kind(const Problem& problem, const SixBarAnswer& answer) {

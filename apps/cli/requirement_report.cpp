@@ -107,6 +107,11 @@ std::string words_of_limit(RequirementKind kind, const Requirements& wanted, std
       return angle > 0 ? "link angles at least " + angle_words(angle) : "";
     case RequirementKind::max_link_angle:
       return wanted.max_link_angle ? "link angles at most " + angle_words(*wanted.max_link_angle) : "";
+    case RequirementKind::min_stroke:
+      return wanted.min_stroke > 0 ? "usable length at least " + limit_words(wanted.min_stroke, unit) : "";
+    case RequirementKind::max_deviation:
+      if (!std::isfinite(wanted.max_deviation)) return "";
+      return "deviation at most " + limit_words(wanted.max_deviation, unit);
     default:
       return "";
   }
@@ -135,15 +140,17 @@ std::string words_of_place(RequirementKind kind, const Requirements& wanted, int
 
 std::string requirement_words(const Requirements& requirements, const LinkageClass& asked, std::string_view unit,
                               int position) {
-  std::string text = requirements.no_defects ? "no defects" : "defects allowed";
+  std::string text;
+  if (place_among(asked.requirements, RequirementKind::no_defects) < asked.requirements.size())
+    text = requirements.no_defects ? "no defects" : "defects allowed";
   for (const RequirementKind kind : asked.requirements) {
     std::string words = kind == RequirementKind::types && !requirements.types.empty()
                             ? "type " + type_list(requirements.types)
                             : words_of_limit(kind, requirements, unit);
     words += words_of_place(kind, requirements, position);
-    if (!words.empty()) text += ", " + words;
+    if (!words.empty()) text += (text.empty() ? "" : ", ") + words;
   }
-  return text;
+  return text.empty() ? "none" : text;
 }
 
 std::vector<std::string> limits_touched(const Requirements& requirements, const FourBarSolution& found,
@@ -213,6 +220,11 @@ std::string relaxation_words(const Relaxation& relaxation, std::string_view unit
       return fmt::format("Link angles of at least {} would leave {}.", angle_words(*relaxation.value), leaves);
     case RequirementKind::max_link_angle:
       return fmt::format("Link angles of at most {} would leave {}.", angle_words(*relaxation.value), leaves);
+    case RequirementKind::min_stroke:
+      return fmt::format("A usable length of at least {} would leave {}.", limit_words(*relaxation.value, unit),
+                         leaves);
+    case RequirementKind::max_deviation:
+      return fmt::format("A deviation of at most {} would leave {}.", limit_words(*relaxation.value, unit), leaves);
     case RequirementKind::fixed_axes_within:
     case RequirementKind::moving_axes_within:
       return fmt::format("{} of {} would leave {}.", key(relaxation.requirement), angle_words(*relaxation.value),

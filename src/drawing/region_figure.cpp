@@ -276,6 +276,16 @@ DrawnRegion drawn_region(const SphericalFunctionAnswer& answer, std::string_view
   return region_of_spherical(answer, length_unit);
 }
 
+DrawnRegion drawn_region(const StraightLineAnswer& answer, std::string_view length_unit) {
+  DrawnRegion drawn{answer,
+                    *answer.family(),
+                    {axis_label(answer, Side::input, length_unit), palette::input, {}},
+                    {axis_label(answer, Side::output, length_unit), palette::output, {}},
+                    {}};
+  for (const StraightLineSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
+  return drawn;
+}
+
 bool is_ribbon(const LinkageFamily* family) {
   return family && family->axis(Side::output).quantity == AxisQuantity::nothing;
 }

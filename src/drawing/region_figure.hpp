@@ -32,6 +32,7 @@ struct DrawnRegion {
 [[nodiscard]] DrawnRegion drawn_region(const SixBarAnswer& answer, std::string_view length_unit);
 [[nodiscard]] DrawnRegion drawn_region(const SphericalMotionAnswer& answer, std::string_view length_unit);
 [[nodiscard]] DrawnRegion drawn_region(const SphericalFunctionAnswer& answer, std::string_view length_unit);
+[[nodiscard]] DrawnRegion drawn_region(const StraightLineAnswer& answer, std::string_view length_unit);
 
 /// The solution region by type: full colour where all requirements are met, washed where only a requirement fails,
 /// grey with hatching where the linkage has a defect. Up: the driving link; right: the other, or a function's free

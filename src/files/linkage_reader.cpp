@@ -34,6 +34,18 @@ struct Surroundings {
   std::vector<PrescribedOrientation> orientations;
 };
 
+struct TracedBars {
+  FourBar bars;
+  std::optional<Point> point;
+};
+std::optional<TracedBars> without_point(const std::optional<FourBar>& bars) {
+  return bars ? std::optional(TracedBars{*bars, std::nullopt}) : std::nullopt;
+}
+
+bool has_tracing_pivots(const nlohmann::json& element) {
+  return element.contains("pivots") && element["pivots"].is_object() && element["pivots"].contains("input_fixed");
+}
+
 bool in_range(Point point) {
   return std::abs(point.real()) <= largest_number && std::abs(point.imag()) <= largest_number;
 }
@@ -50,6 +62,18 @@ std::optional<FourBar> checked(const FourBar& four_bar, const JsonValue& value) 
   if (linkage_type(four_bar.lengths()) != LinkageType::degenerate) return four_bar;
   value.mistake("degenerate_four_bar", "two pivots joined by a link coincide; every link of a four-bar has a length");
   return std::nullopt;
+}
+
+/// With a point of the coupler, as linkages of straight lines have them.
+std::optional<TracedBars> read_tracing_pivots(const JsonValue& value, Mistakes& mistakes) {
+  const JsonObject object(value, mistakes, {"input_fixed", "input_moving", "output_moving", "output_fixed", "point"});
+  const auto input_fixed = object.require_point("input_fixed"), input_moving = object.require_point("input_moving"),
+             output_moving = object.require_point("output_moving"), output_fixed = object.require_point("output_fixed");
+  std::optional<Point> point;
+  if (const auto given = object.find("point")) point = given->as_pair({"[x, y]"});
+  if (!input_fixed || !input_moving || !output_moving || !output_fixed) return std::nullopt;
+  const auto bars = checked({*input_fixed, *input_moving, *output_fixed, *output_moving}, value);
+  return bars ? std::optional(TracedBars{*bars, point}) : std::nullopt;
 }
 
 std::optional<FourBar> read_pivots(const JsonValue& value, Mistakes& mistakes) {
@@ -123,7 +147,7 @@ std::optional<FourBar> read_dyads(const JsonObject& element, const JsonValue& va
 }
 
 /// An element of `linkages`, or pivots, or lengths.
-std::optional<FourBar> read_four_bar(const JsonValue& value, Mistakes& mistakes) {
+std::optional<TracedBars> read_four_bar(const JsonValue& value, Mistakes& mistakes) {
   const JsonObject element(value, mistakes, {});
   if (!value.is_object()) return std::nullopt;
   if (const auto mechanism = element.find("mechanism")) {
@@ -137,9 +161,11 @@ std::optional<FourBar> read_four_bar(const JsonValue& value, Mistakes& mistakes)
       return std::nullopt;
     }
   }
-  if (const auto pivots = element.find("pivots")) return read_pivots(*pivots, mistakes);
-  if (element.find("input") || element.find("output")) return read_dyads(element, value, mistakes);
-  if (const auto lengths = element.find("lengths")) return read_lengths(*lengths, mistakes);
+  if (const auto pivots = element.find("pivots"))
+    return has_tracing_pivots(value.json()) ? read_tracing_pivots(*pivots, mistakes)
+                                            : without_point(read_pivots(*pivots, mistakes));
+  if (element.find("input") || element.find("output")) return without_point(read_dyads(element, value, mistakes));
+  if (const auto lengths = element.find("lengths")) return without_point(read_lengths(*lengths, mistakes));
   value.mistake("no_linkage", "no linkage is given here; add \"pivots\", \"lengths\", or the linkage of a result file");
   return std::nullopt;
 }
@@ -222,10 +248,11 @@ std::optional<AnyStoredLinkage> read_stored_spherical(const JsonValue& element, 
 std::optional<AnyStoredLinkage> read_element(const JsonValue& element, const Surroundings& around, Mistakes& mistakes) {
   if (says_six_bar(element)) return read_stored_six_bar(element, around, mistakes);
   if (says_spherical_four_bar(element)) return read_stored_spherical(element, around, mistakes);
-  const auto four_bar = read_four_bar(element, mistakes);
-  if (!four_bar) return std::nullopt;
-  const std::string record = element.json().contains("pivots") ? "" : element.json().dump();
-  return StoredLinkage{*four_bar, around.title, around.length_unit, around.poses, record};
+  const auto traced = read_four_bar(element, mistakes);
+  if (!traced) return std::nullopt;
+  const bool is_bare = element.json().contains("pivots") && !has_tracing_pivots(element.json());
+  const std::string record = is_bare ? "" : element.json().dump();
+  return StoredLinkage{traced->bars, around.title, around.length_unit, around.poses, record, traced->point};
 }
 
 /// The four-bar among all linkages; nothing where it is another one.

@@ -37,7 +37,8 @@ std::string write_linkage(const StoredLinkage& linkage) {
   return written(linkage, [&linkage](JsonWriter& json) {
     json.begin_object();
     json.key("pivots");
-    write_pivots(json, linkage.four_bar);
+    linkage.point ? write_pivots(json, TracingFourBar{linkage.four_bar, *linkage.point})
+                  : write_pivots(json, linkage.four_bar);
     json.end_object();
   });
 }

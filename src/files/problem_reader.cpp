@@ -80,10 +80,11 @@ void read_types(const JsonObject& object, std::vector<LinkageType>& types) {
 
 void read_requirements(const JsonValue& value, Mistakes& mistakes, Requirements& requirements) {
   const std::size_t before = mistakes.size();
-  const JsonObject object(value, mistakes,
-                          {"types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length",
-                           "min_length", "ground_pivots_within", "moving_pivots_within", "min_link_angle_deg",
-                           "max_link_angle_deg", "fixed_axes_within", "moving_axes_within", "respect_direction"});
+  const JsonObject object(
+      value, mistakes,
+      {"types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length",
+       "ground_pivots_within", "moving_pivots_within", "min_link_angle_deg", "max_link_angle_deg", "fixed_axes_within",
+       "moving_axes_within", "min_stroke", "max_deviation", "respect_direction"});
   read_types(object, requirements.types);
   read_flag(object, "no_defects", requirements.no_defects);
   read_limit(object, "min_transmission_angle_deg", 0,
@@ -100,6 +101,9 @@ void read_requirements(const JsonValue& value, Mistakes& mistakes, Requirements&
   });
   read_cone(object, "fixed_axes_within", mistakes, requirements.fixed_axes_within);
   read_cone(object, "moving_axes_within", mistakes, requirements.moving_axes_within);
+  read_limit(object, "min_stroke", 0, [&](double limit) { requirements.min_stroke = limit; });
+  read_limit(object, "max_deviation", Requirements::unlimited,
+             [&](double limit) { requirements.max_deviation = limit; });
   read_flag(object, "respect_direction", requirements.respect_direction);
   if (mistakes.size() == before) mistakes.add(mistakes_in(requirements));
 }
@@ -134,6 +138,12 @@ void read_name(const JsonObject& object, std::string_view key, std::initializer_
   }
 }
 
+/// Null and what is not there: nothing.
+void read_length(const JsonObject& object, std::string_view key, std::optional<double>& length) {
+  const auto found = object.find(key);
+  if (found && !found->is_null()) length = found->as_number();
+}
+
 std::optional<MapWindow> read_window(const JsonValue& value) {
   std::vector<Point> intervals;
   if (!value.json().is_array() || value.json().size() != 2) {
@@ -150,13 +160,17 @@ std::optional<MapWindow> read_window(const JsonValue& value) {
 void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& options) {
   const std::size_t before = mistakes.size();
   const JsonObject object(value, mistakes,
-                          {"region_samples", "spacing", "objective", "best", "window", "at", "box", "seed", "effort"});
+                          {"region_samples", "spacing", "objective", "best", "window", "at", "box", "seed", "effort",
+                           "deviation", "stroke", "measure"});
   read_whole_number(object, "region_samples", options.region_samples);
   read_name(object, "spacing", {Spacing::coordinate, Spacing::arc_length}, options.spacing);
   read_name(object, "objective",
             {Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error,
-             Objective::link_angle},
+             Objective::link_angle, Objective::stroke, Objective::deviation, Objective::velocity_uniformity},
             options.objective);
+  read_length(object, "deviation", options.line.deviation);
+  read_length(object, "stroke", options.line.stroke);
+  read_name(object, "measure", {LineMeasure::tangent, LineMeasure::strip}, options.line.measure);
   read_whole_number(object, "best", options.best);
   read_box(object, "box", mistakes, options.box);
   read_whole_number(object, "seed", options.seed);
@@ -186,6 +200,9 @@ void read_problem_members(const JsonObject& file, Mistakes& mistakes, Problem& p
   if (const auto options = file.find("options")) read_options(*options, mistakes, problem.options);
   if (const auto task = file.require("task", {"task", "the task: \"task\": {\"kind\": \"motion\", …}"}))
     problem.task = read_task(*task, problem.options.box, mistakes);
+  const auto options = file.find("options");
+  if (!options || !options->is_object() || !options->json().contains("objective"))
+    problem.options.objective = linkages(problem.task).objectives.front();
   if (mistakes.empty()) {
     mistakes.add(mistakes_in(problem.task, problem.options));
     if (const auto requirements = file.find("requirements"))

@@ -59,15 +59,30 @@ void write_requirement(JsonWriter& json, const Requirements& wanted, Requirement
       return write_cone(json, key(kind), wanted.fixed_axes_within);
     case RequirementKind::moving_axes_within:
       return write_cone(json, key(kind), wanted.moving_axes_within);
+    case RequirementKind::min_stroke:
+      return json.member(key(kind), wanted.min_stroke);
+    case RequirementKind::max_deviation:
+      return json.member(key(kind), wanted.max_deviation);  // unlimited: null
   }
 }
 
-void write_options(JsonWriter& json, const SynthesisOptions& options) {
+void write_measuring(JsonWriter& json, const LineMeasuring& line) {
+  const auto length = [&](std::string_view key, std::optional<double> value) {
+    json.key(key);
+    value ? json.value(*value) : json.null();
+  };
+  length("deviation", line.deviation);
+  length("stroke", line.stroke);
+  json.member("measure", name(line.measure));
+}
+
+void write_options(JsonWriter& json, const SynthesisOptions& options, bool of_line) {
   json.begin_object();
   json.member("region_samples", options.region_samples);
   json.member("spacing", name(options.spacing));
   json.member("objective", name(options.objective));
   json.member("best", options.best);
+  if (of_line) write_measuring(json, options.line);
   if (options.box) write_box(json, "box", options.box);
   if (options.seed != SynthesisOptions{}.seed) json.member("seed", options.seed);
   if (options.effort != SynthesisOptions{}.effort) json.member("effort", options.effort);
@@ -140,6 +155,20 @@ void write_pivots(JsonWriter& json, const FourBar& four_bar) {
   json.end_object();
 }
 
+void write_pivots(JsonWriter& json, const TracingFourBar& linkage) {
+  json.begin_object();
+  const auto pivot = [&](std::string_view key, Point at) {
+    json.key(key);
+    write_point(json, at);
+  };
+  pivot("input_fixed", linkage.bars.input_center);
+  pivot("input_moving", linkage.bars.input_circle);
+  pivot("output_moving", linkage.bars.output_circle);
+  pivot("output_fixed", linkage.bars.output_center);
+  pivot("point", linkage.point);
+  json.end_object();
+}
+
 void write_problem(JsonWriter& json, const Problem& problem) {
   json.begin_object();
   json.member("linkwright", file_version);
@@ -150,7 +179,7 @@ void write_problem(JsonWriter& json, const Problem& problem) {
   json.key("requirements");
   write_requirements(json, problem.requirements, linkages(problem.task));
   json.key("options");
-  write_options(json, problem.options);
+  write_options(json, problem.options, std::holds_alternative<StraightLineTask>(problem.task));
   if (!problem.view.empty()) {
     json.key("view");
     json.json(problem.view);

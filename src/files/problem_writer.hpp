@@ -29,5 +29,8 @@ void write_defects(JsonWriter& json, Defects defects);
 
 /// `{"input_center": [x, y], "input_circle": …, "output_center": …, "output_circle": …}`.
 void write_pivots(JsonWriter& json, const FourBar& four_bar);
+/// The same with the point of the coupler: `{"input_fixed": …, "input_moving": …, "output_moving": …, "output_fixed":
+/// …, "point": …}`.
+void write_pivots(JsonWriter& json, const TracingFourBar& linkage);
 
 }  // namespace linkwright

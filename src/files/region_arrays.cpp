@@ -1,5 +1,6 @@
 #include "region_arrays.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "files/json/base64.hpp"
@@ -23,6 +24,15 @@ void write_bytes(JsonWriter& json, std::string_view key, const RegionMap& region
   encoder.finish(text);
   json.text_piece(text);
   json.end_text();
+}
+
+// A code, though the map keeps it among its measures.
+void write_valid(JsonWriter& json, const RegionMap& region) {
+  const std::span<const float> held = region.values(measures::valid);
+  if (held.empty()) return;
+  std::vector<std::uint8_t> codes(held.size());
+  std::transform(held.begin(), held.end(), codes.begin(), [](float code) { return static_cast<std::uint8_t>(code); });
+  write_bytes(json, "valid", region, codes);
 }
 
 void put_little_endian(float number, std::uint8_t* bytes) {
@@ -57,12 +67,14 @@ void write_property(JsonWriter& json, const RegionMap& region, const Measure& me
 void write_region_arrays(JsonWriter& json, const RegionMap& region) {
   write_bytes(json, "type", region, region.types());
   write_bytes(json, "defects", region, region.defects());
+  write_valid(json, region);
   json.key("properties");
   json.begin_object();
   RegionMap empty;  // of a task without a map, whose columns are there all the same
   if (region.measures().empty()) empty.lay({}, {}, planar_measures, false, {});
   const RegionMap& shown = region.measures().empty() ? empty : region;
-  for (const Measure& measure : shown.reported_measures()) write_property(json, shown, measure);
+  for (const Measure& measure : shown.reported_measures())
+    if (!(measure == measures::valid)) write_property(json, shown, measure);
   json.end_object();
 }
 

@@ -17,6 +17,27 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
+// How many linkages a cell has.
+template <class KindAnswer>
+std::size_t layer_count(const KindAnswer& answer) {
+  if constexpr (std::is_same_v<KindAnswer, StraightLineAnswer>)
+    return answer.lines ? static_cast<std::size_t>(answer.lines->layers()) : 1;
+  else
+    return 1;
+}
+
+// Coordinates of the samples along an axis, once where there are layers. Straight lines have the numbers that people
+// read for coordinates.
+template <class KindAnswer>
+std::vector<double> file_coordinates(const KindAnswer& answer, Side side) {
+  const auto all = side == Side::input ? answer.region.input_coordinates() : answer.region.output_coordinates();
+  const std::size_t layers = side == Side::input ? layer_count(answer) : 1;
+  std::vector<double> once(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / layers));
+  if constexpr (std::is_same_v<KindAnswer, StraightLineAnswer>)
+    for (double& coordinate : once) coordinate = answer.lines->axis_value(side, coordinate);
+  return once;
+}
+
 void write_numbers(JsonWriter& json, std::string_view key, std::span<const double> numbers) {
   json.key(key);
   json.begin_list(Layout::one_line);
@@ -45,10 +66,10 @@ void write_axis(JsonWriter& json, const Problem& problem, const KindAnswer& answ
   json.key("branches");
   write_branches(json, label.branches);
   if (const LinkageFamily* family = answer.family(); family && has_values(family->axis(side).quantity)) {
-    const RegionMap& region = answer.region;
+    const auto all = side == Side::input ? answer.region.input_coordinates() : answer.region.output_coordinates();
     json.key("values");
     json.begin_list(Layout::one_line);
-    for (const double tau : side == Side::input ? region.input_coordinates() : region.output_coordinates())
+    for (const double tau : all.first(all.size() / (side == Side::input ? layer_count(answer) : 1)))
       json.value(family->axis_value(side, tau));
     json.end_list();
   }
@@ -59,9 +80,10 @@ template <class KindAnswer>
 void write_region(JsonWriter& json, const Problem& problem, const KindAnswer& answer, bool with_arrays) {
   const RegionMap& region = answer.region;
   json.begin_object();
-  json.member("samples", static_cast<std::int64_t>(region.rows()));
-  write_numbers(json, "input_coordinate", region.input_coordinates());
-  write_numbers(json, "output_coordinate", region.output_coordinates());
+  json.member("samples", static_cast<std::int64_t>(region.rows() / layer_count(answer)));
+  if (layer_count(answer) > 1) json.member("layers", static_cast<std::int64_t>(layer_count(answer)));
+  write_numbers(json, "input_coordinate", file_coordinates(answer, Side::input));
+  write_numbers(json, "output_coordinate", file_coordinates(answer, Side::output));
   json.key("axes");
   json.begin_list();
   for (const auto side : {Side::input, Side::output}) write_axis(json, problem, answer, side);

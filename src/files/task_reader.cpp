@@ -13,8 +13,8 @@ namespace linkwright {
 namespace {
 
 constexpr std::string_view what_is_available =
-    "there are motion by a four_bar, a six_bar or a spherical_four_bar, and function by a four_bar or a "
-    "spherical_four_bar";
+    "there are motion by a four_bar, a six_bar or a spherical_four_bar, function by a four_bar or a "
+    "spherical_four_bar, and straight_line by a four_bar";
 
 std::optional<std::string_view> required_name(const JsonObject& task, std::string_view key,
                                               std::span<const std::string_view> names) {
@@ -36,10 +36,10 @@ void refuse(const JsonObject& task, std::string_view kind, std::string_view mech
   };
   if (!has(&TaskForm::kind, kind)) return not_available(task, "kind", kind);
   if (!has(&TaskForm::mechanism, mechanism)) return not_available(task, "mechanism", mechanism);
+  const std::string wanted = fmt::format("{} by a {}", kind, mechanism);
   task.find("mechanism")
-      ->mistake(
-          "no_six_bar_function",
-          fmt::format("function generation by a six_bar is not available in this version; {}", what_is_available));
+      ->mistake("no_such_pair", fmt::format("{} is not available in this version; {}", wanted, what_is_available),
+                {{"wanted", wanted}});
 }
 
 }  // namespace

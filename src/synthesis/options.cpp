@@ -40,6 +40,12 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
                      fmt::format("the number of chains to try lies between 1 and {}; {} is usual",
                                  SynthesisOptions::max_effort, SynthesisOptions{}.effort),
                      {{"most", SynthesisOptions::max_effort}, {"usual", SynthesisOptions{}.effort}}});
+  const auto check_length = [&](const std::optional<double>& length, const char* place) {
+    if (length && !(*length > 0 && std::isfinite(*length)))
+      found.push_back({"length_of_line", place, "a length greater than 0 belongs here, or null"});
+  };
+  check_length(options.line.deviation, "options.deviation");
+  check_length(options.line.stroke, "options.stroke");
   return found;
 }
 
@@ -47,6 +53,9 @@ std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options
   const LinkageClass& asked = linkages(task);
   if (std::find(asked.objectives.begin(), asked.objectives.end(), options.objective) == asked.objectives.end())
     return {foreign_objective(options.objective, asked)};
+  if (!std::holds_alternative<StraightLineTask>(task) && options.line != LineMeasuring{})
+    return {
+        {"line_options", "options", "\"deviation\", \"stroke\" and \"measure\" belong to straight lines; remove them"}};
   const auto* six_bar = std::get_if<SixBarTask>(&task);
   if (options.at && six_bar != nullptr && !six_bar->chain)
     return {{"place_of_search", "options.at",

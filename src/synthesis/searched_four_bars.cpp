@@ -4,17 +4,14 @@
 #include <cmath>
 
 namespace linkwright {
-namespace {
 
 double farthest_pivot(const FourBar& a, const FourBar& b) {
-  return std::max({std::abs(a.input_center - b.input_center), std::abs(a.input_circle - b.input_circle),
-                   std::abs(a.output_center - b.output_center), std::abs(a.output_circle - b.output_circle)});
-}
-
-}  // namespace
-
-double SearchedFourBars::distance(const Candidate& a, const Candidate& b) const {
-  return std::min(farthest_pivot(a.bars, b.bars), farthest_pivot(a.bars, b.bars.swapped()));
+  const auto farthest = [](const FourBar& one, const FourBar& other) {
+    return std::max({std::abs(one.input_center - other.input_center), std::abs(one.input_circle - other.input_circle),
+                     std::abs(one.output_center - other.output_center),
+                     std::abs(one.output_circle - other.output_circle)});
+  };
+  return std::min(farthest(a, b), farthest(a, b.swapped()));
 }
 
 std::optional<FourBarSolution> SearchedFourBars::make(MapPoint place) const {

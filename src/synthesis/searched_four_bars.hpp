@@ -5,6 +5,9 @@
 
 namespace linkwright {
 
+/// Largest distance between the pivots of two four-bars, the grounded links named whichever way is nearer.
+[[nodiscard]] double farthest_pivot(const FourBar& a, const FourBar& b);
+
 /// The four-bars of a solved task, as a search for the best takes them. Refers to the answer.
 class SearchedFourBars : public CellEvaluator {
  public:
@@ -15,7 +18,7 @@ class SearchedFourBars : public CellEvaluator {
         answer_(answer) {}
 
   /// Largest distance of a pivot.
-  [[nodiscard]] double distance(const Candidate& a, const Candidate& b) const;
+  [[nodiscard]] double distance(const Candidate& a, const Candidate& b) const { return farthest_pivot(a.bars, b.bars); }
   /// The longest link.
   [[nodiscard]] double size(const Candidate& of) const { return of.bars.lengths().longest(); }
   [[nodiscard]] std::optional<FourBarSolution> make(MapPoint place) const;

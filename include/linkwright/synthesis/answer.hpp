@@ -20,6 +20,7 @@
 #include "linkwright/region/requirements.hpp"
 #include "linkwright/spherical/relaxed_orientation.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
+#include "linkwright/straight_line/straight_line_solution.hpp"
 #include "linkwright/synthesis/options.hpp"
 #include "linkwright/synthesis/task.hpp"
 
@@ -107,8 +108,19 @@ struct SixBarAnswer : Findings {
   [[nodiscard]] MapPoint point_of(const SixBarSolution& found) const { return chain->point_of(found.member); }
 };
 
+struct StraightLineAnswer : Findings {
+  StraightLineTask task;
+  std::shared_ptr<const StraightLineFamily> lines;
+  std::vector<StraightLineSolution> linkages;  ///< best first; of a place that was picked, layer by layer
+
+  /// What the map is of.
+  [[nodiscard]] const StraightLineFamily* family() const { return lines.get(); }
+  [[nodiscard]] MapPoint point_of(const StraightLineSolution& found) const { return *lines->point_of(found.place); }
+};
+
 /// Everything found for a task, by its kind.
-using Answer = std::variant<MotionAnswer, FunctionAnswer, SixBarAnswer, SphericalMotionAnswer, SphericalFunctionAnswer>;
+using Answer = std::variant<MotionAnswer, FunctionAnswer, SixBarAnswer, SphericalMotionAnswer, SphericalFunctionAnswer,
+                            StraightLineAnswer>;
 
 /// What the answers of all kinds have in common.
 [[nodiscard]] const Findings& findings(const Answer& answer);

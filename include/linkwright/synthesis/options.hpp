@@ -9,6 +9,7 @@
 #include "linkwright/region/map_axis.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirements.hpp"
+#include "linkwright/straight_line/line_measuring.hpp"
 #include "linkwright/synthesis/task.hpp"
 
 namespace linkwright {
@@ -30,6 +31,8 @@ struct SynthesisOptions {
   std::optional<Box> box;       ///< for all pivots in position 1, user's unit
   int seed = 1;                 ///< of the chains tried, ≥ 0
   int effort = default_effort;  ///< how many chains are tried, ≥ 1
+
+  LineMeasuring line;  ///< of straight lines
 
   RegionOptions region;
 };

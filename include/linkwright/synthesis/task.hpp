@@ -8,12 +8,15 @@
 #include "linkwright/planar/six_bar_task.hpp"
 #include "linkwright/spherical/spherical_function_task.hpp"
 #include "linkwright/spherical/spherical_motion_task.hpp"
+#include "linkwright/straight_line/straight_line_task.hpp"
 
 namespace linkwright {
 
 /// What a linkage is asked to do: guide a body by a planar four-bar, generate a function by one, guide a body by a
-/// planar six-bar, guide a body about a fixed centre or generate a function by a spherical four-bar.
-using Task = std::variant<MotionTask, FunctionTask, SixBarTask, SphericalMotionTask, SphericalFunctionTask>;
+/// planar six-bar, guide a body about a fixed centre or generate a function by a spherical four-bar, guide a point
+/// along a line by a planar four-bar.
+using Task =
+    std::variant<MotionTask, FunctionTask, SixBarTask, SphericalMotionTask, SphericalFunctionTask, StraightLineTask>;
 
 /// What the linkages of a kind of task can be, and what can be asked of them.
 [[nodiscard]] const LinkageClass& linkages(const Task& task);

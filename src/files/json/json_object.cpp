@@ -102,7 +102,7 @@ std::optional<Point> JsonValue::as_pair(Wanted form) const {
   return Point{numbers[0], numbers[1]};
 }
 
-JsonObject::JsonObject(const JsonValue& value, Mistakes& mistakes, std::initializer_list<std::string_view> known)
+JsonObject::JsonObject(const JsonValue& value, Mistakes& mistakes, std::span<const std::string_view> known)
     : value_(value), mistakes_(&mistakes) {
   if (!value.is_object()) {
     value.wrong_type({"object_in_braces", "an object { … }"});
@@ -111,7 +111,7 @@ JsonObject::JsonObject(const JsonValue& value, Mistakes& mistakes, std::initiali
   if (known.size() == 0) return;
   for (const auto& member : value.json().items()) {
     if (std::find(known.begin(), known.end(), member.key()) != known.end()) continue;
-    const std::string nearest = in_quotes(nearest_name(member.key(), {known.begin(), known.size()}));
+    const std::string nearest = in_quotes(nearest_name(member.key(), known));
     mistakes.add("unknown_key", member_place(value.place(), member.key()),
                  fmt::format("this key is not known here; the nearest known one is {}", nearest), {{"name", nearest}});
   }

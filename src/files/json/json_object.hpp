@@ -59,7 +59,9 @@ class JsonValue {
 class JsonObject {
  public:
   /// Notes a mistake when `value` is no object; then it has no members. `known`: all keys allowed; empty: any.
-  JsonObject(const JsonValue& value, Mistakes& mistakes, std::initializer_list<std::string_view> known);
+  JsonObject(const JsonValue& value, Mistakes& mistakes, std::span<const std::string_view> known);
+  JsonObject(const JsonValue& value, Mistakes& mistakes, std::initializer_list<std::string_view> known)
+      : JsonObject(value, mistakes, std::span(known.begin(), known.size())) {}
 
   [[nodiscard]] std::optional<JsonValue> find(std::string_view key) const;
   /// As find(), but notes a mistake when the key is missing; `what` says what belongs there ("a number").

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "files/axis_label.hpp"
+#include "files/json/json_writer.hpp"
+#include "files/task_form.hpp"
+#include "linkwright/files/linkage_file.hpp"
+#include "linkwright/synthesis/answer.hpp"
+
+// Straight lines in files: their tasks, and what is found for them.
+namespace linkwright {
+
+[[nodiscard]] Task read_straight_line(const JsonValue& value, const std::optional<Box>& options_box,
+                                      Mistakes& mistakes);
+inline constexpr TaskForm straight_line_by_four_bar{"straight_line", "four_bar", read_straight_line};
+
+/// The members of the object `task`.
+void write_of_kind(JsonWriter& json, const StraightLineTask& task);
+
+/// As task_label() and short_task_label().
+[[nodiscard]] std::string label_of(const StraightLineTask& task);
+[[nodiscard]] std::string short_label_of(const StraightLineTask& task);
+
+[[nodiscard]] AxisLabel axis_label(const StraightLineAnswer& answer, Side side, std::string_view length_unit);
+
+/// A result has a map: some number is left open.
+[[nodiscard]] bool is_mapped(const StraightLineAnswer& answer);
+/// The members `curve` and `dyads` of a result, both empty: linkages of a straight line are found whole.
+void write_dyads(JsonWriter& json, const StraightLineAnswer& answer);
+/// The members `linkages`, `pairs` and `freed` of a result.
+void write_linkages(JsonWriter& json, const StraightLineAnswer& answer);
+
+/// A linkage of an answer without title and unit; its poses are those of the coupler at the ends of the usable length
+/// and where the point is on the line.
+[[nodiscard]] StoredLinkage stored(const StraightLineSolution& found, const StraightLineAnswer& answer);
+
+}  // namespace linkwright

@@ -1,0 +1,237 @@
+#include <array>
+#include <cmath>
+
+#include "files/instant_writer.hpp"
+#include "files/problem_writer.hpp"
+#include "files/result_writer.hpp"
+#include "files/straight_line/straight_line_kind.hpp"
+#include "files/task_writer.hpp"
+#include "linkwright/analysis/position.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/number_text.hpp"
+#include "linkwright/infinitesimal/instant_analysis.hpp"
+
+namespace linkwright {
+namespace {
+
+using Layout = JsonWriter::Layout;
+using namespace straight_cases;
+
+void write_ground_pivots(JsonWriter& json, Point input, Point output) {
+  json.key("ground_pivots");
+  json.begin_object(Layout::one_line);
+  json.key("input");
+  write_point(json, input);
+  json.key("output");
+  write_point(json, output);
+  json.end_object();
+}
+
+// What a case gives beside the line.
+struct GivenWriter {
+  JsonWriter& json;
+
+  void operator()(const FourPointPivots& given) const { write_ground_pivots(json, given.input, given.output); }
+  void operator()(const FourPointCubic& given) const {
+    json.member("pole_distance", given.pole_distance);
+    json.member("point_ray_deg", degrees_for_files(given.point_ray));
+    json.key("cubic_n");
+    given.cubic_n ? json.value(*given.cubic_n) : json.null();
+  }
+  void operator()(const BallPointOnSideLink& given) const { write_input_pivot(given.input_pivot); }
+  void operator()(const IsoscelesTrapezoid& given) const { json.member("half_frame", given.half_frame); }
+  void operator()(const PoleAtGivenPivot& given) const {
+    write_ground_pivots(json, given.input, given.output);
+    json.member("output_arm", given.output_arm);
+  }
+  void operator()(const PoleAtFixedPivot& given) const {
+    json.member("pole_distance", given.pole_distance);
+    json.member("output_arm", given.output_arm);
+  }
+  void operator()(const FivePoint& given) const {
+    json.member("pole_distance", given.pole_distance);
+    json.member("point_ray_deg", degrees_for_files(given.point_ray));
+  }
+  void operator()(const ParallelSideLinks& given) const {
+    json.member("input_offset", given.input_offset);
+    json.member("output_offset", given.output_offset);
+  }
+  void operator()(const MixedContacts& given) const {
+    write_input_pivot(given.input_pivot);
+    json.key("contacts");
+    json.begin_list();
+    for (const PlacedContact& contact : given.contacts) {
+      json.begin_object(Layout::one_line);
+      json.member("s", contact.s);
+      json.member("multiplicity", contact.multiplicity);
+      json.member("side", contact.side);
+      json.end_object();
+    }
+    json.end_list();
+    json.member("coupler_angle_deg", degrees_for_files(given.coupler_angle));
+  }
+  void operator()(const SymmetricLambdas& given) const {
+    json.member("stroke", given.stroke);
+    json.key("crank_range_deg");
+    given.crank_range ? json.value(degrees_for_files(*given.crank_range)) : json.null();
+  }
+  template <class OfPole>
+  void operator()(const OfPole& given) const {
+    json.member("pole_distance", given.pole_distance);
+  }
+
+ private:
+  void write_input_pivot(Point pivot) const {
+    json.key("input_pivot");
+    write_point(json, pivot);
+  }
+};
+
+void write_tracing_lengths(JsonWriter& json, const StraightLineSolution& found) {
+  json.key("lengths");
+  json.begin_object(Layout::one_line);
+  json.member("ground", found.lengths.ground);
+  json.member("input", found.lengths.input);
+  json.member("coupler", found.lengths.coupler);
+  json.member("output", found.lengths.output);
+  json.member("point_to_input", found.point_to_input());
+  json.member("point_to_output", found.point_to_output());
+  json.end_object();
+}
+
+void write_usable(JsonWriter& json, std::string_view key, const UsableLine& usable) {
+  json.key(key);
+  json.begin_object(Layout::one_line);
+  json.member("length", usable.length());
+  json.member("from_s", usable.from);
+  json.member("to_s", usable.to);
+  json.key("ends");
+  json.begin_list(Layout::one_line);
+  json.value(name(usable.begin));
+  json.value(name(usable.end));
+  json.end_list();
+  json.end_object();
+}
+
+void write_stroke(JsonWriter& json, std::string_view key, const std::optional<StrokeReport>& stroke) {
+  json.key(key);
+  if (!stroke) return json.null();
+  json.begin_object();
+  json.member("s_from", stroke->from);
+  json.member("s_to", stroke->to);
+  json.member("max_deviation", stroke->max_deviation);
+  json.member("parallel_line_deviation", stroke->parallel_line_deviation);
+  json.member("best_line_deviation", stroke->best_line_deviation);
+  json.member("min_transmission_angle_deg", degrees(stroke->min_transmission_angle));
+  json.key("velocity_nonuniformity");
+  stroke->drive ? json.value(stroke->drive->nonuniformity(stroke->to - stroke->from)) : json.null();
+  json.key("crank_range_deg");
+  stroke->drive ? json.value(degrees(std::abs(stroke->drive->sweep))) : json.null();
+  json.end_object();
+}
+
+// The first three terms of the deviation from where the point is, the first that does not vanish among them.
+void write_deviation_series(JsonWriter& json, const LineContact& contact) {
+  json.key("deviation_series");
+  json.begin_object(Layout::one_line);
+  constexpr int terms = 3;
+  for (int k = contact.points; k < contact.points + terms && k <= static_cast<int>(motion_order); ++k)
+    if (k > 0) json.member(std::to_string(k), contact.deviation[static_cast<std::size_t>(k)]);
+  json.end_object();
+}
+
+void write_straight_line(JsonWriter& json, const StraightLineSolution& found, const StraightLineAnswer& answer,
+                         const std::vector<RequirementKind>* fails) {
+  json.begin_object();
+  json.member("mechanism", "four_bar");
+  json.member("case", name(found.task.given));
+  json.member("layer", found.place.layer);
+  const StraightLineFamily family(found.task, answer.options.line);
+  if (const auto layer = family.layer_name(found.place.layer); !layer.empty()) json.member("layer_name", layer);
+  json.key("place");
+  write_point(json, {found.place.at[0], found.place.at[1]});
+  json.key("pivots");
+  write_pivots(json, found.linkage);
+  write_tracing_lengths(json, found);
+  json.member("type", name(found.type));
+  if (std::holds_alternative<MixedContacts>(found.task.given)) {
+    json.key("defects");
+    write_defects(json, found.defects);
+  }
+  json.member("contact_points", found.contact.points);
+  write_deviation_series(json, found.contact);
+  write_instant(json, analyze_instant(found.linkage.bars, {found.linkage.point, 0}));
+  json.member("deviation", found.deviation);
+  write_usable(json, "usable", found.usable);
+  write_usable(json, "usable_strip", found.usable_strip);
+  json.member("stroke_over_longest", found.counted(answer.options.line.measure).length() / found.linkage.longest());
+  json.member("min_transmission_angle_deg", degrees(found.over_usable.min_transmission_angle));
+  write_stroke(json, "over_usable", found.over_usable);
+  write_stroke(json, "stroke", found.stroke);
+  json.member("residual", found.residual);
+  json.member("local_optimum", found.local_optimum);
+  json.member("verified_by_driving", found.verified_by_driving);
+  if (fails) write_failures(json, *fails);
+  json.end_object();
+}
+
+PrescribedPose pose_of(const TracingFourBar& linkage) {
+  return {{linkage.point, std::arg(linkage.bars.output_circle - linkage.bars.input_circle)}, {}};
+}
+
+}  // namespace
+
+void write_of_kind(JsonWriter& json, const StraightLineTask& task) {
+  json.member("kind", "straight_line");
+  json.member("mechanism", "four_bar");
+  json.member("case", name(task.given));
+  json.key("line");
+  json.begin_object(Layout::one_line);
+  json.key("point");
+  write_point(json, task.line.point);
+  json.member("direction_deg", degrees_for_files(task.line.angle));
+  json.end_object();
+  std::visit(GivenWriter{json}, task.given);
+}
+
+bool is_mapped(const StraightLineAnswer& answer) {
+  return answer.lines != nullptr && !answer.lines->axis(Side::input).is_discrete();
+}
+
+void write_dyads(JsonWriter& json, const StraightLineAnswer& /*answer*/) {
+  json.key("curve");
+  json.null();
+  json.key("dyads");
+  json.begin_list();
+  json.end_list();
+}
+
+void write_linkages(JsonWriter& json, const StraightLineAnswer& answer) {
+  json.key("linkages");
+  json.begin_list();
+  for (std::size_t i = 0; i < answer.linkages.size(); ++i)
+    write_straight_line(json, answer.linkages[i], answer, i < answer.fails.size() ? &answer.fails[i] : nullptr);
+  json.end_list();
+  for (const char* key : {"pairs", "freed"}) {
+    json.key(key);
+    json.begin_list();
+    json.end_list();
+  }
+}
+
+StoredLinkage stored(const StraightLineSolution& found, const StraightLineAnswer& answer) {
+  StoredLinkage linkage;
+  linkage.four_bar = found.linkage.bars;
+  linkage.point = found.linkage.point;
+  const UsableLine& usable = found.counted(answer.options.line.measure);
+  PathLimits limits;
+  limits.from = usable.from;
+  limits.to = usable.to;
+  linkage.poses.push_back(pose_of(found.linkage));
+  if (const auto path = StraightPath::of(found.linkage, found.task.line.direction, limits))
+    for (const auto& state : path->states(2)) linkage.poses.push_back(pose_of(state.linkage));
+  linkage.record = json_text_of([&](JsonWriter& json) { write_straight_line(json, found, answer, nullptr); });
+  return linkage;
+}
+
+}  // namespace linkwright

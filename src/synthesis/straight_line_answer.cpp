@@ -1,0 +1,177 @@
+#include "straight_line_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "linkwright/core/count_text.hpp"
+#include "picked_place.hpp"
+#include "region_count.hpp"
+#include "searched_lines.hpp"
+
+namespace linkwright {
+namespace {
+
+Requirements with_default_length(Requirements wanted, double size) {
+  if (!wanted.max_length) wanted.max_length = default_max_length * size;
+  return wanted;
+}
+
+std::int64_t whole_linkages(const Findings& found) {
+  return found.counts.pairs - found.counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+}
+
+Notice nothing_on_map(const StraightLineAnswer& answer) {
+  const std::span<const float> valid = answer.region.values(measures::valid);
+  if (std::any_of(valid.begin(), valid.end(), [](float kind) { return kind == 2; }))
+    return {"only_sliders",
+            "Every linkage of this case has a slider in place of a link here. Widen the window, or change what is "
+            "given.",
+            {}};
+  return {"no_straight_line",
+          fmt::format("No linkage of the case {} has these numbers: its equations have no real solution. Change what "
+                      "is given beside the line.",
+                      name(answer.task.given)),
+          {{"case", std::string(name(answer.task.given))}}};
+}
+
+Notice nothing_meets(const StraightLineAnswer& answer) {
+  const std::int64_t whole = whole_linkages(answer);
+  Notice notice{"none_left_straight",
+                fmt::format("None of the linkages of this case ({}) meets all requirements.", grouped_text(whole)),
+                {{"count", static_cast<double>(whole)}}};
+  if (!answer.relax.empty())
+    notice.message += fmt::format(" {} is the most restrictive: without it {} would be left.",
+                                  key(answer.relax.front().requirement), grouped_text(answer.relax.front().only_this));
+  else if (answer.relax_together)
+    notice.message += " " + joint_relaxation_text(*answer.relax_together);
+  return notice;
+}
+
+void state_what_was_found(StraightLineAnswer& answer) {
+  const std::int64_t whole = whole_linkages(answer);
+  if (whole == 0) {
+    answer.status = SolutionStatus::no_solution;
+    answer.reason = nothing_on_map(answer);
+  } else if (answer.meeting_requirements == 0) {
+    answer.status = SolutionStatus::no_solution;
+    answer.reason = nothing_meets(answer);
+  } else {
+    answer.reason = {
+        "solved",
+        fmt::format("All four-bars of the map: {}; meeting all requirements: {}.", grouped_text(whole),
+                    grouped_text(answer.meeting_requirements)),
+        {{"count", static_cast<double>(whole)}, {"meeting", static_cast<double>(answer.meeting_requirements)}}};
+  }
+}
+
+// Largest is best, by what ranks the map.
+double score_of(const StraightLineSolution& found, const StraightLineAnswer& answer) {
+  const UsableLine& usable = found.counted(answer.options.line.measure);
+  const StrokeReport& over = found.over_usable;
+  RankedNumbers numbers;
+  numbers.transmission_versine = versine_of_angle(over.min_transmission_angle);
+  numbers.longest_link = found.linkage.longest();
+  numbers.stroke_over_longest = usable.length() / found.linkage.longest();
+  numbers.deviation = found.stroke ? found.stroke->max_deviation : over.max_deviation;
+  numbers.velocity_nonuniformity =
+      over.drive ? over.drive->nonuniformity(usable.length()) : std::numeric_limits<double>::infinity();
+  return score_of(answer.options.objective, numbers);
+}
+
+Notice where_nothing_is(const StraightLineFamily& family, MapPoint at, bool on_map) {
+  const auto rows = family.range(Side::input), columns = family.range(Side::output);
+  const std::string where = fmt::format("({:g}, {:g})", at.input, at.output);
+  return {on_map ? "nothing_there" : "off_the_map",
+          on_map ? fmt::format("There is no linkage at {} of the map: the equations have no real solution there, a "
+                               "pivot is at infinity, or a link has no length.",
+                               where)
+                 : fmt::format("{} is off the map: its axes run from {:g} to {:g} and from {:g} to {:g}.", where,
+                               rows[0], rows[1], columns[0], columns[1]),
+          {{"input", at.input}, {"output", at.output}}};
+}
+
+Notice what_is_there(const StraightLineAnswer& answer, MapPoint at) {
+  const auto meeting =
+      std::count_if(answer.fails.begin(), answer.fails.end(), [](const auto& failed) { return failed.empty(); });
+  const auto count = std::ssize(answer.linkages);
+  return {"picked_layers",
+          fmt::format("Linkages at ({:g}, {:g}) of the map: {}; meeting all requirements: {}.", at.input, at.output,
+                      count, meeting),
+          {{"input", at.input},
+           {"output", at.output},
+           {"count", static_cast<double>(count)},
+           {"meeting", static_cast<double>(meeting)}}};
+}
+
+// Of all layers, best first.
+void list_layers(StraightLineAnswer& answer) {
+  const StraightLineFamily& family = *answer.lines;
+  const MapPoint at = *answer.options.at;
+  struct Found {
+    StraightLineSolution linkage;
+    std::vector<RequirementKind> failed;
+  };
+  std::vector<Found> all;
+  bool on_map = false;
+  for (int layer = 0; layer < family.layers(); ++layer) {
+    const auto place = family.point_of({layer, {at.input, at.output}});
+    if (!place) continue;
+    on_map = true;
+    auto failed = failures_at(family, answer, *place);
+    auto made = failed ? make_straight_line(family, *place) : std::nullopt;
+    if (!made) continue;
+    made->place.at = {at.input, at.output};
+    all.push_back({*std::move(made), *std::move(failed)});
+  }
+  std::stable_sort(all.begin(), all.end(), [&](const Found& a, const Found& b) {
+    return score_of(a.linkage, answer) > score_of(b.linkage, answer);
+  });
+  for (Found& found : all) {
+    answer.linkages.push_back(std::move(found.linkage));
+    answer.fails.push_back(std::move(found.failed));
+  }
+  answer.status = all.empty() ? SolutionStatus::no_solution : SolutionStatus::solved;
+  answer.reason = all.empty() ? where_nothing_is(family, at, on_map) : what_is_there(answer, at);
+}
+
+}  // namespace
+
+Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& requirements,
+                             const SynthesisOptions& options, const Progress& progress) {
+  StraightLineAnswer answer;
+  answer.task = task;
+  answer.lines = std::make_shared<StraightLineFamily>(task, options.line, options.window);
+  answer.characteristic_length = size_of(task);
+  answer.requirements = with_default_length(requirements, answer.characteristic_length);
+  answer.options = options;
+  const StraightLineFamily& family = *answer.lines;
+  const RequirementFilter filter = count_region(answer, family, {options.region_samples, std::nullopt}, progress);
+  if (options.at) {
+    list_layers(answer);
+  } else {
+    auto best = best_linkages(SearchedLines(family, answer.requirements, options.objective), answer, filter, progress);
+    answer.linkages = std::move(best.linkages);
+    answer.left_out = best.left_out;
+    state_what_was_found(answer);
+  }
+  progress(1);
+  if (progress.is_cancelled()) return Error{"cancelled", "", "stopped before the answer was complete"};
+  return Answer(std::move(answer));
+}
+
+void leave_out_unconfirmed(StraightLineAnswer& answer) {
+  answer.left_out += static_cast<std::int64_t>(
+      std::erase_if(answer.linkages, [](const StraightLineSolution& found) { return !is_confirmed(found); }));
+  if (answer.left_out == 0) return;
+  answer.warnings.push_back(
+      {"linkages_left_out_straight",
+       fmt::format(
+           "Left out of the best: {}, so near a singular place of the case, a change point or a dead point that "
+           "rounding decides how straight they run.",
+           grouped_text(answer.left_out)),
+       {{"count", static_cast<double>(answer.left_out)}}});
+}
+
+}  // namespace linkwright

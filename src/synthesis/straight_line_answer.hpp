@@ -1,0 +1,19 @@
+#pragma once
+
+#include "linkwright/core/progress.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/synthesis/answer.hpp"
+
+namespace linkwright {
+
+/// Everything found for a straight line; `task` without mistakes. Cancelled: an error.
+[[nodiscard]] Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& requirements,
+                                           const SynthesisOptions& options, const Progress& progress);
+
+/// Linkages that the triangles of their links do not confirm, or the referee of their contact; with a warning.
+void leave_out_unconfirmed(StraightLineAnswer& answer);
+
+/// Straight lines are ranked by what locking ends: there is nothing to warn of.
+inline void warn_of_locking(const StraightLineAnswer& /*answer*/, const Progress& /*progress*/) {}
+
+}  // namespace linkwright
