@@ -8,6 +8,8 @@
 
 namespace linkwright {
 
+constexpr double a_hair = 1e-6;  // that ends by deviation are told from those of the path
+
 bool LineEvaluator::can_be_built(const TracingFourBar& linkage) const {
   const Requirements& wanted = requirements_;
   const FourBar& bars = linkage.bars;
@@ -32,14 +34,14 @@ std::optional<LineCandidate> LineEvaluator::candidate(MapPoint place) const {
   const double deviation = measuring.deviation_of(linkage);
   const auto asked = family_.stroke();
   PathLimits limits;
-  if (!asked) limits.max_deviation = 2.1 * deviation;  // a strip reaches no farther
+  const bool by_strip = measuring.measure == LineMeasure::strip;
+  if (!asked) limits.max_deviation = (by_strip ? 2 + a_hair : 1 + a_hair) * deviation;
   const auto path = StraightPath::of(linkage, family_.task().line.direction, limits);
   if (!path) return std::nullopt;
-  const UsableLine usable =
-      measuring.measure == LineMeasure::strip ? path->usable_strip(deviation) : path->usable(deviation);
+  const UsableLine usable = by_strip ? path->usable_strip(deviation) : path->usable(deviation);
   if (!(usable.length() >= requirements_.min_stroke) || !family_.defects(linkage).none()) return std::nullopt;
-  const auto over = path->stroke(usable.from, usable.to);
-  const auto stroke = asked ? path->stroke((*asked)[0], (*asked)[1]) : over;
+  const auto over = path->stroke_figures(usable.from, usable.to);
+  const auto stroke = asked ? path->stroke_figures((*asked)[0], (*asked)[1]) : over;
   if (!over || !stroke || !(stroke->max_deviation <= requirements_.max_deviation) ||
       over->min_transmission_angle < requirements_.min_transmission_angle)
     return std::nullopt;

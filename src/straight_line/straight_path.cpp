@@ -273,7 +273,17 @@ UsableLine StraightPath::usable_strip(double deviation) const {
   std::sort(levels.begin(), levels.end());
   const auto length_at = [&](double level) { return within(level, level + width).length(); };
   constexpr int samples = 8;
-  double best = 0, longest = -1, low = 0, high = 0;
+  double best = -deviation, longest = length_at(best), low = best, high = best;
+  // The best may touch an extreme of e, and be missed by a hair to either side.
+  const auto try_level = [&](double level) {
+    if (!(level > -width && level < 0)) return;
+    const double length = length_at(level);
+    if (length <= longest) return;
+    longest = length;
+    best = low = high = level;
+  };
+  for (const double level : levels)
+    for (const double beside : {level - edge, level + edge}) try_level(beside);
   for (std::size_t i = 1; i < levels.size(); ++i) {
     const double step = (levels[i] - levels[i - 1]) / samples;
     if (step < edge) continue;
@@ -336,9 +346,14 @@ double StraightPath::best_line(double from, double to) const {
 }
 
 std::optional<StrokeReport> StraightPath::stroke(double from, double to) const {
+  const auto figures = stroke_figures(from, to);
+  return figures ? std::optional(StrokeReport{*figures, best_line(from, to)}) : std::nullopt;
+}
+
+std::optional<StrokeFigures> StraightPath::stroke_figures(double from, double to) const {
   const double slack = 1e-12 * (this->to() - this->from());
   if (!(from < to) || from < this->from() - slack || to > this->to() + slack) return std::nullopt;
-  StrokeReport report;
+  StrokeFigures report;
   report.from = from;
   report.to = to;
   const std::vector<Place> turning = extremes(from, to, 0);
@@ -349,7 +364,6 @@ std::optional<StrokeReport> StraightPath::stroke(double from, double to) const {
   }
   report.max_deviation = std::max(std::abs(low), std::abs(high));
   report.parallel_line_deviation = (high - low) / 2;
-  report.best_line_deviation = best_line(from, to);
 
   report.min_transmission_angle = pi / 2;
   double slowest = std::numeric_limits<double>::infinity(), fastest = -slowest;

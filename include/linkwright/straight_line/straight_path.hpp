@@ -38,14 +38,16 @@ struct DriveOfStroke {
   [[nodiscard]] double nonuniformity(double stroke) const { return (fastest - slowest) * std::abs(sweep) / stroke; }
 };
 
-/// How well a point runs straight over a stroke.
-struct StrokeReport {
+/// How well a point runs straight over a stroke, but for the best line of any direction, which takes longer.
+struct StrokeFigures {
   double from = 0, to = 0;             ///< s
   double max_deviation = 0;            ///< largest |e|, off the line itself
   double parallel_line_deviation = 0;  ///< off the best line parallel to it: half of what e ranges over
-  double best_line_deviation = 0;      ///< off the best line of any direction
   double min_transmission_angle = 0;   ///< of the input driving, radians
   std::optional<DriveOfStroke> drive;  ///< nothing where the input turns back on the way, and the velocity is unbounded
+};
+struct StrokeReport : StrokeFigures {
+  double best_line_deviation = 0;  ///< off the best line of any direction
 };
 
 /// How far a path is traced from where the linkage lies, either way along the line: some way, both.
@@ -75,6 +77,7 @@ class StraightPath {
   [[nodiscard]] UsableLine usable_strip(double deviation) const;
   /// Over from ≤ s ≤ to; nothing where the path does not reach that far.
   [[nodiscard]] std::optional<StrokeReport> stroke(double from, double to) const;
+  [[nodiscard]] std::optional<StrokeFigures> stroke_figures(double from, double to) const;
 
   /// The linkage and its path at one place.
   struct State {
