@@ -23,6 +23,9 @@ std::string with_unit(const std::string& number, std::string_view unit) {
 }
 
 std::string map_of_lines_words(const Problem& problem, const StraightLineAnswer& answer) {
+  if (!answer.lines)
+    return wrapped(fmt::format("{} Requirements: {}.", answer.reason.message,
+                               requirement_words(answer.requirements, linkages(problem.task), problem.length_unit)));
   const RegionCounts& counts = answer.counts;
   const std::int64_t without = counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   const int layers = answer.lines->layers();
@@ -61,9 +64,10 @@ std::string heading_of_lines(const StraightLineAnswer& answer) {
 std::string usable_text(const UsableLine& usable) { return significant_text(usable.length(), line_digits); }
 
 std::string line_table(const StraightLineAnswer& answer) {
-  const bool has_layers = answer.lines->layers() > 1;
+  const bool has_cases = answer.lines == nullptr, has_layers = !has_cases && answer.lines->layers() > 1;
   std::vector<std::string> head = {"#", "<type", "points", "tangent", "strip", "÷ longest", "γ", "uneven", "±e"};
   if (has_layers) head.insert(head.begin() + 1, "<layer");
+  if (has_cases) head.insert(head.begin() + 1, "<case");
   TextTable table(head);
   for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
     const StraightLineSolution& found = answer.linkages[i];
@@ -79,6 +83,7 @@ std::string line_table(const StraightLineAnswer& answer) {
                                     over.drive ? significant_text(over.drive->nonuniformity(counted.length()), 2) : "–",
                                     significant_text((found.stroke ? *found.stroke : over).max_deviation, 3)};
     if (has_layers) row.insert(row.begin() + 1, std::string(answer.lines->layer_name(found.place.layer)));
+    if (has_cases) row.insert(row.begin() + 1, std::string(name(found.task.given)));
     table.add_row(std::move(row));
   }
   return table.text();
@@ -93,7 +98,7 @@ std::string column_words(const StraightLineAnswer& answer) {
       "points: of path and line in common; tangent, strip: usable length within ±{} of the line, or of the best line "
       "parallel to it; ÷ longest: {} over the longest link or arm; γ: least transmission angle and uneven: (fastest − "
       "slowest) / mean velocity over that length; ±e: largest deviation {}.",
-      share, by_strip ? "strip" : "tangent", answer.lines->stroke() ? "over the stroke" : "over it"));
+      share, by_strip ? "strip" : "tangent", !answer.lines || answer.lines->stroke() ? "over the stroke" : "over it"));
 }
 
 std::string line_dimensions(const Lines& all, int decimals) {
@@ -139,6 +144,10 @@ std::string found_lines_words(const Problem& problem, const StraightLineAnswer& 
   std::string best;
   if (answer.options.at) {
     best = wrapped(answer.reason.message);
+  } else if (answer.search) {
+    best = wrapped(
+        "Their places on the maps of their cases are in the result file, each with the task of its map: solve that to "
+        "see what lies around.");
   } else {
     const StraightLineSolution& first = answer.linkages.front();
     const UsableLine& usable = first.counted(answer.options.line.measure);

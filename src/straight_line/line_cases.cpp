@@ -211,6 +211,8 @@ LineDesigns designs_of(const SymmetricLambdas& given, const DirectedLine& line, 
   return designs;
 }
 
+LineDesigns designs_of(const Search& /*given*/, const DirectedLine& /*line*/) { return {}; }
+
 LineDesigns designs_of(const PoleAtGivenPivot& given, const DirectedLine& line) {
   const Point pole = given.output, point = line.to_fixed(line.to_line(pole).real());
   const Point to_point = point - pole, to_input = given.input - pole;
@@ -273,6 +275,7 @@ struct AxesOfCase {
   Axes operator()(const ParallelSideLinks& /*given*/) const {
     return {length(AxisQuantity::link_length), length(AxisQuantity::link_length)};
   }
+  Axes operator()(const Search& /*given*/) const { return {}; }
   Axes operator()(const MixedContacts& /*given*/) const {
     return {LineAxis{AxisQuantity::crank_length, 0, 2 * size}, LineAxis{AxisQuantity::point_arm, 0, 2 * size}};
   }

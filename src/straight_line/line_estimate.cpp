@@ -52,28 +52,28 @@ class TracedPath {
     return {leaves(low, high, middle, -1), leaves(low, high, middle, 1)};
   }
 
-  // The longest over which e ranges over `width`: one end at a sample, which costs the square of a step. While that end
-  // moves out the other moves in.
+  // The longest over which e ranges over `width`: one end at a sample, then between the samples beside the best.
   [[nodiscard]] Stretch strip(double width) const {
-    std::array<Range, LineTraceBlock::samples> from_middle;  // of e, from the middle to a sample
-    for (const int sense : {-1, 1}) {
-      from_middle[middle] = {};
-      for (int i = middle; i != end(sense); i += sense)
-        from_middle[at_index(i + sense)] = from_middle[at_index(i)].with(e(i + sense));
-    }
+    const Ranges from_middle = ranges();
     Stretch longest;
     for (const int sense : {-1, 1}) {
-      int other = end(-sense);
-      for (int i = middle;; i += sense) {
-        const Range here = from_middle[at_index(i)];
-        if (here.width() > width) break;
-        while (other != middle && here.with(from_middle[at_index(other)]).width() > width) other += sense;
-        const double far =
-            other == end(-sense) ? s(other) : leaves(here.with(from_middle[at_index(other)]), width, other, -sense);
-        const double length = std::abs(far - s(i));
-        if (length > longest.length()) longest = sense < 0 ? Stretch{s(i), far} : Stretch{far, s(i)};
-        if (i == end(sense)) break;
+      double best = middle;
+      Stretch found;
+      const auto look = [&](double place) {
+        const Stretch there = strip_from(place, sense, width, from_middle);
+        if (there.length() <= found.length()) return there.length() > 0;
+        found = there;
+        best = place;
+        return true;
+      };
+      for (int i = middle; look(i) && i != end(sense);) i += sense;
+      constexpr int parts = 8;
+      const double around = best;
+      for (int k = 1 - parts; k < parts; ++k) {
+        const double place = around + static_cast<double>(k) / parts;
+        if (sense * (place - middle) >= 0 && sense * (end(sense) - place) >= 0) look(place);
       }
+      if (found.length() > longest.length()) longest = found;
     }
     return longest;
   }
@@ -113,6 +113,42 @@ class TracedPath {
   }
 
  private:
+  using Ranges = std::array<Range, LineTraceBlock::samples>;
+
+  // Of e from the middle to each sample.
+  [[nodiscard]] Ranges ranges() const {
+    Ranges from_middle;
+    from_middle[middle] = {};
+    for (const int sense : {-1, 1})
+      for (int i = middle; i != end(sense); i += sense)
+        from_middle[at_index(i + sense)] = from_middle[at_index(i)].with(e(i + sense));
+    return from_middle;
+  }
+
+  // One end at a place between samples, the other as far as it goes; empty where e ranges wider before that.
+  [[nodiscard]] Stretch strip_from(double place, int sense, double width, const Ranges& from_middle) const {
+    const int inner = sense > 0 ? static_cast<int>(std::floor(place)) : static_cast<int>(std::ceil(place));
+    const double share = std::abs(place - inner);
+    Range here = from_middle[at_index(inner)];
+    double at = s(inner);
+    if (share > 0) {
+      at += share * (s(inner + sense) - s(inner));
+      here = here.with(e(inner) + share * (e(inner + sense) - e(inner)));
+    }
+    if (here.width() > width) return {};
+    int low = middle, high = end(-sense);  // the last sample that the other end reaches lies between
+    while (low != high) {
+      const int next = high - (high - low) / 2;
+      const int probe = next == low ? high : next;
+      if (here.with(from_middle[at_index(probe)]).width() > width)
+        high = probe - (-sense);
+      else
+        low = probe;
+    }
+    const double far = low == end(-sense) ? s(low) : leaves(here.with(from_middle[at_index(low)]), width, low, -sense);
+    return sense < 0 ? Stretch{at, far} : Stretch{far, at};
+  }
+
   // s between sample i, up to which e has a range, and the next, where that grows wider than `width`.
   [[nodiscard]] double leaves(Range range, double width, int i, int sense) const {
     const double there = e(i + sense), edge = there > range.high ? range.low + width : range.high - width;
@@ -153,8 +189,13 @@ LineEstimate estimate_of(const LineTraceBlock& block, std::size_t lane, const Li
   const Stretch tangent = path.within(-deviation, deviation), strip = path.strip(2 * deviation);
   const bool by_strip = measuring.measure == LineMeasure::strip;
   const Stretch usable = by_strip ? strip : tangent;
-  LineEstimate estimate{
-      tangent.length(), std::max(strip.length(), tangent.length()), 0, 0, 0, std::abs(block.coefficient[lane])};
+  LineEstimate estimate{tangent.length(),
+                        std::max(strip.length(), tangent.length()),
+                        0,
+                        0,
+                        0,
+                        std::abs(block.coefficient[lane]),
+                        (strip.from + strip.to) / 2};
   if (task.stroke) {
     const Stretch stroke{(*task.stroke)[0], (*task.stroke)[1]};
     estimate.deviation = path.reaches(stroke) ? path.largest_deviation(stroke) : infinity;
@@ -186,7 +227,7 @@ void fill(LineTraceBlock& block, std::span<const TracingFourBar> linkages, const
 }  // namespace
 
 void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimateTask& task,
-                    std::span<LineEstimate> estimates) {
+                    std::span<LineEstimate> estimates, std::span<const double> deviations) {
   require(estimates.size() >= linkages.size(), "there is room for each estimate");
   const auto kernel = line_trace_kernel.for_simd(task.simd);
   LineTraceBlock block;
@@ -199,6 +240,8 @@ void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimate
   for (std::size_t begin = 0; begin < linkages.size(); begin += size) {
     const auto some = linkages.subspan(begin, std::min(size, linkages.size() - begin));
     fill(block, some, task.measuring);
+    for (std::size_t lane = 0; lane < size && !deviations.empty(); ++lane)
+      block.deviation[lane] = deviations[std::min(begin + lane, linkages.size() - 1)];
     kernel(block);
     for (std::size_t lane = 0; lane < some.size(); ++lane) estimates[begin + lane] = estimate_of(block, lane, task);
   }

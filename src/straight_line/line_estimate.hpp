@@ -16,6 +16,7 @@ struct LineEstimate {
   double min_transmission_sine = 0;  ///< of the angle, over the usable length
   double velocity_nonuniformity = 0;
   double contact_coefficient = 0;  ///< |K| of s^contact
+  double strip_middle = 0;         ///< s
 
   /// By the measure that counts.
   [[nodiscard]] double usable(LineMeasure by) const { return by == LineMeasure::strip ? usable_strip : usable_stroke; }
@@ -31,8 +32,9 @@ struct LineEstimateTask {
   Simd simd = Simd::automatic;
 };
 
-/// `estimates` has a place for each linkage.
+/// `estimates` has a place for each linkage. `deviations`: of each, instead of what the task measures by; none: as it
+/// does.
 void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimateTask& task,
-                    std::span<LineEstimate> estimates);
+                    std::span<LineEstimate> estimates, std::span<const double> deviations = {});
 
 }  // namespace linkwright

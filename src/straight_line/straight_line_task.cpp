@@ -34,10 +34,13 @@ struct CaseName {
   std::string_view operator()(const ParallelSideLinks& /*given*/) const { return "parallel_side_links"; }
   std::string_view operator()(const MixedContacts& /*given*/) const { return "mixed"; }
   std::string_view operator()(const SymmetricLambdas& /*given*/) const { return "symmetric_lambda"; }
+  std::string_view operator()(const Search& /*given*/) const { return "search"; }
 };
 
 // What is given beside the line, number by number.
 class GivenCheck {
+  static constexpr double least_share = 1e-9, most_share = 0.1;
+
  public:
   explicit GivenCheck(const DirectedLine& line, std::vector<Error>& found) : line_(line), found_(found) {}
 
@@ -97,6 +100,16 @@ class GivenCheck {
                         "task.contacts",
                         fmt::format("the multiplicities of the contacts add up to {}; they must add up to 4", points),
                         {{"count", points}}});
+  }
+  void operator()(const Search& given) {
+    check(given.stroke, "the stroke", "task.stroke");
+    check(given.deviation, "the deviation", "task.deviation");
+    if (std::isfinite(given.stroke) && !(given.stroke > 0))
+      mistake("stroke_positive", "task.stroke", "the stroke is a positive length");
+    if (!(given.deviation > least_share * given.stroke && given.deviation < most_share * given.stroke) &&
+        std::isfinite(given.stroke) && given.stroke > 0)
+      mistake("deviation_share", "task.deviation",
+              "the deviation lies between a billionth and a tenth of the stroke; a wider strip is no straight line");
   }
   void operator()(const SymmetricLambdas& given) {
     check(given.stroke, "the stroke", "task.stroke");
@@ -181,6 +194,7 @@ struct CaseSize {
     return farthest;
   }
   double operator()(const SymmetricLambdas& given) const { return given.stroke; }
+  double operator()(const Search& given) const { return given.stroke; }
   template <class OfPole>
   double operator()(const OfPole& given) const {
     return std::abs(given.pole_distance);
@@ -193,7 +207,7 @@ std::string_view name(const StraightLineCase& of) { return std::visit(CaseName{}
 
 int promised_contact(const StraightLineCase& of) {
   if (std::holds_alternative<SixPoint>(of)) return 6;
-  if (std::holds_alternative<SymmetricLambdas>(of)) return 2;
+  if (std::holds_alternative<SymmetricLambdas>(of) || std::holds_alternative<Search>(of)) return 2;
   if (const auto* mixed = std::get_if<MixedContacts>(&of)) return mixed->contacts.front().multiplicity;
   const bool five = std::holds_alternative<FivePoint>(of) || std::holds_alternative<FivePointInflectionPole>(of) ||
                     std::holds_alternative<FivePointSideLinkOnFrame>(of) ||

@@ -364,6 +364,7 @@ std::optional<StrokeFigures> StraightPath::stroke_figures(double from, double to
   }
   report.max_deviation = std::max(std::abs(low), std::abs(high));
   report.parallel_line_deviation = (high - low) / 2;
+  report.middle_deviation = (high + low) / 2;
 
   report.min_transmission_angle = pi / 2;
   double slowest = std::numeric_limits<double>::infinity(), fastest = -slowest;

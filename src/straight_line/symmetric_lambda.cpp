@@ -1,13 +1,23 @@
 #include "linkwright/straight_line/symmetric_lambda.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
-#include "linkwright/straight_line/straight_path.hpp"
 
 namespace linkwright {
+
+namespace {
+
+// The triangle of coupler and output is isosceles: half its base over a side in the middle of the stroke, where it is
+// longest, and at the ends.
+double least_transmission_angle(double middle, double end) {
+  return std::min({2 * std::asin(middle), pi - 2 * std::asin(middle), 2 * std::asin(end)});
+}
+
+}  // namespace
 
 // In units of d + r, with w = d² − r² = d − r: heights of the point at the middle and at the ends of the stroke, and
 // their difference without cancellation.
@@ -29,9 +39,7 @@ std::optional<SymmetricLambda> minimax_lambda(double crank_range, double stroke)
   lambda.stroke = stroke;
   lambda.line_height = unit * (end + middle) / 2;
   lambda.max_deviation = unit * range / 2;
-  // The triangle of coupler and output is isosceles; its base is 1 in the middle and 2w at the ends.
-  const auto between = [&](double base) { return 2 * std::asin(base / (1 + 2 * w)); };
-  lambda.min_transmission_angle = std::min({between(1), pi - between(1), between(2 * w)});
+  lambda.min_transmission_angle = least_transmission_angle(1 / (1 + 2 * w), 2 * w / (1 + 2 * w));
   return lambda;
 }
 
@@ -77,17 +85,20 @@ std::optional<SymmetricLambda> near_minimax_lambda(double crank_range, double st
   const double reach = std::sqrt(4 * lambda.link * lambda.link / end - 1);
   const double way = 2 * reach * lambda.crank * std::sin(crank_range / 2);
   const double unit = stroke / way;
+  // Heights of the point by u, the square of the pin's distance: their extremes inside are at u² − 2 l² u + 2 l² w = 0.
+  const double link_square = lambda.link * lambda.link;
+  const auto height = [&](double u) { return std::sqrt(4 * link_square / u - 1) * (u + w) / (2 * lambda.ground); };
+  std::array<double, 4> heights = {height(1), height(end), height(1), height(end)};
+  const double root = std::sqrt(std::max(0.0, link_square * (link_square - 2 * w)));
+  for (const int sign : {-1, 1})
+    if (const double u = link_square + sign * root; u > end && u < 1) heights[sign < 0 ? 2 : 3] = height(u);
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  lambda.max_deviation = unit * (*high - *low) / 2;
+  lambda.line_height = unit * (*high + *low) / 2;
+  lambda.min_transmission_angle = least_transmission_angle(1 / (2 * lambda.link), std::sqrt(end) / (2 * lambda.link));
   for (double* length : {&lambda.crank, &lambda.ground, &lambda.link}) *length *= unit;
   lambda.crank_range = crank_range;
   lambda.stroke = stroke;
-  const TracingFourBar linkage = lambda_linkage(lambda, {}, false);
-  const auto path = StraightPath::of(linkage, {1, 0}, {.from = -0.51 * stroke, .to = 0.51 * stroke});
-  const auto report = path ? path->stroke(-stroke / 2, stroke / 2) : std::nullopt;
-  if (!report) return std::nullopt;
-  lambda.max_deviation = report->parallel_line_deviation;
-  lambda.line_height = std::sqrt(4 * lambda.link * lambda.link - std::pow(lambda.ground + lambda.crank, 2)) +
-                       report->max_deviation - report->parallel_line_deviation;
-  lambda.min_transmission_angle = report->min_transmission_angle;
   return lambda;
 }
 

@@ -136,16 +136,49 @@ void list_layers(StraightLineAnswer& answer) {
   answer.reason = all.empty() ? where_nothing_is(family, at, on_map) : what_is_there(answer, at);
 }
 
+Notice what_was_looked_for(const StraightLineSearchResult& search, const straight_cases::Search& wanted) {
+  const std::string drawn = grouped_text(search.drawn);
+  if (search.linkages.empty())
+    return {"no_line_found",
+            fmt::format("Of {} places of all maps none has a linkage that runs straight over {:g} to ±{:g} and meets "
+                        "the requirements. Allow longer links (max_length), a larger deviation, or more room for the "
+                        "pivots.",
+                        drawn, wanted.stroke, wanted.deviation),
+            {{"count", static_cast<double>(search.drawn)}}};
+  return {"lines_found",
+          fmt::format("Looked at {} places of all maps; each linkage listed runs straight over {:g} to ±{:g}.", drawn,
+                      wanted.stroke, wanted.deviation),
+          {{"count", static_cast<double>(search.drawn)}}};
+}
+
+Answer search_all_cases(StraightLineAnswer answer, const straight_cases::Search& wanted, const Progress& progress) {
+  const SynthesisOptions& options = answer.options;
+  answer.options.line = {wanted.deviation, wanted.stroke, LineMeasure::strip};
+  StraightLineSearchResult found =
+      search_straight_lines(answer.task.line, wanted, answer.requirements,
+                            {options.objective, options.best, static_cast<std::uint64_t>(options.seed),
+                             static_cast<double>(options.effort) / default_effort, options.region.threads},
+                            progress);
+  answer.reason = what_was_looked_for(found, wanted);
+  if (found.linkages.empty()) answer.status = SolutionStatus::no_solution;
+  answer.linkages = std::move(found.linkages);
+  found.linkages.clear();
+  answer.search = std::move(found);
+  return answer;
+}
+
 }  // namespace
 
 Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& requirements,
                              const SynthesisOptions& options, const Progress& progress) {
   StraightLineAnswer answer;
   answer.task = task;
-  answer.lines = std::make_shared<StraightLineFamily>(task, options.line, options.window);
   answer.characteristic_length = size_of(task);
   answer.requirements = with_default_length(requirements, answer.characteristic_length);
   answer.options = options;
+  if (const auto* wanted = std::get_if<straight_cases::Search>(&task.given))
+    return search_all_cases(std::move(answer), *wanted, progress);
+  answer.lines = std::make_shared<StraightLineFamily>(task, options.line, options.window);
   const StraightLineFamily& family = *answer.lines;
   const RequirementFilter filter = count_region(answer, family, {options.region_samples, std::nullopt}, progress);
   if (options.at) {

@@ -85,7 +85,7 @@ TEST(LineEstimate, IsCloseToTheExactPath) {
     const auto of = name(sample.task.given);
     EXPECT_LT(quantile(stroke, 0.5), 0.005) << of;
     EXPECT_LT(quantile(stroke, 0.9), 0.12) << of;
-    EXPECT_LT(quantile(strip, 0.5), 0.03) << of;
+    EXPECT_LT(quantile(strip, 0.5), 0.01) << of;
     EXPECT_LT(quantile(strip, 0.9), 0.16) << of;
     EXPECT_LT(quantile(angle, 0.5), 0.003) << of;
     EXPECT_LT(quantile(angle, 0.98), 0.06) << of;

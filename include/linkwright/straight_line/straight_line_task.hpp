@@ -102,6 +102,13 @@ struct SymmetricLambdas {
   friend bool operator==(const SymmetricLambdas&, const SymmetricLambdas&) = default;
 };
 
+/// What is wanted of a linkage instead of what is given: all cases above are looked over. No axes.
+struct Search {
+  double stroke = 0;     ///< its middle at the line's point
+  double deviation = 0;  ///< half the width of the strip in which the point is to stay
+  friend bool operator==(const Search&, const Search&) = default;
+};
+
 }  // namespace straight_cases
 
 /// In the order of the contract's table.
@@ -111,7 +118,7 @@ using StraightLineCase =
                  straight_cases::PoleAtFixedPivotBallPointOnFrame, straight_cases::FivePoint,
                  straight_cases::FivePointInflectionPole, straight_cases::FivePointSideLinkOnFrame,
                  straight_cases::SixPoint, straight_cases::ParallelSideLinks, straight_cases::MixedContacts,
-                 straight_cases::SymmetricLambdas>;
+                 straight_cases::SymmetricLambdas, straight_cases::Search>;
 
 /// Key in files: "four_point_pivots", …; both cases with the pole at a pivot have one.
 [[nodiscard]] std::string_view name(const StraightLineCase& of);

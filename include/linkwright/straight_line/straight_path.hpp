@@ -43,6 +43,7 @@ struct StrokeFigures {
   double from = 0, to = 0;             ///< s
   double max_deviation = 0;            ///< largest |e|, off the line itself
   double parallel_line_deviation = 0;  ///< off the best line parallel to it: half of what e ranges over
+  double middle_deviation = 0;         ///< e of that line
   double min_transmission_angle = 0;   ///< of the input driving, radians
   std::optional<DriveOfStroke> drive;  ///< nothing where the input turns back on the way, and the velocity is unbounded
 };

@@ -20,6 +20,7 @@
 #include "linkwright/region/requirements.hpp"
 #include "linkwright/spherical/relaxed_orientation.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
+#include "linkwright/straight_line/straight_line_search.hpp"
 #include "linkwright/straight_line/straight_line_solution.hpp"
 #include "linkwright/synthesis/options.hpp"
 #include "linkwright/synthesis/task.hpp"
@@ -110,10 +111,11 @@ struct SixBarAnswer : Findings {
 
 struct StraightLineAnswer : Findings {
   StraightLineTask task;
-  std::shared_ptr<const StraightLineFamily> lines;
-  std::vector<StraightLineSolution> linkages;  ///< best first; of a place that was picked, layer by layer
+  std::shared_ptr<const StraightLineFamily> lines;  ///< null where a linkage is searched for
+  std::optional<StraightLineSearchResult> search;   ///< then: how it went, its linkages moved out
+  std::vector<StraightLineSolution> linkages;       ///< best first; of a place that was picked, layer by layer
 
-  /// What the map is of.
+  /// What the map is of; null without one.
   [[nodiscard]] const StraightLineFamily* family() const { return lines.get(); }
   [[nodiscard]] MapPoint point_of(const StraightLineSolution& found) const { return *lines->point_of(found.place); }
 };

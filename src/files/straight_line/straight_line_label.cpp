@@ -10,7 +10,7 @@ namespace {
 struct CaseWords {
   std::string_view key, words;
 };
-constexpr std::array<CaseWords, 13> case_words = {
+constexpr std::array<CaseWords, 14> case_words = {
     {{"four_point_pivots", "given ground pivots, four points of contact"},
      {"four_point_cubic", "given cubic, four points of contact"},
      {"ball_point_on_side_link", "Ball's point on the line of the output link"},
@@ -23,7 +23,8 @@ constexpr std::array<CaseWords, 13> case_words = {
      {"six_point", "six points of contact"},
      {"parallel_side_links", "parallel grounded links, as Watt's"},
      {"mixed", "contacts at given places"},
-     {"symmetric_lambda", "symmetric lambda linkage"}}};
+     {"symmetric_lambda", "symmetric lambda linkage"},
+     {"search", "search of all cases"}}};
 
 std::string_view words_of(const StraightLineCase& given) {
   for (const CaseWords& of : case_words)

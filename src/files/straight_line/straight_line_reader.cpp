@@ -12,12 +12,20 @@ namespace {
 
 using namespace straight_cases;
 
-constexpr std::array<std::string_view, 13> case_names = {
-    "four_point_pivots",   "four_point_cubic",           "ball_point_on_side_link",
-    "isosceles_trapezoid", "pole_at_fixed_pivot",        "pole_at_fixed_pivot_ball_point_on_frame",
-    "five_point",          "five_point_inflection_pole", "five_point_side_link_on_frame",
-    "six_point",           "parallel_side_links",        "mixed",
-    "symmetric_lambda"};
+constexpr std::array<std::string_view, 14> case_names = {"four_point_pivots",
+                                                         "four_point_cubic",
+                                                         "ball_point_on_side_link",
+                                                         "isosceles_trapezoid",
+                                                         "pole_at_fixed_pivot",
+                                                         "pole_at_fixed_pivot_ball_point_on_frame",
+                                                         "five_point",
+                                                         "five_point_inflection_pole",
+                                                         "five_point_side_link_on_frame",
+                                                         "six_point",
+                                                         "parallel_side_links",
+                                                         "mixed",
+                                                         "symmetric_lambda",
+                                                         "search"};
 
 constexpr std::size_t most_contacts_read = 100;
 
@@ -37,6 +45,7 @@ class CaseReader {
     if (name == "parallel_side_links") return parallel_side_links();
     if (name == "mixed") return mixed();
     if (name == "symmetric_lambda") return symmetric_lambda();
+    if (name == "search") return search();
     return of_pole_distance(name);
   }
 
@@ -165,6 +174,12 @@ class CaseReader {
       contacts.push_back(contact);
     });
     return is_list && complete ? std::optional(contacts) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<StraightLineCase> search() const {
+    const JsonObject object = members({"stroke", "deviation"});
+    const auto stroke = object.require_number("stroke"), deviation = object.require_number("deviation");
+    if (!stroke || !deviation) return std::nullopt;
+    return Search{*stroke, *deviation};
   }
   [[nodiscard]] std::optional<StraightLineCase> symmetric_lambda() const {
     const JsonObject object = members({"stroke", "crank_range_deg"});

@@ -75,6 +75,10 @@ struct GivenWriter {
     json.key("crank_range_deg");
     given.crank_range ? json.value(degrees_for_files(*given.crank_range)) : json.null();
   }
+  void operator()(const Search& given) const {
+    json.member("stroke", given.stroke);
+    json.member("deviation", given.deviation);
+  }
   template <class OfPole>
   void operator()(const OfPole& given) const {
     json.member("pole_distance", given.pole_distance);
@@ -150,6 +154,12 @@ void write_straight_line(JsonWriter& json, const StraightLineSolution& found, co
   if (const auto layer = family.layer_name(found.place.layer); !layer.empty()) json.member("layer_name", layer);
   json.key("place");
   write_point(json, {found.place.at[0], found.place.at[1]});
+  if (answer.search) {
+    json.key("task");
+    json.begin_object();
+    write_of_kind(json, found.task);
+    json.end_object();
+  }
   json.key("pivots");
   write_pivots(json, found.linkage);
   write_tracing_lengths(json, found);

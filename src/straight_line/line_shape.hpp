@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "straight_line/line_cases.hpp"
+
+// The linkages of all cases by a few numbers in [0, 1], without position and scale: what a search draws.
+namespace linkwright {
+
+/// A kind of shape: a case with one of its lengths as unit.
+enum class ShapeKind : std::size_t {
+  four_point,
+  ball_point_on_side_link,
+  isosceles_trapezoid,
+  pole_at_fixed_pivot,
+  ball_point_on_frame,
+  five_point,
+  five_point_inflection_pole,
+  five_point_side_link_on_frame,
+  six_point,
+  parallel_side_links,
+  symmetric_lambda,
+  two_tangencies,  ///< a λ that touches the line at two places
+};
+inline constexpr std::size_t shape_kind_count = 12;
+
+struct LineShape {
+  ShapeKind kind = ShapeKind::four_point;
+  std::array<double, 4> numbers{};  ///< the first number_count(kind) of them
+  unsigned turns = 0;  ///< bits: the other side of the line, the other sense of it, the other side of the dyad
+};
+[[nodiscard]] std::size_t number_count(ShapeKind kind);
+
+/// A task, its line through the origin along ± x, and a place of its map.
+struct PlacedShape {
+  StraightLineTask task;
+  std::array<double, 2> at{};  ///< radians, or lengths
+};
+[[nodiscard]] PlacedShape placed(const LineShape& shape);
+
+/// All lengths times `scale`, and the line where `line` has it, its point moved by `shift` along ± x and across.
+[[nodiscard]] PlacedShape moved(const PlacedShape& shape, double scale, const DirectedLine& line, Point shift);
+
+/// The linkages there, one to each layer.
+[[nodiscard]] LineDesigns designs_of_shape(const PlacedShape& shape);
+
+}  // namespace linkwright

@@ -1,0 +1,426 @@
+#include "linkwright/straight_line/straight_line_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/core/parallel.hpp"
+#include "straight_line/line_estimate.hpp"
+#include "straight_line/line_shape.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::int64_t draws = 24'000;  // of each kind, effort 1
+constexpr std::size_t chunk = 1'000;    // drawn from one seed
+constexpr std::size_t starts = 10;      // of each kind, made better
+constexpr double different = 0.03;      // share of the longest link by which designs differ
+
+double share(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+// A linkage of a shape, estimated: of unit size, its strip as long as its deviation's share of the stroke lets it be.
+struct Prospect {
+  LineShape shape;
+  int layer = 0;
+  TracingFourBar linkage;
+  double strip = 0, middle = 0;  // of the unit linkage
+  double score = 0;
+};
+
+bool better(const Prospect& a, const Prospect& b) { return a.score > b.score; }
+
+struct Drawn {
+  LineShape shape;
+  int layer = 0;
+  TracingFourBar linkage;
+  double width = 0;  // of the strip, half of it
+  LineEstimate estimate{};
+};
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// The best lie at the limits, where an estimate may take what is just beyond them.
+Requirements with_room(Requirements wanted, double stroke) {
+  constexpr double room = 0.01, angle = radians(1);
+  for (std::optional<Box>* box : {&wanted.ground_pivots_within, &wanted.moving_pivots_within}) {
+    if (!*box) continue;
+    const double x = std::min(room * stroke, 0.1 * ((*box)->x_high - (*box)->x_low)),
+                 y = std::min(room * stroke, 0.1 * ((*box)->y_high - (*box)->y_low));
+    *box = Box{(*box)->x_low + x, (*box)->x_high - x, (*box)->y_low + y, (*box)->y_high - y};
+  }
+  if (wanted.min_transmission_angle > 0) wanted.min_transmission_angle += angle;
+  if (wanted.max_length) *wanted.max_length *= 1 - room;
+  return wanted;
+}
+
+// What is looked for, and what judges it.
+class Wish {
+ public:
+  Wish(const DirectedLine& line, const straight_cases::Search& wanted, const Requirements& requirements,
+       Objective objective)
+      : line_(line), wanted_(wanted), requirements_(requirements), objective_(objective) {}
+
+  [[nodiscard]] double stroke() const { return wanted_.stroke; }
+  [[nodiscard]] double share_of_stroke() const { return wanted_.deviation / wanted_.stroke; }
+  [[nodiscard]] const DirectedLine& line() const { return line_; }
+  [[nodiscard]] LineMeasuring measuring() const { return {wanted_.deviation, wanted_.stroke, LineMeasure::strip}; }
+
+  // Whatever its size.
+  [[nodiscard]] bool takes_shape(const TracingFourBar& linkage) const {
+    const LinkageType type = linkage_type(linkage.bars.lengths());
+    const auto& types = requirements_.types;
+    return type != LinkageType::degenerate && linkage.longest() <= requirements_.max_link_ratio * linkage.shortest() &&
+           (types.empty() || std::find(types.begin(), types.end(), type) != types.end());
+  }
+  // Scaled and moved to the line; the user's frame.
+  [[nodiscard]] bool takes_place(const TracingFourBar& linkage) const {
+    const auto inside = [](const std::optional<Box>& box, Point one, Point other) {
+      return !box || (box->contains(one) && box->contains(other));
+    };
+    const FourBar& bars = linkage.bars;
+    return linkage.longest() <= requirements_.max_length.value_or(Requirements::unlimited) &&
+           requirements_.min_stroke <= wanted_.stroke && wanted_.deviation <= requirements_.max_deviation &&
+           inside(requirements_.ground_pivots_within, bars.input_center, bars.output_center) &&
+           inside(requirements_.moving_pivots_within, bars.input_circle, bars.output_circle);
+  }
+  // Of the strip over the longest link, below which a linkage is too long or, by what ranks, not among the best.
+  [[nodiscard]] double least_strip() const { return wanted_.stroke / requirements_.max_length.value_or(infinite); }
+  // Beside which a longer strip may do worse.
+  [[nodiscard]] bool has_limits() const {
+    return requirements_.ground_pivots_within || requirements_.moving_pivots_within ||
+           requirements_.min_transmission_angle > 0;
+  }
+  [[nodiscard]] bool longest_strip_wins() const {
+    return objective_ == Objective::stroke || objective_ == Objective::size || objective_ == Objective::deviation;
+  }
+  [[nodiscard]] std::optional<double> score(const RankedNumbers& numbers) const {
+    if (numbers.transmission_versine < versine_of_angle(requirements_.min_transmission_angle)) return std::nullopt;
+    return score_of(objective_, numbers);
+  }
+
+ private:
+  DirectedLine line_;
+  straight_cases::Search wanted_;
+  Requirements requirements_;
+  Objective objective_;
+};
+
+// Of the linkage at unit size, whose line is the x axis and whose strip is to come to the middle of the wish's line.
+TracingFourBar at_its_place(const Wish& wish, const TracingFourBar& unit, double strip, Point middle) {
+  const double scale = wish.stroke() / strip;
+  const auto there = [&](Point p) { return wish.line().to_fixed(scale * (p - middle)); };
+  const FourBar& bars = unit.bars;
+  return {{there(bars.input_center), there(bars.input_circle), there(bars.output_center), there(bars.output_circle)},
+          there(unit.point)};
+}
+
+// How straight a linkage runs depends on the share of the stroke alone: the strip whose width is that share of its own
+// length, by fixed points of length over width, which grows with a root of it.
+class Estimator {
+ public:
+  Estimator(const Wish& wish, ShapeKind kind) : wish_(wish), task_(placed(LineShape{kind, {}, 0}).task) {}
+
+  [[nodiscard]] std::vector<Prospect> prospects(std::vector<Drawn> drawn) const {
+    // Together those whose lines run the same way.
+    std::stable_sort(drawn.begin(), drawn.end(),
+                     [](const Drawn& a, const Drawn& b) { return is_reversed(a) < is_reversed(b); });
+    constexpr double first_guess = 0.5;  // of the strip over the longest link, which hardly any shape comes to
+    for (Drawn& one : drawn) one.width = first_guess * one.linkage.longest() * wish_.share_of_stroke();
+    estimate(drawn);
+    leave_out_short_ones(drawn, first_guess);
+    for (int turn = 0; turn < 2; ++turn) {
+      for (Drawn& one : drawn)
+        one.width = std::max(one.estimate.usable_strip, 1e-6 * one.linkage.longest()) * wish_.share_of_stroke();
+      estimate(drawn);
+    }
+    std::vector<Prospect> found;
+    for (const Drawn& one : drawn) add(one, found);
+    return found;
+  }
+
+ private:
+  static bool is_reversed(const Drawn& one) { return (one.shape.turns & 2) != 0; }
+
+  // A strip that is shorter than guessed is shorter yet when its width is made the share of its length.
+  void leave_out_short_ones(std::vector<Drawn>& drawn, double guess) const {
+    const std::size_t kept = (wish_.has_limits() ? 64 : 8) * starts;
+    const auto share = [](const Drawn& one) { return one.estimate.usable_strip / one.linkage.longest(); };
+    std::erase_if(drawn, [&](const Drawn& one) { return share(one) < std::min(wish_.least_strip(), guess); });
+    if (!wish_.longest_strip_wins() || drawn.size() <= kept) return;
+    std::vector<double> shares;
+    for (const Drawn& one : drawn) shares.push_back(share(one));
+    std::nth_element(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(kept), shares.end(),
+                     std::greater<>());
+    const double least = std::min(shares[kept], guess);
+    std::erase_if(drawn, [&](const Drawn& one) { return share(one) < least; });
+  }
+
+  void estimate(std::vector<Drawn>& drawn) const {
+    const auto reversed = std::find_if(drawn.begin(), drawn.end(), is_reversed);
+    estimate({drawn.begin(), reversed}, {1, 0});
+    estimate({reversed, drawn.end()}, {-1, 0});
+  }
+  void estimate(std::span<Drawn> some, Point along) const {
+    std::vector<TracingFourBar> linkages;
+    std::vector<double> widths;
+    for (const Drawn& one : some) {
+      linkages.push_back(one.linkage);
+      widths.push_back(one.width);
+    }
+    std::vector<LineEstimate> estimates(some.size());
+    const LineEstimateTask asked{along,
+                                 promised_contact(task_.given),
+                                 std::holds_alternative<straight_cases::ParallelSideLinks>(task_.given),
+                                 {std::nullopt, std::nullopt, LineMeasure::strip}};
+    estimate_lines(linkages, asked, estimates, widths);
+    for (std::size_t i = 0; i < some.size(); ++i) some[i].estimate = estimates[i];
+  }
+
+  void add(const Drawn& drawn, std::vector<Prospect>& found) const {
+    const LineEstimate& estimate = drawn.estimate;
+    const double strip = estimate.usable_strip, longest = drawn.linkage.longest();
+    if (!(strip > 1e-6 * longest)) return;
+    RankedNumbers numbers;
+    numbers.transmission_versine = versine_of_angle(std::asin(std::min(estimate.min_transmission_sine, 1.0)));
+    numbers.longest_link = longest * wish_.stroke() / strip;
+    numbers.stroke_over_longest = strip / longest;
+    numbers.deviation = wish_.share_of_stroke() * wish_.stroke();
+    numbers.velocity_nonuniformity = estimate.velocity_nonuniformity;
+    const auto score = wish_.score(numbers);
+    const double middle = estimate.strip_middle;
+    const Point along = is_reversed(drawn) ? -1 : 1;
+    if (!score || !wish_.takes_place(at_its_place(wish_, drawn.linkage, strip, drawn.linkage.point + middle * along)))
+      return;
+    found.push_back({drawn.shape, drawn.layer, drawn.linkage, strip, middle, *score});
+  }
+
+  const Wish& wish_;
+  StraightLineTask task_;
+};
+
+void add_designs(const LineShape& shape, const Wish& wish, std::vector<Drawn>& drawn) {
+  const LineDesigns designs = designs_of_shape(placed(shape));
+  const int layers = shape.kind == ShapeKind::symmetric_lambda ? 1 : 3;  // of λs the better
+  for (int layer = 0; layer < layers; ++layer) {
+    const LineDesign& design = designs[static_cast<std::size_t>(layer)];
+    if (design.kind == DesignKind::four_bar && wish.takes_shape(design.linkage))
+      drawn.push_back({shape, layer, design.linkage});
+  }
+}
+
+// The best of `count` shapes drawn from one seed, and how many meet the requirements.
+struct Harvest {
+  std::vector<Prospect> best;
+  std::int64_t drawn = 0;
+};
+
+Harvest draw(ShapeKind kind, std::uint64_t seed, std::size_t count, const Wish& wish) {
+  std::mt19937_64 random(seed);
+  std::vector<Drawn> drawn;
+  for (std::size_t i = 0; i < count; ++i) {
+    LineShape shape{kind, {}, static_cast<unsigned>(random() >> 61)};
+    for (std::size_t k = 0; k < number_count(kind); ++k) shape.numbers[k] = share(random);
+    add_designs(shape, wish, drawn);
+  }
+  Harvest harvest;
+  harvest.best = Estimator(wish, kind).prospects(std::move(drawn));
+  harvest.drawn = static_cast<std::int64_t>(count);
+  std::stable_sort(harvest.best.begin(), harvest.best.end(), better);
+  if (harvest.best.size() > 4 * starts) harvest.best.resize(4 * starts);
+  return harvest;
+}
+
+double farthest(const TracingFourBar& a, const TracingFourBar& b) {
+  const FourBar &p = a.bars, &q = b.bars;
+  return std::max({std::abs(p.input_center - q.input_center), std::abs(p.input_circle - q.input_circle),
+                   std::abs(p.output_center - q.output_center), std::abs(p.output_circle - q.output_circle)});
+}
+bool alike(const TracingFourBar& a, const TracingFourBar& b) {
+  return std::min(farthest(a, b), farthest(a, b.swapped())) < different * std::max(a.longest(), b.longest());
+}
+
+TracingFourBar seen(const Wish& wish, const Prospect& of) {
+  const Point along = (of.shape.turns & 2) != 0 ? -1 : 1;
+  return at_its_place(wish, of.linkage, of.strip, of.linkage.point + of.middle * along);
+}
+
+// Sorted ones, without what looks like a better one.
+std::vector<Prospect> without_likes(const std::vector<Prospect>& sorted, std::size_t most, const Wish& wish) {
+  std::vector<Prospect> kept;
+  std::vector<TracingFourBar> places;
+  for (const Prospect& next : sorted) {
+    if (kept.size() >= most) break;
+    const TracingFourBar place = seen(wish, next);
+    if (std::any_of(places.begin(), places.end(), [&](const TracingFourBar& other) { return alike(place, other); }))
+      continue;
+    kept.push_back(next);
+    places.push_back(place);
+  }
+  return kept;
+}
+
+// Tries places around the best so far, closer and closer.
+Prospect made_better(Prospect best, std::uint64_t seed, const Wish& wish, const Progress& progress) {
+  constexpr double first_step = 0.08, last_step = 1e-5, most_step = 0.15;
+  constexpr int rounds = 80;
+  constexpr std::size_t tries = 16;  // two packs of the widest lanes
+  std::mt19937_64 random(seed);
+  double step = first_step;
+  for (int round = 0; round < rounds && step > last_step && !progress.is_cancelled(); ++round) {
+    std::vector<Drawn> drawn;
+    for (std::size_t i = 0; i < tries; ++i) {
+      LineShape shape = best.shape;
+      for (std::size_t k = 0; k < number_count(shape.kind); ++k)
+        shape.numbers[k] = std::clamp(shape.numbers[k] + step * (2 * share(random) - 1), 0.0, 1.0);
+      const LineDesign design = designs_of_shape(placed(shape))[static_cast<std::size_t>(best.layer)];
+      if (design.kind == DesignKind::four_bar && wish.takes_shape(design.linkage))
+        drawn.push_back({shape, best.layer, design.linkage});
+    }
+    const auto found = Estimator(wish, best.shape.kind).prospects(std::move(drawn));
+    const auto top = std::min_element(found.begin(), found.end(), better);
+    const bool improves = top != found.end() && top->score > best.score;
+    if (improves) best = *top;
+    step = improves ? std::min(1.3 * step, most_step) : 0.6 * step;
+  }
+  return best;
+}
+
+// The prospect measured exactly, scaled and moved; nothing where that shows that it does not do it.
+std::optional<StraightLineSolution> measured(const Prospect& of, const Wish& wish) {
+  const PlacedShape unit = placed(of.shape);
+  const Point along = unit.task.line.direction;
+  PathLimits limits;
+  limits.max_deviation = 8 * wish.share_of_stroke() * of.strip;
+  const auto path = StraightPath::of(of.linkage, along, limits);
+  if (!path) return std::nullopt;
+  UsableLine strip;
+  double length = of.strip;
+  constexpr int turns = 12;
+  constexpr double settled = 1e-7, a_hair = 1e-6;  // the scale has so much room
+  for (int turn = 0; turn < turns; ++turn) {
+    strip = path->usable_strip(wish.share_of_stroke() * length);
+    const bool ends = std::abs(strip.length() - length) < settled * length;
+    length = strip.length();
+    if (ends) break;
+    if (!(length > 0)) return std::nullopt;
+  }
+  const auto figures = path->stroke_figures(strip.from, strip.to);
+  if (!figures) return std::nullopt;
+  const double middle = (strip.from + strip.to) / 2, scale = (1 + a_hair) * wish.stroke() / length;
+  const double off = figures->middle_deviation;  // that comes to the line
+  const Point center = of.linkage.point + along * Point{middle, off};
+  const PlacedShape there = moved(unit, scale, wish.line(), -scale * center);
+  const StraightLineFamily family(there.task, wish.measuring());
+  const auto axes = axes_of(there.task);
+  MapNumbers place{of.layer, there.at};
+  for (std::size_t i = 0; i < 2; ++i)
+    if (is_angle(axes[i].quantity)) place.at[i] = degrees(place.at[i]);
+  const auto point = family.point_of(place);
+  auto found = point ? make_straight_line(family, *point) : std::nullopt;
+  if (!found || !wish.takes_shape(found->linkage) || !wish.takes_place(found->linkage)) return std::nullopt;
+  const double mid = (found->usable_strip.from + found->usable_strip.to) / 2;
+  if (!(found->usable_strip.length() >= wish.stroke())) return std::nullopt;
+  PathLimits reach;
+  reach.from = found->usable_strip.from;
+  reach.to = found->usable_strip.to;
+  const auto exact = StraightPath::of(found->linkage, there.task.line.direction, reach);
+  if (exact) found->stroke = exact->stroke(mid - wish.stroke() / 2, mid + wish.stroke() / 2);
+  found->local_optimum = true;
+  return found->stroke ? found : std::nullopt;
+}
+
+std::optional<double> score_of(const StraightLineSolution& found, const Wish& wish) {
+  RankedNumbers numbers;
+  numbers.transmission_versine = versine_of_angle(found.stroke->min_transmission_angle);
+  numbers.longest_link = found.linkage.longest();
+  numbers.stroke_over_longest = wish.stroke() / found.linkage.longest();
+  numbers.deviation = found.stroke->parallel_line_deviation;
+  numbers.velocity_nonuniformity =
+      found.stroke->drive ? found.stroke->drive->nonuniformity(wish.stroke()) : std::numeric_limits<double>::infinity();
+  return wish.score(numbers);
+}
+
+struct Ranked {
+  StraightLineSolution found;
+  double score = 0;
+};
+
+// Best first; no case more often than a third of the list while others are left.
+std::vector<StraightLineSolution> listed(std::vector<Ranked> all, std::size_t most) {
+  std::stable_sort(all.begin(), all.end(), [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
+  std::vector<Ranked> kept;
+  std::vector<Ranked> rest;
+  const std::size_t of_a_case = std::max<std::size_t>(2, most / 3);
+  for (Ranked& next : all) {
+    if (std::any_of(kept.begin(), kept.end(),
+                    [&](const Ranked& other) { return alike(next.found.linkage, other.found.linkage); }))
+      continue;
+    const auto same = std::count_if(kept.begin(), kept.end(), [&](const Ranked& other) {
+      return other.found.task.given.index() == next.found.task.given.index();
+    });
+    (static_cast<std::size_t>(same) < of_a_case ? kept : rest).push_back(std::move(next));
+  }
+  for (Ranked& next : rest)
+    if (kept.size() < most) kept.push_back(std::move(next));
+  std::stable_sort(kept.begin(), kept.end(), [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
+  std::vector<StraightLineSolution> linkages;
+  for (Ranked& one : kept)
+    if (linkages.size() < most) linkages.push_back(std::move(one.found));
+  return linkages;
+}
+
+}  // namespace
+
+StraightLineSearchResult search_straight_lines(const DirectedLine& line, const straight_cases::Search& wanted,
+                                               const Requirements& requirements,
+                                               const StraightLineSearchOptions& options, const Progress& progress) {
+  const Wish wish(line, wanted, with_room(requirements, wanted.stroke), options.objective),
+      exact(line, wanted, requirements, options.objective);
+  const auto of_kind = static_cast<std::size_t>(std::ceil(draws * options.effort / static_cast<double>(chunk)));
+  std::vector<Harvest> harvests(shape_kind_count * of_kind);
+  constexpr std::size_t at_once = 32;  // chunks between two reports
+  for (std::size_t begin = 0; begin < harvests.size() && !progress.is_cancelled(); begin += at_once) {
+    const std::size_t count = std::min(at_once, harvests.size() - begin);
+    parallel_for(count, options.threads, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = begin + from; i < begin + to && !progress.is_cancelled(); ++i)
+        harvests[i] = draw(static_cast<ShapeKind>(i % shape_kind_count),
+                           options.seed * 1'000'003 + static_cast<std::uint64_t>(i), chunk, wish);
+    });
+    progress(0.6 * static_cast<double>(begin + count) / static_cast<double>(harvests.size()));
+  }
+  StraightLineSearchResult result;
+  std::vector<Prospect> prospects;
+  for (std::size_t kind = 0; kind < shape_kind_count; ++kind) {
+    std::vector<Prospect> of_this;
+    for (std::size_t i = kind; i < harvests.size(); i += shape_kind_count) {
+      of_this.insert(of_this.end(), harvests[i].best.begin(), harvests[i].best.end());
+      result.drawn += harvests[i].drawn;
+    }
+    std::stable_sort(of_this.begin(), of_this.end(), better);
+    const auto some = without_likes(of_this, starts, wish);
+    prospects.insert(prospects.end(), some.begin(), some.end());
+  }
+  parallel_for(prospects.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      prospects[i] = made_better(prospects[i], options.seed + i, wish, progress);
+  });
+  progress(0.8);
+  std::stable_sort(prospects.begin(), prospects.end(), better);
+  prospects = without_likes(prospects, std::max<std::size_t>(3 * static_cast<std::size_t>(options.best), 12), wish);
+  std::vector<std::optional<StraightLineSolution>> made(prospects.size());
+  parallel_for(made.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) made[i] = measured(prospects[i], exact);
+  });
+  std::vector<Ranked> ranked;
+  for (auto& found : made)
+    if (const auto score = found ? score_of(*found, exact) : std::nullopt)
+      ranked.push_back({*std::move(found), *score});
+  result.linkages = listed(std::move(ranked), static_cast<std::size_t>(options.best));
+  result.interrupted = progress.is_cancelled();
+  progress(1);
+  return result;
+}
+
+}  // namespace linkwright
