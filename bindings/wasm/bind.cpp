@@ -1,6 +1,7 @@
 #include <emscripten/bind.h>
 
 #include "attitude_reply.hpp"
+#include "instant_reply.hpp"
 #include "session.hpp"
 
 // The session as a JavaScript class. Arrays are views into the engine's memory: to be copied before the next call.
@@ -93,7 +94,9 @@ class BoundSession : public Session {
   std::vector<double> path_;
 };
 
-std::string report(const std::string& of, const std::string& text) { return attitude_reply(of, text); }
+std::string report(const std::string& of, const std::string& text) {
+  return of == "instant" ? instant_reply(text) : attitude_reply(of, text);
+}
 std::string version() { return LINKWRIGHT_VERSION; }
 
 EMSCRIPTEN_BINDINGS(linkwright) {

@@ -1,6 +1,6 @@
 // The drawing's own state: what part it shows, what the pointer is over, what is being drawn. Not part of the task.
 import {getContext, setContext, untrack} from "svelte";
-import type {Box, Linkage, Point, Side} from "../engine/protocol";
+import type {Box, InstantReport, Linkage, Point, Side} from "../engine/protocol";
 import type {End} from "../figure/figure";
 import {at_angle, at_row, reached_rows, type Carrier, type Configuration} from "../figure/mechanism";
 import {preferences} from "../state/preferences.svelte";
@@ -26,6 +26,7 @@ import {
   type Target,
 } from "./handles";
 import {anchors_of, kind_of} from "../tasks/kinds";
+import type {Quadrilateral} from "../state/workbench.svelte";
 import {mistake_sentence} from "../task/mistakes";
 import type {TaskView} from "../tasks/view";
 import {near, task_points, useful_pivots} from "./fit";
@@ -60,6 +61,8 @@ export class Scene implements Surface {
   /** Two points of the background picture whose distance is known. */
   marks = $state.raw<readonly Point[]>([]);
   focused = $state<string | null>(null);
+  /** What the instant tells of the linkage as it stands, where that is shown. */
+  instant = $state.raw<InstantReport | null>(null);
 
   /** `kind`: what the kind of a task shows and lets take hold of. */
   constructor(
@@ -115,6 +118,18 @@ export class Scene implements Surface {
     return hand.drive
       ? at_angle(this.mechanism, hand, hand.drive, angle)
       : this.mechanism.still(hand, this.served, stage);
+  });
+  /** Of a four-bar without sliders, as it stands: what its instant is told of. */
+  readonly instant_pivots = $derived.by((): Quadrilateral | null => {
+    const {input, output} = this.now?.ends ?? {};
+    if (!this.mechanism.has_instant || !input?.center || !input.circle || !output?.center || !output.circle)
+      return null;
+    return {
+      input_center: input.center,
+      input_circle: input.circle,
+      output_center: output.center,
+      output_circle: output.circle,
+    };
   });
   /** What carries an end of a grounded link; nothing on the ground. */
   carrier(side: Side, end: End): Carrier | null {

@@ -271,6 +271,32 @@ export interface Linkage {
   drive: Drive | null; // null: a slider or zero link
 }
 
+// ---- one instant ----------------------------------------------------------------------------------------------
+
+/** A circle, or the line that it is where its centre is at infinity. */
+export type CircleOrLine = {center: Point; radius: number} | {line: {point: Point; direction_deg: number}};
+/** Of a planar four-bar as it stands: the report "instant" of {"pivots"}; schema/result.schema.json has the numbers. */
+export interface InstantReport {
+  instant:
+    | {degenerate: string}
+    | {
+        kind: "turning" | "pivoting" | "translating";
+        pole: Point | null;
+        pole_tangent_deg: number | null;
+        inflection_diameter: number | null;
+        inflection_pole: Point | null;
+        inflection_circle: CircleOrLine | null;
+        return_circle: CircleOrLine | null;
+        bresse_circle: CircleOrLine | null;
+        acceleration_pole: Point | null;
+        ball_point: Point | null;
+        burmester_points: Point[];
+      };
+  /** Polylines about the linkage. */
+  circling_points?: Point[][];
+  centering_points?: Point[][];
+}
+
 // ---- the file -------------------------------------------------------------------------------------------------
 
 export interface Box {

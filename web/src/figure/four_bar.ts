@@ -97,6 +97,7 @@ export const plate_orders: readonly PlateOrder[] = [
 ];
 
 export const four_bar: Mechanism = {
+  has_instant: true,
   driven(linkage, state): Configuration {
     const ends = ends_at(linkage, state);
     return {pose: state, turned_deg: state.coupler_deg, ends, joints: pivots_of(ends)};

@@ -54,6 +54,8 @@ export interface Mechanism {
   /** What a pin shows without asking the engine. */
   ghost(pivots: Pin["pivots"], poses: readonly Place[], stage: number): Figure;
   dimensions(linkage: Linkage): Dimension[];
+  /** One loop of four links with all pivots in the plane moves the body: what one instant of it tells can be shown. */
+  has_instant?: true;
   /** How its links can lie over each other as plates, the simplest first; or why there is no view in 3-D. */
   plates: readonly PlateOrder[] | {missing: TextKey};
 }

@@ -78,6 +78,7 @@ export const key_groups: readonly KeyGroup[] = [
       {keys: ["1"], text: "keys.fit_body"},
       {keys: ["R"], text: "keys.box"},
       {keys: ["T"], text: "keys.trace"},
+      {keys: ["I"], text: "drawing.instant"},
       {keys: ["Tab"], text: "keys.next_handle"},
       {keys: ["←", "↑", "↓", "→"], text: "keys.move_handle"},
       {keys: ["Shift"], text: "keys.drag_straight"},

@@ -12,6 +12,7 @@ export class Preferences {
   snap = $state(true);
   grid = $state(true);
   construction = $state(false); // poles, focus, asymptotes
+  instant = $state(false); // pole, inflection circle, stationary curvature of the linkage as it stands
   contours = $state(true);
   defect_kinds = $state(false);
   only_meeting = $state(false);
@@ -80,6 +81,7 @@ const checks = {
   snap: flag,
   grid: flag,
   construction: flag,
+  instant: flag,
   contours: flag,
   defect_kinds: flag,
   only_meeting: flag,

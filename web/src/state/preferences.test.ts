@@ -20,6 +20,7 @@ const all = fc.record({
   snap: flag,
   grid: flag,
   construction: flag,
+  instant: flag,
   contours: flag,
   defect_kinds: flag,
   only_meeting: flag,

@@ -5,8 +5,10 @@ import {
   whole,
   type Box,
   type Census,
+  type InstantReport,
   type Linkage,
   type MapAnswer,
+  type Point,
   type Property,
   type Replies,
   type Side,
@@ -43,6 +45,10 @@ import type {Steps} from "./steps";
 import {same_task} from "./task";
 import {after_change, with_toast, type Toast} from "./toasts";
 
+/** The pivots of a four-bar, as files name them. */
+export type Quadrilateral = Readonly<
+  Record<"input_center" | "input_circle" | "output_center" | "output_circle", Point>
+>;
 export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
@@ -320,6 +326,13 @@ export class Workbench extends Editing {
   /** Where a held position may go with linkages left. */
   fetch_halo(pose: number, mode: "move" | "turn", reach: number): Promise<void> {
     return this.halos.follow(pose, mode, reach);
+  }
+  /** What one instant of a four-bar tells; null where there is no answer, or a newer one is wanted. */
+  async instant_of(pivots: Quadrilateral): Promise<InstantReport | null> {
+    const reply = await this.driver_client
+      ?.follow("report", {of: "instant", text: JSON.stringify({pivots})})
+      .catch(() => null);
+    return reply ? (reply.report as InstantReport) : null;
   }
   /** For the first step of the tour: where the position with the most room may go. */
   offer_halo(poses: number, reach: number): Promise<void> {
