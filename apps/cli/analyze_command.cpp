@@ -80,7 +80,7 @@ std::optional<Point> point_of(const AnalyzeArguments& arguments) {
 }
 
 Result<LinkageInstant> instant_of(const StoredLinkage& linkage, const AnalyzeArguments& arguments) {
-  const auto point = point_of(arguments);
+  const auto point = arguments.point.empty() ? linkage.point : point_of(arguments);
   TracingFourBar traced{linkage.four_bar, point.value_or(linkage.four_bar.input_circle)};
   if (arguments.input_deg) {
     const auto turned = with_input_at(traced, radians(*arguments.input_deg));

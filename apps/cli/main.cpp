@@ -41,7 +41,9 @@ void add_instant(CLI::App& command, AnalyzeArguments& arguments) {
       "Burmester points; also of a problem file with one pose and its derivatives");
   command.add_option("--input-deg", arguments.input_deg, "Turn the input to this angle from the ground link first")
       ->needs(instant);
-  command.add_option("--point", arguments.point, "A point x,y of the coupler, as the linkage lies in the file")
+  command
+      .add_option("--point", arguments.point,
+                  "A point x,y of the coupler as the linkage lies in the file (default: the file's point, if any)")
       ->delimiter(',')
       ->expected(2)
       ->needs(instant);

@@ -64,6 +64,13 @@ class Instant(FaceTest):
         self.assertEqual(lying["instant"]["point"]["at"], [1.5, 2])
         self.assertAlmostEqual(*arms, places=12)
 
+    def test_a_linkage_of_a_straight_line_brings_its_point(self):
+        watt = {"pivots": {"input_fixed": [-2, 0.5], "input_moving": [0, 0.5], "output_moving": [0, -0.5], "output_fixed": [2, -0.5],
+                           "point": [0, 0]}}
+        point = self.instant(watt)["instant"]["point"]
+        self.assertEqual((point["at"], point["center_of_curvature"], point["contact_points"]), ([0, 0], None, 5))
+        self.assertEqual(self.instant(watt, "--point", "1,1")["instant"]["point"]["at"], [1, 1])
+
     def test_acceleration_moves_the_bresse_circle_only(self):
         even, hastened = (self.instant(FOUR_BAR, "--input-acceleration", a)["instant"] for a in ("0", "2"))
         self.assertNotEqual(even["bresse_circle"], hastened["bresse_circle"])
