@@ -1,0 +1,52 @@
+#include "linkwright/straight_line/straight_line_solution.hpp"
+
+#include <gtest/gtest.h>
+
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+using namespace straight_cases;
+
+TEST(StraightLineSolution, IsMeasuredExactly) {
+  const StraightLineFamily family({LineAtAngle({1.5, 2}, radians(20)), FourPointPivots{{0, 0}, {3, 0}}},
+                                  {0.001, 0.2, LineMeasure::tangent});
+  const MapPoint place = family.point_of({1, {100, 35}}).value();
+  const auto found = make_straight_line(family, place);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->contact.points, 4);
+  EXPECT_EQ(found->place.layer, 1);
+  EXPECT_LT(found->residual, 1e-12);
+  EXPECT_TRUE(found->verified_by_driving);
+  EXPECT_TRUE(found->defects.none());
+  EXPECT_DOUBLE_EQ(found->deviation, 0.001);
+  EXPECT_GE(found->usable_strip.length(), found->usable.length());
+  ASSERT_TRUE(found->stroke);
+  EXPECT_DOUBLE_EQ(found->stroke->from, -0.1);
+  EXPECT_NEAR(found->point_to_input(), std::abs(found->linkage.point - found->linkage.bars.input_circle), 0);
+  EXPECT_EQ(&found->counted(LineMeasure::strip), &found->usable_strip);
+}
+
+TEST(StraightLineSolution, OfContactsAtPlacesIsDrivenThroughThem) {
+  const MixedContacts contacts{{0, 0}, {{1, 2, -1}, {3, 2, -1}}, 0};
+  const StraightLineFamily family({LineAtAngle({0, 4}, 0), contacts}, {});
+  EXPECT_EQ(family.stroke(), (std::array{0.0, 2.0}));
+  const auto found = make_straight_line(family, family.point_of({0, {1.1, 4.8}}).value());
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->defects.none());
+  EXPECT_TRUE(found->verified_by_driving);
+  ASSERT_TRUE(found->stroke);
+  EXPECT_NEAR(found->stroke->max_deviation, 0.005727019601583699, 1e-9);
+}
+
+TEST(StraightLineSolution, IsNothingWhereTheMathematicsGivesNothing) {
+  const StraightLineFamily family({LineAtAngle({0, 4}, 0), SixPoint{1}}, {});
+  int none = 0;
+  for (double v = -89; v < 90; v += 7)
+    for (double u = -89; u < 90; u += 7) none += !make_straight_line(family, family.point_of({0, {u, v}}).value());
+  EXPECT_GT(none, 10);
+}
+
+}  // namespace
+}  // namespace linkwright
