@@ -69,6 +69,7 @@ std::string line_table(const StraightLineAnswer& answer) {
   if (has_layers) head.insert(head.begin() + 1, "<layer");
   if (has_cases) head.insert(head.begin() + 1, "<case");
   TextTable table(head);
+  const bool by_strip = answer.options.line.measure == LineMeasure::strip;
   for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
     const StraightLineSolution& found = answer.linkages[i];
     const UsableLine& counted = found.counted(answer.options.line.measure);
@@ -81,7 +82,9 @@ std::string line_table(const StraightLineAnswer& answer) {
                                     significant_text(counted.length() / found.linkage.longest(), 3),
                                     angle_text(over.min_transmission_angle, 1),
                                     over.drive ? significant_text(over.drive->nonuniformity(counted.length()), 2) : "–",
-                                    significant_text((found.stroke ? *found.stroke : over).max_deviation, 3)};
+                                    significant_text(by_strip ? (found.stroke ? *found.stroke : over).parallel_line_deviation
+                                  : (found.stroke ? *found.stroke : over).max_deviation,
+                         3)};
     if (has_layers) row.insert(row.begin() + 1, std::string(answer.lines->layer_name(found.place.layer)));
     if (has_cases) row.insert(row.begin() + 1, std::string(name(found.task.given)));
     table.add_row(std::move(row));
@@ -97,7 +100,7 @@ std::string column_words(const StraightLineAnswer& answer) {
   return wrapped(fmt::format(
       "points: of path and line in common; tangent, strip: usable length within ±{} of the line, or of the best line "
       "parallel to it; ÷ longest: {} over the longest link or arm; γ: least transmission angle and uneven: (fastest − "
-      "slowest) / mean velocity over that length; ±e: largest deviation {}.",
+      "slowest) / mean velocity over that length; ±e: largest deviation from that line {}.",
       share, by_strip ? "strip" : "tangent", !answer.lines || answer.lines->stroke() ? "over the stroke" : "over it"));
 }
 

@@ -71,7 +71,7 @@ std::optional<Place> place_of(const std::string& file, const nlohmann::json& in)
   return place;
 }
 
-LineDesigns at(const StraightLineTask& task, double first, double second) {
+LineDesigns found_at(const StraightLineTask& task, double first, double second) {
   const auto axes = axes_of(task);
   return designs_at(task, line_axis_value(axes[0], first), line_axis_value(axes[1], second));
 }
@@ -92,7 +92,7 @@ TEST(LineCases, AgreeWithThirtyDigits) {
   for (const auto& file : testing::straight_line_files()) {
     const auto place = place_of(file.name, file.json["inputs"]);
     if (!place) continue;
-    const LineDesigns found = at(place->task, place->first, place->second);
+    const LineDesigns found = found_at(place->task, place->first, place->second);
     const std::vector<Error> mistakes = mistakes_in(place->task);
     EXPECT_TRUE(mistakes.empty()) << file.name << " " << (mistakes.empty() ? "" : mistakes[0].message);
     for (const LineDesign& design : found) {
@@ -150,7 +150,7 @@ TEST(LineCases, KeepTheContactThatTheyPromise) {
       const auto axes = axes_of(task);
       for (int cell = 0; cell < 500; ++cell) {
         const auto place = [&](const LineAxis& axis) { return axis.low + along(draw) * (axis.high - axis.low); };
-        const LineDesigns found = at(task, place(axes[0]), place(axes[1]));
+        const LineDesigns found = found_at(task, place(axes[0]), place(axes[1]));
         for (int layer = 0; layer < 3; ++layer) {
           const LineDesign& design = found[static_cast<std::size_t>(layer)];
           EXPECT_TRUE(layer < layers_of(task.given) || design.kind == DesignKind::none);
