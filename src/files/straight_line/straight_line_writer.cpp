@@ -170,6 +170,7 @@ void write_straight_line(JsonWriter& json, const StraightLineSolution& found, co
   }
   json.member("contact_points", found.contact.points);
   write_deviation_series(json, found.contact);
+  json.key("instant");
   write_instant(json, analyze_instant(found.linkage.bars, {found.linkage.point, 0}));
   json.member("deviation", found.deviation);
   write_usable(json, "usable", found.usable);
