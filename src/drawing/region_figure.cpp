@@ -277,10 +277,17 @@ DrawnRegion drawn_region(const SphericalFunctionAnswer& answer, std::string_view
 }
 
 DrawnRegion drawn_region(const StraightLineAnswer& answer, std::string_view length_unit) {
+  // The layers lie one above the other, each over the whole axis.
+  const auto label_of_axis = [&](Side side) {
+    AxisLabel label = axis_label(answer, side, length_unit);
+    label.branches = answer.family()->axis(side).branches;
+    if (label.branches.size() == 1) label.branches.front().name = "range";
+    return label;
+  };
   DrawnRegion drawn{answer,
                     *answer.family(),
-                    {axis_label(answer, Side::input, length_unit), palette::input, {}},
-                    {axis_label(answer, Side::output, length_unit), palette::output, {}},
+                    {label_of_axis(Side::input), palette::input, {}},
+                    {label_of_axis(Side::output), palette::output, {}},
                     {}};
   for (const StraightLineSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
   return drawn;

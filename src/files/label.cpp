@@ -53,7 +53,7 @@ constexpr std::array<std::string_view, 7> change_point_labels = {"",
                                                                  "parallelogram or kite",
                                                                  "rhombus"};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> branch_labels = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 23> branch_labels = {{
     {"odd", "branch through infinity"},
     {"oval", "closed branch"},
     {"nodal", "branch with a node"},
@@ -71,6 +71,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> branch_l
     {"direct", "as given"},
     {"opposite", "opposite"},
     {"range", ""},
+    {"alpha", "α₀"},
+    {"alpha_plus_90", "α₀ + 90°"},
+    {"first", "first linkage"},
+    {"second", "second linkage"},
+    {"minimax", "minimax"},
+    {"near_minimax", "near-minimax"},
 }};
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> cone_branch_labels = {{

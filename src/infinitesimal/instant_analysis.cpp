@@ -10,9 +10,11 @@ namespace {
 
 PathNow path_now(const MotionSeries& motion, Point point) {
   const Point velocity = motion.path_of(point).c[1];
-  PathNow path{point, center_of_curvature(motion, point), 0};
-  if (std::abs(velocity) > 0)
-    path.contact_points = contact_with_line(motion, point, velocity / std::abs(velocity)).points;
+  PathNow path{point, center_of_curvature(motion, point), 0, {}};
+  if (std::abs(velocity) > 0) {
+    path.tangent = velocity / std::abs(velocity);
+    path.contact_points = contact_with_line(motion, point, path.tangent).points;
+  }
   if (path.contact_points == 0) path.center = std::nullopt;
   if (path.contact_points > 2) path.center = Homogeneous::at_infinity(Point{0, 1} * velocity);
   return path;
@@ -76,11 +78,7 @@ std::optional<TracingFourBar> with_input_at(const TracingFourBar& linkage, doubl
   const FourBar& bars = linkage.bars;
   const auto there = assemble(bars.lengths(), input_angle, assembly_of(bars));
   if (!there) return std::nullopt;
-  const FourBar turned = placed(bars, *there);
-  const auto coupler = [](const FourBar& at) {
-    return Pose{at.input_circle, std::arg(at.output_circle - at.input_circle)};
-  };
-  return TracingFourBar{turned, displaced(linkage.point, coupler(bars), coupler(turned))};
+  return linkage.moved_to(placed(bars, *there));
 }
 
 InstantAnalysis analyze_instant(const PrescribedPose& pose, std::optional<Point> point) {

@@ -10,6 +10,7 @@
 #include "support/file_support.hpp"
 #include "support/spherical_case.hpp"
 #include "support/spherical_function.hpp"
+#include "support/straight_line_tasks.hpp"
 
 namespace linkwright::svg_drawing_test {
 namespace {
@@ -344,6 +345,76 @@ TEST(SvgDrawing, OfALinkageShowsItsDimensions) {
   EXPECT_THAT(svg, HasSubstr("4.0000 in"));
   linkage.poses = motion(testing::tailgate()).poses;
   EXPECT_TRUE(is_well_formed(draw_linkage(linkage)));
+}
+
+/// What is found for a straight line on a small map.
+testing::Solved solved_line(const StraightLineTask& task) {
+  Problem problem;
+  problem.title = "Line & strip";
+  problem.length_unit = "mm";
+  problem.task = task;
+  problem.options.region_samples = 16;
+  problem.options.best = 2;
+  problem.options.objective = Objective::stroke;
+  return {problem, testing::answer_of(problem)};
+}
+
+TEST(SvgDrawing, OfEveryStraightLineIsWhole) {
+  for (const StraightLineTask& task : testing::straight_line_tasks()) {
+    SCOPED_TRACE(name(task.given));
+    const auto [problem, answer] = solved_line(task);
+    ASSERT_FALSE(std::get<StraightLineAnswer>(answer).linkages.empty());
+    const std::string svg = draw_answer(problem, answer);
+    expect_whole(svg);
+    for (const char* words : {"Line &amp; strip", "Best linkage", "usable length", "inflection circle", ">C</text>",
+                              ">A₀</text>", ">B₀</text>", "Deviation of C from the line", "fold</text>", ">+δ</text>",
+                              "Way s of the point along the line, mm", "C to input pin", "points of contact"})
+      EXPECT_THAT(svg, HasSubstr(words));
+    const bool has_map = !std::get<StraightLineAnswer>(answer).lines->axis(Side::input).is_discrete();
+    EXPECT_EQ(svg.find("data:image/png;base64,") != std::string::npos, has_map);
+    EXPECT_EQ(svg.find("The linkages of this task") != std::string::npos, !has_map);
+  }
+}
+
+TEST(SvgDrawing, OfAStraightLineStacksTheLayers) {
+  const auto [problem, answer] = solved_line({LineAtAngle{{0, 40}, 0.1}, straight_cases::FivePoint{100, 0.7}});
+  const std::string svg = draw_answer(problem, answer);
+  for (const char* layer : {">AB</text>", ">AD</text>", ">BD</text>"}) EXPECT_THAT(svg, HasSubstr(layer));
+  EXPECT_THAT(svg, Not(HasSubstr("link_ray")));
+}
+
+TEST(SvgDrawing, OfAStraightLineMarksContactsAndStroke) {
+  const auto [problem, answer] =
+      solved_line({LineAtAngle{{0, 4}, 0}, straight_cases::MixedContacts{{0, 0}, {{1, 3, 1}, {3, 1, 1}}, 0}});
+  const std::string svg = draw_answer(problem, answer);
+  EXPECT_THAT(svg, HasSubstr(">3</text>"));
+  EXPECT_THAT(svg, HasSubstr("stroke, off the line by "));
+}
+
+TEST(SvgDrawing, OfAStraightLineWithoutLinkagesSaysWhy) {
+  auto [problem, answer] = solved_line(testing::straight_line_tasks().front());
+  problem.requirements.min_stroke = 1e6;
+  const std::string svg = draw_answer(problem, testing::answer_of(problem));
+  expect_whole(svg);
+  EXPECT_THAT(svg, HasSubstr("No linkage to show"));
+  EXPECT_THAT(svg, HasSubstr(">The line</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr("Deviation of C")));
+}
+
+TEST(SvgDrawing, OfALinkageWithAPointShowsItsLine) {
+  StoredLinkage linkage;
+  linkage.four_bar = {{-2, 0}, {-1, 2}, {2, 0}, {1, 2}};
+  const std::string without = draw_linkage(linkage);
+  linkage.point = Point{0, 3};
+  const std::string svg = draw_linkage(linkage);
+  EXPECT_TRUE(is_well_formed(svg));
+  for (const char* words : {">C</text>", ">C to input pin</text>", ">usable length</text>", ">0.0000, 3.0000</text>"}) {
+    EXPECT_THAT(svg, HasSubstr(words));
+    EXPECT_THAT(without, Not(HasSubstr(words)));
+  }
+  linkage.point = Point{0, 4};  // the pole, where it rests
+  EXPECT_TRUE(is_well_formed(draw_linkage(linkage)));
+  EXPECT_THAT(draw_linkage(linkage), Not(HasSubstr("nan")));
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ TEST(Label, FollowsTheEnumerators) {
 TEST(Label, OfAnUnknownBranchIsItsName) {
   EXPECT_EQ(branch_label("odd"), "branch through infinity");
   EXPECT_EQ(branch_label("sheet_2_opposite"), "sheet 2, opposite");
+  EXPECT_EQ(branch_label("alpha_plus_90"), "α₀ + 90°");
   EXPECT_EQ(branch_label("something"), "something");
   EXPECT_EQ(cone_branch_label("odd"), "odd branch");
   EXPECT_EQ(cone_branch_label("great_circle"), "plane");

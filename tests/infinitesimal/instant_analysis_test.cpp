@@ -39,6 +39,7 @@ TEST(InstantAnalysis, TellsWhatAPointTraces) {
     ASSERT_TRUE(analysis.point);
     EXPECT_EQ(analysis.point->contact_points, known.contact_points);
     EXPECT_EQ(analysis.point->center->w == 0, known.contact_points > 2);
+    EXPECT_NEAR(std::abs(cross(analysis.point->tangent, known.direction)), 0, 1e-9);
     ++seen;
   }
   EXPECT_GT(seen, 15);

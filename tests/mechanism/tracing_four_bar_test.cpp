@@ -19,5 +19,12 @@ TEST(TracingFourBar, SwappedItTracesTheSamePoint) {
   EXPECT_DOUBLE_EQ(linkage.swapped().longest(), linkage.longest());
 }
 
+TEST(TracingFourBar, MovedItsCouplerKeepsItsShape) {
+  const TracingFourBar linkage{{{0, 0}, {0, 1}, {3, 0}, {3, 1}}, {1, 5}};
+  const TracingFourBar moved = linkage.moved_to({{0, 0}, {0.6, 0.8}, {3, 0}, {3.6, 0.8}});
+  EXPECT_NEAR(std::abs(moved.point - Point(1.6, 4.8)), 0, 1e-15) << "a parallelogram shifts its coupler";
+  EXPECT_EQ(moved.bars.input_circle, Point(0.6, 0.8));
+}
+
 }  // namespace
 }  // namespace linkwright::tracing_four_bar_test

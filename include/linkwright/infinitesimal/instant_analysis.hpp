@@ -15,6 +15,7 @@ struct PathNow {
   Point point{};
   std::optional<Homogeneous> center;  ///< of curvature, at infinity for a point that inflects; nothing at the pole
   int contact_points = 0;  ///< of path and tangent: 2, at an inflection 3, Ball's point 4, …; 0 at the pole
+  Point tangent{};         ///< unit vector along which it leaves; 0 at the pole
 };
 
 /// How fast the body turns, by the turn of the input or the parameter of its motion.

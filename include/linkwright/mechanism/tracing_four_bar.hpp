@@ -19,6 +19,13 @@ struct TracingFourBar {
     return std::min(
         {bars.lengths().shortest(), std::abs(point - bars.input_circle), std::abs(point - bars.output_circle)});
   }
+  /// The same with its links as `there`, the point carried along by the coupler.
+  [[nodiscard]] TracingFourBar moved_to(const FourBar& there) const {
+    const auto coupler = [](const FourBar& at) {
+      return Pose{at.input_circle, std::arg(at.output_circle - at.input_circle)};
+    };
+    return {there, displaced(point, coupler(bars), coupler(there))};
+  }
   /// The same, driven from the other grounded link.
   [[nodiscard]] TracingFourBar swapped() const { return {bars.swapped(), point}; }
 };

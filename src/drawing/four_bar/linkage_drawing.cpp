@@ -1,6 +1,8 @@
 #include "dimension_figure.hpp"
+#include "drawing/number_rows.hpp"
 #include "drawing/palette.hpp"
 #include "drawing/sheet.hpp"
+#include "drawing/straight_line/straight_line_figure.hpp"
 #include "drawing/svg_canvas.hpp"
 #include "linkage_figure.hpp"
 #include "linkage_positions.hpp"
@@ -9,6 +11,7 @@
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/label.hpp"
+#include "linkwright/files/number_text.hpp"
 
 namespace linkwright {
 namespace {
@@ -63,6 +66,32 @@ void draw_scene(SvgCanvas& svg, const StoredLinkage& linkage) {
   svg.end_group();
 }
 
+/// With the path of its point, and the line along which that runs.
+void draw_scene(SvgCanvas& svg, const TracingFourBar& linkage, std::string_view unit) {
+  constexpr double key_height = 34;
+  const PixelBox inside{card.left + 1, card.top + key_height, card.width - 2, card.height - key_height - 1};
+  const LineScene scene = line_scene(linkage);
+  const PlaneWindow window(inside, points_of_interest(scene), 64);
+  svg.begin_clip(inside.corner(), inside.width, inside.height);
+  draw_grid(svg, window);
+  draw_ground_line(svg, window, linkage.bars);
+  draw_line_background(svg, window, scene);
+  draw_tracing_linkage(svg, window, scene);
+  draw_dimensions(svg, window, linkage.bars);
+  draw_scale_bar(svg, window, {card.left + 24, card.bottom() - 22}, unit);
+  svg.end_group();
+  draw_line_keys(svg, {card.right(), card.top + key_height / 2});
+}
+
+void draw_arm_rows(SvgCanvas& svg, Point corner, const TracingFourBar& linkage) {
+  const int decimals = length_decimals(linkage.longest());
+  const auto text = [&](double value) { return rounded_text(value, decimals); };
+  NumberRows rows(svg, corner, 210);
+  rows.row("point C", text(linkage.point.real()) + ", " + text(linkage.point.imag()));
+  rows.row("C to input pin", text(std::abs(linkage.point - linkage.bars.input_circle)), palette::input);
+  rows.row("C to output pin", text(std::abs(linkage.point - linkage.bars.output_circle)), palette::output);
+}
+
 }  // namespace
 
 std::string draw_linkage(const StoredLinkage& linkage) {
@@ -70,10 +99,13 @@ std::string draw_linkage(const StoredLinkage& linkage) {
   SvgCanvas svg = linkage_sheet::begin(linkage.title.empty() ? "Four-bar linkage" : linkage.title,
                                        label(linkage_type(bars.lengths())));
   draw_card(svg, card, "");
-  draw_scene(svg, linkage);
+  linkage.point ? draw_scene(svg, {bars, *linkage.point}, linkage.length_unit) : draw_scene(svg, linkage);
   draw_card(svg, strip, "");
-  draw_length_rows(svg, strip.corner() + Point{18, -9}, 260, bars.lengths(), linkage.length_unit);
-  draw_pivot_rows(svg, strip.corner() + Point{400, -9}, 540, bars);
+  const double rows_width = linkage.point ? 170 : 260, pivots_left = linkage.point ? 226 : 400,
+               pivots_width = linkage.point ? 440 : 540;
+  draw_length_rows(svg, strip.corner() + Point{18, -9}, rows_width, bars.lengths(), linkage.length_unit);
+  draw_pivot_rows(svg, strip.corner() + Point{pivots_left, -9}, pivots_width, bars);
+  if (linkage.point) draw_arm_rows(svg, strip.corner() + Point{714, -9}, {bars, *linkage.point});
   return svg.file();
 }
 

@@ -19,12 +19,16 @@ std::string pivot_text(Point pivot, int decimals) {
 
 }  // namespace
 
-void draw_type(SvgCanvas& svg, Point corner, const DefectReport& report) {
-  const std::uint32_t color = palette::types[static_cast<std::size_t>(report.type)];
+void draw_type_name(SvgCanvas& svg, Point corner, LinkageType type) {
+  const std::uint32_t color = palette::types[static_cast<std::size_t>(type)];
   svg.rectangle(corner + Point{0, 19}, 14, 14,
                 fmt::format("rx=\"3\" {} {}", fill(fmt::format("#{:06X}", color)),
                             stroke("#000000", 0.8) + " stroke-opacity=\"0.35\""));
-  svg.text(corner + Point{22, 31}, label(report.type), {.size = 15, .weight = 650});
+  svg.text(corner + Point{22, 31}, label(type), {.size = 15, .weight = 650});
+}
+
+void draw_type(SvgCanvas& svg, Point corner, const DefectReport& report) {
+  draw_type_name(svg, corner, report.type);
   if (!report.defects.none()) {
     svg.text(corner + Point{0, 70}, "has a defect", {.size = 18, .color = palette::bad, .weight = 650});
     return;

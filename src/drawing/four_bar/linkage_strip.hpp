@@ -15,7 +15,9 @@ void draw_card(SvgCanvas& svg, const PixelBox& card, std::string_view heading);
 /// A text in lines of about `width` px, at most `lines` of them; they lie one and a half sizes apart.
 void draw_wrapped(SvgCanvas& svg, Point position, std::string_view text, double width, int lines, double size = 15);
 
-/// The type with its colour, and the least transmission angle over the task or that there is a defect.
+/// The type with its colour.
+void draw_type_name(SvgCanvas& svg, Point corner, LinkageType type);
+/// The same, and the least transmission angle over the task or that there is a defect.
 void draw_type(SvgCanvas& svg, Point corner, const DefectReport& report);
 /// "71.8° counter-clockwise": what the input turns through, "–" with a defect.
 [[nodiscard]] std::string rotation_text(const DefectReport& report);

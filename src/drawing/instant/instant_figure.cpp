@@ -6,7 +6,7 @@
 #include "drawing/curve_path.hpp"
 #include "drawing/four_bar/linkage_figure.hpp"
 #include "drawing/palette.hpp"
-#include "drawing/point_names.hpp"
+#include "drawing/point_marks.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/infinitesimal/stationary_curve.hpp"
 
@@ -74,47 +74,7 @@ void draw_frame(SvgCanvas& svg, const PlaneWindow& window, const Instant& instan
   }
 }
 
-void draw_dot(SvgCanvas& svg, Point px, std::string_view color) {
-  svg.circle(px, 4.5, fill(color) + " " + stroke(palette::paper, 1.6));
-}
-void draw_square(SvgCanvas& svg, Point px, std::string_view color) {
-  constexpr double half = 4.2;
-  svg.rectangle(px - Point{half, half}, 2 * half, 2 * half, fill(color) + " " + stroke(palette::paper, 1.4));
-}
-
-// Marks first, names when all marks are known.
-class Marks {
- public:
-  Marks(SvgCanvas& svg, const PlaneWindow& window, std::vector<Point> taken)
-      : svg_(svg), window_(window), taken_(std::move(taken)) {}
-
-  void add(Point at, std::string name, std::string_view color, bool is_square = false) {
-    const Point px = window_.to_px(at);
-    const PixelBox& box = window_.box();
-    if (px.real() < box.left || px.real() > box.right() || px.imag() < box.top || px.imag() > box.bottom()) return;
-    is_square ? draw_square(svg_, px, color) : draw_dot(svg_, px, color);
-    taken_.push_back(px);
-    named_.push_back({px, std::move(name), color});
-  }
-  void name() {
-    PointNames names(taken_);
-    for (const Named& mark : named_)
-      if (!mark.name.empty()) names.draw(svg_, mark.px, mark.name, mark.color);
-  }
-
- private:
-  struct Named {
-    Point px;
-    std::string name;
-    std::string_view color;
-  };
-  SvgCanvas& svg_;
-  const PlaneWindow& window_;
-  std::vector<Point> taken_;
-  std::vector<Named> named_;
-};
-
-void draw_path_now(SvgCanvas& svg, const PlaneWindow& window, const PathNow& path, Marks& marks) {
+void draw_path_now(SvgCanvas& svg, const PlaneWindow& window, const PathNow& path, PointMarks& marks) {
   const auto center = path.center ? finite_point(*path.center) : std::nullopt;
   if (center) {
     const auto seen = window.clipped(window.to_px(path.point), window.to_px(*center));
@@ -135,16 +95,21 @@ void draw_instant_curves(SvgCanvas& svg, const PlaneWindow& window, const Instan
   draw_stationary_curve(svg, window, circling_point_curve(instant), circling_stroke());
   if (const auto* turning = std::get_if<TurningInstant>(&instant))
     draw_curve(svg, window, curve_of(turning->return_circle()), return_stroke());
-  if (const auto circle = inflection_circle(instant)) draw_curve(svg, window, curve_of(*circle), inflection_stroke());
+  draw_inflection_circle(svg, window, instant, inflection_stroke());
+}
+
+void draw_inflection_circle(SvgCanvas& svg, const PlaneWindow& window, const Instant& instant,
+                            const std::string& attributes) {
+  if (const auto circle = inflection_circle(instant)) draw_curve(svg, window, curve_of(*circle), attributes);
 }
 
 void draw_instant_points(SvgCanvas& svg, const PlaneWindow& window, const InstantAnalysis& analysis,
                          std::vector<Point> taken) {
   if (!analysis.instant) return;
-  Marks marks(svg, window, std::move(taken));
+  PointMarks marks(svg, window, std::move(taken));
   if (analysis.point) draw_path_now(svg, window, *analysis.point, marks);
   for (const CurvaturePair& pair : analysis.burmester_points)
-    if (const auto moving = finite_point(pair.moving)) marks.add(*moving, "", palette::link_5, true);
+    if (const auto moving = finite_point(pair.moving)) marks.square(*moving, palette::link_5);
   if (analysis.acceleration_pole) marks.add(*analysis.acceleration_pole, "J", palette::good);
   if (const auto* turning = std::get_if<TurningInstant>(&*analysis.instant))
     marks.add(turning->inflection_pole(), "W", palette::accent);
@@ -166,7 +131,7 @@ void draw_instant_key(SvgCanvas& svg, Point left, const InstantAnalysis& analysi
   entry(circling_stroke(), "circling points");
   entry(centering_stroke(), "centering points");
   if (analysis.burmester_points.empty()) return;
-  draw_square(svg, left + 8.0, palette::link_5);
+  draw_square_mark(svg, left + 8.0, palette::link_5);
   svg.text(left + Point{20, 4}, "Burmester points", {.size = 12, .color = palette::ink2});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "drawing/plane_window.hpp"
@@ -10,6 +11,10 @@ namespace linkwright {
 
 /// What an instant shows behind a linkage: pole tangent and normal, the circles, the curves of stationary curvature.
 void draw_instant_curves(SvgCanvas& svg, const PlaneWindow& window, const InstantAnalysis& analysis);
+
+/// The inflection circle, or the line in its place.
+void draw_inflection_circle(SvgCanvas& svg, const PlaneWindow& window, const Instant& instant,
+                            const std::string& attributes);
 
 /// Its points with their names, before the linkage: pole, inflection pole, Ball's and Burmester's points, acceleration
 /// pole, the point that was asked for with its centre of curvature. Names keep clear of `taken` (px).
