@@ -29,7 +29,7 @@ Result<AnyStoredLinkage> read_linkage_file(const std::string& path) {
   return text ? read_any_linkage(*text) : Result<AnyStoredLinkage>(text.errors());
 }
 
-std::string table_of(const LinkageAnalysis& analysis) { return motion_table(tabulated_cycle(analysis.linkage)); }
+std::string table_of(const LinkageAnalysis& analysis) { return motion_table(analysis.linkage); }
 std::string table_of(const StoredSixBarAnalysis& analysis) { return motion_table(analysis.motion); }
 std::string table_of(const StoredSphericalAnalysis& analysis) { return motion_table(analysis); }
 

@@ -7,6 +7,9 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "linkwright/infinitesimal/instant_analysis.hpp"
+#include "linkwright/straight_line/line_measuring.hpp"
+#include "linkwright/straight_line/straight_path.hpp"
 #include "text_table.hpp"
 #include "transmission_words.hpp"
 
@@ -71,6 +74,30 @@ std::string rate_words(const LinkageAnalysis& analysis) {
                              rounded_text(most, 3)));
 }
 
+std::string straight_words(const TracingFourBar& linkage, Point along) {
+  const double deviation = LineMeasuring{}.deviation_of(linkage);
+  PathLimits limits;
+  limits.max_deviation = deviation;
+  const auto path = StraightPath::of(linkage, along, limits);
+  if (!path) return "";
+  return fmt::format(", from which it stays within ±{} (1/10 000 of the longest link) over {}",
+                     significant_text(deviation, 3), significant_text(path->usable(deviation).length(), 4));
+}
+
+/// How the path of the file's point runs where the linkage lies.
+std::string point_words(const StoredLinkage& stored) {
+  if (!stored.point) return "";
+  const TracingFourBar linkage{stored.four_bar, *stored.point};
+  const auto path = analyze_instant(linkage.bars, {.point = linkage.point, .input_acceleration = 0}).point;
+  const int decimals = length_decimals(linkage.longest());
+  const std::string where = fmt::format("The point ({}, {})", rounded_text(linkage.point.real(), decimals),
+                                        rounded_text(linkage.point.imag(), decimals));
+  if (!path || path->contact_points == 0) return wrapped(where + " does not move as the linkage lies.");
+  return wrapped(fmt::format("{} runs at {} from the x axis; its path has {} points in common with that tangent{}.",
+                             where, angle_text(wrap_signed(std::arg(path->tangent))), path->contact_points,
+                             straight_words(linkage, path->tangent)));
+}
+
 }  // namespace
 
 std::string range_sentence(const std::vector<AngleRange>& ranges) {
@@ -88,7 +115,7 @@ std::string linkage_words(const LinkageAnalysis& analysis, std::string_view driv
       drive == "output" ? " driven by the file's output link (called input here)" : " driven by its input link";
   return wrapped(title + "," + driven) + lengths_words(analysis) + type_words(analysis) + range_words(analysis) +
          dead_point_words(analysis) + transmission_words(analysis, analysis.min_transmission_angle_full_turn) +
-         rate_words(analysis);
+         rate_words(analysis) + point_words(analysis.linkage);
 }
 
 }  // namespace linkwright::cli

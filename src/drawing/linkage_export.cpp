@@ -7,7 +7,7 @@
 namespace linkwright {
 namespace {
 
-std::string table(const StoredLinkage& linkage) { return motion_table(tabulated_cycle(linkage)); }
+std::string table(const StoredLinkage& linkage) { return motion_table(linkage); }
 std::string table(const StoredSixBar& linkage) {
   return motion_table(tabulated_motion(linkage.six_bar, framed_poses(linkage)));
 }

@@ -1,5 +1,6 @@
 #include "linkwright/drawing/dxf_drawing.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
@@ -58,6 +59,22 @@ TEST(DxfDrawing, HasTheLayersOfTheLinks) {
     EXPECT_GT(entities[layer], 0) << layer;
   }
   EXPECT_EQ(entities["INPUT"], 6);  // two sides, two ends, two holes
+}
+
+TEST(DxfDrawing, OfACouplerWithAPointHasTheTriangle) {
+  StoredLinkage linkage;
+  linkage.four_bar = {{0, 0}, {0, 2}, {4, 0}, {3, 3.5}};
+  const auto entities_of = [](const std::string& dxf, const std::string& type) {
+    const auto pairs = pairs_of(dxf);
+    return std::count_if(pairs.begin(), pairs.end(),
+                         [&](const Pair& pair) { return pair.code == 0 && pair.value == type; });
+  };
+  const std::string without = draw_dxf(linkage);
+  linkage.point = Point{1.25, 6.5};
+  const std::string with = draw_dxf(linkage);
+  EXPECT_EQ(entities_of(with, "CIRCLE"), entities_of(without, "CIRCLE") + 1);
+  EXPECT_EQ(entities_of(with, "LWPOLYLINE"), entities_of(without, "LWPOLYLINE") + 1);
+  EXPECT_NE(with.find("\n1.25\n20\n6.5\n"), std::string::npos);
 }
 
 TEST(DxfDrawing, PinsLieAtThePivots) {

@@ -35,7 +35,7 @@ StoredLinkage stored(const FourBar& bars) {
 }
 
 std::map<std::string, std::vector<std::string>> columns_of(const StoredLinkage& linkage) {
-  const auto rows = cells_of(motion_table(tabulated_cycle(linkage)));
+  const auto rows = cells_of(motion_table(linkage));
   std::map<std::string, std::vector<std::string>> columns;
   for (std::size_t i = 1; i < rows.size(); ++i)
     for (std::size_t k = 0; k < rows[0].size(); ++k) columns[rows[0][k]].push_back(rows[i].at(k));
@@ -102,12 +102,30 @@ TEST(CsvTable, BeginsAtPositionOneAndHasARowAtEachPosition) {
   EXPECT_EQ(columns["position"].front(), "1");
 }
 
-TEST(CsvTable, TracesTheMovingFramesOrigin) {
+TEST(CsvTable, OfALinkageWithAPointTellsWhereThatIs) {
+  StoredLinkage linkage = stored(crank_rocker);
+  linkage.point = Point{2, 5};
+  auto columns = columns_of(linkage);
+  ASSERT_EQ(columns.size(), 19u);
+  EXPECT_EQ(columns["point_x"].front(), "2");
+  EXPECT_EQ(columns["point_y"].front(), "5");
+  const auto at = [&](const std::string& name, std::size_t row) {
+    return Point{number(columns[name + "_x"][row]), number(columns[name + "_y"][row])};
+  };
+  for (std::size_t row = 0; row < columns["point_x"].size(); ++row) {
+    EXPECT_NEAR(std::abs(at("point", row) - at("input_circle", row)), std::abs(*linkage.point - Point(0, 2)), 1e-12);
+    EXPECT_NEAR(std::abs(at("point", row) - at("output_circle", row)), std::abs(*linkage.point - Point(3, 3.5)), 1e-12);
+  }
+}
+
+TEST(CsvTable, TracesItsPointOrTheMovingFramesOrigin) {
   StoredLinkage linkage;
   linkage.four_bar = crank_rocker;
   EXPECT_EQ(traced_point(linkage), crank_rocker.input_circle);
   linkage.poses.push_back({{{7, 8}, 0}, {}});
   EXPECT_EQ(traced_point(linkage), Point(7, 8));
+  linkage.point = Point{1, 9};
+  EXPECT_EQ(traced_point(linkage), Point(1, 9)) << "the file's own";
 }
 
 }  // namespace

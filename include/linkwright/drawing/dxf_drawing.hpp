@@ -9,8 +9,8 @@ namespace linkwright {
 
 /// One linkage as a DXF drawing (AutoCAD 2000), 1 : 1 in the fixed frame, $INSUNITS by the length unit (mm, cm, m, in,
 /// ft; unitless else). Layers: GROUND, INPUT, COUPLER, OUTPUT with the outline and the two pin holes of each link in
-/// position 1; POSITIONS with the moving frame in all poses and the links in the others; COUPLER_CURVE with the path of
-/// traced_point() over the motion cycle.
+/// position 1, of a coupler with a point the triangle as well; POSITIONS with the moving frame in all poses and the
+/// links in the others; COUPLER_CURVE with the path of traced_point() over the motion cycle.
 [[nodiscard]] std::string draw_dxf(const StoredLinkage& linkage);
 
 /// The same of a six-bar. Layers: GROUND, BODY_1 (the driver) … BODY_5, a bar with round ends where a body has two

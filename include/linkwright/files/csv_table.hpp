@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -9,23 +8,23 @@
 
 namespace linkwright {
 
-/// The motion cycle from position 1 on (task_cycle, a row a degree of the input) as comma-separated values, one header
-/// line and one line a state: the input's turn from position 1; the directions of the links, from fixed to moving pivot
-/// and from the input's to the output's, against the x axis of the fixed frame; moving pivots; the body, which is the
-/// moving frame, in the fixed one; transmission angle; first and second derivatives of the coupler and output angles by
-/// the input angle, empty at dead points; the number of the position, empty between positions. Degrees, all angles
-/// counter-clockwise. Numbers read back bit-identical.
-[[nodiscard]] std::string motion_table(std::span<const CycleState> cycle);
+/// The motion cycle from position 1 on (tabulated_cycle) as comma-separated values, one header line and one line a
+/// state: the input's turn from position 1; the directions of the links, from fixed to moving pivot and from the
+/// input's to the output's, against the x axis of the fixed frame; moving pivots; the body, which is the moving frame,
+/// in the fixed one; transmission angle; first and second derivatives of the coupler and output angles by the input
+/// angle, empty at dead points; the number of the position, empty between positions; of a linkage with a point that
+/// point. Degrees, all angles counter-clockwise. Numbers read back bit-identical.
+[[nodiscard]] std::string motion_table(const StoredLinkage& linkage);
 
-/// The cycle that motion_table() tells.
+/// The cycle that motion_table() tells: a row a degree of the input (task_cycle).
 [[nodiscard]] std::vector<CycleState> tabulated_cycle(const StoredLinkage& linkage);
 
 /// The poses of a linkage; where the file does not say, the one in which it lies, the frame at the input's moving
 /// pivot.
 [[nodiscard]] std::vector<PrescribedPose> framed_poses(const StoredLinkage& linkage);
 
-/// The point of the coupler that is traced: the moving frame's origin where the poses are known, else the input's
-/// moving pivot. Fixed frame, position 1.
+/// The point of the coupler that is traced: the file's own, else the moving frame's origin where the poses are known,
+/// else the input's moving pivot. Fixed frame, position 1.
 [[nodiscard]] Point traced_point(const StoredLinkage& linkage);
 
 }  // namespace linkwright

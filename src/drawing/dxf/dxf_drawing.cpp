@@ -26,6 +26,16 @@ void draw_ground(DxfWriter& dxf, const FourBar& bars, double radius) {
   dxf.line(ground, bars.input_center, bars.output_center);
 }
 
+/// The coupler; with a point, the triangle that carries it.
+void draw_coupler(DxfWriter& dxf, const StoredLinkage& linkage, double radius) {
+  const FourBar& bars = linkage.four_bar;
+  draw_link(dxf, coupler, bars.input_circle, bars.output_circle, radius);
+  if (!linkage.point) return;
+  const std::array<Point, 3> corners = {bars.input_circle, bars.output_circle, *linkage.point};
+  dxf.polyline(coupler, corners, true);
+  dxf.circle(coupler, *linkage.point, radius);
+}
+
 void draw_positions(DxfWriter& dxf, const StoredLinkage& linkage, double frame_size) {
   for (std::size_t pose = 0; pose < linkage.poses.size(); ++pose) {
     draw_frame(dxf, positions, linkage.poses[pose].pose, pose + 1, frame_size);
@@ -52,7 +62,7 @@ std::string draw_dxf(const StoredLinkage& linkage) {
   const double radius = drawn_pin_radius(lengths);
   draw_ground(dxf, bars, radius);
   draw_link(dxf, input, bars.input_center, bars.input_circle, radius);
-  draw_link(dxf, coupler, bars.input_circle, bars.output_circle, radius);
+  draw_coupler(dxf, linkage, radius);
   draw_link(dxf, output, bars.output_center, bars.output_circle, radius);
   draw_positions(dxf, linkage, 0.12 * lengths.longest());
   draw_coupler_curve(dxf, linkage);

@@ -7,6 +7,7 @@
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "linkwright/mechanism/tracing_four_bar.hpp"
 
 namespace linkwright {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr std::string_view four_bar_header =
     "driver_turn_from_position_1_deg,input_angle_from_x_deg,coupler_angle_from_x_deg,output_angle_from_x_deg,"
     "input_circle_x,input_circle_y,output_circle_x,output_circle_y,body_x,body_y,body_theta_deg,transmission_angle_deg,"
-    "coupler_rate,output_rate,coupler_acceleration,output_acceleration,position\n";
+    "coupler_rate,output_rate,coupler_acceleration,output_acceleration,position";
 
 constexpr double row_step = radians(1);
 
@@ -37,14 +38,22 @@ std::string table_line(const CycleState& state) {
                        state.rates->output_acceleration});
   else
     line += ",,,,";
-  return line + (state.pose < 0 ? ",\n" : fmt::format(",{}\n", state.pose + 1));
+  return line + (state.pose < 0 ? "," : fmt::format(",{}", state.pose + 1));
 }
 
 }  // namespace
 
-std::string motion_table(std::span<const CycleState> cycle) {
+std::string motion_table(const StoredLinkage& linkage) {
   std::string table(four_bar_header);
-  for (const CycleState& state : cycle) table += table_line(state);
+  table += linkage.point ? ",point_x,point_y\n" : "\n";
+  for (const CycleState& state : tabulated_cycle(linkage)) {
+    std::string line = table_line(state);
+    if (linkage.point) {
+      const Point point = TracingFourBar{linkage.four_bar, *linkage.point}.moved_to(state.four_bar).point;
+      put_numbers(line, {point.real(), point.imag()});
+    }
+    table += line + "\n";
+  }
   return table;
 }
 
@@ -58,6 +67,7 @@ std::vector<PrescribedPose> framed_poses(const StoredLinkage& linkage) {
 }
 
 Point traced_point(const StoredLinkage& linkage) {
+  if (linkage.point) return *linkage.point;
   return linkage.poses.empty() ? linkage.four_bar.input_circle : linkage.poses.front().pose.origin;
 }
 
