@@ -25,7 +25,8 @@ const std::vector<StraightLineTask>& straight_line_tasks() {
       {level, MixedContacts{{0, 0}, {{1, 2, 1}, {3, 2, 1}}, 0}},
       {level, MixedContacts{{0, 0}, {{1, 2, 1}, {3, 2, 1}}, radians(40)}},
       {line, SymmetricLambdas{100, std::nullopt}},
-      {line, SymmetricLambdas{100, radians(150)}}};
+      {line, SymmetricLambdas{100, radians(150)}},
+      {line, Search{60, 0.5}}};
   return tasks;
 }
 
@@ -92,6 +93,9 @@ struct RandomCase {
   StraightLineCase operator()(const MixedContacts& of) const {
     const Point pivot = point();
     return MixedContacts{pivot, random_contacts(random), of.coupler_angle == 0 ? 0 : uniform(random, -3, 3)};
+  }
+  StraightLineCase operator()(const Search& /*of*/) const {
+    return Search{std::abs(length()), uniform(random, 1e-3, 0.1)};
   }
   StraightLineCase operator()(const SymmetricLambdas& of) const {
     const double stroke = std::abs(length());

@@ -8,7 +8,7 @@
 namespace linkwright::testing {
 
 /// One task of every case, each with linkages; both cases with the pole at a pivot, contacts on one side and at an
-/// angle, a λ of any range and of one.
+/// angle, a λ of any range and of one, a search.
 [[nodiscard]] const std::vector<StraightLineTask>& straight_line_tasks();
 
 /// A task without mistakes of one of those cases, `which` counted as there: numbers up to a few units.

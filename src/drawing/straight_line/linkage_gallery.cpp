@@ -33,7 +33,10 @@ void draw_entry(SvgCanvas& svg, const PixelBox& box, const StraightLineAnswer& a
   const StraightLineSolution& found = answer.linkages[index];
   const LineMeasure measure = answer.options.line.measure;
   const PixelBox picture{box.left, box.top + caption_height, box.width, box.height - caption_height};
-  svg.text({box.left, box.top + 12}, fmt::format("{}  {}", index + 1, label(found.type)), {.size = 12, .weight = 650});
+  // Of a search each is of a case of its own.
+  const std::string kind = answer.search ? std::string(name(found.task.given)) : std::string(label(found.type));
+  svg.text({box.left, box.top + 12}, fitted(fmt::format("{}  {}", index + 1, kind), 12, 0.92 * box.width),
+           {.size = 12, .weight = 650});
   const std::string words =
       fmt::format("{}{}{} within ±{}, {} points", significant_text(found.counted(measure).length(), 4),
                   unit.empty() ? "" : " ", unit, significant_text(found.deviation, 3), found.contact.points);

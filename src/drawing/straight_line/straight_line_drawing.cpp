@@ -120,7 +120,10 @@ void draw_line_map(SvgCanvas& svg, const StraightLineAnswer& answer, std::string
 
 void draw_line_map_card(SvgCanvas& svg, const StraightLineAnswer& answer, std::string_view unit) {
   const bool has_map = answer.family() != nullptr && answer.region.rows() > 0 && !is_board(answer.family());
-  draw_card(svg, line_map_card, has_map ? "Solution region: every point is one four-bar" : "The linkages of this task");
+  draw_card(svg, line_map_card,
+            has_map         ? "Solution region: every point is one four-bar"
+            : answer.search ? "The best of all cases"
+                            : "The linkages of this task");
   if (has_map) return draw_line_map(svg, answer, unit);
   if (!answer.linkages.empty())
     return draw_gallery(
@@ -188,7 +191,7 @@ void draw_drive_rows(SvgCanvas& svg, Point corner, const StraightLineSolution& f
   rows.row("input rotation over it",
            over.drive ? rounded_text(degrees(std::abs(over.drive->sweep)), 1) + "°" : "turns back");
   const StraightLineFamily family(found.task, answer.options.line);
-  rows.row("place on the map", place_of_line(family, found.place));
+  rows.row(answer.search ? "place on its case's map" : "place on the map", place_of_line(family, found.place));
 }
 
 void draw_line_strip(SvgCanvas& svg, const StraightLineAnswer& answer, std::string_view unit) {
