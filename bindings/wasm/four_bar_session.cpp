@@ -140,8 +140,8 @@ int FourBarSession::samples_for_best() const { return samples_of_an_order; }
 MotionSession::MotionSession(const MotionTask& task, const Problem& problem)
     : FourBarSession(task_family(task, problem.requirements, problem.options.objective)), task_(task) {}
 
-bool MotionSession::serves(const Task& task) const {
-  const auto* motion = std::get_if<MotionTask>(&task);
+bool MotionSession::serves(const Problem& problem) const {
+  const auto* motion = std::get_if<MotionTask>(&problem.task);
   return motion && *motion == task_ && !task_.given;  // of what is given a length is chosen by the requirements
 }
 
@@ -175,8 +175,8 @@ FunctionSession::FunctionSession(const FunctionTask& task)
 
 const std::vector<PrescribedPose>& FunctionSession::poses() const { return no_poses; }
 
-bool FunctionSession::serves(const Task& task) const {
-  const auto* function = std::get_if<FunctionTask>(&task);
+bool FunctionSession::serves(const Problem& problem) const {
+  const auto* function = std::get_if<FunctionTask>(&problem.task);
   return function && *function == task_;
 }
 

@@ -57,7 +57,7 @@ class MotionSession final : public FourBarSession {
  public:
   MotionSession(const MotionTask& task, const Problem& problem);
 
-  [[nodiscard]] bool serves(const Task& task) const override;
+  [[nodiscard]] bool serves(const Problem& problem) const override;
   bool measure(EvaluatedMap& map, std::string_view property) const override;
   [[nodiscard]] std::vector<std::uint32_t> halo(const HaloRequest& request, const Problem& problem) const override;
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const override;
@@ -72,7 +72,7 @@ class FunctionSession final : public FourBarSession {
  public:
   explicit FunctionSession(const FunctionTask& task);
 
-  [[nodiscard]] bool serves(const Task& task) const override;
+  [[nodiscard]] bool serves(const Problem& problem) const override;
   [[nodiscard]] TaskReply about() const override;
   [[nodiscard]] int map_samples(int asked) const override;
   bool measure(EvaluatedMap& map, std::string_view property) const override;

@@ -13,8 +13,6 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-constexpr int states_of_a_drive = 361;
-
 void write_or_null(JsonWriter& json, std::string_view key, bool defined, double value) {
   json.key(key);
   defined ? json.value(value) : json.null();
@@ -37,6 +35,7 @@ void write_dyad(JsonWriter& json, const Dyad& dyad, const WorkingFrame& frame) {
 }
 
 Notice degenerate_notice(const PickedLinkage& picked, const WorkingFrame& frame) {
+  if (picked.nothing) return *picked.nothing;
   const auto at_infinity = [&](Homogeneous point) { return is_at_infinity(frame.to_working(point)); };
   if (picked.input.circle == Homogeneous{} || picked.output.circle == Homogeneous{})
     return {"no_linkage", "There is no linkage here: no grounded link of this length can have this direction.", {}};
@@ -173,7 +172,9 @@ PickedLinkage picked_linkage(const TaskFamily& given, MapPoint place, bool respe
   const WorkingFrame& frame = given.frame();
   const DyadPair none{{{}, {}, place.input}, {{}, {}, place.output}};
   const DyadPair links = given.family->dyad_pair(place).value_or(none);
-  PickedLinkage picked{frame.to_user(links.input), frame.to_user(links.output), {}, {}, {}};
+  PickedLinkage picked;
+  picked.input = frame.to_user(links.input);
+  picked.output = frame.to_user(links.output);
   if (given.relaxed) picked.relaxed_index = given.relaxed->index;
   constexpr bool verify = false;
   picked.bars = make_four_bar(given, place, respect_direction, verify);
@@ -188,7 +189,8 @@ PickedLinkage picked_linkage(const TaskFamily& given, MapPoint place, bool respe
   return picked;
 }
 
-std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame) {
+std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame,
+                         const std::function<void(JsonWriter&)>& write_more) {
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("tau");
@@ -210,6 +212,7 @@ std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame)
     write_pose_error(json, picked);
     write_function(json, picked);
     json.member("fails", int{picked.fails});
+    if (write_more) write_more(json);
     write_drive(json, picked);
     json.end_object();
   });

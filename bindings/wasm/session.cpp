@@ -12,6 +12,7 @@
 #include "six_bar_session.hpp"
 #include "spherical_function_session.hpp"
 #include "spherical_session.hpp"
+#include "straight_line_session.hpp"
 
 namespace linkwright::wasm {
 namespace {
@@ -32,6 +33,9 @@ std::unique_ptr<TaskSession> session_of(const SphericalMotionTask& task, const P
 std::unique_ptr<TaskSession> session_of(const SphericalFunctionTask& task, const Problem& /*problem*/) {
   return std::make_unique<SphericalFunctionSession>(task);
 }
+std::unique_ptr<TaskSession> session_of(const StraightLineTask& task, const Problem& problem) {
+  return std::make_unique<StraightLineSession>(task, problem.options);
+}
 
 }  // namespace
 
@@ -45,7 +49,7 @@ bool Session::set_problem(std::string_view text) {
   mistakes_ = read ? "[]" : mistakes_json(read.errors());
   if (!read) return false;
   text_ = text;
-  const bool unchanged = task_ && task_->serves(read->task);
+  const bool unchanged = task_ && task_->serves(*read);
   problem_ = std::move(*read);
   if (!unchanged) {
     task_ = task_session(problem_);
@@ -170,7 +174,7 @@ void write_notices(JsonWriter& json, const Answer& answer, const std::vector<Not
 std::string Session::best(int most) const {
   SynthesisOptions options = problem_.options;
   options.region_samples = task().samples_for_best();
-  options.window.reset();
+  if (!task().window_sets_axes()) options.window.reset();
   options.at.reset();
   options.best = most;
   const auto answer = solve(problem_.task, problem_.requirements, options);

@@ -33,8 +33,8 @@ SixBarTask with_chain(SixBarTask task, const ThreeLinkChain& chain) {
 
 SixBarSession::SixBarSession(const SixBarTask& task) : task_(task), family_(ChainFamily::of(task_)) {}
 
-bool SixBarSession::serves(const Task& task) const {
-  const auto* six_bar = std::get_if<SixBarTask>(&task);
+bool SixBarSession::serves(const Problem& problem) const {
+  const auto* six_bar = std::get_if<SixBarTask>(&problem.task);
   return six_bar && *six_bar == task_;
 }
 

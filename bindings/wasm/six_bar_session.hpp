@@ -10,7 +10,7 @@ class SixBarSession final : public TaskSession {
  public:
   explicit SixBarSession(const SixBarTask& task);
 
-  [[nodiscard]] bool serves(const Task& task) const override;
+  [[nodiscard]] bool serves(const Problem& problem) const override;
   [[nodiscard]] const LinkageFamily* family() const override { return family_.get(); }
   [[nodiscard]] const Notice& no_map() const override;
   [[nodiscard]] const Notice& nothing_on_map() const override;

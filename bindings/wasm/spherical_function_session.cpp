@@ -48,8 +48,8 @@ SphericalFunctionSession::SphericalFunctionSession(const SphericalFunctionTask& 
       given_(task_family(task_)),
       family_(std::dynamic_pointer_cast<const SphericalFunctionFamily>(given_.family)) {}
 
-bool SphericalFunctionSession::serves(const Task& task) const {
-  const auto* function = std::get_if<SphericalFunctionTask>(&task);
+bool SphericalFunctionSession::serves(const Problem& problem) const {
+  const auto* function = std::get_if<SphericalFunctionTask>(&problem.task);
   return function && *function == task_;
 }
 

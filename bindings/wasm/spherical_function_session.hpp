@@ -12,7 +12,7 @@ class SphericalFunctionSession final : public TaskSession {
  public:
   explicit SphericalFunctionSession(const SphericalFunctionTask& task);
 
-  [[nodiscard]] bool serves(const Task& task) const override;
+  [[nodiscard]] bool serves(const Problem& problem) const override;
   [[nodiscard]] const LinkageFamily* family() const override { return family_.get(); }
   [[nodiscard]] const Notice& no_map() const override;
   [[nodiscard]] const Notice& nothing_on_map() const override;

@@ -27,8 +27,8 @@ std::uint8_t branch_at(const std::vector<CurveBranch>& branches, double coordina
 
 SphericalSession::SphericalSession(const SphericalMotionTask& task) : task_(task), given_(task_family(task_)) {}
 
-bool SphericalSession::serves(const Task& task) const {
-  const auto* spherical = std::get_if<SphericalMotionTask>(&task);
+bool SphericalSession::serves(const Problem& problem) const {
+  const auto* spherical = std::get_if<SphericalMotionTask>(&problem.task);
   return spherical && *spherical == task_;
 }
 

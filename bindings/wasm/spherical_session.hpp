@@ -10,7 +10,7 @@ class SphericalSession final : public TaskSession {
  public:
   explicit SphericalSession(const SphericalMotionTask& task);
 
-  [[nodiscard]] bool serves(const Task& task) const override;
+  [[nodiscard]] bool serves(const Problem& problem) const override;
   [[nodiscard]] const LinkageFamily* family() const override { return given_.family.get(); }
   [[nodiscard]] const Notice& no_map() const override;
   [[nodiscard]] const Notice& nothing_on_map() const override;

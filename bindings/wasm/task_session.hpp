@@ -54,8 +54,8 @@ class TaskSession {
   TaskSession& operator=(const TaskSession&) = delete;
   virtual ~TaskSession() = default;
 
-  /// What was computed of this task serves for that one too.
-  [[nodiscard]] virtual bool serves(const Task& task) const = 0;
+  /// What was computed of this task serves for that problem too.
+  [[nodiscard]] virtual bool serves(const Problem& problem) const = 0;
   /// Of the map; null where there is none, and then no_map() says why.
   [[nodiscard]] virtual const LinkageFamily* family() const = 0;
   [[nodiscard]] virtual const Notice& no_map() const = 0;
@@ -90,6 +90,8 @@ class TaskSession {
   }
   /// SynthesisOptions::region_samples for solve() to find the best of the usual map.
   [[nodiscard]] virtual int samples_for_best() const = 0;
+  /// SynthesisOptions::window says how far the axes run, rather than what of them is looked at.
+  [[nodiscard]] virtual bool window_sets_axes() const { return false; }
   /// The answer that holds the linkage there alone; nothing where there is none.
   [[nodiscard]] virtual std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const = 0;
 };
@@ -101,5 +103,6 @@ class TaskSession {
 void write_best_linkages(JsonWriter& json, const FourBarAnswer& answer);
 void write_best_linkages(JsonWriter& json, const SixBarAnswer& answer);
 void write_best_linkages(JsonWriter& json, const SphericalAnswer& answer);
+void write_best_linkages(JsonWriter& json, const StraightLineAnswer& answer);
 
 }  // namespace linkwright::wasm

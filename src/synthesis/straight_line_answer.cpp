@@ -13,11 +13,6 @@
 namespace linkwright {
 namespace {
 
-Requirements with_default_length(Requirements wanted, double size) {
-  if (!wanted.max_length) wanted.max_length = default_max_length * size;
-  return wanted;
-}
-
 std::int64_t whole_linkages(const Findings& found) {
   return found.counts.pairs - found.counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
 }
@@ -29,11 +24,7 @@ Notice nothing_on_map(const StraightLineAnswer& answer) {
             "Every linkage of this case has a slider in place of a link here. Widen the window, or change what is "
             "given.",
             {}};
-  return {"no_straight_line",
-          fmt::format("No linkage of the case {} has these numbers: its equations have no real solution. Change what "
-                      "is given beside the line.",
-                      name(answer.task.given)),
-          {{"case", std::string(name(answer.task.given))}}};
+  return no_straight_line(answer.task);
 }
 
 Notice nothing_meets(const StraightLineAnswer& answer) {
@@ -169,12 +160,25 @@ Answer search_all_cases(StraightLineAnswer answer, const straight_cases::Search&
 
 }  // namespace
 
+Requirements with_default_length(Requirements wanted, const StraightLineTask& task) {
+  if (!wanted.max_length) wanted.max_length = default_max_length * size_of(task);
+  return wanted;
+}
+
+Notice no_straight_line(const StraightLineTask& task) {
+  return {"no_straight_line",
+          fmt::format("No linkage of the case {} has these numbers: its equations have no real solution. Change what "
+                      "is given beside the line.",
+                      name(task.given)),
+          {{"case", std::string(name(task.given))}}};
+}
+
 Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& requirements,
                              const SynthesisOptions& options, const Progress& progress) {
   StraightLineAnswer answer;
   answer.task = task;
   answer.characteristic_length = size_of(task);
-  answer.requirements = with_default_length(requirements, answer.characteristic_length);
+  answer.requirements = with_default_length(requirements, task);
   answer.options = options;
   if (const auto* wanted = std::get_if<straight_cases::Search>(&task.given))
     return search_all_cases(std::move(answer), *wanted, progress);

@@ -10,6 +10,12 @@ namespace linkwright {
 [[nodiscard]] Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& requirements,
                                            const SynthesisOptions& options, const Progress& progress);
 
+/// The longest link at most ten times the size of the task, where nothing else is asked for.
+[[nodiscard]] Requirements with_default_length(Requirements wanted, const StraightLineTask& task);
+
+/// Why a map holds nothing at all.
+[[nodiscard]] Notice no_straight_line(const StraightLineTask& task);
+
 /// Linkages that the triangles of their links do not confirm, or the referee of their contact; with a warning.
 void leave_out_unconfirmed(StraightLineAnswer& answer);
 

@@ -31,6 +31,10 @@ void write_dyads(JsonWriter& json, const StraightLineAnswer& answer);
 /// The members `linkages`, `pairs` and `freed` of a result.
 void write_linkages(JsonWriter& json, const StraightLineAnswer& answer);
 
+/// How straight the point of a linkage runs, as members of it: `contact_points` and `deviation_series`; and the lengths
+/// that are usable, with what is to be said over them and over the stroke asked for.
+void write_contact(JsonWriter& json, const LineContact& contact);
+void write_usable_lengths(JsonWriter& json, const StraightLineSolution& found, LineMeasure measure);
 /// A linkage of an answer without title and unit; its poses are those of the coupler at the ends of the usable length
 /// and where the point is on the line.
 [[nodiscard]] StoredLinkage stored(const StraightLineSolution& found, const StraightLineAnswer& answer);

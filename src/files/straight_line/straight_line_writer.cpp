@@ -168,17 +168,11 @@ void write_straight_line(JsonWriter& json, const StraightLineSolution& found, co
     json.key("defects");
     write_defects(json, found.defects);
   }
-  json.member("contact_points", found.contact.points);
-  write_deviation_series(json, found.contact);
+  write_contact(json, found.contact);
   json.key("instant");
   write_instant(json, analyze_instant(found.linkage.bars, {found.linkage.point, 0}));
   json.member("deviation", found.deviation);
-  write_usable(json, "usable", found.usable);
-  write_usable(json, "usable_strip", found.usable_strip);
-  json.member("stroke_over_longest", found.counted(answer.options.line.measure).length() / found.linkage.longest());
-  json.member("min_transmission_angle_deg", degrees(found.over_usable.min_transmission_angle));
-  write_stroke(json, "over_usable", found.over_usable);
-  write_stroke(json, "stroke", found.stroke);
+  write_usable_lengths(json, found, answer.options.line.measure);
   json.member("residual", found.residual);
   json.member("local_optimum", found.local_optimum);
   json.member("verified_by_driving", found.verified_by_driving);
@@ -191,6 +185,20 @@ PrescribedPose pose_of(const TracingFourBar& linkage) {
 }
 
 }  // namespace
+
+void write_contact(JsonWriter& json, const LineContact& contact) {
+  json.member("contact_points", contact.points);
+  write_deviation_series(json, contact);
+}
+
+void write_usable_lengths(JsonWriter& json, const StraightLineSolution& found, LineMeasure measure) {
+  write_usable(json, "usable", found.usable);
+  write_usable(json, "usable_strip", found.usable_strip);
+  json.member("stroke_over_longest", found.counted(measure).length() / found.linkage.longest());
+  json.member("min_transmission_angle_deg", degrees(found.over_usable.min_transmission_angle));
+  write_stroke(json, "over_usable", found.over_usable);
+  write_stroke(json, "stroke", found.stroke);
+}
 
 void write_of_kind(JsonWriter& json, const StraightLineTask& task) {
   json.member("kind", "straight_line");

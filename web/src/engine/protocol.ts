@@ -67,7 +67,7 @@ export interface AxisBlock {
 }
 export interface Branch {
   /** Of a curve: odd, oval, nodal, line, circle, conic, line_at_infinity, point, center_line. Of other axes: sheet_1,
-   *  sheet_2, sheet_1_opposite, …, direction_1, …, direct, opposite, range. */
+   *  sheet_2, sheet_1_opposite, …, direction_1, …, direct, opposite, range; of straight lines the layers. */
   name: string;
   from: number;
   to: number; // τ
@@ -81,6 +81,19 @@ export const axis_quantities = [
   "output_scale", // factor on the output's travel
   "pair_output", // output angle of one pair, degrees
   "nothing", // one place only
+  // Of straight lines: degrees, or lengths.
+  "link_direction", // of a grounded link's line
+  "link_ray", // from the pole along a grounded link, counted from the pole tangent
+  "point_ray",
+  "pole_height", // off the line
+  "pivot_height",
+  "frame_height", // of the point off the ground link
+  "pivot_distance", // of a ground pivot from the pole, signed
+  "output_arm",
+  "link_length", // signed
+  "crank_length",
+  "point_arm",
+  "crank_range",
 ] as const;
 export type AxisQuantity = (typeof axis_quantities)[number];
 

@@ -56,6 +56,8 @@ export interface Mechanism {
   dimensions(linkage: Linkage): Dimension[];
   /** One loop of four links with all pivots in the plane moves the body: what one instant of it tells can be shown. */
   has_instant?: true;
+  /** What the body guides is its origin: its path is shown though there is no outline. */
+  guides_a_point?: true;
   /** How its links can lie over each other as plates, the simplest first; or why there is no view in 3-D. */
   plates: readonly PlateOrder[] | {missing: TextKey};
 }

@@ -1,5 +1,6 @@
 // Where a grounded link stands on its axis of the map, as people read it.
-import type {Axes, Axis, Side, TauPair} from "../engine/protocol";
+import type {Axes, Axis, AxisQuantity, Side, TauPair} from "../engine/protocol";
+import {is_angle} from "../region/axis_marks";
 import {degrees_text, fixed, significant} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 
@@ -23,14 +24,39 @@ export function place_text(axis: Axis, side: Side, tau: number, digits = 4): str
       return `β${lower[side]} ${degrees_text(value_at(axis, tau, (a, b, share) => a + share * (b - a)))}`;
     case "pair_output":
       return `ψ ${degrees_text(value_at(axis, tau, (a, b, share) => a + share * (b - a)))}`;
+    case "nothing":
+      return "";
     case "output_scale":
       return `×${significant(
         value_at(axis, tau, (a, b, share) => a * (b / a) ** share),
         3,
       )}`;
+    case "side_length":
+      return ""; // another number says it
     default:
-      return "";
+      return line_place_text(axis, side, tau);
   }
+}
+const symbols: Partial<Record<AxisQuantity, string>> = {
+  link_direction: "θ",
+  link_ray: "ψ",
+  point_ray: "ψC",
+  pole_height: "hP",
+  pivot_height: "hB₀",
+  frame_height: "h",
+  pivot_distance: "r₀A",
+  output_arm: "rB",
+  link_length: "ρ",
+  crank_length: "r",
+  point_arm: "p",
+  crank_range: "β",
+};
+/** Of straight lines, numbers along even axes. */
+function line_place_text(axis: Axis, side: Side, tau: number): string {
+  const value = value_at(axis, tau, (a, b, share) => a + share * (b - a)),
+    symbol = symbols[axis.quantity] ?? "",
+    of = axis.quantity.startsWith("link_") ? lower[side] : "";
+  return `${symbol}${of} ${is_angle(axis.quantity) ? degrees_text(value) : significant(value, 4)}`;
 }
 /** Between the engine's ticks, and beyond the last of a branch. */
 function value_at(

@@ -29,7 +29,35 @@ const quantity_texts: Partial<Record<AxisQuantity, TextKey>> = {
   side_length: "axis.side_length",
   output_scale: "axis.output_scale",
   pair_output: "axis.pair_output",
+  link_direction: "axis.link_direction",
+  link_ray: "axis.link_ray",
+  point_ray: "axis.point_ray",
+  pole_height: "axis.pole_height",
+  pivot_height: "axis.pivot_height",
+  frame_height: "axis.frame_height",
+  pivot_distance: "axis.pivot_distance",
+  output_arm: "axis.output_arm",
+  link_length: "axis.link_length",
+  crank_length: "axis.crank_length",
+  point_arm: "axis.point_arm",
+  crank_range: "axis.crank_range",
 };
+/** Of straight lines: what of several linkages at a place the layer's are. */
+const layers: Record<string, TextKey> = {
+  alpha: "axis.layer_alpha",
+  alpha_plus_90: "axis.layer_alpha_plus_90",
+  first: "axis.layer_first",
+  second: "axis.layer_second",
+  minimax: "axis.layer_minimax",
+  near_minimax: "axis.layer_near_minimax",
+  AB: "axis.layer_ab",
+  AD: "axis.layer_ad",
+  BD: "axis.layer_bd",
+  DB: "axis.layer_bd",
+};
+export function has_layers({branches}: Axis): boolean {
+  return branches.length > 1 && branches.every(({name}) => name in layers);
+}
 
 export interface AxisBar {
   start: number;
@@ -55,7 +83,9 @@ export function block_text(axis: Axis, index: number, say: Say): string {
   const branch = axis.blocks[index]?.branch ?? -1,
     halves = axis.blocks.filter((block) => block.branch === branch),
     name = axis.branches[branch]?.name ?? "range";
-  if (axis.quantity === "nothing" || name === "range") return "";
+  const layer = layers[name];
+  if (layer && axis.branches.length > 1) return t(layer);
+  if (axis.quantity === "nothing" || name === "range" || name === axis.quantity) return "";
   if (axis.quantity === "burmester_point") return String(branch + 1);
   if (sheets[name]) return t("axis.sheet", {n: sheets[name]});
   if (name.startsWith("direction_")) return t("axis.direction", {n: branch + 1});
@@ -92,8 +122,19 @@ export function axis_bars(axis: Axis, side: Side, scale: Scale, unit: string, sa
 const number_px = 34,
   every = [1, 2, 3, 4, 6, 12];
 
+const angles: readonly AxisQuantity[] = [
+  "side_direction",
+  "pair_output",
+  "link_direction",
+  "link_ray",
+  "point_ray",
+  "crank_range",
+];
+export function is_angle(quantity: AxisQuantity): boolean {
+  return angles.includes(quantity);
+}
 function number_text(quantity: AxisQuantity, value: number): string {
-  if (quantity === "side_direction" || quantity === "pair_output") return `${significant(value, 3)}°`;
+  if (is_angle(quantity)) return `${significant(value, 3)}°`;
   return quantity === "output_scale" ? `×${significant(value, 2)}` : significant(value, 3);
 }
 /** The engine's ticks, as many of each block as there is room for: where an axis leaves out what has no dyads, some lie

@@ -56,7 +56,8 @@ function dyad_at(
   [input, output]: TauPair,
   end_of: EndOf,
 ): readonly [center: Pivot, circle: Pivot] | null {
-  const own = task.axes[side].quantity !== "nothing",
+  const {quantity, branches} = task.axes[side],
+    own = quantity !== "nothing" || branches.length > 1,
     tau = (side === "input") === own ? input : output;
   const curves: DyadPolygon = side === "output" ? (task.output_curves ?? task.curves) : task.curves;
   const at = curves.tau.findIndex((other) => Math.floor(other) === Math.floor(tau));

@@ -51,7 +51,9 @@ export function value_text(property: Property, value: number, unit: string): str
   const {quantity} = property_descriptions[property];
   if (quantity === "angle") return degrees_text(value, 0);
   if (quantity === "fine_angle") return `${significant(value, 3)}°`;
-  return quantity === "ratio" ? significant(value, 3) : `${significant(value, 3)} ${unit}`.trim();
+  return quantity === "ratio" || quantity === "share"
+    ? significant(value, 3)
+    : `${significant(value, 3)} ${unit}`.trim();
 }
 
 /** Ends for the painter: from the bad one to the good one. */

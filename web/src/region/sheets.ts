@@ -1,6 +1,8 @@
-// Where both axes have sheets, the map has a part for each pair of them.
+// Where both axes have sheets, the map has a part for each pair of them; where a place has several linkages, one to each
+// of its layers.
 import {degenerate} from "../engine/protocol";
 import type {Axis, MapAnswer, TaskAnswer, Window} from "../engine/protocol";
+import {has_layers} from "./axis_marks";
 
 export interface Sheet {
   name: string; // I, II, …
@@ -16,7 +18,7 @@ function has_sheets(axis: Axis): boolean {
 }
 /** `map`: of the whole region. Row by row, as the cells go. */
 export function sheets_of({axes: {input, output}}: TaskAnswer, map: MapAnswer | null): Sheet[] {
-  if (!has_sheets(input) || !has_sheets(output)) return [];
+  if (!has_layers(input) && (!has_sheets(input) || !has_sheets(output))) return [];
   const pairs = input.blocks.flatMap((row, i) => output.blocks.map((column, k) => ({row, column, i, k})));
   return pairs.flatMap(({row, column, i, k}, at) => {
     const name = names[at];

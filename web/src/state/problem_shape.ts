@@ -150,6 +150,9 @@ const option_checks: Record<string, Check> = {
   box: or_null(is_box),
   seed: is_between(0, 999_999_999),
   effort: is_between(1, 10_000_000),
+  deviation: or_null(is_between(0, 1e12)),
+  stroke: or_null(is_between(0, 1e12)),
+  measure: is_one_of(["tangent", "strip"]),
 };
 /** The members that are right. One that is not known here belongs to a later version: the engine reads it. */
 function sound(value: unknown, checks: Record<string, Check>): Object | undefined {

@@ -47,7 +47,8 @@ export interface PropertyDescription<T extends Task = Task> {
   larger_is_better: boolean;
   /** Which limits it. */
   requirement: RequirementKey | null;
-  quantity: "angle" | "fine_angle" | "ratio" | "length";
+  /** A share is a number without a unit, from 0 up. */
+  quantity: "angle" | "fine_angle" | "ratio" | "share" | "length";
   /** Known of cells that meet everything only. */
   of_meeting?: boolean;
   /** What the scale bar spans. `typical`: a length of the task's size. */
@@ -117,6 +118,8 @@ export interface TaskKind<T extends Task = Task> {
   requirements: Partial<Record<RequirementKey, RequirementDescription>>;
   /** In the order of the list to choose from. */
   objectives: Partial<Record<Objective, ObjectiveDescription<T>>>;
+  /** Where the file is silent; none: the transmission angle. */
+  default_objective?: Objective;
   /** The fixed frame seen from elsewhere: points by `point`; poses are the frame's matter. */
   moved(task: T, point: (p: Point) => Point): T;
   /** What all its linkages are, a text's key, where it is the task that says so; otherwise a linkage is called by its type. */

@@ -98,11 +98,14 @@ export function requirement_bit(task: Task, key: RequirementKey): number {
 export function objectives_of(task: Task): Objective[] {
   return keys_of(kind_of(task).objectives, task);
 }
+export function objective_of({task, options}: Problem): Objective {
+  return options?.objective ?? kind_of(task).default_objective ?? "min_transmission_angle";
+}
 /** What the objective is measured by, where the map has it. */
-export function measure_of({task, options}: Problem): Property {
-  const {objective = "min_transmission_angle"} = options ?? {},
+export function measure_of(problem: Problem): Property {
+  const {task} = problem,
     has = properties_of(task),
-    measure = kind_of(task).objectives[objective]?.measure;
+    measure = kind_of(task).objectives[objective_of(problem)]?.measure;
   return measure && has.includes(measure) ? measure : (has[0] ?? "min_transmission_angle_deg");
 }
 /** Of all kinds, in words and numbers. */

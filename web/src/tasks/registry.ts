@@ -5,5 +5,14 @@ import {motion} from "./motion/index";
 import {six_bar} from "./six_bar/index";
 import {spherical} from "./spherical/index";
 import {spherical_function} from "./spherical_function/index";
+import {straight_line} from "./straight_line/index";
 
-export const task_modules = [motion, function_generation, six_bar, spherical, spherical_function, attitude] as const;
+export const task_modules = [
+  motion,
+  function_generation,
+  six_bar,
+  straight_line,
+  spherical,
+  spherical_function,
+  attitude,
+] as const;

@@ -3,10 +3,10 @@ import UPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import {css_values} from "../state/css_values";
 import {fixed, significant} from "../texts/numbers";
-import type {Plot} from "./plot";
+import {is_path, type Plot} from "./plot";
 
-type Colors = Record<"ink" | "ink3" | "line" | "grid" | "paper" | "bad" | "curve", string>;
-const color_names = ["ink", "ink3", "line", "grid", "paper", "bad", "curve"] as const;
+type Colors = Record<"ink" | "ink3" | "line" | "grid" | "paper" | "bad" | "good" | "curve", string>;
+const color_names = ["ink", "ink3", "line", "grid", "paper", "bad", "good", "curve"] as const;
 const dot_radius = 3.5;
 
 export interface ChartInput {
@@ -49,11 +49,10 @@ export class Chart {
     const {u} = this,
       resized = input.width !== u.width || input.height !== u.height;
     this.input = input;
-    const {plot} = input,
-      is_path = plot.kind === "path";
+    const {plot} = input;
     u.batch(() => {
       if (resized) u.setSize({width: input.width, height: input.height});
-      u.setData(is_path ? [plot.x, [null, null]] : ([plot.angles, plot.values[0]] as UPlot.AlignedData), false);
+      u.setData(is_path(plot) ? [plot.x, [null, null]] : ([plot.angles, plot.values[0]] as UPlot.AlignedData), false);
       u.setScale("x", {min: plot.x[0], max: plot.x[1]});
       u.setScale("y", {min: plot.y[0], max: plot.y[1]});
     });
@@ -67,15 +66,15 @@ export class Chart {
   point_at(angle: number, values: (number | null)[]): void {
     const plot = this.input?.plot;
     if (!plot) return;
-    const is_path = plot.kind === "path",
-      y = values[is_path ? 1 : 0];
-    const x = is_path ? values[0]! : angle;
+    const of_path = is_path(plot),
+      y = values[of_path ? 1 : 0] ?? null;
+    const x = of_path ? values[0]! : angle;
     const left = this.u.valToPos(x, "x"),
-      top = y === null ? -99 : this.u.valToPos(y!, "y");
+      top = y === null ? -99 : this.u.valToPos(y, "y");
     const {width, height} = this.u.bbox,
       ratio = UPlot.pxRatio; // known without asking for the layout
     const inside = left >= -0.5 && left <= width / ratio + 0.5;
-    this.needle.hidden = is_path || !inside;
+    this.needle.hidden = of_path || !inside;
     this.bead.hidden = !inside || !(top >= 0 && top <= height / ratio);
     this.needle.style.transform = `translateX(${left}px)`;
     this.bead.style.transform = `translate(${left}px, ${top}px)`;
@@ -129,15 +128,18 @@ export class Chart {
         },
       ],
       series: [{}, {stroke: () => this.colors.ink, width: 2, points: {show: false}}],
-      hooks: {drawAxes: [() => this.draw_forbidden()], draw: [() => this.draw_path(), () => this.draw_dots()]},
+      hooks: {
+        drawAxes: [() => this.draw_forbidden(), () => this.draw_band()],
+        draw: [() => this.draw_path(), () => this.draw_dots()],
+      },
     };
   }
   private x_label(value: number): string {
-    return this.input?.plot.kind === "path" ? significant(value, 4) : `${significant(value, 4)}°`;
+    return this.input && is_path(this.input.plot) ? significant(value, 4) : `${significant(value, 4)}°`;
   }
   private y_label(value: number): string {
     const kind = this.input?.plot.kind;
-    if (kind === "own" || kind === "output") return `${significant(value, 2)}°`;
+    if (kind === "own" || kind === "output") return `${significant(value, 2)}${this.input?.plot.unit ?? "°"}`;
     return kind === "transmission" || kind === "coupler" ? `${fixed(value, 0)}°` : significant(value, 4);
   }
   private y_splits(min: number, max: number): number[] {
@@ -166,9 +168,21 @@ export class Chart {
     u.ctx.stroke();
     u.ctx.restore();
   }
+  private draw_band(): void {
+    const {u, input} = this,
+      {left, width} = u.bbox,
+      band = input?.plot.band;
+    if (!band) return;
+    const [bottom, top] = band.map((value) => u.valToPos(value, "y", true)) as [number, number];
+    u.ctx.save();
+    u.ctx.fillStyle = this.colors.good;
+    u.ctx.globalAlpha = 0.14;
+    u.ctx.fillRect(left, top, width, bottom - top);
+    u.ctx.restore();
+  }
   private draw_path(): void {
     const {u, input} = this;
-    if (input?.plot.kind !== "path") return;
+    if (!input || !is_path(input.plot)) return;
     const [xs, ys] = input.plot.values;
     u.ctx.save();
     u.ctx.strokeStyle = this.colors.ink;
@@ -182,16 +196,16 @@ export class Chart {
   private draw_dots(): void {
     const {u, input} = this;
     if (!input) return;
-    const is_path = input.plot.kind === "path",
+    const of_path = is_path(input.plot),
       {ctx} = u;
     ctx.save();
     ctx.font = `${11 * UPlot.pxRatio}px ${getComputedStyle(this.host).fontFamily}`;
     ctx.textAlign = "center";
     for (const dot of input.plot.dots) {
-      const value = dot.values[is_path ? 1 : 0];
+      const value = dot.values[of_path ? 1 : 0];
       if (value === null) continue;
       this.draw_dot(
-        u.valToPos(is_path ? dot.values[0]! : dot.angle, "x", true),
+        u.valToPos(of_path ? dot.values[0]! : dot.angle, "x", true),
         u.valToPos(value!, "y", true),
         String(dot.pose + 1),
       );

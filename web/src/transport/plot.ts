@@ -7,13 +7,15 @@ import {played_span, stops_of} from "./play";
 export const plot_kinds = ["transmission", "coupler", "path", "velocity", "advantage"] as const;
 /** Columns of the drive table. */
 export type DriveKind = (typeof plot_kinds)[number] | "output";
-/** What a kind of task plots of its own, beside columns of the drive table: an angle over the driver angle. */
+/** What a kind of task plots of its own, beside columns of the drive table: over the driver angle, or as a path. */
 export interface OwnPlot {
   id: string;
   name: TextKey;
   short_name: TextKey;
   plot(linkage: Linkage): Plot | null;
-  value_at(linkage: Linkage, angle_deg: number): number | null;
+  /** One to each of the plot's columns. */
+  values_at(linkage: Linkage, angle_deg: number): (number | null)[];
+  text(values: (number | null)[], unit: string): string;
 }
 export type PlotChoice = DriveKind | OwnPlot;
 type Column = (typeof state_columns)[number];
@@ -37,6 +39,13 @@ export interface Plot {
   dots: {pose: number; angle: number; values: (number | null)[]}[];
   x: [number, number];
   y: [number, number];
+  /** Own values are no angles. */
+  unit?: "°" | "";
+  /** Between these all is well. */
+  band?: readonly [low: number, high: number];
+}
+export function is_path({values}: Plot): boolean {
+  return values.length === 2;
 }
 
 export function plot_of(drive: Drive, kind: DriveKind, whole: boolean): Plot {

@@ -1,5 +1,6 @@
 // What a generator makes wrong, over the driver angle as the other plots have it.
 import type {Linkage} from "../../engine/protocol";
+import {significant} from "../../texts/numbers";
 import {extent, type OwnPlot, type Plot} from "../../transport/plot";
 
 type Generator = Pick<Linkage, "function" | "drive_sense">;
@@ -51,5 +52,6 @@ export const structural_error: OwnPlot = {
   name: "plot.error",
   short_name: "plot.short_error",
   plot: error_plot,
-  value_at: error_at,
+  values_at: (linkage, angle) => [error_at(linkage, angle)],
+  text: ([error = null]) => (error === null ? "–" : `${significant(error, 2)}°`),
 };

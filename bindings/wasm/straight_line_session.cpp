@@ -1,0 +1,145 @@
+#include "straight_line_session.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "linkwright/core/angle.hpp"
+#include "reply_json.hpp"
+#include "straight_line/line_candidate.hpp"
+#include "straight_line_reply.hpp"
+#include "synthesis/straight_line_answer.hpp"
+
+namespace linkwright::wasm {
+namespace {
+
+constexpr int samples_of_the_map = 200;  // to each layer: every cell's path is traced
+
+ShownAxis shown_line_axis(const StraightLineFamily& family, Side side) {
+  ShownAxis shown;
+  shown.axis = family.axis(side);
+  shown.order = DisplayOrder(shown.axis.branches);
+  shown.ticks = axis_ticks(family, side);
+  return shown;
+}
+
+}  // namespace
+
+StraightLineSession::StraightLineSession(const StraightLineTask& task, const SynthesisOptions& options)
+    : task_(task),
+      measuring_(options.line),
+      window_(options.window),
+      family_(std::make_shared<StraightLineFamily>(task_, measuring_, window_)),
+      nothing_(no_straight_line(task_)) {}
+
+bool StraightLineSession::serves(const Problem& problem) const {
+  const auto* line = std::get_if<StraightLineTask>(&problem.task);
+  const auto& window = problem.options.window;
+  const bool same_window = window.has_value() == window_.has_value() &&
+                           (!window || (window->input == window_->input && window->output == window_->output));
+  return line && *line == task_ && problem.options.line == measuring_ && same_window;
+}
+
+Requirements StraightLineSession::with_defaults(Requirements wanted) const {
+  return with_default_length(std::move(wanted), task_);
+}
+
+TaskReply StraightLineSession::about() const {
+  TaskReply reply;
+  reply.characteristic_length = size_of(task_);
+  reply.write_curves = [](JsonWriter& json) { write_no_curves(json); };
+  return reply;
+}
+
+Drawn StraightLineSession::drawn() const {
+  Drawn drawn{{}, DrawnCurves{}};
+  if (!family_->axis(Side::input).is_discrete()) return drawn;
+  std::vector<Dyad> input, output;
+  for (int layer = 0; layer < family_->layers(); ++layer) {
+    const LineDesign design = family_->design({static_cast<double>(layer), 0});
+    if (design.kind != DesignKind::four_bar) continue;
+    const FourBar& bars = design.linkage.bars;
+    const auto homogeneous = [](Point p) { return Homogeneous{1, p.real(), p.imag()}; };
+    const auto coordinate = static_cast<double>(layer);
+    input.push_back({homogeneous(bars.input_center), homogeneous(bars.input_circle), coordinate});
+    output.push_back({homogeneous(bars.output_center), homogeneous(bars.output_circle), coordinate});
+  }
+  const auto& branches = family_->axis(Side::input).branches;
+  return {drawn_dyads(input, branches, {}), drawn_dyads(output, branches, {})};
+}
+
+ShownAxes StraightLineSession::axes(const ExploreRequest& /*request*/, Spacing /*spacing*/,
+                                    const ShownAxes* /*shown*/) const {
+  return {shown_line_axis(*family_, Side::input), shown_line_axis(*family_, Side::output), false};
+}
+
+std::vector<double> StraightLineSession::coordinates(const ExploreRequest& request, const ShownAxis& axis,
+                                                     Side side) const {
+  const int samples = map_samples(request.samples);
+  if (axis.axis.is_discrete()) return family_->samples(side, samples, Spacing::coordinate);
+  const auto& [from, to] = side == Side::input ? request.input : request.output;
+  const bool all_layers = side == Side::input && from == ExploreRequest::whole[0] && to == ExploreRequest::whole[1];
+  return axis.order.samples(all_layers ? samples * family_->layers() : samples, from, to);
+}
+
+int StraightLineSession::map_samples(int asked) const { return std::min(asked, samples_of_the_map); }
+
+LinkageReply StraightLineSession::linkage(MapPoint place, std::uint8_t fails, bool /*respect_direction*/) const {
+  return straight_line_reply(*family_, make_straight_line(*family_, place), place, fails);
+}
+
+Verification StraightLineSession::verify(MapPoint place, bool /*respect_direction*/) const {
+  const auto found = make_straight_line(*family_, place);
+  return found ? Verification{found->verified_by_driving, found->residual} : Verification{};
+}
+
+std::vector<double> StraightLineSession::trace(MapPoint place, Point traced, bool /*respect_direction*/) const {
+  const auto found = make_straight_line(*family_, place);
+  return found ? straight_line_trace(*family_, *found, traced) : std::vector<double>{};
+}
+
+std::optional<MapPoint> StraightLineSession::improved(MapPoint place, const Requirements& wanted,
+                                                      Objective objective) const {
+  return improved_place(LineEvaluator(*family_, wanted, objective), place);
+}
+
+int StraightLineSession::samples_for_best() const { return samples_of_the_map; }
+
+std::optional<Answer> StraightLineSession::answer_at(MapPoint place, bool /*respect_direction*/) const {
+  auto found = make_straight_line(*family_, place);
+  if (!found) return std::nullopt;
+  StraightLineAnswer answer;
+  answer.task = task_;
+  answer.lines = family_;
+  answer.characteristic_length = size_of(task_);
+  answer.options.line = measuring_;
+  answer.linkages = {*std::move(found)};
+  return Answer(std::move(answer));
+}
+
+void write_best_linkages(JsonWriter& json, const StraightLineAnswer& answer) {
+  for (const StraightLineSolution& found : answer.linkages) {
+    const MapPoint place = answer.point_of(found);
+    const UsableLine& usable = found.counted(answer.options.line.measure);
+    const StrokeReport& over = found.over_usable;
+    json.begin_object(JsonWriter::Layout::one_line);
+    json.key("tau");
+    write_numbers(json, std::array{place.input, place.output});
+    json.member("type", name(found.type));
+    json.member("min_transmission_angle_deg", degrees(over.min_transmission_angle));
+    json.member("link_ratio", found.linkage.longest() / found.linkage.shortest());
+    json.member("longest", found.linkage.longest());
+    json.member("usable_stroke", found.usable.length());
+    json.member("usable_strip", found.usable_strip.length());
+    json.member("stroke_over_longest", usable.length() / found.linkage.longest());
+    json.member("deviation", found.stroke ? found.stroke->max_deviation : over.max_deviation);
+    json.key("velocity_nonuniformity");
+    over.drive ? json.value(over.drive->nonuniformity(usable.length())) : json.null();
+    json.key("pivots");
+    const FourBar& bars = found.linkage.bars;
+    write_points(json, std::array{bars.input_center, bars.input_circle, bars.output_center, bars.output_circle,
+                                  found.linkage.point});
+    json.end_object();
+  }
+}
+
+}  // namespace linkwright::wasm

@@ -1,0 +1,77 @@
+// What the engine says of linkages with a point that runs straight (bindings/wasm/straight_line_reply.hpp).
+import type {Point} from "../../engine/protocol";
+
+declare module "../../engine/protocol" {
+  interface Properties {
+    stroke_over_longest: number;
+    usable_stroke: number;
+    usable_strip: number;
+    deviation: number; // over the stroke asked for, or what is usable
+    velocity_nonuniformity: number;
+    contact_coefficient: number;
+  }
+  interface Requirements {
+    min_stroke?: number | null;
+    max_deviation?: number | null;
+  }
+  interface Linkage {
+    straight_line?: StraightLine | null; // of such tasks only; null: there is none
+  }
+}
+declare module "../../state/problem" {
+  interface Objectives {
+    stroke: true;
+    deviation: true;
+    velocity_uniformity: true;
+  }
+  interface Options {
+    /** Half the width of the strip; none: a share of the longest link. */
+    deviation?: number | null;
+    /** Over which deviations are looked at, half of it either way. */
+    stroke?: number | null;
+    measure?: "tangent" | "strip";
+  }
+}
+
+export type PathEnd = "deviation" | "turn" | "travel" | "unfinished";
+/** Along the line, s = 0 where the linkage lies. */
+export interface Usable {
+  length: number;
+  from_s: number;
+  to_s: number;
+  ends: [PathEnd, PathEnd];
+}
+export interface Stroke {
+  s_from: number;
+  s_to: number;
+  max_deviation: number;
+  parallel_line_deviation: number;
+  best_line_deviation: number;
+  min_transmission_angle_deg: number;
+  /** Null: the input turns back on the way. */
+  velocity_nonuniformity: number | null;
+  crank_range_deg: number | null;
+}
+export interface StraightLine {
+  case: string;
+  layer: number;
+  layer_name: string;
+  /** On the map, as people read it. */
+  place: [number, number];
+  /** The coupler's point as the linkage lies. */
+  point: Point;
+  point_to_input: number;
+  point_to_output: number;
+  longest: number; // links and arms of the point
+  contact_points: number;
+  deviation_series: Record<string, number>; // e by the powers of s
+  /** Half the width of the strip. */
+  deviation: number;
+  usable: Usable;
+  usable_strip: Usable;
+  stroke_over_longest: number;
+  over_usable: Stroke;
+  stroke: Stroke | null;
+  /** Of the path beside the line: way along it, deviation, ds/dφ (null: unbounded), driver angle. */
+  profile: (readonly [s: number, e: number, velocity: number | null, input_deg: number])[];
+}

@@ -1,0 +1,21 @@
+import type {Component} from "svelte";
+import type {TaskView} from "../view";
+import Editor from "./Editor.svelte";
+import {tracing_four_bar} from "./figure";
+import {line_handles} from "./line_handles";
+import LineLayer from "./LineLayer.svelte";
+import Magnifier from "./Magnifier.svelte";
+import Numbers from "./Numbers.svelte";
+import Picture from "./Picture.svelte";
+import {profile, speed} from "./profile";
+
+export const straight_line_view: TaskView = {
+  mechanism: tracing_four_bar,
+  Editor,
+  Layer: LineLayer,
+  Inset: Magnifier,
+  handles: line_handles,
+  Numbers,
+  Picture: Picture as Component<{id: string}>,
+  plots: () => [profile, speed, "transmission", "output", "velocity"],
+};
