@@ -177,7 +177,9 @@ std::string Session::best(int most) const {
   if (!task().window_sets_axes()) options.window.reset();
   options.at.reset();
   options.best = most;
-  const auto answer = solve(problem_.task, problem_.requirements, options);
+  const auto at_once = most == 1 ? task().best_at_once(requirements_, options.objective) : std::nullopt;
+  const auto answer = at_once ? Result<Answer>(*task().answer_at(*at_once, requirements_.respect_direction))
+                              : solve(problem_.task, problem_.requirements, options);
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("linkages");

@@ -4,9 +4,12 @@
 #include <array>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/region/best_cells.hpp"
+#include "linkwright/region/requirement_filter.hpp"
 #include "reply_json.hpp"
 #include "straight_line/line_candidate.hpp"
 #include "straight_line_reply.hpp"
+#include "synthesis/searched_lines.hpp"
 #include "synthesis/straight_line_answer.hpp"
 
 namespace linkwright::wasm {
@@ -103,6 +106,28 @@ std::optional<MapPoint> StraightLineSession::improved(MapPoint place, const Requ
 }
 
 int StraightLineSession::samples_for_best() const { return samples_of_the_map; }
+
+std::optional<MapPoint> StraightLineSession::best_at_once(const Requirements& wanted, Objective objective) const {
+  constexpr int samples = 80;
+  constexpr std::size_t tops = 8;
+  RegionMap map;
+  family_->classify(map, family_->samples(Side::input, samples, Spacing::coordinate),
+                    family_->samples(Side::output, samples, Spacing::coordinate), wanted.respect_direction);
+  const LineEvaluator evaluator(*family_, wanted, objective);
+  std::optional<LineCandidate> best;
+  for (const RankedCell& cell : hill_tops(map, filter_of(*family_, map, wanted), objective, tops)) {
+    const auto found =
+        evaluator.candidate({map.input_coordinates()[cell.row], map.output_coordinates()[cell.column]});
+    if (found && (!best || found->score > best->score)) best = found;
+  }
+  if (!best) return std::nullopt;
+  const MapPoint top = improved_place(evaluator, best->place).value_or(best->place);
+  for (const MapPoint place : {top, best->place}) {
+    const auto made = make_straight_line(*family_, place);
+    if (made && is_confirmed(*made)) return place;
+  }
+  return std::nullopt;
+}
 
 std::optional<Answer> StraightLineSession::answer_at(MapPoint place, bool /*respect_direction*/) const {
   auto found = make_straight_line(*family_, place);

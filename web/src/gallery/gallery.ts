@@ -15,6 +15,11 @@ import lift_platform from "../../../examples/lift_platform.json?raw";
 import log_generator from "../../../examples/log_generator.json?raw";
 import nose_gear from "../../../examples/nose_gear.json?raw";
 import sine_generator from "../../../examples/sine_generator.json?raw";
+import straight_indicator from "../../../examples/straight_indicator.json?raw";
+import straight_luffing_crane from "../../../examples/straight_luffing_crane.json?raw";
+import straight_stage from "../../../examples/straight_stage.json?raw";
+import straight_walking_leg from "../../../examples/straight_walking_leg.json?raw";
+import straight_watt_suspension from "../../../examples/straight_watt_suspension.json?raw";
 import tailgate from "../../../examples/tailgate.json?raw";
 import transfer_arm from "../../../examples/transfer_arm.json?raw";
 import universal_joint_like from "../../../examples/universal_joint_like.json?raw";
@@ -47,6 +52,11 @@ const files = {
   transfer_arm,
   sine_generator,
   log_generator,
+  straight_luffing_crane,
+  straight_indicator,
+  straight_walking_leg,
+  straight_watt_suspension,
+  straight_stage,
   wrist_orthosis,
   antenna_pointing,
   ankle_orthosis,
