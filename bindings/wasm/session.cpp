@@ -132,7 +132,8 @@ ExploreReply Session::explore(const ExploreRequest& request) {
 LinkageReply Session::linkage(double input_tau, double output_tau) {
   if (!family()) return {};
   // By the map's own kernel, so that the card and the cell agree to the last bit.
-  const std::uint8_t fails = failures(cell_, std::array{input_tau}, std::array{output_tau}).front();
+  std::uint8_t fails = failures(cell_, std::array{input_tau}, std::array{output_tau}).front();
+  if (fails != 0 && task().meets_exactly({input_tau, output_tau}, requirements_)) fails = 0;
   return task().linkage({input_tau, output_tau}, fails, requirements_.respect_direction);
 }
 

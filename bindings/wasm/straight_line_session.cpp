@@ -90,6 +90,10 @@ LinkageReply StraightLineSession::linkage(MapPoint place, std::uint8_t fails, bo
   return straight_line_reply(*family_, make_straight_line(*family_, place), place, fails);
 }
 
+bool StraightLineSession::meets_exactly(MapPoint place, const Requirements& wanted) const {
+  return LineEvaluator(*family_, wanted, Objective::stroke).candidate(place).has_value();
+}
+
 Verification StraightLineSession::verify(MapPoint place, bool /*respect_direction*/) const {
   const auto found = make_straight_line(*family_, place);
   return found ? Verification{found->verified_by_driving, found->residual} : Verification{};
@@ -108,7 +112,7 @@ std::optional<MapPoint> StraightLineSession::improved(MapPoint place, const Requ
 int StraightLineSession::samples_for_best() const { return samples_of_the_map; }
 
 std::optional<MapPoint> StraightLineSession::best_at_once(const Requirements& wanted, Objective objective) const {
-  constexpr int samples = 80;
+  constexpr int samples = 150;
   constexpr std::size_t tops = 8;
   RegionMap map;
   family_->classify(map, family_->samples(Side::input, samples, Spacing::coordinate),

@@ -79,6 +79,8 @@ class TaskSession {
   virtual bool measure(EvaluatedMap& /*map*/, std::string_view /*property*/) const { return false; }
 
   [[nodiscard]] virtual LinkageReply linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const = 0;
+  /// Where the cells of the map are estimated: measured exactly the linkage meets what is required.
+  [[nodiscard]] virtual bool meets_exactly(MapPoint /*place*/, const Requirements& /*wanted*/) const { return false; }
   [[nodiscard]] virtual Verification verify(MapPoint place, bool respect_direction) const = 0;
   /// The path of a point of the moving body (as it lies in position 1), x and y by turns.
   [[nodiscard]] virtual std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const = 0;

@@ -38,7 +38,7 @@ void refuse(const JsonObject& task, std::string_view kind, std::string_view mech
   if (!has(&TaskForm::mechanism, mechanism)) return not_available(task, "mechanism", mechanism);
   const std::string wanted = fmt::format("{} by a {}", kind, mechanism);
   task.find("mechanism")
-      ->mistake("no_such_pair", fmt::format("{} is not available in this version; {}", wanted, what_is_available),
+      ->mistake("no_such_task", fmt::format("{} is not available in this version; {}", wanted, what_is_available),
                 {{"wanted", wanted}});
 }
 

@@ -58,7 +58,15 @@ describe("the frame", () => {
   const frame = files.filter((file) => !kinds.some((kind) => file.startsWith(`tasks/${kind}/`)));
 
   it("has kinds of tasks to know nothing of", () =>
-    expect(kinds).toEqual(["attitude", "function", "motion", "six_bar", "spherical", "spherical_function"]));
+    expect(kinds).toEqual([
+      "attitude",
+      "function",
+      "motion",
+      "six_bar",
+      "spherical",
+      "spherical_function",
+      "straight_line",
+    ]));
   it.each(frame)("names none in %s", (file) => {
     const named = texts
       .get(file)!

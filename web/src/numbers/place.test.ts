@@ -47,6 +47,10 @@ describe("a place on the map", () => {
       "β₁ 356.4°",
       "β₁ 90.0°",
     ]);
+    const rays = axis("link_ray", (share) => 180 * share - 90),
+      lengths = axis("pole_height", (share) => 400 * share);
+    expect(place_text(rays, "output", 0.5)).toBe("ψ₂ 0.0°");
+    expect(place_text(lengths, "input", 0.25)).toBe("hP 100");
     expect([0, 0.54, 0.98].map((tau) => place_text(scales, "output", tau))).toEqual(["×0.5", "×1.06", "×1.95"]);
   });
 });

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {Axis} from "../engine/protocol";
-import {axis_bars, axis_numbers} from "./axis_marks";
+import {axis_bars, axis_numbers, has_layers} from "./axis_marks";
 import {make_scale} from "./scale";
 import {spherical_kind} from "../tasks/spherical/kind";
 
@@ -78,6 +78,24 @@ describe("an axis with numbers", () => {
         as_it_is,
       )[0]!.text,
     ).toBe("");
+  });
+  it("says what the linkages of a layer are", () => {
+    const layers: Axis = {
+      ...directions,
+      quantity: "link_ray",
+      branches: [
+        {name: "AB", from: 0, to: 1},
+        {name: "AD", from: 1, to: 2},
+      ],
+    };
+    const scale = make_scale(directions.blocks, [0, 1], 404);
+    expect(axis_bars(layers, "input", scale, "mm", as_it_is).map(({text}) => text)).toEqual([
+      "Ray ψ₁ ° · links A, B",
+      "Ray ψ₁ ° · links A, D",
+    ]);
+    expect(has_layers(layers)).toBe(true);
+    expect(has_layers(directions)).toBe(false);
+    expect(axis_numbers(layers, scale)[1]!.text).toMatch(/°$/);
   });
   it("calls its branches as the kind of task does, and explains only what is called as in the frame", () => {
     const axis: Axis = {...directions, quantity: "curve_coordinate", ticks: null};

@@ -39,6 +39,11 @@ describe("sheets", () => {
   it("are none of a curve, and up to eight where the angle is one of lines", () => {
     expect(sheets_of(task(axis("odd", "oval"), axis("odd", "oval")), map)).toEqual([]);
     expect(sheets_of(task(axis("sheet_1", "sheet_2"), axis("range")), map)).toEqual([]);
+    expect(sheets_of(task(axis("AB", "AD", "BD"), axis("link_ray")), map).map(({name}) => name)).toEqual([
+      "I",
+      "II",
+      "III",
+    ]);
     const eight = sheets_of(
       task(axis("sheet_1", "sheet_2"), axis("sheet_1", "sheet_2", "sheet_1_opposite", "sheet_2_opposite")),
       null,

@@ -43,6 +43,11 @@ const chain = (d: string) =>
   `{"linkwright": 1, "task": {"kind": "motion", "mechanism": "six_bar", "added": ["0-2", "0-3"],
     "poses": [${poses(4)}], "chain": {"a": [0, 0], "b": [1, 5], "d": ${d}}}}`;
 const lengths = (members: string) => `${motion(`${poses(4)}]`).slice(0, -1)}, "requirements": {${members}}}`;
+const line = (of: string, members: string, rest = "") =>
+  `{"linkwright": 1, "task": {"kind": "straight_line", "mechanism": "four_bar", "case": "${of}",
+    "line": {"point": [0, 0], "direction_deg": 0}, ${members}}${rest}}`;
+const contacts = (list: string) => line("mixed", `"input_pivot": [-1, -1], "contacts": [${list}]`);
+const pivots = (output: string) => `"ground_pivots": {"input": [0, -1], "output": ${output}}`;
 const further = {
   "a list without a comma": "[1 2]",
   "a list without a first value": "[, 1]",
@@ -67,6 +72,28 @@ const further = {
   "a cone about a vector without end": lengths('"fixed_axes_within": {"axis": [0, 0, 1e13], "half_angle_deg": 9}'),
   "a type and a requirement of the sphere": lengths('"types": ["triple_rocker"], "min_link_angle_deg": 9'),
   "an objective of the sphere": `${motion(`${poses(4)}]`).slice(0, -1)}, "options": {"objective": "link_angle"}}`,
+  "a kind that there is not": motion("]").replace('"motion"', '"path"'),
+  "a case without its pivots": line("four_point_pivots", '"pole_distance": 1'),
+  "a case without contacts": line("mixed", '"input_pivot": [0, 1]'),
+  "a line without a case": line("mixed", "").replace('"case": "mixed",', "").replace(", }", "}"),
+  "the same pivot twice": line("four_point_pivots", pivots("[0, -1]")),
+  "a pole on the line": line("pole_at_fixed_pivot", `${pivots("[1, 0]")}, "output_arm": 1`),
+  "an output link without length": line("pole_at_fixed_pivot", '"pole_distance": 1, "output_arm": 0'),
+  "a pole at the point": line("five_point", '"pole_distance": 0, "point_ray_deg": 90'),
+  "a cubic of no size": line("four_point_cubic", '"pole_distance": 1, "point_ray_deg": 60, "cubic_n": 0'),
+  "a pivot at the point": line("ball_point_on_side_link", '"input_pivot": [0, 0]'),
+  "a frame without length": line("isosceles_trapezoid", '"half_frame": 0'),
+  "a coupler without length": line("parallel_side_links", '"input_offset": 1, "output_offset": 1'),
+  "contacts that are none": contacts('{"s": 1, "multiplicity": 5, "side": 2}, {"s": 0, "multiplicity": 1}'),
+  "a hundred and one contacts": contacts(Array.from({length: 101}, (_, i) => `{"s": ${i}}`).join(", ")),
+  "a lambda without a stroke": line("symmetric_lambda", '"stroke": 0, "crank_range_deg": 300'),
+  "limits of a line below zero": line(
+    "six_point",
+    '"pole_distance": 1',
+    ', "requirements": {"min_stroke": -1, "max_deviation": 0}',
+  ),
+  "a strip without width": line("six_point", '"pole_distance": 1', ', "options": {"deviation": 0}'),
+  "a strip beside no line": `${motion(`${poses(4)}]`).slice(0, -1)}, "options": {"deviation": 1}}`,
   "a shortest link longer than the longest": lengths('"min_length": 5, "max_length": 4'),
 };
 const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name, text}))];

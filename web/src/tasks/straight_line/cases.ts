@@ -181,7 +181,7 @@ function rounded_point([x, y]: Point): Point {
 const beginnings: Record<NumberName, (size: number) => number | null> = {
   pole_distance: (size) => size,
   point_ray_deg: () => 60,
-  cubic_n: () => null,
+  cubic_n: (size) => rounded(1.5 * size), // were it infinite, the fixed pivots would be
   half_frame: (size) => rounded(size / 2),
   output_arm: (size) => rounded(size / 2),
   input_offset: (size) => rounded(-size / 2),
