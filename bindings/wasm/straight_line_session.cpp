@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/region/best_cells.hpp"
@@ -15,7 +16,7 @@
 namespace linkwright::wasm {
 namespace {
 
-constexpr int samples_of_the_map = 200;  // to each layer: every cell's path is traced
+constexpr int samples_of_the_map = 200;  // the path of every cell is traced
 
 ShownAxis shown_line_axis(const StraightLineFamily& family, Side side) {
   ShownAxis shown;
@@ -77,11 +78,12 @@ ShownAxes StraightLineSession::axes(const ExploreRequest& /*request*/, Spacing /
 
 std::vector<double> StraightLineSession::coordinates(const ExploreRequest& request, const ShownAxis& axis,
                                                      Side side) const {
-  const int samples = map_samples(request.samples);
+  // All layers together have about as many cells as one that is looked at alone.
+  const int layers = request.input == ExploreRequest::whole ? family_->layers() : 1;
+  const int samples = static_cast<int>(std::lround(map_samples(request.samples) / std::sqrt(layers)));
   if (axis.axis.is_discrete()) return family_->samples(side, samples, Spacing::coordinate);
   const auto& [from, to] = side == Side::input ? request.input : request.output;
-  const bool all_layers = side == Side::input && from == ExploreRequest::whole[0] && to == ExploreRequest::whole[1];
-  return axis.order.samples(all_layers ? samples * family_->layers() : samples, from, to);
+  return axis.order.samples(side == Side::input ? samples * layers : samples, from, to);
 }
 
 int StraightLineSession::map_samples(int asked) const { return std::min(asked, samples_of_the_map); }

@@ -98,5 +98,5 @@ describe.each(examples.filter(({name}) => name.startsWith("straight_")))("$name"
 it("has a layer to each linkage of a place", () => {
   const {task, map} = explore(examples.find(({name}) => name === "straight_stage")!.problem, 40);
   expect(task.axes.input.branches.map(({name}) => name)).toEqual(["AB", "AD", "BD"]);
-  expect([map!.rows, map!.columns]).toEqual([120, 40]);
+  expect([map!.rows, map!.columns]).toEqual([69, 23]);
 });

@@ -3,6 +3,7 @@ import type {Linkage, Point} from "../../engine/protocol";
 import type {Body, Figure, Joint} from "../../figure/figure";
 import {four_bar} from "../../figure/four_bar";
 import {in_plane, type Mechanism} from "../../figure/mechanism";
+import {row_state} from "../../state/drive";
 import {t} from "../../texts/texts.svelte";
 import type {StraightLine} from "./replies";
 
@@ -25,6 +26,14 @@ function point_of({straight_line: line}: Linkage): Point | null {
   return line?.point ?? null;
 }
 
+/** The point, and where it gets to while it runs straight. */
+function stretch_of({straight_line: line, drive}: Linkage): Point[] {
+  if (!line) return [];
+  const [first, last] = drive?.task ?? [-1, -1];
+  const ends = drive && first >= 0 && last >= 0 ? [first, last].map((row) => row_state(drive, row)) : [];
+  return [line.point, ...ends.map(({x, y}): Point => [x, y])];
+}
+
 export const tracing_four_bar: Mechanism = {
   ...four_bar,
   guides_a_point: true,
@@ -34,7 +43,7 @@ export const tracing_four_bar: Mechanism = {
     return {...four_bar.still(linkage, poses, stage), pose: {x, y, theta_deg: 0}};
   },
   figure: (linkage, now) => with_point(four_bar.figure(linkage, now), point_of(linkage) && [now.pose.x, now.pose.y]),
-  pivots: (linkage) => [...four_bar.pivots(linkage), ...(linkage.straight_line ? [linkage.straight_line.point] : [])],
+  pivots: (linkage) => [...four_bar.pivots(linkage), ...stretch_of(linkage)],
   sketch(pivots) {
     const point = in_plane(pivots[4]);
     return with_point(four_bar.sketch(pivots.slice(0, 4)), point);
