@@ -1,6 +1,7 @@
 #pragma once
 
 #include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/mechanism/pose.hpp"
 
 namespace linkwright {
 
