@@ -2,6 +2,7 @@ import {describe, expect, it} from "vitest";
 import type {Axis, Point} from "../../engine/protocol";
 import {range_of, window_of} from "./axes";
 import {along_line, beside, form_of, forms, size_of, with_form} from "./cases";
+import {pattern_of_contacts, patterns, with_pattern} from "./contacts";
 import {straight_line_kind} from "./kind";
 import type {StraightLineTask} from "./task";
 
@@ -51,6 +52,23 @@ describe("the cases of a straight line", () => {
     expect(straight_line_kind.read({...given, case: "none"})).toBeNull();
     expect(straight_line_kind.read({...given, line: {point: [0, 0]}})).toBeNull();
   });
+});
+
+it("lays contacts in every pattern of four points", () => {
+  const contacts = [
+    {s: 0, multiplicity: 1},
+    {s: 10, multiplicity: 1, side: -1},
+    {s: 35, multiplicity: 1},
+    {s: 60, multiplicity: 1},
+  ];
+  for (const pattern of patterns) {
+    const laid = with_pattern(contacts, pattern);
+    expect(pattern_of_contacts(laid)).toBe(pattern);
+    expect([laid[0]!.s, laid.at(-1)!.s]).toEqual([0, 60]);
+    expect(laid.reduce((sum, {multiplicity}) => sum + multiplicity, 0)).toBe(4);
+  }
+  expect(with_pattern(contacts, "P-P-P-P")).toEqual(contacts);
+  expect(with_pattern(contacts, "P-PP-P").map(({s}) => s)).toEqual([0, 30, 60]);
 });
 
 describe("a line", () => {

@@ -7,6 +7,7 @@ import {t} from "../../texts/texts.svelte";
 import type {NamedJoint, NamedLength, PropertyDescription, RequirementDescription, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
 import {beside, form_name, form_of, forms, size_of} from "./cases";
+import {pattern_of_contacts} from "./contacts";
 import {case_names, is_straight_line, type Contact, type GivenNumbers, type Line, type StraightLineTask} from "./task";
 
 const most_contacts = 4;
@@ -57,8 +58,7 @@ function given_points({ground_pivots, input_pivot}: StraightLineTask): Point[] {
 /** Multiplicities of the contacts, each as a row of P. */
 function pattern(task: StraightLineTask): string {
   const {contacts} = task;
-  if (form_of(task).contacts && contacts?.length)
-    return contacts.map(({multiplicity}) => "P".repeat(Math.min(Math.max(multiplicity, 1), 9))).join("-");
+  if (form_of(task).contacts && contacts?.length) return pattern_of_contacts(contacts);
   return "P".repeat(form_of(task).contact);
 }
 function moved(task: StraightLineTask, point: (p: Point) => Point): StraightLineTask {
