@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "files/straight_line/straight_line_kind.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/requirement_filter.hpp"
@@ -16,7 +17,7 @@
 namespace linkwright::wasm {
 namespace {
 
-constexpr int samples_of_line_map = 200;  // the path of every cell is traced
+constexpr int samples_of_the_map = 200;  // the path of every cell is traced
 
 ShownAxis shown_line_axis(const StraightLineFamily& family, Side side) {
   ShownAxis shown;
@@ -26,14 +27,51 @@ ShownAxis shown_line_axis(const StraightLineFamily& family, Side side) {
   return shown;
 }
 
+// A linkage on the map of a family of its own, which is wide enough for it.
+struct OnItsMap {
+  MapPoint place;
+  std::optional<MapWindow> window;
+};
+OnItsMap on_its_map(const StraightLineSolution& found, const LineMeasuring& measuring) {
+  const StraightLineFamily usual(found.task, measuring);
+  if (const auto place = usual.point_of(found.place)) return {*place, {}};
+  constexpr double beyond = 0.1;
+  MapWindow window{usual.range(Side::input), usual.range(Side::output)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    auto& [low, high] = i == 0 ? window.input : window.output;
+    const double at = found.place.at[i], more = beyond * std::abs(at);
+    low = std::min(low, at - more);
+    high = std::max(high, at + more);
+  }
+  return {StraightLineFamily(found.task, measuring, window).point_of(found.place).value_or(MapPoint{}), window};
+}
+
+void write_its_map(JsonWriter& json, const StraightLineSolution& found, const OnItsMap& map) {
+  json.key("straight_line");
+  json.begin_object();
+  json.key("task");
+  json.begin_object();
+  write_of_kind(json, found.task);
+  json.end_object();
+  json.key("window");
+  if (map.window) {
+    json.begin_list(JsonWriter::Layout::one_line);
+    write_numbers(json, map.window->input);
+    write_numbers(json, map.window->output);
+    json.end_list();
+  } else {
+    json.null();
+  }
+  json.end_object();
+}
+
 }  // namespace
 
 StraightLineSession::StraightLineSession(const StraightLineTask& task, const SynthesisOptions& options)
-    : task_(task),
-      measuring_(options.line),
-      window_(options.window),
-      family_(std::make_shared<StraightLineFamily>(task_, measuring_, window_)),
-      nothing_(no_straight_line(task_)) {}
+    : task_(task), measuring_(options.line), window_(options.window), nothing_(no_straight_line(task_)) {
+  if (!std::holds_alternative<straight_cases::Search>(task_.given))
+    family_ = std::make_shared<StraightLineFamily>(task_, measuring_, window_);
+}
 
 bool StraightLineSession::serves(const Problem& problem) const {
   const auto* line = std::get_if<StraightLineTask>(&problem.task);
@@ -56,7 +94,7 @@ TaskReply StraightLineSession::about() const {
 
 Drawn StraightLineSession::drawn() const {
   Drawn drawn{{}, DrawnCurves{}};
-  if (!family_->axis(Side::input).is_discrete()) return drawn;
+  if (!family_ || !family_->axis(Side::input).is_discrete()) return drawn;
   std::vector<Dyad> input, output;
   for (int layer = 0; layer < family_->layers(); ++layer) {
     const LineDesign design = family_->design({static_cast<double>(layer), 0});
@@ -73,6 +111,7 @@ Drawn StraightLineSession::drawn() const {
 
 ShownAxes StraightLineSession::axes(const ExploreRequest& /*request*/, Spacing /*spacing*/,
                                     const ShownAxes* /*shown*/) const {
+  if (!family_) return {};
   return {shown_line_axis(*family_, Side::input), shown_line_axis(*family_, Side::output), false};
 }
 
@@ -86,7 +125,11 @@ std::vector<double> StraightLineSession::coordinates(const ExploreRequest& reque
   return axis.order.samples(side == Side::input ? samples * layers : samples, from, to);
 }
 
-int StraightLineSession::map_samples(int asked) const { return std::min(asked, samples_of_line_map); }
+std::optional<StraightLineSolution> StraightLineSession::at(MapPoint place) const {
+  return family_ ? make_straight_line(*family_, place) : std::nullopt;
+}
+
+int StraightLineSession::map_samples(int asked) const { return std::min(asked, samples_of_the_map); }
 
 LinkageReply StraightLineSession::linkage(MapPoint place, std::uint8_t fails, bool /*respect_direction*/) const {
   return straight_line_reply(*family_, make_straight_line(*family_, place), place, fails);
@@ -97,23 +140,24 @@ bool StraightLineSession::meets_exactly(MapPoint place, const Requirements& want
 }
 
 Verification StraightLineSession::verify(MapPoint place, bool /*respect_direction*/) const {
-  const auto found = make_straight_line(*family_, place);
+  const auto found = at(place);
   return found ? Verification{found->verified_by_driving, found->residual} : Verification{};
 }
 
 std::vector<double> StraightLineSession::trace(MapPoint place, Point traced, bool /*respect_direction*/) const {
-  const auto found = make_straight_line(*family_, place);
+  const auto found = at(place);
   return found ? straight_line_trace(*family_, *found, traced) : std::vector<double>{};
 }
 
 std::optional<MapPoint> StraightLineSession::improved(MapPoint place, const Requirements& wanted,
                                                       Objective objective) const {
-  return improved_place(LineEvaluator(*family_, wanted, objective), place);
+  return family_ ? improved_place(LineEvaluator(*family_, wanted, objective), place) : std::nullopt;
 }
 
-int StraightLineSession::samples_for_best() const { return samples_of_line_map; }
+int StraightLineSession::samples_for_best() const { return samples_of_the_map; }
 
 std::optional<MapPoint> StraightLineSession::best_at_once(const Requirements& wanted, Objective objective) const {
+  if (!family_) return std::nullopt;
   constexpr int samples = 150;
   constexpr std::size_t tops = 8;
   RegionMap map;
@@ -136,7 +180,7 @@ std::optional<MapPoint> StraightLineSession::best_at_once(const Requirements& wa
 }
 
 std::optional<Answer> StraightLineSession::answer_at(MapPoint place, bool /*respect_direction*/) const {
-  auto found = make_straight_line(*family_, place);
+  auto found = at(place);
   if (!found) return std::nullopt;
   StraightLineAnswer answer;
   answer.task = task_;
@@ -149,7 +193,8 @@ std::optional<Answer> StraightLineSession::answer_at(MapPoint place, bool /*resp
 
 void write_best_linkages(JsonWriter& json, const StraightLineAnswer& answer) {
   for (const StraightLineSolution& found : answer.linkages) {
-    const MapPoint place = answer.point_of(found);
+    const OnItsMap own = answer.search ? on_its_map(found, answer.options.line) : OnItsMap{answer.point_of(found), {}};
+    const MapPoint place = own.place;
     const UsableLine& usable = found.counted(answer.options.line.measure);
     const StrokeReport& over = found.over_usable;
     json.begin_object(JsonWriter::Layout::one_line);
@@ -165,6 +210,7 @@ void write_best_linkages(JsonWriter& json, const StraightLineAnswer& answer) {
     json.member("deviation", found.stroke ? found.stroke->max_deviation : over.max_deviation);
     json.key("velocity_nonuniformity");
     over.drive ? json.value(over.drive->nonuniformity(usable.length())) : json.null();
+    if (answer.search) write_its_map(json, found, own);
     json.key("pivots");
     const FourBar& bars = found.linkage.bars;
     write_points(json, std::array{bars.input_center, bars.input_circle, bars.output_center, bars.output_circle,

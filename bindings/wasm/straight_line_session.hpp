@@ -7,7 +7,8 @@
 
 namespace linkwright::wasm {
 
-/// Linkages with a point that runs straight: the map of a case, its layers one after the other along the input's axis.
+/// Linkages with a point that runs straight: the map of a case, its layers one after the other along the input's axis;
+/// a search over all cases has none.
 class StraightLineSession final : public TaskSession {
  public:
   StraightLineSession(const StraightLineTask& task, const SynthesisOptions& options);
@@ -38,10 +39,12 @@ class StraightLineSession final : public TaskSession {
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const override;
 
  private:
+  [[nodiscard]] std::optional<StraightLineSolution> at(MapPoint place) const;
+
   StraightLineTask task_;
   LineMeasuring measuring_;
   std::optional<MapWindow> window_;
-  std::shared_ptr<const StraightLineFamily> family_;
+  std::shared_ptr<const StraightLineFamily> family_;  ///< none of a search
   Notice nothing_;
 };
 

@@ -1,9 +1,8 @@
-// Looks for a chain, in an engine of its own: the page goes on. Rounds of more and more chains, each beginning with those
-// of the round before, so that what was found is there when the search is stopped, and the last is the program's answer.
-import {Crashed, Refusal, type EngineClient} from "../../engine/client";
-import type {Box, Linkage, Ranked, TauPair, Tidings} from "../../engine/protocol";
+// Looks for a chain, in rounds of more and more chains.
+import type {Box, Linkage, Ranked, TauPair} from "../../engine/protocol";
 import type {Chain, SixBarTask} from "./task";
 import {engine_text, with_options, type Problem} from "../../state/problem";
+import {RoundSearch} from "../../state/round_search.svelte";
 import {same_value, type Pose} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
 import {default_box, six_bar_task, with_six_bar} from "./chain";
@@ -22,10 +21,6 @@ export interface Found {
   longest: number;
   added: SixBarTask["added"];
   linkage: Linkage | null;
-}
-
-function sum(numbers: readonly number[]): number {
-  return numbers.reduce((total, number) => total + number, 0);
 }
 
 export function box_of_search(problem: Problem): Box {
@@ -49,59 +44,25 @@ function plain({elbow, ...chain}: Chain): Chain {
   return elbow?.some((sign) => sign !== 0) ? {...chain, elbow} : chain;
 }
 
-export class ChainSearch {
+export class ChainSearch extends RoundSearch {
   private found = $state.raw<readonly Found[]>([]);
   /** The positions through which they go. */
   private poses = $state.raw<readonly Pose[]>([]);
-  running = $state(false);
-  /** Chains tried, of all that are to be tried. */
-  tried = $state(0);
-  to_try = $state(0);
-  seconds = $state(0);
-  /** How the last one ended. */
-  end = $state.raw<"done" | "stopped" | "failed" | null>(null);
-  private client: EngineClient | null = null;
-  private timer: ReturnType<typeof setInterval> | undefined;
-
-  constructor(private readonly workbench: Workbench) {}
 
   async start(): Promise<void> {
-    const {problem, start_engine} = this.workbench,
+    const {problem} = this.workbench,
       task = six_bar_task(problem);
-    if (this.running || !start_engine || !task) return;
-    this.begin(task, rounds_of(problem));
-    const client = (this.client = start_engine());
-    try {
-      await this.search(client, problem, task);
-      if (this.client === client) this.stop("done");
-    } catch (error) {
-      if (this.client !== client) return; // stopped
-      this.stop("failed");
-      if (error instanceof Crashed) return;
-      if (!(error instanceof Refusal)) throw error;
-      this.workbench.say("six_bar.refused", {reason: error.message});
-    }
-  }
-  private begin({poses}: SixBarTask, rounds: readonly number[]): void {
-    const begin = performance.now();
+    if (this.running || !task) return;
     this.found = [];
-    this.poses = poses;
-    [this.running, this.seconds, this.tried, this.to_try, this.end] = [true, 0, 0, sum(rounds), null];
-    this.timer = setInterval(() => (this.seconds = Math.round((performance.now() - begin) / 1000)), 250);
-  }
-  private async search(client: EngineClient, problem: Problem, {added}: SixBarTask): Promise<void> {
-    const chains = rounds_of(problem),
-      rounds = chains.map((of_round) => engine_text(round_of(problem, of_round)));
-    let drawn = Promise.resolve();
-    const progress = (tidings: Tidings["search"]) => {
-      if (this.client !== client) return;
-      this.take_round(tidings.found.linkages, added);
-      this.tried = sum(chains.slice(0, tidings.rounds));
-      drawn = drawn.then(() => this.fetch_linkages(problem));
-      if (!this.is_for(this.workbench.problem)) this.stop();
-    };
-    await client.run({kind: "search", rounds, most: problem.options?.best ?? defaults.options.best}, {progress});
-    await drawn;
+    this.poses = task.poses;
+    await this.look({
+      rounds: rounds_of(problem).map((chains) => ({problem: engine_text(round_of(problem, chains)), tries: chains})),
+      most: problem.options?.best ?? defaults.options.best,
+      take: (entries) => this.take_round(entries, task.added),
+      fetch: () => this.fetch_linkages(problem),
+      is_wanted: () => this.is_for(this.workbench.problem),
+      refused: "six_bar.refused",
+    });
   }
   /** Whether it goes, or went, through the positions of this problem. */
   is_for(problem: Problem): boolean {
@@ -110,15 +71,6 @@ export class ChainSearch {
   /** A chain that was found for other positions does not reach these. */
   found_for(problem: Problem): readonly Found[] {
     return this.is_for(problem) ? this.found : [];
-  }
-  /** What was found so far is kept. */
-  stop(end: "done" | "stopped" | "failed" = "stopped"): void {
-    clearInterval(this.timer);
-    const {client} = this;
-    this.client = null;
-    this.running = false;
-    this.end = end;
-    client?.close();
   }
   /** What a round before has found as well keeps its linkage. */
   private take_round(entries: readonly Ranked[], added: SixBarTask["added"]): void {
