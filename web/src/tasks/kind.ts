@@ -9,7 +9,7 @@ import type {TextKey} from "../texts/texts.svelte";
 
 /** Why the engine is not asked yet: `state` for the page, a sentence with {n} for people. */
 export interface Incomplete {
-  state: "empty" | "too_few" | "too_many" | "no_given" | "no_chain";
+  state: "empty" | "too_few" | "too_many" | "no_given" | "no_chain" | "to_be_sought";
   text: TextKey;
   n: number;
 }

@@ -43,7 +43,7 @@ describe("kinds of tasks", () => {
   it.each(beginnings)("begin with what is read again: $id", ({kind, problem}) => {
     expect(kind_of(problem.task)).toBe(kind);
     expect(read_problem(JSON.parse(JSON.stringify(problem)))).toEqual(problem);
-    expect(["not_available", undefined]).toContain(incompleteness(problem)?.state);
+    expect(["not_available", "to_be_sought", undefined]).toContain(incompleteness(problem)?.state);
     if (has_linkages(problem.task)) {
       expect(anchors_of(problem.task).length).toBeGreaterThanOrEqual(2);
       expect(extent_of(problem.task)).toBeGreaterThan(1);

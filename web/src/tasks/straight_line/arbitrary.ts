@@ -28,6 +28,7 @@ export const arbitrary_task = record<StraightLineTask>(
     output_offset: number(),
     coupler_angle_deg: number(),
     stroke: number(),
+    deviation: number(),
     crank_range_deg: fc.oneof(fc.constant(null), number()),
   },
 );

@@ -21,8 +21,8 @@ export interface Form {
   contacts?: true;
   /** The line's point is where the coupler's point is, not just any point of the line. */
   at_point: boolean;
-  /** Of path and line, at one place. */
-  contact: 4 | 5 | 6;
+  /** Of path and line, at one place; 0: whatever does it. */
+  contact: 0 | 4 | 5 | 6;
 }
 
 const distance: GivenNumber = {name: "pole_distance", symbol: "c", quantity: "length"},
@@ -37,6 +37,16 @@ const cubic_n: GivenNumber = {
 const of_point = {pivots: null, at_point: true} as const;
 
 export const forms: readonly Form[] = [
+  {
+    id: "search",
+    case: "search",
+    ...of_point,
+    numbers: [
+      {name: "stroke", symbol: "S", quantity: "length", low: 0},
+      {name: "deviation", symbol: "δ", quantity: "length", low: 0},
+    ],
+    contact: 0,
+  },
   {
     id: "four_point_pivots",
     case: "four_point_pivots",
@@ -126,7 +136,7 @@ export const forms: readonly Form[] = [
 
 export function form_of(task: Pick<StraightLineTask, "case" | "ground_pivots">): Form {
   const id = task.case === "pole_at_fixed_pivot" && task.ground_pivots ? "pole_at_given_pivot" : task.case;
-  return forms.find((form) => form.id === id) ?? forms[0]!;
+  return forms.find((form) => form.id === id) ?? forms[1]!;
 }
 export function form_name(id: Form["id"]): TextKey {
   return `straight.case.${id}`;
@@ -188,6 +198,7 @@ const beginnings: Record<NumberName, (size: number) => number | null> = {
   output_offset: (size) => rounded(size / 2),
   coupler_angle_deg: () => 0,
   stroke: (size) => size,
+  deviation: (size) => rounded(size / 2000),
   crank_range_deg: () => null,
 };
 

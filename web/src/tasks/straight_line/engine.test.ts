@@ -38,43 +38,46 @@ function best_cell(map: MapAnswer): TauPair | null {
   return best < 0 ? null : [map.input_tau[Math.floor(best / map.columns)]!, map.output_tau[best % map.columns]!];
 }
 
-const [begun] = straight_line_kind.beginnings,
+const [, begun] = straight_line_kind.beginnings,
   start = {...begun!.make(), requirements: {max_length: null}};
-describe.each(forms.map((form) => ({id: form.id, form})))("the case $id", ({form}) => {
-  const begun = with_form(start.task as StraightLineTask, form),
-    // Where the pole is a given pivot few others go with it.
-    near = form.id === "pole_at_given_pivot" ? {ground_pivots: {input: [100, 0], output: [75, 30]} as const} : {};
-  const problem = with_task(start, {...begun, ...near});
-  it("has linkages whose points run as the map says", () => {
-    const {task, map} = explore(problem);
-    expect(task.status).toBe("solved");
-    const tau = best_cell(map!)!,
-      {linkage} = ask("linkage", {problem: engine_text(problem), tau}),
-      line = linkage.straight_line!;
-    expect(linkage.fails).toBe(0);
-    expect(line.case).toBe(form.case);
-    if (!form.contacts && form.id !== "symmetric_lambda")
-      expect(line.contact_points).toBeGreaterThanOrEqual(form.contact);
-    // By the drive's table the point is where the profile has it.
-    const {drive} = linkage,
-      [first, last] = drive!.task,
-      direction = (problem.task as StraightLineTask).line.direction_deg;
-    expect(drive!.ticks.length).toBeGreaterThanOrEqual(2);
-    if (first < 0 || last < 0) return; // through a dead point of the input
-    const ends = [first, last].map((row) => row_state(drive!, row).input_deg),
-      usable = counted(linkage, problem)!;
-    if (!form.contacts) {
-      const places = ends.map((angle) => driven_place(drive!, line, direction, angle));
-      expect(places[0]![0]).toBeCloseTo(usable.from_s, 4);
-      expect(places[1]![0]).toBeCloseTo(usable.to_s, 4);
-    }
-    const middle = (ends[0]! + ends[1]!) / 2,
-      [s, e] = driven_place(drive!, line, direction, middle),
-      told = place_at(line, middle)!;
-    expect(Math.abs(told[0] - s)).toBeLessThan(0.01 * usable.length);
-    expect(Math.abs(told[1] - e)).toBeLessThan(0.1 * line.deviation);
-  });
-});
+describe.each(forms.filter(({id}) => id !== "search").map((form) => ({id: form.id, form})))(
+  "the case $id",
+  ({form}) => {
+    const begun = with_form(start.task as StraightLineTask, form),
+      // Where the pole is a given pivot few others go with it.
+      near = form.id === "pole_at_given_pivot" ? {ground_pivots: {input: [100, 0], output: [75, 30]} as const} : {};
+    const problem = with_task(start, {...begun, ...near});
+    it("has linkages whose points run as the map says", () => {
+      const {task, map} = explore(problem);
+      expect(task.status).toBe("solved");
+      const tau = best_cell(map!)!,
+        {linkage} = ask("linkage", {problem: engine_text(problem), tau}),
+        line = linkage.straight_line!;
+      expect(linkage.fails).toBe(0);
+      expect(line.case).toBe(form.case);
+      if (!form.contacts && form.id !== "symmetric_lambda")
+        expect(line.contact_points).toBeGreaterThanOrEqual(form.contact);
+      // By the drive's table the point is where the profile has it.
+      const {drive} = linkage,
+        [first, last] = drive!.task,
+        direction = (problem.task as StraightLineTask).line.direction_deg;
+      expect(drive!.ticks.length).toBeGreaterThanOrEqual(2);
+      if (first < 0 || last < 0) return; // through a dead point of the input
+      const ends = [first, last].map((row) => row_state(drive!, row).input_deg),
+        usable = counted(linkage, problem)!;
+      if (!form.contacts) {
+        const places = ends.map((angle) => driven_place(drive!, line, direction, angle));
+        expect(places[0]![0]).toBeCloseTo(usable.from_s, 4);
+        expect(places[1]![0]).toBeCloseTo(usable.to_s, 4);
+      }
+      const middle = (ends[0]! + ends[1]!) / 2,
+        [s, e] = driven_place(drive!, line, direction, middle),
+        told = place_at(line, middle)!;
+      expect(Math.abs(told[0] - s)).toBeLessThan(0.01 * usable.length);
+      expect(Math.abs(told[1] - e)).toBeLessThan(0.1 * line.deviation);
+    });
+  },
+);
 
 describe.each(examples.filter(({name}) => name.startsWith("straight_")))("$name", ({problem}) => {
   it("has linkages that meet what it requires, the best of them exactly", () => {

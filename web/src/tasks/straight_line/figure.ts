@@ -37,6 +37,10 @@ function stretch_of({straight_line: line, drive}: Linkage): Point[] {
 export const tracing_four_bar: Mechanism = {
   ...four_bar,
   guides_a_point: true,
+  driven(linkage, state, hinges) {
+    const now = four_bar.driven(linkage, state, hinges);
+    return {...now, joints: [...now.joints, [state.x, state.y]]};
+  },
   /** Without a drive it lies as it was found. */
   still(linkage, poses, stage) {
     const [x, y] = point_of(linkage) ?? [0, 0];

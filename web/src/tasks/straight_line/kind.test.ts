@@ -6,7 +6,8 @@ import {pattern_of_contacts, patterns, with_pattern} from "./contacts";
 import {straight_line_kind} from "./kind";
 import type {StraightLineTask} from "./task";
 
-const [given, free] = straight_line_kind.beginnings.map(({make}) => make().task as StraightLineTask) as [
+const [, given, free] = straight_line_kind.beginnings.map(({make}) => make().task as StraightLineTask) as [
+  StraightLineTask,
   StraightLineTask,
   StraightLineTask,
 ];

@@ -59,7 +59,7 @@ function given_points({ground_pivots, input_pivot}: StraightLineTask): Point[] {
 function pattern(task: StraightLineTask): string {
   const {contacts} = task;
   if (form_of(task).contacts && contacts?.length) return pattern_of_contacts(contacts);
-  return "P".repeat(form_of(task).contact);
+  return "P".repeat(form_of(task).contact) || "–";
 }
 function moved(task: StraightLineTask, point: (p: Point) => Point): StraightLineTask {
   const {line, ground_pivots, input_pivot} = task,
@@ -195,7 +195,8 @@ export const straight_line_kind: TaskKind<StraightLineTask> = {
   name: "task.kind_straight_line",
   is: is_straight_line,
   read,
-  incompleteness: () => null,
+  incompleteness: ({case: of}) =>
+    of === "search" ? {state: "to_be_sought", text: "straight.search_wanted", n: 0} : null,
   stops: (task) => (form_of(task).contacts ? (task.contacts?.length ?? 0) : 3),
   pattern,
   is_mixed: () => false,
@@ -243,6 +244,12 @@ export const straight_line_kind: TaskKind<StraightLineTask> = {
     return {head: pairs.map(([name]) => name), rows: [pairs.map(([, value]) => value)]};
   },
   beginnings: [
+    {
+      id: "straight_search",
+      name: "new.straight_search",
+      about: "new.straight_search_about",
+      make: () => new_problem({case: "search", line: {point: [0, 0], direction_deg: 0}, stroke: 100, deviation: 0.05}),
+    },
     {
       id: "straight_line",
       name: "new.straight_line",

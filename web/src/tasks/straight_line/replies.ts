@@ -1,5 +1,7 @@
 // What the engine says of linkages with a point that runs straight (bindings/wasm/straight_line_reply.hpp).
 import type {Point} from "../../engine/protocol";
+import type {Range} from "../../state/task";
+import type {StraightLineTask} from "./task";
 
 declare module "../../engine/protocol" {
   interface Properties {
@@ -13,6 +15,9 @@ declare module "../../engine/protocol" {
   interface Requirements {
     min_stroke?: number | null;
     max_deviation?: number | null;
+  }
+  interface Ranked {
+    straight_line?: OwnMap; // of a search
   }
   interface Linkage {
     straight_line?: StraightLine | null; // of such tasks only; null: there is none
@@ -33,6 +38,11 @@ declare module "../../state/problem" {
   }
 }
 
+/** Where a linkage of a search is found: the task of its case, and how far its axes run where that is not as usual. */
+export interface OwnMap {
+  task: StraightLineTask;
+  window: [Range, Range] | null;
+}
 export type PathEnd = "deviation" | "turn" | "travel" | "unfinished";
 /** Along the line, s = 0 where the linkage lies. */
 export interface Usable {

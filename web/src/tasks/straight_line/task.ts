@@ -16,6 +16,7 @@ export const case_names = [
   "parallel_side_links",
   "mixed",
   "symmetric_lambda",
+  "search",
 ] as const;
 export type CaseName = (typeof case_names)[number];
 
@@ -41,6 +42,8 @@ export interface GivenNumbers {
   output_offset?: number;
   coupler_angle_deg?: number;
   stroke?: number;
+  /** Half the width of the strip that is wanted of a search. */
+  deviation?: number;
   /** Null: left open. */
   crank_range_deg?: number | null;
 }
