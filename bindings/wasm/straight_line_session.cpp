@@ -17,7 +17,7 @@
 namespace linkwright::wasm {
 namespace {
 
-constexpr int samples_of_the_map = 200;  // the path of every cell is traced
+constexpr int samples_of_line_map = 200;  // the path of every cell is traced
 
 ShownAxis shown_line_axis(const StraightLineFamily& family, Side side) {
   ShownAxis shown;
@@ -129,7 +129,7 @@ std::optional<StraightLineSolution> StraightLineSession::at(MapPoint place) cons
   return family_ ? make_straight_line(*family_, place) : std::nullopt;
 }
 
-int StraightLineSession::map_samples(int asked) const { return std::min(asked, samples_of_the_map); }
+int StraightLineSession::map_samples(int asked) const { return std::min(asked, samples_of_line_map); }
 
 LinkageReply StraightLineSession::linkage(MapPoint place, std::uint8_t fails, bool /*respect_direction*/) const {
   return straight_line_reply(*family_, make_straight_line(*family_, place), place, fails);
@@ -154,7 +154,7 @@ std::optional<MapPoint> StraightLineSession::improved(MapPoint place, const Requ
   return family_ ? improved_place(LineEvaluator(*family_, wanted, objective), place) : std::nullopt;
 }
 
-int StraightLineSession::samples_for_best() const { return samples_of_the_map; }
+int StraightLineSession::samples_for_best() const { return samples_of_line_map; }
 
 std::optional<MapPoint> StraightLineSession::best_at_once(const Requirements& wanted, Objective objective) const {
   if (!family_) return std::nullopt;

@@ -158,9 +158,11 @@ class Estimator {
   }
 
   void estimate(std::vector<Drawn>& drawn) const {
-    const auto reversed = std::find_if(drawn.begin(), drawn.end(), is_reversed);
-    estimate({drawn.begin(), reversed}, {1, 0});
-    estimate({reversed, drawn.end()}, {-1, 0});
+    const auto forward =
+        static_cast<std::size_t>(std::find_if(drawn.begin(), drawn.end(), is_reversed) - drawn.begin());
+    const std::span<Drawn> all(drawn);
+    estimate(all.first(forward), {1, 0});
+    estimate(all.subspan(forward), {-1, 0});
   }
   void estimate(std::span<Drawn> some, Point along) const {
     std::vector<TracingFourBar> linkages;

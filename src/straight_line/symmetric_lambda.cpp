@@ -87,7 +87,9 @@ std::optional<SymmetricLambda> near_minimax_lambda(double crank_range, double st
   const double unit = stroke / way;
   // Heights of the point by u, the square of the pin's distance: their extremes inside are at u² − 2 l² u + 2 l² w = 0.
   const double link_square = lambda.link * lambda.link;
-  const auto height = [&](double u) { return std::sqrt(4 * link_square / u - 1) * (u + w) / (2 * lambda.ground); };
+  const auto height = [&, met = w](double u) {
+    return std::sqrt(4 * link_square / u - 1) * (u + met) / (2 * lambda.ground);
+  };
   std::array<double, 4> heights = {height(1), height(end), height(1), height(end)};
   const double root = std::sqrt(std::max(0.0, link_square * (link_square - 2 * w)));
   for (const int sign : {-1, 1})
