@@ -5,6 +5,7 @@ import json
 import unittest
 
 from face_support import ROOT, TAILGATE, FaceTest, load, run, without_comments
+from straight_support import TASKS, problem_of
 
 try:
     import jsonschema
@@ -30,7 +31,8 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
 BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in which the body moves", "the lower number first",
                     "does not change", "no value", "precision points", "lies outside of", "whole turn", "low below high",
                     "at one place", "sort them", "is empty", "cannot reach", "on one line", "coincide", "the elbow is",
-                    "are given and four or five are needed")
+                    "are given and four or five are needed", "add up to", "by rising s", "a tenth of the stroke",
+                    "lies on the line", "is where the coupler point is")
 
 
 def schemas():
@@ -84,6 +86,21 @@ class Schemas(FaceTest):
                 self.problem.validate(result["problem"])
                 self.assertTrue(result["linkages"])
                 self.assertTrue(all("residual_derivatives" in linkage for linkage in result["linkages"]))
+
+    def test_results_of_straight_lines_are_results(self):
+        for name in TASKS:
+            for options, requirements in (({"at": [10, 20]}, {}), ({}, {"min_stroke": 1e6, "max_deviation": 1})):
+                problem = problem_of(name, stroke=5, deviation=0.05, measure="strip", best=1, region_samples=8, **options)
+                if name == "search":
+                    problem["options"].pop("at", None)
+                problem["requirements"] = requirements
+                with self.subTest(name, options=options, requirements=requirements):
+                    self.problem.validate(problem)
+                    ran = run("solve", self.write("problem.json", problem), "-o", "-", "--region")
+                    self.assertEqual((ran[0], ran[2]), (0, ""))
+                    result = json.loads(ran[1])
+                    self.result.validate(result)
+                    self.problem.validate(result["problem"])
 
     def test_results_without_answer_are_results(self):
         tailgate = load(TAILGATE)
@@ -174,6 +191,28 @@ class Schemas(FaceTest):
         self.check_changes_of({"linkwright": 1, "task": {"kind": "motion", "mechanism": "spherical_four_bar", "orientations": turns}},
                               below=("task",))
 
+    def test_of_straight_lines_too(self):
+        for name in ("four_point_pivots", "mixed", "symmetric_lambda_of_a_range"):
+            problem = problem_of(name)
+            del problem["options"]
+            self.check_changes_of(problem, below=("task",), best=0)
+        for key in ("four_point_cubic", "ball_point_on_side_link", "isosceles_trapezoid", "pole_at_given_pivot", "six_point",
+                    "parallel_side_links", "search"):
+            problem = problem_of(key)
+            del problem["options"]
+            for member in set(problem["task"]) - {"kind", "mechanism", "case", "line"}:
+                self.check_changes_of(problem, below=("task", member), best=0)
+
+    def test_options_of_straight_lines_too(self):
+        problem = problem_of("isosceles_trapezoid", best=0, region_samples=8)
+        for key in ("deviation", "stroke", "measure", "objective"):
+            for value in (None, True, -1.5, 0, 2.5, "strip", "deviation", "link_ratio", [], {}):
+                changed = problem | {"options": problem["options"] | {key: value}}
+                status, _, error = run("solve", self.write("problem.json", changed))
+                with self.subTest(key, value=value):
+                    foreign = (key, value) == ("objective", "link_ratio")
+                    self.assertEqual(status == 0, self.problem.is_valid(changed) and not foreign, error)
+
     def test_all_that_the_reader_knows_is_in_the_schema(self):
         def task(**members):
             return {"kind": "function", "mechanism": "four_bar"} | members
@@ -203,6 +242,9 @@ class Schemas(FaceTest):
         way, bend = {"angular_velocity": [0.3, 0.1, 0.2]}, {"angular_acceleration": [0, 0, 0]}
         tasks += [sphere | {"orientations": [turns[0] | way, turns[1] | way]}, sphere | {"orientations": [turns[0] | way | bend, turns[1]]},
                   sphere | {"orientations": [turns[0] | way | bend | {"angular_jerk": [0.1, 0.2, -0.3]}]}]
+        tasks += [task for name, task in TASKS.items() if name != "search"]
+        tasks += [TASKS["four_point_cubic"] | {"cubic_n": None}, TASKS["symmetric_lambda"] | {"crank_range_deg": None},
+                  TASKS["mixed"] | {"contacts": [{"s": 0}, {"s": 1, "multiplicity": 2, "side": -1}, {"s": 2.5, "side": 1}]}]
         for one in tasks:
             problem = {"linkwright": 1, "task": one, "options": {"region_samples": 8, "best": 1}}
             with self.subTest(task=one):
@@ -210,8 +252,8 @@ class Schemas(FaceTest):
                 ran = run("solve", self.write("problem.json", problem))
                 self.assertEqual((ran[0], ran[2]), (0, ""))
 
-    def check_changes_of(self, problem, below=()):
-        problem = problem | {"options": {"region_samples": 8, "spacing": "coordinate", "best": 2}}
+    def check_changes_of(self, problem, below=(), best=2):
+        problem = problem | {"options": {"region_samples": 8, "spacing": "coordinate", "best": best}}
         for path in list(paths(problem)):
             if path[:len(below)] != below:
                 continue
