@@ -153,6 +153,29 @@ test("deviation, stroke and ranges are asked for, and a link brings them all bac
   await other.close();
 });
 
+test("a search over all cases lists linkages, and each opens the map of its case", async ({page}) => {
+  await open_settled(page);
+  await page.getByTestId("bar.new").click();
+  await page.getByTestId("new.straight_search").click();
+  await page.getByTestId("new.create").click();
+  await page.getByTestId("straight.start").click();
+  await expect(page.getByTestId("straight.ended")).toContainText("found", {timeout: 40_000});
+  await page.getByTestId("straight.found.2").click();
+  await until_settled(page);
+  const line = await line_of(page);
+  expect(line.usable_strip.length).toBeGreaterThan(99.9);
+  expect(line.deviation).toBe(0.05);
+  expect((await task_of(page)).case).not.toBe("search");
+  expect(await read_state(page, ({hand}) => hand!.fails)).toBe(0);
+  await keep_screenshot(page, "straight_search");
+  await expect_accessible(page);
+  await page.keyboard.press("Control+z");
+  expect((await task_of(page)).case).toBe("search");
+  await page.getByTestId("straight.start").click();
+  await page.getByTestId("straight.stop").click();
+  await expect(page.getByTestId("straight.start")).toBeVisible();
+});
+
 test("its linkages are taken away as files", async ({page}) => {
   await open_example(page, "straight_stage");
   await page.getByTestId("export.title").click();

@@ -20,18 +20,13 @@ export interface Found extends OwnMap {
 
 const first_share = 0.1; // of the effort, for a first list
 
-/** A linkage of a search on the map of its case, measured by what was wanted. */
-export function problem_of(problem: Problem, {stroke, deviation}: StraightLineTask, {task, window}: OwnMap): Problem {
-  return with_options(with_task(problem, task), {stroke, deviation, measure: "strip", window: window ?? undefined});
+/** A linkage of a search on the map of its case, measured by what was wanted: its strip is as long as the stroke. */
+export function problem_of(problem: Problem, {deviation}: StraightLineTask, {task, window}: OwnMap): Problem {
+  return with_options(with_task(problem, task), {deviation, measure: "strip", window: window ?? undefined});
 }
 /** Back to what was wanted. */
 export function sought_again(problem: Problem, sought: StraightLineTask): Problem {
-  return with_options(with_task(problem, sought), {
-    stroke: undefined,
-    deviation: undefined,
-    measure: undefined,
-    window: undefined,
-  });
+  return with_options(with_task(problem, sought), {deviation: undefined, measure: undefined, window: undefined});
 }
 
 export class LineSearch extends RoundSearch {

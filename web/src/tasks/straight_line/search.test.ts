@@ -55,7 +55,7 @@ describe("a search over all cases", () => {
     const [one] = search.found_for(workbench.problem);
     search.take(one!);
     expect(workbench.problem.task).toEqual(task);
-    expect(workbench.problem.options).toEqual({stroke: 100, deviation: 0.05, measure: "strip"});
+    expect(workbench.problem.options).toEqual({deviation: 0.05, measure: "strip"});
     expect(workbench.picked!.tau).toEqual([1.25, 0.5]);
     expect(search.found_for(workbench.problem)).toHaveLength(1);
     search.back();
