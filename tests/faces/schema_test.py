@@ -25,7 +25,13 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "lengths_on_a_sphere", "boxes_on_a_sphere", "planar_type_on_a_sphere", "planar_objective_on_a_sphere",
                  "axis_of_zeros", "cone_about_nothing", "given_axis_of_zeros", "given_axes_the_same", "quaternion_of_zeros",
                  "velocity_zero", "link_angles_crossed", "matrix_that_mirrors", "matrix_that_stretches",
-                 "sequence_of_one_axis_twice"}
+                 "sequence_of_one_axis_twice", "line_pivots_coincide", "line_ball_pivot_at_point", "line_pole_on_line",
+                 "line_parallel_offsets_equal", "line_mixed_of_three_points", "line_mixed_of_five_points",
+                 "line_mixed_out_of_order", "line_mixed_at_one_place", "line_search_deviation_wide",
+                 "line_option_objective_link_ratio", "line_requirement_no_defects", "line_requirement_min_length",
+                 "line_requirement_of_the_sphere", "line_requirement_type_of_the_sphere", "line_options_of_lines_in_a_motion",
+                 "line_objective_of_lines_in_a_motion", "line_requirement_of_lines_in_a_motion",
+                 "line_deviation_of_lines_in_a_motion", "line_measure_of_lines_in_a_motion"}
 
 # Words of refusals that no schema can give: what is wrong is no matter of structure.
 BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in which the body moves", "the lower number first",
