@@ -290,5 +290,64 @@ TEST(SessionOfASixBar, WithoutAChainAsksForOne) {
   }
 }
 
+TEST(SessionOfAStraightLine, HasALayerToEachLinkageOfAPlaceAndMeasuresWhatIsThere) {
+  Explored explored(
+      R"({"linkwright": 1, "task": {"kind": "straight_line", "mechanism": "four_bar", "case": "six_point",
+      "line": {"point": [3, 2], "direction_deg": 30}, "pole_distance": 100}, "options": {"deviation": 0.01}})",
+      60);
+  EXPECT_EQ(explored.task["status"], "solved");
+  EXPECT_EQ(explored.task["axes"]["input"]["branches"].size(), 3);
+  EXPECT_EQ(explored.task["axes"]["input"]["quantity"], "point_ray");
+  const auto [input, output] = explored.passing();
+  const auto found = json::parse(explored.session.linkage(input, output).linkage);
+  const json& line = found["straight_line"];
+  EXPECT_EQ(found["fails"], 0);
+  EXPECT_EQ(line["contact_points"], 6);
+  EXPECT_EQ(line["deviation"], 0.01);
+  EXPECT_NEAR(line["point"][0].get<double>(), 3, 1e-9);
+  for (const json& at : line["profile"]) {
+    if (at[0] < line["usable"]["from_s"] || at[0] > line["usable"]["to_s"]) continue;
+    EXPECT_LE(std::abs(at[1].get<double>()), 0.01 * (1 + 1e-9));
+  }
+  EXPECT_TRUE(json::parse(explored.session.verify(input, output))["verified"].get<bool>());
+}
+
+TEST(SessionOfAStraightLine, SearchesAllCasesAndTellsTheMapOfEachLinkage) {
+  Session session;
+  ASSERT_TRUE(session.set_problem(
+      R"({"linkwright": 1, "task": {"kind": "straight_line", "mechanism": "four_bar", "case": "search",
+      "line": {"point": [0, 0], "direction_deg": 0}, "stroke": 100, "deviation": 0.5}, "options": {"effort": 1000}})"));
+  const auto best = json::parse(session.best(3));
+  ASSERT_GE(best["linkages"].size(), 1U);
+  for (const json& found : best["linkages"]) {
+    json own = {{"linkwright", 1}, {"task", found["straight_line"]["task"]}};
+    own["options"] = {{"deviation", 0.5}, {"measure", "strip"}};
+    if (!found["straight_line"]["window"].is_null()) own["options"]["window"] = found["straight_line"]["window"];
+    Session there;
+    ASSERT_TRUE(there.set_problem(own.dump())) << there.mistakes();
+    const auto linkage = json::parse(there.linkage(found["tau"][0], found["tau"][1]).linkage);
+    EXPECT_NEAR(linkage["straight_line"]["usable_strip"]["length"].get<double>(), 100, 0.01);
+  }
+}
+
+TEST(SessionOfAStraightLine, ServesNoOtherMeasure) {
+  constexpr std::string_view text =
+      R"({"linkwright": 1, "task": {"kind": "straight_line", "mechanism": "four_bar", "case": "five_point",
+      "line": {"point": [0, 0], "direction_deg": 0}, "pole_distance": 100, "point_ray_deg": 60},
+      "options": {"deviation": WIDTH}})";
+  const auto with_width = [&](std::string_view width) {
+    std::string problem(text);
+    return problem.replace(problem.find("WIDTH"), 5, width);
+  };
+  Explored explored(with_width("1"), 60);
+  const auto [input, output] = explored.passing();
+  const auto usable = [&, u = input, v = output](std::string_view width) {
+    EXPECT_TRUE(explored.session.set_problem(with_width(width)));
+    const auto found = json::parse(explored.session.linkage(u, v).linkage);
+    return found["straight_line"]["usable"]["length"].get<double>();
+  };
+  EXPECT_LT(usable("0.01"), usable("1"));
+}
+
 }  // namespace
 }  // namespace linkwright::wasm::session_kinds_test

@@ -171,8 +171,11 @@ const of_its_samples = new Set(["side_links_left_out", "linkages_left_out", "str
 describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
   const samples = samples_of(problem),
     result = existsSync(program) ? solved(problem, samples) : null;
-  const six_bar = result?.problem.task.mechanism === "six_bar"; // tests/bindings compares its map and linkages
-  const has_map = result?.region?.type && !six_bar,
+  // tests/bindings and the kinds' own tests compare their maps and linkages.
+  const others = ["six_bar", "straight_line"].some((name) =>
+    [result?.problem.task.mechanism, result?.problem.task.kind].includes(name),
+  );
+  const has_map = result?.region?.type && !others,
     exactly = samples === coarse && result?.problem.task.mechanism !== "spherical_four_bar";
   const shared_properties = has_map ? all_properties.filter((property) => property in result.region.properties) : [];
   const their_defects = has_map ? decoded(result.region.defects) : new Uint8Array();
@@ -185,7 +188,7 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     const answer = reply("explore", {problem, samples, window: whole, property: "link_ratio", order: "fresh"});
     expect("refused" in answer).toBe(result === null);
   });
-  test.runIf(result && !six_bar)("has the same curve, or axes", () => {
+  test.runIf(result && !others)("has the same curve, or axes", () => {
     const {task} = explored(problem);
     expect(task.status).toBe(result.status);
     expect(task.pattern).toBe(result.pattern);
@@ -275,7 +278,7 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     }
     if (well_conditioned) expect(beyond).toBeLessThanOrEqual(map!.value.length / 100);
   });
-  test.runIf(result?.linkages?.length && !six_bar)("has the same linkages", () => {
+  test.runIf(result?.linkages?.length && !others)("has the same linkages", () => {
     for (const wanted of result.linkages) {
       const tau = [wanted.input.coordinate, wanted.output.coordinate] as const;
       const {linkage} = ask("linkage", {problem, tau});

@@ -72,7 +72,6 @@ const further = {
   "a cone about a vector without end": lengths('"fixed_axes_within": {"axis": [0, 0, 1e13], "half_angle_deg": 9}'),
   "a type and a requirement of the sphere": lengths('"types": ["triple_rocker"], "min_link_angle_deg": 9'),
   "an objective of the sphere": `${motion(`${poses(4)}]`).slice(0, -1)}, "options": {"objective": "link_angle"}}`,
-  "a kind that there is not": motion("]").replace('"motion"', '"path"'),
   "a case without its pivots": line("four_point_pivots", '"pole_distance": 1'),
   "a case without contacts": line("mixed", '"input_pivot": [0, 1]'),
   "a line without a case": line("mixed", "").replace('"case": "mixed",', "").replace(", }", "}"),
@@ -87,6 +86,7 @@ const further = {
   "contacts that are none": contacts('{"s": 1, "multiplicity": 5, "side": 2}, {"s": 0, "multiplicity": 1}'),
   "a hundred and one contacts": contacts(Array.from({length: 101}, (_, i) => `{"s": ${i}}`).join(", ")),
   "a lambda without a stroke": line("symmetric_lambda", '"stroke": 0, "crank_range_deg": 300'),
+  "a strip as wide as it is long": line("search", '"stroke": 1, "deviation": 1'),
   "limits of a line below zero": line(
     "six_point",
     '"pole_distance": 1',
@@ -99,7 +99,7 @@ const further = {
 const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name, text}))];
 
 /** Sentences that no text provokes: what JSON cannot say or a reader catches, and what the page finds itself. */
-const unprovoked = ["limits_finite", "axis_finite", "two_functions", "no_dyads", "not_utf8"];
+const unprovoked = ["not_available", "limits_finite", "axis_finite", "two_functions", "no_dyads", "not_utf8"];
 
 /** The codes in the sources of what reads and checks problem files: those before a place, and those of a value read. */
 function codes_of_sources(): string[] {

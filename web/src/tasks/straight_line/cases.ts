@@ -1,5 +1,6 @@
 // What is given beside the line in each case, and how a new one begins.
 import type {Point} from "../../engine/protocol";
+import {most_of} from "../../state/ends";
 import type {TextKey} from "../../texts/texts.svelte";
 import type {CaseName, Contact, GivenNumbers, GivenPivots, Line, StraightLineTask} from "./task";
 
@@ -168,7 +169,7 @@ export function size_of(task: StraightLineTask): number {
   const {ground_pivots, input_pivot, line, contacts} = task;
   if (form_of(task).pivots === "both" && ground_pivots) return distance_of(ground_pivots.input, ground_pivots.output);
   if (contacts?.length && input_pivot)
-    return Math.max(...contacts.map(({s}) => distance_of(beside(line, s, 0), input_pivot)));
+    return most_of(contacts.map(({s}) => distance_of(beside(line, s, 0), input_pivot)));
   if (input_pivot) return distance_of(line.point, input_pivot);
   const {half_frame, input_offset, output_offset, stroke, pole_distance} = task;
   if (half_frame !== undefined) return 2 * half_frame;

@@ -1,5 +1,9 @@
 // The engine as it is built for the page: every case has a map, and what is told of its linkages agrees with itself.
-import {readFileSync} from "node:fs";
+import {execFileSync} from "node:child_process";
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+import {fileURLToPath} from "node:url";
 import {beforeAll, describe, expect, it} from "vitest";
 import {create_linkwright} from "../../engine/module";
 import {whole, type Kind, type MapAnswer, type Replies, type Requests, type TauPair} from "../../engine/protocol";
@@ -7,6 +11,8 @@ import {Server} from "../../engine/serve";
 import {examples} from "../../gallery/gallery";
 import {row_state} from "../../state/drive";
 import {engine_text, with_task, type Problem} from "../../state/problem";
+import type {Range} from "../../state/task";
+import {ranges_of} from "./axes";
 import {forms, with_form} from "./cases";
 import {straight_line_kind} from "./kind";
 import {counted, driven_place, place_at, profile_plot, speed_plot} from "./profile";
@@ -97,6 +103,41 @@ describe.each(examples.filter(({name}) => name.startsWith("straight_")))("$name"
     JSON.parse(ask("export", {problem: text, tau: linkage.tau, format: "result"}).text);
   });
 });
+
+const program = fileURLToPath(new URL("../../../../build/release/bin/linkwright", import.meta.url));
+/** What the program lists. */
+function listed(problem: Problem) {
+  const options = {...problem.options, region_samples: 40, best: 3},
+    folder = mkdtempSync(join(tmpdir(), "linkwright-"));
+  try {
+    const file = join(folder, "problem.json");
+    writeFileSync(file, JSON.stringify({...problem, options}));
+    return JSON.parse(execFileSync(program, ["solve", file, "-o", "-"], {encoding: "utf8"})).linkages;
+  } finally {
+    rmSync(folder, {recursive: true});
+  }
+}
+describe.runIf(existsSync(program)).each(examples.filter(({name}) => name.startsWith("straight_")))(
+  "$name, as the program lists it",
+  ({problem}) => {
+    it("is told the same of its linkages", () => {
+      const {task} = explore(problem, 20),
+        {input, output} = ranges_of(task.axes);
+      for (const wanted of listed(problem)) {
+        const share = ([low, high]: Range, at: number) => (at - low) / (high - low),
+          tau = [wanted.layer + share(input!, wanted.place[0]), output ? share(output, wanted.place[1]) : 0.5] as const;
+        const {linkage} = ask("linkage", {problem: engine_text(problem), tau}),
+          line = linkage.straight_line!;
+        expect(linkage.type).toBe(wanted.type);
+        for (const link of ["ground", "input", "coupler", "output"] as const)
+          expect(Math.abs(linkage.lengths![link] / wanted.lengths[link] - 1)).toBeLessThan(1e-6);
+        expect(line.contact_points).toBe(wanted.contact_points);
+        expect(Math.abs(line.usable.length / wanted.usable.length - 1)).toBeLessThan(1e-4);
+        expect(linkage.min_transmission_angle_deg).toBeCloseTo(wanted.min_transmission_angle_deg, 2);
+      }
+    });
+  },
+);
 
 it("has a layer to each linkage of a place", () => {
   const {task, map} = explore(examples.find(({name}) => name === "straight_stage")!.problem, 40);
