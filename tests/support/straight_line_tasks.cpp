@@ -92,14 +92,16 @@ struct RandomCase {
   }
   StraightLineCase operator()(const MixedContacts& of) const {
     const Point pivot = point();
-    return MixedContacts{pivot, random_contacts(random), of.coupler_angle == 0 ? 0 : uniform(random, -3, 3)};
+    return MixedContacts{pivot, random_contacts(random),
+                         of.coupler_angle == 0 ? 0 : radians(uniform(random, -170, 170))};
   }
   StraightLineCase operator()(const Search& /*of*/) const {
-    return Search{std::abs(length()), uniform(random, 1e-3, 0.1)};
+    const double stroke = std::abs(length());
+    return Search{stroke, stroke * uniform(random, 1e-6, 0.09)};
   }
   StraightLineCase operator()(const SymmetricLambdas& of) const {
     const double stroke = std::abs(length());
-    return SymmetricLambdas{stroke, of.crank_range ? std::optional(uniform(random, 0.5, 4.5)) : std::nullopt};
+    return SymmetricLambdas{stroke, of.crank_range ? std::optional(radians(uniform(random, 30, 260))) : std::nullopt};
   }
   template <class OfPole>
   StraightLineCase operator()(const OfPole& /*of*/) const {
@@ -111,7 +113,7 @@ struct RandomCase {
 
 StraightLineTask random_straight_line(std::mt19937_64& random, std::size_t which) {
   const Point through = random_point(random);
-  const LineAtAngle line{through, uniform(random, -4, 4)};
+  const LineAtAngle line{through, radians(uniform(random, -250, 250))};
   return {line, std::visit(RandomCase{random}, straight_line_tasks()[which].given)};
 }
 
