@@ -99,7 +99,9 @@ Defects StraightLineFamily::defects(const TracingFourBar& linkage) const {
   const auto* mixed = std::get_if<straight_cases::MixedContacts>(&task_.given);
   if (!mixed) return {};
   constexpr bool respect_direction = true;
-  return find_defects(linkage.bars, contact_poses(linkage, task_.line, mixed->contacts), respect_direction).defects;
+  const auto poses = contact_poses(linkage, task_.line, mixed->contacts);
+  if (poses.empty()) return {Defects::branch_bit};  // to rounding the dyad lies stretched at a contact
+  return find_defects(linkage.bars, poses, respect_direction).defects;
 }
 
 double StraightLineFamily::axis_value(Side side, double coordinate) const {

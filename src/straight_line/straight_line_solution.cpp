@@ -31,6 +31,7 @@ bool drives_alike(const StraightLineSolution& found) {
   const auto* mixed = std::get_if<straight_cases::MixedContacts>(&found.task.given);
   if (!mixed) return true;
   const auto poses = contact_poses(found.linkage, found.task.line, mixed->contacts);
+  if (poses.empty()) return false;
   const DriveThroughReport report =
       drive_through(found.linkage.bars, poses, {.max_steps = 400'000, .respect_direction = true});
   return report.completed && report.defects.bits == found.defects.bits;
