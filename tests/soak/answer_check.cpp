@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "line_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/region/measure.hpp"
 
@@ -58,7 +59,28 @@ const std::set<std::string>& keys_that_may_be_null() {
                                              "min_link_angle_deg",
                                              "max_link_angle_deg",
                                              "fixed_axes_within",
-                                             "moving_axes_within"};
+                                             "moving_axes_within",
+                                             "deviation",
+                                             "max_deviation",
+                                             "stroke",
+                                             "cubic_n",
+                                             "crank_range_deg",
+                                             "velocity_nonuniformity",
+                                             "pole",
+                                             "pole_tangent_deg",
+                                             "inflection_diameter",
+                                             "inflection_pole",
+                                             "inflection_circle",
+                                             "return_circle",
+                                             "bresse_circle",
+                                             "acceleration_pole",
+                                             "body_rate",
+                                             "body_acceleration",
+                                             "invariants",
+                                             "cubic",
+                                             "ball_point",
+                                             "center_of_curvature",
+                                             "radius_of_curvature"};
   return keys;
 }
 
@@ -117,7 +139,9 @@ struct Looked {
   std::vector<Point> ground, moving;
 };
 
+/// Of straight lines only contacts at places can have some.
 bool no_defects(const json& entry) {
+  if (!entry.contains("defects")) return true;
   const json& defects = entry["defects"];
   return !defects["order"].get<bool>() && !defects["branch"].get<bool>() && !defects["circuit"].get<bool>();
 }
@@ -234,6 +258,16 @@ Looked four_bar_looked_at(const json& entry) {
   return linkage;
 }
 
+Looked line_looked_at(const json& entry) {
+  const json& pivots = entry["pivots"];
+  Looked linkage{entry,
+                 {},
+                 {point_of(pivots["input_fixed"]), point_of(pivots["output_fixed"])},
+                 {point_of(pivots["input_moving"]), point_of(pivots["output_moving"])}};
+  for (const auto& [name, length] : entry["lengths"].items()) linkage.lengths.push_back(length.get<double>());
+  return linkage;
+}
+
 Looked six_bar_looked_at(const json& entry) {
   Looked linkage{entry, {}, {}, {}};
   for (const auto& [name, length] : entry["lengths"].items()) linkage.lengths.push_back(length.get<double>());
@@ -274,9 +308,14 @@ void check_linkages(const Problem& problem, const json& result, Wrongs& wrongs) 
     const bool is_four_bar = entry["mechanism"] == "four_bar",
                is_spherical = entry["mechanism"] == "spherical_four_bar";
     check_confirmed(entry, which, wrongs);
-    check_residuals(entry, found);
+    const bool is_line = entry.contains("usable");
+    if (is_line)
+      found = wrongs_of_line(wanted, result["problem"]["options"], entry);
+    else
+      check_residuals(entry, found);
     check_requirements(wanted,
-                       is_four_bar    ? four_bar_looked_at(entry)
+                       is_line        ? line_looked_at(entry)
+                       : is_four_bar  ? four_bar_looked_at(entry)
                        : is_spherical ? Looked{entry, {}, {}, {}}
                                       : six_bar_looked_at(entry),
                        found);
@@ -304,7 +343,11 @@ void check_order(const json& result, Wrongs& wrongs) {
   for (const json& entry : result["linkages"]) {
     if (!no_defects(entry)) continue;
     double worth = 0;
-    if (objective == "link_ratio") {
+    if (objective == "stroke") {
+      worth = entry["stroke_over_longest"].get<double>();
+    } else if (objective == "deviation" || objective == "velocity_uniformity") {
+      continue;  // over what, the case tells
+    } else if (objective == "link_ratio") {
       worth = -entry["link_ratio"].get<double>();
     } else if (objective == "min_transmission_angle") {
       worth = entry["min_transmission_angle_deg"].get<double>();

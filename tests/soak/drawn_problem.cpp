@@ -46,6 +46,34 @@ Json drawn_spherical_requirements(Draw& draw) {
   return wanted;
 }
 
+Json drawn_line_requirements(Draw& draw, const Sheet& sheet) {
+  Json wanted = Json::object();
+  if (draw.chance(0.2)) wanted["types"] = drawn_types(draw, straight_line_linkages);
+  if (draw.chance(0.3)) wanted["min_transmission_angle_deg"] = draw.between(0, 60);
+  if (draw.chance(0.3)) wanted["max_link_ratio"] = draw.chance(0.6) ? Json() : Json(draw.power_of_ten(0.1, 2.5));
+  if (draw.chance(0.3))
+    wanted["max_length"] = draw.chance(0.6) ? Json() : Json(sheet.scale * draw.power_of_ten(-0.5, 3));
+  if (draw.chance(0.2)) wanted["min_stroke"] = sheet.scale * draw.power_of_ten(-2, 0.5);
+  if (draw.chance(0.2)) wanted["max_deviation"] = sheet.scale * draw.power_of_ten(-6, -1);
+  if (draw.chance(0.1)) wanted["ground_pivots_within"] = drawn_box(draw, sheet, -0.5, 1.5);
+  if (draw.chance(0.1)) wanted["moving_pivots_within"] = drawn_box(draw, sheet, -0.5, 1.5);
+  return wanted;
+}
+
+Json drawn_line_options(Draw& draw, const Sheet& sheet, std::string_view kind) {
+  Json options = Json::object();
+  options["region_samples"] = draw.whole(8, 60);
+  options["best"] = draw.whole(0, 3);
+  if (draw.chance(0.6))
+    options["objective"] =
+        draw.one_of({"stroke", "deviation", "min_transmission_angle", "size", "velocity_uniformity"});
+  if (draw.chance(0.4)) options["deviation"] = sheet.scale * draw.power_of_ten(-6, -1);
+  if (draw.chance(0.4)) options["stroke"] = sheet.scale * draw.power_of_ten(-1, 1);
+  if (draw.chance(0.5)) options["measure"] = draw.one_of({"tangent", "strip"});
+  if (kind == "line_search") options["effort"] = draw.whole(100, 2000);
+  return options;
+}
+
 Json drawn_requirements(Draw& draw, const Sheet& sheet) {
   Json wanted = drawn_verdicts(draw, planar_linkages);
   if (draw.chance(0.5)) wanted["max_link_ratio"] = draw.chance(0.6) ? Json() : Json(draw.power_of_ten(0.1, 2.5));
@@ -96,9 +124,11 @@ DrawnProblem drawn_problem(std::uint64_t seed, std::uint64_t index, std::optiona
   const std::string_view any = drawn_kind(draw), kind = wanted_kind.value_or(any);
   const Sheet sheet = drawn_sheet(draw);
   Json problem = {{"linkwright", 1}, {"task", drawn_task(draw, sheet, kind)}};
-  problem["requirements"] =
-      kind.starts_with("sphere") ? drawn_spherical_requirements(draw) : drawn_requirements(draw, sheet);
-  problem["options"] = drawn_options(draw, sheet, kind);
+  const bool is_line = kind.starts_with("line");
+  problem["requirements"] = is_line                      ? drawn_line_requirements(draw, sheet)
+                            : kind.starts_with("sphere") ? drawn_spherical_requirements(draw)
+                                                         : drawn_requirements(draw, sheet);
+  problem["options"] = is_line ? drawn_line_options(draw, sheet, kind) : drawn_options(draw, sheet, kind);
   return {kind, problem.dump() + "\n"};
 }
 

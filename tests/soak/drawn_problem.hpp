@@ -9,17 +9,40 @@
 namespace linkwright::soak {
 
 /// The kinds of problem that a file can state.
-inline constexpr std::array<std::string_view, 28> kinds = {
-    "three_lengths",        "three_length",      "three_angle",
-    "three_center",         "three_mixed",       "four_finite",
-    "four_mixed",           "five_finite",       "five_mixed",
-    "five_freed",           "pairs_four",        "pairs_mixed",
-    "pairs_five",           "pairs_free",        "function_named",
-    "function_table",       "six_bar_chain",     "six_bar_search",
-    "sphere_three",         "sphere_four",       "sphere_mixed",
-    "sphere_five",          "sphere_pairs_four", "sphere_pairs_mixed",
-    "sphere_pairs_five",    "sphere_pairs_free", "sphere_function_named",
-    "sphere_function_table"};
+inline constexpr std::array<std::string_view, 34> kinds = {"three_lengths",
+                                                           "three_length",
+                                                           "three_angle",
+                                                           "three_center",
+                                                           "three_mixed",
+                                                           "four_finite",
+                                                           "four_mixed",
+                                                           "five_finite",
+                                                           "five_mixed",
+                                                           "five_freed",
+                                                           "pairs_four",
+                                                           "pairs_mixed",
+                                                           "pairs_five",
+                                                           "pairs_free",
+                                                           "function_named",
+                                                           "function_table",
+                                                           "six_bar_chain",
+                                                           "six_bar_search",
+                                                           "sphere_three",
+                                                           "sphere_four",
+                                                           "sphere_mixed",
+                                                           "sphere_five",
+                                                           "sphere_pairs_four",
+                                                           "sphere_pairs_mixed",
+                                                           "sphere_pairs_five",
+                                                           "sphere_pairs_free",
+                                                           "sphere_function_named",
+                                                           "sphere_function_table",
+                                                           "line_four",
+                                                           "line_pole",
+                                                           "line_five",
+                                                           "line_mixed",
+                                                           "line_lambda",
+                                                           "line_search"};
 
 struct DrawnProblem {
   std::string_view kind;
