@@ -166,8 +166,7 @@ std::optional<MapPoint> StraightLineSession::best_at_once(const Requirements& wa
   const LineEvaluator evaluator(*family_, wanted, objective);
   std::optional<LineCandidate> best;
   for (const RankedCell& cell : hill_tops(map, filter_of(*family_, map, wanted), objective, tops)) {
-    const auto found =
-        evaluator.candidate({map.input_coordinates()[cell.row], map.output_coordinates()[cell.column]});
+    const auto found = evaluator.candidate({map.input_coordinates()[cell.row], map.output_coordinates()[cell.column]});
     if (found && (!best || found->score > best->score)) best = found;
   }
   if (!best) return std::nullopt;

@@ -96,7 +96,8 @@ export class Scene implements Surface {
 
   readonly samples = $derived.by(() => {
     const task = this.workbench.task;
-    if (!task) return {input: null, output: null};
+    // Where a point is guided each linkage is found whole: there are no grounded links to choose by themselves.
+    if (!task || this.mechanism.guides_a_point) return {input: null, output: null};
     const points = untrack(() => anchors_of(this.workbench.problem.task)),
       count = points.length || 1;
     return samples_of_sides(task, [

@@ -17,6 +17,7 @@ import nose_gear from "../../../examples/nose_gear.json?raw";
 import sine_generator from "../../../examples/sine_generator.json?raw";
 import straight_indicator from "../../../examples/straight_indicator.json?raw";
 import straight_luffing_crane from "../../../examples/straight_luffing_crane.json?raw";
+import straight_search from "../../../examples/straight_search.json?raw";
 import straight_stage from "../../../examples/straight_stage.json?raw";
 import straight_walking_leg from "../../../examples/straight_walking_leg.json?raw";
 import straight_watt_suspension from "../../../examples/straight_watt_suspension.json?raw";
@@ -57,6 +58,7 @@ const files = {
   straight_walking_leg,
   straight_watt_suspension,
   straight_stage,
+  straight_search,
   wrist_orthosis,
   antenna_pointing,
   ankle_orthosis,

@@ -30,7 +30,7 @@ import {
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Viewport} from "../drawing/viewport";
 import type {Point, Side} from "../engine/protocol";
-import {bar_of, type Body, type End, type Figure, type Joint, type Role} from "../figure/figure";
+import {bar_of, edge_of, is_plate, type Body, type End, type Figure, type Joint, type Role} from "../figure/figure";
 import type {PlateOrder} from "../figure/mechanism";
 import {body_point} from "../state/problem";
 import {same_value} from "../state/task";
@@ -344,15 +344,20 @@ export class SolidScene {
     this.parts.add(mesh);
     return mesh;
   }
-  private add_link({name, role}: Body, layer: number): void {
+  /** Of a plate a bar along each edge. */
+  private add_link(body: Body, layer: number): void {
+    const edges = is_plate(body) ? body.corners.length : 1;
+    for (let edge = 0; edge < edges; ++edge) this.add_bar(body, edge, layer);
+  }
+  private add_bar({name, role}: Body, edge: number, layer: number): void {
     const shape = slot(0, 1, plate_width / 2);
     for (const x of [0, 1]) shape.holes.push(new Shape().absarc(x, 0, pin_diameter / 2, 0, 2 * Math.PI, true));
     const geometry = plate(shape, plate_thickness),
       stretch = stretching(geometry);
     const object = this.mesh(geometry, this.material(colors_of_roles[role]), layer_z(layer));
     object.name = name;
-    this.shaped.push((figure) => stretch(length_of(bar_of(figure, name)) / this.unit));
-    this.moving.push({object, place: (figure) => along(bar_of(figure, name))});
+    this.shaped.push((figure) => stretch(length_of(edge_of(figure, name, edge)) / this.unit));
+    this.moving.push({object, place: (figure) => along(edge_of(figure, name, edge))});
   }
   private add_pin({name, role}: Joint, [low, high]: readonly [number, number]): void {
     const bottom = layer_z(low) - (low === 0 ? 0 : head.thickness),

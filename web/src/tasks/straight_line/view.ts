@@ -17,5 +17,5 @@ export const straight_line_view: TaskView = {
   handles: line_handles,
   Numbers,
   Picture: Picture as Component<{id: string}>,
-  plots: () => [profile, speed, "transmission", "output", "velocity"],
+  plots: () => [profile, speed, "transmission", "output"],
 };
