@@ -40,6 +40,9 @@ class LineEvaluator {
 
  private:
   [[nodiscard]] bool can_be_built(const TracingFourBar& linkage) const;
+  /// Nothing where it does not meet the requirements.
+  [[nodiscard]] std::optional<RankedNumbers> measured(const TracingFourBar& linkage) const;
+  [[nodiscard]] std::optional<RankedNumbers> estimated(const TracingFourBar& linkage) const;
 
   const StraightLineFamily& family_;
   Requirements requirements_;

@@ -247,4 +247,19 @@ void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimate
   }
 }
 
+LineEstimateTask estimate_task(const StraightLineFamily& family, Simd simd) {
+  return {family.task().line.direction,
+          family.contact(),
+          std::holds_alternative<straight_cases::ParallelSideLinks>(family.task().given),
+          family.measuring(),
+          family.stroke(),
+          simd};
+}
+
+LineEstimate estimate_of(const StraightLineFamily& family, const TracingFourBar& linkage) {
+  LineEstimate estimate;
+  estimate_lines({&linkage, 1}, estimate_task(family), {&estimate, 1});
+  return estimate;
+}
+
 }  // namespace linkwright

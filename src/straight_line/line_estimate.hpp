@@ -6,6 +6,7 @@
 
 #include "linkwright/core/simd.hpp"
 #include "linkwright/straight_line/line_measuring.hpp"
+#include "linkwright/straight_line/straight_line_family.hpp"
 
 namespace linkwright {
 
@@ -36,5 +37,9 @@ struct LineEstimateTask {
 /// does.
 void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimateTask& task,
                     std::span<LineEstimate> estimates, std::span<const double> deviations = {});
+
+/// Of a family's maps.
+[[nodiscard]] LineEstimateTask estimate_task(const StraightLineFamily& family, Simd simd = Simd::automatic);
+[[nodiscard]] LineEstimate estimate_of(const StraightLineFamily& family, const TracingFourBar& linkage);
 
 }  // namespace linkwright

@@ -178,9 +178,7 @@ void StraightLineFamily::fill(RegionMap& map, std::span<const double> input, std
   };
   std::vector<LineAxisValue> columns;
   for (const double coordinate : output) columns.push_back(value(Side::output, coordinate));
-  const LineEstimateTask estimated{
-      task_.line.direction, contact(), std::holds_alternative<straight_cases::ParallelSideLinks>(task_.given),
-      measuring_,           stroke(),  options.simd};
+  const LineEstimateTask estimated = estimate_task(*this, options.simd);
   const bool has_defects = std::holds_alternative<straight_cases::MixedContacts>(task_.given);
   parallel_for(input.size(), options.threads, [&](std::size_t begin, std::size_t end) {
     RowOfLinkages row_of;

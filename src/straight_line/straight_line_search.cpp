@@ -321,6 +321,7 @@ std::optional<StraightLineSolution> measured(const Prospect& of, const Wish& wis
     if (is_angle(axes[i].quantity)) place.at[i] = degrees(place.at[i]);
   const auto point = family.point_of(place);
   auto found = point ? make_straight_line(family, *point) : std::nullopt;
+  if (found && !found->defects.none()) return std::nullopt;
   if (!found || !wish.takes_shape(found->linkage) || !wish.takes_place(found->linkage)) return std::nullopt;
   const double mid = (found->usable_strip.from + found->usable_strip.to) / 2;
   if (!(found->usable_strip.length() >= wish.stroke())) return std::nullopt;

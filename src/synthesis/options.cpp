@@ -60,6 +60,10 @@ std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options
   if (options.at && six_bar != nullptr && !six_bar->chain)
     return {{"place_of_search", "options.at",
              "six-bars that are searched for have no solution region; give the chain, or drop the place"}};
+  const auto* line = std::get_if<StraightLineTask>(&task);
+  if (options.at && line != nullptr && std::holds_alternative<straight_cases::Search>(line->given))
+    return {{"place_of_search", "options.at",
+             "linkages of a search come from many maps; take the place to the task of one of them, or drop it"}};
   if (options.objective != Objective::structural_error) return {};
   const WantedFunction* wanted = wanted_function(task);
   if (wanted != nullptr && wanted->function) return {};

@@ -96,35 +96,48 @@ Notice what_is_there(const StraightLineAnswer& answer, MapPoint at) {
            {"meeting", static_cast<double>(meeting)}}};
 }
 
-// Of all layers, best first.
-void list_layers(StraightLineAnswer& answer) {
+struct FoundInLayer {
+  StraightLineSolution linkage;
+  std::vector<RequirementKind> failed;
+};
+
+// Of all layers at a place, best first.
+std::vector<FoundInLayer> layers_at(const StraightLineAnswer& answer, MapPoint at) {
   const StraightLineFamily& family = *answer.lines;
-  const MapPoint at = *answer.options.at;
-  struct Found {
-    StraightLineSolution linkage;
-    std::vector<RequirementKind> failed;
-  };
-  std::vector<Found> all;
-  bool on_map = false;
+  std::vector<FoundInLayer> all;
   for (int layer = 0; layer < family.layers(); ++layer) {
     const auto place = family.point_of({layer, {at.input, at.output}});
     if (!place) continue;
-    on_map = true;
     auto failed = failures_at(family, answer, *place);
     auto made = failed ? make_straight_line(family, *place) : std::nullopt;
     if (!made) continue;
     made->place.at = {at.input, at.output};
     all.push_back({*std::move(made), *std::move(failed)});
   }
-  std::stable_sort(all.begin(), all.end(), [&](const Found& a, const Found& b) {
+  std::stable_sort(all.begin(), all.end(), [&](const FoundInLayer& a, const FoundInLayer& b) {
     return score_of(a.linkage, answer) > score_of(b.linkage, answer);
   });
-  for (Found& found : all) {
+  return all;
+}
+
+void list_layers(StraightLineAnswer& answer) {
+  const MapPoint at = *answer.options.at;
+  std::vector<FoundInLayer> all = layers_at(answer, at);
+  for (FoundInLayer& found : all) {
     answer.linkages.push_back(std::move(found.linkage));
     answer.fails.push_back(std::move(found.failed));
   }
+  const bool on_map = answer.lines->point_of({0, {at.input, at.output}}).has_value();
   answer.status = all.empty() ? SolutionStatus::no_solution : SolutionStatus::solved;
-  answer.reason = all.empty() ? where_nothing_is(family, at, on_map) : what_is_there(answer, at);
+  answer.reason = all.empty() ? where_nothing_is(*answer.lines, at, on_map) : what_is_there(answer, at);
+}
+
+// Where nothing is left open there is no map to search: all that meet the requirements.
+void list_all(StraightLineAnswer& answer) {
+  for (FoundInLayer& found : layers_at(answer, {}))
+    if (found.failed.empty() && std::ssize(answer.linkages) < answer.options.best)
+      answer.linkages.push_back(std::move(found.linkage));
+  state_what_was_found(answer);
 }
 
 Notice what_was_looked_for(const StraightLineSearchResult& search, const straight_cases::Search& wanted) {
@@ -187,6 +200,8 @@ Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& r
   const RequirementFilter filter = count_region(answer, family, {options.region_samples, std::nullopt}, progress);
   if (options.at) {
     list_layers(answer);
+  } else if (family.axis(Side::input).is_discrete()) {
+    list_all(answer);
   } else {
     auto best = best_linkages(SearchedLines(family, answer.requirements, options.objective), answer, filter, progress);
     answer.linkages = std::move(best.linkages);

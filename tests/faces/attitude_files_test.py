@@ -109,8 +109,8 @@ class Changes(AttitudeTest):
 
 class Pictures(AttitudeTest):
     def test_those_of_the_theory_are_the_programs(self):
-        page = (PICTURES / "attitude.md").read_text(encoding="utf-8")
-        drawn = re.findall(r"^\$ linkwright (attitude .*--svg (docs/theory/\w+\.svg))", page, re.MULTILINE)
+        page = "".join((PICTURES / f"{name}.md").read_text(encoding="utf-8") for name in ("attitude", "infinitesimal"))
+        drawn = re.findall(r"^\$ linkwright (.*--svg (docs/theory/\w+\.svg))", page, re.MULTILINE)
         self.assertEqual({name for _, name in drawn}, {f"docs/theory/{path.name}" for path in PICTURES.glob("*.svg")})
         for command, name in drawn:
             with self.subTest(name):

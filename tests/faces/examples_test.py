@@ -10,7 +10,9 @@ import unittest
 from attitude_support import quaternion_of
 from face_support import ROOT, FaceTest, load, run
 
-EXAMPLES = sorted((ROOT / "examples").glob("*.json"))
+ALL = sorted((ROOT / "examples").glob("*.json"))
+LINES = [path for path in ALL if path.stem.startswith("straight_")]  # what they find is traced in straight_line_test.py
+EXAMPLES = [path for path in ALL if path not in LINES]
 STEPS = 2000  # of a drive; the transmission angle is smooth, so the sampled least is off by far less than 0.01 degrees
 
 
@@ -290,7 +292,7 @@ class Examples(FaceTest):
         self.assertEqual({name for name, kind in kinds.items() if kind == "function"}, set(WANTED))
 
     def test_each_tells_its_story_first(self):
-        for path in EXAMPLES:
+        for path in ALL:
             with self.subTest(path.name):
                 text = path.read_text(encoding="utf-8")
                 story = re.match(r"(?://[^\n]*\n)+", text)
@@ -521,6 +523,36 @@ class Examples(FaceTest):
                 expected = [*(f"{count:,}".replace(",", " ") for count in counts), str(len(result["linkages"])), best["type"], gamma]
             with self.subTest(name):
                 self.assertEqual([cell.strip().strip("`") for cell in row.split("|")][1:], expected)
+
+
+def grouped(number):
+    return f"{number:,}".replace(",", " ")
+
+
+class StraightLines(FaceTest):
+    """Examples of points that run straight."""
+
+    def test_each_is_solved_as_the_list_says(self):
+        rows = {match[1]: match[0] for match in
+                re.finditer(r"^\| \[`(straight_\w+)\.json`\].*$", (ROOT / "examples/README.md").read_text(encoding="utf-8"), re.MULTILINE)}
+        self.assertEqual(set(rows), {path.stem for path in LINES})
+        for path in LINES:
+            with self.subTest(path.name):
+                status, output, error = run("solve", path, "-o", "-")
+                self.assertEqual((status, error), (0, ""))
+                result = json.loads(output)
+                self.assertEqual((result["status"], result["warnings"]), ("solved", []))
+                best = result["linkages"][0]
+                for linkage in result["linkages"]:
+                    self.assertIs(linkage["verified_by_driving"], True)
+                    self.assertLess(linkage["residual"], 1e-9 * max(linkage["lengths"].values()))
+                if path.stem == "straight_search":
+                    continue
+                counts = result["region"]["counts"]
+                told = (grouped(counts["pairs"] - counts["degenerate"]), grouped(result["region"]["meeting_requirements"]),
+                        f"`{best['type']}`", f"{best['min_transmission_angle_deg']:.1f}°")
+                for number in told:
+                    self.assertIn(f"| {number} |", rows[path.stem])
 
 
 if __name__ == "__main__":
