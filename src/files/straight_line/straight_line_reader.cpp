@@ -137,7 +137,8 @@ class CaseReader {
   [[nodiscard]] std::optional<StraightLineCase> mixed() const {
     const JsonObject object = members({"input_pivot", "contacts", "coupler_angle_deg"});
     const auto pivot = object.require_point("input_pivot");
-    const auto list = object.require("contacts", {"contacts", "a list of contacts {\"s\": …, \"multiplicity\": …}"});
+    const auto list =
+        object.require("contacts", {"contacts_in_full", "a list of contacts {\"s\": …, \"multiplicity\": …}"});
     double turn = 0;
     if (const auto given = object.find("coupler_angle_deg")) {
       const auto number = given->as_number();
