@@ -74,15 +74,16 @@ std::string line_table(const StraightLineAnswer& answer) {
     const StraightLineSolution& found = answer.linkages[i];
     const UsableLine& counted = found.counted(answer.options.line.measure);
     const StrokeReport& over = found.over_usable;
-    std::vector<std::string> row = {fmt::format("{}", i + 1),
-                                    std::string(short_label(found.type)),
-                                    fmt::format("{}", found.contact.points),
-                                    usable_text(found.usable),
-                                    usable_text(found.usable_strip),
-                                    significant_text(counted.length() / found.linkage.longest(), 3),
-                                    angle_text(over.min_transmission_angle, 1),
-                                    over.drive ? significant_text(over.drive->nonuniformity(counted.length()), 2) : "–",
-                                    significant_text(by_strip ? (found.stroke ? *found.stroke : over).parallel_line_deviation
+    std::vector<std::string> row = {
+        fmt::format("{}", i + 1),
+        std::string(short_label(found.type)),
+        fmt::format("{}", found.contact.points),
+        usable_text(found.usable),
+        usable_text(found.usable_strip),
+        significant_text(counted.length() / found.linkage.longest(), 3),
+        angle_text(over.min_transmission_angle, 1),
+        over.drive ? significant_text(over.drive->nonuniformity(counted.length()), 2) : "–",
+        significant_text(by_strip ? (found.stroke ? *found.stroke : over).parallel_line_deviation
                                   : (found.stroke ? *found.stroke : over).max_deviation,
                          3)};
     if (has_layers) row.insert(row.begin() + 1, std::string(answer.lines->layer_name(found.place.layer)));

@@ -32,10 +32,11 @@ std::optional<LineCandidate> LineEvaluator::candidate(MapPoint place) const {
   const LineDesign design = family_.design(place);
   if (design.kind != DesignKind::four_bar || !can_be_built(design.linkage)) return std::nullopt;
   if (!family_.defects(design.linkage).none()) return std::nullopt;
-  const auto numbers = family_.measuring().measure == LineMeasure::strip ? estimated(design.linkage)
-                                                                        : measured(design.linkage);
+  const auto numbers =
+      family_.measuring().measure == LineMeasure::strip ? estimated(design.linkage) : measured(design.linkage);
   if (!numbers) return std::nullopt;
-  return LineCandidate{place, design.linkage, score_of(objective_, *numbers), false};
+  return LineCandidate{place, design.linkage, score_of(objective_, *numbers),
+                       numbers->stroke_over_longest * numbers->longest_link, false};
 }
 
 std::optional<RankedNumbers> LineEvaluator::measured(const TracingFourBar& linkage) const {

@@ -13,7 +13,8 @@ namespace linkwright {
 struct LineCandidate {
   MapPoint place;
   TracingFourBar linkage;
-  double score = 0;  ///< as score_of
+  double score = 0;   ///< as score_of
+  double usable = 0;  ///< length that counts
   bool local_optimum = false;
 
   [[nodiscard]] LinkageType type() const { return linkage_type(linkage.bars.lengths()); }

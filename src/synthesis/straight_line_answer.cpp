@@ -205,6 +205,10 @@ Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& r
   } else {
     auto best = best_linkages(SearchedLines(family, answer.requirements, options.objective), answer, filter, progress);
     answer.linkages = std::move(best.linkages);
+    std::stable_sort(answer.linkages.begin(), answer.linkages.end(),
+                     [&](const StraightLineSolution& a, const StraightLineSolution& b) {
+                       return score_of(a, answer) > score_of(b, answer);
+                     });
     answer.left_out = best.left_out;
     state_what_was_found(answer);
   }
