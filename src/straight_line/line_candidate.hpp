@@ -30,6 +30,7 @@ class LineEvaluator {
       : family_(family), requirements_(requirements), objective_(objective) {}
 
   [[nodiscard]] const StraightLineFamily& family() const { return family_; }
+  [[nodiscard]] const Requirements& requirements() const { return requirements_; }
   [[nodiscard]] std::optional<Candidate> candidate(MapPoint place) const;
   [[nodiscard]] std::optional<Candidate> candidate(MapPoint place, const Candidate& /*known*/) const {
     return candidate(place);

@@ -68,4 +68,31 @@ std::optional<StraightLineSolution> make_straight_line(const StraightLineFamily&
   return found;
 }
 
+std::vector<RequirementKind> failures_of(const StraightLineSolution& found, const Requirements& wanted,
+                                         LineMeasure measure) {
+  std::vector<RequirementKind> failed;
+  const auto demand = [&](bool met, RequirementKind kind) {
+    if (!met) failed.push_back(kind);
+  };
+  const auto inside = [](const std::optional<Box>& box, Point one, Point other) {
+    return !box || (box->contains(one) && box->contains(other));
+  };
+  const FourBar& bars = found.linkage.bars;
+  const double longest = found.linkage.longest();
+  const StrokeReport& over = found.stroke ? *found.stroke : found.over_usable;
+  demand(wanted.types.empty() || std::find(wanted.types.begin(), wanted.types.end(), found.type) != wanted.types.end(),
+         RequirementKind::types);
+  demand(found.over_usable.min_transmission_angle >= wanted.min_transmission_angle,
+         RequirementKind::min_transmission_angle);
+  demand(longest <= wanted.max_link_ratio * found.linkage.shortest(), RequirementKind::max_link_ratio);
+  demand(longest <= wanted.max_length.value_or(Requirements::unlimited), RequirementKind::max_length);
+  demand(inside(wanted.ground_pivots_within, bars.input_center, bars.output_center),
+         RequirementKind::ground_pivots_within);
+  demand(inside(wanted.moving_pivots_within, bars.input_circle, bars.output_circle),
+         RequirementKind::moving_pivots_within);
+  demand(found.counted(measure).length() >= wanted.min_stroke, RequirementKind::min_stroke);
+  demand(over.max_deviation <= wanted.max_deviation, RequirementKind::max_deviation);
+  return failed;
+}
+
 }  // namespace linkwright

@@ -14,8 +14,8 @@ std::optional<StraightLineSolution> SearchedLines::make(MapPoint place) const {
   auto found = make_straight_line(family(), place);
   if (!found || family().measuring().measure != LineMeasure::strip) return found;
   const auto climbed = candidate(place);
-  if (!climbed || found->usable_strip.length() < borne_out * climbed->usable) return std::nullopt;
-  return found;
+  const bool is_borne_out = climbed && found->usable_strip.length() >= borne_out * climbed->usable;
+  return is_borne_out && failures_of(*found, requirements(), LineMeasure::strip).empty() ? found : std::nullopt;
 }
 
 bool SearchedLines::is_confirmed(const LineCandidate& candidate, const StraightLineSolution& made) const {

@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "linkwright/core/count_text.hpp"
-#include "picked_place.hpp"
 #include "region_count.hpp"
 #include "searched_lines.hpp"
 
@@ -108,11 +107,11 @@ std::vector<FoundInLayer> layers_at(const StraightLineAnswer& answer, MapPoint a
   for (int layer = 0; layer < family.layers(); ++layer) {
     const auto place = family.point_of({layer, {at.input, at.output}});
     if (!place) continue;
-    auto failed = failures_at(family, answer, *place);
-    auto made = failed ? make_straight_line(family, *place) : std::nullopt;
+    auto made = make_straight_line(family, *place);
     if (!made) continue;
     made->place.at = {at.input, at.output};
-    all.push_back({*std::move(made), *std::move(failed)});
+    auto failed = failures_of(*made, answer.requirements, answer.options.line.measure);
+    all.push_back({*std::move(made), std::move(failed)});
   }
   std::stable_sort(all.begin(), all.end(), [&](const FoundInLayer& a, const FoundInLayer& b) {
     return score_of(a.linkage, answer) > score_of(b.linkage, answer);
@@ -135,7 +134,7 @@ void list_layers(StraightLineAnswer& answer) {
 // Where nothing is left open there is no map to search: all that meet the requirements.
 void list_all(StraightLineAnswer& answer) {
   for (FoundInLayer& found : layers_at(answer, {}))
-    if (found.failed.empty() && std::ssize(answer.linkages) < answer.options.best)
+    if (found.failed.empty() && found.linkage.defects.none() && std::ssize(answer.linkages) < answer.options.best)
       answer.linkages.push_back(std::move(found.linkage));
   state_what_was_found(answer);
 }

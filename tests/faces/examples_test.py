@@ -511,8 +511,10 @@ class Examples(FaceTest):
     def test_the_list_of_examples_is_true(self):
         text = (ROOT / "examples/README.md").read_text(encoding="utf-8")
         rows = re.findall(r"^\| \[`(\w+)\.json`\]\(\1\.json\) \|(.+)\|$", text, re.MULTILINE)
-        self.assertEqual({name for name, _ in rows}, set(self.all))
+        self.assertEqual({name for name, _ in rows}, set(self.all) | {path.stem for path in LINES})
         for name, row in rows:
+            if name not in self.all:
+                continue
             result = self.all[name]
             best = result["linkages"][0]
             gamma = f"{best['min_transmission_angle_deg']:.1f}°"

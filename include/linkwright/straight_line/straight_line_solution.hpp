@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
@@ -41,5 +42,10 @@ struct StraightLineSolution {
 /// The linkage at a place of a map, measured exactly. Nothing where there is none, all its links lie in one line, or
 /// its point rests there.
 [[nodiscard]] std::optional<StraightLineSolution> make_straight_line(const StraightLineFamily& family, MapPoint place);
+
+/// The requirements that it fails, by its exact measures; nothing of `no_defects`, which keeps it off every list.
+/// `wanted` with max_length set.
+[[nodiscard]] std::vector<RequirementKind> failures_of(const StraightLineSolution& found, const Requirements& wanted,
+                                                       LineMeasure measure);
 
 }  // namespace linkwright
