@@ -250,7 +250,7 @@ std::optional<AnyStoredLinkage> read_element(const JsonValue& element, const Sur
   if (says_spherical_four_bar(element)) return read_stored_spherical(element, around, mistakes);
   const auto traced = read_four_bar(element, mistakes);
   if (!traced) return std::nullopt;
-  const bool is_bare = element.json().contains("pivots") && !has_tracing_pivots(element.json());
+  const bool is_bare = element.json().contains("pivots") && !element.json().contains("case");
   const std::string record = is_bare ? "" : element.json().dump();
   return StoredLinkage{traced->bars, around.title, around.length_unit, around.poses, record, traced->point};
 }

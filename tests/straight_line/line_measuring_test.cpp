@@ -66,7 +66,7 @@ double quantile(std::vector<double> values, double share) {
 // Against the exact tracer: good to rank, and the docs say how good.
 TEST(LineEstimate, IsCloseToTheExactPath) {
   for (const Sample& sample : samples()) {
-    const auto linkages = linkages_of(sample.task, 600, 3);
+    const auto linkages = linkages_of(sample.task, 200, 3);
     std::vector<LineEstimate> estimates(linkages.size());
     const Point along = sample.task.line.direction;
     estimate_lines(linkages, {along, sample.contact, sample.by_input, {}, {}, Simd::automatic}, estimates);

@@ -145,10 +145,10 @@ TEST(LineCases, KeepTheContactThatTheyPromise) {
   std::mt19937 draw(14);
   std::uniform_real_distribution<double> along(0, 1);
   std::map<std::string, std::array<int, 2>> counts;  // looked at, short of the promise
-  for (int turn = 0; turn < 40; ++turn)
+  for (int turn = 0; turn < 10; ++turn)
     for (const StraightLineTask& task : tasks_of_every_case(draw)) {
       const auto axes = axes_of(task);
-      for (int cell = 0; cell < 500; ++cell) {
+      for (int cell = 0; cell < 2000; ++cell) {
         const auto place = [&](const LineAxis& axis) { return axis.low + along(draw) * (axis.high - axis.low); };
         const LineDesigns found = found_at(task, place(axes[0]), place(axes[1]));
         for (int layer = 0; layer < 3; ++layer) {
