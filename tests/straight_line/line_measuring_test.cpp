@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <random>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "linkwright/straight_line/straight_path.hpp"
 #include "straight_line/line_cases.hpp"
 #include "straight_line/line_estimate.hpp"
+#include "support/draws.hpp"
 
 namespace linkwright {
 namespace {
@@ -26,7 +28,7 @@ TEST(LineMeasuring, TakesAShareOfTheLongestUnlessTold) {
   EXPECT_EQ(name(LineMeasure::tangent), "tangent");
 }
 
-std::vector<TracingFourBar> linkages_of(const StraightLineTask& task, std::size_t count, unsigned seed) {
+std::vector<TracingFourBar> linkages_of(const StraightLineTask& task, int count, unsigned seed) {
   std::mt19937 draw(seed);
   std::uniform_real_distribution<double> share(0, 1);
   const auto axes = axes_of(task);
@@ -34,7 +36,7 @@ std::vector<TracingFourBar> linkages_of(const StraightLineTask& task, std::size_
     return line_axis_value(axis, axis.low + share(draw) * (axis.high - axis.low));
   };
   std::vector<TracingFourBar> found;
-  while (found.size() < count) {
+  while (std::ssize(found) < count) {
     const auto first = place(axes[0]), second = place(axes[1]);
     for (const LineDesign& design : designs_at(task, first, second))
       if (design.kind == DesignKind::four_bar &&
@@ -66,7 +68,7 @@ double quantile(std::vector<double> values, double share) {
 // Against the exact tracer: good to rank, and the docs say how good.
 TEST(LineEstimate, IsCloseToTheExactPath) {
   for (const Sample& sample : samples()) {
-    const auto linkages = linkages_of(sample.task, 200, 3);
+    const auto linkages = linkages_of(sample.task, testing::draws(400), 3);
     std::vector<LineEstimate> estimates(linkages.size());
     const Point along = sample.task.line.direction;
     estimate_lines(linkages, {along, sample.contact, sample.by_input, {}, {}, Simd::automatic}, estimates);

@@ -9,6 +9,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
 #include "straight_line/line_cases.hpp"
+#include "support/draws.hpp"
 #include "support/straight_line_cases.hpp"
 
 namespace linkwright {
@@ -145,10 +146,10 @@ TEST(LineCases, KeepTheContactThatTheyPromise) {
   std::mt19937 draw(14);
   std::uniform_real_distribution<double> along(0, 1);
   std::map<std::string, std::array<int, 2>> counts;  // looked at, short of the promise
-  for (int turn = 0; turn < 10; ++turn)
+  for (int turn = 0; turn < 40; ++turn)
     for (const StraightLineTask& task : tasks_of_every_case(draw)) {
       const auto axes = axes_of(task);
-      for (int cell = 0; cell < 2000; ++cell) {
+      for (int cell = 0; cell < testing::draws(500); ++cell) {
         const auto place = [&](const LineAxis& axis) { return axis.low + along(draw) * (axis.high - axis.low); };
         const LineDesigns found = found_at(task, place(axes[0]), place(axes[1]));
         for (int layer = 0; layer < 3; ++layer) {
@@ -173,10 +174,10 @@ TEST(LineCases, KeepTheContactThatTheyPromise) {
   int all = 0;
   for (const auto& [of, count] : counts) {
     EXPECT_EQ(count[1], 0) << of << ": " << count[1] << " of " << count[0];
-    EXPECT_GT(count[0], 1000) << of;
+    EXPECT_GT(count[0], testing::draws(1000)) << of;
     all += count[0];
   }
-  EXPECT_GE(all, 100'000);
+  EXPECT_GE(all, testing::draws(100'000));
 }
 
 }  // namespace
