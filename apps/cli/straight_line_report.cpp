@@ -128,6 +128,21 @@ std::string line_pivots(const Lines& all, int decimals) {
   return "Pivots (x, y), as the linkage lies with its point on the line:\n" + table.text();
 }
 
+// The other linkages of the best one's curve.
+std::string cognate_words(const StraightLineSolution& found, int decimals) {
+  if (found.cognates.empty()) return "";
+  TextTable table({"<type", "ground", "input", "coupler", "output", "input: fixed pivot", "output: fixed pivot", "γ"});
+  for (const StraightLineCognate& other : found.cognates) {
+    const FourBar& bars = other.linkage.bars;
+    const LinkLengths lengths = bars.lengths();
+    table.add_row({std::string(short_label(other.type)), rounded_text(lengths.ground, decimals),
+                   rounded_text(lengths.input, decimals), rounded_text(lengths.coupler, decimals),
+                   rounded_text(lengths.output, decimals), pivot_text(bars.input_center, decimals),
+                   pivot_text(bars.output_center, decimals), angle_text(other.over_usable.min_transmission_angle, 1)});
+  }
+  return "Linkages whose point traces the same path as that of linkage 1 (its cognates):\n" + table.text() + "\n";
+}
+
 std::string line_check_words(const StraightLineAnswer& answer) {
   double worst = 0;
   bool all_driven = true;
@@ -163,8 +178,8 @@ std::string found_lines_words(const Problem& problem, const StraightLineAnswer& 
         significant_text(first.place.at[1], 6)));
   }
   return "\n" + heading_of_lines(answer) + line_table(answer) + column_words(answer) + "\n" +
-         line_dimensions(answer.linkages, decimals) + "\n" + line_pivots(answer.linkages, decimals) + "\n" + best +
-         line_check_words(answer);
+         line_dimensions(answer.linkages, decimals) + "\n" + line_pivots(answer.linkages, decimals) + "\n" +
+         cognate_words(answer.linkages.front(), decimals) + best + line_check_words(answer);
 }
 
 std::string no_lines_words(const Problem& problem, const StraightLineAnswer& answer) {

@@ -165,6 +165,7 @@ void write_line(JsonWriter& json, const StraightLineFamily& family, const Straig
   write_contact(json, found.contact);
   json.member("deviation", found.deviation);
   write_usable_lengths(json, found, family.measuring().measure);
+  write_cognates(json, found);
   write_profile(json, family, found, visits);
   json.end_object();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwright/analysis/cognates.hpp"
 #include "linkwright/analysis/drive_through.hpp"
 #include "linkwright/analysis/position.hpp"
 
@@ -24,6 +25,36 @@ bool assembles_alike(const TracingFourBar& start, const StraightPath& path) {
     const Point point = bars.input_circle + arm * (bars.output_circle - bars.input_circle);
     return std::abs(point - state.linkage.point) <= alike * start.longest();
   });
+}
+
+UsableLine usable_of(const StraightPath& path, double deviation, LineMeasure measure) {
+  return measure == LineMeasure::strip ? path.usable_strip(deviation) : path.usable(deviation);
+}
+
+std::optional<StraightLineCognate> measured_cognate(const TracingFourBar& linkage, Point along, double deviation,
+                                                    LineMeasure measure) {
+  const auto path = StraightPath::of(linkage, along);
+  if (!path) return std::nullopt;
+  const UsableLine usable = usable_of(*path, deviation, measure);
+  const auto over = path->stroke(usable.from, usable.to);
+  if (!over) return std::nullopt;
+  return StraightLineCognate{linkage, linkage_type(linkage.bars.lengths()), *over};
+}
+
+// Driven from the side from which it transmits better.
+std::vector<StraightLineCognate> measured_cognates(const TracingFourBar& linkage, Point along, double deviation,
+                                                   LineMeasure measure) {
+  std::vector<StraightLineCognate> measured;
+  const auto others = cognates(linkage);
+  if (!others) return measured;
+  for (const TracingFourBar& other : *others) {
+    auto driven = measured_cognate(other, along, deviation, measure);
+    auto swapped = measured_cognate(other.swapped(), along, deviation, measure);
+    if (!driven || !swapped) continue;
+    const bool better = swapped->over_usable.min_transmission_angle > driven->over_usable.min_transmission_angle;
+    measured.push_back(better ? *std::move(swapped) : *std::move(driven));
+  }
+  return measured;
 }
 
 // Contacts at places, by continuation: with the defects that the sign tests name.
@@ -61,6 +92,7 @@ std::optional<StraightLineSolution> make_straight_line(const StraightLineFamily&
   const auto over = path->stroke(counted.from, counted.to);
   if (!over) return std::nullopt;
   found.over_usable = *over;
+  found.cognates = measured_cognates(linkage, along, found.deviation, family.measuring().measure);
   if (const auto asked = family.stroke()) found.stroke = path->stroke((*asked)[0], (*asked)[1]);
   found.residual = std::abs(family.task().line.to_line(linkage.point).imag());
   found.defects = family.defects(linkage);

@@ -28,6 +28,26 @@ TEST(StraightLineSolution, IsMeasuredExactly) {
   EXPECT_EQ(&found->counted(LineMeasure::strip), &found->usable_strip);
 }
 
+TEST(StraightLineSolution, HasCognatesAsStraightAsItself) {
+  const StraightLineFamily family({LineAtAngle({1.5, 2}, radians(20)), FourPointPivots{{0, 0}, {3, 0}}},
+                                  {0.001, 0.2, LineMeasure::strip});
+  const auto found = make_straight_line(family, family.point_of({1, {100, 35}}).value());
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->cognates.size(), 2U);
+  for (const StraightLineCognate& other : found->cognates) {
+    EXPECT_EQ(other.linkage.point, found->linkage.point);
+    EXPECT_GT(std::abs(other.linkage.bars.input_circle - found->linkage.bars.input_circle), 1e-3);
+    EXPECT_EQ(other.type, linkage_type(other.linkage.bars.lengths()));
+    const StrokeReport &here = found->over_usable, &there = other.over_usable;
+    EXPECT_NEAR(there.from, here.from, 1e-9);
+    EXPECT_NEAR(there.to, here.to, 1e-9);
+    EXPECT_NEAR(there.max_deviation, here.max_deviation, 1e-12);
+    EXPECT_NEAR(there.best_line_deviation, here.best_line_deviation, 1e-12);
+    const auto backwards = StraightPath::of(other.linkage.swapped(), family.task().line.direction);
+    EXPECT_LT(backwards->stroke(there.from, there.to)->min_transmission_angle, there.min_transmission_angle);
+  }
+}
+
 TEST(StraightLineSolution, OfContactsAtPlacesIsDrivenThroughThem) {
   const MixedContacts contacts{{0, 0}, {{1, 2, -1}, {3, 2, -1}}, 0};
   const StraightLineFamily family({LineAtAngle({0, 4}, 0), contacts}, {});

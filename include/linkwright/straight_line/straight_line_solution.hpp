@@ -11,6 +11,14 @@
 
 namespace linkwright {
 
+/// One of the two other four-bars whose point traces the same curve (cognates()), as it lies with its point on the
+/// line; its input is the side from which it transmits better.
+struct StraightLineCognate {
+  TracingFourBar linkage;
+  LinkageType type = LinkageType::degenerate;
+  StrokeReport over_usable;  ///< over the usable length that counts, traced by itself
+};
+
 /// A four-bar found whose point runs straight, fixed frame, user's unit, in the configuration in which the point is on
 /// the line.
 struct StraightLineSolution {
@@ -26,7 +34,9 @@ struct StraightLineSolution {
   StrokeReport over_usable;            ///< over the usable length that counts
   std::optional<StrokeReport> stroke;  ///< over the stroke that is asked for; nothing where it does not go so far
   double residual = 0;                 ///< distance of the point from the task's line, as it lies
-  bool local_optimum = false;          ///< the top of its hill; otherwise a distinct linkage beside those
+  /// Two; none where the point's path is a circle.
+  std::vector<StraightLineCognate> cognates;
+  bool local_optimum = false;  ///< the top of its hill; otherwise a distinct linkage beside those
   /// Assembled by the triangles of its links it passes the places of its path; driven, the contacts at places.
   bool verified_by_driving = false;
 

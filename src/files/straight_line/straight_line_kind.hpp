@@ -35,6 +35,8 @@ void write_linkages(JsonWriter& json, const StraightLineAnswer& answer);
 /// that are usable, with what is to be said over them and over the stroke asked for.
 void write_contact(JsonWriter& json, const LineContact& contact);
 void write_usable_lengths(JsonWriter& json, const StraightLineSolution& found, LineMeasure measure);
+/// The member `cognates` of a linkage: the others whose point traces the same curve.
+void write_cognates(JsonWriter& json, const StraightLineSolution& found);
 /// A linkage of an answer without title and unit; its poses are those of the coupler at the ends of the usable length
 /// and where the point is on the line.
 [[nodiscard]] StoredLinkage stored(const StraightLineSolution& found, const StraightLineAnswer& answer);

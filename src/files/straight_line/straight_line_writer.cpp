@@ -91,15 +91,16 @@ struct GivenWriter {
   }
 };
 
-void write_tracing_lengths(JsonWriter& json, const StraightLineSolution& found) {
+void write_tracing_lengths(JsonWriter& json, const TracingFourBar& linkage) {
+  const LinkLengths lengths = linkage.bars.lengths();
   json.key("lengths");
   json.begin_object(Layout::one_line);
-  json.member("ground", found.lengths.ground);
-  json.member("input", found.lengths.input);
-  json.member("coupler", found.lengths.coupler);
-  json.member("output", found.lengths.output);
-  json.member("point_to_input", found.point_to_input());
-  json.member("point_to_output", found.point_to_output());
+  json.member("ground", lengths.ground);
+  json.member("input", lengths.input);
+  json.member("coupler", lengths.coupler);
+  json.member("output", lengths.output);
+  json.member("point_to_input", std::abs(linkage.point - linkage.bars.input_circle));
+  json.member("point_to_output", std::abs(linkage.point - linkage.bars.output_circle));
   json.end_object();
 }
 
@@ -144,6 +145,13 @@ void write_deviation_series(JsonWriter& json, const LineContact& contact) {
   json.end_object();
 }
 
+void write_built(JsonWriter& json, const TracingFourBar& linkage, LinkageType type) {
+  json.key("pivots");
+  write_pivots(json, linkage);
+  write_tracing_lengths(json, linkage);
+  json.member("type", name(type));
+}
+
 void write_straight_line(JsonWriter& json, const StraightLineSolution& found, const StraightLineAnswer& answer,
                          const std::vector<RequirementKind>* fails) {
   json.begin_object();
@@ -160,10 +168,7 @@ void write_straight_line(JsonWriter& json, const StraightLineSolution& found, co
     write_of_kind(json, found.task);
     json.end_object();
   }
-  json.key("pivots");
-  write_pivots(json, found.linkage);
-  write_tracing_lengths(json, found);
-  json.member("type", name(found.type));
+  write_built(json, found.linkage, found.type);
   if (std::holds_alternative<MixedContacts>(found.task.given)) {
     json.key("defects");
     write_defects(json, found.defects);
@@ -173,6 +178,7 @@ void write_straight_line(JsonWriter& json, const StraightLineSolution& found, co
   write_instant(json, analyze_instant(found.linkage.bars, {found.linkage.point, 0}));
   json.member("deviation", found.deviation);
   write_usable_lengths(json, found, answer.options.line.measure);
+  write_cognates(json, found);
   json.member("residual", found.residual);
   json.member("local_optimum", found.local_optimum);
   json.member("verified_by_driving", found.verified_by_driving);
@@ -211,6 +217,19 @@ void write_of_kind(JsonWriter& json, const StraightLineTask& task) {
   json.member("direction_deg", degrees_for_files(task.line.angle));
   json.end_object();
   std::visit(GivenWriter{json}, task.given);
+}
+
+void write_cognates(JsonWriter& json, const StraightLineSolution& found) {
+  json.key("cognates");
+  json.begin_list();
+  for (const StraightLineCognate& other : found.cognates) {
+    json.begin_object();
+    write_built(json, other.linkage, other.type);
+    json.member("min_transmission_angle_deg", degrees(other.over_usable.min_transmission_angle));
+    write_stroke(json, "over_usable", other.over_usable);
+    json.end_object();
+  }
+  json.end_list();
 }
 
 bool is_mapped(const StraightLineAnswer& answer) {
