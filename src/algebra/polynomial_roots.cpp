@@ -5,31 +5,12 @@
 #include <cmath>
 
 #include "linkwright/core/precondition.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
 
 constexpr std::size_t max_coefficients = 16;
-
-// The sign change between two places: secants and halves by turns.
-double bracketed_root(std::span<const double> c, double low, double high, double at_low, double at_high) {
-  for (int turn = 0; turn < 200; ++turn) {
-    const double middle = 0.5 * (low + high);
-    if (!(middle > low && middle < high)) return middle;
-    const double secant = low - at_low * (high - low) / (at_high - at_low);
-    const bool inside = turn % 2 == 0 && secant > low && secant < high;
-    const double place = inside ? secant : middle, there = polynomial_value(c, place);
-    if (there == 0) return place;
-    if ((there < 0) == (at_low < 0)) {
-      low = place;
-      at_low = there;
-    } else {
-      high = place;
-      at_high = there;
-    }
-  }
-  return 0.5 * (low + high);
-}
 
 // The constant outweighs all that the other terms can be within ±reach.
 bool keeps_sign(std::span<const double> c, double reach) {
@@ -46,19 +27,48 @@ double polynomial_value(std::span<const double> coefficients, double t) {
   return value;
 }
 
+// Newton's method between two places of different sign, which close in; halved where it leaves them or is slow.
+double sign_change_between(std::span<const double> c, double from, double to) {
+  double at_from = polynomial_value(c, from), at_to = polynomial_value(c, to);
+  if (at_from == 0) return from;
+  if (at_to == 0) return to;
+  require((at_from < 0) != (at_to < 0), "a polynomial of different signs at both places");
+  double low = std::min(from, to), high = std::max(from, to);
+  const bool falls = (at_from < 0) != (from < to);
+  double place = from - at_from * (to - from) / (at_to - at_from);
+  for (int turn = 0; turn < 200; ++turn) {
+    if (!(place > low && place < high)) place = 0.5 * (low + high);
+    if (!(place > low && place < high)) break;
+    double value = 0, slope = 0;
+    for (std::size_t k = c.size(); k-- > 0;) {
+      slope = slope * place + value;
+      value = value * place + c[k];
+    }
+    if (value == 0) break;
+    ((value < 0) != falls ? low : high) = place;
+    const double next = place - value / slope;
+    const bool settled = std::abs(next - place) <= tolerance::last_newton_correction * std::abs(place);
+    place = settled || turn % 4 != 3 ? next : 0.5 * (low + high);
+    if (settled) break;
+  }
+  return place;
+}
+
 std::vector<double> sign_changes_within(std::span<const double> coefficients, double from, double to) {
   require(coefficients.size() <= max_coefficients, "a polynomial of degree at most 15");
   std::vector<double> roots;
-  if (coefficients.size() < 2 || keeps_sign(coefficients, std::max(std::abs(from), std::abs(to)))) return roots;
+  if (coefficients.size() < 2) return roots;
   // derivative[d]: the d-th one, without its common factor.
-  std::array<std::array<double, max_coefficients>, max_coefficients> derivative{};
+  std::array<std::array<double, max_coefficients>, max_coefficients> derivative;
   const std::size_t degree = coefficients.size() - 1;
-  for (std::size_t k = 0; k <= degree; ++k) derivative[0][k] = coefficients[k];
-  for (std::size_t d = 1; d < degree; ++d)
-    for (std::size_t k = 0; k + d <= degree; ++k)
-      derivative[d][k] = static_cast<double>(k + 1) * derivative[d - 1][k + 1] / static_cast<double>(d);
-  for (std::size_t d = degree; d-- > 0;) {
-    const std::span<const double> c(derivative[d].data(), degree - d + 1);
+  const auto of_order = [&](std::size_t d) { return std::span<const double>(derivative[d].data(), degree - d + 1); };
+  std::copy(coefficients.begin(), coefficients.end(), derivative[0].begin());
+  const double reach = std::max(std::abs(from), std::abs(to));
+  std::size_t of_one_sign = 0;
+  for (std::size_t& d = of_one_sign; d < degree && !keeps_sign(of_order(d), reach); ++d)
+    for (std::size_t k = 0; k + d < degree; ++k)
+      derivative[d + 1][k] = static_cast<double>(k + 1) * derivative[d][k + 1] / static_cast<double>(d + 1);
+  for (std::size_t d = of_one_sign; d-- > 0;) {
     std::vector<double> places = {from};
     places.insert(places.end(), roots.begin(), roots.end());
     places.push_back(to);
@@ -66,10 +76,10 @@ std::vector<double> sign_changes_within(std::span<const double> coefficients, do
     // A place where it is zero has no sign: the stretches on both sides are one.
     double before = 0, at_before = 0;
     for (const double place : places) {
-      const double there = polynomial_value(c, place);
+      const double there = polynomial_value(of_order(d), place);
       if (there == 0) continue;
       if (at_before != 0 && (there < 0) != (at_before < 0))
-        roots.push_back(bracketed_root(c, before, place, at_before, there));
+        roots.push_back(sign_change_between(of_order(d), before, place));
       before = place;
       at_before = there;
     }

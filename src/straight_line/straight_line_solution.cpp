@@ -31,29 +31,31 @@ UsableLine usable_of(const StraightPath& path, double deviation, LineMeasure mea
   return measure == LineMeasure::strip ? path.usable_strip(deviation) : path.usable(deviation);
 }
 
-std::optional<StraightLineCognate> measured_cognate(const TracingFourBar& linkage, Point along, double deviation,
+// Traced only as far as a strip may reach. Driven from the side from which it transmits better.
+std::optional<StraightLineCognate> measured_cognate(TracingFourBar linkage, Point along, double deviation,
                                                     LineMeasure measure) {
-  const auto path = StraightPath::of(linkage, along);
-  if (!path) return std::nullopt;
+  const PathLimits reach{.max_deviation = 2 * deviation};
+  auto path = StraightPath::of(linkage, along, reach);
+  const auto backwards = StraightPath::of(linkage.swapped(), along, reach);
+  if (!path || !backwards) return std::nullopt;
   const UsableLine usable = usable_of(*path, deviation, measure);
+  const auto one = path->stroke_figures(usable.from, usable.to),
+             other = backwards->stroke_figures(usable.from, usable.to);
+  if (one && other && other->min_transmission_angle > one->min_transmission_angle) {
+    linkage = linkage.swapped();
+    path = backwards;
+  }
   const auto over = path->stroke(usable.from, usable.to);
   if (!over) return std::nullopt;
   return StraightLineCognate{linkage, linkage_type(linkage.bars.lengths()), *over};
 }
 
-// Driven from the side from which it transmits better.
 std::vector<StraightLineCognate> measured_cognates(const TracingFourBar& linkage, Point along, double deviation,
                                                    LineMeasure measure) {
   std::vector<StraightLineCognate> measured;
-  const auto others = cognates(linkage);
-  if (!others) return measured;
-  for (const TracingFourBar& other : *others) {
-    auto driven = measured_cognate(other, along, deviation, measure);
-    auto swapped = measured_cognate(other.swapped(), along, deviation, measure);
-    if (!driven || !swapped) continue;
-    const bool better = swapped->over_usable.min_transmission_angle > driven->over_usable.min_transmission_angle;
-    measured.push_back(better ? *std::move(swapped) : *std::move(driven));
-  }
+  if (const auto others = cognates(linkage))
+    for (const TracingFourBar& other : *others)
+      if (const auto found = measured_cognate(other, along, deviation, measure)) measured.push_back(*found);
   return measured;
 }
 

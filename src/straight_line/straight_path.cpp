@@ -211,10 +211,9 @@ StraightPath::Place StraightPath::place_at(double s) const {
     (s_at({middle, stretches_[middle].from}) <= s ? low : high) = middle;
   }
   const Stretch& stretch = stretches_[low];
-  const auto place = sign_changes_within(shifted(stretch.s, s).c, stretch.from, stretch.to);
-  if (!place.empty()) return {low, place.front()};
-  return {low,
-          std::abs(s_at({low, stretch.from}) - s) < std::abs(s_at({low, stretch.to}) - s) ? stretch.from : stretch.to};
+  if (s <= s_at({low, stretch.from})) return {low, stretch.from};
+  if (s >= s_at({low, stretch.to})) return {low, stretch.to};
+  return {low, sign_change_between(shifted(stretch.s, s).c, stretch.from, stretch.to)};
 }
 
 // Where e − slope · s has an extreme for from ≤ s ≤ to, and both ends.
@@ -261,56 +260,100 @@ UsableLine StraightPath::within(double low, double high) const {
 
 UsableLine StraightPath::usable(double deviation) const { return within(-deviation, deviation); }
 
-// Over the level of the strip, which holds 0: the stretch within it changes smoothly but where an edge of the strip
-// passes an extreme of e.
-UsableLine StraightPath::usable_strip(double deviation) const {
-  const double width = 2 * deviation, edge = 1e-9 * width;  // on the very edge the path begins outside
-  const UsableLine widest = usable(width);
-  std::vector<double> levels = {edge - width, -edge};
-  for (const Place place : extremes(widest.from, widest.to, 0))
-    for (const double level : {e_at(place), e_at(place) - width})
-      if (level > edge - width && level < -edge) levels.push_back(level);
-  std::sort(levels.begin(), levels.end());
-  const auto length_at = [&](double level) { return within(level, level + width).length(); };
-  constexpr int samples = 8;
-  double best = -deviation, longest = length_at(best), low = best, high = best;
-  // The best may touch an extreme of e, and be missed by a hair to either side.
-  const auto try_level = [&](double level) {
-    if (!(level > -width && level < 0)) return;
-    const double length = length_at(level);
-    if (length <= longest) return;
-    longest = length;
-    best = low = high = level;
+// Strips of one width by the level of their lower edge, −width < level < 0: e rises or falls along each piece of the
+// path, so that an edge is found in the one in which e leaves the strip.
+struct StraightPath::Strips {
+  struct Piece {
+    std::size_t stretch = 0;
+    double near = 0, far = 0, e_far = 0;
   };
-  for (const double level : levels)
-    for (const double beside : {level - edge, level + edge}) try_level(beside);
-  for (std::size_t i = 1; i < levels.size(); ++i) {
-    const double step = (levels[i] - levels[i - 1]) / samples;
-    if (step < edge) continue;
-    for (int k = 0; k < samples; ++k) {
-      const double level = levels[i - 1] + (k + 0.5) * step, length = length_at(level);
-      if (length <= longest) continue;
-      longest = length;
-      best = level;
-      low = level - 0.5 * step - (k > 0 ? step : 0);
-      high = level + 0.5 * step + (k + 1 < samples ? step : 0);
+  struct Exit {
+    double s = 0, rate = 0;  ///< and by the level
+  };
+  const StraightPath& path;
+  double width;
+  std::vector<Piece> ahead, back;
+  std::vector<double> levels;  ///< where an edge touches an extreme of e, and both ends
+
+  Strips(const StraightPath& path, double width) : path(path), width(width), levels{-width, 0} {
+    for (std::size_t i = path.first_ahead_; i < path.stretches_.size() && add_pieces(ahead, i); ++i) continue;
+    for (std::size_t i = path.first_ahead_; i-- > 0 && add_pieces(back, i);) continue;
+    std::sort(levels.begin(), levels.end());
+  }
+
+  // Whether e is still within the widest strip then.
+  bool add_pieces(std::vector<Piece>& way, std::size_t i) {
+    const Stretch& stretch = path.stretches_[i];
+    std::vector<double> places = sign_changes_within(slope_of(stretch.e).c, stretch.from, stretch.to);
+    places.insert(places.begin(), stretch.from);
+    places.push_back(stretch.to);
+    if (i < path.first_ahead_) std::reverse(places.begin(), places.end());
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      const double e = path.e_at({i, places[k]});
+      way.push_back({i, places[k - 1], places[k], e});
+      for (const double level : {e, e - width})
+        if (level > -width && level < 0) levels.push_back(level);
+      if (std::abs(e) > width) return false;
+    }
+    return true;
+  }
+
+  Exit exit(const std::vector<Piece>& way, double level, double end) const {
+    for (const Piece& piece : way) {
+      if (piece.e_far >= level && piece.e_far <= level + width) continue;
+      const Stretch& stretch = path.stretches_[piece.stretch];
+      const Series off = shifted(stretch.e, piece.e_far < level ? level : level + width);
+      // Between two stretches lies a rounding, and the edge may lie in it.
+      const bool at_once = (value(off, piece.near) < 0) == (value(off, piece.far) < 0);
+      const double t = at_once ? piece.near : sign_change_between(off.c, piece.near, piece.far);
+      return {value(stretch.s, t), value(slope_of(stretch.s), t) / value(slope_of(stretch.e), t)};
+    }
+    return {end, 0};
+  }
+  struct Length {
+    double length = 0, rate = 0;
+  };
+  Length length_at(double level) const {
+    const Exit far = exit(ahead, level, path.to()), near = exit(back, level, path.from());
+    return {far.s - near.s, far.rate - near.rate};
+  }
+
+  // Where the length is greatest between two levels, at which it rises and falls; it is flat there.
+  double top_between(double low, double high) const {
+    for (int turn = 0; turn < 60 && high - low > 1e-8 * width; ++turn) {
+      const double middle = 0.5 * (low + high);
+      (length_at(middle).rate > 0 ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+};
+
+// Between two levels at which an edge touches an extreme of e the length changes smoothly. It jumps there, and on the
+// very edge the path begins outside: the best may touch an extreme, and is looked for a hair beside it.
+UsableLine StraightPath::usable_strip(double deviation) const {
+  const Strips strips(*this, 2 * deviation);
+  const double hair = 1e-9 * strips.width;
+  double best = -deviation, longest = strips.length_at(best).length;
+  const auto consider = [&](double level) {
+    const Strips::Length there = strips.length_at(level);
+    if (there.length > longest) longest = there.length, best = level;
+    return there.rate;
+  };
+  constexpr int samples = 6;
+  for (std::size_t i = 1; i < strips.levels.size(); ++i) {
+    const double low = strips.levels[i - 1] + hair, high = strips.levels[i] - hair;
+    if (!(low < high)) continue;
+    double before = low;
+    bool rose = consider(low) > 0;
+    for (int k = 1; k <= samples; ++k) {
+      const double level = k < samples ? low + k * (high - low) / samples : high;
+      const bool rises = consider(level) > 0;
+      if (rose && !rises) consider(strips.top_between(before, level));
+      before = level;
+      rose = rises;
     }
   }
-  const double golden = 0.5 * (std::sqrt(5.0) - 1);
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double at_a = length_at(a), at_b = length_at(b);
-  for (int turn = 0; turn < 50; ++turn) {
-    if (at_a >= at_b) {
-      high = b, b = a, at_b = at_a;
-      a = high - golden * (high - low), at_a = length_at(a);
-    } else {
-      low = a, a = b, at_a = at_b;
-      b = low + golden * (high - low), at_b = length_at(b);
-    }
-  }
-  if (at_a > longest) longest = at_a, best = a;
-  if (at_b > longest) best = b;
-  return within(best, best + width);
+  return within(best, best + strips.width);
 }
 
 // ½ min over k of the range of e − k s, a convex function of k: the next k is where the tangents of both sides meet.

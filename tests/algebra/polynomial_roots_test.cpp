@@ -35,6 +35,24 @@ TEST(PolynomialRoots, FindsAllThatItWasMadeFrom) {
   }
 }
 
+TEST(PolynomialRoots, AreExactToTheLastDigits) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> coefficient(-1, 1), place(-1, 1);
+  for (int trial = 0; trial < 3000; ++trial) {
+    Coefficients c;
+    for (int k = 0; k < 2 + trial % 13; ++k) c.push_back(coefficient(random));
+    const double at = place(random);
+    c[1] += c[1] < 0 ? -40 : 40;  // monotone
+    c[0] -= polynomial_value(c, at);
+    for (const double root : {sign_change_between(c, -1, 1), sign_change_between(c, 1, -1)}) {
+      EXPECT_NEAR(root, at, 1e-15);
+      EXPECT_NEAR(polynomial_value(c, root), 0, 1e-14);
+    }
+  }
+  EXPECT_EQ(sign_change_between(Coefficients{-1, 1}, 1, 2), 1);
+  EXPECT_NEAR(sign_change_between(with_roots({0.25, 0.25, 0.25}), -3, 5), 0.25, 1e-4);
+}
+
 TEST(PolynomialRoots, WhereItOnlyTouchesIsNoSignChange) {
   EXPECT_TRUE(sign_changes_within(with_roots({0.5, 0.5}), 0, 1).empty());
   EXPECT_EQ(sign_changes_within(with_roots({0.5, 0.5, 0.5}), 0, 1).size(), 1U);

@@ -100,6 +100,7 @@ class StraightPath {
     double t = 0;
   };
   struct Walk;
+  struct Strips;
 
   /// The connected stretch around s = 0 with low ≤ e ≤ high.
   [[nodiscard]] UsableLine within(double low, double high) const;
