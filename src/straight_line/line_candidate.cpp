@@ -63,7 +63,7 @@ std::optional<RankedNumbers> LineEvaluator::measured(const TracingFourBar& linka
   return numbers;
 }
 
-// An exact strip takes a millisecond, too long for the steps of a climb; half a percent of room makes up for it.
+// An exact strip takes 40 µs, too long for the steps of many climbs; half a percent of room makes up for it.
 std::optional<RankedNumbers> LineEvaluator::estimated(const TracingFourBar& linkage) const {
   constexpr double room = 0.005, room_of_angle = radians(0.5);
   const auto estimate = estimate_of(family_, linkage);

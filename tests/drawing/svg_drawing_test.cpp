@@ -7,6 +7,7 @@
 
 #include "drawing/svg_canvas.hpp"
 #include "linkwright/core/angle.hpp"
+#include "support/draws.hpp"
 #include "support/file_support.hpp"
 #include "support/spherical_case.hpp"
 #include "support/spherical_function.hpp"
@@ -361,7 +362,10 @@ testing::Solved solved_line(const StraightLineTask& task) {
 }
 
 TEST(SvgDrawing, OfEveryStraightLineIsWhole) {
-  for (const StraightLineTask& task : testing::straight_line_tasks()) {
+  const auto tasks = testing::straight_line_tasks();
+  const int every = static_cast<int>(tasks.size()) / testing::draws(static_cast<int>(tasks.size()));
+  for (std::size_t i = 0; i < tasks.size(); i += static_cast<std::size_t>(every)) {
+    const StraightLineTask& task = tasks[i];
     SCOPED_TRACE(name(task.given));
     const auto [problem, answer] = solved_line(task);
     ASSERT_FALSE(std::get<StraightLineAnswer>(answer).linkages.empty());

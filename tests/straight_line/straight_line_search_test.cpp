@@ -1,6 +1,7 @@
 #include "linkwright/straight_line/straight_line_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "support/draws.hpp"
 
 namespace linkwright {
 namespace {
@@ -50,7 +52,9 @@ double farthest_off(const StraightLineSolution& of, const DirectedLine& line, do
 
 TEST(StraightLineSearch, FindsLinkagesThatRunStraightWhereTheyAreWanted) {
   const DirectedLine line{{10, 20}, direction(0.3)};
-  for (const double deviation : {0.05, 0.005, 1.0}) {
+  constexpr std::array deviations = {0.05, 0.005, 1.0};
+  for (int i = 0; i < testing::draws(3); ++i) {
+    const double deviation = deviations[static_cast<std::size_t>(i)];
     const auto result = found({100, deviation});
     ASSERT_EQ(result.linkages.size(), 10u);
     double before = 0;
@@ -99,7 +103,8 @@ TEST(StraightLineSearch, IsAtLeastAsGoodAsTheClassics) {
       {"Roberts", {{{-1, 0}, {-0.5, -root / 2}, {1, 0}, {0.5, -root / 2}}, {0, 0}}, -0.5, 0.5},
       {"Watt", watt, -0.5, 0.5},
       {"Evans", evans, -0.4, 0.4}};
-  for (const Classical& classic : classics) {
+  for (int i = 0; i < testing::draws(6); ++i) {
+    const Classical& classic = classics[static_cast<std::size_t>(i)];
     const Point along = classic.name == "Watt" ? Point{0, 1} : Point{1, 0};
     const auto path = StraightPath::of(classic.linkage, along);
     ASSERT_TRUE(path) << classic.name;
