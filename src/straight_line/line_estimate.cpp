@@ -52,28 +52,30 @@ class TracedPath {
     return {leaves(low, high, middle, -1), leaves(low, high, middle, 1)};
   }
 
-  // The longest over which e ranges over `width`: one end at a sample, then between the samples beside the best.
+  // The longest over which e, straight between samples, ranges over `width`. Either one end is at a sample, or a turn of
+  // e inside holds the edge of the strip: then an end at a sample is moved on to the other edge.
   [[nodiscard]] Stretch strip(double width) const {
     const Ranges from_middle = ranges();
     Stretch longest;
     for (const int sense : {-1, 1}) {
-      double best = middle;
-      Stretch found;
-      const auto look = [&](double place) {
-        const Stretch there = strip_from(place, sense, width, from_middle);
-        if (there.length() <= found.length()) return there.length() > 0;
-        found = there;
-        best = place;
-        return true;
-      };
-      for (int i = middle; look(i) && i != end(sense);) i += sense;
-      constexpr int parts = 8;
-      const double around = best;
-      for (int k = 1 - parts; k < parts; ++k) {
-        const double place = around + static_cast<double>(k) / parts;
-        if (sense * (place - middle) >= 0 && sense * (end(sense) - place) >= 0) look(place);
+      int i = middle, far = middle;
+      while (i != end(sense) && from_middle[at_index(i + sense)].width() <= width) i += sense;
+      for (;; i -= sense) {  // the farther in, the farther the other end goes
+        const Range here = from_middle[at_index(i)];
+        Range both = here.with(from_middle[at_index(far)]);
+        while (far != end(-sense)) {
+          const Range next = here.with(from_middle[at_index(far - sense)]);
+          if (next.width() > width) break;
+          both = next;
+          far -= sense;
+        }
+        const int beyond = i == end(sense) ? i : i + sense, beyond_far = far == end(-sense) ? far : far - sense;
+        if (sense * (s(beyond) - s(beyond_far)) > longest.length()) {
+          const Stretch found = strip_between(i, far, sense, both, width);
+          if (found.length() > longest.length()) longest = found;
+        }
+        if (i == middle) break;
       }
-      if (found.length() > longest.length()) longest = found;
     }
     return longest;
   }
@@ -94,19 +96,24 @@ class TracedPath {
   };
   [[nodiscard]] Drive drive(Stretch over) const {
     Drive drive;
-    double slowest = infinity, fastest = -infinity, sweep = 0;
-    const auto look = [&](double sine_square, double velocity) {
+    double slowest = infinity, fastest = -infinity, sweep = 0, way = 0, slowness = 0;
+    const auto look = [&](double s, double sine_square, double velocity) {
       drive.least_sine_square = std::min(drive.least_sine_square, sine_square);
       slowest = std::min(slowest, velocity);
       fastest = std::max(fastest, velocity);
+      const double here = 1 / velocity;
+      if (s > over.from) sweep += (s - way) * 0.5 * (slowness + here);
+      way = s;
+      slowness = here;
     };
-    for (int i = before(over); i < last_ && s(i) < over.to; ++i) {
-      const double from = std::max(s(i), over.from), to = std::min(s(i + 1), over.to);
-      const double begin = at(block_.velocity, i, from), finish = at(block_.velocity, i, to);
-      look(at(block_.sine_square, i, from), begin);
-      look(at(block_.sine_square, i, to), finish);
-      sweep += (to - from) * 0.5 * (1 / begin + 1 / finish);
-    }
+    const auto look_between = [&](int i, double s) {
+      look(s, at(block_.sine_square, i, s), at(block_.velocity, i, s));
+    };
+    if (!(over.length() > 0)) return {1, infinity};
+    int i = before(over);
+    look_between(i, over.from);
+    for (++i; i < last_ && s(i) < over.to; ++i) look(s(i), block_.sine_square[i][lane_], block_.velocity[i][lane_]);
+    look_between(i - 1, over.to);
     const bool one_way = slowest > 0 || fastest < 0;
     drive.nonuniformity = one_way ? (fastest - slowest) * std::abs(sweep) / over.length() : infinity;
     return drive;
@@ -125,28 +132,17 @@ class TracedPath {
     return from_middle;
   }
 
-  // One end at a place between samples, the other as far as it goes; empty where e ranges wider before that.
-  [[nodiscard]] Stretch strip_from(double place, int sense, double width, const Ranges& from_middle) const {
-    const int inner = sense > 0 ? static_cast<int>(std::floor(place)) : static_cast<int>(std::ceil(place));
-    const double share = std::abs(place - inner);
-    Range here = from_middle[at_index(inner)];
-    double at = s(inner);
-    if (share > 0) {
-      at += share * (s(inner + sense) - s(inner));
-      here = here.with(e(inner) + share * (e(inner + sense) - e(inner)));
+  // Both ends beyond samples between which e has a range, as far as the strip that the farther one leaves lets the other.
+  [[nodiscard]] Stretch strip_between(int near, int far, int sense, Range both, double width) const {
+    double to = s(far), from = s(near);
+    if (far != end(-sense)) {
+      const double low = e(far - sense) < both.low ? both.high - width : both.low;
+      to = leaves(both, width, far, -sense);
+      from = leaves(low, low + width, near, sense);
+    } else if (near != end(sense) && both.with(e(near + sense)).width() > width) {
+      from = leaves(both, width, near, sense);
     }
-    if (here.width() > width) return {};
-    int low = middle, high = end(-sense);  // the last sample that the other end reaches lies between
-    while (low != high) {
-      const int next = high - (high - low) / 2;
-      const int probe = next == low ? high : next;
-      if (here.with(from_middle[at_index(probe)]).width() > width)
-        high = probe - (-sense);
-      else
-        low = probe;
-    }
-    const double far = low == end(-sense) ? s(low) : leaves(here.with(from_middle[at_index(low)]), width, low, -sense);
-    return sense < 0 ? Stretch{at, far} : Stretch{far, at};
+    return sense < 0 ? Stretch{from, to} : Stretch{to, from};
   }
 
   // s between sample i, up to which e has a range, and the next, where that grows wider than `width`.
