@@ -1,6 +1,7 @@
 #include "linkwright/algebra/polynomial_roots.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -33,6 +34,15 @@ TEST(PolynomialRoots, FindsAllThatItWasMadeFrom) {
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], expected[k], 1e-7);
   }
+}
+
+TEST(PolynomialRoots, FindsThemToTheLastDigits) {
+  const auto cube = sign_changes_within(Coefficients{-2, 0, 0, 1}, -3, 2);
+  ASSERT_EQ(cube.size(), 1U);
+  EXPECT_DOUBLE_EQ(cube[0], std::cbrt(2.0));
+  const auto tiny = sign_changes_within(Coefficients{-1e-30, 1, 7, 40}, -1, 1);
+  ASSERT_EQ(tiny.size(), 1U);
+  EXPECT_DOUBLE_EQ(tiny[0], 1e-30);
 }
 
 TEST(PolynomialRoots, AreExactToTheLastDigits) {
