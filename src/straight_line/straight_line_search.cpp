@@ -234,13 +234,8 @@ Harvest draw(ShapeKind kind, std::uint64_t seed, std::size_t count, const Wish& 
   return harvest;
 }
 
-double farthest(const TracingFourBar& a, const TracingFourBar& b) {
-  const FourBar &p = a.bars, &q = b.bars;
-  return std::max({std::abs(p.input_center - q.input_center), std::abs(p.input_circle - q.input_circle),
-                   std::abs(p.output_center - q.output_center), std::abs(p.output_circle - q.output_circle)});
-}
 bool alike(const TracingFourBar& a, const TracingFourBar& b) {
-  return std::min(farthest(a, b), farthest(a, b.swapped())) < different * std::max(a.longest(), b.longest());
+  return farthest_pivot(a.bars, b.bars) < different * std::max(a.longest(), b.longest());
 }
 
 TracingFourBar seen(const Wish& wish, const Prospect& of) {

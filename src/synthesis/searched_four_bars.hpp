@@ -1,12 +1,10 @@
 #pragma once
 
 #include "linkage_search.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 #include "planar/candidate.hpp"
 
 namespace linkwright {
-
-/// Largest distance between the pivots of two four-bars, the grounded links named whichever way is nearer.
-[[nodiscard]] double farthest_pivot(const FourBar& a, const FourBar& b);
 
 /// The four-bars of a solved task, as a search for the best takes them. Refers to the answer.
 class SearchedFourBars : public CellEvaluator {

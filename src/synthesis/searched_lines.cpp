@@ -1,7 +1,6 @@
 #include "searched_lines.hpp"
 
 #include "linkwright/straight_line/straight_line_solution.hpp"
-#include "searched_four_bars.hpp"
 
 namespace linkwright {
 

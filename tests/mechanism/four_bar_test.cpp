@@ -30,5 +30,14 @@ TEST(FourBar, DrivenFromTheOtherSideHasInputAndOutputSwapped) {
   EXPECT_EQ(four_bar.swapped().swapped().input_circle, four_bar.input_circle);
 }
 
+TEST(FourBar, IsAsFarFromAnotherAsTheFarthestPivotWhicheverGroundedLinkIsNamedFirst) {
+  const FourBar four_bar{input_center, input_circle, output_center, output_circle};
+  FourBar other = four_bar;
+  other.output_circle += Point{3, -4};
+  EXPECT_DOUBLE_EQ(farthest_pivot(four_bar, other), 5);
+  EXPECT_DOUBLE_EQ(farthest_pivot(four_bar, other.swapped()), 5);
+  EXPECT_EQ(farthest_pivot(four_bar, four_bar.swapped()), 0);
+}
+
 }  // namespace
 }  // namespace linkwright::four_bar_test

@@ -31,4 +31,14 @@ struct FourBar {
   [[nodiscard]] FourBar swapped() const { return {output_center, output_circle, input_center, input_circle}; }
 };
 
+/// Largest distance between the pivots of two four-bars, the grounded links named whichever way is nearer.
+[[nodiscard]] inline double farthest_pivot(const FourBar& a, const FourBar& b) {
+  const auto farthest = [](const FourBar& one, const FourBar& other) {
+    return std::max({std::abs(one.input_center - other.input_center), std::abs(one.input_circle - other.input_circle),
+                     std::abs(one.output_center - other.output_center),
+                     std::abs(one.output_circle - other.output_circle)});
+  };
+  return std::min(farthest(a, b), farthest(a, b.swapped()));
+}
+
 }  // namespace linkwright
