@@ -55,12 +55,16 @@ Requirements with_room(Requirements wanted, double stroke) {
   return wanted;
 }
 
-// What is looked for, and what judges it.
+// What is looked for, and what judges it. Scaled to the stroke all have the deviation asked for: the longest strip for
+// its size is the straightest, too.
 class Wish {
  public:
   Wish(const DirectedLine& line, const straight_cases::Search& wanted, const Requirements& requirements,
        Objective objective)
-      : line_(line), wanted_(wanted), requirements_(requirements), objective_(objective) {}
+      : line_(line),
+        wanted_(wanted),
+        requirements_(requirements),
+        objective_(objective == Objective::deviation ? Objective::stroke : objective) {}
 
   [[nodiscard]] double stroke() const { return wanted_.stroke; }
   [[nodiscard]] double share_of_stroke() const { return wanted_.deviation / wanted_.stroke; }
@@ -93,7 +97,7 @@ class Wish {
            requirements_.min_transmission_angle > 0;
   }
   [[nodiscard]] bool longest_strip_wins() const {
-    return objective_ == Objective::stroke || objective_ == Objective::size || objective_ == Objective::deviation;
+    return objective_ == Objective::stroke || objective_ == Objective::size;
   }
   [[nodiscard]] std::optional<double> score(const RankedNumbers& numbers) const {
     if (numbers.transmission_versine < versine_of_angle(requirements_.min_transmission_angle)) return std::nullopt;

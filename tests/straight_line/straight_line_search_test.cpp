@@ -139,6 +139,32 @@ TEST(StraightLineSearch, KeepsTheRequirements) {
   EXPECT_TRUE(found({100, 0.001}, wanted).linkages.empty());
 }
 
+// Of each shape the smallest has the deviation that is asked for: all are as straight, and the list is no other.
+TEST(StraightLineSearch, RanksByTheDeviationAsByTheStroke) {
+  StraightLineSearchOptions by_stroke, by_deviation;
+  by_stroke.effort = by_deviation.effort = 0.1;
+  by_deviation.objective = Objective::deviation;
+  const auto a = found({100, 0.05}, requirements(1000), by_stroke),
+             b = found({100, 0.05}, requirements(1000), by_deviation);
+  ASSERT_FALSE(a.linkages.empty());
+  ASSERT_EQ(a.linkages.size(), b.linkages.size());
+  for (std::size_t i = 0; i < a.linkages.size(); ++i)
+    EXPECT_EQ(a.linkages[i].linkage.bars.input_circle, b.linkages[i].linkage.bars.input_circle);
+}
+
+// Its strip is the stroke but for rounding.
+TEST(StraightLineSearch, KeepsLimitsThatAreWhatItLooksFor) {
+  Requirements wanted = requirements(1000);
+  wanted.min_stroke = 100;
+  wanted.max_deviation = 0.05;
+  StraightLineSearchOptions options;
+  options.effort = 0.1;
+  const auto free = found({100, 0.05}, requirements(1000), options), limited = found({100, 0.05}, wanted, options);
+  EXPECT_EQ(free.linkages.size(), limited.linkages.size());
+  wanted.max_deviation = 0.049;
+  EXPECT_TRUE(found({100, 0.05}, wanted, options).linkages.empty());
+}
+
 TEST(StraightLineSearch, IsTheSameForAnyNumberOfThreadsAndEndsWhenItIsTold) {
   StraightLineSearchOptions one, two;
   one.threads = 1;
