@@ -63,29 +63,31 @@ std::string heading_of_lines(const StraightLineAnswer& answer) {
 
 std::string usable_text(const UsableLine& usable) { return significant_text(usable.length(), line_digits); }
 
+std::string deviation_text(const StraightLineSolution& found, LineMeasure measure) {
+  if (found.asks_stroke && !found.stroke) return "–";
+  const StrokeReport& over = found.stroke ? *found.stroke : found.over_usable;
+  return significant_text(measure == LineMeasure::strip ? over.parallel_line_deviation : over.max_deviation, 3);
+}
+
 std::string line_table(const StraightLineAnswer& answer) {
   const bool has_cases = answer.lines == nullptr, has_layers = !has_cases && answer.lines->layers() > 1;
   std::vector<std::string> head = {"#", "<type", "points", "tangent", "strip", "÷ longest", "γ", "uneven", "±e"};
   if (has_layers) head.insert(head.begin() + 1, "<layer");
   if (has_cases) head.insert(head.begin() + 1, "<case");
   TextTable table(head);
-  const bool by_strip = answer.options.line.measure == LineMeasure::strip;
   for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
     const StraightLineSolution& found = answer.linkages[i];
     const UsableLine& counted = found.counted(answer.options.line.measure);
     const StrokeReport& over = found.over_usable;
-    std::vector<std::string> row = {
-        fmt::format("{}", i + 1),
-        std::string(short_label(found.type)),
-        fmt::format("{}", found.contact.points),
-        usable_text(found.usable),
-        usable_text(found.usable_strip),
-        significant_text(counted.length() / found.linkage.longest(), 3),
-        angle_text(over.min_transmission_angle, 1),
-        over.drive ? significant_text(over.drive->nonuniformity(counted.length()), 2) : "–",
-        significant_text(by_strip ? (found.stroke ? *found.stroke : over).parallel_line_deviation
-                                  : (found.stroke ? *found.stroke : over).max_deviation,
-                         3)};
+    std::vector<std::string> row = {fmt::format("{}", i + 1),
+                                    std::string(short_label(found.type)),
+                                    fmt::format("{}", found.contact.points),
+                                    usable_text(found.usable),
+                                    usable_text(found.usable_strip),
+                                    significant_text(counted.length() / found.linkage.longest(), 3),
+                                    angle_text(over.min_transmission_angle, 1),
+                                    over.drive ? significant_text(over.drive->nonuniformity(counted.length()), 2) : "–",
+                                    deviation_text(found, answer.options.line.measure)};
     if (has_layers) row.insert(row.begin() + 1, std::string(answer.lines->layer_name(found.place.layer)));
     if (has_cases) row.insert(row.begin() + 1, std::string(name(found.task.given)));
     table.add_row(std::move(row));
@@ -102,7 +104,9 @@ std::string column_words(const StraightLineAnswer& answer) {
       "points: of path and line in common; tangent, strip: usable length within ±{} of the line, or of the best line "
       "parallel to it; ÷ longest: {} over the longest link or arm; γ: least transmission angle and uneven: (fastest − "
       "slowest) / mean velocity over that length; ±e: largest deviation from that line {}.",
-      share, by_strip ? "strip" : "tangent", !answer.lines || answer.lines->stroke() ? "over the stroke" : "over it"));
+      share, by_strip ? "strip" : "tangent",
+      !answer.lines || answer.lines->stroke() ? "over the stroke, – where the point turns back before its ends"
+                                              : "over it"));
 }
 
 std::string line_dimensions(const Lines& all, int decimals) {

@@ -206,7 +206,7 @@ void write_best_linkages(JsonWriter& json, const StraightLineAnswer& answer) {
     json.member("usable_stroke", found.usable.length());
     json.member("usable_strip", found.usable_strip.length());
     json.member("stroke_over_longest", usable.length() / found.linkage.longest());
-    json.member("deviation", found.stroke ? found.stroke->max_deviation : over.max_deviation);
+    json.member("deviation", found.worth().deviation);  // null where the point does not go as far as the stroke
     json.key("velocity_nonuniformity");
     over.drive ? json.value(over.drive->nonuniformity(usable.length())) : json.null();
     if (answer.search) write_its_map(json, found, own);

@@ -280,7 +280,9 @@ void RequirementFilter::put_value(Relaxation& relaxation, const Cells& cells, bo
   std::optional<double> nearest;
   for (const std::size_t cell : cells) {
     const auto value = value_of(cell);
-    if (value && (!nearest || (is_least ? *value > *nearest : *value < *nearest))) nearest = value;
+    // An infinite one cannot be asked for: of a straight line that does not go as far as its stroke.
+    if (value && std::isfinite(*value) && (!nearest || (is_least ? *value > *nearest : *value < *nearest)))
+      nearest = value;
   }
   if (!nearest) return;
   const double limit = rounded(*nearest, !is_least);

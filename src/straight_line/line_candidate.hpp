@@ -2,8 +2,7 @@
 
 #include <optional>
 
-#include "linkwright/region/objective.hpp"
-#include "linkwright/region/requirements.hpp"
+#include "linkwright/straight_line/line_worth.hpp"
 #include "linkwright/straight_line/straight_line_family.hpp"
 #include "region/climb.hpp"
 
@@ -41,10 +40,9 @@ class LineEvaluator {
   [[nodiscard]] Candidate from_better_side(const Candidate& here) const { return here; }
 
  private:
-  [[nodiscard]] bool can_be_built(const TracingFourBar& linkage) const;
   /// Nothing where it does not meet the requirements.
-  [[nodiscard]] std::optional<RankedNumbers> measured(const TracingFourBar& linkage) const;
-  [[nodiscard]] std::optional<RankedNumbers> estimated(const TracingFourBar& linkage) const;
+  [[nodiscard]] std::optional<LineWorth> measured(const TracingFourBar& linkage) const;
+  [[nodiscard]] std::optional<LineWorth> estimated(const TracingFourBar& linkage) const;
 
   const StraightLineFamily& family_;
   Requirements requirements_;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <span>
 
 #include "linkwright/core/simd.hpp"
 #include "linkwright/straight_line/line_measuring.hpp"
+#include "linkwright/straight_line/line_worth.hpp"
 #include "linkwright/straight_line/straight_line_family.hpp"
 
 namespace linkwright {
@@ -21,6 +24,9 @@ struct LineEstimate {
 
   /// By the measure that counts.
   [[nodiscard]] double usable(LineMeasure by) const { return by == LineMeasure::strip ? usable_strip : usable_stroke; }
+  [[nodiscard]] LineWorth worth(LineMeasure by) const {
+    return {usable(by), deviation, std::asin(std::min(min_transmission_sine, 1.0)), velocity_nonuniformity};
+  }
 };
 
 /// What the linkages of an estimate have in common.

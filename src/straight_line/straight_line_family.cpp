@@ -44,16 +44,16 @@ struct RowOfLinkages {
 void write_cell(const RegionMap::Cells& cells, std::size_t column, const TracingFourBar& linkage,
                 const LineEstimate& estimate, LineMeasure measure) {
   cells.type[column] = static_cast<std::uint8_t>(linkage_type(linkage.bars.lengths()));
-  const double longest = linkage.longest(), usable = estimate.usable(measure);
-  const double angle = std::asin(std::min(estimate.min_transmission_sine, 1.0));
+  const double longest = linkage.longest();
+  const LineWorth worth = estimate.worth(measure);
   const std::array values = {estimate.usable_stroke,
                              estimate.usable_strip,
-                             estimate.deviation,
-                             usable / longest,
-                             versine_of_angle(angle),
-                             estimate.velocity_nonuniformity,
+                             worth.deviation,
+                             worth.usable / longest,
+                             versine_of_angle(worth.min_transmission_angle),
+                             worth.velocity_nonuniformity,
                              estimate.contact_coefficient,
-                             usable,
+                             worth.usable,
                              longest / linkage.shortest(),
                              longest,
                              1.0};

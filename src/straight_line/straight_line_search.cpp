@@ -67,28 +67,12 @@ class Wish {
         objective_(objective == Objective::deviation ? Objective::stroke : objective) {}
 
   [[nodiscard]] double stroke() const { return wanted_.stroke; }
+  [[nodiscard]] double deviation() const { return wanted_.deviation; }
   [[nodiscard]] double share_of_stroke() const { return wanted_.deviation / wanted_.stroke; }
   [[nodiscard]] const DirectedLine& line() const { return line_; }
   [[nodiscard]] LineMeasuring measuring() const { return {wanted_.deviation, wanted_.stroke, LineMeasure::strip}; }
 
-  // Whatever its size.
-  [[nodiscard]] bool takes_shape(const TracingFourBar& linkage) const {
-    const LinkageType type = linkage_type(linkage.bars.lengths());
-    const auto& types = requirements_.types;
-    return type != LinkageType::degenerate && linkage.longest() <= requirements_.max_link_ratio * linkage.shortest() &&
-           (types.empty() || std::find(types.begin(), types.end(), type) != types.end());
-  }
-  // Scaled and moved to the line; the user's frame.
-  [[nodiscard]] bool takes_place(const TracingFourBar& linkage) const {
-    const auto inside = [](const std::optional<Box>& box, Point one, Point other) {
-      return !box || (box->contains(one) && box->contains(other));
-    };
-    const FourBar& bars = linkage.bars;
-    return linkage.longest() <= requirements_.max_length.value_or(Requirements::unlimited) &&
-           requirements_.min_stroke <= wanted_.stroke && wanted_.deviation <= requirements_.max_deviation &&
-           inside(requirements_.ground_pivots_within, bars.input_center, bars.output_center) &&
-           inside(requirements_.moving_pivots_within, bars.input_circle, bars.output_circle);
-  }
+  [[nodiscard]] const Requirements& requirements() const { return requirements_; }
   // Of the strip over the longest link, below which a linkage is too long or, by what ranks, not among the best.
   [[nodiscard]] double least_strip() const { return wanted_.stroke / requirements_.max_length.value_or(infinite); }
   // Beside which a longer strip may do worse.
@@ -99,9 +83,10 @@ class Wish {
   [[nodiscard]] bool longest_strip_wins() const {
     return objective_ == Objective::stroke || objective_ == Objective::size;
   }
-  [[nodiscard]] std::optional<double> score(const RankedNumbers& numbers) const {
-    if (numbers.transmission_versine < versine_of_angle(requirements_.min_transmission_angle)) return std::nullopt;
-    return score_of(objective_, numbers);
+  // Nothing where it does not do what is asked for; as it is scaled and moved to the line.
+  [[nodiscard]] std::optional<double> score(const TracingFourBar& linkage, const LineWorth& worth) const {
+    if (!has_place(linkage, requirements_) || !meets(worth, requirements_)) return std::nullopt;
+    return score_of(objective_, linkage, worth);
   }
 
  private:
@@ -188,17 +173,14 @@ class Estimator {
     const LineEstimate& estimate = drawn.estimate;
     const double strip = estimate.usable_strip, longest = drawn.linkage.longest();
     if (!(strip > 1e-6 * longest)) return;
-    RankedNumbers numbers;
-    numbers.transmission_versine = versine_of_angle(std::asin(std::min(estimate.min_transmission_sine, 1.0)));
-    numbers.longest_link = longest * wish_.stroke() / strip;
-    numbers.stroke_over_longest = strip / longest;
-    numbers.deviation = wish_.share_of_stroke() * wish_.stroke();
-    numbers.velocity_nonuniformity = estimate.velocity_nonuniformity;
-    const auto score = wish_.score(numbers);
     const double middle = estimate.strip_middle;
     const Point along = is_reversed(drawn) ? -1 : 1;
-    if (!score || !wish_.takes_place(at_its_place(wish_, drawn.linkage, strip, drawn.linkage.point + middle * along)))
-      return;
+    LineWorth worth = estimate.worth(LineMeasure::strip);
+    worth.usable = wish_.stroke();
+    worth.deviation = wish_.deviation();
+    const auto score =
+        wish_.score(at_its_place(wish_, drawn.linkage, strip, drawn.linkage.point + middle * along), worth);
+    if (!score) return;
     found.push_back({drawn.shape, drawn.layer, drawn.linkage, strip, middle, *score});
   }
 
@@ -211,7 +193,7 @@ void add_designs(const LineShape& shape, const Wish& wish, std::vector<Drawn>& d
   const int layers = shape.kind == ShapeKind::symmetric_lambda ? 1 : 3;  // of λs the better
   for (int layer = 0; layer < layers; ++layer) {
     const LineDesign& design = designs[static_cast<std::size_t>(layer)];
-    if (design.kind == DesignKind::four_bar && wish.takes_shape(design.linkage))
+    if (design.kind == DesignKind::four_bar && has_shape(design.linkage, wish.requirements()))
       drawn.push_back({shape, layer, design.linkage});
   }
 }
@@ -276,7 +258,7 @@ Prospect made_better(Prospect best, std::uint64_t seed, const Wish& wish, const 
       for (std::size_t k = 0; k < number_count(shape.kind); ++k)
         shape.numbers[k] = std::clamp(shape.numbers[k] + step * (2 * share(random) - 1), 0.0, 1.0);
       const LineDesign design = designs_of_shape(placed(shape))[static_cast<std::size_t>(best.layer)];
-      if (design.kind == DesignKind::four_bar && wish.takes_shape(design.linkage))
+      if (design.kind == DesignKind::four_bar && has_shape(design.linkage, wish.requirements()))
         drawn.push_back({shape, best.layer, design.linkage});
     }
     const auto found = Estimator(wish, best.shape.kind).prospects(std::move(drawn));
@@ -321,7 +303,7 @@ std::optional<StraightLineSolution> measured(const Prospect& of, const Wish& wis
   const auto point = family.point_of(place);
   auto found = point ? make_straight_line(family, *point) : std::nullopt;
   if (found && !found->defects.none()) return std::nullopt;
-  if (!found || !wish.takes_shape(found->linkage) || !wish.takes_place(found->linkage)) return std::nullopt;
+  if (!found || !has_shape(found->linkage, wish.requirements())) return std::nullopt;
   const double mid = (found->usable_strip.from + found->usable_strip.to) / 2;
   if (!(found->usable_strip.length() >= wish.stroke())) return std::nullopt;
   PathLimits reach;
@@ -334,14 +316,9 @@ std::optional<StraightLineSolution> measured(const Prospect& of, const Wish& wis
 }
 
 std::optional<double> score_of(const StraightLineSolution& found, const Wish& wish) {
-  RankedNumbers numbers;
-  numbers.transmission_versine = versine_of_angle(found.stroke->min_transmission_angle);
-  numbers.longest_link = found.linkage.longest();
-  numbers.stroke_over_longest = wish.stroke() / found.linkage.longest();
-  numbers.deviation = found.stroke->parallel_line_deviation;
-  numbers.velocity_nonuniformity =
-      found.stroke->drive ? found.stroke->drive->nonuniformity(wish.stroke()) : std::numeric_limits<double>::infinity();
-  return wish.score(numbers);
+  LineWorth worth = LineWorth::of(*found.stroke, found.stroke->parallel_line_deviation);
+  worth.usable = wish.stroke();  // but for the rounding of its ends
+  return wish.score(found.linkage, worth);
 }
 
 struct Ranked {

@@ -95,37 +95,25 @@ std::optional<StraightLineSolution> make_straight_line(const StraightLineFamily&
   if (!over) return std::nullopt;
   found.over_usable = *over;
   found.cognates = measured_cognates(linkage, along, found.deviation, family.measuring().measure);
-  if (const auto asked = family.stroke()) found.stroke = path->stroke((*asked)[0], (*asked)[1]);
+  const auto asked = family.stroke();
+  found.asks_stroke = asked.has_value();
+  if (asked) found.stroke = path->stroke((*asked)[0], (*asked)[1]);
   found.residual = std::abs(family.task().line.to_line(linkage.point).imag());
   found.defects = family.defects(linkage);
   found.verified_by_driving = assembles_alike(linkage, *path) && drives_alike(found);
   return found;
 }
 
-std::vector<RequirementKind> failures_of(const StraightLineSolution& found, const Requirements& wanted,
-                                         LineMeasure measure) {
+LineWorth StraightLineSolution::worth() const {
+  const double unreached = asks_stroke ? std::numeric_limits<double>::infinity() : over_usable.max_deviation;
+  return LineWorth::of(over_usable, stroke ? stroke->max_deviation : unreached);
+}
+
+std::vector<RequirementKind> failures_of(const StraightLineSolution& found, const Requirements& wanted) {
   std::vector<RequirementKind> failed;
-  const auto demand = [&](bool met, RequirementKind kind) {
-    if (!met) failed.push_back(kind);
-  };
-  const auto inside = [](const std::optional<Box>& box, Point one, Point other) {
-    return !box || (box->contains(one) && box->contains(other));
-  };
-  const FourBar& bars = found.linkage.bars;
-  const double longest = found.linkage.longest();
-  const StrokeReport& over = found.stroke ? *found.stroke : found.over_usable;
-  demand(wanted.types.empty() || std::find(wanted.types.begin(), wanted.types.end(), found.type) != wanted.types.end(),
-         RequirementKind::types);
-  demand(found.over_usable.min_transmission_angle >= wanted.min_transmission_angle,
-         RequirementKind::min_transmission_angle);
-  demand(longest <= wanted.max_link_ratio * found.linkage.shortest(), RequirementKind::max_link_ratio);
-  demand(longest <= wanted.max_length.value_or(Requirements::unlimited), RequirementKind::max_length);
-  demand(inside(wanted.ground_pivots_within, bars.input_center, bars.output_center),
-         RequirementKind::ground_pivots_within);
-  demand(inside(wanted.moving_pivots_within, bars.input_circle, bars.output_circle),
-         RequirementKind::moving_pivots_within);
-  demand(found.counted(measure).length() >= wanted.min_stroke, RequirementKind::min_stroke);
-  demand(over.max_deviation <= wanted.max_deviation, RequirementKind::max_deviation);
+  const LineWorth worth = found.worth();
+  for (const RequirementKind kind : straight_line_linkages.requirements)
+    if (!meets(kind, found.linkage, wanted) || !meets(kind, worth, wanted)) failed.push_back(kind);
   return failed;
 }
 

@@ -14,7 +14,7 @@ std::optional<StraightLineSolution> SearchedLines::make(MapPoint place) const {
   if (!found || family().measuring().measure != LineMeasure::strip) return found;
   const auto climbed = candidate(place);
   const bool is_borne_out = climbed && found->usable_strip.length() >= borne_out * climbed->usable;
-  return is_borne_out && failures_of(*found, requirements(), LineMeasure::strip).empty() ? found : std::nullopt;
+  return is_borne_out && failures_of(*found, requirements()).empty() ? found : std::nullopt;
 }
 
 bool SearchedLines::is_confirmed(const LineCandidate& candidate, const StraightLineSolution& made) const {

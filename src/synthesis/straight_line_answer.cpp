@@ -26,6 +26,13 @@ Notice nothing_on_map(const StraightLineAnswer& answer) {
   return no_straight_line(answer.task);
 }
 
+// Of none of the linkages that a limit of the deviation alone keeps out: then none goes as far as the stroke.
+bool none_goes_so_far(const StraightLineAnswer& answer) {
+  return std::any_of(answer.relax.begin(), answer.relax.end(), [](const Relaxation& without) {
+    return without.requirement == RequirementKind::max_deviation && !without.value;
+  });
+}
+
 Notice nothing_meets(const StraightLineAnswer& answer) {
   const std::int64_t whole = whole_linkages(answer);
   Notice notice{"none_left_straight",
@@ -36,6 +43,8 @@ Notice nothing_meets(const StraightLineAnswer& answer) {
                                   key(answer.relax.front().requirement), grouped_text(answer.relax.front().only_this));
   else if (answer.relax_together)
     notice.message += " " + joint_relaxation_text(*answer.relax_together);
+  if (none_goes_so_far(answer))
+    notice.message += " These cannot meet it: their points turn back before the ends of the stroke.";
   return notice;
 }
 
@@ -56,18 +65,9 @@ void state_what_was_found(StraightLineAnswer& answer) {
   }
 }
 
-// Largest is best, by what ranks the map.
+// Larger is better, by what ranks the map.
 double score_of(const StraightLineSolution& found, const StraightLineAnswer& answer) {
-  const UsableLine& usable = found.counted(answer.options.line.measure);
-  const StrokeReport& over = found.over_usable;
-  RankedNumbers numbers;
-  numbers.transmission_versine = versine_of_angle(over.min_transmission_angle);
-  numbers.longest_link = found.linkage.longest();
-  numbers.stroke_over_longest = usable.length() / found.linkage.longest();
-  numbers.deviation = found.stroke ? found.stroke->max_deviation : over.max_deviation;
-  numbers.velocity_nonuniformity =
-      over.drive ? over.drive->nonuniformity(usable.length()) : std::numeric_limits<double>::infinity();
-  return score_of(answer.options.objective, numbers);
+  return score_of(answer.options.objective, found.linkage, found.worth());
 }
 
 Notice where_nothing_is(const StraightLineFamily& family, MapPoint at, bool on_map) {
@@ -85,10 +85,16 @@ Notice where_nothing_is(const StraightLineFamily& family, MapPoint at, bool on_m
 Notice what_is_there(const StraightLineAnswer& answer, MapPoint at) {
   const auto meeting =
       std::count_if(answer.fails.begin(), answer.fails.end(), [](const auto& failed) { return failed.empty(); });
+  const auto short_of_stroke =
+      std::count_if(answer.linkages.begin(), answer.linkages.end(),
+                    [](const StraightLineSolution& found) { return found.asks_stroke && !found.stroke; });
   const auto count = std::ssize(answer.linkages);
+  std::string message = fmt::format("Linkages at ({:g}, {:g}) of the map: {}; meeting all requirements: {}.", at.input,
+                                    at.output, count, meeting);
+  if (short_of_stroke > 0)
+    message += fmt::format(" Whose point turns back before the ends of the stroke: {}.", short_of_stroke);
   return {"picked_layers",
-          fmt::format("Linkages at ({:g}, {:g}) of the map: {}; meeting all requirements: {}.", at.input, at.output,
-                      count, meeting),
+          message,
           {{"input", at.input},
            {"output", at.output},
            {"count", static_cast<double>(count)},
@@ -110,7 +116,7 @@ std::vector<FoundInLayer> layers_at(const StraightLineAnswer& answer, MapPoint a
     auto made = make_straight_line(family, *place);
     if (!made) continue;
     made->place.at = {at.input, at.output};
-    auto failed = failures_of(*made, answer.requirements, answer.options.line.measure);
+    auto failed = failures_of(*made, answer.requirements);
     all.push_back({*std::move(made), std::move(failed)});
   }
   std::stable_sort(all.begin(), all.end(), [&](const FoundInLayer& a, const FoundInLayer& b) {

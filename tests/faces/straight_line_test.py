@@ -198,6 +198,33 @@ class StraightLines(FaceTest):
             self.assertEqual((result["status"], result["linkages"]), ("no_solution", []))
             self.assertIn(words, result["reason"])
 
+    def test_a_stroke_that_is_not_reached_fails_a_limit_of_the_deviation_alone(self):
+        far = problem_of("four_point_pivots", stroke=1e9)
+        listed = self.solve(far)["linkages"]
+        self.assertEqual(len(listed), 3)
+        for linkage in listed:
+            self.assertIsNone(linkage["stroke"])
+        by_deviation = copy.deepcopy(far)
+        by_deviation["options"]["objective"] = "deviation"
+        self.assertEqual(self.solve(by_deviation)["status"], "solved")
+
+        far["requirements"] = {"max_deviation": 1}
+        ran = run("solve", self.write("problem.json", far), "-o", "-")
+        self.assertNotIn("nan", ran[1].lower())
+        result = json.loads(ran[1])
+        self.assertEqual(result["linkages"], [])
+        self.assertIn("turn back before the ends of the stroke", result["reason"])
+        self.assertEqual([(each["requirement"], each["value"]) for each in result["relax"]], [("max_deviation", None)])
+
+        far["options"]["at"] = [100, 35]
+        result = self.solve(far)
+        self.assertTrue(result["linkages"])
+        for linkage in result["linkages"]:
+            self.assertIn("max_deviation", linkage["fails"])
+        self.assertIn("turns back before the ends of the stroke", result["reason"])
+        told = " ".join(run("solve", self.write("problem.json", far))[1].split())
+        self.assertIn("– where the point turns back", told)
+
     def test_sliders_are_told_by_their_code(self):
         import base64
         problem = problem_of("four_point_cubic")

@@ -48,6 +48,23 @@ TEST(StraightLineSolution, HasCognatesAsStraightAsItself) {
   }
 }
 
+TEST(StraightLineSolution, FailsALimitOfTheDeviationWhereItsPointTurnsBackBeforeTheStrokeEnds) {
+  const StraightLineTask task{LineAtAngle({1.5, 2}, radians(20)), FourPointPivots{{0, 0}, {3, 0}}};
+  Requirements wanted;
+  wanted.max_length = Requirements::unlimited;
+  const auto failed = [&](double stroke) {
+    const StraightLineFamily family(task, {0.001, stroke, LineMeasure::tangent});
+    const auto found = make_straight_line(family, family.point_of({1, {100, 35}}).value());
+    EXPECT_TRUE(found && found->asks_stroke);
+    return failures_of(found.value(), wanted);
+  };
+  EXPECT_TRUE(failed(0.2).empty());
+  EXPECT_TRUE(failed(1000).empty());  // a stroke alone is looked at, not asked for
+  wanted.max_deviation = 0.01;
+  EXPECT_TRUE(failed(0.2).empty());
+  EXPECT_EQ(failed(1000), std::vector{RequirementKind::max_deviation});
+}
+
 TEST(StraightLineSolution, OfContactsAtPlacesIsDrivenThroughThem) {
   const MixedContacts contacts{{0, 0}, {{1, 2, -1}, {3, 2, -1}}, 0};
   const StraightLineFamily family({LineAtAngle({0, 4}, 0), contacts}, {});

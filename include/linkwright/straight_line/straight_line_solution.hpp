@@ -6,6 +6,7 @@
 
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
+#include "linkwright/straight_line/line_worth.hpp"
 #include "linkwright/straight_line/straight_line_family.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
 
@@ -32,7 +33,8 @@ struct StraightLineSolution {
   double deviation = 0;   ///< δ by which it is measured
   UsableLine usable, usable_strip;
   StrokeReport over_usable;            ///< over the usable length that counts
-  std::optional<StrokeReport> stroke;  ///< over the stroke that is asked for; nothing where it does not go so far
+  bool asks_stroke = false;            ///< deviations are looked at over a stroke
+  std::optional<StrokeReport> stroke;  ///< over it; nothing where none is asked for, or the point does not go so far
   double residual = 0;                 ///< distance of the point from the task's line, as it lies
   /// Two; none where the point's path is a circle.
   std::vector<StraightLineCognate> cognates;
@@ -44,6 +46,7 @@ struct StraightLineSolution {
   [[nodiscard]] const UsableLine& counted(LineMeasure by) const {
     return by == LineMeasure::strip ? usable_strip : usable;
   }
+  [[nodiscard]] LineWorth worth() const;
   /// Distances of the point from the moving pivots.
   [[nodiscard]] double point_to_input() const { return std::abs(linkage.point - linkage.bars.input_circle); }
   [[nodiscard]] double point_to_output() const { return std::abs(linkage.point - linkage.bars.output_circle); }
@@ -55,7 +58,6 @@ struct StraightLineSolution {
 
 /// The requirements that it fails, by its exact measures; nothing of `no_defects`, which keeps it off every list.
 /// `wanted` with max_length set.
-[[nodiscard]] std::vector<RequirementKind> failures_of(const StraightLineSolution& found, const Requirements& wanted,
-                                                       LineMeasure measure);
+[[nodiscard]] std::vector<RequirementKind> failures_of(const StraightLineSolution& found, const Requirements& wanted);
 
 }  // namespace linkwright

@@ -166,8 +166,9 @@ void draw_usable_rows(SvgCanvas& svg, Point corner, const StraightLineSolution& 
   rows.row("usable, beside the line", length_text(found.usable.length(), unit));
   rows.row("usable, in the best strip", length_text(found.usable_strip.length(), unit));
   rows.row("over the longest link", significant_text(found.counted(measure).length() / found.linkage.longest(), 3));
-  rows.row(found.stroke ? "largest deviation, stroke" : "largest deviation over it",
-           length_text((found.stroke ? *found.stroke : found.over_usable).max_deviation, unit, 3));
+  const double deviation = found.worth().deviation;
+  rows.row(found.asks_stroke ? "largest deviation, stroke" : "largest deviation over it",
+           std::isfinite(deviation) ? length_text(deviation, unit, 3) : "turns back before");
 }
 
 std::string place_of_line(const StraightLineFamily& family, const MapNumbers& place) {
