@@ -25,7 +25,8 @@ Result<Answer> solve_with_progress(const Problem& problem) {
 /// Such an answer is complete in itself wherever it was stopped.
 bool is_best_so_far(const Answer& answer) {
   const auto* six_bars = std::get_if<SixBarAnswer>(&answer);
-  return six_bars && six_bars->search;
+  const auto* lines = std::get_if<StraightLineAnswer>(&answer);
+  return (six_bars && six_bars->search) || (lines && lines->search);
 }
 
 /// The files that were asked for; false where one cannot be written.

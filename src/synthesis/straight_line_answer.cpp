@@ -147,6 +147,12 @@ void list_all(StraightLineAnswer& answer) {
 
 Notice what_was_looked_for(const StraightLineSearchResult& search, const straight_cases::Search& wanted) {
   const std::string drawn = grouped_text(search.drawn);
+  if (search.interrupted)
+    return {"lines_interrupted",
+            fmt::format("Stopped early, after {} places of all maps: {}", drawn,
+                        search.linkages.empty() ? "nothing is found so far."
+                                                : "the best so far, measured but not improved to the end."),
+            {{"count", static_cast<double>(search.drawn)}}};
   if (search.linkages.empty())
     return {"no_line_found",
             fmt::format("Of {} places of all maps none has a linkage that runs straight over {:g} to ±{:g} and meets "

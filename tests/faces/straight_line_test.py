@@ -3,9 +3,12 @@
 import copy
 import json
 import math
+import signal
+import subprocess
+import time
 import unittest
 
-from face_support import ROOT, FaceTest, load, run
+from face_support import CLI, ROOT, FaceTest, load, run
 from schema_test import jsonschema, schemas
 from straight_support import LEAST_CONTACT, TASKS, WITHOUT_MAP, Tracer, line_task, problem_of
 
@@ -224,6 +227,22 @@ class StraightLines(FaceTest):
         self.assertIn("turns back before the ends of the stroke", result["reason"])
         told = " ".join(run("solve", self.write("problem.json", far))[1].split())
         self.assertIn("– where the point turns back", told)
+
+    def test_a_search_that_is_stopped_hands_over_the_best_so_far(self):
+        problem = problem_of("search", effort=10_000_000)
+        result, picture = self.folder / "result.json", self.folder / "sheet.svg"
+        arguments = [CLI, "solve", str(self.write("problem.json", problem)), "-o", str(result), "--svg", str(picture)]
+        with subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            time.sleep(1.5)
+            process.send_signal(signal.SIGINT)
+            output, error = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, error), (130, b""))
+        self.assertIn(b"best so far", output)
+        self.assertTrue(picture.exists())
+        listed = load(result)["linkages"]
+        self.assertTrue(listed)
+        for linkage in listed:
+            self.assertGreaterEqual(linkage["usable_strip"]["length"], problem["task"]["stroke"])
 
     def test_sliders_are_told_by_their_code(self):
         import base64
