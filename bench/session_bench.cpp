@@ -1,6 +1,6 @@
 // What the page asks of its engine, by the native engine: web/scripts/bench.mjs asks the same of the page's own. Names
-// and questions are the same there; a pose of the tailgate moves, or an
-// orientation of the folding wing turns, before each map, as in a drag.
+// and questions are the same there; a pose of the tailgate moves, an
+// orientation of the folding wing turns, or the line of the crane is shifted, before each map, as in a drag.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -39,6 +39,7 @@ struct Dragged {
 };
 const Dragged tailgate_pose{"tailgate", "\"x\": ", -220, ", \"y\": 220"};
 const Dragged wing_orientation{"folding_wing", "[-40, 16, ", 62, "]"};
+const Dragged crane_line{"straight_luffing_crane", "\"line\": {\"point\": [9, ", 16, "]"};
 
 ExploreRequest whole_map(int samples) {
   ExploreRequest request;
@@ -68,6 +69,12 @@ BENCHMARK_CAPTURE(session_drag, orientation, wing_orientation)
     ->Arg(400)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+BENCHMARK_CAPTURE(session_drag, line, crane_line)
+    ->Name("session/line")
+    ->Arg(100)
+    ->Arg(200)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 // A file is opened: everything up to the first map.
 void session_open(benchmark::State& state, const char* name) {
@@ -81,7 +88,8 @@ void session_open(benchmark::State& state, const char* name) {
 const bool opened = [] {
   for (const char* name :
        {"tailgate", "latch", "airtight_hatch", "transfer_arm", "nose_gear", "sine_generator", "flow_meter",
-        "log_generator", "loader_bucket_chain", "folding_wing", "ankle_orthosis", "universal_joint_like"})
+        "log_generator", "loader_bucket_chain", "folding_wing", "ankle_orthosis", "universal_joint_like",
+        "straight_stage"})
     benchmark::RegisterBenchmark(fmt::format("session/open/{}", name).c_str(), session_open, name)
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime();
