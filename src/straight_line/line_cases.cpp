@@ -21,6 +21,11 @@ LineDesign four_bar_of(const SideLink& input, const SideLink& output, Point poin
   return line_design({{input.fixed, input.moving, output.fixed, output.moving}, point}, scale);
 }
 
+// The product of two numbers without infinities, which need no care.
+Point rotated(Point vector, Point by) {
+  return {vector.real() * by.real() - vector.imag() * by.imag(), vector.real() * by.imag() + vector.imag() * by.real()};
+}
+
 // The canonical frame of a pole at a signed distance c from the point, along the line's right normal (docs: "From the
 // line to the canonical frame"); the point is on the ray `point_ray` from the pole.
 struct PoleFrame {
@@ -32,11 +37,11 @@ struct PoleFrame {
   PoleFrame(const DirectedLine& line, double c, Point point_ray)
       : point(line.point),
         pole(line.point + c * line.left()),
-        tangent(-line.left() * std::conj(point_ray)),
+        tangent(rotated(-line.left(), std::conj(point_ray))),
         bend(point_ray.imag() / c),
         scale(std::abs(c)) {}
 
-  [[nodiscard]] Point at(double distance, Point ray) const { return pole + distance * (tangent * ray); }
+  [[nodiscard]] Point at(double distance, Point ray) const { return pole + distance * rotated(tangent, ray); }
 
   // On the ray with the cubic (x² + y²)(m x + n y) = x y: r = s c / (m c + n s), and r₀ by Euler and Savary the same
   // with m − 1/D. Where m or n vanishes the cubic is a circle and a line, and the factor is struck out.
@@ -44,11 +49,12 @@ struct PoleFrame {
     const double c = ray.real(), s = ray.imag(), m0 = m - bend;
     const double over = n == 0 ? s : s * c, moving = n == 0 ? m : m * c + n * s, fixed = n == 0 ? m0 : m0 * c + n * s;
     const double r = m == 0 && n != 0 ? c / n : over / moving;
-    return {at(r, ray), at(over / fixed, ray)};
+    const Point along = rotated(tangent, ray);
+    return {pole + r * along, pole + over / fixed * along};
   }
 };
 
-Point unit(Point vector) { return vector / std::abs(vector); }
+Point unit(Point vector) { return vector / std::sqrt(std::norm(vector)); }
 // The ray of a tangent t = numerator / denominator.
 Point ray_of(double numerator, double denominator) { return unit({denominator, numerator}); }
 
@@ -78,14 +84,22 @@ LineDesigns of_three_rays(const PoleFrame& frame, Point point_ray, const std::ar
                      ab_ad_bd, frame);
 }
 
+// Half of the turn e^{iφ}, −π ≤ φ ≤ π.
+Point half_turn(Point turn) {
+  const double larger = std::sqrt(0.5 * (1 + std::abs(turn.real()))), smaller = 0.5 * turn.imag() / larger;
+  return turn.real() >= 0 ? Point{larger, smaller} : Point{std::abs(smaller), std::copysign(larger, turn.imag())};
+}
+
 LineDesigns designs_of(const FourPointPivots& given, const DirectedLine& line, Point first, Point second) {
   const double turn = cross(first, second);
   const Point pole = given.input + first * (cross(given.output - given.input, second) / turn);
   const double a = dot(given.input - pole, first), b = dot(given.output - pole, second);
   const double height = line.to_line(pole).imag(), c = std::abs(height);
   const Point to_point = height > 0 ? -line.left() : line.left();
-  const Point z = cross(second, to_point) / a * first * first - cross(first, to_point) / b * second * second;
-  const Point tangent = std::sqrt(z / std::abs(z));
+  const Point z = cross(second, to_point) / a * rotated(first, first) -
+                  cross(first, to_point) / b * rotated(second, second);
+  const Point tangent = half_turn(unit(z));
+  const double frame = std::sqrt(std::norm(given.output - given.input));
   LineDesigns designs;
   for (std::size_t k = 0; k < 2; ++k) {
     const Point along = k == 0 ? tangent : Point{-tangent.imag(), tangent.real()};
@@ -95,7 +109,7 @@ LineDesigns designs_of(const FourPointPivots& given, const DirectedLine& line, P
       return pole + from_pole * (c * sine / (from_pole * point_sine + c * sine)) * ray;
     };
     designs[k] = four_bar_of({moving(a, first), given.input}, {moving(b, second), given.output}, pole + c * to_point,
-                             std::abs(given.output - given.input));
+                             frame);
   }
   return designs;
 }
@@ -195,10 +209,11 @@ LineDesigns designs_of(const ParallelSideLinks& given, const DirectedLine& line,
 }
 
 LineDesigns designs_of(const MixedContacts& given, const DirectedLine& line, double crank, double arm) {
-  double scale = 0;
+  double scale = 0;  // its square
   for (const PlacedContact& contact : given.contacts)
-    scale = std::max(scale, std::abs(line.to_fixed(contact.s) - given.input_pivot));
-  const auto found = mixed_designs(line, given.input_pivot, given.contacts, given.coupler_angle, crank, arm, scale);
+    scale = std::max(scale, std::norm(line.to_fixed(contact.s) - given.input_pivot));
+  const auto found =
+      mixed_designs(line, given.input_pivot, given.contacts, given.coupler_angle, crank, arm, std::sqrt(scale));
   return {found[0], found[1]};
 }
 

@@ -2,21 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 
+// By squares: a map asks for each of its cells.
 LineDesign line_design(const TracingFourBar& linkage, double scale) {
   const FourBar& bars = linkage.bars;
   double farthest = 0;
   for (const Point p : {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle}) {
-    const double distance = std::abs(p - linkage.point);
-    if (std::isnan(distance)) return {};
-    farthest = std::max(farthest, distance);
+    const Point away = p - linkage.point;
+    const double square = std::norm(away);
+    if (!std::isnan(square))
+      farthest = std::max(farthest, square);
+    else if (std::isinf(away.real()) || std::isinf(away.imag()))
+      farthest = std::numeric_limits<double>::infinity();
+    else
+      return {};
   }
-  if (!(farthest * tolerance::sliding_pivot <= scale)) return {DesignKind::slider, {}};
-  if (!(linkage.shortest() > tolerance::vanishing_link * linkage.longest())) return {};
+  constexpr double sliding = tolerance::sliding_pivot, vanishing = tolerance::vanishing_link;
+  if (!(farthest * sliding * sliding <= scale * scale)) return {DesignKind::slider, {}};
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  for (const Point link : {bars.output_center - bars.input_center, bars.input_circle - bars.input_center,
+                           bars.output_circle - bars.input_circle, bars.output_circle - bars.output_center,
+                           linkage.point - bars.input_circle, linkage.point - bars.output_circle}) {
+    shortest = std::min(shortest, std::norm(link));
+    longest = std::max(longest, std::norm(link));
+  }
+  if (!(shortest > vanishing * vanishing * longest)) return {};
   return {DesignKind::four_bar, linkage};
 }
 

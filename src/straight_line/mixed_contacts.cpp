@@ -151,14 +151,16 @@ std::array<LineDesign, 2> mixed_designs(const DirectedLine& line, Point input_pi
   const Point turn = direction(coupler_angle), start = std::conj(line.direction) * (line.point - input_pivot);
   Conditions conditions(turn);
   const Contacts apart = confluent(contacts, scale);
+  std::optional<DyadOnLine> first;
   for (std::size_t j = 0; j < apart.count; ++j) {
     const PlacedContact& contact = apart.at[j];
     const auto dyad = dyad_on_line(start + contact.s, contact.side, crank, point_arm);
     if (!dyad) return {};
     conditions.add(contact.s, *dyad, contact.multiplicity);
+    if (contact.s == contacts.front().s) first = dyad;
   }
   const auto solution = conditions.solve();
-  const auto first = dyad_on_line(start + contacts.front().s, contacts.front().side, crank, point_arm);
+  if (!first) first = dyad_on_line(start + contacts.front().s, contacts.front().side, crank, point_arm);
   if (!solution || !first) return {};
   const Point pin = first->pin.c[0], point = start + contacts.front().s, h = std::conj(turn) * solution->g;
   const auto to_fixed = [&](Point p) { return input_pivot + line.direction * p; };
