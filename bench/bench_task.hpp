@@ -29,6 +29,9 @@ struct SampledTask {
 /// The folding wing's axis and the kernel's counts over it as JSON, for the peer.
 [[nodiscard]] std::string dump_sphere(int samples);
 
+/// The indicator's line, axes and estimates of all linkages of its map as JSON, for the peer.
+[[nodiscard]] std::string dump_lines(int samples);
+
 /// Random tasks of five poses and their Burmester points (circle, centre; working frame) as JSON, for PHCpack.
 [[nodiscard]] std::string dump_five(int count);
 

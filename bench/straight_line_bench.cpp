@@ -219,4 +219,39 @@ bool register_lines() {
 
 }  // namespace
 }  // namespace straight_line_bench
+
+std::string dump_lines(int samples) {
+  namespace here = straight_line_bench;
+  const here::LineTask of = here::example("straight_indicator");
+  const auto& given = std::get<straight_cases::FourPointPivots>(of.task.given);
+  const auto linkages = here::four_bars(of, samples);
+  std::vector<LineEstimate> estimates(linkages.size());
+  estimate_lines(linkages, estimate_task(of.family()), estimates);
+  const auto pair = [](Point p) { return nlohmann::json{p.real(), p.imag()}; };
+  const auto angles = [&](Side side) {
+    nlohmann::json list;
+    for (const LineAxisValue& value : here::axis_values(of, side, samples)) list.push_back(value.value);
+    return list;
+  };
+  const auto column = [&](double LineEstimate::* number) {
+    nlohmann::json list;  // null of what is infinite
+    for (const LineEstimate& estimate : estimates) list.push_back(estimate.*number);
+    return list;
+  };
+  const nlohmann::json json = {{"point", pair(of.task.line.point)},
+                               {"direction", pair(of.task.line.direction)},
+                               {"input", pair(given.input)},
+                               {"output", pair(given.output)},
+                               {"deviation", *of.measuring.deviation},
+                               {"first", angles(Side::input)},
+                               {"second", angles(Side::output)},
+                               {"estimates",
+                                {{"usable_stroke", column(&LineEstimate::usable_stroke)},
+                                 {"usable_strip", column(&LineEstimate::usable_strip)},
+                                 {"min_transmission_sine", column(&LineEstimate::min_transmission_sine)},
+                                 {"velocity_nonuniformity", column(&LineEstimate::velocity_nonuniformity)},
+                                 {"contact_coefficient", column(&LineEstimate::contact_coefficient)}}}};
+  return json.dump();
+}
+
 }  // namespace linkwright::bench

@@ -10,8 +10,10 @@ const tailgate = example("tailgate");
 const tau = [1.3125, 1.1125];
 
 const wing = example("folding_wing");
+const crane = example("straight_luffing_crane");
 const moved = (step) => tailgate.replace('"x": -220, "y": 220', `"x": ${-220 - 0.01 * (step % 100)}, "y": 220`);
 const turned = (step) => wing.replace("[-40, 16, 62]", `[-40, 16, ${62 - 0.01 * (step % 100)}]`);
+const shifted = (step) => crane.replace('"point": [9, 16]', `"point": [9, ${16 - 0.01 * (step % 100)}]`);
 function whole_map(session, samples) {
   session.explore(samples, 0, 1, 0, 1, "min_transmission_angle_deg", 0);
 }
@@ -40,6 +42,12 @@ found["turn/400"] = timed((step) => {
   session.set_problem(turned(step));
   whole_map(session, 400);
 });
+for (const samples of [100, 200]) {
+  found[`line/${samples}`] = timed((step) => {
+    session.set_problem(shifted(step));
+    whole_map(session, samples);
+  });
+}
 session.set_problem(tailgate);
 whole_map(session, 400);
 found.hover = timed(() => session.linkage(...tau));
@@ -61,6 +69,7 @@ for (const name of [
   "folding_wing",
   "ankle_orthosis",
   "universal_joint_like",
+  "straight_stage",
 ]) {
   const text = example(name);
   found[`open/${name}`] = timed(() => {
