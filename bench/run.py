@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Linkwright's region kernels beside numpy, the page's engine beside the native one, and the dyads of five poses and of
-five orientations beside PHCpack, in one run: script/bench calls this.
+"""Linkwright's region kernels and maps of straight lines beside numpy, the page's engine beside the native one, and the
+dyads of five poses and of five orientations beside PHCpack, in one run: script/bench calls this.
 
 The two take turns, so that what else the machine does hits both; a ratio within a run counts, an absolute figure does
 not. Options of Google Benchmark (--benchmark_filter=…) run the benchmarks alone.
@@ -16,7 +16,7 @@ import statistics
 import subprocess
 import sys
 
-from peers import burmester_phc, five_orientations_phc, phc, region_numpy, sphere_numpy
+from peers import burmester_phc, five_orientations_phc, phc, region_numpy, sphere_numpy, straight_line_numpy
 
 TASKS = ("landing_gear", "drawer_hinge", "tailgate")
 
@@ -158,6 +158,35 @@ def print_sphere_figures(figures):
     print(f"  four orientations to the map of 400 × 400, one thread: {figures['task_to_map_ms']:.2f} ms")
 
 
+def line_figures(bench, rounds):
+    """Maps of straight lines and numpy in turns: nanoseconds of the processor a cell; geometry, estimates, exact measures
+    and maps of each case; the search, milliseconds."""
+    dump = json.loads(subprocess.run([bench, "--dump-lines", "200"], check=True, capture_output=True, text=True).stdout)
+    beside = {"map, one thread": [], "numpy": []}
+    for _ in range(rounds):
+        for entry in run_benchmarks(bench, "^line_map/straight_indicator/threads:1/200/").values():
+            beside["map, one thread"].append(entry["processor_ns_per_cell"])
+        beside["numpy"].append(min(straight_line_numpy.measure(dump, 1)))
+    counters = {"line_geometry": "ns_per_cell", "line_estimate": "ns_per_linkage", "line_stroke": "us_per_linkage",
+                "line_strip": "us_per_linkage", "line_map": "processor_ns_per_cell", "line_search": "real_time"}
+    found = {kind: {name.removeprefix(f"{kind}/"): entry[counter] for name, entry in run_benchmarks(bench, f"^{kind}/").items()}
+             for kind, counter in counters.items()}
+    return {"ns_per_cell": {contender: summary(values) for contender, values in beside.items()}, **found}
+
+
+def print_line_figures(figures):
+    table = figures["ns_per_cell"]
+    best = table["map, one thread"]["min"]
+    print_table("straight lines, the indicator's map: ns a cell, median, min, max; min over the map's",
+                [(contender, s, s["min"] / best) for contender, s in table.items()])
+    units = {"line_geometry": "ns a place, all its linkages", "line_estimate": "ns a linkage", "line_stroke": "µs a linkage",
+             "line_strip": "µs a linkage", "line_map": "ns of all processors a cell", "line_search": "ms"}
+    for kind, unit in units.items():
+        print(f"\n  {kind}: {unit}")
+        for name, value in figures[kind].items():
+            print(f"  {name:<52}{value:9.1f}")
+
+
 def main(arguments):
     options, rest = parse(arguments)
     if rest:
@@ -186,8 +215,11 @@ def main(arguments):
     print_page_figures(page)
     sphere = sphere_figures(options.bench, options.samples, options.rounds)
     print_sphere_figures(sphere)
+    lines = line_figures(options.bench, options.rounds)
+    print_line_figures(lines)
     five = {
         "sphere": sphere,
+        "straight_lines": lines,
         "five_poses": five_figures(options.bench, "burmester_points", burmester_phc, "--dump-five", options.five),
         "five_orientations": five_figures(options.bench, "five_orientations", five_orientations_phc, "--dump-five-orientations",
                                           options.five_orientations),

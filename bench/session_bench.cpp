@@ -86,10 +86,9 @@ void session_open(benchmark::State& state, const char* name) {
   }
 }
 const bool opened = [] {
-  for (const char* name :
-       {"tailgate", "latch", "airtight_hatch", "transfer_arm", "nose_gear", "sine_generator", "flow_meter",
-        "log_generator", "loader_bucket_chain", "folding_wing", "ankle_orthosis", "universal_joint_like",
-        "straight_stage"})
+  for (const char* name : {"tailgate", "latch", "airtight_hatch", "transfer_arm", "nose_gear", "sine_generator",
+                           "flow_meter", "log_generator", "loader_bucket_chain", "folding_wing", "ankle_orthosis",
+                           "universal_joint_like", "straight_stage"})
     benchmark::RegisterBenchmark(fmt::format("session/open/{}", name).c_str(), session_open, name)
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime();

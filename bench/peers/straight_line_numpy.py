@@ -18,7 +18,7 @@ import numpy as np
 ORDER, STEPS, CONTACT = 7, 28, 4
 LONGEST_STEP, STEPS_TO_DEVIATION = 0.05, 12
 VANISHING_LINK = SLIDING_PIVOT = 1e-6  # tolerance::vanishing_link, tolerance::sliding_pivot
-CELLS_PER_BLOCK = 3000
+CELLS_PER_BLOCK = 1500
 
 
 def dot(a, b):
