@@ -96,8 +96,8 @@ LineDesigns designs_of(const FourPointPivots& given, const DirectedLine& line, P
   const double a = dot(given.input - pole, first), b = dot(given.output - pole, second);
   const double height = line.to_line(pole).imag(), c = std::abs(height);
   const Point to_point = height > 0 ? -line.left() : line.left();
-  const Point z = cross(second, to_point) / a * rotated(first, first) -
-                  cross(first, to_point) / b * rotated(second, second);
+  const Point z =
+      cross(second, to_point) / a * rotated(first, first) - cross(first, to_point) / b * rotated(second, second);
   const Point tangent = half_turn(unit(z));
   const double frame = std::sqrt(std::norm(given.output - given.input));
   LineDesigns designs;
@@ -108,8 +108,8 @@ LineDesigns designs_of(const FourPointPivots& given, const DirectedLine& line, P
       const double sine = cross(along, ray);
       return pole + from_pole * (c * sine / (from_pole * point_sine + c * sine)) * ray;
     };
-    designs[k] = four_bar_of({moving(a, first), given.input}, {moving(b, second), given.output}, pole + c * to_point,
-                             frame);
+    designs[k] =
+        four_bar_of({moving(a, first), given.input}, {moving(b, second), given.output}, pole + c * to_point, frame);
   }
   return designs;
 }

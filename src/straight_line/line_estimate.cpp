@@ -52,8 +52,8 @@ class TracedPath {
     return {leaves(low, high, middle, -1), leaves(low, high, middle, 1)};
   }
 
-  // The longest over which e, straight between samples, ranges over `width`. Either one end is at a sample, or a turn of
-  // e inside holds the edge of the strip: then an end at a sample is moved on to the other edge.
+  // The longest over which e, straight between samples, ranges over `width`. Either one end is at a sample, or a turn
+  // of e inside holds the edge of the strip: then an end at a sample is moved on to the other edge.
   [[nodiscard]] Stretch strip(double width) const {
     const Ranges from_middle = ranges();
     Stretch longest;
@@ -132,7 +132,8 @@ class TracedPath {
     return from_middle;
   }
 
-  // Both ends beyond samples between which e has a range, as far as the strip that the farther one leaves lets the other.
+  // Both ends beyond samples between which e has a range, as far as the strip that the farther one leaves lets the
+  // other.
   [[nodiscard]] Stretch strip_between(int near, int far, int sense, Range both, double width) const {
     double to = s(far), from = s(near);
     if (far != end(-sense)) {
