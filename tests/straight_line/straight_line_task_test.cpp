@@ -10,6 +10,7 @@
 #include "linkwright/infinitesimal/line_contact.hpp"
 #include "straight_line/line_cases.hpp"
 #include "support/draws.hpp"
+#include "support/short_contact.hpp"
 #include "support/straight_line_cases.hpp"
 
 namespace linkwright {
@@ -131,16 +132,6 @@ std::vector<StraightLineTask> tasks_of_every_case(std::mt19937& draw) {
           {line, ParallelSideLinks{number(draw), number(draw)}}};
 }
 
-// The first term is one below the promised contact and counts at a way over which the promised term and the next are
-// alike: where the loop is all but dead its series has large terms, which carry rounding into the small ones.
-bool falls_short(const LineContact& contact, int promised) {
-  if (contact.points >= promised) return false;
-  const auto k = static_cast<std::size_t>(promised);
-  const double way = std::abs(contact.deviation[k] / contact.deviation[k + 1]);
-  const auto term = [&](std::size_t j) { return std::abs(contact.deviation[j]) * std::pow(way, j); };
-  return term(static_cast<std::size_t>(contact.points)) > 1e-4 * term(k);
-}
-
 // Every linkage of every case, by the referee: its point lies on the line and meets it as often as the case promises.
 TEST(LineCases, KeepTheContactThatTheyPromise) {
   std::mt19937 draw(14);
@@ -166,7 +157,7 @@ TEST(LineCases, KeepTheContactThatTheyPromise) {
               contact_with_line(coupler_motion(linkage.bars, *loop), linkage.point, task.line.direction);
           auto& [seen, low] = counts[std::string(name(task.given))];
           ++seen;
-          if (falls_short(contact, promised_contact(task.given))) ++low;
+          if (testing::falls_short(contact, promised_contact(task.given), linkage.longest())) ++low;
         }
       }
     }

@@ -1,5 +1,5 @@
 // Judges one build of find_defects by what shares nothing with it: driving, the type from the lengths, a dense sweep.
-// Prints the number of disagreements; exits with 1 when there are any. classifier_mutants.py builds it with wrong
+// Prints the number of disagreements; exits with 1 when there are any. mutants.py builds it with wrong
 // signs.
 
 #include <cmath>

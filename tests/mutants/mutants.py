@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Mutation test of the classifiers, planar and spherical: every wrong sign must be caught.
+"""Mutation test of what is dense with signs, the classifiers and the straight lines: every wrong sign must be caught.
 
-Builds a check with copies of the classifier's sources in which one thing is wrong. The right sources must agree with
-driving everywhere, each mutant must not.
+Builds a check with copies of a source in which one thing is wrong. The right source must agree everywhere with what the
+check knows of it, driving or the series of a motion; each mutant must not.
 
-usage: classifier_mutants.py SOURCE_DIR LIBRARY CXX [FLAG...]   (linker flags among them)
+usage: mutants.py SOURCE_DIR LIBRARY CXX [FLAG...]   (linker flags among them)
 """
 
 import os
@@ -61,12 +61,50 @@ SPHERICAL = [
     ("a supplement taken for a link of its own", "cs = a.cosine * b.sine, ss", "cs = a.cosine * b.cosine, ss"),
 ]
 
+LINE_CASES = [
+    ("side of the pole", "pole(line.point + c * line.left())", "pole(line.point - c * line.left())"),
+    ("bend of the inflection circle", "m0 = m - bend", "m0 = m + bend"),
+    ("cubic's two numbers exchanged", "moving = n == 0 ? m : m * c + n * s", "moving = n == 0 ? m : m * s + n * c"),
+    ("second layer's pole tangent", "Point{-tangent.imag(), tangent.real()}", "Point{-tangent.imag(), -tangent.real()}"),
+    ("Bobillier's angle", "cross(second, to_point) / a", "cross(second, to_point) / b"),
+    ("cubic through the point", "m = ray.imag() * (1 / given.pole_distance - n / ray.real())",
+     "m = ray.imag() * (1 / given.pole_distance + n / ray.real())"),
+    ("Ball's point on a link", "moving = fixed * pole_height / (fixed + pole_height)", "moving = fixed * pole_height / (fixed - pole_height)"),
+    ("trapezoid's link", "f * f + pole_height * pole_height", "f * f - pole_height * pole_height"),
+    ("third ray of five points", "+ 2 * s * a.real() * b.real()", "+ s * a.real() * b.real()"),
+    ("third link at the inflection pole", "diameter / (4 * share - 2), normal", "diameter / (4 * share - 3), normal"),
+    ("sum of the tangents of six points", "tc * (e2 - 3) / 2 - ta", "tc * (e2 - 3) / 2 + ta"),
+    ("distance of Watt's point", "across = -(input + output)", "across = (input + output)"),
+    ("sine of the pole at a pivot", "double sine = 2 * a / c", "double sine = a / c"),
+]
+
+CONTACTS = [
+    ("side of the dyad", "Point{0.5 * product.c[k], 0.5 * dyad.area.c[k]}", "Point{0.5 * product.c[k], -0.5 * dyad.area.c[k]}"),
+    ("lengths of the dyad", "(crank - arm) * (crank + arm)", "(arm - crank) * (crank + arm)"),
+    ("angle of the coupler", "turn_.imag() * dyad.area.c[k]", "-turn_.imag() * dyad.area.c[k]"),
+    ("first condition left in the second", "right(0) - right_", "right(0) + right_"),
+    ("second solution", "discriminant = h.real() * h.real() - 4 * sine * last", "discriminant = h.real() * h.real() + 4 * sine * last"),
+]
+
+INSTANT = [
+    ("pole", "by_turn->path.c[0] + i_times(by_turn->path.c[1])", "by_turn->path.c[0] - i_times(by_turn->path.c[1])"),
+    ("pole tangent", "tangent = -i_times(normal) / diameter", "tangent = i_times(normal) / diameter"),
+    ("turn of the arm", "for (std::size_t i = 0; i < k; ++i)", "for (std::size_t i = 1; i < k; ++i)"),
+    ("invariants exchanged", "diameter, third.real(), third.imag()", "diameter, third.imag(), third.real()"),
+]
+
+STRAIGHT_LINE_CHECK = ["tests/mutants/straight_line_check.cpp", "tests/support/straight_line_tasks.cpp",
+                       "tests/support/random_task.cpp"]
+
 # The unit that is built, the headers it is built with, the check, what the check shares, and what is wrong in turn.
 SUBJECTS = {
     "planar": ("src/analysis/defects.cpp", ["src/analysis/pair_verdict.hpp", "src/analysis/driver_travel.hpp"],
-               ["tests/mutants/classifier_check.cpp", "tests/support/random_four_bar.cpp"], PLANAR),
+               ["tests/mutants/planar_check.cpp", "tests/support/random_four_bar.cpp"], PLANAR),
     "spherical": ("src/spherical/spherical_defects.cpp", ["src/spherical/spherical_verdict.hpp"],
                   ["tests/mutants/spherical_check.cpp"], SPHERICAL),
+    "cases of straight lines": ("src/straight_line/line_cases.cpp", [], STRAIGHT_LINE_CHECK, LINE_CASES),
+    "contacts at places": ("src/straight_line/mixed_contacts.cpp", [], STRAIGHT_LINE_CHECK, CONTACTS),
+    "instant": ("src/infinitesimal/instant.cpp", [], STRAIGHT_LINE_CHECK, INSTANT),
 }
 
 
@@ -95,18 +133,20 @@ class Workshop:
         target = folder / "unit.o"
         self.compile(folder / unit.removeprefix("src/"), target, [f"-I{folder}"])
         program = folder / "check"
-        subprocess.run([self.compiler, *map(str, self.shared), str(target), self.library, "-o", str(program), *self.flags],
-                       check=True)
+        # The library may have the unit in one object with its neighbours: the first definition counts.
+        subprocess.run([self.compiler, "-Wl,--allow-multiple-definition", *map(str, self.shared), str(target), self.library,
+                        "-o", str(program), *self.flags], check=True)
         return subprocess.run([str(program)], capture_output=True, text=True, check=False)
 
 
 def mutants_of(subject, texts, failures):
-    for name, before, after in SUBJECTS[subject][3]:
+    unit, _, _, wrong = SUBJECTS[subject]
+    for name, before, after in wrong:
         found = sum(text.count(before) for text in texts.values())
         if found == 1:
             yield name, {path: text.replace(before, after) for path, text in texts.items()}
         else:
-            failures.append(f"'{before}' stands {found} times in the {subject} classifier: mend this list")
+            failures.append(f"'{before}' stands {found} times in {unit}: mend this list")
 
 
 def main():
@@ -116,13 +156,13 @@ def main():
     with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(os.cpu_count()) as pool:
         for subject, (unit, headers, shared, _) in SUBJECTS.items():
             texts = {path: (source_dir / path).read_text() for path in [unit, *headers]}
-            workshop = Workshop(source_dir, library, compiler, flags, pathlib.Path(scratch) / subject, shared)
+            workshop = Workshop(source_dir, library, compiler, flags, pathlib.Path(scratch) / subject.replace(" ", "_"), shared)
             right = pool.submit(workshop.run, "right", unit, texts)
             results = [(name, pool.submit(workshop.run, str(number), unit, wrong))
                        for number, (name, wrong) in enumerate(mutants_of(subject, texts, failures))]
             print(f"{subject} as it is:", right.result().stdout.strip())
             if right.result().returncode != 0:
-                failures.append(f"the {subject} classifier itself disagrees with driving")
+                failures.append(f"{subject}: disagrees as it is")
             for name, result in results:
                 print(f"{subject}, {name}: {result.result().stdout.strip()}")
                 if result.result().returncode == 0:
