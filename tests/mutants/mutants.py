@@ -72,7 +72,7 @@ LINE_CASES = [
     ("Ball's point on a link", "moving = fixed * pole_height / (fixed + pole_height)", "moving = fixed * pole_height / (fixed - pole_height)"),
     ("trapezoid's link", "f * f + pole_height * pole_height", "f * f - pole_height * pole_height"),
     ("third ray of five points", "+ 2 * s * a.real() * b.real()", "+ s * a.real() * b.real()"),
-    ("third link at the inflection pole", "diameter / (4 * share - 2), normal", "diameter / (4 * share - 3), normal"),
+    ("third link at the inflection pole", "b.real() + 3 * sines)", "b.real() + 2 * sines)"),
     ("sum of the tangents of six points", "tc * (e2 - 3) / 2 - ta", "tc * (e2 - 3) / 2 + ta"),
     ("distance of Watt's point", "across = -(input + output)", "across = (input + output)"),
     ("sine of the pole at a pivot", "double sine = 2 * a / c", "double sine = a / c"),
