@@ -1,6 +1,7 @@
 #include "linkwright/straight_line/straight_line_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -198,7 +199,7 @@ void add_designs(const LineShape& shape, const Wish& wish, std::vector<Drawn>& d
   }
 }
 
-// The best of `count` shapes drawn from one seed, and how many meet the requirements.
+// The best of `count` shapes drawn from one seed.
 struct Harvest {
   std::vector<Prospect> best;
   std::int64_t drawn = 0;
@@ -350,6 +351,67 @@ std::vector<StraightLineSolution> listed(std::vector<Ranked> all, std::size_t mo
   return linkages;
 }
 
+// The best of all that is drawn, of each kind as many as a first list is made from, however long the search.
+struct Gathered {
+  std::array<std::vector<Prospect>, shape_kind_count> best;
+  std::int64_t drawn = 0;
+
+  void add(std::size_t kind, const Harvest& harvest) {
+    constexpr std::size_t most = 1'000;
+    auto& held = best[kind];
+    held.insert(held.end(), harvest.best.begin(), harvest.best.end());
+    std::stable_sort(held.begin(), held.end(), better);
+    if (held.size() > most) held.resize(most);
+    drawn += harvest.drawn;
+  }
+};
+
+Gathered gathered(const Wish& wish, const StraightLineSearchOptions& options, const Progress& progress) {
+  constexpr std::size_t at_once = 32;  // chunks between two reports
+  const auto of_kind = static_cast<std::size_t>(std::ceil(draws * options.effort / static_cast<double>(chunk)));
+  const std::size_t chunks = shape_kind_count * of_kind;
+  Gathered all;
+  for (std::size_t begin = 0; begin < chunks && !progress.is_cancelled(); begin += at_once) {
+    std::vector<Harvest> harvests(std::min(at_once, chunks - begin));
+    const auto kind_of = [&](std::size_t i) { return (begin + i) % shape_kind_count; };
+    parallel_for(harvests.size(), options.threads, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to && !progress.is_cancelled(); ++i)
+        harvests[i] = draw(static_cast<ShapeKind>(kind_of(i)),
+                           options.seed * 1'000'003 + static_cast<std::uint64_t>(begin + i), chunk, wish);
+    });
+    for (std::size_t i = 0; i < harvests.size(); ++i) all.add(kind_of(i), harvests[i]);
+    progress(0.6 * static_cast<double>(begin + harvests.size()) / static_cast<double>(chunks));
+  }
+  return all;
+}
+
+// The best of each kind, climbed; best first, without likes.
+std::vector<Prospect> climbed_prospects(const Gathered& all, const Wish& wish, const StraightLineSearchOptions& options,
+                                        const Progress& progress) {
+  std::vector<Prospect> prospects;
+  for (const auto& of_kind : all.best) {
+    const auto some = without_likes(of_kind, starts, wish);
+    prospects.insert(prospects.end(), some.begin(), some.end());
+  }
+  parallel_for(prospects.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      prospects[i] = made_better(prospects[i], options.seed + i, wish, progress);
+  });
+  std::stable_sort(prospects.begin(), prospects.end(), better);
+  return without_likes(prospects, std::max<std::size_t>(3 * static_cast<std::size_t>(options.best), 12), wish);
+}
+
+std::vector<Ranked> measured_prospects(const std::vector<Prospect>& prospects, const Wish& wish, int threads) {
+  std::vector<std::optional<StraightLineSolution>> made(prospects.size());
+  parallel_for(made.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) made[i] = measured(prospects[i], wish);
+  });
+  std::vector<Ranked> ranked;
+  for (auto& found : made)
+    if (const auto score = found ? score_of(*found, wish) : std::nullopt) ranked.push_back({*std::move(found), *score});
+  return ranked;
+}
+
 }  // namespace
 
 StraightLineSearchResult search_straight_lines(const DirectedLine& line, const straight_cases::Search& wanted,
@@ -357,46 +419,13 @@ StraightLineSearchResult search_straight_lines(const DirectedLine& line, const s
                                                const StraightLineSearchOptions& options, const Progress& progress) {
   const Wish wish(line, wanted, with_room(requirements, wanted.stroke), options.objective),
       exact(line, wanted, requirements, options.objective);
-  const auto of_kind = static_cast<std::size_t>(std::ceil(draws * options.effort / static_cast<double>(chunk)));
-  std::vector<Harvest> harvests(shape_kind_count * of_kind);
-  constexpr std::size_t at_once = 32;  // chunks between two reports
-  for (std::size_t begin = 0; begin < harvests.size() && !progress.is_cancelled(); begin += at_once) {
-    const std::size_t count = std::min(at_once, harvests.size() - begin);
-    parallel_for(count, options.threads, [&](std::size_t from, std::size_t to) {
-      for (std::size_t i = begin + from; i < begin + to && !progress.is_cancelled(); ++i)
-        harvests[i] = draw(static_cast<ShapeKind>(i % shape_kind_count),
-                           options.seed * 1'000'003 + static_cast<std::uint64_t>(i), chunk, wish);
-    });
-    progress(0.6 * static_cast<double>(begin + count) / static_cast<double>(harvests.size()));
-  }
-  StraightLineSearchResult result;
-  std::vector<Prospect> prospects;
-  for (std::size_t kind = 0; kind < shape_kind_count; ++kind) {
-    std::vector<Prospect> of_this;
-    for (std::size_t i = kind; i < harvests.size(); i += shape_kind_count) {
-      of_this.insert(of_this.end(), harvests[i].best.begin(), harvests[i].best.end());
-      result.drawn += harvests[i].drawn;
-    }
-    std::stable_sort(of_this.begin(), of_this.end(), better);
-    const auto some = without_likes(of_this, starts, wish);
-    prospects.insert(prospects.end(), some.begin(), some.end());
-  }
-  parallel_for(prospects.size(), options.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      prospects[i] = made_better(prospects[i], options.seed + i, wish, progress);
-  });
+  const Gathered all = gathered(wish, options, progress);
+  const auto prospects = climbed_prospects(all, wish, options, progress);
   progress(0.8);
-  std::stable_sort(prospects.begin(), prospects.end(), better);
-  prospects = without_likes(prospects, std::max<std::size_t>(3 * static_cast<std::size_t>(options.best), 12), wish);
-  std::vector<std::optional<StraightLineSolution>> made(prospects.size());
-  parallel_for(made.size(), options.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) made[i] = measured(prospects[i], exact);
-  });
-  std::vector<Ranked> ranked;
-  for (auto& found : made)
-    if (const auto score = found ? score_of(*found, exact) : std::nullopt)
-      ranked.push_back({*std::move(found), *score});
-  result.linkages = listed(std::move(ranked), static_cast<std::size_t>(options.best));
+  StraightLineSearchResult result;
+  result.drawn = all.drawn;
+  result.linkages =
+      listed(measured_prospects(prospects, exact, options.threads), static_cast<std::size_t>(options.best));
   result.interrupted = progress.is_cancelled();
   progress(1);
   return result;

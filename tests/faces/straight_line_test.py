@@ -3,6 +3,7 @@
 import copy
 import json
 import math
+import os
 import signal
 import subprocess
 import time
@@ -243,6 +244,15 @@ class StraightLines(FaceTest):
         self.assertTrue(listed)
         for linkage in listed:
             self.assertGreaterEqual(linkage["usable_strip"]["length"], problem["task"]["stroke"])
+
+    def test_a_long_search_takes_no_more_memory_than_a_short_one(self):
+        problem = problem_of("search", effort=100_000)
+        with subprocess.Popen([CLI, "solve", str(self.write("problem.json", problem))], stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL) as process:
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        self.assertLess(usage.ru_maxrss, 60_000)  # kB; what is drawn comes to some 100 000
 
     def test_sliders_are_told_by_their_code(self):
         import base64
