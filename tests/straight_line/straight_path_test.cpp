@@ -9,9 +9,11 @@ namespace linkwright::straight_path_test {
 namespace {
 
 TEST(StraightPath, IsThatOfTheCases) {
+  int usable_ones = 0, strokes = 0, driven = 0;
   for (const auto& known : testing::straight_line_cases()) {
     SCOPED_TRACE(known.name);
     if (!known.json.contains("usable")) continue;
+    ++usable_ones;
     const auto& usable = known.json.at("usable");
     const auto path = StraightPath::of({known.four_bar, known.point}, known.direction);
     ASSERT_TRUE(path);
@@ -29,6 +31,7 @@ TEST(StraightPath, IsThatOfTheCases) {
     if (!known.json.contains("stroke") || known.json.at("stroke").is_null()) continue;
     const auto& stroke = known.json.at("stroke");
     if (!stroke.contains("S")) continue;
+    ++strokes;
     const double half = stroke.at("S").get<double>() / 2;
     const auto report = path->stroke(-half, half);
     ASSERT_TRUE(report);
@@ -38,11 +41,15 @@ TEST(StraightPath, IsThatOfTheCases) {
     EXPECT_NEAR(degrees(report->min_transmission_angle), stroke.at("min_transmission_deg"), 1e-6);
     ASSERT_EQ(report->drive.has_value(), !stroke.at("vel_nonuniformity").is_null());
     if (!report->drive) continue;
+    ++driven;
     const double a = std::abs(stroke.at("vel_min").get<double>()), b = std::abs(stroke.at("vel_max").get<double>());
     EXPECT_NEAR(std::abs(degrees(report->drive->sweep)), stroke.at("drive_range_deg"), 1e-6);
     EXPECT_NEAR(report->drive->slowest, std::min(a, b), 1e-6 * b);
     EXPECT_NEAR(report->drive->fastest, std::max(a, b), 1e-6 * b);
   }
+  EXPECT_GT(usable_ones, 15);
+  EXPECT_GT(strokes, 5);
+  EXPECT_GT(driven, 5);
 }
 
 // Watt's linkage: e(s) = s⁵ / 32 + …
