@@ -187,7 +187,7 @@ std::string found_lines_words(const Problem& problem, const StraightLineAnswer& 
 }
 
 std::string no_lines_words(const Problem& problem, const StraightLineAnswer& answer) {
-  if (answer.options.best == 0 && !answer.options.at) return "";
+  if (answer.search || (answer.options.best == 0 && !answer.options.at)) return "";  // of a search it is told first
   std::string text = "\n" + wrapped(answer.reason.message);
   if (answer.options.at) return text;
   for (std::size_t i = 0; i < answer.relax.size(); ++i)

@@ -171,12 +171,12 @@ Answer search_all_cases(StraightLineAnswer answer, const straight_cases::Search&
   answer.options.line = {wanted.deviation, wanted.stroke, LineMeasure::strip};
   StraightLineSearchResult found =
       search_straight_lines(answer.task.line, wanted, answer.requirements,
-                            {options.objective, options.best, static_cast<std::uint64_t>(options.seed),
+                            {options.objective, std::max(options.best, 1), static_cast<std::uint64_t>(options.seed),
                              static_cast<double>(options.effort) / default_effort, options.region.threads},
                             progress);
   answer.reason = what_was_looked_for(found, wanted);
   if (found.linkages.empty()) answer.status = SolutionStatus::no_solution;
-  answer.linkages = std::move(found.linkages);
+  if (options.best > 0) answer.linkages = std::move(found.linkages);  // otherwise it is told only whether there are any
   found.linkages.clear();
   answer.search = std::move(found);
   return answer;

@@ -245,6 +245,15 @@ class StraightLines(FaceTest):
         for linkage in listed:
             self.assertGreaterEqual(linkage["usable_strip"]["length"], problem["task"]["stroke"])
 
+    def test_a_search_that_lists_nothing_tells_whether_there_is_anything(self):
+        none, boxed = problem_of("search", best=0), problem_of("search")
+        result = self.solve(none)
+        self.assertEqual((result["status"], result["linkages"]), ("solved", []))
+        boxed["requirements"] = {"ground_pivots_within": {"x": [500, 500], "y": [500, 500]}}
+        self.assertEqual(self.solve(boxed)["status"], "no_solution")
+        words = " ".join(run("solve", self.write("problem.json", boxed))[1].split())
+        self.assertEqual(words.count("none has a linkage that runs straight"), 1)
+
     def test_a_long_search_takes_no_more_memory_than_a_short_one(self):
         problem = problem_of("search", effort=100_000)
         with subprocess.Popen([CLI, "solve", str(self.write("problem.json", problem))], stdin=subprocess.DEVNULL,
