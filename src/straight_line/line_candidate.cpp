@@ -22,18 +22,26 @@ std::optional<LineCandidate> LineEvaluator::candidate(MapPoint place) const {
   return LineCandidate{place, linkage, score_of(objective_, linkage, *worth), worth->usable, false};
 }
 
+// Nothing where the path does not reach so far. Traced no farther than it is measured.
+std::optional<StrokeFigures> LineEvaluator::over_stroke(const TracingFourBar& linkage,
+                                                        const std::array<double, 2>& stroke) const {
+  const double beyond = a_hair * (stroke[1] - stroke[0]);
+  const PathLimits limits{.from = std::min(stroke[0], 0.0) - beyond, .to = std::max(stroke[1], 0.0) + beyond};
+  const auto path = StraightPath::of(linkage, family_.task().line.direction, limits);
+  return path ? path->stroke_figures(stroke[0], stroke[1]) : std::nullopt;
+}
+
 std::optional<LineWorth> LineEvaluator::measured(const TracingFourBar& linkage) const {
   const double deviation = family_.measuring().deviation_of(linkage);
-  const auto asked = family_.stroke();
-  PathLimits limits;
-  if (!asked) limits.max_deviation = (1 + a_hair) * deviation;
-  const auto path = StraightPath::of(linkage, family_.task().line.direction, limits);
+  const auto path =
+      StraightPath::of(linkage, family_.task().line.direction, {.max_deviation = (1 + a_hair) * deviation});
   if (!path) return std::nullopt;
   const UsableLine usable = path->usable(deviation);
   if (!(usable.length() >= requirements_.min_stroke)) return std::nullopt;
   const auto over = path->stroke_figures(usable.from, usable.to);
   if (!over) return std::nullopt;
-  const auto stroke = asked ? path->stroke_figures((*asked)[0], (*asked)[1]) : over;
+  const auto asked = family_.stroke();
+  const auto stroke = asked ? over_stroke(linkage, *asked) : over;
   const auto worth = LineWorth::of(*over, stroke ? stroke->max_deviation : std::numeric_limits<double>::infinity());
   return meets(worth, requirements_) ? std::optional(worth) : std::nullopt;
 }

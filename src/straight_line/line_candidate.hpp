@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "linkwright/straight_line/line_worth.hpp"
@@ -41,6 +42,8 @@ class LineEvaluator {
 
  private:
   /// Nothing where it does not meet the requirements.
+  [[nodiscard]] std::optional<StrokeFigures> over_stroke(const TracingFourBar& linkage,
+                                                         const std::array<double, 2>& stroke) const;
   [[nodiscard]] std::optional<LineWorth> measured(const TracingFourBar& linkage) const;
   [[nodiscard]] std::optional<LineWorth> estimated(const TracingFourBar& linkage) const;
 
