@@ -16,6 +16,15 @@ describe("paths of an instant", () => {
     for (const [x, y] of found) expect(Math.hypot(x - 430, y - 280)).toBeCloseTo(50, 0);
     expect(Math.hypot(found[0]![0] - found.at(-1)![0], found[0]![1] - found.at(-1)![1])).toBeLessThan(1);
   });
+  it.each([30, 3900, 4100, 1e6])("keep the chords of a circle of %i px within a fifth of a pixel", (radius) => {
+    const center: Point = [40, 30],
+      found = vertices(circle_path({center, radius: radius / 10}, space, seen));
+    for (const [i, [x, y]] of found.slice(1).entries()) {
+      const [x0, y0] = found[i]!,
+        half = Math.hypot(x - x0, y - y0) / 2;
+      expect(radius - Math.sqrt(radius ** 2 - half ** 2)).toBeLessThan(0.2);
+    }
+  });
   it("draw of a huge circle the arc that is seen, smoothly", () => {
     const radius = 1e6,
       found = vertices(circle_path({center: [0, radius], radius}, space, seen));

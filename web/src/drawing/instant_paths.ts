@@ -8,7 +8,7 @@ export interface Window {
   width: number;
   height: number;
 }
-const steps = 96; // of a circle, or of what is seen of one
+const sagitta = 0.1; // px between a circle and its chords
 const largest = 4000; // px: beyond it a circle is drawn where it can be seen only
 
 export function polyline(points: readonly Point[], {project}: Pick<Plane, "project">): string {
@@ -34,6 +34,7 @@ export function circle_path(shape: CircleOrLine, space: Pick<Plane, "project">, 
     radius = edge - x;
   const towards = Math.atan2(seen.height / 2 - y, seen.width / 2 - x);
   const half = radius < largest ? Math.PI : Math.min(Math.PI, (2 * Math.hypot(seen.width, seen.height)) / radius);
+  const steps = Math.max(Math.ceil(half * Math.sqrt(radius / (2 * sagitta))), 8);
   return Array.from({length: steps + 1}, (_, i) => {
     const angle = towards + half * ((2 * i) / steps - 1);
     return `${i === 0 ? "M" : "L"}${px(x + radius * Math.cos(angle))} ${px(y + radius * Math.sin(angle))}`;
