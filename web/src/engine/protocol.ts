@@ -304,6 +304,8 @@ export interface InstantReport {
         acceleration_pole: Point | null;
         ball_point: Point | null;
         burmester_points: Point[];
+        /** What is special of the configuration. */
+        notes: Pick<Notice, "code" | "message">[];
       };
   /** Polylines about the linkage. */
   circling_points?: Point[][];
