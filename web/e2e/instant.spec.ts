@@ -1,4 +1,5 @@
 // The instant of the linkage in hand: shown on demand, of the linkage as it stands, kept between visits.
+import {readFileSync} from "node:fs";
 import type {Page} from "@playwright/test";
 import {expect, file_menu, open_workbench, read_state, test, until_settled} from "./support";
 
@@ -56,4 +57,25 @@ test("six-bars have none", async ({page}) => {
   await page.getByTestId("drawing.tools").click();
   await expect(page.getByRole("menuitemcheckbox", {name: /inflection circle/})).toHaveCount(0);
   await expect(page.getByTestId("drawing.instant")).toHaveCount(0);
+});
+
+test("what is shown of it is in the picture, in the drawing as a file, and on paper", async ({page}) => {
+  const svg = async () => {
+    await page.getByTestId("export.title").click();
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId("export.svg").click()]);
+    await page.keyboard.press("Escape");
+    return readFileSync(await download.path(), "utf8");
+  };
+  const without = await svg();
+  await page.keyboard.press("i");
+  const curve = await page.getByTestId("drawing.instant_circling").getAttribute("d");
+  expect(without).not.toContain(curve);
+  expect(await svg()).toContain(curve);
+  const width = (picture: SVGSVGElement | HTMLImageElement) =>
+      "naturalWidth" in picture ? picture.naturalWidth : picture.clientWidth,
+    on_screen = await page.locator("svg.drawing").evaluate(width),
+    printed = page.getByTestId("export.sheet").locator(".drawing img");
+  await expect.poll(() => printed.evaluate(width).catch(() => 0)).toBe(on_screen);
+  await page.keyboard.press("i");
+  expect(await svg()).toBe(without);
 });

@@ -13,6 +13,7 @@ const properties = [
   "font-weight",
   "font-family",
   "text-anchor",
+  "paint-order",
 ] as const;
 const defaults: Partial<Record<string, string>> = {
   "fill-opacity": "1",
@@ -21,6 +22,7 @@ const defaults: Partial<Record<string, string>> = {
   "stroke-linecap": "butt",
   "stroke-linejoin": "miter",
   opacity: "1",
+  "paint-order": "normal",
 };
 const namespace = "http://www.w3.org/2000/svg";
 
@@ -42,6 +44,11 @@ export function drawing_svg(
     if (theme === undefined) delete root.dataset.theme;
     else root.dataset.theme = theme;
   }
+}
+
+/** The drawing where an instant of the linkage is shown in it. */
+export function drawing_of_instant(): SVGSVGElement | null {
+  return document.querySelector<SVGSVGElement>("svg.drawing:has(.instant)");
 }
 
 /** Computed styles become attributes; classes, test names and roles go. */

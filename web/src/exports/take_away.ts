@@ -1,8 +1,9 @@
 // What can be taken away, and of which linkage: the picked one, or one that is pinned.
 import type {ExportFormat, Linkage, LinkageType, TauPair} from "../engine/protocol";
-import {drawing_svg} from "../drawing/snapshot";
+import {drawing_of_instant, drawing_svg} from "../drawing/snapshot";
 import {css_values} from "../state/css_values";
 import {engine_text, outline_of, type Problem} from "../state/problem";
+import {preferences} from "../state/preferences.svelte";
 import {poses_of} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {with_other_task} from "../tasks/kinds";
@@ -58,6 +59,8 @@ export async function made_file(
   progress: Progress,
 ): Promise<File> {
   const stem = file_stem(target.problem, target, workbench.pins);
+  if (format === "svg")
+    return {name: `${stem}.svg`, blob: new Blob([await svg_of(workbench, target)], {type: engine_types.svg})};
   if (format === "png") return {name: `${stem}.png`, blob: await png(workbench, target)};
   if (format === "gif" || format === "mp4" || format === "webm")
     return {name: `${stem}.${format}`, blob: await animation(workbench, target, format, progress)};
@@ -87,7 +90,10 @@ export function from_engine(
 ): Promise<{text: string; extension: string}> {
   return workbench.driver_client!.run({kind: "export", problem: engine_text(problem), tau, format});
 }
+/** The engine's drawing of the positions, or the page's where an instant is shown in it. */
 export async function svg_of(workbench: Workbench, target: Target): Promise<string> {
+  const shown = preferences.instant && target.pin === null ? drawing_of_instant() : null;
+  if (shown) return drawing_svg(shown)!;
   return (await from_engine(workbench, target, "svg")).text;
 }
 async function png(workbench: Workbench, target: Target): Promise<Blob> {
