@@ -36,7 +36,8 @@ const even_samples = 400,
   fine_samples = 1000;
 const slow_ms = 25,
   slow_often = 3,
-  quick_often = 8; // so many 400² maps in a row that take longer make dragging fall back to so many of 100²
+  quick_often = 8, // so many 400² maps in a row that take longer make dragging fall back to so many of 100²
+  slowest = 8; // one that takes so many times as long counts as so many
 
 export class MapFollower {
   private asked = ""; // what the map on screen, or on its way, answers
@@ -105,8 +106,9 @@ export class MapFollower {
     }
   }
   private weigh(map_ms: number): void {
-    this.slow_maps = map_ms > slow_ms ? this.slow_maps + 1 : 0;
-    if (this.slow_maps >= slow_often) this.quick_maps = quick_often;
+    const times = Math.min(Math.floor(map_ms / slow_ms), slowest);
+    this.slow_maps = times > 0 ? this.slow_maps + times : 0;
+    if (this.slow_maps >= slow_often) this.quick_maps = quick_often * times;
   }
   private take(reply: Replies["explore"], document: Document, samples: number, window: Window): void {
     const {mapped} = this,

@@ -200,7 +200,7 @@ describe("the answers on the workbench", () => {
     await wide;
   });
 
-  it("draws coarser maps in a drag when three in a row were slow, and tries again", async () => {
+  it("draws coarser maps in a drag when three in a row were slow or one very slow, and tries again", async () => {
     const b = bench(tailgate),
       {workbench, machine} = b;
     machine.map_ms = 5; // the first map, too
@@ -222,6 +222,9 @@ describe("the answers on the workbench", () => {
     machine.map_ms = 5;
     const fast = await dragged(14);
     expect(fast.slice(-4)).toEqual([400, 400, 400, 400]);
+    machine.map_ms = 100; // one of these is enough, and makes the next trial as much rarer
+    const slower = await dragged(34);
+    expect(slower.filter((samples) => samples === 400)).toHaveLength(2);
     workbench.cancel_gesture();
   });
 });
