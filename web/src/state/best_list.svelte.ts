@@ -15,7 +15,7 @@ export class BestList {
   found = $state.raw<{text: string; linkages: Ranked[]; notices: Notice[]} | null>(null);
   /** It is on screen, in place of the numbers. */
   shown = $state(false);
-  private asked: {text: string; stop: AbortController} | null = null;
+  private asked = $state.raw<{text: string; stop: AbortController} | null>(null);
 
   constructor(private readonly listed: Listed) {}
 
@@ -23,12 +23,22 @@ export class BestList {
   get is_current(): boolean {
     return this.found?.text === engine_text(this.listed.problem);
   }
+  /** The engine is at it. */
+  get busy(): boolean {
+    return this.asked !== null;
+  }
+  /** Stops what is under way for another task: the map of this one would wait for it. */
+  let_go(): void {
+    if (!this.asked || this.asked.text === engine_text(this.listed.problem)) return;
+    this.asked.stop.abort();
+    this.asked = null;
+  }
   /** Fetches the list of the task as it is, unless it is there or on its way. */
   async fetch(): Promise<void> {
     const {engine, incomplete, problem} = this.listed,
       text = engine_text(problem);
     if (!engine || incomplete || text === this.asked?.text || text === this.found?.text) return;
-    this.asked?.stop.abort();
+    this.let_go();
     const asked = (this.asked = {text, stop: new AbortController()});
     const reply = await engine.run({kind: "best", problem: text, most}, {signal: asked.stop.signal}).catch(() => null);
     if (this.asked !== asked) return;

@@ -16,7 +16,10 @@ it("lists the ten best of the task on screen, asking once for each task, and aga
   ];
   const run = vi.fn((_job: Job<"best">, _run: Run<"best">) => replies.shift()!());
   workbench.engine = {run} as unknown as EngineClient;
-  await Promise.all([best_list.fetch(), best_list.fetch()]);
+  const both = Promise.all([best_list.fetch(), best_list.fetch()]);
+  expect(best_list.busy).toBe(true);
+  await both;
+  expect(best_list.busy).toBe(false);
   expect(run).toHaveBeenCalledTimes(1);
   expect(run.mock.calls[0]).toMatchObject([{kind: "best", most: 10}, {}]);
   expect(best_list.is_current).toBe(true);
@@ -42,8 +45,12 @@ it("lets the list of an earlier task go for that of the present one", async () =
   workbench.engine = {run} as unknown as EngineClient;
   const first = best_list.fetch();
   workbench.document = {...workbench.document, problem: {...workbench.problem, requirements: {max_length: 300}}};
+  best_list.let_go();
+  expect(best_list.busy).toBe(false);
   void best_list.fetch();
   await first;
+  best_list.let_go(); // this one is for what is on screen
+  expect(best_list.busy).toBe(true);
   expect(stopped).toEqual([true]);
   expect(best_list.found).toBeNull();
 });
