@@ -1,9 +1,9 @@
 import {readFileSync} from "node:fs";
 import {describe, expect, it} from "vitest";
-import {Cancelled, Crashed, type EngineClient, type Run} from "../../engine/client";
-import type {Replies, Requests} from "../../engine/protocol";
+import {Crashed} from "../../engine/client";
+import type {Replies} from "../../engine/protocol";
 import {with_options, type Problem} from "../../state/problem";
-import {Workbench} from "../../state/workbench.svelte";
+import {searching_workbench} from "../../state/round_search_bench";
 import {new_problem as new_motion} from "../motion/kind";
 import {six_bar_kind} from "./kind";
 import {ChainSearch, most_seed} from "./search.svelte";
@@ -21,26 +21,9 @@ const entry = {
 
 const found = {linkages: [entry], notices: []} as unknown as Replies["best"];
 
-/** A search in an engine that finds so in each round; beside it one that knows each linkage. */
 function search_with(find: () => Replies["best"]) {
-  const workbench = new Workbench(problem),
-    asked: string[] = [];
-  let closed = false;
-  const searching = {
-    close: () => void (closed = true),
-    async run({rounds}: Requests["search"], {progress}: Run<"search">) {
-      for (const [round, text] of rounds.entries()) {
-        await Promise.resolve();
-        if (closed) throw new Cancelled();
-        asked.push(text);
-        progress?.({rounds: round + 1, found: find()});
-      }
-      return found;
-    },
-  };
-  workbench.start_engine = () => searching as unknown as EngineClient;
-  workbench.driver_client = {run: () => Promise.resolve({linkage: {}})} as unknown as EngineClient;
-  return {workbench, search: new ChainSearch(workbench), asked};
+  const bench = searching_workbench(problem, find);
+  return {...bench, search: new ChainSearch(bench.workbench)};
 }
 
 describe("a search for a chain", () => {

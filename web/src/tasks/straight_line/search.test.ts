@@ -1,7 +1,6 @@
 import {describe, expect, it} from "vitest";
-import {Cancelled, type EngineClient, type Run} from "../../engine/client";
-import type {Replies, Requests} from "../../engine/protocol";
-import {Workbench} from "../../state/workbench.svelte";
+import type {Replies} from "../../engine/protocol";
+import {searching_workbench} from "../../state/round_search_bench";
 import {forms, with_form} from "./cases";
 import {straight_line_kind} from "./kind";
 import {LineSearch, problem_of} from "./search.svelte";
@@ -25,25 +24,9 @@ const entry = {
 };
 const found = {linkages: [entry], notices: []} as unknown as Replies["best"];
 
-function search_with(): {workbench: Workbench; search: LineSearch; asked: string[]} {
-  const workbench = new Workbench(problem),
-    asked: string[] = [];
-  let closed = false;
-  const engine = {
-    close: () => void (closed = true),
-    async run({rounds}: Requests["search"], {progress}: Run<"search">) {
-      for (const [round, text] of rounds.entries()) {
-        await Promise.resolve();
-        if (closed) throw new Cancelled();
-        asked.push(text);
-        progress?.({rounds: round + 1, found});
-      }
-      return found;
-    },
-  };
-  workbench.start_engine = () => engine as unknown as EngineClient;
-  workbench.driver_client = {run: () => Promise.resolve({linkage: {}})} as unknown as EngineClient;
-  return {workbench, search: new LineSearch(workbench), asked};
+function search_with() {
+  const bench = searching_workbench(problem, () => found);
+  return {...bench, search: new LineSearch(bench.workbench)};
 }
 
 describe("a search over all cases", () => {
