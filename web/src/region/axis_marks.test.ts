@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Axis} from "../engine/protocol";
+import type {Axis, AxisBlock} from "../engine/protocol";
 import {axis_bars, axis_numbers, has_layers} from "./axis_marks";
 import {make_scale} from "./scale";
 import {spherical_kind} from "../tasks/spherical/kind";
@@ -45,6 +45,32 @@ describe("an axis with numbers", () => {
     expect(wide.slice(0, 5).map(({text}) => text)).toEqual(["0°", "90°", "180°", "270°", "0°"].slice(0, 5));
     const narrow = axis_numbers({...directions, quantity: "output_scale"}, make_scale(directions.blocks, [0, 1], 104));
     expect(narrow.map(({text}) => text)).toEqual(["×0", "×0"]);
+  });
+  it("has round numbers along lengths, and the engine's where these are no even ones", () => {
+    const block: AxisBlock = {
+        branch: 0,
+        from: 0,
+        to: 1,
+        knots: [
+          [0, 0],
+          [1, 1],
+        ],
+      },
+      scale = make_scale([block], [0, 1], 404);
+    const texts = (value: (share: number) => number) =>
+      axis_numbers(
+        {
+          ...directions,
+          quantity: "crank_length",
+          ticks: Array.from({length: 12}, (_, i) => [i / 12, value(i / 12)] as const),
+          branches: [{name: "range", from: 0, to: 1}],
+          blocks: [block],
+        },
+        scale,
+      ).map(({text}) => text);
+    expect(texts((share) => 332.803 * share)).toEqual(["0", "50", "100", "150", "200", "250", "300"]);
+    expect(texts((share) => -60 - 340 * share)).toEqual(["−100", "−150", "−200", "−250", "−300", "−350"]);
+    expect(texts((share) => 10 ** share)[1]).toBe("1.47");
   });
   it("does not write over itself where the axis jumps", () => {
     const numbers = axis_numbers(directions, make_scale(directions.blocks, [0, 1], 804));

@@ -4,6 +4,7 @@ import {place_of} from "../state/axis";
 import {significant} from "../texts/numbers";
 import type {TermName} from "../terms/pictures";
 import {t, type TextKey} from "../texts/texts.svelte";
+import {round_step} from "../state/problem";
 import {pixel_of, type Scale} from "./scale";
 import {most_of} from "../state/ends";
 
@@ -137,19 +138,43 @@ function number_text(quantity: AxisQuantity, value: number): string {
   if (is_angle(quantity)) return `${significant(value, 3)}°`;
   return quantity === "output_scale" ? `×${significant(value, 2)}` : significant(value, 3);
 }
+type Tick = readonly [tau: number, value: number];
+
+/** Round values where the engine's ticks of a branch lie evenly, a step for each so many pixels; else those ticks. */
+function round_ticks(ticks: readonly Tick[], {from, to}: Branch, pixels: number): readonly Tick[] {
+  const first = ticks[0],
+    last = ticks.at(-1);
+  if (!first || !last || first === last) return ticks;
+  const slope = (last[1] - first[1]) / (last[0] - first[0]),
+    value_at = (tau: number) => first[1] + slope * (tau - first[0]);
+  const [low, high] = slope > 0 ? [value_at(from), value_at(to)] : [value_at(to), value_at(from)];
+  const is_even = ticks.every(([tau, value]) => Math.abs(value_at(tau) - value) <= 1e-6 * (high - low));
+  if (!is_even || !(high > low)) return ticks;
+  const step = round_step(((high - low) * number_px) / pixels),
+    begin = Math.ceil(low / step - 1e-9);
+  const values = Array.from({length: Math.floor(high / step + 1e-9) - begin + 1}, (_, i) =>
+    Number(((begin + i) * step).toPrecision(9)),
+  );
+  return values
+    .map((value): Tick => [Math.max(first[0] + (value - first[1]) / slope, from), value])
+    .sort(([a], [b]) => a - b);
+}
+
 /** The engine's ticks, as many of each block as there is room for: where an axis leaves out what has no dyads, some lie
  *  close together. */
 export function axis_numbers(axis: Axis, scale: Scale): AxisNumber[] {
-  return scale.pieces.flatMap(({block, from, to, end}) => {
+  const is_length = !is_angle(axis.quantity) && axis.quantity !== "output_scale";
+  return scale.pieces.flatMap(({block, from, to, start, end}) => {
     const branch = branch_of(axis, block);
-    const own = (axis.ticks ?? [])
-      .filter(([tau]) => branch && tau >= branch.from && tau < branch.to)
-      .flatMap(([tau, value], index) => {
+    const told = (axis.ticks ?? []).filter(([tau]) => branch && tau >= branch.from && tau < branch.to);
+    const own = (branch && is_length ? round_ticks(told, branch, Math.abs(end - start)) : told).flatMap(
+      ([tau, value], index) => {
         const place = place_of(axis, tau);
         return place !== null && place >= from && place < to
           ? [{index, at: pixel_of(scale, place), text: number_text(axis.quantity, value)}]
           : [];
-      });
+      },
+    );
     const widest = Math.max(most_of(own.slice(1).map(({at}, i) => at - own[i]!.at)), 0) || Infinity;
     const step = every.find((k) => k * widest >= number_px) ?? own.length;
     let last = -Infinity;
