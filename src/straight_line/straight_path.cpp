@@ -353,7 +353,9 @@ UsableLine StraightPath::usable_strip(double deviation) const {
       rose = rises;
     }
   }
-  return within(best, best + strips.width);
+  // Narrower than the rounding between two stretches it may begin outside: the tangent's strip is one as well.
+  const UsableLine found = within(best, best + strips.width), tangent = usable(deviation);
+  return found.length() < tangent.length() ? tangent : found;
 }
 
 // ½ min over k of the range of e − k s, a convex function of k: the next k is where the tangents of both sides meet.
