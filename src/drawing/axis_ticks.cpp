@@ -72,13 +72,17 @@ std::vector<double> scattered_values(double low, double high, bool fine) {
   return values;
 }
 
-bool is_even(AxisQuantity quantity) { return is_angle(quantity); }
+// Lengths of grounded links without bound and factors are not.
+bool is_even(AxisQuantity quantity) {
+  return quantity != AxisQuantity::side_length && quantity != AxisQuantity::output_scale;
+}
 
 std::vector<double> candidates(const Readings& readings, AxisQuantity quantity, double length) {
   const double low = readings.values.front(), high = readings.values.back();
   // Directions without a grounded link take no room: the steps are those where there are some.
   if (is_even(quantity))
-    return even_ticks(low, high, length * (high - low) / std::max(readings.covered(), 1e-9), closest, true);
+    return even_ticks(low, high, length * (high - low) / std::max(readings.covered(), 1e-9), closest,
+                      is_angle(quantity));
   constexpr std::size_t few = 3;
   std::vector<double> values = scattered_values(low, high, false);
   return values.size() < few ? scattered_values(low, high, true) : values;

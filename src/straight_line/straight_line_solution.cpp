@@ -41,7 +41,8 @@ std::optional<StraightLineCognate> measured_cognate(TracingFourBar linkage, Poin
   const UsableLine usable = usable_of(*path, deviation, measure);
   const auto one = path->stroke_figures(usable.from, usable.to),
              other = backwards->stroke_figures(usable.from, usable.to);
-  if (one && other && other->min_transmission_angle > one->min_transmission_angle) {
+  constexpr double alike = 1e-9;  // of a symmetric linkage both sides are
+  if (one && other && other->min_transmission_angle > one->min_transmission_angle + alike) {
     linkage = linkage.swapped();
     path = backwards;
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "linkwright/straight_line/straight_line_family.hpp"
 #include "support/file_support.hpp"
 
 namespace linkwright::axis_ticks_test {
@@ -26,7 +27,7 @@ TEST(AxisTicks, AreFewWhereverTheAxisLies) {
   EXPECT_LT(even_ticks(-1e300, 1e300, 444, 27, false).size(), 20u);
 }
 
-RegionScale scale_of(const FourBarFamily& family, Side side, int count) {
+RegionScale scale_of(const LinkageFamily& family, Side side, int count) {
   return {family.axis(side).branches, family.samples(side, count, Spacing::coordinate), {}, 444};
 }
 
@@ -60,6 +61,18 @@ TEST(AxisTicks, OfCurvesAndOfFewSideLinksAreNone) {
   EXPECT_TRUE(axis_ticks(scale_of(curve, Side::input, 100), curve, Side::input).empty());
   const FourBarFamily& points = *testing::four_bars(testing::five_positions().answer).given.family;
   EXPECT_TRUE(axis_ticks(scale_of(points, Side::input, 100), points, Side::input).empty());
+}
+
+TEST(AxisTicks, OfLengthsOfStraightLinesAreEvenBelowZeroToo) {
+  const StraightLineFamily family({LineAtAngle{{0, 0}, 0}, straight_cases::ParallelSideLinks{-40, 40}}, {},
+                                  MapWindow{{60, 400}, {-400, -60}});
+  for (const auto& [side, last] : {std::pair(Side::input, "350"), std::pair(Side::output, "-100")}) {
+    const auto ticks = axis_ticks(scale_of(family, side, 100), family, side);
+    ASSERT_GE(ticks.size(), 4U);
+    EXPECT_EQ(ticks.back().text, last);
+    const double step = ticks[1].px - ticks[0].px;
+    for (std::size_t i = 0; i + 1 < ticks.size(); ++i) EXPECT_NEAR(ticks[i + 1].px - ticks[i].px, step, 0.5);
+  }
 }
 
 TEST(AxisTicks, OfAFactorAreSpacedByItsLogarithm) {

@@ -82,12 +82,13 @@ class Readme(FaceTest):
                 with self.subTest(document=document.name, script=script):
                     self.assertTrue(list(ROOT.glob(script + "*")))
 
-    def test_the_picture_is_the_programs(self):
-        picture = self.folder / "fresh.svg"
-        self.assertEqual(run("solve", "examples/tailgate.json", "--svg", picture, cwd=ROOT)[0], 0)
-        texts = [[node.text for node in xml.etree.ElementTree.parse(path).iter() if (node.text or "").strip()]
-                 for path in (ROOT / "docs/tailgate.svg", picture)]
-        self.assertEqual(*texts, "renew it: linkwright solve examples/tailgate.json --svg docs/tailgate.svg")
+    def test_the_pictures_are_the_programs(self):
+        for example, name in (("tailgate", "tailgate"), ("straight_watt_suspension", "straight_line")):
+            picture = self.folder / "fresh.svg"
+            self.assertEqual(run("solve", f"examples/{example}.json", "--svg", picture, cwd=ROOT)[0], 0)
+            texts = [[node.text for node in xml.etree.ElementTree.parse(path).iter() if (node.text or "").strip()]
+                     for path in (ROOT / f"docs/{name}.svg", picture)]
+            self.assertEqual(*texts, f"renew it: linkwright solve examples/{example}.json --svg docs/{name}.svg")
 
     def test_problems_that_are_shown_can_be_solved(self):
         for readme in READMES:

@@ -74,7 +74,7 @@ test("1 · first start: a map, a count, the tour, nothing in anyone's way", asyn
   await page.keyboard.press("Escape");
   await expect(page.getByTestId("term.tip")).toBeHidden();
   await page.getByTestId("task.kind").click();
-  await expect(page.getByTestId("dialog.new").locator(".picture")).toHaveCount(9);
+  await expect(page.getByTestId("dialog.new").locator(".picture")).toHaveCount(12);
   await keep_screenshot(page, "new-task");
 });
 

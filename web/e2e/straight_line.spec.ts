@@ -45,8 +45,16 @@ test("an example shows its line, its path and numbers that the program has as we
   expect(found.usable.length).toBeCloseTo(line.usable.length, 6);
   expect(found.contact_points).toBe(line.contact_points);
   expect(found.stroke.max_deviation).toBeCloseTo(line.stroke!.max_deviation, 9);
+  const [cognate] = line.cognates;
+  expect(cognate!.pivots.input_fixed).toEqual(found.cognates[0].pivots.input_fixed);
+  const shown = page.getByTestId("straight.shown_cognate");
+  await expect(shown).toHaveCount(0);
+  await page.getByTestId("straight.cognate.0").click();
+  await expect(shown).toBeAttached();
   await keep_screenshot(page, "straight_line");
   await expect_accessible(page);
+  await page.getByTestId("straight.cognate.0").click();
+  await expect(shown).toHaveCount(0);
 });
 
 test("the line is dragged and turned on the drawing, and each is one step", async ({page}) => {

@@ -130,6 +130,30 @@ export const pictures = {
       ] as Spot[]
     ).map(pin),
   ],
+  // Chebyshev's linkage, and Hoecken's that traces the same path.
+  cognates: [
+    ...[20, 48, 76].map((x) => ground([x, 54])),
+    line("thin", [48, 54], [27, 30], [6, 54], [20, 54]),
+    line("thin", [27, 30], [48, 6]),
+    ...links([
+      [20, 54],
+      [62, 6],
+      [34, 6],
+      [76, 54],
+    ]),
+    ring("accent", [48, 6], 3.4),
+    ...(
+      [
+        [20, 54],
+        [62, 6],
+        [34, 6],
+        [76, 54],
+        [48, 54],
+        [27, 30],
+        [6, 54],
+      ] as Spot[]
+    ).map(pin),
+  ],
   transmission_angle: four_bar(usual, ["accent", "M50.3 14.6A12 12 0 0 0 64.9 23.7"]),
   link_ratio: [
     line("input", [12, 24], [84, 24]),

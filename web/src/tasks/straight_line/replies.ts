@@ -1,5 +1,5 @@
 // What the engine says of linkages with a point that runs straight (bindings/wasm/straight_line_reply.hpp).
-import type {Point} from "../../engine/protocol";
+import type {LinkageType, Point} from "../../engine/protocol";
 import type {Range} from "../../state/task";
 import type {StraightLineTask} from "./task";
 
@@ -62,6 +62,14 @@ export interface Stroke {
   velocity_nonuniformity: number | null;
   crank_range_deg: number | null;
 }
+/** As it lies with its point on the line. */
+export interface Cognate {
+  pivots: Record<"input_fixed" | "input_moving" | "output_moving" | "output_fixed" | "point", Point>;
+  lengths: Record<"ground" | "input" | "coupler" | "output" | "point_to_input" | "point_to_output", number>;
+  type: LinkageType;
+  min_transmission_angle_deg: number;
+  over_usable: Stroke;
+}
 export interface StraightLine {
   case: string;
   layer: number;
@@ -82,6 +90,8 @@ export interface StraightLine {
   stroke_over_longest: number;
   over_usable: Stroke;
   stroke: Stroke | null;
+  /** The two other linkages whose point traces the same path; none where it is a circle. */
+  cognates: Cognate[];
   /** Of the path beside the line: way along it, deviation, ds/dφ (null: unbounded), driver angle. */
   profile: (readonly [s: number, e: number, velocity: number | null, input_deg: number])[];
 }
