@@ -38,6 +38,8 @@ const slow_ms = 25,
   slow_often = 3,
   quick_often = 8, // so many 400² maps in a row that take longer make dragging fall back to so many of 100²
   slowest = 8; // one that takes so many times as long counts as so many
+const shortest_rest_ms = 80,
+  longest_rest_ms = 600; // of a drag, after which it gets its 400² map: twice as long as that takes
 
 export class MapFollower {
   private asked = ""; // what the map on screen, or on its way, answers
@@ -45,6 +47,7 @@ export class MapFollower {
   private forgotten = 0; // how often
   private slow_maps = 0; // in a row
   private quick_maps = 0; // left until the next trial at 400²
+  private even_ms = 0; // what the last 400² map took
   private fine = false; // at rest: the fine map was asked for
   private rest_timer: ReturnType<typeof setTimeout> | undefined;
   private fine_timer: ReturnType<typeof setTimeout> | undefined;
@@ -62,7 +65,9 @@ export class MapFollower {
     const quick = this.mapped.gesture && this.quick_maps > 0;
     if (quick) --this.quick_maps;
     void this.explore(quick ? quick_samples : even_samples);
-    if (quick) this.rest_timer = setTimeout(() => void this.explore(even_samples), 80);
+    if (!quick) return;
+    const rest_ms = Math.min(Math.max(2 * this.even_ms, shortest_rest_ms), longest_rest_ms);
+    this.rest_timer = setTimeout(() => void this.explore(even_samples), rest_ms);
   }
   /** Asks for nothing by itself any more. */
   stop(): void {
@@ -106,6 +111,7 @@ export class MapFollower {
     }
   }
   private weigh(map_ms: number): void {
+    this.even_ms = map_ms;
     const times = Math.min(Math.floor(map_ms / slow_ms), slowest);
     this.slow_maps = times > 0 ? this.slow_maps + times : 0;
     if (this.slow_maps >= slow_often) this.quick_maps = quick_often * times;
