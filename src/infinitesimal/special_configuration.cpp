@@ -21,15 +21,12 @@ void add_of_side_link(const FourBar& bars, std::string_view link, std::string_vi
   if (are_parallel(side, bars.output_center - bars.input_center))
     note("side_link_on_frame_line",
          "the {link} lies on the frame line, so that the pole is the fixed pivot of the {other}, whose moving pivot "
-         "lies "
-         "on the pole tangent; the circling-point curve is the pole tangent and a circle");
+         "lies on the pole tangent; the circling-point curve is the pole tangent and a circle");
   if (are_parallel(side, bars.output_circle - bars.input_circle))
     note("side_link_in_line_with_coupler",
          "the {link} lies in line with the coupler, so that the pole is the moving pivot of the {other}, whose fixed "
-         "pivot "
-         "lies on the pole tangent; the centering-point curve is the pole tangent and a circle, and Ball's point falls "
-         "on "
-         "the pole");
+         "pivot lies on the pole tangent; the centering-point curve is the pole tangent and a circle, and Ball's point "
+         "falls on the pole, unless the whole inflection circle is stationary");
 }
 
 }  // namespace

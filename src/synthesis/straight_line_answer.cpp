@@ -145,7 +145,19 @@ void list_all(StraightLineAnswer& answer) {
   state_what_was_found(answer);
 }
 
-Notice what_was_looked_for(const StraightLineSearchResult& search, const straight_cases::Search& wanted) {
+// What is searched for is scaled to the stroke, and deviates as far as it may.
+std::string way_out(const straight_cases::Search& wanted, const Requirements& requirements) {
+  if (requirements.min_stroke > wanted.stroke)
+    return fmt::format("The requirements ask for a usable length of {:g}: search for a stroke as long.",
+                       requirements.min_stroke);
+  if (requirements.max_deviation < wanted.deviation)
+    return fmt::format("The requirements allow a deviation of {:g} only: search for a deviation as small.",
+                       requirements.max_deviation);
+  return "Allow longer links (max_length), a larger deviation, or more room for the pivots.";
+}
+
+Notice what_was_looked_for(const StraightLineSearchResult& search, const straight_cases::Search& wanted,
+                           const Requirements& requirements) {
   const std::string drawn = grouped_text(search.drawn);
   if (search.interrupted)
     return {"lines_interrupted",
@@ -156,9 +168,8 @@ Notice what_was_looked_for(const StraightLineSearchResult& search, const straigh
   if (search.linkages.empty())
     return {"no_line_found",
             fmt::format("Of {} places of all maps none has a linkage that runs straight over {:g} to ±{:g} and meets "
-                        "the requirements. Allow longer links (max_length), a larger deviation, or more room for the "
-                        "pivots.",
-                        drawn, wanted.stroke, wanted.deviation),
+                        "the requirements. {}",
+                        drawn, wanted.stroke, wanted.deviation, way_out(wanted, requirements)),
             {{"count", static_cast<double>(search.drawn)}}};
   return {"lines_found",
           fmt::format("Looked at {} places of all maps; each linkage listed runs straight over {:g} to ±{:g}.", drawn,
@@ -174,7 +185,7 @@ Answer search_all_cases(StraightLineAnswer answer, const straight_cases::Search&
                             {options.objective, std::max(options.best, 1), static_cast<std::uint64_t>(options.seed),
                              static_cast<double>(options.effort) / default_effort, options.region.threads},
                             progress);
-  answer.reason = what_was_looked_for(found, wanted);
+  answer.reason = what_was_looked_for(found, wanted, answer.requirements);
   if (found.linkages.empty()) answer.status = SolutionStatus::no_solution;
   if (options.best > 0) answer.linkages = std::move(found.linkages);  // otherwise it is told only whether there are any
   found.linkages.clear();

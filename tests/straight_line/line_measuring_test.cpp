@@ -24,6 +24,7 @@ TEST(LineMeasuring, TakesAShareOfTheLongestUnlessTold) {
   const TracingFourBar linkage{{{0, 0}, {-1, 0}, {3, 0}, {1, std::sqrt(12.0)}}, {3, std::sqrt(48.0)}};
   EXPECT_NEAR(LineMeasuring{}.deviation_of(linkage), 8e-4, 1e-15);
   EXPECT_EQ((LineMeasuring{0.5, {}, {}}.deviation_of(linkage)), 0.5);
+  EXPECT_NEAR((LineMeasuring{1e-300, {}, {}}.deviation_of(linkage)), 8e-13, 1e-25) << "below it is rounding";
   EXPECT_EQ(name(LineMeasure::strip), "strip");
   EXPECT_EQ(name(LineMeasure::tangent), "tangent");
 }

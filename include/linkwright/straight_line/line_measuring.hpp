@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -15,13 +16,16 @@ enum class LineMeasure { tangent, strip };
 /// How straight lines are measured.
 struct LineMeasuring {
   static constexpr double default_share = 1e-4;
+  static constexpr double least_share = 1e-13;  ///< below it is rounding what is measured
 
-  std::optional<double> deviation;  ///< δ, half the width of the strip, user's unit; nothing: 1e-4 of the longest link
-  std::optional<double> stroke;     ///< over which deviations are looked at, half of it either way; nothing: none
+  std::optional<double> deviation;  ///< δ, half the width of the strip, user's unit; nothing: 1e-4 of the longest link;
+                                    ///< at least 1e-13 of it
+  std::optional<double> stroke;  ///< over which deviations are looked at, half of it either way; nothing: none
   LineMeasure measure = LineMeasure::tangent;
 
   [[nodiscard]] double deviation_of(const TracingFourBar& linkage) const {
-    return deviation.value_or(default_share * linkage.longest());
+    const double longest = linkage.longest();
+    return deviation ? std::max(*deviation, least_share * longest) : default_share * longest;
   }
 
   friend bool operator==(const LineMeasuring&, const LineMeasuring&) = default;
