@@ -211,8 +211,8 @@ StraightPath::Place StraightPath::place_at(double s) const {
     (s_at({middle, stretches_[middle].from}) <= s ? low : high) = middle;
   }
   const Stretch& stretch = stretches_[low];
-  if (s <= s_at({low, stretch.from})) return {low, stretch.from};
-  if (s >= s_at({low, stretch.to})) return {low, stretch.to};
+  if (!(s > s_at({low, stretch.from}))) return {low, stretch.from};
+  if (!(s < s_at({low, stretch.to}))) return {low, stretch.to};
   return {low, sign_change_between(shifted(stretch.s, s).c, stretch.from, stretch.to)};
 }
 
