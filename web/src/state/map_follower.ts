@@ -32,8 +32,8 @@ interface Next {
 }
 
 const even_samples = 400,
-  quick_samples = 100,
-  fine_samples = 1000;
+  quick_samples = 100;
+export const fine_samples = 1000;
 const slow_ms = 25,
   slow_often = 3,
   quick_often = 8, // so many 400² maps in a row that take longer make dragging fall back to so many of 100²

@@ -229,7 +229,10 @@ describe("the workbench", () => {
     expect(other.workbench.pins.map((pin) => [pin.name, pin.tau])).toEqual(
       workbench.pins.map((pin) => [pin.name, pin.tau]),
     );
+    const types = () => workbench.map!.type,
+      types_again = () => other.workbench.map!.type;
+    await until(() => types().length === types_again().length); // one may have got its fine map before the other
+    expect(Buffer.compare(types(), types_again())).toBe(0); // the difference of two maps takes hours to print
     expect(other.workbench.task!.axes.input).toEqual(workbench.task!.axes.input);
-    expect(other.workbench.map!.type).toEqual(workbench.map!.type);
   });
 });

@@ -4,6 +4,7 @@ import {afterEach, beforeAll} from "vitest";
 import {create_linkwright} from "../engine/module";
 import type {ReplyMessage, RequestMessage} from "../engine/protocol";
 import {Server} from "../engine/serve";
+import {fine_samples} from "./map_follower";
 import {preferences} from "./preferences.svelte";
 import type {Problem} from "./problem";
 import {Workbench} from "./workbench.svelte";
@@ -19,6 +20,8 @@ interface Machine {
   /** It does not answer. */
   mute: boolean;
 }
+/** Maps, but for the fine one. */
+const awaited = new Set<RequestMessage>();
 /** Answers a little later, as a worker does. */
 class Thread {
   onmessage: ((event: MessageEvent<ReplyMessage>) => void) | null = null;
@@ -32,11 +35,15 @@ class Thread {
   }
   postMessage(message: RequestMessage): void {
     this.asked.push(message);
-    if (!this.machine.mute)
-      setTimeout(
-        () => !this.dead && this.say(this.slowed(this.server.serve(message).message)),
-        message.kind === "best" ? this.machine.best_ms : 0,
-      );
+    if (this.machine.mute) return;
+    if (message.kind === "explore" && message.samples !== fine_samples) awaited.add(message);
+    setTimeout(
+      () => {
+        if (!this.dead) this.say(this.slowed(this.server.serve(message).message));
+        awaited.delete(message);
+      },
+      message.kind === "best" ? this.machine.best_ms : 0,
+    );
   }
   private slowed(reply: ReplyMessage): ReplyMessage {
     const answer = (reply as {reply?: {engine_ms?: number}}).reply;
@@ -87,8 +94,9 @@ export async function until(what: () => unknown, ms = 20_000): Promise<void> {
   }
 }
 /** Until nothing more will come by itself but the fine map: what a drag has asked for may come after its end. */
-export async function settled({workbench}: Bench): Promise<void> {
+export async function settled({workbench, asked}: Bench): Promise<void> {
   const is_settled = () =>
+    !asked.some((message) => awaited.has(message)) &&
     workbench.is_current &&
     workbench.picked !== null &&
     workbench.hand !== null &&
