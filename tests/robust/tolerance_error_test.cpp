@@ -1,0 +1,188 @@
+#include "linkwright/robust/tolerance_error.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numeric>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/straight_line/symmetric_lambda.hpp"
+#include "support/draws.hpp"
+#include "support/random_four_bar.hpp"
+#include "support/robust_cases.hpp"
+
+namespace linkwright::tolerance_error_test {
+namespace {
+
+std::vector<FourBar> bars_of(const std::vector<TracingFourBar>& positions) {
+  std::vector<FourBar> bars;
+  for (const auto& linkage : positions) bars.push_back(linkage.bars);
+  return bars;
+}
+
+SensitivityMatrix function_matrix() {
+  const auto file = testing::robust_file("function");
+  return sensitivities(angle_output(bars_of(testing::robust_positions(file["par"], file["phis"], file["sign"]))))
+      .value();
+}
+
+Tolerances tolerances_of(const nlohmann::json& result) {
+  Tolerances t{.length = LengthTolerances::all(0.005), .clearance = result.at("clearance")};
+  t.distribution = tolerance_distribution_named(result.at("dist").get<std::string>()).value();
+  return t;
+}
+
+TEST(ToleranceError, IsThatOfThePublishedFunctions) {
+  const auto file = testing::robust_file("function");
+  const SensitivityMatrix matrix = function_matrix();
+  for (const auto& result : file["results"]) {
+    const Tolerances t = tolerances_of(result);
+    const auto deviations = standard_deviations(matrix, planar_variances(t));
+    ASSERT_EQ(deviations.size(), result["linear_sigma"].size());
+    for (std::size_t j = 0; j < deviations.size(); ++j) EXPECT_NEAR(deviations[j], result["linear_sigma"][j], 1e-12);
+    EXPECT_NEAR(worst_case(matrix, planar_half_tolerances(t)), result["worst_case"][0], 1e-12);
+  }
+}
+
+TEST(ToleranceError, IsThatOfTheGuidanceCells) {
+  const auto file = testing::robust_file("guidance");
+  const Tolerances t{.length = LengthTolerances::all(0.01)};
+  for (const auto& cell : file["results"]) {
+    const auto positions = testing::robust_positions(cell["par"], cell["phis"], cell["sign"]);
+    const auto matrix = sensitivities(pose_output(positions, file["Lth"]));
+    ASSERT_TRUE(matrix);
+    EXPECT_NEAR(tolerance_error(*matrix, planar_variances(t)), cell["linear_sigma"], 1e-9);
+  }
+}
+
+// The λ of a crank range, over its stroke of 100.
+std::vector<TracingFourBar> lambda_stroke(double crank_range) {
+  const auto lambda = near_minimax_lambda(crank_range, 100);
+  const TracingFourBar middle = lambda_linkage(*lambda, {}, false);
+  const Configuration now = configuration_of(middle.bars);
+  std::vector<TracingFourBar> stroke;
+  for (int k = -20; k <= 20; ++k) {
+    const auto there =
+        assemble(middle.bars.lengths(), now.input_angle + k * crank_range / 40, assembly_of(middle.bars));
+    stroke.push_back(middle.moved_to(placed(middle.bars, there.value())));
+  }
+  return stroke;
+}
+
+TEST(ToleranceError, IsThatOfLambdaLinkages) {
+  const Tolerances t{.length = LengthTolerances::all(0.05)};
+  for (const auto& result : testing::robust_file("lambda")["results"]) {
+    const auto stroke = lambda_stroke(radians(result["beta_deg"].get<double>()));
+    const auto fixed = sensitivities(line_output(stroke, {}, false));
+    const auto realigned = sensitivities(line_output(stroke, {}, true));
+    ASSERT_TRUE(fixed && realigned);
+    const auto deviations = standard_deviations(*fixed, planar_variances(t));
+    EXPECT_NEAR(deviations.front(), result["sigma_end"], 1e-6);
+    EXPECT_NEAR(deviations[20], result["sigma_mid"], 1e-6);
+    EXPECT_DOUBLE_EQ(line_tolerance_error(*fixed, planar_variances(t)),
+                     3 * *std::max_element(deviations.begin(), deviations.end()));
+    // What is left once the line has been laid anew is a small part of it.
+    EXPECT_LT(line_tolerance_error(*realigned, planar_variances(t)),
+              0.2 * line_tolerance_error(*fixed, planar_variances(t)));
+  }
+}
+
+TEST(ToleranceError, IsTwiceThatOfHalfTheTolerances) {
+  testing::RandomFourBars random(1511);
+  for (int n = 0; n < testing::draws(300); ++n) {
+    const auto matrix = sensitivities(pose_output({{random.four_bar(), {random.uniform(-3, 3), 1}}}, 0.7));
+    if (!matrix) continue;
+    Tolerances t{.length = {0.1, 0.2, 0.3, 0.4, 0.5}, .clearance = 0.05, .driver = 0.01};
+    const double error = tolerance_error(*matrix, planar_variances(t));
+    const double worst = worst_case(*matrix, planar_reach(t));
+    t = {.length = {0.2, 0.4, 0.6, 0.8, 1}, .clearance = 0.1, .driver = 0.02};
+    EXPECT_NEAR(tolerance_error(*matrix, planar_variances(t)), 2 * error, 1e-12 * error);
+    EXPECT_NEAR(worst_case(*matrix, planar_reach(t)), 2 * worst, 1e-12 * worst);
+    EXPECT_GT(worst, error);
+  }
+}
+
+TEST(ToleranceError, IsMadeUpOfShares) {
+  const SensitivityMatrix matrix = function_matrix();
+  const auto shares = variance_shares(matrix, planar_variances({.length = {1, 2, 3, 4, 5}, .driver = 0.01}));
+  ASSERT_EQ(shares.size(), planar_parameters);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end(), [](auto& a, auto& b) { return a.share > b.share; }));
+  double sum = 0;
+  std::vector<double> per_position(matrix.positions());
+  for (const auto& share : shares) {
+    sum += share.share;
+    for (std::size_t j = 0; j < per_position.size(); ++j) per_position[j] += share.per_position[j];
+  }
+  EXPECT_NEAR(sum, 1, 1e-14);
+  for (const double whole : per_position) EXPECT_NEAR(whole, 1, 1e-14);
+  // Without a parameter the error is what the other shares say.
+  PlanarValues variances = planar_variances({.length = {1, 2, 3, 4, 5}, .driver = 0.01});
+  const double whole = tolerance_error(matrix, variances);
+  variances[shares[0].parameter] = 0;
+  EXPECT_NEAR(tolerance_error(matrix, variances), whole * std::sqrt(1 - shares[0].share), 1e-12 * whole);
+  // The point of a function generator does not matter.
+  EXPECT_EQ(shares.back().share, 0);
+  for (const auto& share : variance_shares(matrix, PlanarValues{})) EXPECT_EQ(share.share, 0);
+}
+
+// The largest of all corners of the box.
+TEST(ToleranceError, IsAtWorstAtACorner) {
+  const SensitivityMatrix matrix = function_matrix();
+  const PlanarValues half = planar_half_tolerances({.length = {1, 2, 3, 4, 5}, .driver = 0.01});
+  double worst = 0;
+  for (unsigned corner = 0; corner < 1u << planar_parameters; ++corner)
+    for (std::size_t j = 0; j < matrix.positions(); ++j) {
+      double error = 0;
+      for (std::size_t i = 0; i < planar_parameters; ++i)
+        error += matrix.row(j, 0)[i] * (corner >> i & 1 ? half[i] : -half[i]);
+      worst = std::max(worst, error);
+    }
+  EXPECT_NEAR(worst_case(matrix, half), worst, 1e-12);
+}
+
+TEST(ToleranceError, IsKeptByTheTolerancesOfLeastCost) {
+  testing::RandomFourBars random(1512);
+  for (int n = 0; n < testing::draws(200); ++n) {
+    const double exponent = random.uniform(0.3, 3), error = random.uniform(0.1, 2);
+    const std::array<double, 4> weights = {random.uniform(0.1, 5), random.uniform(0.1, 5), random.uniform(0.1, 5), 0};
+    const auto tolerances = least_cost_tolerances(weights, error, exponent);
+    const auto cost = [&](std::span<const double> t) {
+      return std::pow(t[0], -exponent) + std::pow(t[1], -exponent) + std::pow(t[2], -exponent);
+    };
+    double square = 0;
+    for (std::size_t i = 0; i < 3; ++i) square += std::pow(weights[i] * tolerances[i], 2);
+    EXPECT_NEAR(std::sqrt(square), error, 1e-12 * error);
+    EXPECT_EQ(tolerances[3], std::numeric_limits<double>::infinity());
+    // Any other point of the ellipsoid costs more: w T = error · (cos u cos v, sin u cos v, sin v).
+    const double least = cost(tolerances);
+    double cheapest = std::numeric_limits<double>::infinity();
+    for (int i = 1; i < 200; ++i)
+      for (int k = 1; k < 200; ++k) {
+        const double u = pi / 2 * i / 200, v = pi / 2 * k / 200;
+        const std::array<double, 3> other = {error * std::cos(u) * std::cos(v) / weights[0],
+                                             error * std::sin(u) * std::cos(v) / weights[1],
+                                             error * std::sin(v) / weights[2]};
+        cheapest = std::min(cheapest, cost(other));
+      }
+    EXPECT_GE(cheapest, least * (1 - 1e-12));
+    EXPECT_LE(cheapest, least * 1.01);
+  }
+}
+
+TEST(ToleranceError, IsAllocatedByItsOwnWeights) {
+  const SensitivityMatrix matrix = function_matrix();
+  const double error = tolerance_error(matrix, planar_variances({.length = LengthTolerances::all(0.005)}));
+  const auto weights = error_weights(matrix, standard_deviation(ToleranceDistribution::normal));
+  PlanarValues variances{};
+  double cost = 0;
+  const auto cheapest = least_cost_tolerances(std::span(weights).first(7), error, 2);
+  for (std::size_t i = 0; i < cheapest.size(); ++i) {
+    variances[i] = std::pow(cheapest[i] / 3, 2);
+    cost += std::pow(cheapest[i], -2);
+  }
+  EXPECT_NEAR(tolerance_error(matrix, variances), error, 1e-12 * error);
+  EXPECT_LT(cost, 7 * std::pow(0.005, -2));
+}
+
+}  // namespace
+}  // namespace linkwright::tolerance_error_test
