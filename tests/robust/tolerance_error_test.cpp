@@ -71,7 +71,8 @@ std::vector<TracingFourBar> lambda_stroke(double crank_range) {
 
 TEST(ToleranceError, IsThatOfLambdaLinkages) {
   const Tolerances t{.length = LengthTolerances::all(0.05)};
-  for (const auto& result : testing::robust_file("lambda")["results"]) {
+  const auto file = testing::robust_file("lambda");
+  for (const auto& result : file["results"]) {
     const auto stroke = lambda_stroke(radians(result["beta_deg"].get<double>()));
     const auto fixed = sensitivities(line_output(stroke, {}, false));
     const auto realigned = sensitivities(line_output(stroke, {}, true));

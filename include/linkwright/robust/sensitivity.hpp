@@ -70,8 +70,8 @@ struct PlanarOutput {
   std::vector<TracingFourBar> positions;  ///< of one linkage, the same links in all
   double turning_length = 0;              ///< of poses, user's unit
   DirectedLine line;                      ///< of lines
-  /// Of lines: the line is moved and turned to lie best in each linkage made, by least squares along it (at least three
-  /// positions); otherwise it stays where it was drawn.
+  /// Of lines: the line is turned and moved to lie best in each linkage made, by least squares over the positions (at
+  /// least three); otherwise it stays where it was drawn.
   bool realigned = false;
 };
 /// The body's origin is the linkage's point.

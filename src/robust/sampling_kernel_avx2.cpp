@@ -1,0 +1,12 @@
+#if defined(__x86_64__)
+#define LINKWRIGHT_ISA isa_avx2
+#include "robust/draw_lanes.hpp"
+#include "robust/sampling_lanes.hpp"
+
+namespace linkwright {
+
+void draw_kernel_avx2(DrawBlock& block) { isa_avx2::draw::draw_kernel<4>(block); }
+void sampling_kernel_avx2(SamplingBlock& block) { isa_avx2::sampling::sampling_kernel<4>(block); }
+
+}  // namespace linkwright
+#endif

@@ -1,0 +1,12 @@
+#if defined(__x86_64__)
+#define LINKWRIGHT_ISA isa_avx512
+#include "robust/draw_lanes.hpp"
+#include "robust/sampling_lanes.hpp"
+
+namespace linkwright {
+
+void draw_kernel_avx512(DrawBlock& block) { isa_avx512::draw::draw_kernel<8>(block); }
+void sampling_kernel_avx512(SamplingBlock& block) { isa_avx512::sampling::sampling_kernel<8>(block); }
+
+}  // namespace linkwright
+#endif
