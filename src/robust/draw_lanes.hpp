@@ -151,17 +151,17 @@ LINKWRIGHT_INLINE void sort_out(const Stream<Width>& stream, int block, Pair<Wid
   }
 }
 
-/// Four numbers of half tolerance one.
+/// Four numbers of half tolerance one; only the first two where no others are wanted.
 template <int Width>
-LINKWRIGHT_INLINE void draw_four(const Stream<Width>& stream, int block, DrawBlock::Distribution distribution,
+LINKWRIGHT_INLINE void draw_four(const Stream<Width>& stream, int block, DrawBlock::Distribution distribution, bool all,
                                  Real<Width> four[4]) {
   const Words<Width> words = stream.words(block, 0);
   if (distribution == DrawBlock::uniform) {
     for (int k = 0; k < 4; ++k) four[k] = 2.0 * fraction<Width>(words.word[k]) - 1.0;
     return;
   }
-  Pair<Width> pair[2] = {normal_pair<Width>(words.word[0], words.word[1]),
-                         normal_pair<Width>(words.word[2], words.word[3])};
+  Pair<Width> pair[2] = {normal_pair<Width>(words.word[0], words.word[1]), {}};
+  if (all) pair[1] = normal_pair<Width>(words.word[2], words.word[3]);
   if (distribution == DrawBlock::truncated_normal) sort_out<Width>(stream, block, pair);
   four[0] = pair[0].a * (1.0 / 3);
   four[1] = pair[0].b * (1.0 / 3);
@@ -183,9 +183,10 @@ LINKWRIGHT_INLINE void draw_lanes(DrawBlock& block, int at) {
   constexpr int blocks = (DrawBlock::parameters + 3) / 4;
   Real<Width> drawn[4 * blocks] = {};
   for (int b = 0; b < blocks; ++b) {
-    bool wanted = false;
-    for (int i = 4 * b; i < 4 * b + 4 && i < DrawBlock::parameters; ++i) wanted |= block.half_tolerance[i] > 0;
-    if (wanted) draw_four<Width>(stream, b, block.distribution, drawn + 4 * b);
+    const auto wanted = [&](int i) { return i < DrawBlock::parameters && block.half_tolerance[i] > 0; };
+    const bool last = wanted(4 * b + 2) || wanted(4 * b + 3);
+    if (last || wanted(4 * b) || wanted(4 * b + 1))
+      draw_four<Width>(stream, b, block.distribution, last, drawn + 4 * b);
   }
   for (int i = 0; i < DrawBlock::parameters; ++i) drawn[i] = drawn[i] * block.half_tolerance[i];
   for (int link = 0; link < 3 && block.clearance > 0; ++link) {

@@ -52,7 +52,7 @@ struct SamplingBlock {
   alignas(64) double error[most_positions][size];  ///< squared; distance from the line where there is one
   alignas(64) double limit[size];                  ///< largest over the positions, squared
   alignas(64) double worst[size];                  ///< the same of the error
-  unsigned char assembled[size];                   ///< in all positions
+  unsigned char assembled[size / 8];               ///< in all positions: a bit each, the first sample lowest
   double square_sum[most_positions];  ///< of the assembled ones' errors; of what lines' differ from the nominal
 };
 

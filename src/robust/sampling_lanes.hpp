@@ -174,7 +174,8 @@ LINKWRIGHT_INLINE void sample_lanes(SamplingBlock& block, int at) {
   store<Width>(block.kind == SamplingBlock::pose ? limit : worst, &block.limit[at]);
   const int counts = block.samples - at;  // of these lanes
   if (counts < Width) assembled &= counts > 0 ? (1u << counts) - 1 : 0;
-  store<Width>(bytes<Width>(assembled), &block.assembled[at]);
+  unsigned char& bits = block.assembled[at / 8];
+  bits = static_cast<unsigned char>((at % 8 == 0 ? 0u : bits) | assembled << at % 8);
 }
 
 /// By eight, whatever the width, so that all of them round alike.
@@ -186,8 +187,7 @@ LINKWRIGHT_INLINE double sum_of_squares(const SamplingBlock& block, int position
   for (int at = 0; at < SamplingBlock::size; at += lanes)
     for (int part = 0; part < parts; ++part) {
       const int here = at + part * Width;
-      Mask assembled = 0;
-      for (int lane = 0; lane < Width; ++lane) assembled |= Mask{block.assembled[here + lane]} << lane;
+      const Mask assembled = Mask{block.assembled[at / lanes]} >> part * Width & all_lanes<Width>;
       R error = load<Width>(&block.error[position][here]);
       if (block.kind == SamplingBlock::line) {
         error = error - block.nominal[position];

@@ -105,7 +105,7 @@ struct Totals {
 Totals totals_of(const SamplingBlock& block, double limit_square) {
   Totals totals{{block.square_sum, block.square_sum + block.positions}};
   for (int k = 0; k < block.samples; ++k) {
-    if (!block.assembled[k]) continue;
+    if (!(block.assembled[k / 8] >> k % 8 & 1)) continue;
     ++totals.assembled;
     totals.worst += std::sqrt(block.worst[k]);
     totals.worst_square += block.worst[k];
@@ -114,7 +114,9 @@ Totals totals_of(const SamplingBlock& block, double limit_square) {
   return totals;
 }
 
-SampledErrors errors_of(const Totals& totals, const PlanarOutput& output, const Tolerances& tolerances) {
+SampledErrors errors_of(const std::vector<Totals>& blocks, const PlanarOutput& output, const Tolerances& tolerances) {
+  Totals totals{std::vector<double>(output.positions.size())};
+  for (const Totals& block : blocks) totals.add(block);
   SampledErrors errors{.samples = tolerances.samples, .not_assembled = tolerances.samples - totals.assembled};
   if (tolerances.limit) errors.yield = counted_share(totals.good, errors.samples);
   const auto count = static_cast<double>(totals.assembled);
@@ -135,6 +137,41 @@ SampledErrors errors_of(const Totals& totals, const PlanarOutput& output, const 
   return errors;
 }
 
+constexpr std::size_t draws_a_block = DrawBlock::parameters * DrawBlock::size;
+
+std::size_t blocks_of(const Tolerances& tolerances) {
+  return static_cast<std::size_t>((tolerances.samples - 1) / DrawBlock::size + 1);
+}
+
+// Takes one linkage's errors, block by block.
+class BlockSampler {
+ public:
+  BlockSampler(const PlanarOutput& output, const Tolerances& tolerances, Simd simd)
+      : block_(std::make_unique<SamplingBlock>(sampling_block(output, tolerances))),
+        kernel_(sampling_kernel.for_simd(simd)),
+        samples_(tolerances.samples),
+        limit_(tolerances.limit ? tolerances.limit->value : 0) {}
+
+  [[nodiscard]] Totals totals(std::size_t number, const double (*deviation)[DrawBlock::size]) {
+    block_->deviation = deviation;
+    block_->samples = std::min(samples_ - static_cast<int>(number) * DrawBlock::size, DrawBlock::size);
+    kernel_(*block_);
+    return totals_of(*block_, limit_ * limit_);
+  }
+
+ private:
+  std::unique_ptr<SamplingBlock> block_;
+  void (*kernel_)(SamplingBlock&);
+  int samples_;
+  double limit_;
+};
+
+void require_samples(const PlanarOutput& output, const Tolerances& tolerances) {
+  require(!output.positions.empty() && output.positions.size() <= most_sampled_positions,
+          "positions: one at least, most_sampled_positions at most");
+  require(tolerances.samples > 0, "samples: one at least");
+}
+
 }  // namespace
 
 CountedShare counted_share(std::int64_t count, std::int64_t of) {
@@ -151,28 +188,36 @@ double SampledErrors::signal_to_noise() const {
 }
 
 SampledErrors sample_errors(const PlanarOutput& output, const Tolerances& tolerances, int threads, Simd simd) {
-  require(!output.positions.empty() && output.positions.size() <= most_sampled_positions,
-          "positions: one at least, most_sampled_positions at most");
-  require(tolerances.samples > 0, "samples: one at least");
-  const auto blocks = static_cast<std::size_t>((tolerances.samples - 1) / DrawBlock::size + 1);
-  const double limit = tolerances.limit ? tolerances.limit->value : 0;
-  std::vector<Totals> totals(blocks);
-  const SamplingBlock nominal = sampling_block(output, tolerances);
-  parallel_for(blocks, threads, [&](std::size_t begin, std::size_t end) {
+  require_samples(output, tolerances);
+  std::vector<Totals> totals(blocks_of(tolerances));
+  parallel_for(totals.size(), threads, [&](std::size_t begin, std::size_t end) {
     DrawBlock draws = draw_block(tolerances);
-    const auto block = std::make_unique<SamplingBlock>(nominal);
-    block->deviation = draws.deviation;
+    BlockSampler sampler(output, tolerances, simd);
     for (std::size_t k = begin; k < end; ++k) {
       draws.first = k * DrawBlock::size;
       draw_kernel.for_simd(simd)(draws);
-      block->samples = std::min(tolerances.samples - static_cast<int>(draws.first), DrawBlock::size);
-      sampling_kernel.for_simd(simd)(*block);
-      totals[k] = totals_of(*block, limit * limit);
+      totals[k] = sampler.totals(k, draws.deviation);
     }
   });
-  Totals all{std::vector<double>(output.positions.size())};
-  for (const Totals& some : totals) all.add(some);
-  return errors_of(all, output, tolerances);
+  return errors_of(totals, output, tolerances);
+}
+
+ToleranceSampler::ToleranceSampler(const Tolerances& tolerances, Simd simd) : tolerances_(tolerances), simd_(simd) {
+  DrawBlock block = draw_block(tolerances);
+  for (std::size_t k = 0; k < blocks_of(tolerances); ++k) {
+    block.first = k * DrawBlock::size;
+    draw_kernel.for_simd(simd)(block);
+    draws_.insert(draws_.end(), &block.deviation[0][0], &block.deviation[0][0] + draws_a_block);
+  }
+}
+
+SampledErrors ToleranceSampler::errors_of(const PlanarOutput& output) const {
+  require_samples(output, tolerances_);
+  std::vector<Totals> totals(blocks_of(tolerances_));
+  BlockSampler sampler(output, tolerances_, simd_);
+  for (std::size_t k = 0; k < totals.size(); ++k)
+    totals[k] = sampler.totals(k, reinterpret_cast<const double(*)[DrawBlock::size]>(&draws_[k * draws_a_block]));
+  return linkwright::errors_of(totals, output, tolerances_);
 }
 
 std::vector<PlanarValues> sampled_deviations(const Tolerances& tolerances, std::size_t count) {

@@ -343,6 +343,7 @@ TEST(ToleranceSampling, HasTheSameBitsWhoeverDraws) {
           EXPECT_TRUE(same(sample_errors(output, t, 1, simd), one)) << name(simd);
         }
       EXPECT_TRUE(same(sample_errors(output, t, 2), one));
+      EXPECT_TRUE(same(ToleranceSampler(t).errors_of(output), one));
       Tolerances other = t;
       other.seed += 1;
       EXPECT_FALSE(same(sample_errors(output, other), one));

@@ -43,6 +43,20 @@ inline constexpr std::size_t most_sampled_positions = 64;
 [[nodiscard]] SampledErrors sample_errors(const PlanarOutput& output, const Tolerances& tolerances, int threads = 0,
                                           Simd simd = Simd::automatic);
 
+/// The same of many linkages, on one thread each: what takes longest, the numbers, is drawn once and kept, 80 bytes a
+/// sample.
+class ToleranceSampler {
+ public:
+  explicit ToleranceSampler(const Tolerances& tolerances, Simd simd = Simd::automatic);
+
+  [[nodiscard]] SampledErrors errors_of(const PlanarOutput& output) const;
+
+ private:
+  Tolerances tolerances_;
+  Simd simd_;
+  std::vector<double> draws_;  ///< by block, parameter, sample
+};
+
 /// By how much each parameter is off in the samples number 0, 1, …: clearance included; user's unit, radians.
 [[nodiscard]] std::vector<PlanarValues> sampled_deviations(const Tolerances& tolerances, std::size_t count);
 
