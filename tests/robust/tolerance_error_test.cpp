@@ -6,7 +6,9 @@
 #include <numeric>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/simd.hpp"
 #include "linkwright/straight_line/symmetric_lambda.hpp"
+#include "robust/tolerance_error_kernel.hpp"
 #include "support/draws.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/robust_cases.hpp"
@@ -183,6 +185,90 @@ TEST(ToleranceError, IsAllocatedByItsOwnWeights) {
   }
   EXPECT_NEAR(tolerance_error(matrix, variances), error, 1e-12 * error);
   EXPECT_LT(cost, 7 * std::pow(0.005, -2));
+}
+
+// A linkage of each lane, all of which carry the body's origin through the same places.
+struct Lanes {
+  std::vector<std::vector<TracingFourBar>> positions{ToleranceErrorBlock::size};
+  ToleranceErrorBlock block;
+};
+
+Lanes random_lanes(testing::RandomFourBars& random, const Tolerances& t, int positions) {
+  Lanes lanes;
+  ToleranceErrorBlock& block = lanes.block;
+  const PlanarValues variances = planar_variances(t);
+  block.variances = {variances[0], variances[1], variances[2], variances[3], variances[7], variances[9]};
+  block.turning_length = *t.turning_length;
+  block.positions = positions;
+  std::vector<Pose> poses(static_cast<std::size_t>(positions));
+  for (int j = 0; j < positions; ++j) {
+    Pose& pose = poses[static_cast<std::size_t>(j)] = {{random.uniform(-2, 2), random.uniform(-2, 2)}, 0};
+    block.point[j][0] = pose.origin.real();
+    block.point[j][1] = pose.origin.imag();
+  }
+  for (int k = 0; k < ToleranceErrorBlock::size; ++k) {
+    const LinkLengths lengths = random.lengths();
+    const Point input_center{random.uniform(-2, 2), random.uniform(-2, 2)},
+        output_center = input_center + lengths.ground;
+    for (int c = 0; c < 2; ++c) {
+      block.input_center[c][k] = c == 0 ? input_center.real() : input_center.imag();
+      block.output_center[c][k] = c == 0 ? output_center.real() : output_center.imag();
+    }
+    for (int j = 0; j < positions; ++j) {
+      const FourBar bars = testing::four_bar_at(lengths, random.input_angle(lengths), random.assembly());
+      const Point a = bars.input_circle + input_center, b = bars.output_circle + input_center;
+      lanes.positions[static_cast<std::size_t>(k)].push_back(
+          {{input_center, a, output_center, b}, poses[static_cast<std::size_t>(j)].origin});
+      block.input_circle[j][0][k] = a.real();
+      block.input_circle[j][1][k] = a.imag();
+      block.output_circle[j][0][k] = b.real();
+      block.output_circle[j][1][k] = b.imag();
+    }
+  }
+  return lanes;
+}
+
+TEST(ToleranceError, IsThatOfTheKernel) {
+  testing::RandomFourBars random(1513);
+  int compared = 0;
+  for (int n = 0; n < testing::draws(500); ++n) {
+    const auto some = [&] { return random.below(3) == 0 ? 0 : random.uniform(0, 0.1); };
+    Tolerances t{.length = {some(), some(), some(), some(), some()}, .clearance = some(), .driver = some()};
+    t.turning_length = random.uniform(0, 2);
+    Lanes lanes = random_lanes(random, t, 1 + random.below(ToleranceErrorBlock::most_positions));
+    tolerance_error_kernel.scalar(lanes.block);
+    for (std::size_t k = 0; k < lanes.positions.size(); ++k) {
+      const auto matrix = sensitivities(pose_output(lanes.positions[k], *t.turning_length));
+      if (!matrix) continue;
+      ++compared;
+      const double error = tolerance_error(*matrix, planar_variances(t));
+      EXPECT_NEAR(lanes.block.error[k], error, 1e-6 * error);
+    }
+    for (const Simd simd : {Simd::baseline, Simd::avx2, Simd::avx512}) {
+      if (!is_supported(simd)) continue;
+      ToleranceErrorBlock other = lanes.block;
+      tolerance_error_kernel.for_simd(simd)(other);
+      for (int k = 0; k < ToleranceErrorBlock::size; ++k) EXPECT_EQ(other.error[k], lanes.block.error[k]) << name(simd);
+    }
+  }
+  EXPECT_GT(compared, 10 * testing::draws(300));
+}
+
+TEST(ToleranceError, HasNoBoundAtADeadPoint) {
+  testing::RandomFourBars random(1514);
+  Lanes lanes = random_lanes(random, {.length = LengthTolerances::all(0.1), .turning_length = 1}, 2);
+  ToleranceErrorBlock& block = lanes.block;
+  for (int c = 0; c < 2; ++c)  // in lane 3 the coupler is a part of the output
+    block.input_circle[1][c][3] = (block.output_circle[1][c][3] + block.output_center[c][3]) / 2;
+  for (const Simd simd : {Simd::scalar, Simd::baseline, Simd::avx2, Simd::avx512}) {
+    if (!is_supported(simd)) continue;
+    tolerance_error_kernel.for_simd(simd)(block);
+    for (int k = 0; k < ToleranceErrorBlock::size; ++k)
+      if (k == 3)
+        EXPECT_GT(block.error[k], 1e12);
+      else
+        EXPECT_TRUE(std::isfinite(block.error[k]));
+  }
 }
 
 }  // namespace
