@@ -46,14 +46,18 @@ struct SamplingBlock {
   /// Places along the line from their middle, over the root of the sum of their squares.
   double place[most_positions] = {};
 
+  double limit_square = 0;
   int samples = size;  ///< that count, the first ones
   const double (*deviation)[size] = nullptr;
 
   alignas(64) double error[most_positions][size];  ///< squared; distance from the line where there is one
-  alignas(64) double limit[size];                  ///< largest over the positions, squared
-  alignas(64) double worst[size];                  ///< the same of the error
+  alignas(64) double worst[size];                  ///< largest error over the positions, squared
   unsigned char assembled[size / 8];               ///< in all positions: a bit each, the first sample lowest
-  double square_sum[most_positions];  ///< of the assembled ones' errors; of what lines' differ from the nominal
+
+  // Of the assembled ones together.
+  double square_sum[most_positions];  ///< of errors; of what lines' differ from the nominal
+  double worst_sum, worst_square_sum;
+  int assembled_count, good_count;
 };
 
 LINKWRIGHT_DECLARE_KERNELS(draw_kernel, DrawBlock&);

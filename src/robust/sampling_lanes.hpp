@@ -171,29 +171,26 @@ LINKWRIGHT_INLINE void sample_lanes(SamplingBlock& block, int at) {
   }
   if (block.kind == SamplingBlock::line) worst = largest_distance<Width>(block, at);
   store<Width>(worst, &block.worst[at]);
-  store<Width>(block.kind == SamplingBlock::pose ? limit : worst, &block.limit[at]);
   const int counts = block.samples - at;  // of these lanes
   if (counts < Width) assembled &= counts > 0 ? (1u << counts) - 1 : 0;
   unsigned char& bits = block.assembled[at / 8];
   bits = static_cast<unsigned char>((at % 8 == 0 ? 0u : bits) | assembled << at % 8);
+  if (block.kind != SamplingBlock::pose) limit = worst;
+  const Mask good = assembled & negated<Width>(less<Width>(R{} + block.limit_square, limit));
+  block.assembled_count += __builtin_popcount(assembled);
+  block.good_count += __builtin_popcount(good);
 }
 
-/// By eight, whatever the width, so that all of them round alike.
-template <int Width>
-LINKWRIGHT_INLINE double sum_of_squares(const SamplingBlock& block, int position) {
+/// Of a number of each sample that is assembled. By eight, whatever the width, so that all of them round alike.
+template <int Width, class Number>
+LINKWRIGHT_INLINE double sum(const SamplingBlock& block, const Number& number) {
   using R = Real<Width>;
   constexpr int lanes = 8, parts = lanes / Width;
   R sums[parts] = {};
   for (int at = 0; at < SamplingBlock::size; at += lanes)
     for (int part = 0; part < parts; ++part) {
-      const int here = at + part * Width;
       const Mask assembled = Mask{block.assembled[at / lanes]} >> part * Width & all_lanes<Width>;
-      R error = load<Width>(&block.error[position][here]);
-      if (block.kind == SamplingBlock::line) {
-        error = error - block.nominal[position];
-        error = error * error;
-      }
-      sums[part] = sums[part] + where<Width>(assembled, error);
+      sums[part] = sums[part] + where<Width>(assembled, number(at + part * Width));
     }
   double each[lanes], sum = 0;
   for (int part = 0; part < parts; ++part) store<Width>(sums[part], &each[part * Width]);
@@ -203,8 +200,16 @@ LINKWRIGHT_INLINE double sum_of_squares(const SamplingBlock& block, int position
 
 template <int Width>
 void sampling_kernel(SamplingBlock& block) {
+  block.assembled_count = block.good_count = 0;
   for (int at = 0; at < SamplingBlock::size; at += Width) sample_lanes<Width>(block, at);
-  for (int j = 0; j < block.positions; ++j) block.square_sum[j] = sum_of_squares<Width>(block, j);
+  const auto worst = [&](int at) { return load<Width>(&block.worst[at]); };
+  block.worst_square_sum = sum<Width>(block, worst);
+  block.worst_sum = sum<Width>(block, [&](int at) { return square_root<Width>(worst(at)); });
+  for (int j = 0; j < block.positions; ++j)
+    block.square_sum[j] = sum<Width>(block, [&](int at) {
+      const Real<Width> error = load<Width>(&block.error[j][at]), off = error - block.nominal[j];
+      return block.kind == SamplingBlock::line ? Real<Width>(off * off) : error;
+    });
 }
 
 }  // namespace linkwright::LINKWRIGHT_ISA::sampling

@@ -79,6 +79,7 @@ SamplingBlock sampling_block(const PlanarOutput& output, const Tolerances& toler
   for (std::size_t j = 0; j < output.positions.size(); ++j) set_position(output.positions[j], j, block);
   block.driver_errs = tolerances.driver > 0;
   block.error_of_angle = output.turning_length * output.turning_length;
+  if (tolerances.limit) block.limit_square = tolerances.limit->value * tolerances.limit->value;
   if (tolerances.limit && tolerances.limit->kind == ToleranceLimit::Kind::angle) {
     block.limit_of_point = 0;
     block.limit_of_angle = 1;
@@ -102,16 +103,12 @@ struct Totals {
   }
 };
 
-Totals totals_of(const SamplingBlock& block, double limit_square) {
-  Totals totals{{block.square_sum, block.square_sum + block.positions}};
-  for (int k = 0; k < block.samples; ++k) {
-    if (!(block.assembled[k / 8] >> k % 8 & 1)) continue;
-    ++totals.assembled;
-    totals.worst += std::sqrt(block.worst[k]);
-    totals.worst_square += block.worst[k];
-    totals.good += block.limit[k] <= limit_square;
-  }
-  return totals;
+Totals totals_of(const SamplingBlock& block) {
+  return {{block.square_sum, block.square_sum + block.positions},
+          block.worst_sum,
+          block.worst_square_sum,
+          block.assembled_count,
+          block.good_count};
 }
 
 SampledErrors errors_of(const std::vector<Totals>& blocks, const PlanarOutput& output, const Tolerances& tolerances) {
@@ -149,21 +146,19 @@ class BlockSampler {
   BlockSampler(const PlanarOutput& output, const Tolerances& tolerances, Simd simd)
       : block_(std::make_unique<SamplingBlock>(sampling_block(output, tolerances))),
         kernel_(sampling_kernel.for_simd(simd)),
-        samples_(tolerances.samples),
-        limit_(tolerances.limit ? tolerances.limit->value : 0) {}
+        samples_(tolerances.samples) {}
 
   [[nodiscard]] Totals totals(std::size_t number, const double (*deviation)[DrawBlock::size]) {
     block_->deviation = deviation;
     block_->samples = std::min(samples_ - static_cast<int>(number) * DrawBlock::size, DrawBlock::size);
     kernel_(*block_);
-    return totals_of(*block_, limit_ * limit_);
+    return totals_of(*block_);
   }
 
  private:
   std::unique_ptr<SamplingBlock> block_;
   void (*kernel_)(SamplingBlock&);
   int samples_;
-  double limit_;
 };
 
 void require_samples(const PlanarOutput& output, const Tolerances& tolerances) {
