@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "linkwright/core/precondition.hpp"
@@ -82,28 +81,6 @@ std::vector<VarianceShare> variance_shares(const SensitivityMatrix& matrix, std:
   }
   std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
   return shares;
-}
-
-std::vector<double> least_cost_tolerances(std::span<const double> weights, double error, double exponent) {
-  require(error > 0 && exponent > 0, "an error and an exponent above zero");
-  std::vector<double> tolerances;
-  double square = 0;
-  for (const double weight : weights) {
-    tolerances.push_back(weight > 0 ? std::pow(weight, -2 / (exponent + 2)) : std::numeric_limits<double>::infinity());
-    if (weight > 0) square += weight * tolerances.back() * weight * tolerances.back();
-  }
-  for (double& tolerance : tolerances) tolerance *= error / std::sqrt(square);
-  return tolerances;
-}
-
-std::vector<double> error_weights(const SensitivityMatrix& matrix, double standard_deviation) {
-  std::vector<double> weights(matrix.parameters());
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    double sum = 0;
-    for (std::size_t j = 0; j < matrix.positions(); ++j) sum += squared_sensitivity(matrix, j, i);
-    weights[i] = standard_deviation * std::sqrt(sum / static_cast<double>(matrix.positions()));
-  }
-  return weights;
 }
 
 }  // namespace linkwright

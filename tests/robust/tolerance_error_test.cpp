@@ -2,8 +2,6 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
-#include <numeric>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/simd.hpp"
@@ -141,50 +139,6 @@ TEST(ToleranceError, IsAtWorstAtACorner) {
       worst = std::max(worst, error);
     }
   EXPECT_NEAR(worst_case(matrix, half), worst, 1e-12);
-}
-
-TEST(ToleranceError, IsKeptByTheTolerancesOfLeastCost) {
-  testing::RandomFourBars random(1512);
-  for (int n = 0; n < testing::draws(200); ++n) {
-    const double exponent = random.uniform(0.3, 3), error = random.uniform(0.1, 2);
-    const std::array<double, 4> weights = {random.uniform(0.1, 5), random.uniform(0.1, 5), random.uniform(0.1, 5), 0};
-    const auto tolerances = least_cost_tolerances(weights, error, exponent);
-    const auto cost = [&](std::span<const double> t) {
-      return std::pow(t[0], -exponent) + std::pow(t[1], -exponent) + std::pow(t[2], -exponent);
-    };
-    double square = 0;
-    for (std::size_t i = 0; i < 3; ++i) square += std::pow(weights[i] * tolerances[i], 2);
-    EXPECT_NEAR(std::sqrt(square), error, 1e-12 * error);
-    EXPECT_EQ(tolerances[3], std::numeric_limits<double>::infinity());
-    // Any other point of the ellipsoid costs more: w T = error · (cos u cos v, sin u cos v, sin v).
-    const double least = cost(tolerances);
-    double cheapest = std::numeric_limits<double>::infinity();
-    for (int i = 1; i < 200; ++i)
-      for (int k = 1; k < 200; ++k) {
-        const double u = pi / 2 * i / 200, v = pi / 2 * k / 200;
-        const std::array<double, 3> other = {error * std::cos(u) * std::cos(v) / weights[0],
-                                             error * std::sin(u) * std::cos(v) / weights[1],
-                                             error * std::sin(v) / weights[2]};
-        cheapest = std::min(cheapest, cost(other));
-      }
-    EXPECT_GE(cheapest, least * (1 - 1e-12));
-    EXPECT_LE(cheapest, least * 1.01);
-  }
-}
-
-TEST(ToleranceError, IsAllocatedByItsOwnWeights) {
-  const SensitivityMatrix matrix = function_matrix();
-  const double error = tolerance_error(matrix, planar_variances({.length = LengthTolerances::all(0.005)}));
-  const auto weights = error_weights(matrix, standard_deviation(ToleranceDistribution::normal));
-  PlanarValues variances{};
-  double cost = 0;
-  const auto cheapest = least_cost_tolerances(std::span(weights).first(7), error, 2);
-  for (std::size_t i = 0; i < cheapest.size(); ++i) {
-    variances[i] = std::pow(cheapest[i] / 3, 2);
-    cost += std::pow(cheapest[i], -2);
-  }
-  EXPECT_NEAR(tolerance_error(matrix, variances), error, 1e-12 * error);
-  EXPECT_LT(cost, 7 * std::pow(0.005, -2));
 }
 
 // A linkage of each lane, all of which carry the body's origin through the same places.

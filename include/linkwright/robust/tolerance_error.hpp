@@ -33,13 +33,4 @@ struct VarianceShare {
 [[nodiscard]] std::vector<VarianceShare> variance_shares(const SensitivityMatrix& matrix,
                                                          std::span<const double> variances);
 
-/// The half tolerances T_i of least total cost Σ T_i^−k that keep √Σ (w_i T_i)² = error, in closed form by Lagrange:
-/// T_i ∝ w_i^(−2/(k + 2)) (G. H. Sutherland, B. Roth, J. Eng. Ind. 97, 1975, for k = 1, 2). Infinite where w_i = 0:
-/// that one does not matter. error > 0, k > 0, w_i ≥ 0.
-[[nodiscard]] std::vector<double> least_cost_tolerances(std::span<const double> weights, double error, double exponent);
-
-/// The weights of tolerance_error(): √(mean over the positions of a parameter's squared sensitivity), times σ / T of
-/// its distribution.
-[[nodiscard]] std::vector<double> error_weights(const SensitivityMatrix& matrix, double standard_deviation);
-
 }  // namespace linkwright

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "linkwright/robust/sensitivity.hpp"
+#include "linkwright/robust/tolerances.hpp"
+
+namespace linkwright {
+
+/// The half tolerances T_i of least total cost Σ T_i^−k that keep √Σ (w_i T_i)² = error, in closed form by Lagrange:
+/// T_i ∝ w_i^(−2/(k + 2)). Infinite where w_i = 0: that one does not matter. error > 0, k > 0, w_i ≥ 0.
+[[nodiscard]] std::vector<double> least_cost_tolerances(std::span<const double> weights, double error, double exponent);
+
+/// The weights of tolerance_error(): √(mean over the positions of a parameter's squared sensitivity), times σ / T of
+/// its distribution.
+[[nodiscard]] std::vector<double> error_weights(const SensitivityMatrix& matrix, double standard_deviation);
+
+struct AllocatedTolerance {
+  PlanarParameter parameter = PlanarParameter::input;
+  double tolerance = 0;  ///< half, user's unit
+};
+/// Those of the lengths that have a tolerance and whose tolerance matters, such that tolerance_error() is `error`;
+/// clearance and driver stay as they are. Nothing without a cost exponent, and where what stays leaves no room.
+[[nodiscard]] std::optional<std::vector<AllocatedTolerance>> allocated_tolerances(const SensitivityMatrix& matrix,
+                                                                                  const Tolerances& tolerances,
+                                                                                  double error);
+
+}  // namespace linkwright
