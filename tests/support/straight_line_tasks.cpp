@@ -64,47 +64,51 @@ struct RandomCase {
   [[nodiscard]] Point point() const { return random_point(random); }
   [[nodiscard]] double ray() const { return random_ray(random); }
 
-  StraightLineCase operator()(const FourPointPivots& /*of*/) const {
+  linkwright::StraightLineCase operator()(const FourPointPivots& /*of*/) const {
     const Point input = point();
     return FourPointPivots{input, input + length()};
   }
-  StraightLineCase operator()(const FourPointCubic& of) const {
+  linkwright::StraightLineCase operator()(const FourPointCubic& of) const {
     const double distance = length(), at = ray();
     return FourPointCubic{distance, at, of.cubic_n ? std::optional(3 * length()) : std::nullopt};
   }
-  StraightLineCase operator()(const BallPointOnSideLink& /*of*/) const { return BallPointOnSideLink{point()}; }
-  StraightLineCase operator()(const IsoscelesTrapezoid& /*of*/) const { return IsoscelesTrapezoid{std::abs(length())}; }
-  StraightLineCase operator()(const PoleAtGivenPivot& /*of*/) const {
+  linkwright::StraightLineCase operator()(const BallPointOnSideLink& /*of*/) const {
+    return BallPointOnSideLink{point()};
+  }
+  linkwright::StraightLineCase operator()(const IsoscelesTrapezoid& /*of*/) const {
+    return IsoscelesTrapezoid{std::abs(length())};
+  }
+  linkwright::StraightLineCase operator()(const PoleAtGivenPivot& /*of*/) const {
     const Point input = point(), output = point();
     return PoleAtGivenPivot{input, output, length()};
   }
-  StraightLineCase operator()(const PoleAtFixedPivot& /*of*/) const {
+  linkwright::StraightLineCase operator()(const PoleAtFixedPivot& /*of*/) const {
     const double distance = length();
     return PoleAtFixedPivot{distance, length()};
   }
-  StraightLineCase operator()(const FivePoint& /*of*/) const {
+  linkwright::StraightLineCase operator()(const FivePoint& /*of*/) const {
     const double distance = length();
     return FivePoint{distance, ray()};
   }
-  StraightLineCase operator()(const ParallelSideLinks& /*of*/) const {
+  linkwright::StraightLineCase operator()(const ParallelSideLinks& /*of*/) const {
     const double input = length();
     return ParallelSideLinks{input, input + length()};
   }
-  StraightLineCase operator()(const MixedContacts& of) const {
+  linkwright::StraightLineCase operator()(const MixedContacts& of) const {
     const Point pivot = point();
     return MixedContacts{pivot, random_contacts(random),
                          of.coupler_angle == 0 ? 0 : radians(uniform(random, -170, 170))};
   }
-  StraightLineCase operator()(const Search& /*of*/) const {
+  linkwright::StraightLineCase operator()(const Search& /*of*/) const {
     const double stroke = std::abs(length());
     return Search{stroke, stroke * uniform(random, 1e-6, 0.09)};
   }
-  StraightLineCase operator()(const SymmetricLambdas& of) const {
+  linkwright::StraightLineCase operator()(const SymmetricLambdas& of) const {
     const double stroke = std::abs(length());
     return SymmetricLambdas{stroke, of.crank_range ? std::optional(radians(uniform(random, 30, 260))) : std::nullopt};
   }
   template <class OfPole>
-  StraightLineCase operator()(const OfPole& /*of*/) const {
+  linkwright::StraightLineCase operator()(const OfPole& /*of*/) const {
     return OfPole{length()};
   }
 };
