@@ -122,6 +122,27 @@ TEST(ToleranceSampling, DrawsTheDistributions) {
   }
 }
 
+// To the bit, on every machine and in the page.
+TEST(ToleranceSampling, DrawsTheSameNumbersForEver) {
+  Tolerances t{.length = LengthTolerances::all(1), .driver = 1};
+  const auto normal = sampled_deviations(t, 1000);
+  EXPECT_EQ(normal[0][0], 0x1.03afd8c1df35ap-3);
+  EXPECT_EQ(normal[17][4], -0x1.fe9bc6f2e8ea9p-3);
+  EXPECT_EQ(normal[999][9], -0x1.70ca75d27ced4p-6);
+  t.distribution = ToleranceDistribution::truncated_normal;
+  const auto truncated = sampled_deviations(t, 1000);
+  EXPECT_GT(std::abs(normal[7][5]), 1);
+  EXPECT_EQ(truncated[7][5], -0x1.c98ba90cadab4p-3);
+  t.distribution = ToleranceDistribution::uniform;
+  t.clearance = 1;
+  const auto uniform = sampled_deviations(t, 1000);
+  EXPECT_EQ(uniform[0][0], 0x1.1c0c8ff8a5754p+1);
+  EXPECT_EQ(uniform[17][4], 0x1.a102b9ap-5);
+  EXPECT_EQ(uniform[999][9], 0x1.d4b7edb6p-1);
+  // The others of a truncated sample stay as they were.
+  EXPECT_EQ(truncated[7][4], normal[7][4]);
+}
+
 // Along a link, each of two pins evenly in its disc: variance c²/4, never beyond ± 2c.
 TEST(ToleranceSampling, MovesPinsWithinTheirClearance) {
   const Tolerances t{.clearance = 0.3};
