@@ -134,6 +134,8 @@ SampledErrors errors_of(const std::vector<Totals>& blocks, const PlanarOutput& o
   return errors;
 }
 
+constexpr double normal_975 = 1.959963984540054;  // Φ of it is 0.975
+
 constexpr std::size_t draws_a_block = DrawBlock::parameters * DrawBlock::size;
 
 std::size_t blocks_of(const Tolerances& tolerances) {
@@ -170,12 +172,20 @@ void require_samples(const PlanarOutput& output, const Tolerances& tolerances) {
 }  // namespace
 
 CountedShare counted_share(std::int64_t count, std::int64_t of) {
-  constexpr double z = 1.959963984540054;  // Φ(z) = 0.975
+  constexpr double z = normal_975;
   const auto n = static_cast<double>(of);
   const double share = static_cast<double>(count) / n, spread = z * z / n;
   const double middle = (share + spread / 2) / (1 + spread);
   const double half = std::sqrt(share * (1 - share) * spread + spread * spread / 4) / (1 + spread);
   return {share, count == 0 ? 0 : middle - half, count == of ? 1 : middle + half};
+}
+
+double SampledErrors::error_interval() const {
+  return error * normal_975 / std::sqrt(2 * static_cast<double>(std::max<std::int64_t>(1, samples - not_assembled)));
+}
+
+bool SampledErrors::is_beyond_first_order(double first_order_error) const {
+  return !(std::abs(first_order_error - error) <= error_interval());
 }
 
 double SampledErrors::signal_to_noise() const {

@@ -342,6 +342,22 @@ TEST(ToleranceSampling, HasTheStandardDeviationsOfFirstOrderWhereTheyAreSmall) {
   }
 }
 
+// The best cell of the guidance map bears tolerances of 0.01 well, the median one does not, the second order of which
+// is 1.5 %; and of less than a tenth of it both do.
+TEST(ToleranceSampling, TellsWhereTheFirstOrderIsNotEnough) {
+  const auto is_beyond = [](int cell, double size) {
+    const Tolerances t{.length = LengthTolerances::all(size)};
+    const PlanarOutput output = guidance_output(cell);
+    const SampledErrors errors = sample_errors(output, t);
+    EXPECT_NEAR(errors.error_interval() / errors.error, 0.00438, 1e-5);
+    return errors.is_beyond_first_order(tolerance_error(sensitivities(output).value(), planar_variances(t)));
+  };
+  EXPECT_FALSE(is_beyond(0, 0.01));
+  EXPECT_TRUE(is_beyond(1, 0.01));
+  EXPECT_FALSE(is_beyond(0, 0.0005));
+  EXPECT_FALSE(is_beyond(1, 0.0005));
+}
+
 bool same(const SampledErrors& a, const SampledErrors& b) {
   return a.not_assembled == b.not_assembled && a.deviations == b.deviations && a.error == b.error && a.mean == b.mean &&
          a.standard_deviation == b.standard_deviation && a.yield->share == b.yield->share;

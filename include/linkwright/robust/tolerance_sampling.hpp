@@ -28,6 +28,12 @@ struct SampledErrors {
   double mean = 0, standard_deviation = 0;
   std::optional<CountedShare> yield;  ///< assembled and within the limit in all positions; nothing without a limit
 
+  /// Half the interval around `error` in which the true one lies with 95 %: that of a normal number's standard
+  /// deviation, positions counting as one since they share their samples.
+  [[nodiscard]] double error_interval() const;
+  /// The error to first order is beyond that interval: dimensions are too coarse, or a dead point too near, for it.
+  [[nodiscard]] bool is_beyond_first_order(double first_order_error) const;
+
   [[nodiscard]] double mean_plus_3_sigma() const { return mean + 3 * standard_deviation; }
   /// Taguchi's ratio, smaller being better: −10 log₁₀ of the mean square of the largest errors, dB.
   [[nodiscard]] double signal_to_noise() const;
