@@ -12,7 +12,6 @@ namespace {
 
 constexpr Point left_turn{0, 1};  // e^{iπ/2}
 
-constexpr std::size_t at_parameter(PlanarParameter parameter) { return static_cast<std::size_t>(parameter); }
 constexpr std::size_t at_parameter(SphericalParameter parameter) { return static_cast<std::size_t>(parameter); }
 
 // Rows of all positions, `fill(matrix, position)` returning whether that position has any.

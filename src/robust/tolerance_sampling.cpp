@@ -139,7 +139,7 @@ constexpr double normal_975 = 1.959963984540054;  // Φ of it is 0.975
 constexpr std::size_t draws_a_block = DrawBlock::parameters * DrawBlock::size;
 
 std::size_t blocks_of(const Tolerances& tolerances) {
-  return static_cast<std::size_t>((tolerances.samples - 1) / DrawBlock::size + 1);
+  return (static_cast<std::size_t>(tolerances.samples) - 1) / DrawBlock::size + 1;
 }
 
 // Takes one linkage's errors, block by block.
