@@ -29,22 +29,26 @@ std::vector<double> error_weights(const SensitivityMatrix& matrix, double standa
   return weights;
 }
 
-std::optional<std::vector<AllocatedTolerance>> allocated_tolerances(const SensitivityMatrix& matrix,
+std::optional<std::vector<ParameterTolerance>> allocated_tolerances(const SensitivityMatrix& matrix,
+                                                                    std::span<const MadeDimension> dimensions,
                                                                     const Tolerances& tolerances, double error) {
-  require(matrix.parameters() == planar_parameters, "a planar four-bar");
+  require(matrix.parameters() == dimensions.size(), "a dimension to each parameter");
   if (!tolerances.cost_exponent) return std::nullopt;
-  Tolerances staying = tolerances;
-  staying.length = {};
-  const double stays = tolerance_error(matrix, planar_variances(staying));
-  const PlanarValues half = planar_half_tolerances(tolerances);
   const std::vector<double> all_weights = error_weights(matrix, standard_deviation(tolerances.distribution));
-  std::vector<AllocatedTolerance> allocated;
-  std::vector<double> weights;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(PlanarParameter::driver); ++i) {
-    if (!(half[i] > 0 && all_weights[i] > 0)) continue;
-    allocated.push_back({static_cast<PlanarParameter>(i), 0});
-    weights.push_back(all_weights[i]);
+  std::vector<ParameterTolerance> allocated;
+  std::vector<double> weights, staying;
+  for (std::size_t i = 0; i < dimensions.size(); ++i) {
+    MadeDimension rest = dimensions[i];
+    if (!rest.is_driver) {
+      if (rest.tolerance > 0 && all_weights[i] > 0) {
+        allocated.push_back({rest.name, 0});
+        weights.push_back(all_weights[i]);
+      }
+      rest.tolerance = 0;
+    }
+    staying.push_back(rest.variance(tolerances));
   }
+  const double stays = tolerance_error(matrix, staying);
   if (!(error > stays) || weights.empty()) return std::nullopt;
   const double left = std::sqrt((error - stays) * (error + stays));
   const std::vector<double> cheapest = least_cost_tolerances(weights, left, *tolerances.cost_exponent);

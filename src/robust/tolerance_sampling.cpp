@@ -181,7 +181,7 @@ CountedShare counted_share(std::int64_t count, std::int64_t of) {
 }
 
 double SampledErrors::error_interval() const {
-  return error * normal_975 / std::sqrt(2 * static_cast<double>(std::max<std::int64_t>(1, samples - not_assembled)));
+  return error * normal_975 / std::sqrt(2 * static_cast<double>(std::max<std::int64_t>(1, assembled())));
 }
 
 bool SampledErrors::is_beyond_first_order(double first_order_error) const {

@@ -55,15 +55,17 @@ TEST(ToleranceAllocation, KeepsTheErrorForLess) {
   Tolerances t{.length = LengthTolerances::all(0.005), .clearance = 0.002, .driver = 1e-4};
   t.cost_exponent = 2;
   const double error = tolerance_error(matrix, planar_variances(t));
-  const auto allocated = allocated_tolerances(matrix, t, error);
+  const auto dimensions = made_dimensions(PlanarOutput{}, t);
+  const auto allocated = allocated_tolerances(matrix, dimensions, t, error);
   ASSERT_TRUE(allocated);
   ASSERT_EQ(allocated->size(), 7u);  // the point does not matter, the driver stays
   Tolerances staying = t;
   staying.length = {};
   PlanarValues variances = planar_variances(staying);
   double cost = 0;
-  for (const AllocatedTolerance& one : *allocated) {
-    variances[static_cast<std::size_t>(one.parameter)] += std::pow(one.tolerance / 3, 2);
+  for (const ParameterTolerance& one : *allocated) {
+    for (std::size_t i = 0; i < dimensions.size(); ++i)
+      if (dimensions[i].name == one.parameter) variances[i] += std::pow(one.tolerance / 3, 2);
     cost += std::pow(one.tolerance, -2);
   }
   EXPECT_NEAR(tolerance_error(matrix, variances), error, 1e-12 * error);
@@ -74,12 +76,15 @@ TEST(ToleranceAllocation, IsNothingWithoutRoom) {
   const SensitivityMatrix matrix = function_matrix();
   Tolerances t{.length = LengthTolerances::all(0.005), .clearance = 0.002};
   const double error = tolerance_error(matrix, planar_variances(t));
-  EXPECT_FALSE(allocated_tolerances(matrix, t, error));
+  const auto allocated = [&](double kept) {
+    return allocated_tolerances(matrix, made_dimensions(PlanarOutput{}, t), t, kept);
+  };
+  EXPECT_FALSE(allocated(error));
   t.cost_exponent = 1;
-  EXPECT_TRUE(allocated_tolerances(matrix, t, error));
-  EXPECT_FALSE(allocated_tolerances(matrix, t, error / 10));
+  EXPECT_TRUE(allocated(error));
+  EXPECT_FALSE(allocated(error / 10));
   t.length = {.point = 0.1};
-  EXPECT_FALSE(allocated_tolerances(matrix, t, error));
+  EXPECT_FALSE(allocated(error));
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "linkwright/robust/linkage_output.hpp"
 #include "linkwright/robust/sensitivity.hpp"
 #include "linkwright/robust/tolerances.hpp"
 
@@ -17,14 +19,14 @@ namespace linkwright {
 /// its distribution.
 [[nodiscard]] std::vector<double> error_weights(const SensitivityMatrix& matrix, double standard_deviation);
 
-struct AllocatedTolerance {
-  PlanarParameter parameter = PlanarParameter::input;
-  double tolerance = 0;  ///< half, user's unit
+struct ParameterTolerance {
+  std::string parameter;
+  double tolerance = 0;  ///< half, user's unit; of arcs radians
 };
-/// Those of the lengths that have a tolerance and whose tolerance matters, such that tolerance_error() is `error`;
+/// Those of the dimensions that have a tolerance and whose tolerance matters, such that tolerance_error() is `error`;
 /// clearance and driver stay as they are. Nothing without a cost exponent, and where what stays leaves no room.
-[[nodiscard]] std::optional<std::vector<AllocatedTolerance>> allocated_tolerances(const SensitivityMatrix& matrix,
-                                                                                  const Tolerances& tolerances,
-                                                                                  double error);
+[[nodiscard]] std::optional<std::vector<ParameterTolerance>> allocated_tolerances(
+    const SensitivityMatrix& matrix, std::span<const MadeDimension> dimensions, const Tolerances& tolerances,
+    double error);
 
 }  // namespace linkwright

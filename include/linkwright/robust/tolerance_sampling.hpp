@@ -28,6 +28,7 @@ struct SampledErrors {
   double mean = 0, standard_deviation = 0;
   std::optional<CountedShare> yield;  ///< assembled and within the limit in all positions; nothing without a limit
 
+  [[nodiscard]] std::int64_t assembled() const { return samples - not_assembled; }
   /// Half the interval around `error` in which the true one lies with 95 %: that of a normal number's standard
   /// deviation, positions counting as one since they share their samples.
   [[nodiscard]] double error_interval() const;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwright/robust/linkage_output.hpp"
+#include "linkwright/robust/tolerance_allocation.hpp"
+#include "linkwright/robust/tolerance_sampling.hpp"
+#include "linkwright/robust/tolerances.hpp"
+
+namespace linkwright {
+
+/// What one parameter contributes to the variance of the error, to first order.
+struct ParameterShare {
+  std::string parameter;
+  double tolerance = 0;              ///< half; clearance left out
+  double share = 0;                  ///< of all positions together
+  std::vector<double> per_position;  ///< of the variance in each
+};
+
+/// What tolerances do to one linkage. Errors: user's unit, those of functions and spheres radians.
+struct ToleranceReport {
+  double error = 0;                       ///< to first order; of a straight line where it was drawn
+  std::optional<double> error_realigned;  ///< of straight lines: the line laid anew in each linkage made
+  double worst_case = 0;                  ///< to first order
+  SampledErrors sampled;
+  std::optional<SampledErrors> sampled_realigned;  ///< of straight lines
+  bool beyond_first_order = false;                 ///< the sampled error is the one to be listed
+  /// Largest share first; those that cannot be off left out, and clearance counted with its link's length.
+  std::vector<ParameterShare> shares;
+  /// The tolerances of least cost that keep `error`, with Tolerances::cost_exponent; never of straight lines.
+  std::optional<std::vector<ParameterTolerance>> allocation;
+
+  [[nodiscard]] double listed_error() const { return beyond_first_order ? sampled.error : error; }
+};
+
+/// Nothing at a dead point. At most most_sampled_positions; PlanarOutput::realigned is of no account, and a stroke of
+/// less than three positions is not realigned.
+[[nodiscard]] std::optional<ToleranceReport> tolerance_report(const LinkageOutput& output, const Tolerances& tolerances,
+                                                              int threads = 0);
+
+}  // namespace linkwright

@@ -1,0 +1,36 @@
+#include "linkwright/robust/linkage_output.hpp"
+
+#include <gtest/gtest.h>
+
+namespace linkwright::linkage_output_test {
+namespace {
+
+TEST(LinkageOutput, NamesAndVariesDimensionsAsThePlanarParametersAre) {
+  for (const auto distribution : {ToleranceDistribution::normal, ToleranceDistribution::uniform}) {
+    Tolerances t{.length = {1, 2, 3, 4, 5}, .clearance = 0.7, .driver = 0.1};
+    t.distribution = distribution;
+    const auto dimensions = made_dimensions(PlanarOutput{}, t);
+    ASSERT_EQ(dimensions.size(), planar_parameters);
+    for (std::size_t i = 0; i < dimensions.size(); ++i) {
+      EXPECT_EQ(dimensions[i].name, name(static_cast<PlanarParameter>(i)));
+      EXPECT_EQ(dimensions[i].tolerance, planar_half_tolerances(t)[i]);
+      EXPECT_DOUBLE_EQ(dimensions[i].variance(t), planar_variances(t)[i]);
+      EXPECT_DOUBLE_EQ(dimensions[i].reach(t), planar_reach(t)[i]);
+      EXPECT_EQ(dimensions[i].is_driver, i == 9);
+    }
+  }
+}
+
+TEST(LinkageOutput, NamesAndVariesDimensionsAsTheSphericalParametersAre) {
+  const Tolerances t{.clearance = 5, .driver = 0.1, .link_angle = 0.02};
+  const auto dimensions = made_dimensions(SphericalOutput{}, t);
+  ASSERT_EQ(dimensions.size(), spherical_parameters);
+  for (std::size_t i = 0; i < dimensions.size(); ++i) {
+    EXPECT_EQ(dimensions[i].name, name(static_cast<SphericalParameter>(i)));
+    EXPECT_DOUBLE_EQ(dimensions[i].variance(t), spherical_variances(t)[i]);
+    EXPECT_EQ(dimensions[i].reach(t), i == 4 ? 0.1 : 0.02);
+  }
+}
+
+}  // namespace
+}  // namespace linkwright::linkage_output_test
