@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "linkwright/core/angle.hpp"
 
 namespace linkwright {
 namespace {
@@ -21,7 +24,79 @@ Values squares(Values half, double deviation) {
   return half;
 }
 
+bool is_length(double value) { return value >= 0 && std::isfinite(value); }
+
+void check_lengths(const LengthTolerances& length, std::vector<Error>& found) {
+  const auto check = [&](double value, const char* place) {
+    if (!is_length(value))
+      found.push_back({"length_tolerance_range", std::string("tolerances.length") + place,
+                       "a tolerance is half of its field: a length, 0 where the dimension is exact"});
+  };
+  const auto& [input, coupler, output, ground_pivots, point] = length;
+  const std::array all = {input, coupler, output, ground_pivots, point};
+  if (std::none_of(all.begin(), all.end(), is_length)) return check(input, "");
+  check(input, ".input");
+  check(coupler, ".coupler");
+  check(output, ".output");
+  check(ground_pivots, ".ground_pivots");
+  check(point, ".point");
+}
+
+void check_angle(double value, const char* place, std::vector<Error>& found) {
+  if (!(value >= 0 && value <= pi / 2))
+    found.push_back({"angle_tolerance_range", place,
+                     "a tolerance is half of its field: an angle between 0, where it is exact, and 90 degrees"});
+}
+
+void check_limit(const ToleranceLimit& limit, std::vector<Error>& found) {
+  const auto mistake = [&](const char* code, const char* place, const char* message) {
+    found.push_back({code, place, message});
+  };
+  const bool positive = limit.value > 0 && std::isfinite(limit.value);
+  if (limit.kind == ToleranceLimit::Kind::angle && !(limit.value > 0 && limit.value <= pi))
+    mistake("tolerance_limit_angle", "tolerances.limit.angle_deg",
+            "the largest error of an angle lies above 0 and is at most 180 degrees");
+  if (limit.kind == ToleranceLimit::Kind::position && !positive)
+    mistake("tolerance_limit_position", "tolerances.limit.position",
+            "the largest error of the position must be a positive length");
+  if (limit.kind == ToleranceLimit::Kind::deviation && !positive)
+    mistake("tolerance_limit_deviation", "tolerances.limit.deviation",
+            "the largest distance from the line must be a positive length");
+}
+
+bool is_exact(const Tolerances& tolerances) {
+  return tolerances.length == LengthTolerances{} && tolerances.clearance == 0 && tolerances.driver == 0 &&
+         tolerances.link_angle == 0;
+}
+
 }  // namespace
+
+std::vector<Error> mistakes_in(const Tolerances& tolerances) {
+  std::vector<Error> found;
+  const auto mistake = [&](const char* code, const char* place, const char* message) {
+    found.push_back({code, place, message});
+  };
+  check_lengths(tolerances.length, found);
+  if (!is_length(tolerances.clearance))
+    mistake("clearance_range", "tolerances.clearance", "the clearance is a radius: a length, 0 where pins fit exactly");
+  check_angle(tolerances.driver, "tolerances.driver_deg", found);
+  check_angle(tolerances.link_angle, "tolerances.link_angle_deg", found);
+  if (is_exact(tolerances))
+    mistake("tolerances_none", "tolerances",
+            "no tolerance is given: give that of lengths or link angles, of the driver, or a clearance");
+  if (tolerances.turning_length && !is_length(*tolerances.turning_length))
+    mistake("turning_length_range", "tolerances.turning_length",
+            "the turning length must be a length; 0 leaves angles out, null weighs them by the size of the task");
+  if (tolerances.limit) check_limit(*tolerances.limit, found);
+  if (tolerances.cost_exponent && !(*tolerances.cost_exponent > 0 && std::isfinite(*tolerances.cost_exponent)))
+    mistake("cost_exponent_range", "tolerances.cost.exponent",
+            "the exponent of the cost must be a positive number; 1 to 2 is usual");
+  if (tolerances.samples < least_samples || tolerances.samples > most_samples)
+    mistake("samples_range", "tolerances.samples", "the number of samples lies between 1000 and 10000000");
+  if (tolerances.seed > largest_seed)
+    mistake("seed_range", "tolerances.seed", "the seed is a whole number between 0 and 9007199254740991");
+  return found;
+}
 
 std::string_view name(ToleranceDistribution distribution) {
   return distribution_names[static_cast<std::size_t>(distribution)];

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <set>
 
 namespace linkwright::tolerances_test {
@@ -53,6 +54,68 @@ TEST(Tolerances, NameTheirParameters) {
   EXPECT_EQ(name(PlanarParameter::driver), name(SphericalParameter::driver));
   EXPECT_EQ(name(PlanarParameter::point_across), "point_across");
   EXPECT_EQ(name(SphericalParameter::ground), "ground");
+}
+
+// The places of the mistakes.
+std::vector<std::string> places_of(const Tolerances& tolerances) {
+  std::vector<std::string> places;
+  for (const Error& error : mistakes_in(tolerances)) places.push_back(error.place);
+  return places;
+}
+using Places = std::vector<std::string>;
+
+TEST(Tolerances, MayBeAnyThatCanBeMade) {
+  EXPECT_EQ(places_of({.length = {.output = 1e-9}}), Places{});
+  EXPECT_EQ(places_of({.clearance = 0.1}), Places{});
+  EXPECT_EQ(places_of({.driver = 1.5}), Places{});
+  EXPECT_EQ(places_of({.link_angle = 1e-6}), Places{});
+  for (const int samples : {1000, 10'000'000}) {
+    Tolerances t{.length = LengthTolerances::all(1)};
+    t.turning_length = 0;
+    t.limit = {ToleranceLimit::Kind::angle, 3.14};
+    t.cost_exponent = 0.1;
+    t.samples = samples;
+    t.seed = samples == 1000 ? 0 : largest_seed;
+    EXPECT_EQ(places_of(t), Places{});
+  }
+}
+
+TEST(Tolerances, AreMistakenWhereTheyAreNoLengthsOrAngles) {
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {-0.1, nan, infinity}) {
+    EXPECT_EQ(places_of({.length = LengthTolerances::all(bad)}), Places{"tolerances.length"});
+    EXPECT_EQ(places_of({.length = {bad, 1, bad, 1, bad}}),
+              (Places{"tolerances.length.input", "tolerances.length.output", "tolerances.length.point"}));
+    EXPECT_EQ(places_of({.length = {1, bad, 1, bad, 1}}),
+              (Places{"tolerances.length.coupler", "tolerances.length.ground_pivots"}));
+    EXPECT_EQ(places_of({.clearance = bad}), Places{"tolerances.clearance"});
+    EXPECT_EQ(places_of({.driver = bad}), Places{"tolerances.driver_deg"});
+    EXPECT_EQ(places_of({.link_angle = bad}), Places{"tolerances.link_angle_deg"});
+    Tolerances t{.length = LengthTolerances::all(1)};
+    t.turning_length = bad;
+    EXPECT_EQ(places_of(t), Places{"tolerances.turning_length"});
+  }
+  EXPECT_EQ(places_of({.driver = 1.6}), Places{"tolerances.driver_deg"});
+  EXPECT_EQ(places_of({}), Places{"tolerances"});
+}
+
+TEST(Tolerances, AreMistakenInLimitCostSamplesAndSeed) {
+  using Kind = ToleranceLimit::Kind;
+  const auto with = [](const auto& change) {
+    Tolerances t{.length = LengthTolerances::all(1)};
+    change(t);
+    return places_of(t);
+  };
+  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(with([&](auto& t) { t.limit = {Kind::position, bad}; }), Places{"tolerances.limit.position"});
+    EXPECT_EQ(with([&](auto& t) { t.limit = {Kind::angle, bad}; }), Places{"tolerances.limit.angle_deg"});
+    EXPECT_EQ(with([&](auto& t) { t.limit = {Kind::deviation, bad}; }), Places{"tolerances.limit.deviation"});
+    EXPECT_EQ(with([&](auto& t) { t.cost_exponent = bad; }), Places{"tolerances.cost.exponent"});
+  }
+  EXPECT_EQ(with([](auto& t) { t.limit = {Kind::angle, 3.2}; }), Places{"tolerances.limit.angle_deg"});
+  EXPECT_EQ(with([](auto& t) { t.samples = 999; }), Places{"tolerances.samples"});
+  EXPECT_EQ(with([](auto& t) { t.samples = 10'000'001; }), Places{"tolerances.samples"});
+  EXPECT_EQ(with([](auto& t) { t.seed = largest_seed + 1; }), Places{"tolerances.seed"});
 }
 
 }  // namespace

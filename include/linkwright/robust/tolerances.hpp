@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
+
+#include "linkwright/core/result.hpp"
 
 namespace linkwright {
 
@@ -62,6 +65,12 @@ struct Tolerances {
 
   friend bool operator==(const Tolerances&, const Tolerances&) = default;
 };
+
+/// Numbers of samples that can be asked for, and the largest seed: numbers of problem files are exact up to there.
+inline constexpr int least_samples = 1000, most_samples = 10'000'000;
+inline constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53) - 1;
+/// All of them; places as in problem files, `tolerances.…`.
+[[nodiscard]] std::vector<Error> mistakes_in(const Tolerances& tolerances);
 
 /// What is made with a tolerance. Planar four-bars: links, coordinates of the ground pivots, of the point along and
 /// across the coupler, angle of the input.
