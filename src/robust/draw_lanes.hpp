@@ -180,21 +180,21 @@ LINKWRIGHT_INLINE void draw_lanes(DrawBlock& block, int at) {
   }
   __builtin_memcpy(&stream.low, low, sizeof low);
   __builtin_memcpy(&stream.high, high, sizeof high);
-  constexpr int blocks = (DrawBlock::parameters + 3) / 4;
-  Real<Width> drawn[4 * blocks] = {};
+  const int blocks = (block.parameters + 3) / 4;
+  Real<Width> drawn[DrawBlock::most_parameters] = {};
   for (int b = 0; b < blocks; ++b) {
-    const auto wanted = [&](int i) { return i < DrawBlock::parameters && block.half_tolerance[i] > 0; };
+    const auto wanted = [&](int i) { return i < block.parameters && block.half_tolerance[i] > 0; };
     const bool last = wanted(4 * b + 2) || wanted(4 * b + 3);
     if (last || wanted(4 * b) || wanted(4 * b + 1))
       draw_four<Width>(stream, b, block.distribution, last, drawn + 4 * b);
   }
-  for (int i = 0; i < DrawBlock::parameters; ++i) drawn[i] = drawn[i] * block.half_tolerance[i];
-  for (int link = 0; link < 3 && block.clearance > 0; ++link) {
-    const Words<Width> words = stream.words(blocks + link, 0);
-    drawn[link] = drawn[link] + block.clearance * (in_disc<Width>(words.word[0], words.word[1]) +
-                                                   in_disc<Width>(words.word[2], words.word[3]));
+  for (int i = 0; i < block.parameters; ++i) drawn[i] = drawn[i] * block.half_tolerance[i];
+  for (int length = 0; length < block.pinned && block.clearance > 0; ++length) {
+    const Words<Width> words = stream.words(blocks + length, 0);
+    drawn[length] = drawn[length] + block.clearance * (in_disc<Width>(words.word[0], words.word[1]) +
+                                                       in_disc<Width>(words.word[2], words.word[3]));
   }
-  for (int i = 0; i < DrawBlock::parameters; ++i) store<Width>(drawn[i], &block.deviation[i][at]);
+  for (int i = 0; i < block.parameters; ++i) store<Width>(drawn[i], &block.deviation[i][at]);
 }
 
 template <int Width>

@@ -21,7 +21,6 @@ std::vector<ParameterShare> shares_of(const SensitivityMatrix& matrix, const std
 
 // Of lines as they are: where they were drawn, or laid anew.
 std::optional<ToleranceReport> report_of(const LinkageOutput& output, const Tolerances& tolerances, int threads) {
-  if (!std::holds_alternative<PlanarOutput>(output)) return std::nullopt;  // others cannot be sampled yet
   const auto matrix = sensitivities(output);
   if (!matrix) return std::nullopt;
   const std::vector<MadeDimension> dimensions = made_dimensions(output, tolerances);
@@ -34,7 +33,7 @@ std::optional<ToleranceReport> report_of(const LinkageOutput& output, const Tole
   report.error = is_line(output) ? line_tolerance_error(*matrix, variances) : tolerance_error(*matrix, variances);
   report.worst_case = worst_case(*matrix, reaches);
   report.shares = shares_of(*matrix, dimensions, variances);
-  report.sampled = sample_errors(std::get<PlanarOutput>(output), tolerances, threads);
+  report.sampled = sample_errors(output, tolerances, threads);
   report.beyond_first_order = report.sampled.assembled() > 0 && report.sampled.is_beyond_first_order(report.error);
   if (report.error > 0 && !is_line(output))
     report.allocation = allocated_tolerances(*matrix, dimensions, tolerances, report.error);

@@ -4,89 +4,15 @@
 #include <cmath>
 #include <memory>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/precondition.hpp"
-#include "robust/sampling_kernel.hpp"
+#include "robust/block_sampler.hpp"
 
 namespace linkwright {
 namespace {
 
-static_assert(DrawBlock::parameters == planar_parameters);
-static_assert(SamplingBlock::most_positions == most_sampled_positions);
-
-void put(Point from, double to[2]) {
-  to[0] = from.real();
-  to[1] = from.imag();
-}
-
-Point unit_vector(Point from, Point to) { return (to - from) / std::abs(to - from); }
-
-DrawBlock draw_block(const Tolerances& tolerances) {
-  DrawBlock block;
-  block.seed = tolerances.seed;
-  block.distribution = static_cast<DrawBlock::Distribution>(tolerances.distribution);
-  const PlanarValues half = planar_half_tolerances(tolerances);
-  std::copy(half.begin(), half.end(), block.half_tolerance);
-  block.clearance = tolerances.clearance;
-  return block;
-}
-
-void set_linkage(const TracingFourBar& linkage, SamplingBlock& block) {
-  const FourBar& bars = linkage.bars;
-  const LinkLengths lengths = bars.lengths();
-  block.input = lengths.input;
-  block.coupler = lengths.coupler;
-  block.output = lengths.output;
-  put(bars.input_center, block.input_center);
-  put(bars.output_center, block.output_center);
-  put(std::conj(unit_vector(bars.input_circle, bars.output_circle)) * (linkage.point - bars.input_circle), block.arm);
-}
-
-void set_position(const TracingFourBar& linkage, std::size_t j, SamplingBlock& block) {
-  const FourBar& bars = linkage.bars;
-  put(unit_vector(bars.input_center, bars.input_circle), block.input_direction[j]);
-  block.assembly[j] = assembly_of(bars) == Assembly::positive ? 1 : -1;
-  put(linkage.point, block.point[j]);
-  put(unit_vector(block.kind == SamplingBlock::angle ? bars.output_center : bars.input_circle, bars.output_circle),
-      block.direction[j]);
-}
-
-// Distances of the nominal linkage, and its places.
-void set_line(const PlanarOutput& output, SamplingBlock& block) {
-  put(output.line.point, block.line_point);
-  put(output.line.left(), block.line_left);
-  block.realigned = output.realigned;
-  std::vector<double> places, distances;
-  for (const TracingFourBar& linkage : output.positions) {
-    const Point on_line = output.line.to_line(linkage.point);
-    places.push_back(on_line.real());
-    distances.push_back(on_line.imag());
-  }
-  if (output.realigned) take_away_best_line(places, distances);
-  std::copy(distances.begin(), distances.end(), block.nominal);
-  double mean = 0, square = 0;
-  for (const double place : places) mean += place / static_cast<double>(places.size());
-  for (const double place : places) square += (place - mean) * (place - mean);
-  for (std::size_t j = 0; j < places.size(); ++j) block.place[j] = (places[j] - mean) / std::sqrt(square);
-}
-
-SamplingBlock sampling_block(const PlanarOutput& output, const Tolerances& tolerances) {
-  SamplingBlock block;
-  block.kind = static_cast<SamplingBlock::Kind>(output.kind);
-  block.positions = static_cast<int>(output.positions.size());
-  set_linkage(output.positions.front(), block);
-  for (std::size_t j = 0; j < output.positions.size(); ++j) set_position(output.positions[j], j, block);
-  block.driver_errs = tolerances.driver > 0;
-  block.error_of_angle = output.turning_length * output.turning_length;
-  if (tolerances.limit) block.limit_square = tolerances.limit->value * tolerances.limit->value;
-  if (tolerances.limit && tolerances.limit->kind == ToleranceLimit::Kind::angle) {
-    block.limit_of_point = 0;
-    block.limit_of_angle = 1;
-  }
-  if (output.kind == PlanarOutput::Kind::line) set_line(output, block);
-  return block;
-}
+static_assert(DrawBlock::most_parameters >= planar_parameters);
+static_assert(SampledBlock::most_positions == most_sampled_positions);
 
 // What a block of samples adds up to.
 struct Totals {
@@ -103,7 +29,7 @@ struct Totals {
   }
 };
 
-Totals totals_of(const SamplingBlock& block) {
+Totals totals_of(const SampledBlock& block) {
   return {{block.square_sum, block.square_sum + block.positions},
           block.worst_sum,
           block.worst_square_sum,
@@ -111,8 +37,8 @@ Totals totals_of(const SamplingBlock& block) {
           block.good_count};
 }
 
-SampledErrors errors_of(const std::vector<Totals>& blocks, const PlanarOutput& output, const Tolerances& tolerances) {
-  Totals totals{std::vector<double>(output.positions.size())};
+SampledErrors errors_of(const std::vector<Totals>& blocks, const LinkageOutput& output, const Tolerances& tolerances) {
+  Totals totals{std::vector<double>(positions_of(output))};
   for (const Totals& block : blocks) totals.add(block);
   SampledErrors errors{.samples = tolerances.samples, .not_assembled = tolerances.samples - totals.assembled};
   if (tolerances.limit) errors.yield = counted_share(totals.good, errors.samples);
@@ -124,9 +50,7 @@ SampledErrors errors_of(const std::vector<Totals>& blocks, const PlanarOutput& o
     squares += square;
     largest = std::max(largest, errors.deviations.back());
   }
-  errors.error = output.kind == PlanarOutput::Kind::line
-                     ? 3 * largest
-                     : std::sqrt(squares / static_cast<double>(totals.square_sums.size()));
+  errors.error = is_line(output) ? 3 * largest : std::sqrt(squares / static_cast<double>(totals.square_sums.size()));
   if (count > 0) {
     errors.mean = totals.worst / count;
     errors.standard_deviation = std::sqrt(std::max(0.0, totals.worst_square / count - errors.mean * errors.mean));
@@ -136,40 +60,39 @@ SampledErrors errors_of(const std::vector<Totals>& blocks, const PlanarOutput& o
 
 constexpr double normal_975 = 1.959963984540054;  // Φ of it is 0.975
 
-constexpr std::size_t draws_a_block = DrawBlock::parameters * DrawBlock::size;
-
 std::size_t blocks_of(const Tolerances& tolerances) {
   return (static_cast<std::size_t>(tolerances.samples) - 1) / DrawBlock::size + 1;
 }
 
-// Takes one linkage's errors, block by block.
-class BlockSampler {
- public:
-  BlockSampler(const PlanarOutput& output, const Tolerances& tolerances, Simd simd)
-      : block_(std::make_unique<SamplingBlock>(sampling_block(output, tolerances))),
-        kernel_(sampling_kernel.for_simd(simd)),
-        samples_(tolerances.samples) {}
+std::unique_ptr<BlockSampler> sampler_of(const LinkageOutput& output, const Tolerances& tolerances, Simd simd) {
+  return std::visit([&](const auto& one) { return block_sampler(one, tolerances, simd); }, output);
+}
 
-  [[nodiscard]] Totals totals(std::size_t number, const double (*deviation)[DrawBlock::size]) {
-    block_->deviation = deviation;
-    block_->samples = std::min(samples_ - static_cast<int>(number) * DrawBlock::size, DrawBlock::size);
-    kernel_(*block_);
-    return totals_of(*block_);
-  }
+Totals totals(BlockSampler& sampler, const Tolerances& tolerances, std::size_t block,
+              const double (*deviation)[DrawBlock::size]) {
+  const int left = tolerances.samples - static_cast<int>(block) * DrawBlock::size;
+  return totals_of(sampler.sampled(deviation, std::min(left, DrawBlock::size)));
+}
 
- private:
-  std::unique_ptr<SamplingBlock> block_;
-  void (*kernel_)(SamplingBlock&);
-  int samples_;
-};
-
-void require_samples(const PlanarOutput& output, const Tolerances& tolerances) {
-  require(!output.positions.empty() && output.positions.size() <= most_sampled_positions,
+void require_samples(const LinkageOutput& output, const Tolerances& tolerances) {
+  require(positions_of(output) > 0 && positions_of(output) <= most_sampled_positions,
           "positions: one at least, most_sampled_positions at most");
   require(tolerances.samples > 0, "samples: one at least");
 }
 
 }  // namespace
+
+DrawBlock draw_block(const LinkageOutput& output, const Tolerances& tolerances) {
+  DrawBlock block;
+  block.seed = tolerances.seed;
+  block.distribution = static_cast<DrawBlock::Distribution>(tolerances.distribution);
+  block.clearance = tolerances.clearance;
+  for (const MadeDimension& made : made_dimensions(output, tolerances)) {
+    block.half_tolerance[block.parameters++] = made.tolerance;
+    if (made.pins > 0) ++block.pinned;
+  }
+  return block;
+}
 
 CountedShare counted_share(std::int64_t count, std::int64_t of) {
   constexpr double z = normal_975;
@@ -192,49 +115,53 @@ double SampledErrors::signal_to_noise() const {
   return -10 * std::log10(mean * mean + standard_deviation * standard_deviation);
 }
 
-SampledErrors sample_errors(const PlanarOutput& output, const Tolerances& tolerances, int threads, Simd simd) {
+SampledErrors sample_errors(const LinkageOutput& output, const Tolerances& tolerances, int threads, Simd simd) {
   require_samples(output, tolerances);
-  std::vector<Totals> totals(blocks_of(tolerances));
-  parallel_for(totals.size(), threads, [&](std::size_t begin, std::size_t end) {
-    DrawBlock draws = draw_block(tolerances);
-    BlockSampler sampler(output, tolerances, simd);
+  std::vector<Totals> all(blocks_of(tolerances));
+  parallel_for(all.size(), threads, [&](std::size_t begin, std::size_t end) {
+    DrawBlock draws = draw_block(output, tolerances);
+    const auto sampler = sampler_of(output, tolerances, simd);
     for (std::size_t k = begin; k < end; ++k) {
       draws.first = k * DrawBlock::size;
       draw_kernel.for_simd(simd)(draws);
-      totals[k] = sampler.totals(k, draws.deviation);
+      all[k] = totals(*sampler, tolerances, k, draws.deviation);
     }
   });
-  return errors_of(totals, output, tolerances);
+  return errors_of(all, output, tolerances);
 }
 
-ToleranceSampler::ToleranceSampler(const Tolerances& tolerances, Simd simd) : tolerances_(tolerances), simd_(simd) {
-  DrawBlock block = draw_block(tolerances);
+ToleranceSampler::ToleranceSampler(const LinkageOutput& like, const Tolerances& tolerances, Simd simd)
+    : tolerances_(tolerances), simd_(simd) {
+  DrawBlock block = draw_block(like, tolerances);
+  draws_a_block_ = static_cast<std::size_t>(block.parameters) * DrawBlock::size;
   for (std::size_t k = 0; k < blocks_of(tolerances); ++k) {
     block.first = k * DrawBlock::size;
     draw_kernel.for_simd(simd)(block);
-    draws_.insert(draws_.end(), &block.deviation[0][0], &block.deviation[0][0] + draws_a_block);
+    draws_.insert(draws_.end(), &block.deviation[0][0], &block.deviation[0][0] + draws_a_block_);
   }
 }
 
-SampledErrors ToleranceSampler::errors_of(const PlanarOutput& output) const {
+SampledErrors ToleranceSampler::errors_of(const LinkageOutput& output) const {
   require_samples(output, tolerances_);
-  std::vector<Totals> totals(blocks_of(tolerances_));
-  BlockSampler sampler(output, tolerances_, simd_);
-  for (std::size_t k = 0; k < totals.size(); ++k)
-    totals[k] = sampler.totals(k, reinterpret_cast<const double(*)[DrawBlock::size]>(&draws_[k * draws_a_block]));
-  return linkwright::errors_of(totals, output, tolerances_);
+  std::vector<Totals> all(blocks_of(tolerances_));
+  const auto sampler = sampler_of(output, tolerances_, simd_);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    all[k] = totals(*sampler, tolerances_, k,
+                    reinterpret_cast<const double(*)[DrawBlock::size]>(&draws_[k * draws_a_block_]));
+  return linkwright::errors_of(all, output, tolerances_);
 }
 
-std::vector<PlanarValues> sampled_deviations(const Tolerances& tolerances, std::size_t count) {
-  std::vector<PlanarValues> samples(count);
-  DrawBlock block = draw_block(tolerances);
+std::vector<std::vector<double>> sampled_deviations(const LinkageOutput& output, const Tolerances& tolerances,
+                                                    std::size_t count) {
+  DrawBlock block = draw_block(output, tolerances);
+  std::vector<std::vector<double>> samples(count, std::vector<double>(static_cast<std::size_t>(block.parameters)));
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t place = k % DrawBlock::size;
     if (place == 0) {
       block.first = k;
       draw_kernel.for_simd(Simd::automatic)(block);
     }
-    for (std::size_t i = 0; i < planar_parameters; ++i) samples[k][i] = block.deviation[i][place];
+    for (std::size_t i = 0; i < samples[k].size(); ++i) samples[k][i] = block.deviation[i][place];
   }
   return samples;
 }

@@ -95,7 +95,7 @@ TEST(ToleranceSampling, DrawsTheDistributions) {
     std::array<std::array<double, planar_parameters>, planar_parameters> product{};
     double largest = 0;
     int beyond = 0;
-    for (const PlanarValues& values : sampled_deviations(t, static_cast<std::size_t>(n))) {
+    for (const auto& values : sampled_deviations(PlanarOutput{}, t, static_cast<std::size_t>(n))) {
       for (std::size_t i = 0; i < values.size(); ++i) {
         sum[i] += values[i];
         square[i] += values[i] * values[i];
@@ -125,17 +125,17 @@ TEST(ToleranceSampling, DrawsTheDistributions) {
 // To the bit, on every machine and in the page.
 TEST(ToleranceSampling, DrawsTheSameNumbersForEver) {
   Tolerances t{.length = LengthTolerances::all(1), .driver = 1};
-  const auto normal = sampled_deviations(t, 1000);
+  const auto normal = sampled_deviations(PlanarOutput{}, t, 1000);
   EXPECT_EQ(normal[0][0], 0x1.03afd8c1df35ap-3);
   EXPECT_EQ(normal[17][4], -0x1.fe9bc6f2e8ea9p-3);
   EXPECT_EQ(normal[999][9], -0x1.70ca75d27ced4p-6);
   t.distribution = ToleranceDistribution::truncated_normal;
-  const auto truncated = sampled_deviations(t, 1000);
+  const auto truncated = sampled_deviations(PlanarOutput{}, t, 1000);
   EXPECT_GT(std::abs(normal[7][5]), 1);
   EXPECT_EQ(truncated[7][5], -0x1.c98ba90cadab4p-3);
   t.distribution = ToleranceDistribution::uniform;
   t.clearance = 1;
-  const auto uniform = sampled_deviations(t, 1000);
+  const auto uniform = sampled_deviations(PlanarOutput{}, t, 1000);
   EXPECT_EQ(uniform[0][0], 0x1.1c0c8ff8a5754p+1);
   EXPECT_EQ(uniform[17][4], 0x1.a102b9ap-5);
   EXPECT_EQ(uniform[999][9], 0x1.d4b7edb6p-1);
@@ -149,7 +149,7 @@ TEST(ToleranceSampling, MovesPinsWithinTheirClearance) {
   const int n = testing::draws(100'000);
   std::array<double, 3> square{};
   double largest = 0;
-  for (const PlanarValues& values : sampled_deviations(t, static_cast<std::size_t>(n))) {
+  for (const auto& values : sampled_deviations(PlanarOutput{}, t, static_cast<std::size_t>(n))) {
     for (std::size_t i = 0; i < 3; ++i) {
       square[i] += values[i] * values[i];
       largest = std::max(largest, std::abs(values[i]));
@@ -209,7 +209,7 @@ TEST(ToleranceSampling, HasTheFiguresOfLambdaLinkages) {
 }
 
 // A linkage as it is made, by assemble(): the long way.
-TracingFourBar made(const TracingFourBar& nominal, const PlanarValues& off, bool& assembled) {
+TracingFourBar made(const TracingFourBar& nominal, const std::vector<double>& off, bool& assembled) {
   const FourBar& bars = nominal.bars;
   const LinkLengths l = bars.lengths();
   const Point input_center = bars.input_center + Point{off[3], off[4]};
@@ -245,11 +245,11 @@ struct SlowErrors {
   double mean = 0, standard_deviation = 0, yield = 0, error = 0;
   int not_assembled = 0;
 };
-SlowErrors slow_errors(const PlanarOutput& output, const std::vector<PlanarValues>& samples, double limit) {
+SlowErrors slow_errors(const PlanarOutput& output, const std::vector<std::vector<double>>& samples, double limit) {
   SlowErrors errors;
   double sum = 0, squares = 0, all_squares = 0;
   int count = 0, good = 0;
-  for (const PlanarValues& off : samples) {
+  for (const std::vector<double>& off : samples) {
     double worst = 0, own_squares = 0;
     bool assembled = true;
     for (const TracingFourBar& nominal : output.positions) {
@@ -280,7 +280,7 @@ TEST(ToleranceSampling, DoesWhatAssemblingEachSampleDoes) {
     int not_assembled = 0;
     Tolerances t{.length = {size, 2 * size, 1.5 * size, size, 0.5 * size}, .clearance = size / 2, .driver = size};
     t.samples = testing::draws(5000);
-    const auto samples = sampled_deviations(t, static_cast<std::size_t>(t.samples));
+    const auto samples = sampled_deviations(PlanarOutput{}, t, static_cast<std::size_t>(t.samples));
     for (const PlanarOutput& output : {function_output(), guidance_output(0), guidance_output(1)}) {
       const double limit = output.kind == PlanarOutput::Kind::angle ? 3 * size : 10 * size;
       t.limit = {ToleranceLimit::Kind::deviation, limit};
@@ -312,10 +312,10 @@ TEST(ToleranceSampling, HasTheStatisticsOfAnotherSampler) {
       if (x * x + y * y <= 1) return size * x;
     }
   };
-  std::vector<PlanarValues> samples;
+  std::vector<std::vector<double>> samples;
   const PlanarValues half = planar_half_tolerances(t);
   for (int k = 0; k < testing::draws(40'000); ++k) {
-    PlanarValues off{};
+    std::vector<double> off(half.size());
     for (std::size_t i = 0; i < off.size(); ++i) off[i] = half[i] / 3 * normal(engine);
     for (std::size_t i = 0; i < 3; ++i) off[i] += radial() + radial();
     samples.push_back(off);
@@ -417,7 +417,7 @@ TEST(ToleranceSampling, JudgesPointAndAngleOfAPoseEachByItsLimit) {
   t.limit = {ToleranceLimit::Kind::angle, 0.005};
   const double of_angle = sample_errors(output, t).yield->share;
   int points = 0, angles = 0;
-  for (const PlanarValues& off : sampled_deviations(t, 20'000)) {
+  for (const std::vector<double>& off : sampled_deviations(PlanarOutput{}, t, 20'000)) {
     double point = 0, angle = 0;
     bool assembled = true;
     for (const TracingFourBar& nominal : output.positions) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "linkwright/core/simd.hpp"
-#include "linkwright/robust/sensitivity.hpp"
+#include "linkwright/robust/linkage_output.hpp"
 #include "linkwright/robust/tolerances.hpp"
 
 namespace linkwright {
@@ -18,7 +18,7 @@ struct CountedShare {
 /// 0 ≤ count ≤ of, of > 0.
 [[nodiscard]] CountedShare counted_share(std::int64_t count, std::int64_t of);
 
-/// What samples of a linkage made with errors do. Errors are those of PlanarOutput: user's unit, of angles radians.
+/// What samples of a linkage made with errors do. Errors are those of LinkageOutput: user's unit, of angles radians.
 struct SampledErrors {
   std::int64_t samples = 0, not_assembled = 0;  ///< the latter in some position; they count in yield alone
   std::vector<double> deviations;               ///< in each position, root of the mean square off the nominal
@@ -47,24 +47,31 @@ inline constexpr std::size_t most_sampled_positions = 64;
 /// errors of sample number k depend on seed and k alone (Philox4x32-10), so that all linkages are made with the same
 /// ones, and neither threads nor instruction sets show in the answer. A limit of a kind that the output does not have
 /// is one on its error. At most most_sampled_positions.
-[[nodiscard]] SampledErrors sample_errors(const PlanarOutput& output, const Tolerances& tolerances, int threads = 0,
+[[nodiscard]] SampledErrors sample_errors(const LinkageOutput& output, const Tolerances& tolerances, int threads = 0,
                                           Simd simd = Simd::automatic);
 
-/// The same of many linkages, on one thread each: what takes longest, the numbers, is drawn once and kept, 80 bytes a
-/// sample.
+/// The same of many linkages, on one thread each: what takes longest, the numbers, is drawn once and kept, 8 bytes a
+/// parameter and sample.
 class ToleranceSampler {
  public:
-  explicit ToleranceSampler(const Tolerances& tolerances, Simd simd = Simd::automatic);
+  /// Of planar four-bars.
+  explicit ToleranceSampler(const Tolerances& tolerances, Simd simd = Simd::automatic)
+      : ToleranceSampler(PlanarOutput{}, tolerances, simd) {}
+  /// Of linkages with the same parameters as `like`.
+  ToleranceSampler(const LinkageOutput& like, const Tolerances& tolerances, Simd simd = Simd::automatic);
 
-  [[nodiscard]] SampledErrors errors_of(const PlanarOutput& output) const;
+  [[nodiscard]] SampledErrors errors_of(const LinkageOutput& output) const;
 
  private:
   Tolerances tolerances_;
   Simd simd_;
+  std::size_t draws_a_block_ = 0;
   std::vector<double> draws_;  ///< by block, parameter, sample
 };
 
-/// By how much each parameter is off in the samples number 0, 1, …: clearance included; user's unit, radians.
-[[nodiscard]] std::vector<PlanarValues> sampled_deviations(const Tolerances& tolerances, std::size_t count);
+/// By how much each dimension (made_dimensions) is off in the samples number 0, 1, …: clearance included; user's unit,
+/// radians.
+[[nodiscard]] std::vector<std::vector<double>> sampled_deviations(const LinkageOutput& output,
+                                                                  const Tolerances& tolerances, std::size_t count);
 
 }  // namespace linkwright
