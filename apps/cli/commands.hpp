@@ -38,6 +38,16 @@ struct ExportArguments {
 };
 [[nodiscard]] int export_linkage(const ExportArguments& arguments);
 
+struct ToleranceArguments {
+  std::string result;            ///< path
+  int linkage = 1;               ///< from 1
+  std::optional<double> length;  ///< half tolerance of all lengths, instead of the file's
+  std::optional<int> samples, seed;
+  std::string report;   ///< path, "-" for standard output, or empty
+  std::string picture;  ///< path or empty
+};
+[[nodiscard]] int tolerance(const ToleranceArguments& arguments);
+
 struct AttitudeArguments {
   std::string command;  ///< convert, screw, twist, rates or dh
   std::string input;    ///< path, "-" for standard input, or empty when flags say it

@@ -78,6 +78,20 @@ void add_export(CLI::App& app, ExportArguments& arguments) {
   command->add_option("-o,--output", arguments.output, "Output file (default: standard output)");
 }
 
+void add_tolerance(CLI::App& app, ToleranceArguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "tolerance", "What tolerances do to one linkage of a result: error, yield, what to tighten and what to loosen");
+  command->add_option("RESULT", arguments.result, "Result file written by solve -o")->required();
+  command->add_option("--linkage", arguments.linkage, "Which linkage of the result, from 1 (default 1, the best)");
+  command->add_option("--length", arguments.length,
+                      "Half tolerance of all lengths (default: the \"tolerances\" of the result's problem)");
+  command->add_option("--samples", arguments.samples, "How many linkages are sampled (default 100000)");
+  command->add_option("--seed", arguments.seed, "Seed of the samples: the same one gives the same answer (default 1)");
+  command->add_option("-o,--output", arguments.report, "Write everything as JSON to this file (- for standard output)");
+  command->add_option("--svg", arguments.picture,
+                      "Draw the errors of the samples in each position and what contributes to them to this SVG file");
+}
+
 /// One of the commands of `attitude`; its flags are those of the table.
 void add_attitude_command(CLI::App& app, const std::string& name, const std::string& help, bool with_picture,
                           AttitudeArguments& arguments) {
@@ -158,11 +172,13 @@ int run(int argc, char** argv) {
   SolveArguments solve_arguments;
   AnalyzeArguments analyze_arguments;
   ExportArguments export_arguments;
+  ToleranceArguments tolerance_arguments;
   AttitudeArguments attitude_arguments;
   StudioArguments studio_arguments;
   add_solve(app, solve_arguments);
   add_analyze(app, analyze_arguments);
   add_export(app, export_arguments);
+  add_tolerance(app, tolerance_arguments);
   add_attitude(app, attitude_arguments);
   add_studio(app, studio_arguments);
   refuse_empty_texts(app);
@@ -178,6 +194,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("solve")) return solve(solve_arguments);
   if (app.got_subcommand("analyze")) return analyze(analyze_arguments);
   if (app.got_subcommand("export")) return export_linkage(export_arguments);
+  if (app.got_subcommand("tolerance")) return tolerance(tolerance_arguments);
   if (app.got_subcommand("attitude")) return attitude(attitude_arguments);
   if (app.got_subcommand("studio")) return studio(studio_arguments);
   std::fputs(app.help().c_str(), stderr);

@@ -20,6 +20,7 @@
 #include "spherical_report.hpp"
 #include "straight_line_report.hpp"
 #include "text_table.hpp"
+#include "tolerance_report.hpp"
 
 namespace linkwright::cli {
 namespace {
@@ -90,6 +91,8 @@ std::string counts_words(const Problem& problem, const FourBarAnswer& answer, co
 
 std::string best_heading(const FourBarAnswer& answer) {
   if (answer.options.at) return "The linkage there:\n";
+  if (is_of_tolerances(answer.options.objective))
+    return fmt::format("Best linkages, {} first:\n", tolerance_superlative(answer.options.objective));
   switch (answer.options.objective) {
     case Objective::link_ratio:
       return "Best linkages, smallest link ratio first:\n";
@@ -153,10 +156,15 @@ std::string why_the_best(const Problem& problem, const FourBarAnswer& answer, in
   const Objective objective = answer.options.objective;
   constexpr std::array<std::string_view, 4> superlatives = {"largest minimum transmission angle", "smallest link ratio",
                                                             "smallest longest link", "smallest structural error"};
-  const std::string_view what = superlatives[static_cast<std::size_t>(objective)];
-  std::string text = fmt::format("Linkage 1 has the {}, {}", what, score_words(objective, linkages[0], decimals));
-  if (linkages.size() > 1)
-    text += fmt::format("; linkage 2 follows with {}", score_words(objective, linkages[1], decimals));
+  const bool by_tolerances = is_of_tolerances(objective);
+  const std::string_view what =
+      by_tolerances ? tolerance_superlative(objective) : superlatives[static_cast<std::size_t>(objective)];
+  const auto score = [&](std::size_t i) {
+    return by_tolerances ? tolerance_score(answer, i, problem.length_unit)
+                         : score_words(objective, linkages[i], decimals);
+  };
+  std::string text = fmt::format("Linkage 1 has the {}, {}", what, score(0));
+  if (linkages.size() > 1) text += fmt::format("; linkage 2 follows with {}", score(1));
   const auto limits = limits_touched(answer.requirements, linkages[0], problem.length_unit);
   return wrapped(fmt::format("{}. It {}", text, held_back_words(limits)));
 }
@@ -289,7 +297,8 @@ std::string report_of_kind(const Problem& problem, const SixBarAnswer& answer) {
 std::string report(const Problem& problem, const Answer& answer) {
   Problem shown = problem;
   shown.length_unit = printable(shown.length_unit);
-  return std::visit([&](const auto& of_kind) { return report_of_kind(shown, of_kind); }, answer);
+  return std::visit([&](const auto& of_kind) { return report_of_kind(shown, of_kind); }, answer) +
+         tolerance_table(shown, findings(answer));
 }
 
 }  // namespace linkwright::cli

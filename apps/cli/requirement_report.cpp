@@ -112,6 +112,13 @@ std::string words_of_limit(RequirementKind kind, const Requirements& wanted, std
     case RequirementKind::max_deviation:
       if (!std::isfinite(wanted.max_deviation)) return "";
       return "deviation at most " + limit_words(wanted.max_deviation, unit);
+    case RequirementKind::max_tolerance_error:
+      if (!std::isfinite(wanted.max_tolerance_error)) return "";
+      return "error by tolerances at most " + significant_text(wanted.max_tolerance_error, limit_digits);
+    case RequirementKind::min_yield:
+      return wanted.min_yield > 0
+                 ? fmt::format("yield at least {} %", significant_text(100 * wanted.min_yield, limit_digits))
+                 : "";
     default:
       return "";
   }

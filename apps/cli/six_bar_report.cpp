@@ -13,6 +13,7 @@
 #include "linkwright/files/task_label.hpp"
 #include "requirement_report.hpp"
 #include "text_table.hpp"
+#include "tolerance_report.hpp"
 
 namespace linkwright::cli {
 namespace {
@@ -59,6 +60,8 @@ std::string six_bar_map_words(const Problem& problem, const SixBarAnswer& answer
 
 std::string best_heading(const SynthesisOptions& options) {
   if (options.at) return "The six-bar there:\n";
+  if (is_of_tolerances(options.objective))
+    return fmt::format("Best six-bars, {} first:\n", tolerance_superlative(options.objective));
   constexpr std::array<std::string_view, 4> orders = {"largest minimum transmission angle over the task (γ) first",
                                                       "smallest link ratio first", "smallest longest link first",
                                                       "largest minimum transmission angle over the task (γ) first"};

@@ -12,6 +12,7 @@
 #include "linkwright/files/task_label.hpp"
 #include "requirement_report.hpp"
 #include "text_table.hpp"
+#include "tolerance_report.hpp"
 #include "transmission_words.hpp"
 
 namespace linkwright::cli {
@@ -86,6 +87,8 @@ std::string relaxed_words(const SphericalMotionAnswer& answer) {
 
 std::string best_spherical_heading(const SynthesisOptions& options) {
   if (options.at) return "The linkage there:\n";
+  if (is_of_tolerances(options.objective))
+    return fmt::format("Best linkages, {} first:\n", tolerance_superlative(options.objective));
   if (options.objective == Objective::link_angle) return "Best linkages, largest least link angle first:\n";
   return "Best linkages, largest minimum transmission angle over the task (γ) first:\n";
 }
@@ -139,11 +142,15 @@ std::string spherical_score(Objective objective, const SphericalSolution& found)
 std::string why_it_is_best(const SphericalAnswer& answer) {
   if (answer.options.at) return wrapped(answer.reason.message);
   const Objective objective = answer.options.objective;
-  std::string text = fmt::format("Linkage 1 has the largest {}, {}",
-                                 objective == Objective::link_angle ? "least link angle" : "minimum transmission angle",
-                                 spherical_score(objective, answer.linkages[0]));
-  if (answer.linkages.size() > 1)
-    text += fmt::format("; linkage 2 follows with {}", spherical_score(objective, answer.linkages[1]));
+  const bool by_tolerances = is_of_tolerances(objective);
+  const std::string_view what = by_tolerances                        ? tolerance_superlative(objective)
+                                : objective == Objective::link_angle ? "largest least link angle"
+                                                                     : "largest minimum transmission angle";
+  const auto score = [&](std::size_t i) {
+    return by_tolerances ? tolerance_score(answer, i, "") : spherical_score(objective, answer.linkages[i]);
+  };
+  std::string text = fmt::format("Linkage 1 has the {}, {}", what, score(0));
+  if (answer.linkages.size() > 1) text += fmt::format("; linkage 2 follows with {}", score(1));
   return wrapped(
       fmt::format("{}. It {}", text, held_back_words(limits_touched(answer.requirements, answer.linkages[0]))));
 }

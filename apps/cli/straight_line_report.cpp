@@ -51,6 +51,10 @@ std::string_view order_words(Objective objective) {
       return "smallest longest link first";
     case Objective::velocity_uniformity:
       return "most even velocity first";
+    case Objective::tolerance_error:
+      return "smallest error by tolerances first";
+    case Objective::yield:
+      return "largest yield first";
     default:
       return "longest usable length over the longest link first";
   }

@@ -101,7 +101,7 @@ std::vector<MissedBox> FourBarSession::missed_boxes(const Requirements& wanted) 
   return linkwright::missed_boxes(*given_.family, wanted);
 }
 
-LinkageReply FourBarSession::linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const {
+LinkageReply FourBarSession::linkage(MapPoint place, FailureBits fails, bool respect_direction) const {
   PickedLinkage picked = picked_linkage(given_, place, respect_direction);
   picked.fails = fails;
   LinkageReply reply{linkage_json(picked, given_.frame()), {}};

@@ -22,7 +22,7 @@ class FourBarSession : public TaskSession {
                                                 Side side) const override;
   [[nodiscard]] int map_samples(int asked) const override { return asked; }
   [[nodiscard]] std::vector<MissedBox> missed_boxes(const Requirements& wanted) const override;
-  [[nodiscard]] LinkageReply linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const override;
+  [[nodiscard]] LinkageReply linkage(MapPoint place, FailureBits fails, bool respect_direction) const override;
   [[nodiscard]] Verification verify(MapPoint place, bool respect_direction) const override;
   [[nodiscard]] std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const override;
   [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Requirements& wanted,

@@ -20,7 +20,7 @@ struct PickedLinkage {
   std::optional<FourBarSolution> bars;  ///< nothing for a slider or a zero link
   PoseVisits visits;
   DriveTable drive;
-  std::uint8_t fails = 0;
+  FailureBits fails = 0;
   std::optional<FunctionTask> task;          ///< of generators, the free parameter fixed
   std::optional<Notice> nothing;             ///< why there are no bars; none: as the grounded links tell
   std::optional<std::size_t> relaxed_index;  ///< how many of the poses served come before the freed one, if one is

@@ -30,7 +30,7 @@ class EvaluatedMap {
 
   [[nodiscard]] const RegionMap& map() const { return map_; }
   [[nodiscard]] const RegionCounts& counts() const { return counts_; }
-  [[nodiscard]] const std::vector<std::uint8_t>& fails() const { return fails_; }
+  [[nodiscard]] const std::vector<FailureBits>& fails() const { return fails_; }
   [[nodiscard]] const std::vector<float>& values() const { return values_; }
   [[nodiscard]] const Ridges& ridges() const { return ridges_; }
   [[nodiscard]] const RequirementCensus& census() const { return census_; }
@@ -41,7 +41,7 @@ class EvaluatedMap {
  private:
   RegionMap map_;
   RegionCounts counts_;
-  std::vector<std::uint8_t> fails_;
+  std::vector<FailureBits> fails_;
   std::vector<float> values_;
   RequirementCensus census_;
   std::vector<Relaxation> relax_;

@@ -132,15 +132,15 @@ ExploreReply Session::explore(const ExploreRequest& request) {
 LinkageReply Session::linkage(double input_tau, double output_tau) {
   if (!family()) return {};
   // By the map's own kernel, so that the card and the cell agree to the last bit.
-  std::uint8_t fails = failures(cell_, std::array{input_tau}, std::array{output_tau}).front();
+  FailureBits fails = failures(cell_, std::array{input_tau}, std::array{output_tau}).front();
   if (fails != 0 && task().meets_exactly({input_tau, output_tau}, requirements_)) fails = 0;
   return task().linkage({input_tau, output_tau}, fails, requirements_.respect_direction);
 }
 
-std::vector<std::uint8_t> Session::failures(RegionMap& map, std::span<const double> input,
-                                            std::span<const double> output) const {
+std::vector<FailureBits> Session::failures(RegionMap& map, std::span<const double> input,
+                                           std::span<const double> output) const {
   classify(map, input, output);
-  std::vector<std::uint8_t> found(map.rows() * map.columns());
+  std::vector<FailureBits> found(map.rows() * map.columns());
   filter(map).failures_of_all(found);
   return found;
 }

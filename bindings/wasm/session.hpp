@@ -24,7 +24,7 @@ struct ExploreReply {
   std::span<const double> input_tau, output_tau;
 };
 struct LiveReply {
-  std::vector<std::uint8_t> input, output;
+  std::vector<FailureBits> input, output;
 };
 /// The engine of the page: one problem at a time, kept with all that was computed from it, so that what follows a
 /// dragged pose, a changed requirement or the pointer costs only what is new. The requests of
@@ -60,8 +60,8 @@ class Session {
   void compute_map(const ExploreRequest& request);
   [[nodiscard]] const Drawn& drawn();
   /// Requirements failed by each cell of a map.
-  [[nodiscard]] std::vector<std::uint8_t> failures(RegionMap& map, std::span<const double> input,
-                                                   std::span<const double> output) const;
+  [[nodiscard]] std::vector<FailureBits> failures(RegionMap& map, std::span<const double> input,
+                                                  std::span<const double> output) const;
 
   std::string text_, mistakes_ = "[]";
   Problem problem_;

@@ -223,7 +223,7 @@ std::vector<double> six_bar_trace(const std::vector<PrescribedPose>& poses, cons
 }
 
 LinkageReply six_bar_reply(const std::vector<PrescribedPose>& poses, const std::optional<SixBarSolution>& found,
-                           MapPoint point, std::uint8_t fails) {
+                           MapPoint point, FailureBits fails) {
   LinkageReply reply;
   const SixBarCheck check = found ? driven(*found, poses) : SixBarCheck{};
   reply.linkage = json_of([&](JsonWriter& json) {

@@ -13,8 +13,7 @@ namespace linkwright::wasm {
 /// requirement bits.
 inline constexpr std::size_t six_bar_state_width = state_width + 2 * SixBar::joint_count;
 [[nodiscard]] LinkageReply six_bar_reply(const std::vector<PrescribedPose>& poses,
-                                         const std::optional<SixBarSolution>& found, MapPoint point,
-                                         std::uint8_t fails);
+                                         const std::optional<SixBarSolution>& found, MapPoint point, FailureBits fails);
 
 /// The path of a point of the body (as it lies in position 1) over the drive's states, x and y by turns.
 [[nodiscard]] std::vector<double> six_bar_trace(const std::vector<PrescribedPose>& poses,

@@ -98,7 +98,7 @@ std::optional<SixBarSolution> SixBarSession::at(MapPoint place) const {
   return solution_of(task_.poses, *task_.chain, *row, *member);
 }
 
-LinkageReply SixBarSession::linkage(MapPoint place, std::uint8_t fails, bool /*respect_direction*/) const {
+LinkageReply SixBarSession::linkage(MapPoint place, FailureBits fails, bool /*respect_direction*/) const {
   return six_bar_reply(task_.poses, at(place), place, fails);
 }
 

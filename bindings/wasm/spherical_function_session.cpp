@@ -98,7 +98,7 @@ std::optional<SphericalSolution> SphericalFunctionSession::made(MapPoint place, 
   return found;
 }
 
-LinkageReply SphericalFunctionSession::linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const {
+LinkageReply SphericalFunctionSession::linkage(MapPoint place, FailureBits fails, bool respect_direction) const {
   constexpr bool verify = false;
   const auto found = made(place, respect_direction, verify);
   if (!found) return spherical_reply(given_, found, {}, place, fails);

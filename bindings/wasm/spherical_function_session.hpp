@@ -25,7 +25,7 @@ class SphericalFunctionSession final : public TaskSession {
                                                 Side side) const override;
   [[nodiscard]] int map_samples(int asked) const override { return asked; }
   bool measure(EvaluatedMap& map, std::string_view property) const override;
-  [[nodiscard]] LinkageReply linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const override;
+  [[nodiscard]] LinkageReply linkage(MapPoint place, FailureBits fails, bool respect_direction) const override;
   [[nodiscard]] Verification verify(MapPoint place, bool respect_direction) const override;
   /// None: points of the sphere are no points of the plane.
   [[nodiscard]] std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const override;

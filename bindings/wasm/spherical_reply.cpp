@@ -190,7 +190,7 @@ TaskReply about_spherical(const SphericalTaskFamily& known) {
 }
 
 LinkageReply spherical_reply(const SphericalTaskFamily& known, const std::optional<SphericalSolution>& found,
-                             const std::vector<PrescribedOrientation>& orientations, MapPoint point, std::uint8_t fails,
+                             const std::vector<PrescribedOrientation>& orientations, MapPoint point, FailureBits fails,
                              const WantedFunction* wanted) {
   LinkageReply reply;
   const SphericalDyadPair dyads = dyads_at(known, point);

@@ -25,6 +25,6 @@ inline constexpr std::size_t spherical_state_width = state_width + 10;
 [[nodiscard]] LinkageReply spherical_reply(const SphericalTaskFamily& known,
                                            const std::optional<SphericalSolution>& found,
                                            const std::vector<PrescribedOrientation>& orientations, MapPoint point,
-                                           std::uint8_t fails, const WantedFunction* wanted = nullptr);
+                                           FailureBits fails, const WantedFunction* wanted = nullptr);
 
 }  // namespace linkwright::wasm

@@ -74,7 +74,7 @@ std::vector<double> SphericalSession::coordinates(const ExploreRequest& request,
   return axis.order.samples(request.samples, from, to);
 }
 
-LinkageReply SphericalSession::linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const {
+LinkageReply SphericalSession::linkage(MapPoint place, FailureBits fails, bool respect_direction) const {
   constexpr bool verify = false;
   return spherical_reply(given_, make_spherical_four_bar(given_, place, respect_direction, verify), task_.orientations,
                          place, fails);

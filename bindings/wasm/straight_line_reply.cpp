@@ -173,7 +173,7 @@ void write_line(JsonWriter& json, const StraightLineFamily& family, const Straig
 }  // namespace
 
 LinkageReply straight_line_reply(const StraightLineFamily& family, const std::optional<StraightLineSolution>& found,
-                                 MapPoint place, std::uint8_t fails) {
+                                 MapPoint place, FailureBits fails) {
   PickedLinkage picked = picked_line(family, found, place);
   picked.fails = fails;
   LinkageReply reply;

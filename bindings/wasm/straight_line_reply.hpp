@@ -11,7 +11,7 @@ namespace linkwright::wasm {
 /// places; the body is the coupler, its origin the point that runs straight.
 [[nodiscard]] LinkageReply straight_line_reply(const StraightLineFamily& family,
                                                const std::optional<StraightLineSolution>& found, MapPoint place,
-                                               std::uint8_t fails);
+                                               FailureBits fails);
 
 /// The path of a point of the coupler (as it lies in position 1) over that motion, x and y by turns.
 [[nodiscard]] std::vector<double> straight_line_trace(const StraightLineFamily& family,

@@ -131,7 +131,7 @@ std::optional<StraightLineSolution> StraightLineSession::at(MapPoint place) cons
 
 int StraightLineSession::map_samples(int asked) const { return std::min(asked, samples_of_line_map); }
 
-LinkageReply StraightLineSession::linkage(MapPoint place, std::uint8_t fails, bool /*respect_direction*/) const {
+LinkageReply StraightLineSession::linkage(MapPoint place, FailureBits fails, bool /*respect_direction*/) const {
   return straight_line_reply(*family_, make_straight_line(*family_, place), place, fails);
 }
 

@@ -78,7 +78,7 @@ class TaskSession {
   /// Colours the map by a property of the task's own; false where it has no such.
   virtual bool measure(EvaluatedMap& /*map*/, std::string_view /*property*/) const { return false; }
 
-  [[nodiscard]] virtual LinkageReply linkage(MapPoint place, std::uint8_t fails, bool respect_direction) const = 0;
+  [[nodiscard]] virtual LinkageReply linkage(MapPoint place, FailureBits fails, bool respect_direction) const = 0;
   /// Where the cells of the map are estimated: measured exactly the linkage meets what is required.
   [[nodiscard]] virtual bool meets_exactly(MapPoint /*place*/, const Requirements& /*wanted*/) const { return false; }
   [[nodiscard]] virtual Verification verify(MapPoint place, bool respect_direction) const = 0;

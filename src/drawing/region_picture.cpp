@@ -44,7 +44,7 @@ std::vector<int> samples_of_pixels(const RegionScale& scale, int pixels_per_px) 
 PngImage region_picture(const Findings& found, const LinkageFamily& family, const RegionScale& input,
                         const RegionScale& output, int pixels_per_px) {
   const RegionMap& region = found.region;
-  std::vector<std::uint8_t> failures(region.rows() * region.columns());
+  std::vector<FailureBits> failures(region.rows() * region.columns());
   filter_of(family, region, found.requirements).failures_of_all(failures);
   const std::vector<int> rows = samples_of_pixels(input, pixels_per_px);
   const std::vector<int> columns = samples_of_pixels(output, pixels_per_px);

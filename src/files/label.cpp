@@ -79,6 +79,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 23> branch_l
     {"near_minimax", "near-minimax"},
 }};
 
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> dimension_labels = {{
+    {"input_center_x", "input's fixed pivot, x"},
+    {"input_center_y", "input's fixed pivot, y"},
+    {"output_center_x", "output's fixed pivot, x"},
+    {"output_center_y", "output's fixed pivot, y"},
+    {"point_along", "point, along the coupler"},
+    {"point_across", "point, across the coupler"},
+}};
+
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> cone_branch_labels = {{
     {"odd", "odd branch"},
     {"oval", "oval"},
@@ -108,6 +117,7 @@ std::string_view label(SixBarTopology topology) { return topology_labels[static_
 std::string_view label(ChangePointKind kind) { return change_point_labels[static_cast<std::size_t>(kind)]; }
 
 std::string_view branch_label(std::string_view name) { return words_for(name, branch_labels); }
+std::string dimension_label(std::string_view name) { return std::string(words_for(name, dimension_labels)); }
 std::string_view cone_branch_label(std::string_view name) { return words_for(name, cone_branch_labels); }
 
 }  // namespace linkwright

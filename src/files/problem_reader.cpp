@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -84,7 +85,7 @@ void read_requirements(const JsonValue& value, Mistakes& mistakes, Requirements&
       value, mistakes,
       {"types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length",
        "ground_pivots_within", "moving_pivots_within", "min_link_angle_deg", "max_link_angle_deg", "fixed_axes_within",
-       "moving_axes_within", "min_stroke", "max_deviation", "respect_direction"});
+       "moving_axes_within", "min_stroke", "max_deviation", "max_tolerance_error", "min_yield", "respect_direction"});
   read_types(object, requirements.types);
   read_flag(object, "no_defects", requirements.no_defects);
   read_limit(object, "min_transmission_angle_deg", 0,
@@ -104,6 +105,9 @@ void read_requirements(const JsonValue& value, Mistakes& mistakes, Requirements&
   read_limit(object, "min_stroke", 0, [&](double limit) { requirements.min_stroke = limit; });
   read_limit(object, "max_deviation", Requirements::unlimited,
              [&](double limit) { requirements.max_deviation = limit; });
+  read_limit(object, "max_tolerance_error", Requirements::unlimited,
+             [&](double limit) { requirements.max_tolerance_error = limit; });
+  read_limit(object, "min_yield", 0, [&](double limit) { requirements.min_yield = limit; });
   read_flag(object, "respect_direction", requirements.respect_direction);
   if (mistakes.size() == before) mistakes.add(mistakes_in(requirements));
 }
@@ -126,7 +130,7 @@ void refuse_foreign_requirements(const JsonValue& value, const Requirements& req
 
 /// One of the enumerators by its name.
 template <class Enumerator>
-void read_name(const JsonObject& object, std::string_view key, std::initializer_list<Enumerator> choices,
+void read_name(const JsonObject& object, std::string_view key, std::span<const Enumerator> choices,
                Enumerator& target) {
   const auto found = object.find(key);
   if (!found) return;
@@ -136,6 +140,12 @@ void read_name(const JsonObject& object, std::string_view key, std::initializer_
   for (const Enumerator choice : choices) {
     if (written && *written == name(choice)) target = choice;
   }
+}
+
+template <class Enumerator>
+void read_name(const JsonObject& object, std::string_view key, std::initializer_list<Enumerator> choices,
+               Enumerator& target) {
+  read_name(object, key, std::span<const Enumerator>(choices.begin(), choices.size()), target);
 }
 
 /// Null and what is not there: nothing.
@@ -157,17 +167,42 @@ std::optional<MapWindow> read_window(const JsonValue& value) {
   return MapWindow{{intervals[0].real(), intervals[0].imag()}, {intervals[1].real(), intervals[1].imag()}};
 }
 
+constexpr std::array all_objectives = {Objective::min_transmission_angle,
+                                       Objective::link_ratio,
+                                       Objective::size,
+                                       Objective::structural_error,
+                                       Objective::link_angle,
+                                       Objective::stroke,
+                                       Objective::deviation,
+                                       Objective::velocity_uniformity,
+                                       Objective::tolerance_error,
+                                       Objective::yield};
+
+void read_pareto(const JsonValue& value, std::optional<std::array<Objective, 2>>& pareto) {
+  if (value.is_null()) return;
+  std::vector<std::string_view> names;
+  for (const Objective objective : all_objectives) names.push_back(name(objective));
+  std::vector<Objective> read;
+  const bool is_list = value.for_each({"two_objectives", "two objectives"}, [&](const JsonValue& item) {
+    const auto written = item.as_one_of(names);
+    for (const Objective objective : all_objectives)
+      if (written && *written == name(objective)) read.push_back(objective);
+  });
+  if (is_list && value.json().size() != 2)
+    value.mistake("pareto_two", "a front is of two objectives: [\"min_transmission_angle\", \"tolerance_error\"]");
+  else if (read.size() == 2)
+    pareto = {read[0], read[1]};
+}
+
 void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& options) {
   const std::size_t before = mistakes.size();
   const JsonObject object(value, mistakes,
                           {"region_samples", "spacing", "objective", "best", "window", "at", "box", "seed", "effort",
-                           "deviation", "stroke", "measure"});
+                           "deviation", "stroke", "measure", "pareto"});
   read_whole_number(object, "region_samples", options.region_samples);
   read_name(object, "spacing", {Spacing::coordinate, Spacing::arc_length}, options.spacing);
-  read_name(object, "objective",
-            {Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error,
-             Objective::link_angle, Objective::stroke, Objective::deviation, Objective::velocity_uniformity},
-            options.objective);
+  read_name(object, "objective", std::span<const Objective>(all_objectives), options.objective);
+  if (const auto pareto = object.find("pareto")) read_pareto(*pareto, options.pareto);
   read_length(object, "deviation", options.line.deviation);
   read_length(object, "stroke", options.line.stroke);
   read_name(object, "measure", {LineMeasure::tangent, LineMeasure::strip}, options.line.measure);
@@ -180,7 +215,71 @@ void read_options(const JsonValue& value, Mistakes& mistakes, SynthesisOptions& 
   const auto at = object.find("at");
   if (at && !at->is_null())
     if (const auto place = at->as_pair({"[u, v]"})) options.at = MapPoint{place->real(), place->imag()};
-  if (mistakes.size() == before) mistakes.add(mistakes_in(options));
+  if (mistakes.size() == before) mistakes.add_new(mistakes_in(options));
+}
+
+void read_half_tolerance(const JsonObject& object, std::string_view key, double& tolerance) {
+  read_limit(object, key, 0, [&](double half) { tolerance = half; });
+}
+
+void read_lengths(const JsonValue& value, Mistakes& mistakes, LengthTolerances& lengths) {
+  if (!value.is_object()) {
+    if (const auto all = value.as_number()) lengths = LengthTolerances::all(*all);
+    return;
+  }
+  const JsonObject object(value, mistakes, {"input", "coupler", "output", "ground_pivots", "point"});
+  read_half_tolerance(object, "input", lengths.input);
+  read_half_tolerance(object, "coupler", lengths.coupler);
+  read_half_tolerance(object, "output", lengths.output);
+  read_half_tolerance(object, "ground_pivots", lengths.ground_pivots);
+  read_half_tolerance(object, "point", lengths.point);
+}
+
+void read_tolerance_limit(const JsonValue& value, Mistakes& mistakes, std::optional<ToleranceLimit>& limit) {
+  const JsonObject object(value, mistakes, {"position", "angle_deg", "deviation"});
+  int given = 0;
+  const auto read = [&](std::string_view key, ToleranceLimit::Kind kind, double unit) {
+    const auto found = object.find(key);
+    if (!found) return;
+    ++given;
+    if (const auto number = found->as_number()) limit = ToleranceLimit{kind, unit * *number};
+  };
+  read("position", ToleranceLimit::Kind::position, 1);
+  read("angle_deg", ToleranceLimit::Kind::angle, radians(1));
+  read("deviation", ToleranceLimit::Kind::deviation, 1);
+  if (value.is_object() && given != 1)
+    value.mistake("one_limit", "a limit is exactly one of \"position\", \"angle_deg\" and \"deviation\"");
+}
+
+void read_seed(const JsonObject& object, std::uint64_t& seed) {
+  int number = -1;
+  read_whole_number(object, "seed", number);
+  if (object.find("seed")) seed = static_cast<std::uint64_t>(number);  // a negative one is too large
+}
+
+void read_tolerances(const JsonValue& value, Mistakes& mistakes, std::optional<Tolerances>& tolerances) {
+  if (value.is_null()) return;
+  const std::size_t before = mistakes.size();
+  const JsonObject object(value, mistakes,
+                          {"length", "clearance", "driver_deg", "link_angle_deg", "distribution", "turning_length",
+                           "limit", "cost", "samples", "seed"});
+  Tolerances& read = tolerances.emplace();
+  if (const auto length = object.find("length"); length && !length->is_null())
+    read_lengths(*length, mistakes, read.length);
+  read_half_tolerance(object, "clearance", read.clearance);
+  read_limit(object, "driver_deg", 0, [&](double half) { read.driver = radians(half); });
+  read_limit(object, "link_angle_deg", 0, [&](double half) { read.link_angle = radians(half); });
+  read_name(object, "distribution",
+            {ToleranceDistribution::normal, ToleranceDistribution::truncated_normal, ToleranceDistribution::uniform},
+            read.distribution);
+  read_length(object, "turning_length", read.turning_length);
+  if (const auto limit = object.find("limit"); limit && !limit->is_null())
+    read_tolerance_limit(*limit, mistakes, read.limit);
+  if (const auto cost = object.find("cost"); cost && !cost->is_null())
+    read.cost_exponent = JsonObject(*cost, mistakes, {"exponent"}).require_number("exponent");
+  read_whole_number(object, "samples", read.samples);
+  read_seed(object, read.seed);
+  if (mistakes.size() == before) mistakes.add(mistakes_in(read));
 }
 
 void read_view(const JsonValue& value, std::string& view) {
@@ -197,6 +296,8 @@ void read_problem_members(const JsonObject& file, Mistakes& mistakes, Problem& p
   if (const auto requirements = file.find("requirements")) {
     read_requirements(*requirements, mistakes, problem.requirements);
   }
+  if (const auto tolerances = file.find("tolerances"))
+    read_tolerances(*tolerances, mistakes, problem.options.tolerances);
   if (const auto options = file.find("options")) read_options(*options, mistakes, problem.options);
   if (const auto task = file.require("task", {"task", "the task: \"task\": {\"kind\": \"motion\", …}"}))
     problem.task = read_task(*task, problem.options.box, mistakes);
@@ -204,7 +305,7 @@ void read_problem_members(const JsonObject& file, Mistakes& mistakes, Problem& p
   if (!options || !options->is_object() || !options->json().contains("objective"))
     problem.options.objective = linkages(problem.task).objectives.front();
   if (mistakes.empty()) {
-    mistakes.add(mistakes_in(problem.task, problem.options));
+    mistakes.add(mistakes_in(problem.task, problem.requirements, problem.options));
     if (const auto requirements = file.find("requirements"))
       refuse_foreign_requirements(*requirements, problem.requirements, linkages(problem.task), mistakes);
   }
@@ -221,8 +322,8 @@ Result<Problem> read_problem(std::string_view text) {
   const JsonValue root(*tree, "", mistakes);
   if (const auto refusal = refuse_version(root)) return *refusal;
   Problem problem;
-  const JsonObject file(root, mistakes,
-                        {"linkwright", "title", "length_unit", "task", "requirements", "options", "view"});
+  const JsonObject file(
+      root, mistakes, {"linkwright", "title", "length_unit", "task", "requirements", "tolerances", "options", "view"});
   if (root.is_object()) {
     check_version(file);
     read_problem_members(file, mistakes, problem);

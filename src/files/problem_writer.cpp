@@ -1,8 +1,11 @@
 #include "problem_writer.hpp"
 
+#include <cmath>
+
 #include "files/attitude/space_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "tolerance_writer.hpp"
 
 namespace linkwright {
 namespace {
@@ -63,6 +66,11 @@ void write_requirement(JsonWriter& json, const Requirements& wanted, Requirement
       return json.member(key(kind), wanted.min_stroke);
     case RequirementKind::max_deviation:
       return json.member(key(kind), wanted.max_deviation);  // unlimited: null
+    // Of tolerances nothing is said where there are none.
+    case RequirementKind::max_tolerance_error:
+      return std::isfinite(wanted.max_tolerance_error) ? json.member(key(kind), wanted.max_tolerance_error) : void();
+    case RequirementKind::min_yield:
+      return wanted.min_yield > 0 ? json.member(key(kind), wanted.min_yield) : void();
   }
 }
 
@@ -81,6 +89,12 @@ void write_options(JsonWriter& json, const SynthesisOptions& options, bool of_li
   json.member("region_samples", options.region_samples);
   json.member("spacing", name(options.spacing));
   json.member("objective", name(options.objective));
+  if (options.pareto) {
+    json.key("pareto");
+    json.begin_list(Layout::one_line);
+    for (const Objective objective : *options.pareto) json.value(name(objective));
+    json.end_list();
+  }
   json.member("best", options.best);
   if (of_line) write_measuring(json, options.line);
   if (options.box) write_box(json, "box", options.box);
@@ -178,6 +192,10 @@ void write_problem(JsonWriter& json, const Problem& problem) {
   write_task(json, problem.task);
   json.key("requirements");
   write_requirements(json, problem.requirements, linkages(problem.task));
+  if (problem.options.tolerances) {
+    json.key("tolerances");
+    write_tolerances(json, *problem.options.tolerances);
+  }
   json.key("options");
   write_options(json, problem.options, std::holds_alternative<StraightLineTask>(problem.task));
   if (!problem.view.empty()) {

@@ -11,6 +11,7 @@
 #include "linkwright/files/result_file.hpp"
 #include "problem_writer.hpp"
 #include "region_arrays.hpp"
+#include "task_writer.hpp"
 
 namespace linkwright {
 namespace {
@@ -108,6 +109,46 @@ void write_relaxations(JsonWriter& json, const std::vector<Relaxation>& relaxati
   json.end_list();
 }
 
+// Angles in degrees, as its objectives are read.
+double readable(const Measure& measure, double value) {
+  return measure.stored == Measure::Stored::as_versine ? degrees(angle_of_versine(value)) : value;
+}
+
+// As options.at wants it.
+template <class KindAnswer>
+void write_place(JsonWriter& json, const KindAnswer& answer, MapPoint place) {
+  if constexpr (std::is_same_v<KindAnswer, StraightLineAnswer>) {
+    const MapNumbers there = answer.lines->place_of(place);
+    if (answer.lines->layers() > 1) json.member("layer", there.layer);
+    place = {there.at[0], there.at[1]};
+  }
+  json.key("at");
+  write_interval(json, place.input, place.output);
+}
+
+template <class KindAnswer>
+void write_front(JsonWriter& json, const KindAnswer& found) {
+  json.key("pareto");
+  json.begin_object();
+  json.key("objectives");
+  json.begin_list(Layout::one_line);
+  for (const Objective objective : *found.options.pareto) json.value(name(objective));
+  json.end_list();
+  json.key("front");
+  json.begin_list();
+  for (const ParetoCell& cell : found.pareto) {
+    json.begin_object(Layout::one_line);
+    write_place(json, found,
+                {found.region.input_coordinates()[cell.row], found.region.output_coordinates()[cell.column]});
+    json.key("values");
+    write_interval(json, readable(measure_of((*found.options.pareto)[0]), cell.values[0]),
+                   readable(measure_of((*found.options.pareto)[1]), cell.values[1]));
+    json.end_object();
+  }
+  json.end_list();
+  json.end_object();
+}
+
 Problem as_solved(const Problem& problem, const Findings& found) {
   Problem used = problem;
   used.requirements = found.requirements;
@@ -127,6 +168,7 @@ void write_answer(JsonWriter& json, const Problem& problem, const KindAnswer& an
   write_dyads(json, answer);
   json.key("region");
   is_mapped(answer) ? write_region(json, problem, answer, with_region) : json.null();
+  if (answer.options.pareto) write_front(json, answer);
   write_linkages(json, answer);
   json.key("relax");
   write_relaxations(json, answer.relax);

@@ -41,8 +41,9 @@ std::optional<Candidate> CellEvaluator::evaluated(MapPoint place, const DyadPair
   if (family_.frame().scale * lengths.shortest() < wanted.min_length.value_or(0)) return std::nullopt;
   if (!inside(wanted.ground_pivots_within, bars.input_center, bars.output_center)) return std::nullopt;
   if (!inside(wanted.moving_pivots_within, bars.input_circle, bars.output_circle)) return std::nullopt;
-  const double score = score_of(objective_, {versine_of_angle(report.min_transmission_angle), ratio, longest});
-  return Candidate{place, links, bars, report, score, false};
+  const double own = score_of(objective_, {versine_of_angle(report.min_transmission_angle), ratio, longest});
+  const auto score = added_.score(place, wanted, objective_, own);
+  return score ? std::optional(Candidate{place, links, bars, report, *score, false}) : std::nullopt;
 }
 
 bool CellEvaluator::inside(const std::optional<Box>& box, Point p, Point q) const {

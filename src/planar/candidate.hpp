@@ -4,6 +4,7 @@
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
+#include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/requirements.hpp"
 #include "region/climb.hpp"
@@ -29,8 +30,12 @@ class CellEvaluator {
 
   /// `requirements` with both lengths set. Places outside `window` are refused; nothing: none.
   CellEvaluator(const FourBarFamily& family, const Requirements& requirements, Objective objective,
-                std::optional<MapWindow> window = {})
-      : family_(family), requirements_(requirements), objective_(objective), window_(window) {}
+                std::optional<MapWindow> window = {}, AddedMeasures added = {})
+      : family_(family),
+        requirements_(requirements),
+        objective_(objective),
+        window_(window),
+        added_(std::move(added)) {}
 
   [[nodiscard]] const FourBarFamily& family() const { return family_; }
 
@@ -54,6 +59,7 @@ class CellEvaluator {
   Requirements requirements_;
   Objective objective_;
   std::optional<MapWindow> window_;
+  AddedMeasures added_;
 };
 
 }  // namespace linkwright

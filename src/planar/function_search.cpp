@@ -18,8 +18,8 @@ FourBar to_user(const WorkingFrame& frame, const FourBar& bars) {
 class PlanarGenerators : public GeneratorSource {
  public:
   PlanarGenerators(const FunctionFamily& family, const Requirements& requirements,
-                   const std::optional<MapWindow>& window)
-      : family_(family), evaluator_(family, requirements, Objective::min_transmission_angle, window) {}
+                   const std::optional<MapWindow>& window, const AddedMeasures& added)
+      : family_(family), evaluator_(family, requirements, Objective::min_transmission_angle, window, added) {}
 
   [[nodiscard]] const LinkageFamily& family() const override { return family_; }
 
@@ -53,12 +53,12 @@ class PlanarGenerators : public GeneratorSource {
 std::vector<RankedGenerator> best_generators(const FunctionFamily& family, const Requirements& requirements,
                                              const GeneratorSearchOptions& options, const Progress& progress) {
   if (!family.has_function()) return {};
-  return best_generators(PlanarGenerators(family, requirements, options.window), options, progress);
+  return best_generators(PlanarGenerators(family, requirements, options.window, options.added), options, progress);
 }
 
 std::optional<MapPoint> improved_generator(const FunctionFamily& family, const Requirements& requirements,
-                                           MapPoint start) {
-  return improved_generator(PlanarGenerators(family, requirements, {}), start);
+                                           MapPoint start, const AddedMeasures& added) {
+  return improved_generator(PlanarGenerators(family, requirements, {}, added), start);
 }
 
 }  // namespace linkwright

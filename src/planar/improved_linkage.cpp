@@ -5,8 +5,8 @@
 namespace linkwright {
 
 std::optional<MapPoint> improved_linkage(const FourBarFamily& family, const Requirements& requirements,
-                                         Objective objective, MapPoint start) {
-  return improved_place(CellEvaluator(family, requirements, objective), start);
+                                         Objective objective, MapPoint start, const AddedMeasures& added) {
+  return improved_place(CellEvaluator(family, requirements, objective, {}, added), start);
 }
 
 }  // namespace linkwright

@@ -186,7 +186,7 @@ class DroppedPositionSearch {
   bool respect_direction_;
   const Progress& progress_;
   RegionMap map_;
-  std::vector<std::uint8_t> failures_;
+  std::vector<FailureBits> failures_;
   std::vector<float> errors_;
 };
 
@@ -213,7 +213,7 @@ RelaxedTask relaxed_task(const MotionTask& task, std::size_t pose) {
   return result;
 }
 
-void pose_errors(const FourBarFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
+void pose_errors(const FourBarFamily& family, const RegionMap& map, std::span<const FailureBits> failures,
                  const RelaxedPose& relaxed, std::span<float> values, int threads, const Progress& progress) {
   require(values.size() == failures.size(), "there is a place for each cell");
   const auto links_at = family.dyad_pairs_of_cells(map.input_coordinates(), map.output_coordinates());

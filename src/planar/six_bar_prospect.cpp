@@ -36,7 +36,8 @@ std::vector<SixBarProspect> distinct(const std::vector<SixBarProspect>& sorted, 
 }
 
 std::vector<SixBarSolution> driven_exactly(const std::vector<SixBarProspect>& prospects, const SixBarTask& task,
-                                           const SixBarRow& row, const Requirements& wanted, Objective objective) {
+                                           const SixBarRow& row, const Requirements& wanted,
+                                           const SixBarChoice& choice) {
   std::vector<SixBarSolution> solutions;
   for (const SixBarProspect& prospect : prospects) {
     SixBarSolution exact = solution_of(task.poses, prospect.chain, row, prospect.member);
@@ -44,8 +45,9 @@ std::vector<SixBarSolution> driven_exactly(const std::vector<SixBarProspect>& pr
     exact.local_optimum = prospect.local_optimum;
     solutions.push_back(std::move(exact));
   }
+  if (is_of_tolerances(choice.objective)) return solutions;
   std::sort(solutions.begin(), solutions.end(), [&](const SixBarSolution& a, const SixBarSolution& b) {
-    const double one = score_of(objective, a.rating), other = score_of(objective, b.rating);
+    const double one = score_of(choice.objective, a.rating), other = score_of(choice.objective, b.rating);
     return one != other ? one > other : a.member.coordinates < b.member.coordinates;
   });
   return solutions;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "linkwright/planar/six_bar_solution.hpp"
+#include "linkwright/planar/six_bar_synthesis.hpp"
 
 namespace linkwright {
 
@@ -35,9 +36,9 @@ struct SixBarProspect {
                                                    double least);
 
 /// Each driven in exact steps, best first again. What then fails the requirements after all – searches take larger
-/// steps – is left out.
+/// steps – is left out. By a measure added to the map they stay in order.
 [[nodiscard]] std::vector<SixBarSolution> driven_exactly(const std::vector<SixBarProspect>& prospects,
                                                          const SixBarTask& task, const SixBarRow& row,
-                                                         const Requirements& wanted, Objective objective);
+                                                         const Requirements& wanted, const SixBarChoice& choice);
 
 }  // namespace linkwright

@@ -285,7 +285,7 @@ SixBarSearchResult search_six_bars(const SixBarTask& task, const Requirements& r
   result.interrupted = progress.is_cancelled();
   const bool any = !held.empty();
   keep_best(held, static_cast<std::size_t>(std::max(choice.best, 0)), least);
-  result.linkages = driven_exactly(held, task, *row, requirements, choice.objective);
+  result.linkages = driven_exactly(held, task, *row, requirements, choice);
   if (result.interrupted)
     for (SixBarSolution& found : result.linkages) found.local_optimum = false;
   result.reason = words(result, any);

@@ -27,11 +27,12 @@ AxisStretch branch_of(const BurmesterCurve& curve, double tau, double unit) {
 /// Judges any place of a chain's map.
 class ChainEvaluator {
  public:
-  ChainEvaluator(const ChainFamily& family, const Requirements& wanted, Objective objective)
+  ChainEvaluator(const ChainFamily& family, const Requirements& wanted, Objective objective, AddedMeasures added)
       : chain_(family.chain()),
         family_(family.six_bars()),
         wanted_(wanted),
         objective_(objective),
+        added_(std::move(added)),
         depends_on_driving_(wanted.no_defects || wanted.min_transmission_angle > 0 ||
                             objective == Objective::min_transmission_angle) {}
 
@@ -78,13 +79,16 @@ class ChainEvaluator {
     const SixBarRating rating =
         depends_on_driving_ ? rating_of(*member, false) : SixBarRating{shape_of(member->six_bar), {}};
     if (!meets(wanted_, member->six_bar, rating)) return std::nullopt;
-    return Placed{{chain_, {place[0], tau}, score_of(objective_, rating), *member, false}, place};
+    const auto score = added_.score({place[0], place[1]}, wanted_, objective_, score_of(objective_, rating));
+    if (!score) return std::nullopt;
+    return Placed{{chain_, {place[0], tau}, *score, *member, false}, place};
   }
 
   ThreeLinkChain chain_;
   const SixBarFamily& family_;
   Requirements wanted_;
   Objective objective_;
+  AddedMeasures added_;
   bool depends_on_driving_;
 };
 
@@ -95,7 +99,7 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ChainFam
                                           const Progress& progress) {
   const auto row = six_bar_row(task.added);
   if (!row || choice.best <= 0 || map.rows() == 0 || map.columns() == 0) return {};
-  const ChainEvaluator evaluator(family, requirements, choice.objective);
+  const ChainEvaluator evaluator(family, requirements, choice.objective, choice.added);
   const std::array<double, 2> step = {
       family.axis(Side::input).coordinate_length() / static_cast<double>(map.rows()),
       family.axis(Side::output).coordinate_length() / static_cast<double>(map.columns())};
@@ -115,13 +119,13 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ChainFam
   });
   std::sort(tops.begin(), tops.end(), is_better);
   return driven_exactly(distinct(tops, wanted, different_links * family.chain().size()), task, *row, requirements,
-                        choice.objective);
+                        choice);
 }
 
 std::optional<MapPoint> improved_six_bar(const ChainFamily& family, const Requirements& requirements,
-                                         Objective objective, MapPoint start) {
+                                         Objective objective, MapPoint start, const AddedMeasures& added) {
   constexpr double first_step = 1.0 / 60;  // of an axis: a cell of the usual map
-  const ChainEvaluator evaluator(family, requirements, objective);
+  const ChainEvaluator evaluator(family, requirements, objective, added);
   const auto foot = evaluator.at({start.input, start.output});
   if (!foot) return std::nullopt;
   const auto top = evaluator.climbed(*foot,

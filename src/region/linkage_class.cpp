@@ -40,6 +40,10 @@ bool is_asked(const Requirements& wanted, RequirementKind kind) {
       return wanted.min_stroke > 0;
     case RequirementKind::max_deviation:
       return wanted.max_deviation < Requirements::unlimited;
+    case RequirementKind::max_tolerance_error:
+      return wanted.max_tolerance_error < Requirements::unlimited;
+    case RequirementKind::min_yield:
+      return wanted.min_yield > 0;
     default:
       return false;  // every class has them
   }

@@ -5,9 +5,9 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, 8> objective_names = {
-    "min_transmission_angle", "link_ratio", "size", "structural_error", "link_angle", "stroke", "deviation",
-    "velocity_uniformity"};
+constexpr std::array<std::string_view, 10> objective_names = {
+    "min_transmission_angle", "link_ratio",      "size", "structural_error", "link_angle", "stroke", "deviation",
+    "velocity_uniformity",    "tolerance_error", "yield"};
 
 }  // namespace
 
@@ -27,6 +27,10 @@ const Measure& measure_of(Objective objective) {
       return measures::deviation;
     case Objective::velocity_uniformity:
       return measures::velocity_nonuniformity;
+    case Objective::tolerance_error:
+      return measures::tolerance_error;
+    case Objective::yield:
+      return measures::yield;
     default:
       return measures::min_transmission_angle;
   }

@@ -13,7 +13,7 @@ namespace linkwright {
 
 void RegionMap::lay(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
                     bool of_pairs, const RegionOptions& options) {
-  require(measures.size() <= MapCell::max_measures, "a map has twelve measures at most");
+  require(measures.size() <= MapCell::max_measures, "a map has max_measures at most");
   const std::size_t cells = input.size() * output.size();
   rows_ = columns_ = 0;
   type_.resize(cells);
@@ -55,6 +55,23 @@ void RegionMap::evaluate_cells(std::span<const double> input, std::span<const do
       for (std::size_t column = 0; column < columns_ && !progress.is_cancelled(); ++column)
         put(row, column, cell_at(row, column));
     }
+  });
+}
+
+void RegionMap::add(const CellMeasure& measure, const Progress& progress) {
+  const auto held = std::find(measures_.begin(), measures_.end(), measure.measure());
+  const auto place = static_cast<std::size_t>(held - measures_.begin());
+  if (held == measures_.end()) {
+    require(measures_.size() < MapCell::max_measures, "a map has max_measures at most");
+    values_.emplace_back().resize(rows_ * columns_);
+    measures_.push_back(measure.measure());
+  }
+  float* const values = values_[place].data();
+  std::fill_n(values, rows_ * columns_, 0.0F);
+  const CellMeasure::Rows fill = measure.rows_of(*this);
+  parallel_for(rows_, threads_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end && !progress.is_cancelled(); ++row)
+      fill(row, {values + index(row, 0), columns_});
   });
 }
 

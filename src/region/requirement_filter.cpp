@@ -14,8 +14,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::uint8_t all_failures = 0xFF;
-static_assert(max_requirements == 8, "a requirement is a bit of a byte");
+static_assert(max_requirements <= 8 * sizeof(FailureBits), "a requirement is a bit");
 
 // A value with two digits at most, on the given side of `exact`: a quotient, since no fraction of ten is exact.
 double rounded(double exact, bool upwards) {
@@ -45,7 +44,7 @@ double RequirementFilter::Bound::value(std::size_t cell) const {
 RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements,
                                      const std::function<MapPivots()>& pivots, const LinkageClass& linkages)
     : map_(&map), requirements_(requirements), kinds_(linkages.requirements) {
-  require(kinds_.size() <= max_requirements, "a class has eight requirements at most");
+  require(kinds_.size() <= max_requirements, "a class has no more requirements than there are bits");
   require(requirements.max_length || place_among(kinds_, RequirementKind::max_length) == kinds_.size(),
           "max_length is set");
   const Requirements& wanted = requirements_;
@@ -58,6 +57,8 @@ RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& r
   add_bound(RequirementKind::max_link_angle, measures::max_link_angle, wanted.max_link_angle.value_or(pi));
   add_bound(RequirementKind::min_stroke, measures::usable_length, wanted.min_stroke);
   add_bound(RequirementKind::max_deviation, measures::deviation, wanted.max_deviation);
+  add_bound(RequirementKind::max_tolerance_error, measures::tolerance_error, wanted.max_tolerance_error);
+  add_bound(RequirementKind::min_yield, measures::yield, wanted.min_yield);
   if (!pivots) return;
   add_places();
   if (places_.empty()) return;
@@ -70,7 +71,8 @@ void RequirementFilter::add_bound(RequirementKind kind, const Measure& measure, 
   const std::span<const float> values = map_->values(measure);
   if (place_among(kinds_, kind) == kinds_.size() || values.empty()) return;
   const bool is_least = kind == RequirementKind::min_transmission_angle || kind == RequirementKind::min_length ||
-                        kind == RequirementKind::min_link_angle || kind == RequirementKind::min_stroke;
+                        kind == RequirementKind::min_link_angle || kind == RequirementKind::min_stroke ||
+                        kind == RequirementKind::min_yield;
   const double stored = measure.stored == Measure::Stored::as_versine ? versine_of_angle(limit) : limit;
   bounds_.push_back({kind, bit(kind), measure, values, per ? map_->values(*per) : std::span<const float>{},
                      static_cast<float>(stored), is_least});
@@ -94,14 +96,14 @@ void RequirementFilter::add_places() {
   moving(RequirementKind::moving_axes_within, wanted.moving_axes_within);
 }
 
-std::uint8_t RequirementFilter::bit(RequirementKind kind) const {
-  return static_cast<std::uint8_t>(1u << place_among(kinds_, kind));
+FailureBits RequirementFilter::bit(RequirementKind kind) const {
+  return static_cast<FailureBits>(1u << place_among(kinds_, kind));
 }
 
 // What a cell fails by its type and its defects.
-std::vector<std::uint8_t> RequirementFilter::verdict_failures() const {
+std::vector<FailureBits> RequirementFilter::verdict_failures() const {
   const Requirements& wanted = requirements_;
-  std::vector<std::uint8_t> failures(8 * linkage_type_count);
+  std::vector<FailureBits> failures(8 * linkage_type_count);
   for (std::size_t type = 0; type < linkage_type_count; ++type)
     for (std::size_t defects = 0; defects < 8; ++defects) {
       const auto named = std::find(wanted.types.begin(), wanted.types.end(), static_cast<LinkageType>(type));
@@ -111,18 +113,18 @@ std::vector<std::uint8_t> RequirementFilter::verdict_failures() const {
       // A class that has no such requirement lets no defect pass.
       if (defects != 0 && place_among(kinds_, RequirementKind::no_defects) == kinds_.size()) failed = all_failures;
       if (type == static_cast<std::size_t>(LinkageType::degenerate)) failed = all_failures;
-      failures[type * 8 + defects] = static_cast<std::uint8_t>(failed);
+      failures[type * 8 + defects] = static_cast<FailureBits>(failed);
     }
   return failures;
 }
 
-std::uint8_t RequirementFilter::place_failures(const GroundedLinkPivots& link) const {
+FailureBits RequirementFilter::place_failures(const GroundedLinkPivots& link) const {
   unsigned failed = 0;
   for (const Place& place : places_) {
     const std::optional<Vector3>& hinge = link.*place.of_link;
     if (!hinge || !contains(place.within, *hinge)) failed |= place.bit;
   }
-  return static_cast<std::uint8_t>(failed);
+  return static_cast<FailureBits>(failed);
 }
 
 RequirementFilter filter_of(const LinkageFamily& family, const RegionMap& map, const Requirements& requirements) {
@@ -176,31 +178,31 @@ std::optional<JointRelaxation> RequirementCensus::joint_relaxation() const {
   return joint;
 }
 
-std::uint8_t RequirementFilter::failures(std::size_t row, std::size_t column) const {
+FailureBits RequirementFilter::failures(std::size_t row, std::size_t column) const {
   const std::size_t cell = map_->index(row, column);
   unsigned failed = verdict_failures_[static_cast<std::size_t>(map_->types()[cell] * 8 + map_->defects()[cell])];
   failed |= place_failures_at(row, column);
   for (const Bound& bound : bounds_) failed |= bound.excludes(cell) ? bound.bit : 0u;
-  return static_cast<std::uint8_t>(failed);
+  return static_cast<FailureBits>(failed);
 }
 
 // Bound by bound, so that a row of cells is compared at once.
-void RequirementFilter::failures_of_row(std::size_t row, std::uint8_t* failures) const {
+void RequirementFilter::failures_of_row(std::size_t row, FailureBits* failures) const {
   const std::size_t first = map_->index(row, 0), count = map_->columns();
   for (std::size_t k = 0; k < count; ++k)
     failures[k] =
         verdict_failures_[static_cast<std::size_t>(map_->types()[first + k] * 8 + map_->defects()[first + k])];
   for (const Bound& bound : bounds_)
-    for (std::size_t k = 0; k < count; ++k) failures[k] |= bound.excludes(first + k) ? bound.bit : std::uint8_t{0};
+    for (std::size_t k = 0; k < count; ++k) failures[k] |= bound.excludes(first + k) ? bound.bit : FailureBits{0};
   for (std::size_t k = 0; k < count && !places_.empty(); ++k)
-    failures[k] |= static_cast<std::uint8_t>(place_failures_at(row, k));
+    failures[k] |= static_cast<FailureBits>(place_failures_at(row, k));
 }
 
-void RequirementFilter::failures_of_all(std::span<std::uint8_t> failures, const Progress& progress) const {
+void RequirementFilter::failures_of_all(std::span<FailureBits> failures, const Progress& progress) const {
   require(failures.size() == map_->rows() * map_->columns(), "there is a place for each cell");
   parallel_for(map_->rows(), map_->threads(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
-      std::uint8_t* const of_row = failures.data() + map_->index(row, 0);
+      FailureBits* const of_row = failures.data() + map_->index(row, 0);
       if (progress.is_cancelled())
         std::fill_n(of_row, map_->columns(), all_failures);
       else
@@ -214,7 +216,7 @@ namespace {
 /// Counts of cells, four times over, since neighbours are mostly alike and would wait for each other.
 class CensusCounter {
  public:
-  void count(std::span<const std::uint8_t> failures, std::span<const std::uint8_t> types) {
+  void count(std::span<const FailureBits> failures, std::span<const std::uint8_t> types) {
     for (std::size_t cell = 0; cell < failures.size(); ++cell) {
       auto& [failing, met] = turns_[cell % turns_.size()];
       const bool degenerate = types[cell] == static_cast<std::uint8_t>(LinkageType::degenerate);
@@ -245,7 +247,7 @@ RequirementCensus RequirementFilter::census(const Progress& progress) const {
   std::mutex adding;
   parallel_for(map_->rows(), map_->threads(), [&](std::size_t begin, std::size_t end) {
     CensusCounter part;
-    std::vector<std::uint8_t> failures(map_->columns());
+    std::vector<FailureBits> failures(map_->columns());
     for (std::size_t row = begin; row < end && !progress.is_cancelled(); ++row) {
       failures_of_row(row, failures.data());
       part.count(failures, map_->types().subspan(map_->index(row, 0), map_->columns()));
@@ -256,7 +258,7 @@ RequirementCensus RequirementFilter::census(const Progress& progress) const {
   return total;
 }
 
-RequirementCensus RequirementFilter::census(std::span<const std::uint8_t> failures) const {
+RequirementCensus RequirementFilter::census(std::span<const FailureBits> failures) const {
   CensusCounter counter;
   counter.count(failures, map_->types());
   RequirementCensus total{kinds_};
@@ -267,7 +269,7 @@ RequirementCensus RequirementFilter::census(std::span<const std::uint8_t> failur
 std::array<RequirementFilter::Cells, max_requirements> RequirementFilter::cells_failing_one(
     const Progress& progress) const {
   std::array<Cells, max_requirements> cells;
-  std::vector<std::uint8_t> failures(map_->rows() * map_->columns());
+  std::vector<FailureBits> failures(map_->rows() * map_->columns());
   failures_of_all(failures, progress);
   for (std::size_t cell = 0; cell < failures.size(); ++cell)
     if (std::has_single_bit(failures[cell]))

@@ -16,7 +16,9 @@ constexpr std::array<std::string_view, requirement_kind_count> requirement_keys 
                                                                                    "fixed_axes_within",
                                                                                    "moving_axes_within",
                                                                                    "min_stroke",
-                                                                                   "max_deviation"};
+                                                                                   "max_deviation",
+                                                                                   "max_tolerance_error",
+                                                                                   "min_yield"};
 
 }  // namespace
 

@@ -91,6 +91,12 @@ std::vector<Error> mistakes_in(const Requirements& wanted) {
   if (!(wanted.max_deviation > 0))
     mistake("max_deviation_range", "requirements.max_deviation",
             "the largest deviation must be a positive length; null lets any pass");
+  if (!(wanted.max_tolerance_error > 0))
+    mistake("max_tolerance_error_range", "requirements.max_tolerance_error",
+            "the largest error by tolerances must be above 0; null lets any pass");
+  if (!(wanted.min_yield >= 0 && wanted.min_yield <= 1))
+    mistake("min_yield_range", "requirements.min_yield",
+            "a yield is a share between 0 and 1: 0.99 asks for 99 good linkages of 100; null lets any pass");
   return found;
 }
 

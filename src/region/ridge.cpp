@@ -15,7 +15,7 @@ void tell_values(Ridge& ridge, float sign) {
 
 }  // namespace
 
-Ridges ridges(std::span<const float> values, std::span<const std::uint8_t> failures, std::size_t columns,
+Ridges ridges(std::span<const float> values, std::span<const FailureBits> failures, std::size_t columns,
               bool larger_is_better) {
   const std::size_t rows = columns == 0 ? 0 : values.size() / columns;
   const float sign = larger_is_better ? 1.0F : -1.0F;

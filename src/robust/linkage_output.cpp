@@ -9,8 +9,8 @@ std::vector<MadeDimension> dimensions_of(const PlanarOutput& /*output*/, const T
   std::vector<MadeDimension> made;
   for (std::size_t i = 0; i < half.size(); ++i) {
     const auto parameter = static_cast<PlanarParameter>(i);
-    made.push_back(
-        {std::string(name(parameter)), half[i], i < moving_links ? 2 : 0, parameter == PlanarParameter::driver});
+    made.push_back({std::string(name(parameter)), half[i], i < moving_links ? 2 : 0,
+                    parameter == PlanarParameter::driver, parameter == PlanarParameter::driver});
   }
   return made;
 }
@@ -20,7 +20,7 @@ std::vector<MadeDimension> dimensions_of(const SphericalOutput& /*output*/, cons
   std::vector<MadeDimension> made;
   for (std::size_t i = 0; i < half.size(); ++i) {
     const auto parameter = static_cast<SphericalParameter>(i);
-    made.push_back({std::string(name(parameter)), half[i], 0, parameter == SphericalParameter::driver});
+    made.push_back({std::string(name(parameter)), half[i], 0, parameter == SphericalParameter::driver, true});
   }
   return made;
 }
@@ -38,6 +38,11 @@ std::size_t positions_of(const LinkageOutput& output) {
 bool is_line(const LinkageOutput& output) {
   const auto* const planar = std::get_if<PlanarOutput>(&output);
   return planar != nullptr && planar->kind == PlanarOutput::Kind::line;
+}
+
+bool is_angle(const LinkageOutput& output) {
+  if (const auto* const planar = std::get_if<PlanarOutput>(&output)) return planar->kind == PlanarOutput::Kind::angle;
+  return std::holds_alternative<SphericalOutput>(output);
 }
 
 double MadeDimension::variance(const Tolerances& tolerances) const {

@@ -41,7 +41,7 @@ std::optional<std::vector<ParameterTolerance>> allocated_tolerances(const Sensit
     MadeDimension rest = dimensions[i];
     if (!rest.is_driver) {
       if (rest.tolerance > 0 && all_weights[i] > 0) {
-        allocated.push_back({rest.name, 0});
+        allocated.push_back({rest.name, 0, rest.is_angle});
         weights.push_back(all_weights[i]);
       }
       rest.tolerance = 0;

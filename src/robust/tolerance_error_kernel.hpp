@@ -5,7 +5,7 @@
 namespace linkwright {
 
 /// Some planar four-bars in the positions of a body, number by number, as a kernel reads them, and their tolerance
-/// errors, as it writes them: tolerance_error() of pose_output().
+/// errors, as it writes them: tolerance_error() of pose_output(), or angle_output() in radians.
 struct ToleranceErrorBlock {
   static constexpr int size = 8;  ///< linkages
   static constexpr int most_positions = 5;
@@ -14,10 +14,12 @@ struct ToleranceErrorBlock {
   struct Variances {
     double input = 0, coupler = 0, output = 0, ground_pivots = 0, point = 0, driver = 0;
   };
+  enum Kind : unsigned char { pose, angle };
+  Kind kind = pose;
   Variances variances;
   double turning_length = 0;
   int positions = 0;
-  double point[most_positions][2] = {};  ///< the body's origin
+  double point[most_positions][2] = {};  ///< of poses, the body's origin
 
   alignas(64) double input_center[2][size], output_center[2][size];
   alignas(64) double input_circle[most_positions][2][size], output_circle[most_positions][2][size];

@@ -36,7 +36,7 @@ LINKWRIGHT_INLINE Vector<Real<Width>> load_vector(const double from[2][Tolerance
 /// The squares of the links, which do not change from position to position.
 template <class R>
 struct Squares {
-  R input, over_input, over_coupler, output;
+  R input, over_input, coupler, over_coupler, output;
 };
 
 /// Variance of x, y and turning_length · θ together. Of a parameter that opens the loop by v, the coupler turns by
@@ -58,6 +58,20 @@ LINKWRIGHT_INLINE Real<Width> variance(const ToleranceErrorBlock::Variances& of,
   return of_links * turned + of.input * input_alone + of.ground_pivots * center_alone + of.driver * driver_alone;
 }
 
+/// Variance of the output's angle: a parameter that opens the loop by v turns it by −(v · coupler) / (coupler ×
+/// output).
+template <int Width>
+LINKWRIGHT_INLINE Real<Width> angle_variance(const ToleranceErrorBlock::Variances& of, Vector<Real<Width>> input,
+                                             Vector<Real<Width>> coupler, Vector<Real<Width>> output,
+                                             const Squares<Real<Width>>& squares) {
+  using R = Real<Width>;
+  const R m = 1.0 / cross(coupler, output);
+  const R by_input = dot(input, coupler), by_output = dot(output, coupler), by_driver = cross(input, coupler);
+  return m * m *
+         (of.input * squares.over_input * by_input * by_input + (of.coupler + 2 * of.ground_pivots) * squares.coupler +
+          of.output * by_output * by_output / squares.output + of.driver * by_driver * by_driver);
+}
+
 template <int Width>
 LINKWRIGHT_INLINE void error_lanes(ToleranceErrorBlock& block, int at) {
   using R = Real<Width>;
@@ -72,11 +86,17 @@ LINKWRIGHT_INLINE void error_lanes(ToleranceErrorBlock& block, int at) {
     const Vector<R> input = input_circle - input_center, output = output_circle - output_center;
     const Vector<R> coupler = output_circle - input_circle;
     if (j == 0)
-      squares = {dot(input, input), 1.0 / dot(input, input), 1.0 / dot(coupler, coupler), dot(output, output)};
+      squares = {dot(input, input), 1.0 / dot(input, input), dot(coupler, coupler), 1.0 / dot(coupler, coupler),
+                 dot(output, output)};
+    if (block.kind == ToleranceErrorBlock::angle) {
+      sum = sum + angle_variance<Width>(block.variances, input, coupler, output, squares);
+      continue;
+    }
     const Vector<R> arm = {block.point[j][0] - input_circle.x, block.point[j][1] - input_circle.y};
     sum = sum + variance<Width>(block.variances, turning_square, input, coupler, output, arm, squares);
   }
-  const R mean = sum * (1.0 / block.positions) + 2.0 * block.variances.point;
+  const double of_point = block.kind == ToleranceErrorBlock::pose ? 2 * block.variances.point : 0;
+  const R mean = sum * (1.0 / block.positions) + of_point;
   const Mask finite = less<Width>(mean, R{} + __builtin_huge_val());
   const R error = square_root<Width>(where<Width>(finite, mean));
   store<Width>(R(select<Width>(finite, error, R{} + __builtin_huge_val())), &block.error[at]);

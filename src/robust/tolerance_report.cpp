@@ -14,9 +14,19 @@ std::vector<ParameterShare> shares_of(const SensitivityMatrix& matrix, const std
   std::vector<ParameterShare> shares;
   for (VarianceShare& share : variance_shares(matrix, variances))
     if (variances[share.parameter] > 0)
-      shares.push_back({dimensions[share.parameter].name, dimensions[share.parameter].tolerance, share.share,
-                        std::move(share.per_position)});
+      shares.push_back({dimensions[share.parameter].name, dimensions[share.parameter].tolerance,
+                        dimensions[share.parameter].is_angle, share.share, std::move(share.per_position)});
   return shares;
+}
+
+std::vector<double> variances_of(const std::vector<MadeDimension>& dimensions, const Tolerances& tolerances) {
+  std::vector<double> variances;
+  for (const MadeDimension& made : dimensions) variances.push_back(made.variance(tolerances));
+  return variances;
+}
+
+double error_of(const LinkageOutput& output, const SensitivityMatrix& matrix, const std::vector<double>& variances) {
+  return is_line(output) ? line_tolerance_error(matrix, variances) : tolerance_error(matrix, variances);
 }
 
 // Of lines as they are: where they were drawn, or laid anew.
@@ -24,13 +34,12 @@ std::optional<ToleranceReport> report_of(const LinkageOutput& output, const Tole
   const auto matrix = sensitivities(output);
   if (!matrix) return std::nullopt;
   const std::vector<MadeDimension> dimensions = made_dimensions(output, tolerances);
-  std::vector<double> variances, reaches;
-  for (const MadeDimension& made : dimensions) {
-    variances.push_back(made.variance(tolerances));
-    reaches.push_back(made.reach(tolerances));
-  }
+  const std::vector<double> variances = variances_of(dimensions, tolerances);
+  std::vector<double> reaches;
+  for (const MadeDimension& made : dimensions) reaches.push_back(made.reach(tolerances));
   ToleranceReport report;
-  report.error = is_line(output) ? line_tolerance_error(*matrix, variances) : tolerance_error(*matrix, variances);
+  report.of_angle = is_angle(output);
+  report.error = error_of(output, *matrix, variances);
   report.worst_case = worst_case(*matrix, reaches);
   report.shares = shares_of(*matrix, dimensions, variances);
   report.sampled = sample_errors(output, tolerances, threads);
@@ -41,6 +50,12 @@ std::optional<ToleranceReport> report_of(const LinkageOutput& output, const Tole
 }
 
 }  // namespace
+
+std::optional<double> first_order_error(const LinkageOutput& output, const Tolerances& tolerances) {
+  const auto matrix = sensitivities(output);
+  if (!matrix) return std::nullopt;
+  return error_of(output, *matrix, variances_of(made_dimensions(output, tolerances), tolerances));
+}
 
 std::optional<ToleranceReport> tolerance_report(const LinkageOutput& output, const Tolerances& tolerances,
                                                 int threads) {

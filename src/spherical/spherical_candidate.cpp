@@ -53,7 +53,8 @@ std::optional<SphericalCandidate> SphericalEvaluator::evaluated(MapPoint place, 
   RankedNumbers numbers;
   numbers.transmission_versine = versine_of_angle(report.min_transmission_angle);
   numbers.link_versine = versine_of_angle(least);
-  return SphericalCandidate{place, links, bars, report, score_of(objective_, numbers), false};
+  const auto score = added_.score(place, requirements_, objective_, score_of(objective_, numbers));
+  return score ? std::optional(SphericalCandidate{place, links, bars, report, *score, false}) : std::nullopt;
 }
 
 double SphericalEvaluator::change_point_margin(const SphericalCandidate& here) const {

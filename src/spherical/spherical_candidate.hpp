@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "linkwright/analysis/defects.hpp"
+#include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/requirements.hpp"
 #include "linkwright/spherical/spherical_family.hpp"
@@ -29,8 +30,12 @@ class SphericalEvaluator {
 
   /// `requirements` with defaults filled in. Places outside `window` are refused; nothing: none.
   SphericalEvaluator(const SphericalFamily& family, const Requirements& requirements, Objective objective,
-                     std::optional<MapWindow> window = {})
-      : family_(family), requirements_(requirements), objective_(objective), window_(window) {}
+                     std::optional<MapWindow> window = {}, AddedMeasures added = {})
+      : family_(family),
+        requirements_(requirements),
+        objective_(objective),
+        window_(window),
+        added_(std::move(added)) {}
 
   [[nodiscard]] const SphericalFamily& family() const { return family_; }
   [[nodiscard]] std::optional<Candidate> candidate(MapPoint place) const;
@@ -51,6 +56,7 @@ class SphericalEvaluator {
   Requirements requirements_;
   Objective objective_;
   std::optional<MapWindow> window_;
+  AddedMeasures added_;
 };
 
 }  // namespace linkwright

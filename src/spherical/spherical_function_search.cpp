@@ -11,8 +11,8 @@ namespace {
 class SphericalGenerators : public GeneratorSource {
  public:
   SphericalGenerators(const SphericalFunctionFamily& family, const Requirements& requirements,
-                      const std::optional<MapWindow>& window)
-      : family_(family), evaluator_(family, requirements, Objective::min_transmission_angle, window) {}
+                      const std::optional<MapWindow>& window, const AddedMeasures& added)
+      : family_(family), evaluator_(family, requirements, Objective::min_transmission_angle, window, added) {}
 
   [[nodiscard]] const LinkageFamily& family() const override { return family_; }
 
@@ -46,12 +46,12 @@ class SphericalGenerators : public GeneratorSource {
 std::vector<RankedGenerator> best_generators(const SphericalFunctionFamily& family, const Requirements& requirements,
                                              const GeneratorSearchOptions& options, const Progress& progress) {
   if (!family.has_function()) return {};
-  return best_generators(SphericalGenerators(family, requirements, options.window), options, progress);
+  return best_generators(SphericalGenerators(family, requirements, options.window, options.added), options, progress);
 }
 
 std::optional<MapPoint> improved_generator(const SphericalFunctionFamily& family, const Requirements& requirements,
-                                           MapPoint start) {
-  return improved_generator(SphericalGenerators(family, requirements, {}), start);
+                                           MapPoint start, const AddedMeasures& added) {
+  return improved_generator(SphericalGenerators(family, requirements, {}, added), start);
 }
 
 }  // namespace linkwright

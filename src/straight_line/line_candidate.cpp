@@ -19,7 +19,8 @@ std::optional<LineCandidate> LineEvaluator::candidate(MapPoint place) const {
     return std::nullopt;
   const auto worth = family_.measuring().measure == LineMeasure::strip ? estimated(linkage) : measured(linkage);
   if (!worth) return std::nullopt;
-  return LineCandidate{place, linkage, score_of(objective_, linkage, *worth), worth->usable, false};
+  const auto score = added_.score(place, requirements_, objective_, score_of(objective_, linkage, *worth));
+  return score ? std::optional(LineCandidate{place, linkage, *score, worth->usable, false}) : std::nullopt;
 }
 
 // Nothing where the path does not reach so far. Traced no farther than it is measured.

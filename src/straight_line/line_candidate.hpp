@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "linkwright/region/added_measures.hpp"
 #include "linkwright/straight_line/line_worth.hpp"
 #include "linkwright/straight_line/straight_line_family.hpp"
 #include "region/climb.hpp"
@@ -26,8 +27,9 @@ class LineEvaluator {
   using Candidate = LineCandidate;
 
   /// `requirements` with defaults filled in.
-  LineEvaluator(const StraightLineFamily& family, const Requirements& requirements, Objective objective)
-      : family_(family), requirements_(requirements), objective_(objective) {}
+  LineEvaluator(const StraightLineFamily& family, const Requirements& requirements, Objective objective,
+                AddedMeasures added = {})
+      : family_(family), requirements_(requirements), objective_(objective), added_(std::move(added)) {}
 
   [[nodiscard]] const StraightLineFamily& family() const { return family_; }
   [[nodiscard]] const Requirements& requirements() const { return requirements_; }
@@ -50,6 +52,7 @@ class LineEvaluator {
   const StraightLineFamily& family_;
   Requirements requirements_;
   Objective objective_;
+  AddedMeasures added_;
 };
 
 }  // namespace linkwright

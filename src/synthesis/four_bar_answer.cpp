@@ -48,7 +48,8 @@ std::vector<FourBarSolution> all_pairs(const FourBarAnswer& answer) {
 Error cancelled() { return {"cancelled", "", "stopped before the answer was complete"}; }
 
 // What is found of a family of four-bars; false where it was cancelled.
-bool find_four_bars(FourBarAnswer& answer, const Progress& progress, const TaskWords& words) {
+template <class KindAnswer>
+bool find_four_bars(KindAnswer& answer, const Progress& progress, const TaskWords& words) {
   const TaskFamily& given = answer.given;
   answer.samples = curve_samples(given, answer.options);
   if (!given.family) {
@@ -56,8 +57,8 @@ bool find_four_bars(FourBarAnswer& answer, const Progress& progress, const TaskW
     answer.reason = given.degeneracy.value_or(Notice{});
     return true;
   }
-  const RequirementFilter filter =
-      count_region(answer, *given.family, {answer.options.region_samples, answer.options.window}, progress);
+  const RequirementFilter filter = count_region(answer, answer.task, *given.family,
+                                                {answer.options.region_samples, answer.options.window}, progress);
   warn_of_map(answer);
   if (answer.meeting_requirements == 0) answer.missed_boxes = missed_boxes(*given.family, answer.requirements);
   if (!answer.options.at) {
@@ -87,7 +88,7 @@ KindAnswer begin_answer(const KindTask& task, TaskFamily given, const Requiremen
   answer.characteristic_length = given.frame().scale;
   answer.warnings = given.warnings;
   answer.requirements = with_defaults(requirements, given);
-  answer.options = options;
+  answer.options = with_turning_length(options, answer.characteristic_length);
   answer.given = std::move(given);
   return answer;
 }

@@ -39,6 +39,7 @@ template <class KindAnswer, class Family, class Make>
   search.max_count = answer.options.best;
   search.window = answer.options.window;
   search.threads = answer.options.region.threads;
+  search.added = answer.added;
   decltype(answer.linkages) found;
   for (const RankedGenerator& ranked : best_generators(family, answer.requirements, search, progress))
     if (auto made = make(ranked.place)) {

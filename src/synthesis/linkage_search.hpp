@@ -78,6 +78,17 @@ class LinkageSearch {
     return best;
   }
 
+  /// Some of a front, as the map has them, in its order.
+  [[nodiscard]] BestLinkages<Solution> along(const std::vector<ParetoCell>& front) && {
+    std::vector<Candidate> candidates;
+    for (const ParetoCell& cell : spread_over(front, static_cast<std::size_t>(options_.best)))
+      if (const auto candidate = kind_.candidate(place_of({cell.row, cell.column}))) candidates.push_back(*candidate);
+    hold(candidates);  // no two are the same design: it is left at 0 what they differ by
+    BestLinkages<Solution> found{{}, std::ssize(left_out_)};
+    for (Found& each : found_) found.linkages.push_back(std::move(each.linkage));
+    return found;
+  }
+
  private:
   // Two linkages count as different designs at this share of what designs of the task are long.
   static constexpr double different_design = 0.02, clearly_different_design = 0.15;
@@ -223,7 +234,8 @@ template <SearchedKind Kind>
                                                                   const RequirementFilter& filter,
                                                                   const Progress& progress) {
   if (findings.options.best == 0 || findings.meeting_requirements == 0) return {};
-  return LinkageSearch<Kind>(kind, findings, filter, progress).best();
+  LinkageSearch<Kind> search(kind, findings, filter, progress);
+  return findings.options.pareto ? std::move(search).along(findings.pareto) : std::move(search).best();
 }
 
 }  // namespace linkwright

@@ -6,6 +6,12 @@
 
 namespace linkwright {
 
+SynthesisOptions with_turning_length(SynthesisOptions options, double characteristic_length) {
+  if (options.tolerances && !options.tolerances->turning_length)
+    options.tolerances->turning_length = characteristic_length;
+  return options;
+}
+
 std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   std::vector<Error> found;
   if (options.region_samples < SynthesisOptions::min_samples || options.region_samples > SynthesisOptions::max_samples)
@@ -46,10 +52,98 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   };
   check_length(options.line.deviation, "options.deviation");
   check_length(options.line.stroke, "options.stroke");
+  if (options.tolerances)
+    for (Error& mistake : mistakes_in(*options.tolerances)) found.push_back(std::move(mistake));
   return found;
 }
 
-std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options) {
+namespace {
+
+bool is_spherical(const Task& task) {
+  return std::holds_alternative<SphericalMotionTask>(task) || std::holds_alternative<SphericalFunctionTask>(task);
+}
+
+// Linkages that are searched for come from many maps, which are too many to be sampled.
+bool has_map(const Task& task) {
+  if (const auto* six_bar = std::get_if<SixBarTask>(&task)) return six_bar->chain.has_value();
+  const auto* line = std::get_if<StraightLineTask>(&task);
+  return line == nullptr || !std::holds_alternative<straight_cases::Search>(line->given);
+}
+
+ToleranceLimit::Kind limit_kind(const Task& task, ToleranceLimit::Kind asked) {
+  if (std::holds_alternative<StraightLineTask>(task)) return ToleranceLimit::Kind::deviation;
+  if (is_spherical(task) || std::holds_alternative<FunctionTask>(task)) return ToleranceLimit::Kind::angle;
+  return asked == ToleranceLimit::Kind::deviation ? ToleranceLimit::Kind::position : asked;
+}
+
+std::vector<Error> mistakes_in(const Task& task, const Tolerances& tolerances) {
+  std::vector<Error> found;
+  if (is_spherical(task) && (tolerances.length != LengthTolerances{} || tolerances.clearance > 0))
+    found.push_back({"lengths_of_sphere", tolerances.clearance > 0 ? "tolerances.clearance" : "tolerances.length",
+                     "the links of a spherical linkage are arcs; give their tolerance as \"link_angle_deg\""});
+  if (!is_spherical(task) && tolerances.link_angle > 0)
+    found.push_back({"arcs_of_plane", "tolerances.link_angle_deg",
+                     "the links of a planar linkage are lengths; give their tolerance as \"length\""});
+  if (tolerances.limit && limit_kind(task, tolerances.limit->kind) != tolerances.limit->kind)
+    found.push_back({"limit_of_task", "tolerances.limit",
+                     "a limit is \"position\" or \"angle_deg\" for a body in the plane, \"angle_deg\" for a function "
+                     "and about a centre, \"deviation\" for a straight line"});
+  return found;
+}
+
+// What asks for tolerances, or for a limit of them.
+std::vector<Error> mistakes_about_tolerances(const Task& task, const Requirements& wanted,
+                                             const SynthesisOptions& options) {
+  std::vector<Error> found;
+  const auto check = [&](const char* place, bool asks_yield) {
+    if (!options.tolerances)
+      found.push_back({"no_tolerances", place, "give the \"tolerances\" with which the linkages are made"});
+    else if (asks_yield && !options.tolerances->limit)
+      found.push_back({"no_limit", place,
+                       "a yield needs \"limit\" in the tolerances: the error up to which a "
+                       "linkage is good"});
+    else if (!has_map(task))
+      found.push_back({"tolerances_of_search", place,
+                       "linkages that are searched for are not ranked by tolerances; search first, then ask this of "
+                       "the map of one of them"});
+  };
+  if (wanted.max_tolerance_error < Requirements::unlimited) check("requirements.max_tolerance_error", false);
+  if (wanted.min_yield > 0) check("requirements.min_yield", true);
+  if (options.objective == Objective::tolerance_error) check("options.objective", false);
+  if (options.objective == Objective::yield) check("options.objective", true);
+  for (const Objective objective : options.pareto.value_or(std::array<Objective, 2>{}))
+    if (is_of_tolerances(objective)) check("options.pareto", objective == Objective::yield);
+  return found;
+}
+
+std::vector<Error> mistakes_in_pareto(const Task& task, const std::array<Objective, 2>& objectives) {
+  const LinkageClass& asked = linkages(task);
+  for (const Objective objective : objectives)
+    if (std::find(asked.objectives.begin(), asked.objectives.end(), objective) == asked.objectives.end()) {
+      Error foreign = foreign_objective(objective, asked);
+      foreign.place = "options.pareto";
+      return {foreign};
+    }
+  if (objectives[0] == objectives[1])
+    return {{"pareto_alike", "options.pareto", "two different objectives belong here"}};
+  if (std::find(objectives.begin(), objectives.end(), Objective::structural_error) != objectives.end())
+    return {{"pareto_of_map", "options.pareto",
+             "a structural error is no property of the map; choose two objectives that are"}};
+  if (std::holds_alternative<SixBarTask>(task) || !has_map(task))
+    return {{"pareto_of_search", "options.pareto",
+             "of six-bars and of linkages that are searched for there is no front of two objectives; drop it"}};
+  return {};
+}
+
+}  // namespace
+
+std::vector<Error> mistakes_in(const Task& task, const Requirements& requirements, const SynthesisOptions& options) {
+  std::vector<Error> of_tolerances = mistakes_about_tolerances(task, requirements, options);
+  if (options.tolerances)
+    for (Error& mistake : mistakes_in(task, *options.tolerances)) of_tolerances.push_back(std::move(mistake));
+  if (!of_tolerances.empty()) return of_tolerances;
+  if (options.pareto)
+    if (auto of_pareto = mistakes_in_pareto(task, *options.pareto); !of_pareto.empty()) return of_pareto;
   const LinkageClass& asked = linkages(task);
   if (std::find(asked.objectives.begin(), asked.objectives.end(), options.objective) == asked.objectives.end())
     return {foreign_objective(options.objective, asked)};

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "linkwright/region/requirement_filter.hpp"
+#include "region_count.hpp"
 
 namespace linkwright {
 namespace {
@@ -49,6 +50,7 @@ std::optional<std::vector<RequirementKind>> failures_at(const LinkageFamily& fam
   RegionMap cell;
   family.classify(cell, std::array{place.input}, std::array{place.output}, found.requirements.respect_direction,
                   found.options.region);
+  measure_added(cell, family, found);
   if (cell.type(0) == LinkageType::degenerate) return std::nullopt;
   const RequirementFilter filter = filter_of(family, cell, found.requirements);
   const unsigned bits = filter.failures(0, 0);

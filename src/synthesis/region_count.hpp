@@ -13,9 +13,13 @@ struct MapExtent {
   std::optional<MapWindow> window;  ///< nothing: the whole region
 };
 
+/// Adds what is asked of a map beside what its family measures, yields only of the cells that meet all else.
+void measure_added(RegionMap& map, const LinkageFamily& family, const Findings& found, const Progress& progress = {});
+
 /// Lays the map of a family out, counts its linkages and those that meet the requirements; where none does, what would
-/// leave some. The filter lives no longer than the findings.
-[[nodiscard]] RequirementFilter count_region(Findings& found, const LinkageFamily& family, const MapExtent& extent,
-                                             const Progress& progress);
+/// leave some. With tolerances, whose turning length is set, what they do to the cells is measured as well. The filter
+/// lives no longer than the findings.
+[[nodiscard]] RequirementFilter count_region(Findings& found, const Task& task, const LinkageFamily& family,
+                                             const MapExtent& extent, const Progress& progress);
 
 }  // namespace linkwright

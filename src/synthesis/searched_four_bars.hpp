@@ -12,7 +12,8 @@ class SearchedFourBars : public CellEvaluator {
   using Solution = FourBarSolution;
 
   explicit SearchedFourBars(const FourBarAnswer& answer)
-      : CellEvaluator(*answer.given.family, answer.requirements, answer.options.objective, answer.options.window),
+      : CellEvaluator(*answer.given.family, answer.requirements, answer.options.objective, answer.options.window,
+                      answer.added),
         answer_(answer) {}
 
   /// Largest distance of a pivot.

@@ -11,7 +11,8 @@ class SearchedSphericalFourBars : public SphericalEvaluator {
   using Solution = SphericalSolution;
 
   explicit SearchedSphericalFourBars(const SphericalAnswer& answer)
-      : SphericalEvaluator(*answer.given.family, answer.requirements, answer.options.objective, answer.options.window),
+      : SphericalEvaluator(*answer.given.family, answer.requirements, answer.options.objective, answer.options.window,
+                           answer.added),
         answer_(answer) {}
 
   /// Largest distance on the unit sphere between two axes, which have no sense.

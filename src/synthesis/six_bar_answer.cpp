@@ -77,7 +77,7 @@ Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
   answer.chain = ChainFamily::of(answer.task);
   if (!answer.chain) return Error{"out_of_reach", "task.chain", "the chain does not reach all poses"};
   const RequirementFilter filter =
-      count_region(answer, *answer.chain, {samples_of(answer.options), std::nullopt}, progress);
+      count_region(answer, answer.task, *answer.chain, {samples_of(answer.options), std::nullopt}, progress);
   const SynthesisOptions& options = answer.options;
   if (options.at) {
     list_what_is_there(answer, *answer.chain, [&](MapPoint place, std::vector<RequirementKind>& failed) {
@@ -86,7 +86,7 @@ Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
     return progress.is_cancelled() ? Result<Answer>(cancelled_map()) : Result<Answer>(Answer(std::move(answer)));
   }
   answer.linkages = best_six_bars(answer.task, *answer.chain, answer.region, answer.requirements,
-                                  {options.objective, options.best, options.region.threads}, progress);
+                                  {options.objective, options.best, options.region.threads, answer.added}, progress);
   if (progress.is_cancelled()) return cancelled_map();
   evaluate(answer);
   return Answer(std::move(answer));
@@ -116,7 +116,7 @@ Result<Answer> solve_of_kind(const SixBarTask& task, const Requirements& require
   answer.condition = conditions.condition();
   answer.characteristic_length = conditions.frame.scale;
   answer.requirements = task.chain ? with_defaults(requirements, *task.chain) : requirements;
-  answer.options = options;
+  answer.options = with_turning_length(options, answer.characteristic_length);
   return task.chain ? solve_chain(std::move(answer), progress) : search_chain(std::move(answer), progress);
 }
 

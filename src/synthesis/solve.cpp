@@ -5,6 +5,7 @@
 
 #include "kinds.hpp"
 #include "reason.hpp"
+#include "tolerance_reports.hpp"
 
 namespace linkwright {
 namespace {
@@ -29,7 +30,7 @@ Result<Answer> solve(const Task& task, const Requirements& requirements, const S
   append(mistakes, mistakes_in(requirements));
   append(mistakes, mistakes_in(requirements, linkages(task)));
   append_new(mistakes, mistakes_in(options));  // a six-bar's box may stand in both
-  append(mistakes, mistakes_in(task, options));
+  append(mistakes, mistakes_in(task, requirements, options));
   if (!mistakes.empty()) return mistakes;
   Result<Answer> solved =
       std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
@@ -42,6 +43,7 @@ Result<Answer> solve(const Task& task, const Requirements& requirements, const S
         warn_of_locking(answer, progress);
       },
       *solved);
+  report_tolerances(*solved, progress);
   return solved;
 }
 

@@ -33,7 +33,8 @@ ReasonFacts reason_facts(const SphericalAnswer& answer) {
 }
 
 // What is found of a family; false where it was cancelled.
-bool find_spherical(SphericalAnswer& answer, const TaskWords& words, const Progress& progress) {
+template <class KindAnswer>
+bool find_spherical(KindAnswer& answer, const TaskWords& words, const Progress& progress) {
   const SphericalTaskFamily& given = answer.given;
   if (given.curve)
     for (const double at : given.curve->samples(answer.options.region_samples, answer.options.spacing))
@@ -43,8 +44,8 @@ bool find_spherical(SphericalAnswer& answer, const TaskWords& words, const Progr
     answer.reason = given.degeneracy.value_or(Notice{});
     return true;
   }
-  const RequirementFilter filter =
-      count_region(answer, *given.family, {answer.options.region_samples, answer.options.window}, progress);
+  const RequirementFilter filter = count_region(answer, answer.task, *given.family,
+                                                {answer.options.region_samples, answer.options.window}, progress);
   if (!given.points.empty()) answer.pairs = pairs_of_points(answer);
   const SearchedSphericalFourBars search(answer);
   if (answer.options.at) {

@@ -214,23 +214,25 @@ Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& r
   answer.task = task;
   answer.characteristic_length = size_of(task);
   answer.requirements = with_default_length(requirements, task);
-  answer.options = options;
+  answer.options = with_turning_length(options, answer.characteristic_length);
   if (const auto* wanted = std::get_if<straight_cases::Search>(&task.given))
     return search_all_cases(std::move(answer), *wanted, progress);
   answer.lines = std::make_shared<StraightLineFamily>(task, options.line, options.window);
   const StraightLineFamily& family = *answer.lines;
-  const RequirementFilter filter = count_region(answer, family, {options.region_samples, std::nullopt}, progress);
+  const RequirementFilter filter = count_region(answer, task, family, {options.region_samples, std::nullopt}, progress);
   if (options.at) {
     list_layers(answer);
   } else if (family.axis(Side::input).is_discrete()) {
     list_all(answer);
   } else {
-    auto best = best_linkages(SearchedLines(family, answer.requirements, options.objective), answer, filter, progress);
+    auto best = best_linkages(SearchedLines(family, answer.requirements, options.objective, answer.added), answer,
+                              filter, progress);
     answer.linkages = std::move(best.linkages);
-    std::stable_sort(answer.linkages.begin(), answer.linkages.end(),
-                     [&](const StraightLineSolution& a, const StraightLineSolution& b) {
-                       return score_of(a, answer) > score_of(b, answer);
-                     });
+    if (!is_of_tolerances(options.objective) && !options.pareto)
+      std::stable_sort(answer.linkages.begin(), answer.linkages.end(),
+                       [&](const StraightLineSolution& a, const StraightLineSolution& b) {
+                         return score_of(a, answer) > score_of(b, answer);
+                       });
     answer.left_out = best.left_out;
     state_what_was_found(answer);
   }

@@ -92,6 +92,9 @@ TEST(ProblemFile, TheSchemaHasTheDefaults) {
       {"/options/properties/seed", options.seed},
       {"/options/properties/effort", options.effort},
       {"/options/properties/best", options.best},
+      {"/tolerances/properties/distribution", name(Tolerances{}.distribution)},
+      {"/tolerances/properties/samples", Tolerances{}.samples},
+      {"/tolerances/properties/seed", Tolerances{}.seed},
   };
   nlohmann::json found = nlohmann::json::object();
   const nlohmann::json flat = schema.flatten();

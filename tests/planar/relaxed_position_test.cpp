@@ -84,7 +84,7 @@ TEST(RelaxedPosition, NoCellOfTheMapComesNearer) {
     const auto tau = given.family->samples(Side::input, 60, Spacing::coordinate);
     RegionMap map;
     given.family->classify(map, tau, tau, true);
-    std::vector<std::uint8_t> failures(map.rows() * map.columns());
+    std::vector<FailureBits> failures(map.rows() * map.columns());
     Requirements usable = requirements;
     usable.min_transmission_angle = relaxed.linkage->report.min_transmission_angle + 1e-6;
     filter_of(*given.family, map, usable).failures_of_all(failures);

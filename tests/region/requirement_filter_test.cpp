@@ -63,7 +63,7 @@ TEST_F(LandingGearFilter, PassesExactlyTheLinkagesThatMeetEverything) {
 TEST_F(LandingGearFilter, JudgesAllCellsAsItJudgesOne) {
   wanted.types = {LinkageType::crank_rocker, LinkageType::triple_rocker_output};
   const RequirementFilter judging = filter();
-  std::vector<std::uint8_t> failures(map.rows() * map.columns());
+  std::vector<FailureBits> failures(map.rows() * map.columns());
   judging.failures_of_all(failures);
   for (std::size_t row = 0; row < map.rows(); ++row)
     for (std::size_t column = 0; column < map.columns(); ++column)
@@ -235,7 +235,7 @@ TEST_F(LandingGearFilter, RelaxedValuesHaveTwoDigits) {
   EXPECT_GT(told, 5);
 }
 
-TEST_F(LandingGearFilter, DegenerateCellsFailEverything) { EXPECT_EQ(filter().failures(3, 3), 0xFF); }
+TEST_F(LandingGearFilter, DegenerateCellsFailEverything) { EXPECT_EQ(filter().failures(3, 3), all_failures); }
 
 /// Linkages of the spherical class over a grid of whole degrees: the row is the least link angle, the column the
 /// largest, the fixed axes stand so many degrees off the z axis as the row says, one of them upside down.
@@ -288,7 +288,7 @@ TEST_F(SphericalFilter, HasTheRequirementsOfItsClassInTheirOrder) {
   wanted.min_link_angle = radians(10.5);
   EXPECT_EQ(filter().failures(0, 5), 0b0001001) << "types and min_link_angle";
   EXPECT_EQ(filter().failures(20, 25), 0b0000001);
-  EXPECT_EQ(filter().failures(5, 0), 0xFF) << "degenerate";
+  EXPECT_EQ(filter().failures(5, 0), all_failures) << "degenerate";
 }
 
 TEST_F(SphericalFilter, BoundsTheLinkAngles) {

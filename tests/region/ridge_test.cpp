@@ -7,8 +7,8 @@ namespace {
 
 const std::vector<float> values = {1, 5, 3,  //
                                    4, 9, 2};
-const std::vector<std::uint8_t> failures = {0, 0, 0,  //
-                                            0, 1, 0};
+const std::vector<FailureBits> failures = {0, 0, 0,  //
+                                           0, 1, 0};
 
 TEST(Ridges, HoldTheBestOfEachRowAndColumn) {
   const Ridges found = ridges(values, failures, 3, true);
@@ -25,7 +25,7 @@ TEST(Ridges, SmallestWhereSmallerIsBetter) {
 }
 
 TEST(Ridges, AreZeroWhereNothingPasses) {
-  const Ridges found = ridges(values, std::vector<std::uint8_t>(6, 4), 3, true);
+  const Ridges found = ridges(values, std::vector<FailureBits>(6, 4), 3, true);
   EXPECT_EQ(found.input.value, (std::vector<float>{0, 0}));
   EXPECT_TRUE(ridges({}, {}, 0, true).input.value.empty());
 }

@@ -31,11 +31,11 @@ TEST(SynthesisOptions, TellEveryNumberThatIsOutOfRange) {
 TEST(SynthesisOptions, AStructuralErrorBelongsToANamedFunction) {
   SynthesisOptions options;
   options.objective = Objective::structural_error;
-  EXPECT_EQ(places(mistakes_in(Task{testing::tailgate_task()}, options)),
+  EXPECT_EQ(places(mistakes_in(Task{testing::tailgate_task()}, {}, options)),
             std::vector<std::string>{"options.objective"});
   FunctionTask function;
   function.function.emplace();
-  EXPECT_TRUE(mistakes_in(Task{function}, options).empty());
+  EXPECT_TRUE(mistakes_in(Task{function}, {}, options).empty());
 }
 
 }  // namespace

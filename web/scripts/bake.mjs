@@ -24,6 +24,8 @@ async function loaded_engine() {
 
 /** Bytes as text. */
 const packed = (bytes) => Buffer.from(deflateSync(bytes, {level: 9})).toString("base64");
+/** What cells fail: two bytes each. */
+const packed_bits = (bits) => packed(new Uint8Array(bits.slice().buffer));
 /** Numbers in single precision, which is enough for a picture: column by column, the differences from row to row of their
  *  bits, first all lowest bytes, then the next, for the sake of deflate. */
 function packed_numbers(numbers, width = 1) {
@@ -75,7 +77,7 @@ function start_of(session, problem) {
       tau: packed_numbers(map.input_tau),
       type: packed(map.type.slice()),
       defects: packed(map.defects.slice()),
-      fails: packed(map.fails.slice()),
+      fails: packed_bits(map.fails),
     },
   };
   const tau = best_tau(session);
@@ -83,7 +85,7 @@ function start_of(session, problem) {
   stored.linkage = JSON.parse(linkage);
   stored.states = packed_numbers(states, state_width);
   const {input, output} = session.live(...tau);
-  stored.live = {input: packed(input.slice()), output: packed(output.slice())};
+  stored.live = {input: packed_bits(input), output: packed_bits(output)};
   return stored;
 }
 
@@ -103,7 +105,7 @@ function thumbnail_of(session, problem) {
       input_tau: {length: rows},
       output_tau: {length: columns},
     } = map;
-    Object.assign(thumbnail, {rows, columns, type: packed(map.type.slice()), fails: packed(map.fails.slice())});
+    Object.assign(thumbnail, {rows, columns, type: packed(map.type.slice()), fails: packed_bits(map.fails)});
   }
   const tau = map && best_tau(session); // a chain is not searched for here
   if (tau) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "linkwright/algebra/circular_cubic.hpp"
@@ -31,6 +32,9 @@ namespace linkwright {
 [[nodiscard]] std::string_view branch_label(std::string_view name);
 /// Of one on the sphere: "odd branch", "oval", …
 [[nodiscard]] std::string_view cone_branch_label(std::string_view name);
+
+/// Of what is made with a tolerance: "input's fixed pivot, x", "coupler", …
+[[nodiscard]] std::string dimension_label(std::string_view name);
 
 /// "Watt I", "Stephenson II", …
 [[nodiscard]] std::string_view label(SixBarTopology topology);

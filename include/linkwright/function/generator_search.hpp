@@ -6,6 +6,7 @@
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/function/function_error.hpp"
+#include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/linkage_family.hpp"
 
 namespace linkwright {
@@ -37,6 +38,7 @@ struct GeneratorSearchOptions {
   int max_count = 10;               ///< how many, best first
   std::optional<MapWindow> window;  ///< nothing: the whole map
   int threads = 0;                  ///< 0: as many as the machine has
+  AddedMeasures added{};            ///< which requirements may be on
 };
 
 /// The linkages whose largest structural error is least: hills of a grid over the map, climbed continuously in both

@@ -6,6 +6,7 @@
 #include "linkwright/core/progress.hpp"
 #include "linkwright/function/generator_search.hpp"
 #include "linkwright/planar/function_family.hpp"
+#include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
@@ -21,6 +22,6 @@ namespace linkwright {
 /// The place that is reached from `start` by climbing to a lesser structural error, the type kept; nothing where
 /// `start` is none that best_generators() would list, or nothing near it is better.
 [[nodiscard]] std::optional<MapPoint> improved_generator(const FunctionFamily& family, const Requirements& requirements,
-                                                         MapPoint start);
+                                                         MapPoint start, const AddedMeasures& added = {});
 
 }  // namespace linkwright

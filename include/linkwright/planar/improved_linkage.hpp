@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "linkwright/planar/task_family.hpp"
+#include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -12,6 +13,7 @@ namespace linkwright {
 /// the same type and driver, meeting the requirements (lengths set) all the way. Nothing where the linkage does not
 /// meet them itself or is at the top already.
 [[nodiscard]] std::optional<MapPoint> improved_linkage(const FourBarFamily& family, const Requirements& requirements,
-                                                       Objective objective, MapPoint start);
+                                                       Objective objective, MapPoint start,
+                                                       const AddedMeasures& added = {});
 
 }  // namespace linkwright

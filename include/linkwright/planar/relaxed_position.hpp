@@ -29,7 +29,7 @@ struct RelaxedTask {
 /// `failures`), user's unit; −1 of the others. `family` of the task without the relaxed pose, `map` over two axes of
 /// dyads; `values` has a place for each cell. About 3 µs a passing cell and thread; 0 threads: as many as the machine
 /// has. Cells left out because `progress` was cancelled are −1 too.
-void pose_errors(const FourBarFamily& family, const RegionMap& map, std::span<const std::uint8_t> failures,
+void pose_errors(const FourBarFamily& family, const RegionMap& map, std::span<const FailureBits> failures,
                  const RelaxedPose& relaxed, std::span<float> values, int threads = 0, const Progress& progress = {});
 
 /// The alternative to a five-position task when one of its poses is relaxed.

@@ -10,6 +10,7 @@
 #include "linkwright/core/progress.hpp"
 #include "linkwright/planar/chain_family.hpp"
 #include "linkwright/planar/six_bar_solution.hpp"
+#include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
@@ -20,7 +21,8 @@ namespace linkwright {
 struct SixBarChoice {
   Objective objective = Objective::min_transmission_angle;
   int best = 10;
-  int threads = 0;  ///< 0: as many as the machine has
+  int threads = 0;        ///< 0: as many as the machine has
+  AddedMeasures added{};  ///< of a map
 };
 
 /// The best six-bars of a map that meet requirements whose lengths are set, refined along both coordinates to the
@@ -33,7 +35,8 @@ struct SixBarChoice {
 /// The top of the hill of that map on which a six-bar stands, as improved_linkage(). Nothing where the six-bar does not
 /// meet the requirements or is at the top already.
 [[nodiscard]] std::optional<MapPoint> improved_six_bar(const ChainFamily& family, const Requirements& requirements,
-                                                       Objective objective, MapPoint start);
+                                                       Objective objective, MapPoint start,
+                                                       const AddedMeasures& added = {});
 
 /// How many chains are tried where nobody says: enough for most tasks, in some seconds.
 inline constexpr int default_effort = 20'000;

@@ -35,25 +35,33 @@ inline constexpr std::array planar_requirements = {RequirementKind::types,
                                                    RequirementKind::max_length,
                                                    RequirementKind::min_length,
                                                    RequirementKind::ground_pivots_within,
-                                                   RequirementKind::moving_pivots_within};
+                                                   RequirementKind::moving_pivots_within,
+                                                   RequirementKind::max_tolerance_error,
+                                                   RequirementKind::min_yield};
 inline constexpr std::array spherical_requirements = {RequirementKind::types,
                                                       RequirementKind::no_defects,
                                                       RequirementKind::min_transmission_angle,
                                                       RequirementKind::min_link_angle,
                                                       RequirementKind::max_link_angle,
                                                       RequirementKind::fixed_axes_within,
-                                                      RequirementKind::moving_axes_within};
+                                                      RequirementKind::moving_axes_within,
+                                                      RequirementKind::max_tolerance_error,
+                                                      RequirementKind::min_yield};
 inline constexpr std::array straight_line_requirements = {
     RequirementKind::types,      RequirementKind::min_transmission_angle, RequirementKind::max_link_ratio,
     RequirementKind::max_length, RequirementKind::ground_pivots_within,   RequirementKind::moving_pivots_within,
-    RequirementKind::min_stroke, RequirementKind::max_deviation};
-inline constexpr std::array straight_line_objectives = {Objective::stroke, Objective::deviation,
-                                                        Objective::min_transmission_angle, Objective::size,
-                                                        Objective::velocity_uniformity};
-inline constexpr std::array planar_objectives = {Objective::min_transmission_angle, Objective::link_ratio,
-                                                 Objective::size, Objective::structural_error};
+    RequirementKind::min_stroke, RequirementKind::max_deviation,          RequirementKind::max_tolerance_error,
+    RequirementKind::min_yield};
+inline constexpr std::array straight_line_objectives = {
+    Objective::stroke, Objective::deviation,           Objective::min_transmission_angle,
+    Objective::size,   Objective::velocity_uniformity, Objective::tolerance_error,
+    Objective::yield};
+inline constexpr std::array planar_objectives = {
+    Objective::min_transmission_angle, Objective::link_ratio,      Objective::size,
+    Objective::structural_error,       Objective::tolerance_error, Objective::yield};
 inline constexpr std::array spherical_objectives = {Objective::min_transmission_angle, Objective::link_angle,
-                                                    Objective::structural_error};
+                                                    Objective::structural_error, Objective::tolerance_error,
+                                                    Objective::yield};
 }  // namespace class_members
 
 inline constexpr LinkageClass planar_linkages = {class_members::planar_types, class_members::planar_requirements,

@@ -51,6 +51,11 @@ inline constexpr Measure usable_length{"usable_length", Measure::Stored::as_it_i
 inline constexpr Measure valid{"valid"};
 /// |K| of the first term K s^k of the deviation that does not vanish; in units of length¹⁻ᵏ.
 inline constexpr Measure contact_coefficient{"contact_coefficient"};
+/// What tolerances make of the error in the task's positions, to first order: user's unit, of functions and spherical
+/// linkages degrees; infinite at a dead point, 0 degenerate.
+inline constexpr Measure tolerance_error{"tolerance_error"};
+/// Share of sampled linkages that assemble and keep the limit in all positions; NaN where it is not computed.
+inline constexpr Measure yield{"yield", Measure::Stored::as_it_is, true};
 /// Angle that the driver turns from the first to the last position; every map computes it, none keeps it.
 inline constexpr Measure driver_sweep{"driver_sweep_deg"};
 }  // namespace measures

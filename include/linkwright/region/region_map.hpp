@@ -13,6 +13,7 @@
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/simd.hpp"
+#include "linkwright/region/cell_measure.hpp"
 #include "linkwright/region/map_columns.hpp"
 #include "linkwright/region/measure.hpp"
 
@@ -46,7 +47,7 @@ struct DriverTravel {
 
 /// The verdict over one cell.
 struct MapCell {
-  static constexpr std::size_t max_measures = 12;
+  static constexpr std::size_t max_measures = 13;
 
   LinkageType type = LinkageType::degenerate;
   Defects defects;
@@ -92,6 +93,10 @@ class RegionMap {
   void evaluate_cells(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
                       DriverTravel travel, const std::function<MapCell(std::size_t row, std::size_t column)>& cell_at,
                       const RegionOptions& options = {}, const Progress& progress = {});
+
+  /// A column of a further measure, or the one of its key anew. Rows left out because `progress` was cancelled keep 0.
+  /// Throws std::bad_alloc.
+  void add(const CellMeasure& measure, const Progress& progress = {});
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] std::size_t columns() const { return columns_; }

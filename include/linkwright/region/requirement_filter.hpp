@@ -69,17 +69,17 @@ class RequirementFilter {
   [[nodiscard]] RequirementKinds kinds() const { return kinds_; }
 
   /// Bits of the requirements that a cell fails; all of them for a degenerate cell.
-  [[nodiscard]] std::uint8_t failures(std::size_t row, std::size_t column) const;
+  [[nodiscard]] FailureBits failures(std::size_t row, std::size_t column) const;
   /// The cell meets all requirements; a degenerate one never does.
   [[nodiscard]] bool passes(std::size_t row, std::size_t column) const { return failures(row, column) == 0; }
 
   /// The same of each cell, row-major. `failures` has a place for each cell; cancelled, all bits for those left out.
-  void failures_of_all(std::span<std::uint8_t> failures, const Progress& progress = {}) const;
+  void failures_of_all(std::span<FailureBits> failures, const Progress& progress = {}) const;
 
   /// Cancelled: of the rows looked at until then.
   [[nodiscard]] RequirementCensus census(const Progress& progress = {}) const;
   /// The same from what failures_of_all() found.
-  [[nodiscard]] RequirementCensus census(std::span<const std::uint8_t> failures) const;
+  [[nodiscard]] RequirementCensus census(std::span<const FailureBits> failures) const;
   /// Dearest first, the requirements whose relaxation alone would leave (more) cells.
   [[nodiscard]] std::vector<Relaxation> relaxations(const RequirementCensus& census,
                                                     const Progress& progress = {}) const;
@@ -90,7 +90,7 @@ class RequirementFilter {
   /// A limit of a measure, as the map stores it.
   struct Bound {
     RequirementKind kind;
-    std::uint8_t bit;
+    FailureBits bit;
     Measure measure;
     std::span<const float> values;
     std::span<const float> per;  ///< the limit is of values over these; empty: of the values
@@ -107,7 +107,7 @@ class RequirementFilter {
   /// Where hinges must lie.
   struct Place {
     RequirementKind kind;
-    std::uint8_t bit;
+    FailureBits bit;
     std::optional<Vector3> GroundedLinkPivots::*of_link;
     std::vector<Vector3> Pivots::*of_linkage;
     std::variant<Box, Cone> within;
@@ -115,11 +115,11 @@ class RequirementFilter {
 
   void add_bound(RequirementKind kind, const Measure& measure, double limit, const Measure* per = nullptr);
   void add_places();
-  [[nodiscard]] std::uint8_t bit(RequirementKind kind) const;
-  [[nodiscard]] std::vector<std::uint8_t> verdict_failures() const;
-  [[nodiscard]] std::uint8_t place_failures(const GroundedLinkPivots& link) const;
+  [[nodiscard]] FailureBits bit(RequirementKind kind) const;
+  [[nodiscard]] std::vector<FailureBits> verdict_failures() const;
+  [[nodiscard]] FailureBits place_failures(const GroundedLinkPivots& link) const;
   [[nodiscard]] unsigned place_failures_at(std::size_t row, std::size_t column) const;
-  void failures_of_row(std::size_t row, std::uint8_t* failures) const;
+  void failures_of_row(std::size_t row, FailureBits* failures) const;
 
   /// By place among the kinds, the cells that fail it alone.
   [[nodiscard]] std::array<Cells, max_requirements> cells_failing_one(const Progress& progress) const;
@@ -134,11 +134,11 @@ class RequirementFilter {
   const RegionMap* map_;
   Requirements requirements_;
   RequirementKinds kinds_;
-  std::vector<std::uint8_t> verdict_failures_;  ///< by type · 8 + defects
+  std::vector<FailureBits> verdict_failures_;  ///< by type · 8 + defects
   std::vector<Bound> bounds_;
   std::vector<Place> places_;
   MapPivots pivots_;
-  std::vector<std::uint8_t> input_place_failures_, output_place_failures_;
+  std::vector<FailureBits> input_place_failures_, output_place_failures_;
 };
 
 /// A map of the family under requirements whose defaults are filled in. Refers to both, which must outlive it.

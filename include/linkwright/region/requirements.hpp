@@ -60,7 +60,10 @@ struct Requirements {
   std::optional<Cone> moving_axes_within;   ///< both moving axes, position 1
   double min_stroke = 0;                    ///< usable length of a straight line, user's unit; 0: any
   double max_deviation = unlimited;         ///< off the line over the stroke, user's unit
-  bool respect_direction = true;            ///< poses with derivatives are passed in their direction
+  /// By tolerances, as Measure tolerance_error has it: user's unit, of functions and spherical linkages degrees.
+  double max_tolerance_error = unlimited;
+  double min_yield = 0;           ///< share of linkages made with errors that are good, in [0, 1]; 0: any
+  bool respect_direction = true;  ///< poses with derivatives are passed in their direction
 };
 
 /// Defaults of max_length and min_length in characteristic lengths: beyond them lie linkages that nobody can build, and

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "linkwright/region/requirement_kind.hpp"
+
 namespace linkwright {
 
 /// The best cell of each row, or of each column, of a region.
@@ -17,7 +19,7 @@ struct Ridges {
 };
 
 /// `values` and `failures`: of each cell, row-major; a cell passes where its failures are 0.
-[[nodiscard]] Ridges ridges(std::span<const float> values, std::span<const std::uint8_t> failures, std::size_t columns,
+[[nodiscard]] Ridges ridges(std::span<const float> values, std::span<const FailureBits> failures, std::size_t columns,
                             bool larger_is_better);
 
 }  // namespace linkwright

@@ -41,6 +41,9 @@ using LinkageOutput = std::variant<PlanarOutput, SphericalOutput, SixBarOutput>;
 /// Straight lines, whose error is the largest over the stroke, not the mean over the positions.
 [[nodiscard]] bool is_line(const LinkageOutput& output);
 
+/// Its errors are angles, radians.
+[[nodiscard]] bool is_angle(const LinkageOutput& output);
+
 /// What of a linkage is made with a tolerance: a length, an arc, a coordinate, the driver's angle; user's unit,
 /// radians.
 struct MadeDimension {
@@ -48,6 +51,7 @@ struct MadeDimension {
   double tolerance = 0;  ///< half
   int pins = 0;          ///< whose clearances lengthen or shorten it
   bool is_driver = false;
+  bool is_angle = false;
 
   /// σ²: a pin lies anywhere in its clearance, evenly over the disc; along the link its variance is c²/4.
   [[nodiscard]] double variance(const Tolerances& tolerances) const;

@@ -22,6 +22,7 @@ namespace linkwright {
 struct ParameterTolerance {
   std::string parameter;
   double tolerance = 0;  ///< half, user's unit; of arcs radians
+  bool is_angle = false;
 };
 /// Those of the dimensions that have a tolerance and whose tolerance matters, such that tolerance_error() is `error`;
 /// clearance and driver stay as they are. Nothing without a cost exponent, and where what stays leaves no room.

@@ -15,12 +15,14 @@ namespace linkwright {
 struct ParameterShare {
   std::string parameter;
   double tolerance = 0;              ///< half; clearance left out
+  bool is_angle = false;             ///< of the parameter: radians
   double share = 0;                  ///< of all positions together
   std::vector<double> per_position;  ///< of the variance in each
 };
 
 /// What tolerances do to one linkage. Errors: user's unit, those of functions and spheres radians.
 struct ToleranceReport {
+  bool of_angle = false;                  ///< errors are angles
   double error = 0;                       ///< to first order; of a straight line where it was drawn
   std::optional<double> error_realigned;  ///< of straight lines: the line laid anew in each linkage made
   double worst_case = 0;                  ///< to first order
@@ -34,6 +36,9 @@ struct ToleranceReport {
 
   [[nodiscard]] double listed_error() const { return beyond_first_order ? sampled.error : error; }
 };
+
+/// tolerance_error(), or of a straight line line_tolerance_error(). Nothing at a dead point.
+[[nodiscard]] std::optional<double> first_order_error(const LinkageOutput& output, const Tolerances& tolerances);
 
 /// Nothing at a dead point. At most most_sampled_positions; PlanarOutput::realigned is of no account, and a stroke of
 /// less than three positions is not realigned.

@@ -15,9 +15,12 @@
 #include "linkwright/planar/relaxed_position.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 #include "linkwright/planar/task_family.hpp"
+#include "linkwright/region/added_measures.hpp"
+#include "linkwright/region/pareto_front.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/region/requirements.hpp"
+#include "linkwright/robust/tolerance_report.hpp"
 #include "linkwright/spherical/relaxed_orientation.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
 #include "linkwright/straight_line/straight_line_search.hpp"
@@ -45,8 +48,12 @@ struct Findings {
   std::int64_t meeting_requirements = 0;            ///< cells
   std::int64_t left_out = 0;                        ///< of the best: driving does not confirm them; a warning says so
   std::vector<std::vector<RequirementKind>> fails;  ///< options.at: by linkages, the requirements that each fails
-  std::vector<Relaxation> relax;                    ///< when no linkage meets the requirements, dearest first
-  std::optional<JointRelaxation> relax_together;    ///< when relaxing one requirement alone would leave nothing either
+  std::vector<ParetoCell> pareto;                   ///< options.pareto: the whole front of the map
+  AddedMeasures added;                              ///< of options.tolerances, of the map
+  /// With tolerances, by linkages: what they do to each; nothing at a dead point.
+  std::vector<std::optional<ToleranceReport>> tolerance;
+  std::vector<Relaxation> relax;                  ///< when no linkage meets the requirements, dearest first
+  std::optional<JointRelaxation> relax_together;  ///< when relaxing one requirement alone would leave nothing either
 };
 
 struct FourBarAnswer : Findings {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "linkwright/region/map_axis.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirements.hpp"
+#include "linkwright/robust/tolerances.hpp"
 #include "linkwright/straight_line/line_measuring.hpp"
 #include "linkwright/synthesis/task.hpp"
 
@@ -21,6 +23,9 @@ struct SynthesisOptions {
   int region_samples = 400;               ///< N of the N×N region
   Spacing spacing = Spacing::coordinate;  ///< of the samples along the curve
   Objective objective = Objective::min_transmission_angle;
+  /// Two objectives: linkages that no other beats in both are listed, spread over the front of them. Nothing: the best
+  /// by `objective`.
+  std::optional<std::array<Objective, 2>> pareto;
   int best = 10;                    ///< how many linkages, ≥ 0
   std::optional<MapWindow> window;  ///< of four-bars; nothing: the whole region
   /// A place of the map: what is there is listed, whether it meets the requirements or not, and nothing else. Nothing:
@@ -34,13 +39,20 @@ struct SynthesisOptions {
 
   LineMeasuring line;  ///< of straight lines
 
+  std::optional<Tolerances> tolerances;  ///< how linkages are made; nothing: exactly
+
   RegionOptions region;
 };
+
+/// With the turning length of tolerances filled in: where none is given, the characteristic length of the task.
+[[nodiscard]] SynthesisOptions with_turning_length(SynthesisOptions options, double characteristic_length);
 
 /// The caller's mistakes. Places are `options.…`.
 [[nodiscard]] std::vector<Error> mistakes_in(const SynthesisOptions& options);
 
-/// What of the options does not go with the task: an objective that it cannot be measured by.
-[[nodiscard]] std::vector<Error> mistakes_in(const Task& task, const SynthesisOptions& options);
+/// What of requirements and options does not go with the task or with each other: an objective that it cannot be
+/// measured by, what is asked of tolerances where none are given.
+[[nodiscard]] std::vector<Error> mistakes_in(const Task& task, const Requirements& requirements,
+                                             const SynthesisOptions& options);
 
 }  // namespace linkwright

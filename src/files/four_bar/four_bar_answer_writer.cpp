@@ -95,7 +95,7 @@ void write_lists(JsonWriter& json, const FourBarAnswer& answer) {
   json.begin_list();
   for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
     FourBarNotes notes = notes_on(answer.linkages[i], answer.given);
-    if (i < answer.fails.size()) notes.fails = answer.fails[i];
+    notes.listed = ListedNotes(answer, i);
     write_four_bar(json, answer.linkages[i], answer.given.frame(), notes);
   }
   json.end_list();

@@ -62,7 +62,7 @@ void write_pose_error(JsonWriter& json, const PoseError& error, double size) {
 namespace {
 
 void write_notes(JsonWriter& json, const FourBarNotes& notes) {
-  if (notes.fails) write_failures(json, *notes.fails);
+  notes.listed.write(json);
   if (notes.defect) json.member("reason", std::string_view(notes.defect->message));
   if (notes.free_value) json.member("free_value", *notes.free_value);
   if (!notes.poses.empty()) write_poses(json, notes.poses);

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "files/json/json_writer.hpp"
+#include "files/tolerance_writer.hpp"
 #include "linkwright/core/notice.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
-#include "linkwright/region/requirement_kind.hpp"
 
 namespace linkwright {
 
@@ -23,11 +23,11 @@ void write_pose_error(JsonWriter& json, const PoseError& error, double size);
 
 /// What a file says of a four-bar beside the four-bar itself.
 struct FourBarNotes {
-  std::optional<Notice> defect;                       ///< why the drive does not do the task
-  std::vector<PrescribedPose> poses;                  ///< of the coupler, where they are not the task's; otherwise none
-  std::optional<double> free_value;                   ///< of a function task's free parameter, as files hold it
-  std::optional<std::vector<RequirementKind>> fails;  ///< at a picked place: the requirements that are not met
-  double pose_error_size = 1;                         ///< what write_pose_error wants, where a pose is freed
+  std::optional<Notice> defect;       ///< why the drive does not do the task
+  std::vector<PrescribedPose> poses;  ///< of the coupler, where they are not the task's; otherwise none
+  std::optional<double> free_value;   ///< of a function task's free parameter, as files hold it
+  ListedNotes listed{};
+  double pose_error_size = 1;  ///< what write_pose_error wants, where a pose is freed
 };
 
 /// The notes of a four-bar of a task's own map.

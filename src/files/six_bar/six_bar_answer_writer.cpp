@@ -26,7 +26,7 @@ void write_linkages(JsonWriter& json, const SixBarAnswer& answer) {
   json.key("linkages");
   json.begin_list();
   for (std::size_t i = 0; i < answer.linkages.size(); ++i)
-    write_six_bar(json, answer.linkages[i], i < answer.fails.size() ? &answer.fails[i] : nullptr);
+    write_six_bar(json, answer.linkages[i], ListedNotes(answer, i));
   json.end_list();
   write_empty_list(json, "pairs");
   write_empty_list(json, "freed");

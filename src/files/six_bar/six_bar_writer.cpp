@@ -87,7 +87,7 @@ void write_lengths(JsonWriter& json, std::span<const SixBarLength> lengths) {
   json.end_object();
 }
 
-void write_six_bar(JsonWriter& json, const SixBarSolution& found, const std::vector<RequirementKind>* fails) {
+void write_six_bar(JsonWriter& json, const SixBarSolution& found, const ListedNotes& listed) {
   json.begin_object();
   json.member("mechanism", "six_bar");
   write_make_up(json, found.member.six_bar, elbows(found.chain), found.member.coordinates);
@@ -100,7 +100,7 @@ void write_six_bar(JsonWriter& json, const SixBarSolution& found, const std::vec
   json.member("pose_residual", found.pose_residual);
   json.member("local_optimum", found.local_optimum);
   json.member("verified_by_driving", found.verified_by_driving);
-  if (fails) write_failures(json, *fails);
+  listed.write(json);
   json.end_object();
 }
 

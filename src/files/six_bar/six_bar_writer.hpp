@@ -4,6 +4,7 @@
 #include <span>
 
 #include "files/json/json_writer.hpp"
+#include "files/tolerance_writer.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 #include "linkwright/synthesis/answer.hpp"
 
@@ -20,8 +21,8 @@ void write_make_up(JsonWriter& json, const SixBar& six_bar, const std::array<int
 /// `{"1:a-b": …}`.
 void write_lengths(JsonWriter& json, std::span<const SixBarLength> lengths);
 
-/// An element of a result's `linkages`. `fails`: at a picked place, the requirements that are not met; else null.
-void write_six_bar(JsonWriter& json, const SixBarSolution& found, const std::vector<RequirementKind>* fails = nullptr);
+/// An element of a result's `linkages`. `listed`: what its list says of it.
+void write_six_bar(JsonWriter& json, const SixBarSolution& found, const ListedNotes& listed = {});
 
 /// How a search went: the object `search`.
 void write_search(JsonWriter& json, const SixBarSearchResult& search, const SynthesisOptions& options);

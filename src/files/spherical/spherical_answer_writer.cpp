@@ -42,20 +42,20 @@ void write_axis_curve(JsonWriter& json, const SphericalAnswer& answer) {
 }
 
 void write_list(JsonWriter& json, std::string_view key, const std::vector<SphericalSolution>& list,
-                const SphericalAnswer& answer, const std::vector<std::vector<RequirementKind>>& fails) {
+                const SphericalAnswer& answer, bool is_listed) {
   json.key(key);
   json.begin_list();
   for (std::size_t i = 0; i < list.size(); ++i) {
     SphericalNotes notes = notes_on(list[i], *answer.family());
-    if (i < fails.size()) notes.fails = fails[i];
+    if (is_listed) notes.listed = ListedNotes(answer, i);
     write_spherical_four_bar(json, list[i], notes);
   }
   json.end_list();
 }
 
 void write_lists(JsonWriter& json, const SphericalAnswer& answer) {
-  write_list(json, "linkages", answer.linkages, answer, answer.fails);
-  write_list(json, "pairs", answer.pairs, answer, {});
+  write_list(json, "linkages", answer.linkages, answer, true);
+  write_list(json, "pairs", answer.pairs, answer, false);
 }
 
 void write_relaxed(JsonWriter& json, const RelaxedOrientation& way_out) {

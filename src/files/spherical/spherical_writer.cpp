@@ -121,7 +121,7 @@ void write_spherical_four_bar(JsonWriter& json, const SphericalSolution& found, 
   if (found.function) write_function_error(json, *found.function);
   json.member("local_optimum", found.local_optimum);
   json.member("verified_by_driving", found.verified_by_driving);
-  if (notes.fails) write_failures(json, *notes.fails);
+  notes.listed.write(json);
   if (notes.free_value) json.member("free_value", *notes.free_value);
   if (!notes.orientations.empty()) write_orientations(json, notes.orientations);
   json.key("swapped");

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "files/json/json_writer.hpp"
-#include "linkwright/region/requirement_kind.hpp"
+#include "files/tolerance_writer.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
 
 namespace linkwright {
@@ -20,9 +20,9 @@ void write_spherical_dyad(JsonWriter& json, const SphericalDyadPoint& point);
 
 /// What a file says of a spherical four-bar beside the four-bar itself.
 struct SphericalNotes {
-  std::vector<PrescribedOrientation> orientations;    ///< of the coupler, where they are not the task's; otherwise none
-  std::optional<double> free_value;                   ///< of a function task's free parameter, as files hold it
-  std::optional<std::vector<RequirementKind>> fails;  ///< at a picked place: the requirements that are not met
+  std::vector<PrescribedOrientation> orientations;  ///< of the coupler, where they are not the task's; otherwise none
+  std::optional<double> free_value;                 ///< of a function task's free parameter, as files hold it
+  ListedNotes listed{};
 };
 
 /// The notes of a four-bar of a map.

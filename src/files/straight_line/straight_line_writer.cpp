@@ -6,6 +6,7 @@
 #include "files/result_writer.hpp"
 #include "files/straight_line/straight_line_kind.hpp"
 #include "files/task_writer.hpp"
+#include "files/tolerance_writer.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
@@ -153,7 +154,7 @@ void write_built(JsonWriter& json, const TracingFourBar& linkage, LinkageType ty
 }
 
 void write_straight_line(JsonWriter& json, const StraightLineSolution& found, const StraightLineAnswer& answer,
-                         const std::vector<RequirementKind>* fails) {
+                         const ListedNotes& listed) {
   json.begin_object();
   json.member("mechanism", "four_bar");
   json.member("case", name(found.task.given));
@@ -182,7 +183,7 @@ void write_straight_line(JsonWriter& json, const StraightLineSolution& found, co
   json.member("residual", found.residual);
   json.member("local_optimum", found.local_optimum);
   json.member("verified_by_driving", found.verified_by_driving);
-  if (fails) write_failures(json, *fails);
+  listed.write(json);
   json.end_object();
 }
 
@@ -248,7 +249,7 @@ void write_linkages(JsonWriter& json, const StraightLineAnswer& answer) {
   json.key("linkages");
   json.begin_list();
   for (std::size_t i = 0; i < answer.linkages.size(); ++i)
-    write_straight_line(json, answer.linkages[i], answer, i < answer.fails.size() ? &answer.fails[i] : nullptr);
+    write_straight_line(json, answer.linkages[i], answer, ListedNotes(answer, i));
   json.end_list();
   for (const char* key : {"pairs", "freed"}) {
     json.key(key);
@@ -268,7 +269,7 @@ StoredLinkage stored(const StraightLineSolution& found, const StraightLineAnswer
   linkage.poses.push_back(pose_of(found.linkage));
   if (const auto path = StraightPath::of(found.linkage, found.task.line.direction, limits))
     for (const auto& state : path->states(2)) linkage.poses.push_back(pose_of(state.linkage));
-  linkage.record = json_text_of([&](JsonWriter& json) { write_straight_line(json, found, answer, nullptr); });
+  linkage.record = json_text_of([&](JsonWriter& json) { write_straight_line(json, found, answer, {}); });
   return linkage;
 }
 

@@ -9,7 +9,7 @@ export interface MapArrays {
   output_tau: Float64Array;
   type: Uint8Array;
   defects: Uint8Array;
-  fails: Uint8Array;
+  fails: Uint16Array;
   value: Float32Array;
   ridge_input: Float32Array;
   ridge_input_partner: Uint32Array;
@@ -31,7 +31,7 @@ export interface Session {
     order: number,
   ): {task: string; curves: DyadPolygon; output_curves: DyadPolygon | null; map: MapArrays | null};
   linkage(input_tau: number, output_tau: number): {linkage: string; states: Float64Array};
-  live(input_tau: number, output_tau: number): {input: Uint8Array; output: Uint8Array};
+  live(input_tau: number, output_tau: number): {input: Uint16Array; output: Uint16Array};
   halo(pose: number, turn: boolean, reach: number, steps: number, samples: number): Uint32Array;
   best(most: number): string;
   improve(input_tau: number, output_tau: number): string;

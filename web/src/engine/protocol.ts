@@ -209,7 +209,7 @@ export interface MapAnswer {
   // rows × columns, row-major [input][output]
   type: Uint8Array;
   defects: Uint8Array;
-  fails: Uint8Array;
+  fails: Uint16Array;
   value: Float32Array;
   census: Census;
   /** Along each axis the best objective (property value) that meets everything, 0 where none, and its partner's index. */
@@ -372,7 +372,7 @@ export interface Ranked extends Partial<Record<Property, number | null>> {
 export interface Replies {
   explore: {task: TaskAnswer; map: MapAnswer | null; engine_ms: number};
   linkage: {linkage: Linkage; engine_ms: number};
-  live: Record<Side, Uint8Array>; // by the index of that side's curve samples: that grounded link there, the other held
+  live: Record<Side, Uint16Array>; // by the index of that side's curve samples: that grounded link there, the other held
   halo: {offsets: Float64Array; counts: Uint32Array; steps: number; reach: number; engine_ms: number}; // counts: row-major [dy][dx] (steps²) or [turn] (steps)
   best: {linkages: Ranked[]; notices: Notice[]};
   search: Replies["best"];

@@ -36,6 +36,10 @@ const stored = untyped as unknown as Stored;
 function unpacked(text: string): Uint8Array<ArrayBuffer> {
   return inflateSync(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0))) as Uint8Array<ArrayBuffer>;
 }
+/** What cells fail: two bytes each. */
+function unpacked_bits(text: string): Uint16Array {
+  return new Uint16Array(unpacked(text).slice().buffer);
+}
 /** The reverse of packed_numbers() in scripts/bake.mjs. */
 function unpacked_numbers(text: string, width = 1): Float64Array {
   const bytes = unpacked(text),
@@ -90,7 +94,7 @@ export function stored_start(): StoredStart {
       output_tau: tau.slice(),
       type: unpacked(map.type),
       defects: unpacked(map.defects),
-      fails: unpacked(map.fails),
+      fails: unpacked_bits(map.fails),
       value: new Float32Array(samples ** 2),
       ridge: {input: none(), input_partner: nobody(), output: none(), output_partner: nobody()},
     },
@@ -98,7 +102,7 @@ export function stored_start(): StoredStart {
       ...linkage,
       drive: linkage.drive && {...linkage.drive, width: state_width, states: unpacked_numbers(states, state_width)},
     },
-    live: {input: unpacked(live.input), output: unpacked(live.output)},
+    live: {input: unpacked_bits(live.input), output: unpacked_bits(live.output)},
   };
 }
 
@@ -107,7 +111,7 @@ export interface Thumbnail {
   rows: number; // 0: there is no map
   columns: number;
   type: Uint8Array; // as in MapAnswer
-  fails: Uint8Array;
+  fails: Uint16Array;
   /** The best linkage: centre and circle point of the input, then of the output. */
   linkage: {tau: TauPair; type: LinkageType; pivots: [Point, Point, Point, Point]} | null;
 }
@@ -115,6 +119,10 @@ export interface Thumbnail {
 export function thumbnail(name: string): Thumbnail | null {
   const found = stored.thumbnails[name];
   if (!found) return null;
-  const cells = (text: string) => (found.rows > 0 ? unpacked(text) : new Uint8Array());
-  return {...found, type: cells(found.type), fails: cells(found.fails)};
+  const has_map = found.rows > 0;
+  return {
+    ...found,
+    type: has_map ? unpacked(found.type) : new Uint8Array(),
+    fails: has_map ? unpacked_bits(found.fails) : new Uint16Array(),
+  };
 }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "linkwright/region/cell_measure.hpp"
+#include "linkwright/region/objective.hpp"
+#include "linkwright/region/requirements.hpp"
+
+namespace linkwright {
+
+/// What is asked of a family's linkages beside what it measures itself: how they bear errors of their dimensions. Null:
+/// not asked.
+struct AddedMeasures {
+  std::shared_ptr<const CellMeasure> tolerance_error, yield;
+
+  /// What a place scores, larger being better: by these where the objective is one of them, otherwise `own`. Of two
+  /// linkages of the same yield the one with the smaller error is better. Nothing where a requirement on them fails.
+  [[nodiscard]] std::optional<double> score(MapPoint place, const Requirements& wanted, Objective objective,
+                                            double own) const;
+};
+
+}  // namespace linkwright

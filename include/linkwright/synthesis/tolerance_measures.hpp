@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwright/region/added_measures.hpp"
+#include "linkwright/region/linkage_family.hpp"
+#include "linkwright/robust/linkage_output.hpp"
+#include "linkwright/robust/tolerances.hpp"
+#include "linkwright/synthesis/answer.hpp"
+#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/task.hpp"
+
+namespace linkwright {
+
+/// How the linkage at a place of a map lies in the positions of its task, user's frame; nothing where there is none.
+using OutputAt = std::function<std::optional<LinkageOutput>(MapPoint place)>;
+/// `family`: of the task; it must outlive what is returned. `turning_length`: user's unit.
+[[nodiscard]] OutputAt outputs_of(const Task& task, const LinkageFamily& family, double turning_length);
+
+/// The same of the linkages that an answer lists, one to each.
+[[nodiscard]] std::vector<std::optional<LinkageOutput>> listed_outputs(const Answer& answer, double turning_length);
+
+/// Samples of a linkage of a map: those listed are sampled as often as the tolerances say.
+inline constexpr int map_samples = 1000;
+
+/// The error to first order, and where there is a limit the yield by map_samples, of a family's linkages. The turning
+/// length is set, and so is the limit where yields are wanted. The family must outlive them.
+[[nodiscard]] AddedMeasures tolerance_measures(const Task& task, const LinkageFamily& family,
+                                               const Tolerances& tolerances);
+
+/// One linkage listed, how it lies in the positions of its task, and what tolerances do to it.
+struct ToleranceStudy {
+  std::string title, length_unit;
+  Tolerances tolerances;  ///< as used
+  LinkageOutput output;
+  ToleranceReport report;
+};
+/// Of the linkage number `place` of the answer, from 0; it has a report.
+[[nodiscard]] ToleranceStudy tolerance_study(const Problem& problem, const Answer& answer, std::size_t place);
+
+/// An error as people read it: of functions and spheres degrees, which the engine has in radians.
+[[nodiscard]] double readable_error(const LinkageOutput& output, double error);
+
+}  // namespace linkwright

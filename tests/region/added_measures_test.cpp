@@ -1,0 +1,59 @@
+#include "linkwright/region/added_measures.hpp"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace linkwright::added_measures_test {
+namespace {
+
+/// The coordinates of a place are what is measured there.
+class Coordinate : public CellMeasure {
+ public:
+  Coordinate(const Measure& measure, double MapPoint::*which) : CellMeasure(measure), which_(which) {}
+  [[nodiscard]] std::optional<double> at(MapPoint place) const override { return place.*which_; }
+
+ private:
+  double MapPoint::*which_;
+};
+
+AddedMeasures error_and_yield() {
+  return {std::make_shared<Coordinate>(measures::tolerance_error, &MapPoint::input),
+          std::make_shared<Coordinate>(measures::yield, &MapPoint::output)};
+}
+
+constexpr double own = 42;
+
+TEST(AddedMeasures, LeaveOtherObjectivesTheirScore) {
+  EXPECT_EQ(error_and_yield().score({3, 0.5}, {}, Objective::size, own), own);
+  EXPECT_EQ(AddedMeasures{}.score({3, 0.5}, {}, Objective::size, own), own);
+}
+
+TEST(AddedMeasures, RankByASmallErrorOrALargeYield) {
+  const AddedMeasures added = error_and_yield();
+  EXPECT_EQ(added.score({3, 0.5}, {}, Objective::tolerance_error, own), -3);
+  EXPECT_GT(*added.score({3, 0.6}, {}, Objective::yield, own), *added.score({3, 0.5}, {}, Objective::yield, own));
+  EXPECT_GT(*added.score({2, 0.5}, {}, Objective::yield, own), *added.score({3, 0.5}, {}, Objective::yield, own))
+      << "of equal yields the smaller error";
+  EXPECT_GT(*added.score({1e9, 0.50001}, {}, Objective::yield, own), *added.score({0, 0.5}, {}, Objective::yield, own))
+      << "which counts less than one sample in a hundred thousand";
+}
+
+TEST(AddedMeasures, RefuseWhatFailsARequirementOnThem) {
+  const AddedMeasures added = error_and_yield();
+  Requirements wanted;
+  wanted.max_tolerance_error = 3;
+  EXPECT_TRUE(added.score({3, 0.5}, wanted, Objective::size, own));
+  EXPECT_FALSE(added.score({3.01, 0.5}, wanted, Objective::size, own));
+  wanted.min_yield = 0.5;
+  EXPECT_TRUE(added.score({3, 0.5}, wanted, Objective::size, own));
+  EXPECT_FALSE(added.score({3, 0.49}, wanted, Objective::size, own));
+}
+
+TEST(AddedMeasures, KnowNoScoreAtADeadPoint) {
+  const MapPoint dead = {std::numeric_limits<double>::infinity(), 0.5};
+  EXPECT_FALSE(error_and_yield().score(dead, {}, Objective::tolerance_error, own));
+  EXPECT_TRUE(error_and_yield().score(dead, {}, Objective::size, own));
+}
+
+}  // namespace
+}  // namespace linkwright::added_measures_test
