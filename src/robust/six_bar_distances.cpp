@@ -41,6 +41,8 @@ SixBarDistances::SixBarDistances(const SixBar& six_bar) : lengths_(six_bar.lengt
   std::erase_if(lengths_, [](const SixBarLength& length) { return length.body == 0; });
   for (std::size_t j = 0; j < SixBar::joint_count; ++j)
     (is_on_ground(six_bar.joints[j]) ? ground_ : moving_).push_back(j);
+  for (std::size_t k = 0; k + 2 < lengths_.size(); ++k)
+    if (lengths_[k].body == lengths_[k + 2].body) triangles_.push_back(k);
   const std::vector<std::size_t> own = six_bar.joints_of(SixBar::guided);
   guided_ = {own.at(0), own.at(1)};
 }

@@ -25,6 +25,8 @@ class SixBarDistances {
   [[nodiscard]] const std::vector<SixBarLength>& lengths() const { return lengths_; }
   [[nodiscard]] const std::vector<std::size_t>& ground() const { return ground_; }
   [[nodiscard]] const std::vector<std::size_t>& moving() const { return moving_; }
+  /// Of the moving bodies with three hinges: where their three lengths begin.
+  [[nodiscard]] const std::vector<std::size_t>& triangles() const { return triangles_; }
   /// The first two hinges of the guided body.
   [[nodiscard]] std::array<std::size_t, 2> guided() const { return guided_; }
   /// Of a linkage; after the lengths and pivots that is two of the point and the driver.
@@ -39,7 +41,7 @@ class SixBarDistances {
 
  private:
   std::vector<SixBarLength> lengths_;
-  std::vector<std::size_t> ground_, moving_;
+  std::vector<std::size_t> ground_, moving_, triangles_;
   std::array<std::size_t, 2> guided_{};
 };
 

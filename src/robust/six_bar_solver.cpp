@@ -124,11 +124,20 @@ std::optional<SixBarSolver::Joints> SixBarSolver::followed(const SixBarDeviation
   return joints;
 }
 
-std::optional<SixBarSolver::State> SixBarSolver::made(const SixBarDeviations& deviations) const {
+// Lengths above zero, and bodies of three hinges that are triangles.
+bool SixBarSolver::can_be_made(const SixBarDeviations& deviations) const {
   const auto& lengths = distances_.lengths();
+  const auto made = [&](std::size_t k) { return lengths[k].length + deviations[k]; };
   for (std::size_t k = 0; k < lengths.size(); ++k)
-    if (!(lengths[k].length + deviations[k] > 0)) return std::nullopt;
-  if (!inverse_) return std::nullopt;
+    if (!(made(k) > 0)) return false;
+  return std::none_of(distances_.triangles().begin(), distances_.triangles().end(), [&](std::size_t k) {
+    const double half = (made(k) + made(k + 1) + made(k + 2)) / 2;
+    return half <= made(k) || half <= made(k + 1) || half <= made(k + 2);
+  });
+}
+
+std::optional<SixBarSolver::State> SixBarSolver::made(const SixBarDeviations& deviations) const {
+  if (!inverse_ || !can_be_made(deviations)) return std::nullopt;
   const Target there = target(deviations, 1);
   Joints joints = nominal_.joints;
   for (const std::size_t pivot : distances_.ground()) joints[pivot] = there.ground[pivot];

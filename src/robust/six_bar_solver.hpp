@@ -31,6 +31,7 @@ class SixBarSolver {
   using Joints = SixBarDistances::Joints;
 
   struct Target;
+  [[nodiscard]] bool can_be_made(const SixBarDeviations& deviations) const;
   [[nodiscard]] Target target(const SixBarDeviations& deviations, double share) const;
   [[nodiscard]] Values errors(const Joints& joints, const Target& target) const;
   [[nodiscard]] bool close_by_nominal(Joints& joints, const Target& target) const;
