@@ -1,5 +1,10 @@
 #include "linkwright/robust/linkage_output.hpp"
 
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "robust/six_bar_distances.hpp"
+
 namespace linkwright {
 namespace {
 
@@ -25,8 +30,27 @@ std::vector<MadeDimension> dimensions_of(const SphericalOutput& /*output*/, cons
   return made;
 }
 
-std::vector<MadeDimension> dimensions_of(const SixBarOutput& /*output*/, const Tolerances& /*tolerances*/) {
-  return {};
+double length_tolerance(const SixBar& six_bar, int body, const LengthTolerances& length) {
+  if (body == SixBar::driver) return length.input;
+  const std::vector<std::size_t> own = six_bar.joints_of(body);
+  const bool grounded =
+      std::any_of(own.begin(), own.end(), [&](std::size_t j) { return is_on_ground(six_bar.joints[j]); });
+  return grounded ? length.output : length.coupler;
+}
+
+std::vector<MadeDimension> dimensions_of(const SixBarOutput& output, const Tolerances& tolerances) {
+  const SixBarDistances distances(output.six_bar);
+  const LengthTolerances& t = tolerances.length;
+  std::vector<MadeDimension> made;
+  for (const SixBarLength& length : distances.lengths())
+    made.push_back({"length " + name(length), length_tolerance(output.six_bar, length.body, t), 2});
+  for (const std::size_t pivot : distances.ground())
+    for (const char* axis : {"x", "y"})
+      made.push_back({fmt::format("center_{}_{}", joint_name(pivot), axis), t.ground_pivots});
+  for (const auto parameter : {PlanarParameter::point_along, PlanarParameter::point_across})
+    made.push_back({std::string(name(parameter)), t.point});
+  made.push_back({std::string(name(PlanarParameter::driver)), tolerances.driver, 0, true});
+  return made;
 }
 
 }  // namespace
@@ -59,7 +83,7 @@ std::optional<SensitivityMatrix> sensitivities(const LinkageOutput& output) {
   if (const auto* const spherical = std::get_if<SphericalOutput>(&output))
     return spherical->kind == SphericalOutput::Kind::angle ? angle_sensitivities(spherical->positions)
                                                            : orientation_sensitivities(spherical->positions);
-  return std::nullopt;
+  return six_bar_sensitivities(std::get<SixBarOutput>(output));
 }
 
 }  // namespace linkwright

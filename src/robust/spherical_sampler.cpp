@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "robust/block_sampler.hpp"
+#include "robust/tangent.hpp"
 
 namespace linkwright {
 namespace {
@@ -9,18 +10,15 @@ void put(Vector3 from, double to[3]) {
   for (std::size_t axis = 0; axis < 3; ++axis) to[axis] = from[axis];
 }
 
-// The part of `to` at right angles to `from`, of unit length.
-Vector3 direction_from(Vector3 from, Vector3 to) { return normalized(cross(cross(from, to), from)); }
-
 void set_position(const SphericalFourBar& bars, std::size_t j, SphericalSamplingBlock& block) {
   const auto& [g1, w1, w2, g2] = bars;
-  put(direction_from(g1, w1), block.input_direction[j]);
+  put(tangent(g1, w1), block.input_direction[j]);
   block.assembly[j] = determinant(w1, w2, g2) < 0 ? -1 : 1;
-  const Vector3 along = direction_from(w1, w2), output = direction_from(g2, w2), ground = direction_from(g1, g2);
+  const Vector3 along = tangent(w1, w2), output = tangent(g2, w2), ground = tangent(g1, g2);
   put(w1, block.coupler[j][0]);
   put(along, block.coupler[j][1]);
   put(cross(w1, along), block.coupler[j][2]);
-  block.output[j][0] = -dot(output, direction_from(g2, g1));
+  block.output[j][0] = -dot(output, tangent(g2, g1));
   block.output[j][1] = dot(output, cross(g1, ground));
 }
 
@@ -34,7 +32,7 @@ std::unique_ptr<BlockSampler> block_sampler(const SphericalOutput& output, const
   const SphericalValues arcs = {angles.input, angles.coupler, angles.output, angles.ground};
   std::copy_n(arcs.begin(), 4, block.arc);
   put(bars.input_fixed, block.fixed_axis);
-  put(direction_from(bars.input_fixed, bars.output_fixed), block.ground);
+  put(tangent(bars.input_fixed, bars.output_fixed), block.ground);
   block.of_output = output.kind == SphericalOutput::Kind::angle;
   block.positions = static_cast<int>(output.positions.size());
   for (std::size_t j = 0; j < output.positions.size(); ++j) set_position(output.positions[j], j, block);

@@ -151,6 +151,24 @@ SampledErrors ToleranceSampler::errors_of(const LinkageOutput& output) const {
   return linkwright::errors_of(all, output, tolerances_);
 }
 
+ErrorSamples error_samples(const LinkageOutput& output, const Tolerances& tolerances, std::size_t count, Simd simd) {
+  require_samples(output, tolerances);
+  ErrorSamples samples{std::vector<std::vector<double>>(positions_of(output))};
+  DrawBlock draws = draw_block(output, tolerances);
+  const auto sampler = sampler_of(output, tolerances, simd);
+  for (std::size_t first = 0; first < count; first += DrawBlock::size) {
+    draws.first = first;
+    draw_kernel.for_simd(simd)(draws);
+    const auto size = static_cast<int>(std::min<std::size_t>(count - first, DrawBlock::size));
+    const SampledBlock& block = sampler->sampled(draws.deviation, size);
+    samples.not_assembled += size - block.assembled_count;
+    for (int at = 0; at < size; ++at)
+      for (std::size_t j = 0; j < samples.errors.size() && (block.assembled[at / 8] >> at % 8 & 1); ++j)
+        samples.errors[j].push_back(is_line(output) ? block.error[j][at] : std::sqrt(block.error[j][at]));
+  }
+  return samples;
+}
+
 std::vector<std::vector<double>> sampled_deviations(const LinkageOutput& output, const Tolerances& tolerances,
                                                     std::size_t count) {
   DrawBlock block = draw_block(output, tolerances);

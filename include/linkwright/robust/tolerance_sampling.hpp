@@ -69,6 +69,16 @@ class ToleranceSampler {
   std::vector<double> draws_;  ///< by block, parameter, sample
 };
 
+/// The errors of single samples.
+struct ErrorSamples {
+  /// By position, of the samples that assemble in all of them: sizes ≥ 0, of lines distances to their left.
+  std::vector<std::vector<double>> errors;
+  std::int64_t not_assembled = 0;
+};
+/// Of the samples number 0 … count − 1, as sample_errors() takes them.
+[[nodiscard]] ErrorSamples error_samples(const LinkageOutput& output, const Tolerances& tolerances, std::size_t count,
+                                         Simd simd = Simd::automatic);
+
 /// By how much each dimension (made_dimensions) is off in the samples number 0, 1, …: clearance included; user's unit,
 /// radians.
 [[nodiscard]] std::vector<std::vector<double>> sampled_deviations(const LinkageOutput& output,
