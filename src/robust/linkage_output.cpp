@@ -49,7 +49,7 @@ std::vector<MadeDimension> dimensions_of(const SixBarOutput& output, const Toler
       made.push_back({fmt::format("center_{}_{}", joint_name(pivot), axis), t.ground_pivots});
   for (const auto parameter : {PlanarParameter::point_along, PlanarParameter::point_across})
     made.push_back({std::string(name(parameter)), t.point});
-  made.push_back({std::string(name(PlanarParameter::driver)), tolerances.driver, 0, true});
+  made.push_back({std::string(name(PlanarParameter::driver)), tolerances.driver, 0, true, true});
   return made;
 }
 

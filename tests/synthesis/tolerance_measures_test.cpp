@@ -24,8 +24,8 @@ Tolerances some_tolerances(const Problem& problem) {
 }
 
 Problem problem_of(const std::string& example) {
-  constexpr int region_samples = 60;
-  Problem problem = testing::example(example, region_samples);
+  constexpr int region_samples = 120;
+  Problem problem = testing::example(example + ".json", region_samples);
   problem.options.tolerances = some_tolerances(problem);
   problem.options.best = 3;
   return problem;
