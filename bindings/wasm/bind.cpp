@@ -50,6 +50,7 @@ class BoundSession : public Session {
     val result = val::object();
     result.set("linkage", linkage_.linkage);
     result.set("states", view(linkage_.states));
+    result.set("tolerance", linkage_.tolerance);
     return result;
   }
   val live_reply(double input_tau, double output_tau) {
@@ -59,6 +60,15 @@ class BoundSession : public Session {
     result.set("output", view(live_.output));
     return result;
   }
+  val tolerance_reply(double input_tau, double output_tau, int bins, int drawn) {
+    tolerance_ = tolerance(input_tau, output_tau, bins, drawn);
+    val result = val::object();
+    result.set("report", tolerance_.report);
+    result.set("drawn", view(tolerance_.drawn));
+    return result;
+  }
+  std::string sample_yields_text(int cells) { return sample_yields(cells); }
+  std::string front_text(const std::string& first, const std::string& second) { return front(first, second); }
   val halo_reply(int pose, bool turn, double reach, int steps, int samples) {
     counts_ = halo({pose, turn, reach, steps, samples});
     return view(counts_);
@@ -90,6 +100,7 @@ class BoundSession : public Session {
  private:
   LinkageReply linkage_;
   LiveReply live_;
+  ToleranceReply tolerance_;
   std::vector<std::uint32_t> counts_;
   std::vector<double> path_;
 };
@@ -110,6 +121,9 @@ EMSCRIPTEN_BINDINGS(linkwright) {
       .function("explore", &BoundSession::explore_reply)
       .function("linkage", &BoundSession::linkage_reply)
       .function("live", &BoundSession::live_reply)
+      .function("tolerance", &BoundSession::tolerance_reply)
+      .function("sample_yields", &BoundSession::sample_yields_text)
+      .function("front", &BoundSession::front_text)
       .function("halo", &BoundSession::halo_reply)
       .function("best", &BoundSession::best_text)
       .function("improve", &BoundSession::improve_text)

@@ -130,9 +130,9 @@ std::vector<double> FourBarSession::trace(MapPoint place, Point traced, bool res
   return path;
 }
 
-std::optional<MapPoint> FourBarSession::improved(MapPoint place, const Requirements& wanted,
-                                                 Objective objective) const {
-  return given_.family ? improved_linkage(*given_.family, wanted, objective, place) : std::nullopt;
+std::optional<MapPoint> FourBarSession::improved(MapPoint place, const Wish& wish) const {
+  return given_.family ? improved_linkage(*given_.family, wish.requirements, wish.objective, place, wish.added)
+                       : std::nullopt;
 }
 
 int FourBarSession::samples_for_best() const { return samples_of_an_order; }
@@ -196,10 +196,10 @@ bool FunctionSession::measure(EvaluatedMap& map, std::string_view property) cons
   return true;
 }
 
-std::optional<MapPoint> FunctionSession::improved(MapPoint place, const Requirements& wanted,
-                                                  Objective objective) const {
-  if (family_ && objective == Objective::structural_error) return improved_generator(*family_, wanted, place);
-  return FourBarSession::improved(place, wanted, objective);
+std::optional<MapPoint> FunctionSession::improved(MapPoint place, const Wish& wish) const {
+  if (family_ && wish.objective == Objective::structural_error)
+    return improved_generator(*family_, wish.requirements, place, wish.added);
+  return FourBarSession::improved(place, wish);
 }
 
 std::optional<Answer> FunctionSession::answer_at(MapPoint place, bool respect_direction) const {

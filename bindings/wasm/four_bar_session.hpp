@@ -25,8 +25,7 @@ class FourBarSession : public TaskSession {
   [[nodiscard]] LinkageReply linkage(MapPoint place, FailureBits fails, bool respect_direction) const override;
   [[nodiscard]] Verification verify(MapPoint place, bool respect_direction) const override;
   [[nodiscard]] std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const override;
-  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Requirements& wanted,
-                                                 Objective objective) const override;
+  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Wish& wish) const override;
   [[nodiscard]] int samples_for_best() const override;
 
  protected:
@@ -76,8 +75,7 @@ class FunctionSession final : public FourBarSession {
   [[nodiscard]] TaskReply about() const override;
   [[nodiscard]] int map_samples(int asked) const override;
   bool measure(EvaluatedMap& map, std::string_view property) const override;
-  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Requirements& wanted,
-                                                 Objective objective) const override;
+  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Wish& wish) const override;
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const override;
 
  private:

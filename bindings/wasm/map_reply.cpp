@@ -71,8 +71,7 @@ void EvaluatedMap::measure(std::string_view key) {
   ridges_ = linkwright::ridges(values_, fails_, map_.columns(), shown.larger_is_better);
 }
 
-void EvaluatedMap::show(const std::function<void(std::span<float> values)>& fill) {
-  constexpr bool larger_is_better = false;
+void EvaluatedMap::show(const std::function<void(std::span<float> values)>& fill, bool larger_is_better) {
   values_.assign(map_.rows() * map_.columns(), 0);
   fill(values_);
   ridges_ = linkwright::ridges(values_, fails_, map_.columns(), larger_is_better);

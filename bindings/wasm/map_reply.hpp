@@ -19,14 +19,16 @@ class EvaluatedMap {
  public:
   /// Takes over the memory of the map before.
   void classify(const std::function<void(RegionMap&)>& fill);
+  /// Adds a column to the map, or takes it anew.
+  void add(const CellMeasure& measure) { map_.add(measure); }
   /// `filter` of map().
   void evaluate(const RequirementFilter& filter);
   /// Told where nothing is left.
   void note_missed_boxes(std::vector<MissedBox> missed) { missed_boxes_ = std::move(missed); }
   /// One of the map's measures, or the first where it has no such.
   void measure(std::string_view key);
-  /// What `fill` writes of the cells, the smaller the better; 0: not defined.
-  void show(const std::function<void(std::span<float> values)>& fill);
+  /// What `fill` writes of the cells; 0: not defined.
+  void show(const std::function<void(std::span<float> values)>& fill, bool larger_is_better = false);
 
   [[nodiscard]] const RegionMap& map() const { return map_; }
   [[nodiscard]] const RegionCounts& counts() const { return counts_; }

@@ -7,7 +7,9 @@
 #include "linkwright/drawing/linkage_export.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/region/pareto_front.hpp"
 #include "linkwright/synthesis/solve.hpp"
+#include "linkwright/synthesis/tolerance_measures.hpp"
 #include "reply_json.hpp"
 #include "six_bar_session.hpp"
 #include "spherical_function_session.hpp"
@@ -57,7 +59,17 @@ bool Session::set_problem(std::string_view text) {
     mapped_.reset();
   }
   requirements_ = task().with_defaults(problem_.requirements);
+  set_tolerances(!unchanged);
   return true;
+}
+
+void Session::set_tolerances(bool task_is_new) {
+  const SynthesisOptions options = with_turning_length(problem_.options, task().about().characteristic_length);
+  if (!task_is_new && options.tolerances == tolerances_) return;
+  tolerances_ = options.tolerances;
+  added_ = tolerances_ && family() ? tolerance_measures(problem_.task, *family(), *tolerances_) : AddedMeasures{};
+  tolerances_measured_ = false;
+  yields_.reset();
 }
 
 std::string Session::read(std::string_view text) {
@@ -73,6 +85,24 @@ const TaskSession& Session::task() const {
 
 void Session::classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const {
   family()->classify(map, input, output, requirements_.respect_direction);
+  if (added_.tolerance_error) map.add(*added_.tolerance_error);
+}
+
+// The map stays where only tolerances change; yields go by the cells that meet all else.
+void Session::measure_tolerances(bool map_is_new) {
+  if (added_.tolerance_error && !map_is_new && !tolerances_measured_) map_.add(*added_.tolerance_error);
+  tolerances_measured_ = true;
+  if (!added_.yield) return yields_.reset();
+  Requirements all_else = requirements_;
+  all_else.min_yield = 0;
+  const RequirementFilter passing = filter_of(*family(), map_.map(), all_else);
+  std::vector<FailureBits> failures(map_.map().rows() * map_.map().columns());
+  passing.failures_of_all(failures);
+  std::vector<std::uint8_t> wanted(failures.size());
+  std::transform(failures.begin(), failures.end(), wanted.begin(), [](FailureBits failed) { return failed == 0; });
+  if (map_is_new || !yields_ || wanted != yields_of_) yields_.emplace(map_.map().rows(), map_.map().columns(), wanted);
+  yields_of_ = std::move(wanted);
+  map_.add(KnownYields(yields_->values()));
 }
 
 RequirementFilter Session::filter(const RegionMap& map) const { return filter_of(*family(), map, requirements_); }
@@ -89,16 +119,23 @@ void Session::compute_map(const ExploreRequest& request) {
                       request.output,
                       problem_.options.spacing,
                       requirements_.respect_direction};
-  if (mapped_ != wanted) {
+  const bool is_new = mapped_ != wanted;
+  if (is_new) {
     mapped_.reset();  // nothing is shown of the last one should memory run out half way
     input_tau_ = task().coordinates(request, axes_->input, Side::input);
     output_tau_ = task().coordinates(request, axes_->output, Side::output);
     map_.classify([&](RegionMap& map) { classify(map, input_tau_, output_tau_); });
     mapped_ = wanted;
   }
+  measure_tolerances(is_new);
   map_.evaluate(filter(map_.map()));
   if (map_.census().meeting == 0) map_.note_missed_boxes(task().missed_boxes(requirements_));
-  if (!task().measure(map_, request.property)) map_.measure(request.property);
+  if (yields_ && request.property == measures::yield.key) {
+    const std::vector<float> shown = yields_->shown();
+    map_.show([&](std::span<float> values) { std::copy(shown.begin(), shown.end(), values.begin()); }, true);
+  } else if (!task().measure(map_, request.property)) {
+    map_.measure(request.property);
+  }
 }
 
 ExploreReply Session::explore(const ExploreRequest& request) {
@@ -134,7 +171,13 @@ LinkageReply Session::linkage(double input_tau, double output_tau) {
   // By the map's own kernel, so that the card and the cell agree to the last bit.
   FailureBits fails = failures(cell_, std::array{input_tau}, std::array{output_tau}).front();
   if (fails != 0 && task().meets_exactly({input_tau, output_tau}, requirements_)) fails = 0;
-  return task().linkage({input_tau, output_tau}, fails, requirements_.respect_direction);
+  if (fails == 0 && fails_yield({input_tau, output_tau}))
+    fails =
+        static_cast<FailureBits>(1u << place_among(linkages(problem_.task).requirements, RequirementKind::min_yield));
+  LinkageReply reply = task().linkage({input_tau, output_tau}, fails, requirements_.respect_direction);
+  if (const auto output = tolerances_ ? output_at({input_tau, output_tau}) : std::nullopt)
+    reply.tolerance = tolerance_at_a_glance(*output, *tolerances_);
+  return reply;
 }
 
 std::vector<FailureBits> Session::failures(RegionMap& map, std::span<const double> input,
@@ -160,6 +203,61 @@ LiveReply Session::live(double input_tau, double output_tau) {
 
 std::vector<std::uint32_t> Session::halo(const HaloRequest& request) const { return task().halo(request, problem_); }
 
+std::optional<LinkageOutput> Session::output_at(MapPoint place) const {
+  if (!family()) return std::nullopt;
+  return outputs_of(problem_.task, *family(), tolerances_->turning_length.value_or(0))(place);
+}
+
+bool Session::fails_yield(MapPoint place) const {
+  if (!added_.yield || !(requirements_.min_yield > 0)) return false;
+  return !(added_.yield->at(place).value_or(0) >= requirements_.min_yield);
+}
+
+ToleranceReply Session::tolerance(double input_tau, double output_tau, int bins, int drawn) const {
+  const auto output = tolerances_ ? output_at({input_tau, output_tau}) : std::nullopt;
+  return output ? tolerance_reply(*output, *tolerances_, bins, drawn) : ToleranceReply{};
+}
+
+std::string Session::sample_yields(int cells) {
+  if (yields_) yields_->advance(static_cast<std::size_t>(std::max(cells, 0)), *added_.yield, input_tau_, output_tau_);
+  return json_of([&](JsonWriter& json) {
+    json.begin_object();
+    json.member("done", static_cast<std::int64_t>(yields_ ? yields_->done() : 0));
+    json.member("total", static_cast<std::int64_t>(yields_ ? yields_->total() : 0));
+    json.end_object();
+  });
+}
+
+namespace {
+
+std::optional<Objective> objective_named(const LinkageClass& of, std::string_view wanted) {
+  for (const Objective objective : of.objectives)
+    if (name(objective) == wanted) return objective;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string Session::front(std::string_view first, std::string_view second) const {
+  const LinkageClass& asked = linkages(problem_.task);
+  const auto one = objective_named(asked, first), other = objective_named(asked, second);
+  const bool is_known = one && other && mapped_ && family() && !map_.map().values(measure_of(*one)).empty() &&
+                        !map_.map().values(measure_of(*other)).empty();
+  std::vector<ParetoCell> cells;
+  if (is_known) cells = pareto_front(map_.map(), filter(map_.map()), {*one, *other});
+  return json_of([&](JsonWriter& json) {
+    json.begin_object();
+    json.key("front");
+    json.begin_list();
+    for (const ParetoCell& cell : cells)
+      write_numbers(json, std::array{static_cast<double>(cell.row), static_cast<double>(cell.column),
+                                     readable_value(measure_of(*one), cell.values[0]),
+                                     readable_value(measure_of(*other), cell.values[1])});
+    json.end_list();
+    json.end_object();
+  });
+}
+
 namespace {
 
 // What the list of the best is to be read with: why it is empty, and what was not known of the task before.
@@ -178,6 +276,9 @@ std::string Session::best(int most) const {
   if (!task().window_sets_axes()) options.window.reset();
   options.at.reset();
   options.best = most;
+  options.measure_yields = false;
+  constexpr int samples_of_the_best = 10'000;
+  if (options.tolerances) options.tolerances->samples = std::min(options.tolerances->samples, samples_of_the_best);
   const auto at_once = most == 1 ? task().best_at_once(requirements_, options.objective) : std::nullopt;
   const auto answer = at_once ? Result<Answer>(*task().answer_at(*at_once, requirements_.respect_direction))
                               : solve(problem_.task, problem_.requirements, options);
@@ -196,7 +297,7 @@ std::string Session::best(int most) const {
 }
 
 std::string Session::improve(double input_tau, double output_tau) const {
-  const auto better = task().improved({input_tau, output_tau}, requirements_, problem_.options.objective);
+  const auto better = task().improved({input_tau, output_tau}, wish());
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("tau");
@@ -228,6 +329,8 @@ std::string Session::exported(double input_tau, double output_tau, std::string_v
   found.requirements = requirements_;
   found.options = problem_.options;
   found.options.at.reset();
+  found.options.tolerances = tolerances_;
+  report_tolerances(*answer);
   constexpr bool with_region = false;
   if (format == "result") return write_result(problem_, *answer, with_region);
   return linkwright::exported(stored_linkages(problem_, *answer).front(), format);

@@ -12,6 +12,8 @@
 #include "linkwright/files/problem_file.hpp"
 #include "map_reply.hpp"
 #include "task_session.hpp"
+#include "tolerance_reply.hpp"
+#include "yield_map.hpp"
 
 namespace linkwright::wasm {
 
@@ -47,12 +49,27 @@ class Session {
   [[nodiscard]] std::string best(int most) const;
   [[nodiscard]] std::string improve(double input_tau, double output_tau) const;
   [[nodiscard]] std::string verify(double input_tau, double output_tau);
+  /// What tolerances do to a linkage, by all samples, with histograms of so many bins and so many samples to be drawn;
+  /// empty without tolerances and at a dead point.
+  [[nodiscard]] ToleranceReply tolerance(double input_tau, double output_tau, int bins, int drawn) const;
+  /// Samples the yields of so many more cells of the map shown last, coarse to fine. JSON text: `{"done", "total"}`;
+  /// explore() then shows what is known.
+  [[nodiscard]] std::string sample_yields(int cells);
+  /// Of the map shown last the cells that no other beats in both objectives, by their names. JSON text: `{"front":
+  /// [[row, column, value, value] …]}`, values as they are read.
+  [[nodiscard]] std::string front(std::string_view first, std::string_view second) const;
   [[nodiscard]] std::vector<double> trace(double input_tau, double output_tau, Point traced);
   /// A file: svg, dxf, csv, json or result. Empty where there is no linkage to write.
   [[nodiscard]] std::string exported(double input_tau, double output_tau, std::string_view format) const;
 
  private:
   [[nodiscard]] const TaskSession& task() const;
+  /// Requirements, objective and tolerances of the problem, after one is set.
+  [[nodiscard]] Wish wish() const { return {requirements_, problem_.options.objective, added_}; }
+  void set_tolerances(bool task_is_new);
+  [[nodiscard]] std::optional<LinkageOutput> output_at(MapPoint place) const;
+  void measure_tolerances(bool map_is_new);
+  [[nodiscard]] bool fails_yield(MapPoint place) const;
   /// Null where there is no map.
   [[nodiscard]] const LinkageFamily* family() const { return task().family(); }
   void classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const;
@@ -81,6 +98,12 @@ class Session {
   EvaluatedMap map_;
   std::vector<double> input_tau_, output_tau_;
   RegionMap strip_, cell_;  ///< a row or a column, and a single cell
+
+  AddedMeasures added_;                   ///< of the problem's tolerances
+  std::optional<Tolerances> tolerances_;  ///< with their turning length; of added_
+  bool tolerances_measured_ = false;      ///< map_ holds the errors of tolerances_
+  std::optional<YieldMap> yields_;        ///< of map_ and tolerances_, as far as they are sampled
+  std::vector<std::uint8_t> yields_of_;   ///< the cells that are to be
 };
 
 }  // namespace linkwright::wasm

@@ -112,8 +112,8 @@ std::vector<double> SixBarSession::trace(MapPoint place, Point traced, bool /*re
   return six_bar_trace(task_.poses, at(place), traced);
 }
 
-std::optional<MapPoint> SixBarSession::improved(MapPoint place, const Requirements& wanted, Objective objective) const {
-  return family_ ? improved_six_bar(*family_, wanted, objective, place) : std::nullopt;
+std::optional<MapPoint> SixBarSession::improved(MapPoint place, const Wish& wish) const {
+  return family_ ? improved_six_bar(*family_, wish.requirements, wish.objective, place, wish.added) : std::nullopt;
 }
 
 // Of which solve() takes a quarter.

@@ -24,8 +24,7 @@ class SixBarSession final : public TaskSession {
   [[nodiscard]] LinkageReply linkage(MapPoint place, FailureBits fails, bool respect_direction) const override;
   [[nodiscard]] Verification verify(MapPoint place, bool respect_direction) const override;
   [[nodiscard]] std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const override;
-  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Requirements& wanted,
-                                                 Objective objective) const override;
+  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Wish& wish) const override;
   [[nodiscard]] int samples_for_best() const override;
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const override;
 

@@ -117,11 +117,11 @@ std::vector<double> SphericalFunctionSession::trace(MapPoint /*place*/, Point /*
   return {};
 }
 
-std::optional<MapPoint> SphericalFunctionSession::improved(MapPoint place, const Requirements& wanted,
-                                                           Objective objective) const {
+std::optional<MapPoint> SphericalFunctionSession::improved(MapPoint place, const Wish& wish) const {
   if (!family_) return std::nullopt;
-  if (objective == Objective::structural_error) return improved_generator(*family_, wanted, place);
-  return improved_place(SphericalEvaluator(*family_, wanted, objective), place);
+  if (wish.objective == Objective::structural_error)
+    return improved_generator(*family_, wish.requirements, place, wish.added);
+  return improved_place(SphericalEvaluator(*family_, wish.requirements, wish.objective, {}, wish.added), place);
 }
 
 int SphericalFunctionSession::samples_for_best() const { return cells_of_the_map; }

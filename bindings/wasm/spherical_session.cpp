@@ -90,9 +90,11 @@ std::vector<double> SphericalSession::trace(MapPoint /*place*/, Point /*traced*/
   return {};
 }
 
-std::optional<MapPoint> SphericalSession::improved(MapPoint place, const Requirements& wanted,
-                                                   Objective objective) const {
-  return given_.family ? improved_place(SphericalEvaluator(*given_.family, wanted, objective), place) : std::nullopt;
+std::optional<MapPoint> SphericalSession::improved(MapPoint place, const Wish& wish) const {
+  return given_.family
+             ? improved_place(SphericalEvaluator(*given_.family, wish.requirements, wish.objective, {}, wish.added),
+                              place)
+             : std::nullopt;
 }
 
 int SphericalSession::samples_for_best() const { return samples_of_the_map; }

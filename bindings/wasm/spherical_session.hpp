@@ -26,8 +26,7 @@ class SphericalSession final : public TaskSession {
   [[nodiscard]] Verification verify(MapPoint place, bool respect_direction) const override;
   /// None: points of the sphere are no points of the plane.
   [[nodiscard]] std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const override;
-  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Requirements& wanted,
-                                                 Objective objective) const override;
+  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Wish& wish) const override;
   [[nodiscard]] int samples_for_best() const override;
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const override;
 

@@ -149,9 +149,9 @@ std::vector<double> StraightLineSession::trace(MapPoint place, Point traced, boo
   return found ? straight_line_trace(*family_, *found, traced) : std::vector<double>{};
 }
 
-std::optional<MapPoint> StraightLineSession::improved(MapPoint place, const Requirements& wanted,
-                                                      Objective objective) const {
-  return family_ ? improved_place(LineEvaluator(*family_, wanted, objective), place) : std::nullopt;
+std::optional<MapPoint> StraightLineSession::improved(MapPoint place, const Wish& wish) const {
+  return family_ ? improved_place(LineEvaluator(*family_, wish.requirements, wish.objective, wish.added), place)
+                 : std::nullopt;
 }
 
 int StraightLineSession::samples_for_best() const { return samples_of_line_map; }

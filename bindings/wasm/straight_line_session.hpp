@@ -30,8 +30,7 @@ class StraightLineSession final : public TaskSession {
   [[nodiscard]] bool meets_exactly(MapPoint place, const Requirements& wanted) const override;
   [[nodiscard]] Verification verify(MapPoint place, bool respect_direction) const override;
   [[nodiscard]] std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const override;
-  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Requirements& wanted,
-                                                 Objective objective) const override;
+  [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Wish& wish) const override;
   [[nodiscard]] int samples_for_best() const override;
   /// A climb from the best cell of a small map, confirmed.
   [[nodiscard]] std::optional<MapPoint> best_at_once(const Requirements& wanted, Objective objective) const override;

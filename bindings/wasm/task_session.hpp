@@ -34,6 +34,13 @@ struct HaloRequest {
 struct LinkageReply {
   std::string linkage;  ///< JSON text
   std::vector<double> states;
+  std::string tolerance;  ///< JSON text; empty without tolerances and at a dead point
+};
+/// What is to be made better, and by what. Refers to all.
+struct Wish {
+  const Requirements& requirements;
+  Objective objective;
+  const AddedMeasures& added;
 };
 /// The curves of both axes; no output: the same.
 struct Drawn {
@@ -84,8 +91,7 @@ class TaskSession {
   [[nodiscard]] virtual Verification verify(MapPoint place, bool respect_direction) const = 0;
   /// The path of a point of the moving body (as it lies in position 1), x and y by turns.
   [[nodiscard]] virtual std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const = 0;
-  [[nodiscard]] virtual std::optional<MapPoint> improved(MapPoint place, const Requirements& wanted,
-                                                         Objective objective) const = 0;
+  [[nodiscard]] virtual std::optional<MapPoint> improved(MapPoint place, const Wish& wish) const = 0;
   [[nodiscard]] virtual std::vector<std::uint32_t> halo(const HaloRequest& /*request*/,
                                                         const Problem& /*problem*/) const {
     return {};

@@ -109,11 +109,6 @@ void write_relaxations(JsonWriter& json, const std::vector<Relaxation>& relaxati
   json.end_list();
 }
 
-// Angles in degrees, as its objectives are read.
-double readable(const Measure& measure, double value) {
-  return measure.stored == Measure::Stored::as_versine ? degrees(angle_of_versine(value)) : value;
-}
-
 // As options.at wants it.
 template <class KindAnswer>
 void write_place(JsonWriter& json, const KindAnswer& answer, MapPoint place) {
@@ -141,8 +136,8 @@ void write_front(JsonWriter& json, const KindAnswer& found) {
     write_place(json, found,
                 {found.region.input_coordinates()[cell.row], found.region.output_coordinates()[cell.column]});
     json.key("values");
-    write_interval(json, readable(measure_of((*found.options.pareto)[0]), cell.values[0]),
-                   readable(measure_of((*found.options.pareto)[1]), cell.values[1]));
+    write_interval(json, readable_value(measure_of((*found.options.pareto)[0]), cell.values[0]),
+                   readable_value(measure_of((*found.options.pareto)[1]), cell.values[1]));
     json.end_object();
   }
   json.end_list();

@@ -34,6 +34,10 @@ double versine_of_angle(double angle) {
   return 2 * half * half;
 }
 
+double readable_value(const Measure& measure, double stored) {
+  return measure.stored == Measure::Stored::as_versine ? degrees(angle_of_versine(stored)) : stored;
+}
+
 void row_values(const RegionMap& map, const Measure& measure, std::size_t row, std::span<float> values) {
   require(values.size() == map.columns(), "there is a place for each column");
   if (measure == measures::driver_sweep) return sweeps_in_degrees(map, row, values);

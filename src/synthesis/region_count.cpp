@@ -34,7 +34,12 @@ class AmongPassing : public CellMeasure {
 
 void measure_added(RegionMap& map, const LinkageFamily& family, const Findings& found, const Progress& progress) {
   if (found.added.tolerance_error) map.add(*found.added.tolerance_error, progress);
-  if (!found.added.yield) return;
+  const SynthesisOptions& options = found.options;
+  const bool ranks =
+      options.pareto && ((*options.pareto)[0] == Objective::yield || (*options.pareto)[1] == Objective::yield);
+  const bool is_asked =
+      options.measure_yields || found.requirements.min_yield > 0 || options.objective == Objective::yield || ranks;
+  if (!found.added.yield || !is_asked) return;
   Requirements all_else = found.requirements;
   all_else.min_yield = 0;
   map.add(AmongPassing(*found.added.yield, filter_of(family, map, all_else)), progress);

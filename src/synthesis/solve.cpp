@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "kinds.hpp"
+#include "linkwright/synthesis/tolerance_measures.hpp"
 #include "reason.hpp"
-#include "tolerance_reports.hpp"
 
 namespace linkwright {
 namespace {

@@ -1,5 +1,3 @@
-#include "tolerance_reports.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <numeric>

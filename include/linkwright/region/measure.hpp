@@ -64,6 +64,9 @@ inline constexpr Measure driver_sweep{"driver_sweep_deg"};
 /// NaN or infinite. `values` has a place for each column; `measure` is one of reported_measures(map).
 void row_values(const RegionMap& map, const Measure& measure, std::size_t row, std::span<float> values);
 
+/// One stored value as files and pages have it: angles in degrees.
+[[nodiscard]] double readable_value(const Measure& measure, double stored);
+
 /// γ from 1 − cos γ, radians.
 [[nodiscard]] double angle_of_versine(double versine);
 /// 1 − cos γ.

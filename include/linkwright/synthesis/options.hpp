@@ -40,6 +40,7 @@ struct SynthesisOptions {
   LineMeasuring line;  ///< of straight lines
 
   std::optional<Tolerances> tolerances;  ///< how linkages are made; nothing: exactly
+  bool measure_yields = true;            ///< of the map's cells, even where nothing asks for them
 
   RegionOptions region;
 };

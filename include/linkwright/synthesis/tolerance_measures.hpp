@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwright/core/progress.hpp"
 #include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/robust/linkage_output.hpp"
@@ -30,6 +31,10 @@ inline constexpr int map_samples = 1000;
 /// length is set, and so is the limit where yields are wanted. The family must outlive them.
 [[nodiscard]] AddedMeasures tolerance_measures(const Task& task, const LinkageFamily& family,
                                                const Tolerances& tolerances);
+
+/// Findings::tolerance of the linkages listed; where these rank them, the list is put in their order. Cancelled: of
+/// those that were reached.
+void report_tolerances(Answer& answer, const Progress& progress = {});
 
 /// One linkage listed, how it lies in the positions of its task, and what tolerances do to it.
 struct ToleranceStudy {

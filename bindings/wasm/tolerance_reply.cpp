@@ -1,0 +1,110 @@
+#include "tolerance_reply.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "files/tolerance_writer.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/robust/sampled_positions.hpp"
+#include "linkwright/robust/tolerance_report.hpp"
+#include "reply_json.hpp"
+
+namespace linkwright::wasm {
+namespace {
+
+constexpr int samples_at_a_glance = 2000, samples_of_a_histogram = 20'000;
+
+void write_counts_of(JsonWriter& json, const std::vector<double>& errors, double from, double to, int bins) {
+  std::vector<std::int64_t> counts(static_cast<std::size_t>(bins));
+  for (const double error : errors) {
+    const double place = to > from ? (error - from) / (to - from) * bins : 0;
+    ++counts[static_cast<std::size_t>(std::clamp(place, 0.0, bins - 1.0))];
+  }
+  json.begin_list(JsonWriter::Layout::one_line);
+  for (const std::int64_t count : counts) json.value(count);
+  json.end_list();
+}
+
+// One scale for all positions, from 0 or, of lines, as far to one side as to the other.
+void write_histograms(JsonWriter& json, const LinkageOutput& output, const Tolerances& tolerances, int bins) {
+  const ErrorSamples samples =
+      error_samples(output, tolerances, static_cast<std::size_t>(std::min(tolerances.samples, samples_of_a_histogram)));
+  double most = 0;
+  for (const auto& errors : samples.errors)
+    for (const double error : errors) most = std::max(most, std::abs(error));
+  const double unit = is_angle(output) ? degrees(1) : 1, from = is_line(output) ? -most : 0;
+  json.key("histograms");
+  json.begin_object();
+  json.member("from", unit * from);
+  json.member("to", unit * most);
+  json.key("counts");
+  json.begin_list();
+  for (const auto& errors : samples.errors) write_counts_of(json, errors, from, most, bins);
+  json.end_list();
+  json.end_object();
+}
+
+/// Of a straight line its ends and the middle; of others all positions.
+LinkageOutput drawn_positions(const LinkageOutput& output) {
+  if (!is_line(output)) return output;
+  PlanarOutput line = std::get<PlanarOutput>(output);
+  const auto& all = line.positions;
+  line.positions = {all.front(), all[all.size() / 2], all.back()};
+  return line;
+}
+
+void append(std::vector<double>& drawn, std::initializer_list<Point> points) {
+  for (const Point p : points) drawn.insert(drawn.end(), {p.real(), p.imag()});
+}
+void append_joints(std::vector<double>& drawn, const TracingFourBar& made) {
+  append(drawn, {made.bars.input_center, made.bars.input_circle, made.bars.output_circle, made.bars.output_center,
+                 made.point});
+}
+void append_joints(std::vector<double>& drawn, const SphericalFourBar& made) {
+  for (const Vector3 axis : {made.input_fixed, made.input_moving, made.output_moving, made.output_fixed})
+    drawn.insert(drawn.end(), {axis.x, axis.y, axis.z});
+}
+void append_joints(std::vector<double>& drawn, const SampledSixBar& made) {
+  for (const Point joint : made.joints) append(drawn, {joint});
+  append(drawn, {made.guided.origin});
+}
+
+std::vector<double> drawn_samples(const LinkageOutput& output, const Tolerances& tolerances, int count) {
+  std::vector<double> drawn;
+  std::visit(
+      [&](const auto& one) {
+        for (const auto& sample : sampled_positions(one, tolerances, static_cast<std::size_t>(count)))
+          for (const auto& made : sample) append_joints(drawn, made);
+      },
+      drawn_positions(output));
+  return drawn;
+}
+
+}  // namespace
+
+ToleranceReply tolerance_reply(const LinkageOutput& output, const Tolerances& tolerances, int bins, int drawn) {
+  const auto report = tolerance_report(output, tolerances);
+  if (!report) return {};
+  ToleranceReply reply;
+  reply.report = json_of([&](JsonWriter& json) {
+    json.begin_object();
+    json.key("tolerance");
+    write_tolerance_report(json, *report, tolerances);
+    write_histograms(json, output, tolerances, bins);
+    json.member("positions", static_cast<std::int64_t>(positions_of(drawn_positions(output))));
+    json.end_object();
+  });
+  reply.drawn = drawn_samples(output, tolerances, drawn);
+  return reply;
+}
+
+std::string tolerance_at_a_glance(const LinkageOutput& output, const Tolerances& tolerances) {
+  Tolerances few = tolerances;
+  few.samples = std::min(tolerances.samples, samples_at_a_glance);
+  const auto report = tolerance_report(output, few);
+  if (!report) return "";
+  return json_of([&](JsonWriter& json) { write_tolerance_report(json, *report, few); });
+}
+
+}  // namespace linkwright::wasm
