@@ -72,14 +72,14 @@ SixBarSolver::Values SixBarSolver::errors(const Joints& joints, const Target& ta
 }
 
 // Newton's method with one derivative for all: it converges as fast as the deviations are small.
-bool SixBarSolver::close_by_nominal(Joints& joints, const Target& target) const {
+bool SixBarSolver::close_by(const Inverse& inverse, Joints& joints, const Target& target) const {
   const auto& moving = distances_.moving();
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_corrections; ++step) {
     const Values error = errors(joints, target);
     Values change{};
     for (std::size_t column = 0; column < equations; ++column)
-      for (std::size_t row = 0; row < equations; ++row) change[row] += (*inverse_)[column][row] * error[column];
+      for (std::size_t row = 0; row < equations; ++row) change[row] += inverse[column][row] * error[column];
     double size = 0;
     for (std::size_t k = 0; k < moving.size(); ++k) {
       joints[moving[k]] -= Point{change[2 * k], change[2 * k + 1]};
@@ -150,7 +150,7 @@ std::optional<SixBarSolver::State> SixBarSolver::made(const SixBarDeviations& de
   const Target there = target(deviations, 1);
   Joints joints = nominal_.joints;
   for (const std::size_t pivot : distances_.ground()) joints[pivot] = there.ground[pivot];
-  if (!close_by_nominal(joints, there)) {
+  if (!close_by(*inverse_, joints, there)) {
     const auto found = followed(deviations);
     if (!found) return std::nullopt;
     joints = *found;
