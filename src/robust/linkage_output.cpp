@@ -8,9 +8,11 @@
 namespace linkwright {
 namespace {
 
-std::vector<MadeDimension> dimensions_of(const PlanarOutput& /*output*/, const Tolerances& tolerances) {
+std::vector<MadeDimension> dimensions_of(const PlanarOutput& output, const Tolerances& tolerances) {
   constexpr std::size_t moving_links = 3;  // the first parameters
-  const PlanarValues half = planar_half_tolerances(tolerances);
+  Tolerances asked = tolerances;
+  if (output.kind == PlanarOutput::Kind::angle) asked.length.point = 0;  // a function has no point
+  const PlanarValues half = planar_half_tolerances(asked);
   std::vector<MadeDimension> made;
   for (std::size_t i = 0; i < half.size(); ++i) {
     const auto parameter = static_cast<PlanarParameter>(i);

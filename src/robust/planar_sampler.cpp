@@ -56,7 +56,7 @@ void set_line(const PlanarOutput& output, SamplingBlock& block) {
 }  // namespace
 
 std::unique_ptr<BlockSampler> block_sampler(const PlanarOutput& output, const Tolerances& tolerances, Simd simd) {
-  auto made = std::make_unique_for_overwrite<SamplingBlock>();
+  auto made = std::make_unique<SamplingBlock>();
   SamplingBlock& block = *made;
   block.kind = static_cast<SamplingBlock::Kind>(output.kind);
   block.positions = static_cast<int>(output.positions.size());

@@ -50,20 +50,23 @@ SixBarDistances::SixBarDistances(const SixBar& six_bar) : lengths_(six_bar.lengt
 SixBarDistances::Matrix SixBarDistances::jacobian(const Joints& joints, const std::vector<std::size_t>& by) const {
   const int rows = equations(), driver = rows - 1;
   Matrix matrix = Matrix::Zero(rows, 2 * static_cast<int>(by.size()));
+  std::array<int, SixBar::joint_count> column_of{};
+  column_of.fill(-1);
+  for (std::size_t k = 0; k < by.size(); ++k) column_of[by[k]] = 2 * static_cast<int>(k);
   const auto add = [&](int row, std::size_t joint, Point along) {
-    const auto found = std::find(by.begin(), by.end(), joint);
-    if (found == by.end()) return;
-    const auto column = 2 * (found - by.begin());
-    matrix(row, column) += along.real();
-    matrix(row, column + 1) += along.imag();
+    const int column = column_of[joint];
+    if (column < 0) return;
+    matrix(row, column) = along.real();
+    matrix(row, column + 1) = along.imag();
   };
   const auto unit_vector = [&](std::size_t from, std::size_t to) {
     return (joints[to] - joints[from]) / std::abs(joints[to] - joints[from]);
   };
   for (int row = 0; row < driver; ++row) {
     const auto [from, to] = lengths_[static_cast<std::size_t>(row)].joints;
-    add(row, to, unit_vector(from, to));
-    add(row, from, -unit_vector(from, to));
+    const Point along = unit_vector(from, to);
+    add(row, to, along);
+    add(row, from, -along);
   }
   const Point across = quarter_turn * unit_vector(SixBar::a, SixBar::b);
   add(driver, SixBar::b, across);

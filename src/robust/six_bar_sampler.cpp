@@ -66,7 +66,7 @@ class SixBarSampler : public BlockSampler {
   double turning_length_;
   std::optional<ToleranceLimit> limit_;
   double limited_ = 0;  ///< largest error of the last sample that the limit is on, squared
-  std::unique_ptr<SampledBlock> block_ = std::make_unique_for_overwrite<SampledBlock>();
+  std::unique_ptr<SampledBlock> block_ = std::make_unique<SampledBlock>();
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace linkwright {
 namespace {
 
 constexpr int most_corrections = 30;
-constexpr int growing_steps = 8;  // of the deviations, where they are too large to be made at once
+constexpr double least_share = 1.0 / 32;  // of the deviations, where they are too large to be made at once
 
 Point unit(Point vector) { return vector / std::abs(vector); }
 
@@ -72,14 +72,14 @@ SixBarSolver::Values SixBarSolver::errors(const Joints& joints, const Target& ta
 }
 
 // Newton's method with one derivative for all: it converges as fast as the deviations are small.
-bool SixBarSolver::close_by_nominal(Joints& joints, const Target& target) const {
+bool SixBarSolver::close_by(const Inverse& inverse, Joints& joints, const Target& target) const {
   const auto& moving = distances_.moving();
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_corrections; ++step) {
     const Values error = errors(joints, target);
     Values change{};
     for (std::size_t column = 0; column < equations; ++column)
-      for (std::size_t row = 0; row < equations; ++row) change[row] += (*inverse_)[column][row] * error[column];
+      for (std::size_t row = 0; row < equations; ++row) change[row] += inverse[column][row] * error[column];
     double size = 0;
     for (std::size_t k = 0; k < moving.size(); ++k) {
       joints[moving[k]] -= Point{change[2 * k], change[2 * k + 1]};
@@ -108,18 +108,27 @@ bool SixBarSolver::close_by_newton(Joints& joints, const Target& target) const {
     for (std::size_t k = 0; k < moving.size(); ++k)
       joints[moving[k]] -= Point{change[2 * static_cast<int>(k)], change[2 * static_cast<int>(k) + 1]};
     if (size <= tolerance::last_newton_correction * longest_) return (factors.determinant() > 0) == positive_;
-    if (!(size <= last)) return false;
+    if (!(size <= 0.5 * last)) return false;
     last = size;
   }
   return false;
 }
 
+// The deviations made bit by bit.
 std::optional<SixBarSolver::Joints> SixBarSolver::followed(const SixBarDeviations& deviations) const {
   Joints joints = nominal_.joints;
-  for (int step = 1; step <= growing_steps; ++step) {
-    const Target there = target(deviations, static_cast<double>(step) / growing_steps);
-    for (const std::size_t pivot : distances_.ground()) joints[pivot] = there.ground[pivot];
-    if (!close_by_newton(joints, there)) return std::nullopt;
+  double made = 0;
+  for (double share = 1; made < 1;) {
+    const Target there = target(deviations, made + share);
+    Joints next = joints;
+    for (const std::size_t pivot : distances_.ground()) next[pivot] = there.ground[pivot];
+    if (close_by_newton(next, there)) {
+      joints = next;
+      made += share;
+    } else {
+      share /= 2;
+    }
+    if (share < least_share) return std::nullopt;
   }
   return joints;
 }
@@ -141,7 +150,7 @@ std::optional<SixBarSolver::State> SixBarSolver::made(const SixBarDeviations& de
   const Target there = target(deviations, 1);
   Joints joints = nominal_.joints;
   for (const std::size_t pivot : distances_.ground()) joints[pivot] = there.ground[pivot];
-  if (!close_by_nominal(joints, there)) {
+  if (!close_by(*inverse_, joints, there)) {
     const auto found = followed(deviations);
     if (!found) return std::nullopt;
     joints = *found;

@@ -28,13 +28,14 @@ class SixBarSolver {
  private:
   static constexpr std::size_t equations = SixBarDistances::most_equations;
   using Values = std::array<double, equations>;
+  using Inverse = std::array<Values, equations>;  ///< by columns, the rest zero
   using Joints = SixBarDistances::Joints;
 
   struct Target;
   [[nodiscard]] bool can_be_made(const SixBarDeviations& deviations) const;
   [[nodiscard]] Target target(const SixBarDeviations& deviations, double share) const;
   [[nodiscard]] Values errors(const Joints& joints, const Target& target) const;
-  [[nodiscard]] bool close_by_nominal(Joints& joints, const Target& target) const;
+  [[nodiscard]] bool close_by(const Inverse& inverse, Joints& joints, const Target& target) const;
   [[nodiscard]] bool close_by_newton(Joints& joints, const Target& target) const;
   [[nodiscard]] std::optional<Joints> followed(const SixBarDeviations& deviations) const;
 
@@ -42,8 +43,8 @@ class SixBarSolver {
   State nominal_;
   Point arm_;  ///< of the guided frame's origin, along and across its body
   double longest_ = 0;
-  bool positive_ = false;                                 ///< sign of the equations' determinant
-  std::optional<std::array<Values, equations>> inverse_;  ///< by columns, the rest zero
+  bool positive_ = false;           ///< sign of the equations' determinant
+  std::optional<Inverse> inverse_;  ///< at the nominal position
 };
 
 }  // namespace linkwright

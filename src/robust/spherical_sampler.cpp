@@ -25,7 +25,7 @@ void set_position(const SphericalFourBar& bars, std::size_t j, SphericalSampling
 }  // namespace
 
 std::unique_ptr<BlockSampler> block_sampler(const SphericalOutput& output, const Tolerances& tolerances, Simd simd) {
-  auto made = std::make_unique_for_overwrite<SphericalSamplingBlock>();
+  auto made = std::make_unique<SphericalSamplingBlock>();
   SphericalSamplingBlock& block = *made;
   const SphericalFourBar& bars = output.positions.front();
   const LinkAngles angles = bars.angles();

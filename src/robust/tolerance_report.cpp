@@ -65,9 +65,10 @@ std::optional<ToleranceReport> tolerance_report(const LinkageOutput& output, con
   auto report = report_of(line, tolerances, threads);
   if (!report || line.positions.size() < least_realigned_positions) return report;
   line.realigned = true;
-  const auto anew = report_of(line, tolerances, threads).value();
-  report->error_realigned = anew.error;
-  report->sampled_realigned = anew.sampled;
+  if (const auto anew = report_of(line, tolerances, threads)) {
+    report->error_realigned = anew->error;
+    report->sampled_realigned = anew->sampled;
+  }
   return report;
 }
 

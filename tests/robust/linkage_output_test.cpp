@@ -21,6 +21,17 @@ TEST(LinkageOutput, NamesAndVariesDimensionsAsThePlanarParametersAre) {
   }
 }
 
+// Nobody is told to loosen what is not there.
+TEST(LinkageOutput, HasNoPointWhereAnAngleIsAskedFor) {
+  const Tolerances t{.length = LengthTolerances::all(1)};
+  PlanarOutput output;
+  output.kind = PlanarOutput::Kind::angle;
+  const auto dimensions = made_dimensions(output, t);
+  EXPECT_EQ(dimensions[6].tolerance, 1);
+  EXPECT_EQ(dimensions[7].tolerance, 0);
+  EXPECT_EQ(dimensions[8].tolerance, 0);
+}
+
 TEST(LinkageOutput, NamesAndVariesDimensionsAsTheSphericalParametersAre) {
   const Tolerances t{.clearance = 5, .driver = 0.1, .link_angle = 0.02};
   const auto dimensions = made_dimensions(SphericalOutput{}, t);

@@ -58,7 +58,7 @@ struct MadeDimension {
   /// How far it can be off: the half tolerance, and the pins at their worst.
   [[nodiscard]] double reach(const Tolerances& tolerances) const { return tolerance + pins * tolerances.clearance; }
 };
-/// One to each column of sensitivities().
+/// One to each column of sensitivities(); the point has no tolerance where an angle alone is asked for.
 [[nodiscard]] std::vector<MadeDimension> made_dimensions(const LinkageOutput& output, const Tolerances& tolerances);
 
 /// Nothing at a dead point.
