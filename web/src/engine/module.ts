@@ -30,8 +30,11 @@ export interface Session {
     property: string,
     order: number,
   ): {task: string; curves: DyadPolygon; output_curves: DyadPolygon | null; map: MapArrays | null};
-  linkage(input_tau: number, output_tau: number): {linkage: string; states: Float64Array};
+  linkage(input_tau: number, output_tau: number): {linkage: string; states: Float64Array; tolerance: string};
   live(input_tau: number, output_tau: number): {input: Uint16Array; output: Uint16Array};
+  tolerance(input_tau: number, output_tau: number, bins: number, drawn: number): {report: string; drawn: Float64Array};
+  sample_yields(cells: number): string;
+  front(first: string, second: string): string;
   halo(pose: number, turn: boolean, reach: number, steps: number, samples: number): Uint32Array;
   best(most: number): string;
   improve(input_tau: number, output_tau: number): string;

@@ -39,6 +39,8 @@ export interface Properties {
   link_ratio: number;
   longest_link: number;
   driver_sweep_deg: number;
+  tolerance_error: number; // with tolerances: user's unit, of functions and spheres degrees
+  yield: number; // with tolerances and a limit, as far as it is sampled
 }
 export type Property = keyof Properties;
 
@@ -281,6 +283,7 @@ export interface Linkage {
   miss?: {distance: number; angle_deg: number; input_deg: number} | null;
   swapped: {type: LinkageType; defects: Defects; min_transmission_angle_deg: number | null} | null;
   fails: number; // requirement bits
+  tolerance?: ToleranceFigures | null; // by few samples; with tolerances only, null at a dead point
   drive: Drive | null; // null: a slider or zero link
 }
 
@@ -328,7 +331,50 @@ export interface Requirements {
   min_length?: number | null;
   ground_pivots_within?: Box | null;
   moving_pivots_within?: Box | null;
+  max_tolerance_error?: number | null;
+  min_yield?: number | null;
   respect_direction?: boolean;
+}
+
+// ---- tolerances -----------------------------------------------------------------------------------------------
+
+/** What tolerances do to a linkage, as in a result file. */
+export interface ToleranceFigures {
+  unit: "length" | "degrees"; // of the errors
+  error: number; // to first order
+  error_sampled: number;
+  error_realigned?: number; // of straight lines
+  error_realigned_sampled?: number;
+  beyond_first_order: boolean; // the sampled error is the one that counts
+  worst_case: number;
+  mean_plus_3_sigma: number;
+  mean_plus_3_sigma_realigned?: number;
+  signal_to_noise_db: number | null;
+  yield: number | null; // null: no limit
+  yield_interval: [number, number] | null;
+  not_assembled: number; // share
+  samples: number;
+  seed: number;
+  /** Largest share first. */
+  sensitivities: {
+    parameter: string;
+    tolerance?: number; // half
+    tolerance_deg?: number;
+    share: number;
+    per_position: number[];
+  }[];
+  allocation: {parameter: string; tolerance?: number; tolerance_deg?: number}[] | null;
+}
+export interface ToleranceAnswer {
+  tolerance: ToleranceFigures;
+  /** Errors of samples, a row of counts to each position over one scale: from 0, of lines from the right to the left. */
+  histograms: {from: number; to: number; counts: number[][]};
+  /** Of the samples drawn: of a straight line its ends and the middle. */
+  positions: number;
+  /** By sample, position, joint: x and y, on the sphere x, y, z. Joints: of four-bars the input's fixed and moving pivot,
+   *  the output's moving and fixed pivot, in the plane and the body's origin; of six-bars the seven hinges and the body's
+   *  origin. Samples that do not assemble are left out. */
+  drawn: Float64Array;
 }
 
 // ---- messages -------------------------------------------------------------------------------------------------
@@ -352,6 +398,13 @@ export interface Requests {
   search: {rounds: readonly string[]; most: number};
   improve: {problem: string; tau: TauPair};
   verify: {problem: string; tau: TauPair};
+  /** With tolerances: what they do to a linkage, by all samples, with histograms of so many bins and so many samples to be
+   *  drawn. */
+  tolerance: {problem: string; tau: TauPair; bins: number; drawn: number};
+  /** Samples the yields of so many more cells of the map explored last; `explore` then shows what is known. */
+  yields: {problem: string; cells: number};
+  /** The cells of the map explored last that no other beats in both objectives. */
+  front: {problem: string; objectives: readonly [string, string]};
   trace: {problem: string; tau: TauPair; point: Point}; // path of a body point (position 1 coordinates)
   export: {problem: string; tau: TauPair; format: ExportFormat};
   /** What is no linkage's: JSON text that the engine's report of this name reads. */
@@ -378,6 +431,9 @@ export interface Replies {
   search: Replies["best"];
   improve: {tau: TauPair; improved: boolean};
   verify: {verified: boolean; residual: number};
+  tolerance: ToleranceAnswer | Record<"tolerance", null>; // null: no tolerances, or a dead point
+  yields: {done: number; total: number}; // cells that meet all else
+  front: {front: [row: number, column: number, first: number, second: number][]}; // the best by the first one first
   trace: {points: Float64Array}; // 2K, one per drive state
   export: {text: string; extension: string};
   report: {report: object};

@@ -14,6 +14,8 @@ import type {
   Requests,
   TaskAnswer,
   Tidings,
+  ToleranceAnswer,
+  ToleranceFigures,
 } from "./protocol";
 
 class Mistaken extends Error {
@@ -70,6 +72,9 @@ export class Server {
       search: (r) => this.search(r, tell),
       improve: (r) => JSON.parse(this.holding(r.problem).improve(...r.tau)),
       verify: (r) => JSON.parse(this.holding(r.problem).verify(...r.tau)),
+      tolerance: (r) => this.tolerance(r),
+      yields: (r) => JSON.parse(this.holding(r.problem).sample_yields(r.cells)),
+      front: (r) => JSON.parse(this.holding(r.problem).front(...r.objectives)),
       trace: (r) => ({points: copied(this.holding(r.problem).trace(...r.tau, ...r.point))}),
       export: (r) => this.exported(r),
       report: (r) => this.report(r),
@@ -106,7 +111,14 @@ export class Server {
     const linkage = JSON.parse(found.linkage) as Linkage;
     if (linkage.drive)
       linkage.drive = {...linkage.drive, width: linkage.drive.width ?? state_width, states: copied(found.states)};
+    linkage.tolerance = found.tolerance ? (JSON.parse(found.tolerance) as ToleranceFigures) : null;
     return {linkage, engine_ms: now() - start};
+  }
+
+  private tolerance({problem, tau, bins, drawn}: Requests["tolerance"]): Replies["tolerance"] {
+    const found = this.holding(problem).tolerance(...tau, bins, drawn);
+    if (!found.report) return {tolerance: null};
+    return {...(JSON.parse(found.report) as Omit<ToleranceAnswer, "drawn">), drawn: copied(found.drawn)};
   }
 
   private live({problem, tau}: Requests["live"]): Replies["live"] {
