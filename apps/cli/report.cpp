@@ -91,6 +91,7 @@ std::string counts_words(const Problem& problem, const FourBarAnswer& answer, co
 
 std::string best_heading(const FourBarAnswer& answer) {
   if (answer.options.at) return "The linkage there:\n";
+  if (const auto front = front_heading(answer)) return *front;
   if (is_of_tolerances(answer.options.objective))
     return fmt::format("Best linkages, {} first:\n", tolerance_superlative(answer.options.objective));
   switch (answer.options.objective) {
@@ -152,6 +153,7 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
 
 std::string why_the_best(const Problem& problem, const FourBarAnswer& answer, int decimals) {
   if (answer.options.at) return wrapped(answer.reason.message);
+  if (answer.options.pareto) return "";
   const auto& linkages = answer.linkages;
   const Objective objective = answer.options.objective;
   constexpr std::array<std::string_view, 4> superlatives = {"largest minimum transmission angle", "smallest link ratio",

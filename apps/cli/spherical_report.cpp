@@ -85,7 +85,9 @@ std::string relaxed_words(const SphericalMotionAnswer& answer) {
   return text;
 }
 
-std::string best_spherical_heading(const SynthesisOptions& options) {
+std::string best_spherical_heading(const SphericalAnswer& answer) {
+  const SynthesisOptions& options = answer.options;
+  if (const auto front = front_heading(answer)) return *front;
   if (options.at) return "The linkage there:\n";
   if (is_of_tolerances(options.objective))
     return fmt::format("Best linkages, {} first:\n", tolerance_superlative(options.objective));
@@ -141,6 +143,7 @@ std::string spherical_score(Objective objective, const SphericalSolution& found)
 
 std::string why_it_is_best(const SphericalAnswer& answer) {
   if (answer.options.at) return wrapped(answer.reason.message);
+  if (answer.options.pareto) return "";
   const Objective objective = answer.options.objective;
   const bool by_tolerances = is_of_tolerances(objective);
   const std::string_view what = by_tolerances                        ? tolerance_superlative(objective)
@@ -187,8 +190,8 @@ std::string no_spherical_words(const Problem& problem, const SphericalAnswer& an
 }
 
 std::string found_words(const SphericalAnswer& answer) {
-  return "\n" + best_spherical_heading(answer.options) + spherical_table(answer.linkages) + "\n" +
-         axis_table(answer.linkages) + "\n" + why_it_is_best(answer) + spherical_check_words(answer);
+  return "\n" + best_spherical_heading(answer) + spherical_table(answer.linkages) + "\n" + axis_table(answer.linkages) +
+         "\n" + why_it_is_best(answer) + spherical_check_words(answer);
 }
 
 /// To which side the links of a triple rocker swing; empty for other types.

@@ -10,6 +10,7 @@
 #include "linkwright/files/number_text.hpp"
 #include "requirement_report.hpp"
 #include "text_table.hpp"
+#include "tolerance_report.hpp"
 
 namespace linkwright::cli {
 namespace {
@@ -62,6 +63,7 @@ std::string_view order_words(Objective objective) {
 
 std::string heading_of_lines(const StraightLineAnswer& answer) {
   if (answer.options.at) return answer.linkages.size() == 1 ? "The linkage there:\n" : "The linkages there:\n";
+  if (auto front = front_heading(answer)) return *std::move(front);
   return fmt::format("Best linkages, {}:\n", order_words(answer.options.objective));
 }
 

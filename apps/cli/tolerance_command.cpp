@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "linkwright/drawing/tolerance_drawing.hpp"
 #include "linkwright/files/listed_problem.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/tolerance_file.hpp"
@@ -67,14 +68,16 @@ int tolerance(const ToleranceArguments& arguments) {
   if (place >= found.tolerance.size() || !found.tolerance[place])
     return refuse({{"no_sensitivity", "linkages",
                     "this linkage stands at a dead point in one of its positions, where errors have no bound"}});
-  const ToleranceStudy study = tolerance_study(problem, *solved, place);
+  ToleranceStudy study = tolerance_study(problem, *solved, place);
+  study.title += fmt::format("{}linkage {}", study.title.empty() ? "" : ", ", arguments.linkage);
   if (!arguments.report.empty() &&
       !write_output(arguments.report, [&](const TextSink& sink) { sink(write_tolerance_study(study)); }))
     return failure;
+  if (!arguments.picture.empty() &&
+      !write_output(arguments.picture, [&](const TextSink& sink) { sink(draw_tolerances(study)); }))
+    return failure;
   if (arguments.report == "-" || arguments.picture == "-") return 0;
-  const std::string heading =
-      fmt::format("{}linkage {}\n", problem.title.empty() ? "" : problem.title + ", ", arguments.linkage);
-  return print_answer(heading + tolerance_words(problem, found, place)) ? 0 : failure;
+  return print_answer(study.title + "\n" + tolerance_words(problem, found, place)) ? 0 : failure;
 }
 
 }  // namespace linkwright::cli

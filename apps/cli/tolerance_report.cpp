@@ -45,13 +45,13 @@ std::string half_tolerance_text(double tolerance, bool is_angle, std::string_vie
 std::string limit_text(const ToleranceLimit& limit, std::string_view unit) {
   switch (limit.kind) {
     case ToleranceLimit::Kind::angle:
-      return significant_text(degrees(limit.value), error_digits) + "° of turn";
+      return significant_text(degrees(limit.value), error_digits) + "°";
     case ToleranceLimit::Kind::deviation:
-      return with_unit(limit.value, unit) + " off the line";
+      return with_unit(limit.value, unit) + " of the line";
     case ToleranceLimit::Kind::position:
       break;
   }
-  return with_unit(limit.value, unit) + " of way";
+  return with_unit(limit.value, unit);
 }
 
 std::string_view distribution_words(ToleranceDistribution distribution) {
@@ -99,7 +99,8 @@ std::string_view error_words(const Task& task) {
 
 std::string main_cause(const ToleranceReport& report) {
   if (report.shares.empty()) return "–";
-  return fmt::format("{} {}", report.shares.front().parameter, percent(report.shares.front().share, 2));
+  return fmt::format("{} {}", percent(report.shares.front().share, 2),
+                     dimension_label(report.shares.front().parameter));
 }
 
 }  // namespace
@@ -140,6 +141,18 @@ std::string tolerance_table(const Problem& problem, const Findings& found) {
   return text;
 }
 
+std::optional<std::string> front_heading(const Findings& found) {
+  if (!found.options.pareto || found.options.at) return std::nullopt;
+  const auto words = [](Objective objective) {
+    std::string text(name(objective));
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return text;
+  };
+  return wrapped(fmt::format(
+      "Linkages that no other beats in both {} and {}: {} on the map; some of them:", words((*found.options.pareto)[0]),
+      words((*found.options.pareto)[1]), grouped_text(static_cast<std::int64_t>(found.pareto.size()))));
+}
+
 std::string_view tolerance_superlative(Objective objective) {
   return objective == Objective::yield ? "largest yield" : "smallest error by tolerances";
 }
@@ -162,9 +175,9 @@ std::string yield_sentence(const ToleranceReport& report, const Tolerances& give
       fmt::format("Of {} sampled linkages (seed {}) {}", grouped_text(sampled.samples), given.seed, failed);
   if (!sampled.yield)
     return wrapped(made + ". Give a \"limit\" in the tolerances to have the share of good ones counted.");
-  return wrapped(fmt::format("{}; {} keep to {} in all positions: a yield between {} and {} with 95 % certainty.", made,
-                             yield_text(*sampled.yield), limit_text(*given.limit, unit), percent(sampled.yield->low, 5),
-                             percent(sampled.yield->high, 5)));
+  return wrapped(fmt::format("{}; {} stay within {} in all positions: a yield between {} and {} with 95 % certainty.",
+                             made, yield_text(*sampled.yield), limit_text(*given.limit, unit),
+                             percent(sampled.yield->low, 5), percent(sampled.yield->high, 5)));
 }
 
 std::string contribution_table(const ToleranceReport& report, std::string_view unit) {
@@ -187,7 +200,7 @@ std::string contribution_table(const ToleranceReport& report, std::string_view u
 std::string names_of(const std::vector<ParameterShare>& shares, double from, double to) {
   std::string text;
   for (const ParameterShare& share : shares)
-    if (share.share >= from && share.share < to) text += (text.empty() ? "" : ", ") + dimension_label(share.parameter);
+    if (share.share >= from && share.share < to) text += (text.empty() ? "" : "; ") + dimension_label(share.parameter);
   return text;
 }
 
@@ -198,8 +211,7 @@ std::string advice(const ToleranceReport& report) {
   if (!tighten.empty()) text += wrapped(fmt::format("Tighten first: {}.", tighten));
   if (tighten.empty()) text += wrapped("No single dimension stands out: tightening one of them helps little.");
   if (!loosen.empty())
-    text +=
-        wrapped(fmt::format("Loosen: {}; they make less than {} of the variance.", loosen, percent(does_not_matter)));
+    text += wrapped(fmt::format("Loosen (less than {} of the variance): {}.", percent(does_not_matter), loosen));
   return text;
 }
 
@@ -226,11 +238,11 @@ std::string tolerance_words(const Problem& problem, const Findings& found, std::
   const std::string_view unit = problem.length_unit;
   const auto error = [&](double value) { return error_text(report, value, unit); };
   std::string text = wrapped(fmt::format("Tolerances: {}.", given_words(given, unit)));
-  text += wrapped(fmt::format(
-      "Error: {} to first order, {} of the samples ({}). Worst case {}; mean + 3σ of the "
-      "largest error {}; signal to noise {} dB.",
-      error(report.error), error(report.sampled.error), error_words(problem.task), error(report.worst_case),
-      error(report.sampled.mean_plus_3_sigma()), significant_text(report.sampled.signal_to_noise(), error_digits)));
+  text += wrapped(
+      fmt::format("Error: {} to first order, {} of the samples ({}). Worst case {}; mean + 3σ of the "
+                  "largest error {}; signal to noise {} dB.",
+                  error(report.error), error(report.sampled.error), error_words(problem.task), error(report.worst_case),
+                  error(report.sampled.mean_plus_3_sigma()), significant_text(report.signal_to_noise(), error_digits)));
   if (report.error_realigned)
     text += wrapped(fmt::format("Where the line is laid anew in each linkage made: {}; mean + 3σ {}.",
                                 error(*report.error_realigned),

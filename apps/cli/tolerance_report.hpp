@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,9 @@ namespace linkwright::cli {
 
 /// What tolerances do to the linkages listed, a row to each; empty without tolerances.
 [[nodiscard]] std::string tolerance_table(const Problem& problem, const Findings& found);
+
+/// "Linkages that no other beats in both …", the heading of a front; nothing where none is asked for.
+[[nodiscard]] std::optional<std::string> front_heading(const Findings& found);
 
 /// "smallest error by tolerances", "largest yield": what ranks by tolerances.
 [[nodiscard]] std::string_view tolerance_superlative(Objective objective);

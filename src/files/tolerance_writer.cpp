@@ -119,7 +119,7 @@ void write_tolerance_report(JsonWriter& json, const ToleranceReport& report, con
   number("worst_case", report.worst_case);
   number("mean_plus_3_sigma", report.sampled.mean_plus_3_sigma());
   if (report.sampled_realigned) number("mean_plus_3_sigma_realigned", report.sampled_realigned->mean_plus_3_sigma());
-  json.member("signal_to_noise_db", report.sampled.signal_to_noise());
+  json.member("signal_to_noise_db", report.signal_to_noise());
   write_yield(json, report.sampled);
   json.member("samples", report.sampled.samples);
   json.member("seed", static_cast<std::int64_t>(tolerances.seed));

@@ -1,7 +1,9 @@
 #include "linkwright/robust/tolerance_report.hpp"
 
+#include <cmath>
 #include <utility>
 
+#include "linkwright/core/angle.hpp"
 #include "linkwright/robust/tolerance_error.hpp"
 
 namespace linkwright {
@@ -50,6 +52,10 @@ std::optional<ToleranceReport> report_of(const LinkageOutput& output, const Tole
 }
 
 }  // namespace
+
+double ToleranceReport::signal_to_noise() const {
+  return sampled.signal_to_noise() - (of_angle ? 20 * std::log10(degrees(1)) : 0);
+}
 
 std::optional<double> first_order_error(const LinkageOutput& output, const Tolerances& tolerances) {
   const auto matrix = sensitivities(output);

@@ -18,13 +18,14 @@ EXAMPLES = [path for path in ALL if path not in LINES]
 PATTERNS = {"tailgate": "P-P-P-P", "drawer_hinge": "P-P-P-P", "dump_bucket": "P-P-P-P", "landing_gear": "P-P-P-P",
             "folding_table": "P-P-P-P", "lift_platform": "P-P-P-P", "hood_hinge": "PP-P-P", "corner_drawer": "PPP-P",
             "latch": "P-P-P", "airtight_hatch": "P-P-P", "footrest": "P-P-P", "nose_gear": "P-P-P-P-P", "transfer_arm": "PP-P-PP",
-            "sine_generator": "P-P-P-P", "log_generator": "P-P-P-P-P", "flow_meter": "P-P-P-P",
+            "sine_generator": "P-P-P-P", "log_generator": "P-P-P-P-P", "flow_meter": "P-P-P-P", "flow_meter_as_made": "P-P-P-P", "tailgate_as_made": "P-P-P-P",
             "loader_bucket": "P-P-P-P", "loader_bucket_chain": "P-P-P-P",
             "folding_wing": "P-P-P-P", "wrist_orthosis": "P-P-P-P", "antenna_pointing": "P-P-P-P",
             "ankle_orthosis": "P-P-P-P-P", "universal_joint_like": "P-P-P-P"}
 
 # What the function generators are to generate.
-WANTED = {"sine_generator": lambda x: math.sin(math.radians(x)), "log_generator": math.log10, "flow_meter": math.sqrt}
+WANTED = {"sine_generator": lambda x: math.sin(math.radians(x)), "log_generator": math.log10, "flow_meter": math.sqrt,
+          "flow_meter_as_made": math.sqrt}
 
 FAR = 1e4
 SURROUNDINGS = {

@@ -34,6 +34,8 @@ struct ToleranceReport {
   /// The tolerances of least cost that keep `error`, with Tolerances::cost_exponent; never of straight lines.
   std::optional<std::vector<ParameterTolerance>> allocation;
 
+  /// SampledErrors::signal_to_noise() of errors as people read them: of angles in degrees.
+  [[nodiscard]] double signal_to_noise() const;
   [[nodiscard]] double listed_error() const { return beyond_first_order ? sampled.error : error; }
 };
 
