@@ -194,7 +194,7 @@ std::string contribution_table(const ToleranceReport& report, std::string_view u
       row.push_back(percent(share.per_position[j], 2));
     table.add_row(row);
   }
-  return "\nWhat contributes how much to the variance of the error (clearance within its link):\n" + table.text();
+  return "\nShares of the variance of the error (clearance within its link):\n" + table.text();
 }
 
 std::string names_of(const std::vector<ParameterShare>& shares, double from, double to) {

@@ -86,9 +86,16 @@ class Readme(FaceTest):
         for example, name in (("tailgate", "tailgate"), ("straight_watt_suspension", "straight_line")):
             picture = self.folder / "fresh.svg"
             self.assertEqual(run("solve", f"examples/{example}.json", "--svg", picture, cwd=ROOT)[0], 0)
-            texts = [[node.text for node in xml.etree.ElementTree.parse(path).iter() if (node.text or "").strip()]
-                     for path in (ROOT / f"docs/{name}.svg", picture)]
-            self.assertEqual(*texts, f"renew it: linkwright solve examples/{example}.json --svg docs/{name}.svg")
+            self.assert_same_texts(name, picture, f"solve examples/{example}.json")
+        result, picture = self.folder / "made.json", self.folder / "tolerances.svg"
+        self.assertEqual(run("solve", "examples/tailgate_as_made.json", "-o", result, cwd=ROOT)[0], 0)
+        self.assertEqual(run("tolerance", result, "--linkage", "7", "--svg", picture, cwd=ROOT)[0], 0)
+        self.assert_same_texts("tolerances", picture, "tolerance RESULT --linkage 7")
+
+    def assert_same_texts(self, name, picture, command):
+        texts = [[node.text for node in xml.etree.ElementTree.parse(path).iter() if (node.text or "").strip()]
+                 for path in (ROOT / f"docs/{name}.svg", picture)]
+        self.assertEqual(*texts, f"renew it: linkwright {command} --svg docs/{name}.svg")
 
     def test_problems_that_are_shown_can_be_solved(self):
         for readme in READMES:
