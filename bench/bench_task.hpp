@@ -32,6 +32,9 @@ struct SampledTask {
 /// The indicator's line, axes and estimates of all linkages of its map as JSON, for the peer.
 [[nodiscard]] std::string dump_lines(int samples);
 
+/// A linkage in four positions, its tolerances, and how far its samples are off in each as JSON, for the peer.
+[[nodiscard]] std::string dump_tolerances(int samples);
+
 /// Random tasks of five poses and their Burmester points (circle, centre; working frame) as JSON, for PHCpack.
 [[nodiscard]] std::string dump_five(int count);
 

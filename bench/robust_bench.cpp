@@ -1,11 +1,17 @@
-// Tolerances: the error of a linkage in four poses to first order, and samples of it, with the numbers and without.
+// Tolerances: the error of a linkage in four poses to first order, samples of it, with the numbers and without, and
+// what they add to maps of every kind.
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
+#include <filesystem>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "bench_task.hpp"
 #include "linkwright/analysis/position.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/robust/tolerance_sampling.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "robust/tolerance_error_kernel.hpp"
 
 namespace linkwright::bench {
@@ -76,7 +82,59 @@ void tolerance_error(benchmark::State& state, Simd simd) {
   state.SetItemsProcessed(state.iterations() * ToleranceErrorBlock::size);
 }
 
+Problem example(const std::string& name) {
+  Problem problem = *read_problem_file(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / (name + ".json"));
+  Tolerances given;
+  const bool on_sphere = name == "folding_wing";
+  (on_sphere ? given.link_angle : given.driver) = 0.001;
+  if (!on_sphere) given.length = LengthTolerances::all(0.1);
+  using Kind = ToleranceLimit::Kind;
+  const bool is_line = std::holds_alternative<StraightLineTask>(problem.task);
+  given.limit = ToleranceLimit{is_line ? Kind::deviation : Kind::angle, is_line ? 1 : 0.01};
+  problem.options.tolerances = given;
+  return problem;
+}
+
+// Items: a cell of the map; of yields one that meets the requirements.
+void measure_map(benchmark::State& state, const std::string& name, bool yields) {
+  Problem problem = example(name);
+  problem.options.region_samples = static_cast<int>(state.range(0));
+  problem.options.region.threads = 1;
+  problem.options.measure_yields = false;
+  problem.options.best = 0;
+  const Answer answer = solve(problem.task, problem.requirements, problem.options).value();
+  const Findings& found = findings(answer);
+  RegionMap map;
+  const LinkageFamily& family =
+      *std::visit([](const auto& of_kind) -> const LinkageFamily* { return of_kind.family(); }, answer);
+  family.classify(map, found.region.input_coordinates(), found.region.output_coordinates(), true, {.threads = 1});
+  const RequirementFilter filter = filter_of(family, map, found.requirements);
+  std::int64_t cells = 0;
+  for (auto _ : state) {
+    if (!yields) {
+      map.add(*found.added.tolerance_error);
+      cells += static_cast<std::int64_t>(map.rows() * map.columns());
+      continue;
+    }
+    for (std::size_t row = 0; row < map.rows(); ++row)
+      for (std::size_t column = 0; column < map.columns(); ++column) {
+        if (!filter.passes(row, column)) continue;
+        benchmark::DoNotOptimize(
+            found.added.yield->at({map.input_coordinates()[row], map.output_coordinates()[column]}));
+        ++cells;
+      }
+  }
+  state.SetItemsProcessed(cells);
+}
+
 bool register_robust() {
+  for (const char* name :
+       {"tailgate", "latch", "flow_meter", "folding_wing", "straight_luffing_crane", "loader_bucket_chain"})
+    for (const bool yields : {false, true})
+      benchmark::RegisterBenchmark(fmt::format("tolerance_map/{}/{}", name, yields ? "yield" : "error").c_str(),
+                                   measure_map, name, yields)
+          ->Arg(std::string_view(name) == "loader_bucket_chain" ? 240 : 100)
+          ->Unit(benchmark::kMillisecond);
   for (const Simd simd : {Simd::scalar, Simd::baseline, Simd::avx2, Simd::avx512}) {
     if (!is_supported(simd)) continue;
     const auto named = [&](const char* what) { return fmt::format("tolerances/{}/{}", what, name(simd)); };
@@ -89,6 +147,36 @@ bool register_robust() {
 
 [[maybe_unused]] const bool robust_registered = register_robust();
 
+std::string dumped(int samples) {
+  using nlohmann::json;
+  const auto pair = [](Point p) { return json{p.real(), p.imag()}; };
+  const auto linkages = four_positions();
+  const FourBar& bars = linkages.front().bars;
+  const LinkLengths lengths = bars.lengths();
+  const Tolerances tolerances = some_tolerances(samples);
+  const auto direction = [](Point from, Point to) { return (to - from) / std::abs(to - from); };
+  json file = {
+      {"samples", samples},
+      {"tolerance", tolerances.length.input},
+      {"turning_length", 1},
+      {"input", lengths.input},
+      {"coupler", lengths.coupler},
+      {"output", lengths.output},
+      {"input_center", pair(bars.input_center)},
+      {"output_center", pair(bars.output_center)},
+      {"arm", pair((linkages.front().point - bars.input_circle) / direction(bars.input_circle, bars.output_circle))},
+      {"deviations", sample_errors(pose_output(linkages, 1), tolerances, 1).deviations}};
+  for (const TracingFourBar& there : linkages)
+    file["positions"].push_back(
+        {{"input_direction", pair(direction(there.bars.input_center, there.bars.input_circle))},
+         {"coupler_direction", pair(direction(there.bars.input_circle, there.bars.output_circle))},
+         {"point", pair(there.point)},
+         {"assembly", assembly_of(there.bars) == Assembly::positive ? 1 : -1}});
+  return file.dump();
+}
+
 }  // namespace
 }  // namespace robust_bench
+
+std::string dump_tolerances(int samples) { return robust_bench::dumped(samples); }
 }  // namespace linkwright::bench

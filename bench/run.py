@@ -16,7 +16,7 @@ import statistics
 import subprocess
 import sys
 
-from peers import burmester_phc, five_orientations_phc, phc, region_numpy, sphere_numpy, straight_line_numpy
+from peers import burmester_phc, five_orientations_phc, phc, region_numpy, sphere_numpy, straight_line_numpy, tolerances_numpy
 
 TASKS = ("landing_gear", "drawer_hinge", "tailgate")
 
@@ -187,6 +187,31 @@ def print_line_figures(figures):
             print(f"  {name:<52}{value:9.1f}")
 
 
+def tolerance_figures(bench, rounds):
+    """Samples of a linkage and numpy in turns: nanoseconds of the processor a sample and position; what maps of each kind
+    take, nanoseconds a cell."""
+    dump = json.loads(subprocess.run([bench, "--dump-tolerances", "200000"], check=True, capture_output=True, text=True).stdout)
+    beside = {"numpy": []}
+    for _ in range(rounds):
+        for name, entry in run_benchmarks(bench, "^tolerances/samples").items():
+            beside.setdefault(name.removeprefix("tolerances/").removesuffix("/real_time"), []).append(1e9 / entry["items_per_second"])
+        beside["numpy"].append(min(tolerances_numpy.measure(dump, 1)))
+    ns = lambda pattern: {name: 1e9 / entry["items_per_second"] for name, entry in run_benchmarks(bench, pattern).items()}
+    return {"ns_per_sample_and_position": {contender: summary(values) for contender, values in beside.items()},
+            "error": ns("^tolerances/error"), "maps": ns("^tolerance_map/")}
+
+
+def print_tolerance_figures(figures):
+    table = figures["ns_per_sample_and_position"]
+    best = min(s["min"] for s in table.values())
+    print_table("tolerances: ns a sample and position, median, min, max; min over the best",
+                [(contender, s, s["min"] / best) for contender, s in table.items()])
+    for kind, unit in {"error": "ns a linkage in four poses", "maps": "ns a cell"}.items():
+        print(f"\n  {kind}: {unit}")
+        for name, value in figures[kind].items():
+            print(f"  {name:<52}{value:9.1f}")
+
+
 def main(arguments):
     options, rest = parse(arguments)
     if rest:
@@ -217,9 +242,12 @@ def main(arguments):
     print_sphere_figures(sphere)
     lines = line_figures(options.bench, options.rounds)
     print_line_figures(lines)
+    tolerances = tolerance_figures(options.bench, options.rounds)
+    print_tolerance_figures(tolerances)
     five = {
         "sphere": sphere,
         "straight_lines": lines,
+        "tolerances": tolerances,
         "five_poses": five_figures(options.bench, "burmester_points", burmester_phc, "--dump-five", options.five),
         "five_orientations": five_figures(options.bench, "five_orientations", five_orientations_phc, "--dump-five-orientations",
                                           options.five_orientations),

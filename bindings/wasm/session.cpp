@@ -19,6 +19,8 @@
 namespace linkwright::wasm {
 namespace {
 
+constexpr bool no_yields = false;  // they come coarse to fine
+
 std::unique_ptr<TaskSession> session_of(const MotionTask& task, const Problem& problem) {
   return std::make_unique<MotionSession>(task, problem);
 }
@@ -85,12 +87,13 @@ const TaskSession& Session::task() const {
 
 void Session::classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const {
   family()->classify(map, input, output, requirements_.respect_direction);
-  if (added_.tolerance_error) map.add(*added_.tolerance_error);
+  added_.add_to(map, *family(), requirements_, no_yields);
 }
 
 // The map stays where only tolerances change; yields go by the cells that meet all else.
 void Session::measure_tolerances(bool map_is_new) {
-  if (added_.tolerance_error && !map_is_new && !tolerances_measured_) map_.add(*added_.tolerance_error);
+  if (!map_is_new && (!tolerances_measured_ || added_.of_passing))
+    map_.classify([&](RegionMap& map) { added_.add_to(map, *family(), requirements_, no_yields); });
   tolerances_measured_ = true;
   if (!added_.yield) return yields_.reset();
   Requirements all_else = requirements_;

@@ -453,11 +453,11 @@ TracingFourBar StraightPath::linkage_at(Place place) const {
   return turned(start_, {value(loop.input, place.t), value(loop.coupler, place.t), value(loop.output, place.t)});
 }
 
-std::vector<StraightPath::State> StraightPath::states(int count) const {
+std::vector<StraightPath::State> StraightPath::states(double first, double last, int count) const {
   require(count >= 2, "a path has two ends");
   std::vector<State> states;
   for (int i = 0; i < count; ++i) {
-    const double s = from() + (to() - from()) * i / (count - 1);
+    const double s = first + (last - first) * i / (count - 1);
     const Place place = place_at(s);
     const Stretch& stretch = stretches_[place.stretch];
     states.push_back({s, e_at(place), linkage_at(place),

@@ -1,48 +1,15 @@
 #include "region_count.hpp"
 
-#include <limits>
-
 #include "linkwright/synthesis/tolerance_measures.hpp"
 
 namespace linkwright {
-namespace {
-
-/// A measure of the cells that meet requirements; of others it is not worth its time.
-class AmongPassing : public CellMeasure {
- public:
-  /// Refers to both.
-  AmongPassing(const CellMeasure& of, const RequirementFilter& filter)
-      : CellMeasure(of.measure()), of_(of), filter_(filter) {}
-
-  [[nodiscard]] std::optional<double> at(MapPoint place) const override { return of_.at(place); }
-  [[nodiscard]] Rows rows_of(const RegionMap& map) const override {
-    return [this, &map](std::size_t row, std::span<float> values) {
-      for (std::size_t column = 0; column < values.size(); ++column) {
-        const MapPoint place = {map.input_coordinates()[row], map.output_coordinates()[column]};
-        const auto found = filter_.passes(row, column) ? at(place) : std::nullopt;
-        values[column] = found ? static_cast<float>(*found) : std::numeric_limits<float>::quiet_NaN();
-      }
-    };
-  }
-
- private:
-  const CellMeasure& of_;
-  const RequirementFilter& filter_;
-};
-
-}  // namespace
-
 void measure_added(RegionMap& map, const LinkageFamily& family, const Findings& found, const Progress& progress) {
-  if (found.added.tolerance_error) map.add(*found.added.tolerance_error, progress);
   const SynthesisOptions& options = found.options;
   const bool ranks =
       options.pareto && ((*options.pareto)[0] == Objective::yield || (*options.pareto)[1] == Objective::yield);
-  const bool is_asked =
+  const bool yields =
       options.measure_yields || found.requirements.min_yield > 0 || options.objective == Objective::yield || ranks;
-  if (!found.added.yield || !is_asked) return;
-  Requirements all_else = found.requirements;
-  all_else.min_yield = 0;
-  map.add(AmongPassing(*found.added.yield, filter_of(family, map, all_else)), progress);
+  found.added.add_to(map, family, found.requirements, yields, progress);
 }
 
 RequirementFilter count_region(Findings& found, const Task& task, const LinkageFamily& family, const MapExtent& extent,

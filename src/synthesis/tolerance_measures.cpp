@@ -14,8 +14,8 @@
 namespace linkwright {
 namespace {
 
-// Places of a straight line at which its error is looked at: the ends are worst.
-constexpr int places_of_line = 41;
+// Places of a straight line at which its error is looked at, of those listed and of those of a map: the ends are worst.
+constexpr int places_of_line = 41, places_of_cell = 9;
 
 PlanarOutput planar_output(const FourBar& bars, const std::vector<PrescribedPose>& poses, bool is_function,
                            double turning_length) {
@@ -47,21 +47,31 @@ SixBarOutput six_bar_output(const SixBarTask& task, const SixBarMember& member, 
   return {member.six_bar, {member.turns.begin(), member.turns.end()}, task.poses.front().pose, turning_length};
 }
 
-std::optional<LinkageOutput> line_output_over(const TracingFourBar& linkage, const DirectedLine& line, double from,
-                                              double to) {
-  const auto path = StraightPath::of(linkage, line.direction, {.from = from, .to = to});
-  if (!path) return std::nullopt;
+LinkageOutput line_output_over(const StraightPath& path, double from, double to, const DirectedLine& line, int places) {
   std::vector<TracingFourBar> positions;
-  for (const StraightPath::State& state : path->states(places_of_line)) positions.push_back(state.linkage);
+  for (const StraightPath::State& state : path.states(from, to, places)) positions.push_back(state.linkage);
   constexpr bool realigned = false;
   return line_output(std::move(positions), line, realigned);
 }
 
-std::optional<LinkageOutput> output_of(const StraightLineSolution& found, LineMeasure measure) {
-  const UsableLine& counted = found.counted(measure);
-  const double from = found.stroke ? found.stroke->from : counted.from;
-  const double to = found.stroke ? found.stroke->to : counted.to;
-  return line_output_over(found.linkage, found.task.line, from, to);
+// Over the stroke that is asked for; where there is none, or the point does not go so far, over the usable length.
+std::optional<LinkageOutput> line_output_of(const TracingFourBar& linkage, const StraightLineFamily& family,
+                                            int places) {
+  const DirectedLine& line = family.task().line;
+  if (const auto asked = family.stroke()) {
+    const auto [from, to] = *asked;
+    const auto path = StraightPath::of(linkage, line.direction, {.from = std::min(from, 0.0), .to = std::max(to, 0.0)});
+    const double a_hair = 1e-9 * (to - from);
+    if (path && path->from() <= from + a_hair && path->to() >= to - a_hair)
+      return line_output_over(*path, from, to, line, places);
+  }
+  const LineMeasuring& by = family.measuring();
+  const double deviation = by.deviation_of(linkage);
+  const bool is_strip = by.measure == LineMeasure::strip;
+  const auto path = StraightPath::of(linkage, line.direction, {.max_deviation = (is_strip ? 2.1 : 1.1) * deviation});
+  if (!path) return std::nullopt;
+  const UsableLine usable = is_strip ? path->usable_strip(deviation) : path->usable(deviation);
+  return line_output_over(*path, usable.from, usable.to, line, places);
 }
 
 OutputAt outputs_of_four_bars(const FourBarFamily& family, bool is_function, double turning_length) {
@@ -110,21 +120,11 @@ OutputAt outputs_of_kind(const SixBarTask& task, const LinkageFamily& family, do
     return six_bar_output(task, *member, turning_length);
   };
 }
-// Over the stroke that is asked for, as far as the point goes; otherwise over the usable length.
-OutputAt outputs_of_kind(const StraightLineTask& task, const LinkageFamily& family, double /*turning_length*/) {
-  return [&lines = static_cast<const StraightLineFamily&>(family),
-          line = task.line](MapPoint place) -> std::optional<LinkageOutput> {
+OutputAt outputs_of_kind(const StraightLineTask& /*task*/, const LinkageFamily& family, double /*turning_length*/) {
+  return [&lines = static_cast<const StraightLineFamily&>(family)](MapPoint place) -> std::optional<LinkageOutput> {
     const LineDesign design = lines.design(place);
     if (design.kind != DesignKind::four_bar) return std::nullopt;
-    if (const auto asked = lines.stroke()) return line_output_over(design.linkage, line, (*asked)[0], (*asked)[1]);
-    const LineMeasuring& by = lines.measuring();
-    const double deviation = by.deviation_of(design.linkage);
-    const bool is_strip = by.measure == LineMeasure::strip;
-    const auto path =
-        StraightPath::of(design.linkage, line.direction, {.max_deviation = (is_strip ? 2.1 : 1.1) * deviation});
-    if (!path) return std::nullopt;
-    const UsableLine usable = is_strip ? path->usable_strip(deviation) : path->usable(deviation);
-    return line_output_over(design.linkage, line, usable.from, usable.to);
+    return line_output_of(design.linkage, lines, places_of_cell);
   };
 }
 
@@ -202,6 +202,7 @@ AddedMeasures tolerance_measures(const Task& task, const LinkageFamily& family, 
     added.tolerance_error = std::make_shared<FourBarOutputError>(output_at, *four_bars, tolerances);
   else
     added.tolerance_error = std::make_shared<OutputError>(output_at, tolerances);
+  added.of_passing = dynamic_cast<const StraightLineFamily*>(&family) != nullptr;
   if (!tolerances.limit) return added;
   Tolerances coarse = tolerances;
   coarse.samples = std::min(tolerances.samples, map_samples);
@@ -242,7 +243,7 @@ std::optional<LinkageOutput> output_of(const SixBarAnswer& answer, const SixBarS
 }
 std::optional<LinkageOutput> output_of(const StraightLineAnswer& answer, const StraightLineSolution& found,
                                        double /*turning_length*/) {
-  return output_of(found, answer.options.line.measure);
+  return line_output_of(found.linkage, StraightLineFamily(found.task, answer.options.line), places_of_line);
 }
 
 }  // namespace

@@ -3,16 +3,25 @@
 #include <memory>
 #include <optional>
 
+#include "linkwright/core/progress.hpp"
 #include "linkwright/region/cell_measure.hpp"
 #include "linkwright/region/objective.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
 
+class LinkageFamily;
+
 /// What is asked of a family's linkages beside what it measures itself: how they bear errors of their dimensions. Null:
 /// not asked.
 struct AddedMeasures {
   std::shared_ptr<const CellMeasure> tolerance_error, yield;
+  bool of_passing = false;  ///< errors take so long that only cells that meet all else are worth it
+
+  /// Columns of a map of the family: errors, and `yields` of the cells that meet all else; NaN where a cell is passed
+  /// over. Throws std::bad_alloc.
+  void add_to(RegionMap& map, const LinkageFamily& family, const Requirements& wanted, bool yields,
+              const Progress& progress = {}) const;
 
   /// What a place scores, larger being better: by these where the objective is one of them, otherwise `own`. Of two
   /// linkages of the same yield the one with the smaller error is better. Nothing where a requirement on them fails.

@@ -87,7 +87,9 @@ class StraightPath {
     double velocity = 0;  ///< ds/dφ by the input's angle; infinite at its dead point
   };
   /// At `count` ≥ 2 places evenly along s, from the beginning to the end.
-  [[nodiscard]] std::vector<State> states(int count) const;
+  [[nodiscard]] std::vector<State> states(int count) const { return states(from(), to(), count); }
+  /// The same over a part of it.
+  [[nodiscard]] std::vector<State> states(double first, double last, int count) const;
 
  private:
   struct Stretch {
