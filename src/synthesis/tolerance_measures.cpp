@@ -10,6 +10,7 @@
 #include "linkwright/robust/tolerance_report.hpp"
 #include "linkwright/spherical/spherical_family.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
+#include "spherical_errors.hpp"
 
 namespace linkwright {
 namespace {
@@ -159,6 +160,21 @@ class FourBarOutputError : public OutputError {
   Tolerances tolerances_;
 };
 
+/// The same of spherical four-bars that visit the same orientations.
+class SphericalOutputError : public OutputError {
+ public:
+  SphericalOutputError(OutputAt output_at, const SphericalProductFamily& family, const Tolerances& tolerances)
+      : OutputError(std::move(output_at), tolerances), family_(family), tolerances_(tolerances) {}
+
+  [[nodiscard]] Rows rows_of(const RegionMap& map) const override {
+    return spherical_errors(family_, map, tolerances_);
+  }
+
+ private:
+  const SphericalProductFamily& family_;
+  Tolerances tolerances_;
+};
+
 class OutputYield : public CellMeasure {
  public:
   /// `like`: with the same parameters as all outputs; nothing where they differ in these.
@@ -200,6 +216,8 @@ AddedMeasures tolerance_measures(const Task& task, const LinkageFamily& family, 
   AddedMeasures added;
   if (const auto* four_bars = dynamic_cast<const FourBarFamily*>(&family))
     added.tolerance_error = std::make_shared<FourBarOutputError>(output_at, *four_bars, tolerances);
+  else if (const auto* spherical = dynamic_cast<const SphericalProductFamily*>(&family))
+    added.tolerance_error = std::make_shared<SphericalOutputError>(output_at, *spherical, tolerances);
   else
     added.tolerance_error = std::make_shared<OutputError>(output_at, tolerances);
   added.of_passing = dynamic_cast<const StraightLineFamily*>(&family) != nullptr;
