@@ -5,6 +5,7 @@ import antenna_pointing from "../../../examples/antenna_pointing.json?raw";
 import corner_drawer from "../../../examples/corner_drawer.json?raw";
 import dump_bucket from "../../../examples/dump_bucket.json?raw";
 import drawer_hinge from "../../../examples/drawer_hinge.json?raw";
+import flow_meter_as_made from "../../../examples/flow_meter_as_made.json?raw";
 import folding_table from "../../../examples/folding_table.json?raw";
 import folding_wing from "../../../examples/folding_wing.json?raw";
 import footrest from "../../../examples/footrest.json?raw";
@@ -17,11 +18,13 @@ import nose_gear from "../../../examples/nose_gear.json?raw";
 import sine_generator from "../../../examples/sine_generator.json?raw";
 import straight_indicator from "../../../examples/straight_indicator.json?raw";
 import straight_luffing_crane from "../../../examples/straight_luffing_crane.json?raw";
+import straight_scraper_as_made from "../../../examples/straight_scraper_as_made.json?raw";
 import straight_search from "../../../examples/straight_search.json?raw";
 import straight_stage from "../../../examples/straight_stage.json?raw";
 import straight_walking_leg from "../../../examples/straight_walking_leg.json?raw";
 import straight_watt_suspension from "../../../examples/straight_watt_suspension.json?raw";
 import tailgate from "../../../examples/tailgate.json?raw";
+import tailgate_as_made from "../../../examples/tailgate_as_made.json?raw";
 import transfer_arm from "../../../examples/transfer_arm.json?raw";
 import universal_joint_like from "../../../examples/universal_joint_like.json?raw";
 import wrist_orthosis from "../../../examples/wrist_orthosis.json?raw";
@@ -38,6 +41,7 @@ import three_parallel from "./three_parallel.json?raw";
 
 const files = {
   tailgate,
+  tailgate_as_made,
   drawer_hinge,
   dump_bucket,
   landing_gear,
@@ -53,12 +57,14 @@ const files = {
   transfer_arm,
   sine_generator,
   log_generator,
+  flow_meter_as_made,
   straight_luffing_crane,
   straight_indicator,
   straight_walking_leg,
   straight_watt_suspension,
   straight_stage,
   straight_search,
+  straight_scraper_as_made,
   wrist_orthosis,
   antenna_pointing,
   ankle_orthosis,
