@@ -395,9 +395,13 @@ std::optional<StrokeReport> StraightPath::stroke(double from, double to) const {
   return figures ? std::optional(StrokeReport{*figures, best_line(from, to)}) : std::nullopt;
 }
 
-std::optional<StrokeFigures> StraightPath::stroke_figures(double from, double to) const {
+bool StraightPath::reaches(double from, double to) const {
   const double slack = 1e-12 * (this->to() - this->from());
-  if (!(from < to) || from < this->from() - slack || to > this->to() + slack) return std::nullopt;
+  return from < to && from >= this->from() - slack && to <= this->to() + slack;
+}
+
+std::optional<StrokeFigures> StraightPath::stroke_figures(double from, double to) const {
+  if (!reaches(from, to)) return std::nullopt;
   StrokeFigures report;
   report.from = from;
   report.to = to;

@@ -61,10 +61,10 @@ std::optional<LinkageOutput> line_output_of(const TracingFourBar& linkage, const
   const DirectedLine& line = family.task().line;
   if (const auto asked = family.stroke()) {
     const auto [from, to] = *asked;
-    const auto path = StraightPath::of(linkage, line.direction, {.from = std::min(from, 0.0), .to = std::max(to, 0.0)});
-    const double a_hair = 1e-9 * (to - from);
-    if (path && path->from() <= from + a_hair && path->to() >= to - a_hair)
-      return line_output_over(*path, from, to, line, places);
+    const double room = 1e-6 * (to - from);  // a path is traced both ways from where the linkage lies
+    const auto path =
+        StraightPath::of(linkage, line.direction, {.from = std::min(from, -room), .to = std::max(to, room)});
+    if (path && path->reaches(from, to)) return line_output_over(*path, from, to, line, places);
   }
   const LineMeasuring& by = family.measuring();
   const double deviation = by.deviation_of(linkage);

@@ -10,6 +10,7 @@
 #include "line_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/region/measure.hpp"
+#include "tolerance_check.hpp"
 
 namespace linkwright::soak {
 namespace {
@@ -80,7 +81,12 @@ const std::set<std::string>& keys_that_may_be_null() {
                                              "cubic",
                                              "ball_point",
                                              "center_of_curvature",
-                                             "radius_of_curvature"};
+                                             "radius_of_curvature",
+                                             "tolerance",
+                                             "signal_to_noise_db",
+                                             "yield",
+                                             "yield_interval",
+                                             "allocation"};
   return keys;
 }
 
@@ -94,13 +100,15 @@ void look_for_nulls(const json& value, const std::string& key, Wrongs& wrongs) {
 
 void check_region_values(const RegionMap& map, Wrongs& wrongs) {
   std::vector<float> values(map.columns());
-  for (const Measure& measure : map.reported_measures())
+  for (const Measure& measure : map.reported_measures()) {
+    if (measure == measures::tolerance_error || measure == measures::yield) continue;  // infinite, or not sampled
     for (std::size_t row = 0; row < map.rows(); ++row) {
       row_values(map, measure, row, values);
       if (std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); })) continue;
       wrongs.push_back(fmt::format("{} of the region is no number", measure.key));
       break;
     }
+  }
 }
 
 void check_counts(const Problem& problem, const json& result, Wrongs& wrongs) {
@@ -339,6 +347,7 @@ void check_linkages(const Problem& problem, const json& result, Wrongs& wrongs) 
 /// By the objective, best first; those with defects have no transmission angle.
 void check_order(const json& result, Wrongs& wrongs) {
   const std::string objective = result["problem"]["options"].value("objective", "min_transmission_angle");
+  if (objective == "tolerance_error" || objective == "yield" || result.contains("pareto")) return;
   std::optional<double> before;
   for (const json& entry : result["linkages"]) {
     if (!no_defects(entry)) continue;
@@ -395,6 +404,7 @@ std::vector<std::string> wrongs_of(const Problem& problem, const Answer& answer,
   check_order(result, wrongs);
   check_status(problem, result, wrongs);
   check_echo(result, wrongs);
+  for (std::string& wrong : wrongs_of_tolerances(problem, answer, result)) wrongs.push_back(std::move(wrong));
   std::sort(wrongs.begin(), wrongs.end());
   wrongs.erase(std::unique(wrongs.begin(), wrongs.end()), wrongs.end());
   return wrongs;

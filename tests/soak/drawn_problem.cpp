@@ -1,6 +1,7 @@
 #include "drawn_problem.hpp"
 
 #include "drawn_task.hpp"
+#include "drawn_tolerances.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
 
 namespace linkwright::soak {
@@ -129,6 +130,7 @@ DrawnProblem drawn_problem(std::uint64_t seed, std::uint64_t index, std::optiona
                             : kind.starts_with("sphere") ? drawn_spherical_requirements(draw)
                                                          : drawn_requirements(draw, sheet);
   problem["options"] = is_line ? drawn_line_options(draw, sheet, kind) : drawn_options(draw, sheet, kind);
+  add_tolerances(draw, sheet, kind, problem);
   return {kind, problem.dump() + "\n"};
 }
 

@@ -179,6 +179,26 @@ TEST(ToleranceMeasures, AFrontOfTwoObjectivesListsWhatNothingBeats) {
   }
 }
 
+// Contacts at places: the stroke between them begins where the linkage lies, and a stroke asked for may not hold it.
+TEST(ToleranceMeasures, AStrokeNeedNotHoldThePlaceWhereTheLinkageLies) {
+  for (const std::optional<double> stroke : {std::optional<double>(), std::optional(0.5)}) {
+    Problem problem = problem_of("straight_luffing_crane");
+    problem.task = StraightLineTask{{{0, 4}, 0}, straight_cases::MixedContacts{{0, 0}, {{1, 3, 1}, {3, 1, 1}}, 0}};
+    problem.requirements = {};
+    problem.options.line = {.stroke = stroke};
+    problem.options.tolerances->limit = ToleranceLimit{ToleranceLimit::Kind::deviation, 0.05};
+    problem.options.region_samples = 40;
+    const Answer answer = solved(problem);
+    const auto& lines = std::get<StraightLineAnswer>(answer);
+    ASSERT_FALSE(lines.linkages.empty());
+    for (std::size_t i = 0; i < lines.linkages.size(); ++i) {
+      ASSERT_TRUE(lines.tolerance[i]);
+      const auto there = lines.added.tolerance_error->at(lines.point_of(lines.linkages[i]));
+      EXPECT_NEAR(*there, lines.tolerance[i]->error, 1e-6 * *there);
+    }
+  }
+}
+
 TEST(ToleranceMeasures, TheSameSeedGivesTheSameAnswerForAnyNumberOfThreads) {
   Problem problem = with_limit(1.5);
   problem.options.region.threads = 1;

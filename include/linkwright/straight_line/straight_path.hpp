@@ -76,6 +76,8 @@ class StraightPath {
   [[nodiscard]] UsableLine usable(double deviation) const;
   /// The longest stretch that holds s = 0 and over which e ranges over 2 · deviation at most.
   [[nodiscard]] UsableLine usable_strip(double deviation) const;
+  /// It runs over from ≤ s ≤ to, a way that is not empty.
+  [[nodiscard]] bool reaches(double from, double to) const;
   /// Over from ≤ s ≤ to; nothing where the path does not reach that far.
   [[nodiscard]] std::optional<StrokeReport> stroke(double from, double to) const;
   [[nodiscard]] std::optional<StrokeFigures> stroke_figures(double from, double to) const;
