@@ -1,6 +1,6 @@
 // How the numbers of a linkage are said.
 import type {Linkage, LinkageType, Pivot, RequirementKey, Requirements, TaskAnswer} from "../engine/protocol";
-import {value_text} from "../requirements/requirements";
+import {value_text, type Units} from "../requirements/requirements";
 import type {Task} from "../state/task";
 import {called, made_up, name_of, requirement_descriptions} from "../tasks/kinds";
 import en from "../texts/en.json";
@@ -65,10 +65,10 @@ export function defect_key(defects: Linkage["defects"]): TextKey {
 }
 
 /** "Transmission angle at least 30°" with the value asked for. */
-export function requirement_words(key: RequirementKey, requirements: Requirements, unit: string): string {
+export function requirement_words(key: RequirementKey, requirements: Requirements, units: Units): string {
   const value = requirements[key],
     name = t(requirement_descriptions[key].name);
-  return typeof value === "number" ? `${name} ${value_text(key, value, unit)}` : name;
+  return typeof value === "number" ? `${name} ${value_text(key, value, units)}` : name;
 }
 /** "Crank-rocker, no defects, γ 41.3°": the same bars, driven from the other side. */
 export function swapped_words(swapped: NonNullable<Linkage["swapped"]>): string {

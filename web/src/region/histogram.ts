@@ -1,21 +1,16 @@
 import {degenerate} from "../engine/protocol";
 import type {MapAnswer} from "../engine/protocol";
 import {most_of} from "../state/ends";
+import {share_of, type Range} from "./value_range";
 
-/** Share of the defect-free cells in each of `bins` equal steps of [from, to], the largest scaled to 1. */
-export function histogram(
-  map: Pick<MapAnswer, "type" | "defects" | "value">,
-  from: number,
-  to: number,
-  bins: number,
-): number[] {
-  const counts = new Array<number>(bins).fill(0),
-    scale = bins / (to - from || 1);
+/** Share of the defect-free cells in each of `bins` equal steps of the range, the largest scaled to 1. */
+export function histogram(map: Pick<MapAnswer, "type" | "defects" | "value">, range: Range, bins: number): number[] {
+  const counts = new Array<number>(bins).fill(0);
   const {type, defects, value} = map;
   const step = type.length > 200_000 ? 5 : 1;
   for (let i = 0; i < type.length; i += step) {
     if (defects[i] !== 0 || type[i]! === degenerate) continue;
-    const bin = Math.floor((value[i]! - from) * scale);
+    const bin = Math.floor(bins * share_of(range, value[i]!));
     if (bin >= 0 && bin < bins) ++counts[bin]!;
   }
   const most = most_of(counts);

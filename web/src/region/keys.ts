@@ -57,7 +57,7 @@ const commands: Record<string, (view: RegionView, shift: boolean) => void> = {
   n: (view, shift) => jump(view, () => view.workbench.pick_next_best(shift ? -1 : 1)),
   i: (view) => jump(view, () => view.workbench.improve()),
   c: ({workbench}) => {
-    const colorings = colorings_of(workbench.problem.task);
+    const colorings = colorings_of(workbench.problem);
     preferences.colour_by = colorings[(colorings.indexOf(workbench.coloring) + 1) % colorings.length] ?? "type";
   },
   h: () => (preferences.only_meeting = !preferences.only_meeting),

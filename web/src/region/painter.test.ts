@@ -75,7 +75,7 @@ describe("painter", () => {
     expect(hash_of(Uint32Array.of(1, 2))).toBe(hash_of(Uint32Array.of(1, 2)));
   });
   it("counts what is free of defects", () => {
-    expect(histogram(map, 0, 100, 2)).toEqual([1, 1]);
+    expect(histogram(map, {from: 0, to: 100}, 2)).toEqual([1, 1]);
   });
   it("reads colours", () => {
     expect(rgb_of(" #1f5fbf")).toEqual([31, 95, 191]);

@@ -2,12 +2,7 @@
 import type {MapAnswer, Window} from "../engine/protocol";
 import {ramp_steps, ramp_table, type_table, type Look} from "./palette";
 import {pixel_of, type Piece, type Scale} from "./scale";
-
-/** Values → [0, 1] of the ramp; `from` is the bad end, whichever is larger. */
-export interface Range {
-  from: number;
-  to: number;
-}
+import type {Range} from "./value_range";
 
 /** With rows and columns exchanged, where there is one of either. */
 export function on_its_side(map: MapAnswer): MapAnswer {
@@ -34,20 +29,33 @@ export function paint_types(map: MapAnswer, look: Look, out: Uint32Array): void 
     }
   }
 }
-export function paint_values(map: MapAnswer, look: Look, range: Range, out: Uint32Array): void {
+/** `known`: 1 where the value is a cell's own; where it stands for another's it is drawn pale. Without it all are. */
+export function paint_values(
+  map: MapAnswer,
+  look: Look,
+  range: Range,
+  out: Uint32Array,
+  known: Uint8Array | null = null,
+): void {
   const table = ramp_table(look),
-    {rows, columns, type, defects, fails, value} = map;
-  const scale = (ramp_steps - 1) / (range.to - range.from || 1),
+    {rows, columns, type, defects, fails} = map,
+    [value, ends] = range.logarithmic ? in_logarithms(map.value, range) : [map.value, range];
+  const scale = (ramp_steps - 1) / (ends.to - ends.from || 1),
     top = ramp_steps - 1;
   for (let row = 0; row < rows; ++row) {
     let from = row * columns,
       to = (rows - 1 - row) * columns;
     for (const end = from + columns; from < end; ++from, ++to) {
-      const step = (value[from]! - range.from) * scale;
-      const kind = type[from]! | (fails[from] === 0 ? 16 : 0) | (defects[from]! << 5);
+      const step = (value[from]! - ends.from) * scale;
+      const kind = type[from]! | (fails[from] === 0 ? 16 : 0) | (defects[from]! << 5) | (known?.[from] === 0 ? 256 : 0);
       out[to] = table.pixels[table.rows[kind]! + (step > 0 ? (step < top ? step | 0 : top) : 0)]!;
     }
   }
+}
+/** What is not defined is as bad as can be. */
+function in_logarithms(value: Float32Array, {from, to}: Range): [Float32Array, Range] {
+  const worst = Math.log(from);
+  return [value.map((of) => (of > 0 ? Math.log(of) : worst)), {from: worst, to: Math.log(to)}];
 }
 /** Opaque where a cell has exactly this kind of defect as its worst: for hatching by kind. */
 export function paint_defect_mask(map: MapAnswer, kind: DefectKind, out: Uint32Array): void {

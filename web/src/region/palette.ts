@@ -45,12 +45,18 @@ export function ramp(share: number): Rgb {
   return mixed(ramp_stops[k + 1]!, ramp_stops[k]!, x - k);
 }
 
+/** Half of the way to the grey that is as light. */
+export function pale(color: Rgb): Rgb {
+  const grey = Math.round(0.3 * color[0] + 0.59 * color[1] + 0.11 * color[2]);
+  return mixed(color, [grey, grey, grey], 0.5);
+}
+
 export const washed_share = 0.3;
 const faded_share = 0.15,
   seen_through = 170;
 
-/** What a cell is: code | 16 if it meets everything | its defect bits << 5. */
-export const cell_kinds = 256;
+/** What a cell is: code | 16 if it meets everything | its defect bits << 5 | 256 if its value stands for another's. */
+export const cell_kinds = 512;
 export function cell_kind(type: number, defects: number, fails: number): number {
   return type | (fails === 0 ? 16 : 0) | (defects << 5);
 }
@@ -64,7 +70,7 @@ type Level = "clear" | "paper" | "full" | "washed" | "through";
 function level_of(kind: number, look: Look): Level {
   const type = kind & 15,
     meets = (kind & 16) !== 0,
-    defects = kind >> 5;
+    defects = (kind >> 5) & 7;
   if (type === degenerate) return "paper";
   if (look.only_meeting && !meets) return "paper";
   if (defects) return meets ? "through" : "clear"; // the hatching below shows
@@ -98,10 +104,14 @@ export function ramp_table(look: Look): {rows: Uint32Array; pixels: Uint32Array}
   for (let kind = 0; kind < cell_kinds; ++kind) {
     const level = level_of(kind, look),
       dim = faded(kind, look),
-      name = `${level} ${dim}`;
+      of_another = kind >= 256,
+      name = `${level} ${dim} ${of_another}`;
     if (!known.has(name)) {
       known.set(name, pixels.length);
-      for (let i = 0; i < ramp_steps; ++i) pixels.push(shown(ramp(i / (ramp_steps - 1)), level, dim, paper));
+      for (let i = 0; i < ramp_steps; ++i) {
+        const color = ramp(i / (ramp_steps - 1));
+        pixels.push(shown(of_another ? pale(color) : color, level, dim, paper));
+      }
     }
     rows[kind] = known.get(name)!;
   }

@@ -1,17 +1,19 @@
 // What a colour of the map can stand for, whatever the task: its words, its range, which end is good, its requirement.
-import type {LinkageType, Property, Requirements} from "../engine/protocol";
+import type {LinkageType, Property, Requirements, TaskAnswer} from "../engine/protocol";
 import {round_step} from "../state/problem";
-import type {Task} from "../state/task";
-import {properties_of, property_descriptions, requirement_descriptions} from "../tasks/kinds";
+import type {Problem} from "../state/problem";
+import type {Workbench} from "../state/workbench.svelte";
+import {kind_of, making_of, properties_of, property_descriptions, requirement_descriptions} from "../tasks/kinds";
 import type {TermName} from "../terms/pictures";
 import type {TextKey} from "../texts/texts.svelte";
-import {degrees_text, significant} from "../texts/numbers";
-import type {Range} from "./painter";
+import type {PropertyDescription} from "../tasks/kind";
+import {degrees_text, percent_text, significant, with_unit} from "../texts/numbers";
+import type {Range} from "./value_range";
 
 export type Coloring = "type" | Property;
 /** In the order in which C walks through them. */
-export function colorings_of(task: Task): Coloring[] {
-  return ["type", ...properties_of(task)];
+export function colorings_of(problem: Problem): Coloring[] {
+  return ["type", ...properties_of(problem)];
 }
 
 export function coloring_text(coloring: Coloring): TextKey {
@@ -26,9 +28,23 @@ export function is_of_meeting(coloring: Coloring): boolean {
   return coloring !== "type" && (property_descriptions[coloring].of_meeting ?? false);
 }
 
-/** What the scale bar spans. `typical`: a length of the task's size. */
-export function domain(property: Property, requirements: Requirements, typical: number): [number, number] {
-  return property_descriptions[property].span(requirements, typical);
+/** What is shown, and what the engine said of its task. */
+interface Shown {
+  problem: Pick<Problem, "task" | "tolerances">;
+  task: Pick<TaskAnswer, "requirements" | "characteristic_length"> | null;
+}
+function described({problem}: Shown, property: Property): PropertyDescription {
+  return kind_of(problem.task).properties[property] ?? property_descriptions[property];
+}
+/** What the scale bar spans. */
+export function domain(property: Property, of: Shown): [number, number] {
+  const {requirements = {}, characteristic_length = 1} = of.task ?? {};
+  return described(of, property).span(requirements, characteristic_length, of.problem.tolerances);
+}
+/** What its numbers are in, where they are lengths, or errors. */
+export function unit_for(property: Property, {problem, unit}: Pick<Workbench, "problem" | "unit">): string {
+  const is_error = property_descriptions[property].quantity === "error";
+  return is_error && making_of(problem.task)?.error === "angle" ? "°" : unit;
 }
 
 /** The requirement's threshold on this property, where there is one that can be moved. */
@@ -43,6 +59,7 @@ export function held_threshold(property: Property, value: number): number {
   const {quantity} = property_descriptions[property];
   if (quantity === "angle") return Math.min(Math.max(Math.round(value), 0), 89);
   if (quantity === "ratio") return Math.max(Math.round(value * 10) / 10, 1);
+  if (quantity === "percent") return Math.min(Math.max(Math.round(100 * value) / 100, 0), 1);
   const step = round_step(value / 200);
   return Number(Math.max(Math.round(value / step) * step, step).toPrecision(9));
 }
@@ -51,24 +68,21 @@ export function value_text(property: Property, value: number, unit: string): str
   const {quantity} = property_descriptions[property];
   if (quantity === "angle") return degrees_text(value, 0);
   if (quantity === "fine_angle") return `${significant(value, 3)}°`;
-  return quantity === "ratio" || quantity === "share"
-    ? significant(value, 3)
-    : `${significant(value, 3)} ${unit}`.trim();
+  if (quantity === "percent") return percent_text(value);
+  return quantity === "ratio" || quantity === "share" ? significant(value, 3) : with_unit(significant(value, 3), unit);
 }
 
 /** Ends for the painter: from the bad one to the good one. */
 export function painted_range(property: Property, ends: readonly [number, number]): Range {
-  return property_descriptions[property].larger_is_better ? {from: ends[0], to: ends[1]} : {from: ends[1], to: ends[0]};
+  const {larger_is_better, logarithmic} = property_descriptions[property],
+    [from, to] = larger_is_better ? ends : [ends[1], ends[0]];
+  return {from, to, ...(logarithmic ? {logarithmic} : {})};
 }
 
 /** Contour levels, the requirement's own among them. */
-export function contour_levels(
-  property: Property,
-  requirements: Requirements,
-  typical: number,
-): {level: number; bold: boolean}[] {
-  const bold = threshold(property, requirements);
-  const levels = new Set(property_descriptions[property].levels(domain(property, requirements, typical)));
+export function contour_levels(property: Property, of: Shown): {level: number; bold: boolean}[] {
+  const bold = threshold(property, of.task?.requirements ?? {});
+  const levels = new Set(described(of, property).levels(domain(property, of)));
   if (bold !== null && bold > 0) levels.add(bold);
   return [...levels].sort((a, b) => a - b).map((level) => ({level, bold: level === bold}));
 }

@@ -45,11 +45,14 @@ describe("requirements", () => {
     expect(relaxed("ground_pivots_within", null)).toEqual({ground_pivots_within: null});
   });
   it("words values", () => {
-    expect(value_text("min_transmission_angle_deg", 24.000000000000004, "mm")).toBe("24°");
-    expect(value_text("min_transmission_angle_deg", 24.5, "mm")).toBe("24.5°");
-    expect(value_text("max_length", 460, "mm")).toBe("460 mm");
-    expect(value_text("max_length", 460, "")).toBe("460");
-    expect(value_text("max_link_ratio", 8.25, "mm")).toBe("8.25");
+    const units = (unit: string) => ({problem: new_problem(), unit});
+    expect(value_text("min_transmission_angle_deg", 24.000000000000004, units("mm"))).toBe("24°");
+    expect(value_text("min_transmission_angle_deg", 24.5, units("mm"))).toBe("24.5°");
+    expect(value_text("max_length", 460, units("mm"))).toBe("460 mm");
+    expect(value_text("max_length", 460, units(""))).toBe("460");
+    expect(value_text("max_link_ratio", 8.25, units("mm"))).toBe("8.25");
+    expect(value_text("max_tolerance_error", 0.0015, units("mm"))).toBe("0.0015 mm");
+    expect(value_text("min_yield", 0.95, units("mm"))).toBe("95\u00a0%");
   });
   it("names what fails", () => {
     expect(failing(linkage(0b0010100), task)).toEqual(["min_transmission_angle_deg", "max_length"]);
@@ -89,7 +92,9 @@ describe("requirements", () => {
   it("leads to the nearest box that would do", () => {
     const box = {x: [70, 430], y: [210, 410]} as Box;
     expect(relaxed("ground_pivots_within", box)).toEqual({ground_pivots_within: box});
-    expect(value_text("ground_pivots_within", box, "mm")).toBe("x 70 … 430, y 210 … 410");
+    expect(value_text("ground_pivots_within", box, {problem: new_problem(), unit: "mm"})).toBe(
+      "x 70 … 430, y 210 … 410",
+    );
     expect(missed_box_text({requirement: "ground_pivots_within", nearest: [250, 210], beyond: [0, -60]}, "mm")).toBe(
       "The centre-point curve does not enter the box for fixed pivots; nearest is (250, 210), 60 mm further down.",
     );

@@ -11,8 +11,8 @@ import {
 } from "../engine/protocol";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
-import {requirement_descriptions, requirements_of, text_for} from "../tasks/kinds";
-import {grouped, significant} from "../texts/numbers";
+import {making_of, requirement_descriptions, requirements_of, text_for} from "../tasks/kinds";
+import {grouped, percent_text, significant, with_unit} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 import {least_of, most_of} from "../state/ends";
 import {defaults} from "../state/defaults";
@@ -64,20 +64,27 @@ export function relaxed(key: RequirementKey, value: number | Box | null): Partia
 export function all_dropped(keys: readonly RequirementKey[]): Partial<Requirements> {
   return Object.assign({}, ...keys.map(dropped));
 }
+/** Of which task, and in what unit its lengths are. */
+export type Units = Pick<Workbench, "problem" | "unit">;
 /** The unit of what can be typed in. */
-export function unit_of(key: RequirementKey, unit: string): string {
+export function unit_of(key: RequirementKey, {problem, unit}: Units): string {
   const described = requirement_descriptions[key];
   if (described.control === "transmission_angle") return "°";
   if (described.control !== "limit" || described.quantity === "ratio") return "";
-  return described.quantity === "angle" ? "°" : unit;
+  if (described.quantity === "percent") return "%";
+  const is_angle =
+    described.quantity === "angle" || (described.quantity === "error" && making_of(problem.task)?.error === "angle");
+  return is_angle ? "°" : unit;
 }
-export function value_text(key: RequirementKey, value: number | Box, unit: string): string {
+export function value_text(key: RequirementKey, value: number | Box, units: Units): string {
   if (typeof value !== "number")
     return (["x", "y"] as const)
       .map((axis) => `${axis} ${value[axis].map((end) => significant(end, 4)).join(" … ")}`)
       .join(", ");
-  const of = unit_of(key, unit);
-  return of === "°" ? `${significant(Number(value.toFixed(2)), 4)}°` : significant(value, 6) + (of && ` ${of}`);
+  const of = unit_of(key, units);
+  if (of === "%") return percent_text(value);
+  const is_fine = of !== "°" || key === "max_tolerance_error";
+  return with_unit(is_fine ? significant(value, 6) : significant(Number(value.toFixed(2)), 4), of);
 }
 
 /** Requirements that a linkage fails. A defect stands for itself: the transmission angle is not defined then. */
@@ -93,18 +100,18 @@ export function failing(linkage: Linkage, task: Task): RequirementKey[] {
 // ---- sentences ------------------------------------------------------------------------------------------------------
 
 /** "transmission angle (89° at least)" */
-function asked_for(key: RequirementKey, requirements: Requirements, unit: string): string {
+function asked_for(key: RequirementKey, requirements: Requirements, units: Units): string {
   const described = requirement_descriptions[key],
     name = t(described.short),
     value = requirements[key];
   if (typeof value !== "number") return name;
   const at_most = described.control === "limit" && described.bound === "most";
-  return t(at_most ? "req.at_most" : "req.at_least", {name, value: value_text(key, value, unit)});
+  return t(at_most ? "req.at_most" : "req.at_least", {name, value: value_text(key, value, units)});
 }
 /** "Not met: link ratio (8 at most), box for fixed pivots", or nothing. */
 export function unmet_text(linkage: Linkage, workbench: Pick<Workbench, "problem" | "task" | "unit">): string | null {
   const requirements = in_force(workbench);
-  const names = failing(linkage, workbench.problem.task).map((key) => asked_for(key, requirements, workbench.unit));
+  const names = failing(linkage, workbench.problem.task).map((key) => asked_for(key, requirements, workbench));
   return names.length > 0 ? t("req.unmet", {names: names.join(t("req.comma"))}) : null;
 }
 /** "The link ratio is the most restrictive; 8.2 leaves 34." `value` stands for the relaxed value. */

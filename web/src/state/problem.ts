@@ -1,12 +1,15 @@
 // The problem file as the page holds it: a plain immutable value. Its normal form and its mistakes come from the engine.
 import type {Box, LinkageType, Pivot, Point, Requirements, TauPair} from "../engine/protocol";
 import {diagonal_of, poses_of, type Pose, type Task} from "./task";
+import type {Tolerances} from "./tolerances";
 
 /** What linkages can be the best by. Kinds of tasks add theirs (tasks/<kind>/replies.ts). */
 export interface Objectives {
   min_transmission_angle: true;
   link_ratio: true;
   size: true;
+  tolerance_error: true;
+  yield: true;
 }
 export type Objective = keyof Objectives;
 export interface Options {
@@ -65,6 +68,7 @@ export interface Problem {
   length_unit?: string;
   task: Task;
   requirements?: Requirements;
+  tolerances?: Tolerances;
   options?: Options;
   view?: View;
 }

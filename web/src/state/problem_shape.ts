@@ -5,6 +5,7 @@ import {objective_descriptions, read_task, requirement_descriptions, task_of_pos
 import type {RequirementDescription} from "../tasks/kind";
 import {unused_name} from "./pins";
 import {most_pins, type Background, type Pin, type Problem, type SolidBody, type View} from "./problem";
+import {read_tolerances} from "./tolerances";
 import {is_finite, is_number, is_object, is_pair, read_list, type Object} from "./shape";
 
 const most_points = 10_000,
@@ -128,7 +129,7 @@ function requirement_check(described: RequirementDescription): Check {
     case "transmission_angle":
       return or_null(is_between(0, 90));
     case "limit":
-      return or_null(is_between(described.from, 1e12));
+      return or_null(is_between(described.from, described.quantity === "percent" ? 1 : 1e12));
     case "box":
       return or_null(is_box);
     case "own":
@@ -170,6 +171,7 @@ export function read_problem(value: unknown): Problem | null {
   const text = (key: string) =>
     typeof value[key] === "string" ? {[key]: (value[key] as string).slice(0, longest_text)} : {};
   const requirements = sound(value.requirements, requirement_checks),
+    tolerances = read_tolerances(value.tolerances),
     options = sound(value.options, option_checks);
   const view = read_view(value.view);
   return {
@@ -178,6 +180,7 @@ export function read_problem(value: unknown): Problem | null {
     ...text("length_unit"),
     task,
     ...(requirements ? {requirements} : {}),
+    ...(tolerances ? {tolerances} : {}),
     ...(options ? {options} : {}),
     ...(Object.keys(view).length ? {view} : {}),
   };

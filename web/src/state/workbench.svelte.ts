@@ -166,7 +166,7 @@ export class Workbench extends Editing {
   /** What the map's colours stand for: what the user wants, where the task has it. */
   get coloring(): "type" | Property {
     const {colour_by} = preferences;
-    return colour_by !== "type" && properties_of(this.problem.task).includes(colour_by) ? colour_by : "type";
+    return colour_by !== "type" && properties_of(this.problem).includes(colour_by) ? colour_by : "type";
   }
   /** What is asked of the engine with a map: behind the types, what the objective goes by. */
   get property(): Property {

@@ -4,6 +4,7 @@ import type {End} from "../figure/figure";
 import type {Objective, Pin, Problem} from "../state/problem";
 import type {Object} from "../state/shape";
 import type {Pose, Task} from "../state/task";
+import type {LengthEntry, LimitKind, Tolerances} from "../state/tolerances";
 import type {TermName} from "../terms/pictures";
 import type {TextKey} from "../texts/texts.svelte";
 
@@ -37,22 +38,35 @@ export interface NamedJoint {
   color: string;
   term?: TermName;
 }
+/** What must be given for something to be asked: tolerances, or with them a limit of the error as well. */
+export type Needs = "tolerances" | "limit";
+/** What of its linkages is made with tolerances, and how their errors are told. */
+export interface Making {
+  /** Lengths that have tolerances, by name; null: links are arcs, whose angles have one. */
+  lengths: Partial<Record<LengthEntry, TextKey>> | null;
+  error: "length" | "angle";
+  /** That a linkage can be held to; the usual one first. */
+  limits: readonly LimitKind[];
+}
 /** What a colour of the map stands for. `T`: the kind's tasks, here and below. */
 export interface PropertyDescription<T extends Task = Task> {
   /** Not all of the kind's tasks have it. */
   is_of?(task: T): boolean;
+  needs?: Needs;
   text: TextKey;
   short: TextKey;
   term: TermName | null;
   larger_is_better: boolean;
   /** Which limits it. */
   requirement: RequirementKey | null;
-  /** A share is a number without a unit, from 0 up. */
-  quantity: "angle" | "fine_angle" | "ratio" | "share" | "length";
+  /** A share is a number without a unit, from 0 up; an error is a length or an angle (Making). */
+  quantity: "angle" | "fine_angle" | "ratio" | "share" | "percent" | "length" | "error";
+  /** Equal steps of the scale are equal ratios. */
+  logarithmic?: boolean;
   /** Known of cells that meet everything only. */
   of_meeting?: boolean;
   /** What the scale bar spans. `typical`: a length of the task's size. */
-  span(requirements: Requirements, typical: number): [number, number];
+  span(requirements: Requirements, typical: number, tolerances: Tolerances | undefined): [number, number];
   /** Contour levels within the span. */
   levels(span: readonly [number, number]): number[];
 }
@@ -66,7 +80,13 @@ interface NamedRequirement {
 export type RequirementDescription = NamedRequirement &
   (
     | {control: "types" | "no_defects" | "transmission_angle"}
-    | {control: "limit"; bound: "least" | "most"; quantity: "angle" | "ratio" | "length"; from: number}
+    | {
+        control: "limit";
+        bound: "least" | "most";
+        quantity: "angle" | "ratio" | "length" | "percent" | "error";
+        from: number;
+        needs?: Needs;
+      }
     /** Where pivots at these ends of the grounded links are to lie. */
     | {control: "box"; end: End}
     /** By the kind's own component (view.ts). */
@@ -78,6 +98,7 @@ export interface ObjectiveDescription<T extends Task = Task> {
   /** On the map. */
   measure: Property;
   is_of?(task: T): boolean;
+  needs?: Needs;
 }
 /** All but the views. */
 export interface TaskKind<T extends Task = Task> {
@@ -118,6 +139,8 @@ export interface TaskKind<T extends Task = Task> {
   requirements: Partial<Record<RequirementKey, RequirementDescription>>;
   /** In the order of the list to choose from. */
   objectives: Partial<Record<Objective, ObjectiveDescription<T>>>;
+  /** None: nothing is asked of its tolerances. */
+  making?: Making;
   /** Where the file is silent; none: the transmission angle. */
   default_objective?: Objective;
   /** The fixed frame seen from elsewhere: points by `point`; poses are the frame's matter. */

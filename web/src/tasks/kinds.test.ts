@@ -12,12 +12,18 @@ import {
   has_linkages,
   incompleteness,
   kind_of,
+  made_to,
   map_of,
+  objectives_of,
   read_task,
+  suggested_limit,
+  suggested_tolerances,
   task_kinds,
   told,
+  with_other_task,
   with_poses,
   with_task_poses,
+  without_unmet,
 } from "./kinds";
 import {new_problem} from "./motion/kind";
 
@@ -157,5 +163,46 @@ describe("kinds of tasks", () => {
     ).toBe(maps[0]);
     const pairs: FunctionTask = {kind: "function", mechanism: "four_bar", pairs: []};
     expect(map_of({...pairs, free: {number: "output_scale"}} as FunctionTask)).not.toBe(map_of(pairs));
+  });
+  it("take away with tolerances what needs them", () => {
+    const asked: Problem = {
+      ...problem,
+      requirements: {...problem.requirements, max_tolerance_error: 2, min_yield: 0.9},
+      tolerances: {length: 0.5, limit: {position: 2}},
+      options: {objective: "yield"},
+    };
+    expect(objectives_of(problem)).not.toContain("tolerance_error");
+    expect(objectives_of(asked).slice(-2)).toEqual(["tolerance_error", "yield"]);
+    const unlimited = made_to(asked, {length: 0.5});
+    expect(unlimited.requirements).toEqual({...problem.requirements, max_tolerance_error: 2});
+    expect(unlimited.options).toEqual({});
+    expect(made_to(asked, null)).toEqual({...problem, options: {}});
+    expect(without_unmet(asked)).toBe(asked);
+  });
+  it("keep of tolerances what another task's linkages have", () => {
+    const asked: Problem = {
+      ...problem,
+      requirements: {max_tolerance_error: 2},
+      tolerances: {length: 0.5, driver_deg: 0.1, limit: {position: 2}},
+    };
+    const beginning = (id: string) => beginnings.find((one) => one.id === id)!.problem.task;
+    const turned = with_other_task(asked, beginning("four_orientations"));
+    expect(turned.tolerances).toEqual({driver_deg: 0.1});
+    expect(turned.requirements).toEqual({});
+    expect(with_other_task(turned, beginning("function")).tolerances).toEqual({driver_deg: 0.1});
+    const bare = with_other_task({...asked, tolerances: {length: 1}}, beginning("spherical_function"));
+    expect(bare).not.toHaveProperty("tolerances");
+    expect(with_other_task(asked, beginning("straight_line"))).toMatchObject({
+      requirements: {max_tolerance_error: 2},
+      tolerances: {length: 0.5, driver_deg: 0.1},
+    });
+    expect(with_other_task(asked, beginning("straight_search")).requirements).toEqual({});
+  });
+  it("suggest tolerances by the size of the task", () => {
+    expect(suggested_tolerances(problem.task)).toEqual({length: 0.5});
+    expect(suggested_limit({task: problem.task, tolerances: {length: 0.5}})).toEqual({position: 2});
+    expect(suggested_limit({task: problem.task, tolerances: {length: {coupler: 0.1}}}, "angle_deg")).toHaveProperty(
+      "angle_deg",
+    );
   });
 });

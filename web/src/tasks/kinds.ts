@@ -1,14 +1,35 @@
 // What the frame asks the kind of the task at hand.
 import type {Linkage, LinkageType, Notice, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
-import {with_options, with_task, type Objective, type Pin, type Problem} from "../state/problem";
+import {
+  round_step,
+  with_options,
+  with_requirements,
+  with_task,
+  type Objective,
+  type Pin,
+  type Problem,
+} from "../state/problem";
+import {most_of} from "../state/ends";
 import {is_object, type Object} from "../state/shape";
 import {diagonal_of, poses_of, type Pose, type Task} from "../state/task";
+import {
+  is_exact,
+  length_entries,
+  length_tolerance,
+  limit_of,
+  with_tolerances,
+  type Limit,
+  type LimitKind,
+  type Tolerances,
+} from "../state/tolerances";
 import {notice_text, type TextKey} from "../texts/texts.svelte";
 import type {TermName} from "../terms/pictures";
 import type {
   Incomplete,
+  Making,
   NamedJoint,
   NamedLength,
+  Needs,
   ObjectiveDescription,
   PropertyDescription,
   RequirementDescription,
@@ -75,13 +96,20 @@ export function anchors_of(task: Task): Point[] {
 export function extent_of(task: Task): number {
   return diagonal_of(anchors_of(task)) || 1;
 }
-/** Keys of what this task has of a kind's list. */
-function keys_of<K extends string>(list: Partial<Record<K, {is_of?(task: Task): boolean}>>, task: Task): K[] {
-  return (Object.keys(list) as K[]).filter((key) => list[key]!.is_of?.(task) ?? true);
+/** Of a problem, what says what can be asked of its linkages. */
+type Asked = Pick<Problem, "task" | "tolerances">;
+/** Keys of what this problem has of a kind's list. */
+function keys_of<K extends string>(
+  list: Partial<Record<K, {is_of?(task: Task): boolean; needs?: Needs}>>,
+  problem: Asked,
+): K[] {
+  return (Object.keys(list) as K[]).filter(
+    (key) => (list[key]!.is_of?.(problem.task) ?? true) && has_needed(problem, list[key]!.needs),
+  );
 }
 /** What a colour of the map can stand for, beside the type. */
-export function properties_of(task: Task): Property[] {
-  return keys_of(kind_of(task).properties, task);
+export function properties_of(problem: Asked): Property[] {
+  return keys_of(kind_of(problem.task).properties, problem);
 }
 /** What a linkage of this task can be, degenerate left out. */
 export function types_of(task: Task): readonly LinkageType[] {
@@ -95,8 +123,8 @@ export function requirement_bit(task: Task, key: RequirementKey): number {
   const place = requirements_of(task).indexOf(key);
   return place < 0 ? 0 : 1 << place;
 }
-export function objectives_of(task: Task): Objective[] {
-  return keys_of(kind_of(task).objectives, task);
+export function objectives_of(problem: Asked): Objective[] {
+  return keys_of(kind_of(problem.task).objectives, problem);
 }
 export function objective_of({task, options}: Problem): Objective {
   return options?.objective ?? kind_of(task).default_objective ?? "min_transmission_angle";
@@ -104,7 +132,7 @@ export function objective_of({task, options}: Problem): Objective {
 /** What the objective is measured by, where the map has it. */
 export function measure_of(problem: Problem): Property {
   const {task} = problem,
-    has = properties_of(task),
+    has = properties_of(problem),
     measure = kind_of(task).objectives[objective_of(problem)]?.measure;
   return measure && has.includes(measure) ? measure : (has[0] ?? "min_transmission_angle_deg");
 }
@@ -115,11 +143,12 @@ export const objective_descriptions = in_all("objectives") as Record<Objective, 
 function in_all(list: "properties" | "requirements" | "objectives"): object {
   return Object.assign({}, ...task_kinds.map((kind) => kind[list]));
 }
-/** The problem with another task, without what goes only with the old one: an objective, requirements of another kind. */
+/** The problem with another task, without what goes only with the old one: an objective, requirements of another kind,
+ *  tolerances of what its linkages do not have. */
 export function with_other_task<T extends Task>(problem: Problem, task: T): Problem {
-  const changed = with_task(problem, task),
-    has = objectives_of(task),
-    lost = objectives_of(problem.task).filter((objective) => !has.includes(objective)),
+  const changed = with_fitting_tolerances(with_task(problem, task), making_of(problem.task)),
+    has = objectives_of(changed),
+    lost = objectives_of(problem).filter((objective) => !has.includes(objective)),
     fitting = kind_of(problem.task) === kind_of(task) ? changed : with_known_requirements(changed);
   return lost.some((objective) => objective === problem.options?.objective)
     ? with_options(fitting, {objective: undefined})
@@ -136,6 +165,76 @@ function with_known_requirements(problem: Problem): Problem {
   const types = kept.types?.filter((type) => types_of(task).includes(type));
   return {...problem, requirements: types ? {...kept, types} : kept};
 }
+// ---- tolerances -----------------------------------------------------------------------------------------------------
+
+/** Null: nothing is asked of the tolerances of such linkages. */
+export function making_of(task: Task): Making | null {
+  return kind_of(task).making ?? null;
+}
+/** Linkages that are searched for have no map on which they could be ranked by tolerances. */
+function is_searched(task: Task): boolean {
+  const state = kind_of(task).incompleteness(task)?.state;
+  return state === "no_chain" || state === "to_be_sought";
+}
+export function has_needed({task, tolerances}: Asked, needs: Needs | undefined): boolean {
+  if (!needs) return true;
+  if (!tolerances || is_searched(task)) return false;
+  return needs === "tolerances" || limit_of(tolerances) !== null;
+}
+/** With other tolerances, or none; what is asked of linkages only with those that there were goes with them. */
+export function made_to(problem: Problem, tolerances: Tolerances | null): Problem {
+  const {tolerances: _, ...bare} = problem;
+  return without_unmet(tolerances ? with_tolerances(bare, tolerances) : bare);
+}
+/** Without requirements and an objective that need what is not given. */
+export function without_unmet(problem: Problem): Problem {
+  const {requirements, objectives} = kind_of(problem.task),
+    objective = problem.options?.objective,
+    unmet = (needs: Needs | undefined) => !has_needed(problem, needs);
+  const asked = Object.keys(problem.requirements ?? {}) as RequirementKey[],
+    lost = asked.filter((key) => unmet(needs_of(requirements[key])));
+  const kept = lost.length
+    ? with_requirements(problem, Object.fromEntries(lost.map((key) => [key, undefined])))
+    : problem;
+  return objective && unmet(objectives[objective]?.needs) ? with_options(kept, {objective: undefined}) : kept;
+}
+export function needs_of(described: RequirementDescription | undefined): Needs | undefined {
+  return described?.control === "limit" ? described.needs : undefined;
+}
+/** Tolerances of what the task's linkages have; `before`: of those that they were for. */
+function with_fitting_tolerances(problem: Problem, before: Making | null): Problem {
+  const making = making_of(problem.task),
+    {tolerances} = problem;
+  if (!tolerances) return problem;
+  const fitting = making && fitted(tolerances, making);
+  const changed = made_to(problem, fitting && !is_exact(fitting) ? fitting : null);
+  return making?.error === before?.error ? changed : with_requirements(changed, {max_tolerance_error: undefined});
+}
+function fitted(tolerances: Tolerances, {lengths, limits}: Making): Tolerances {
+  const fitting = {...tolerances},
+    limit = limit_of(tolerances);
+  if (lengths) delete fitting.link_angle_deg;
+  else for (const key of ["length", "clearance", "turning_length"] as const) delete fitting[key];
+  if (limit && !limits.includes(limit.kind)) delete fitting.limit;
+  return fitting;
+}
+/** To begin with: a thousandth of the task's size, a tenth of a degree. */
+export function suggested_tolerances(task: Task): Tolerances {
+  return making_of(task)?.lengths ? {length: round_step(extent_of(task) / 1500)} : {link_angle_deg: 0.1};
+}
+/** To begin with: what most linkages can keep. */
+export function suggested_limit({task, tolerances = {}}: Asked, wanted?: LimitKind): Limit {
+  const {limits, lengths} = making_of(task)!,
+    kind = wanted ?? limits[0] ?? "position",
+    {clearance = 0, driver_deg = 0, link_angle_deg = 0} = tolerances,
+    largest = most_of([clearance, ...length_entries.map((entry) => length_tolerance(tolerances, entry))]);
+  const angle = Math.max(driver_deg, link_angle_deg, lengths ? (largest / extent_of(task)) * (180 / Math.PI) : 0);
+  const times = 4;
+  return {[kind]: round_step(times * ((kind === "angle_deg" ? angle : largest) || (angle * extent_of(task)) / 57.3))};
+}
+
+// ---- poses and words -------------------------------------------------------------------------------------------
+
 /** The task with other poses, and without what does not go with them. */
 export function with_task_poses(task: Task, poses: readonly Pose[]): Task {
   return kind_of(task).with_poses?.(task, poses) ?? task;

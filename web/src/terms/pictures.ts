@@ -383,6 +383,28 @@ export const pictures = {
     ["arrow", "M40 22L58 16"],
     plate("body", [78, 40], 0.7),
   ],
+  tolerance: [
+    line("body", [20, 32], [70, 32]),
+    pin([20, 32]),
+    pin([70, 32]),
+    ["dash", "M62 14L62 50M78 14L78 50"],
+    ["arrow", "M70 48L78 48"],
+    ["arrow", "M70 48L62 48"],
+  ],
+  tolerance_error: [
+    plate("thin", [40, 32], 0.16, 14),
+    plate("thin", [50, 30], 0.36, 14),
+    plate("thin", [44, 36], 0.24, 14),
+    plate("body", [45, 32], 0.26, 14),
+    ring("accent", [45, 32], 9),
+  ],
+  yield: [
+    ["curve", "M10 54C30 54 34 10 48 10S66 54 86 54"],
+    ["dash", "M30 8L30 56M66 8L66 56"],
+    ["good", "M43 36l4 5l8-10"],
+    cross([78, 40], 4),
+  ],
+  clearance: [ring("body", [48, 32], 22), ring("pivot", [53, 32], 14), ["arrow", "M48 32L53 32"]],
   missed_pose: [plate("thin", [40, 34], 0.2, 14), plate("bad", [52, 28], 0.4, 14), ["arrow", "M40 34L52 28"]],
 } as const satisfies Record<string, readonly Stroke[]>;
 

@@ -48,6 +48,10 @@ const line = (of: string, members: string, rest = "") =>
     "line": {"point": [0, 0], "direction_deg": 0}, ${members}}${rest}}`;
 const contacts = (list: string) => line("mixed", `"input_pivot": [-1, -1], "contacts": [${list}]`);
 const pivots = (output: string) => `"ground_pivots": {"input": [0, -1], "output": ${output}}`;
+const made = (tolerances: string, rest = "") =>
+  `${motion(`${poses(4)}]`).slice(0, -1)}, "tolerances": {${tolerances}}${rest}}`;
+const front = (objectives: string, of = motion(`${poses(4)}]`)) =>
+  `${of.slice(0, -1)}, "options": {"pareto": [${objectives}]}}`;
 const further = {
   "a list without a comma": "[1 2]",
   "a list without a first value": "[, 1]",
@@ -94,6 +98,30 @@ const further = {
   ),
   "a strip without width": line("six_point", '"pole_distance": 1', ', "options": {"deviation": 0}'),
   "a strip beside no line": `${motion(`${poses(4)}]`).slice(0, -1)}, "options": {"deviation": 1}}`,
+  "tolerances below zero": made('"length": {"input": -1}, "clearance": -1, "driver_deg": 91'),
+  "tolerances of nothing": made('"length": 0, "turning_length": -1, "cost": {"exponent": 0}'),
+  "tolerances of arcs in the plane": made('"link_angle_deg": 1, "limit": {"deviation": 1}'),
+  "tolerances of lengths on a sphere": `{"linkwright": 1, "tolerances": {"length": 1}, "task": {"kind": "motion",
+    "mechanism": "spherical_four_bar", "orientations": [${[0, 10, 25, 45].map((x) => `{"euler_deg": [${x}, ${x}, 0], "sequence": "zyx"}`).join(", ")}]}}`,
+  "limits that are none": made('"length": 1, "limit": {"position": 0}'),
+  "a limit of half a turn and more": made('"length": 1, "limit": {"angle_deg": 181}'),
+  "a limit of no deviation": made('"length": 1, "limit": {"deviation": 0}'),
+  "two limits": made('"length": 1, "limit": {"position": 1, "angle_deg": 1}'),
+  "requirements of tolerances out of range": made(
+    '"length": 1, "limit": {"position": 1}',
+    ', "requirements": {"max_tolerance_error": 0, "min_yield": 2}',
+  ),
+  "requirements without tolerances": lengths('"max_tolerance_error": 1'),
+  "a yield without a limit": made('"length": 1', ', "requirements": {"min_yield": 0.5}'),
+  "tolerances of a search": line(
+    "search",
+    '"stroke": 100, "deviation": 1',
+    ', "tolerances": {"length": 1}, "options": {"objective": "tolerance_error"}',
+  ),
+  "a front of one": front('"size"'),
+  "a front of the same twice": front('"size", "size"'),
+  "a front of structural errors": front('"size", "structural_error"'),
+  "a front of six-bars": front('"size", "link_ratio"', chain("[2, -5]")),
   "a shortest link longer than the longest": lengths('"min_length": 5, "max_length": 4'),
 };
 const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name, text}))];

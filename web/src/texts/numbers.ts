@@ -24,6 +24,15 @@ export function length_text(value: number, typical: number): string {
   const decimals = Math.min(Math.max(3 - Math.floor(Math.log10(Math.max(typical, 1e-12))), 0), 9);
   return fixed(value, Math.min(decimals, 9));
 }
+/** 0.984 → "98.4 %"; never all of them while some are bad. */
+export function percent_text(share: number): string {
+  const percent = share < 1 ? Math.min(Number((100 * share).toPrecision(3)), 99.9) : 100;
+  return `${significant(percent, 4)}\u00a0%`;
+}
+/** A degree sign stands close. */
+export function with_unit(text: string, unit: string): string {
+  return unit === "°" ? text + unit : `${text} ${unit}`.trim();
+}
 export function degrees_text(value: number, decimals = 1): string {
   return `${fixed(value, decimals)}°`;
 }

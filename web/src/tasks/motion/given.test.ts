@@ -95,8 +95,8 @@ describe("a freed position", () => {
       null,
       null,
     ]);
-    expect(properties_of(freed.task)).toContain("pose_miss");
-    expect(properties_of(five.task)).not.toContain("pose_miss");
+    expect(properties_of(freed)).toContain("pose_miss");
+    expect(properties_of(five)).not.toContain("pose_miss");
     expect(motion_kind.stops(freed.task as MotionTask)).toBe(4);
   });
   it("goes with the fifth position", () => {

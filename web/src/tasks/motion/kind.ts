@@ -7,6 +7,7 @@ import {is_motion, type Given, type MotionTask} from "./task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
+import {body_making, tolerance_objectives, tolerance_properties, tolerance_requirements} from "../tolerances";
 import {form_of} from "./given";
 
 const most_poses = 10_000; // the engine takes five; what was typed is kept until it is set right
@@ -135,10 +136,12 @@ export const motion_kind: TaskKind<MotionTask> = {
       span: (_, typical) => [0, 0.2 * typical],
       levels: length_levels,
     },
+    ...tolerance_properties("length"),
   },
   types: planar_types,
-  requirements: planar_requirements,
-  objectives: planar_objectives,
+  requirements: {...planar_requirements, ...tolerance_requirements},
+  objectives: {...planar_objectives, ...tolerance_objectives},
+  making: body_making,
   moved: (task, point) =>
     task.given && "instant_center" in task.given
       ? {...task, given: {...task.given, instant_center: point(task.given.instant_center)}}

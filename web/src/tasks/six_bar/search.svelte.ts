@@ -2,6 +2,7 @@
 import type {Box, Linkage, Ranked, TauPair} from "../../engine/protocol";
 import type {Chain, SixBarTask} from "./task";
 import {engine_text, with_options, type Problem} from "../../state/problem";
+import {without_unmet} from "../kinds";
 import {RoundSearch} from "../../state/round_search.svelte";
 import {same_value, type Pose} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
@@ -36,7 +37,10 @@ export function rounds_of({options}: Problem): number[] {
 }
 /** The problem of a round: for the last one, what the program would be asked. */
 export function round_of(problem: Problem, chains: number): Problem {
-  return with_options(with_six_bar(problem, {chain: undefined}), {box: box_of_search(problem), effort: chains});
+  return with_options(without_unmet(with_six_bar(problem, {chain: undefined})), {
+    box: box_of_search(problem),
+    effort: chains,
+  });
 }
 
 /** Elbows that are all as in position 1 need not be said. */

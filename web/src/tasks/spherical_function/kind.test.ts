@@ -23,9 +23,11 @@ describe("a function on the sphere", () => {
   });
   it("has what functions have and what spheres have", () => {
     const of: SphericalFunctionTask = {...task, pairs: undefined, function: named};
-    expect(objectives_of(of)).toEqual(["structural_error", "min_transmission_angle", "link_angle"]);
-    expect(properties_of(of)).toEqual(expect.arrayContaining(["max_structural_error_deg", "min_link_angle_deg"]));
-    expect(properties_of(task)).not.toContain("max_structural_error_deg");
+    expect(objectives_of({task: of})).toEqual(["structural_error", "min_transmission_angle", "link_angle"]);
+    expect(properties_of({task: of})).toEqual(
+      expect.arrayContaining(["max_structural_error_deg", "min_link_angle_deg"]),
+    );
+    expect(properties_of({task})).not.toContain("max_structural_error_deg");
     expect(
       incompleteness({...beginning, task: {...task, pairs: task.pairs!.slice(1)} as SphericalFunctionTask}),
     ).toEqual({state: "too_few", text: "state.too_few_pairs", n: 3});

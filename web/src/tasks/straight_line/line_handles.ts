@@ -7,6 +7,7 @@ import {snapped_angle, wrapped_deg} from "../../drawing/snapping";
 import {part_drag, type Surface} from "../../drawing/surface";
 import {with_task, type Problem} from "../../state/problem";
 import {t} from "../../texts/texts.svelte";
+import {without_unmet} from "../kinds";
 import {form_of} from "./cases";
 import {is_straight_line, type StraightLineTask} from "./task";
 
@@ -17,7 +18,7 @@ export function line_task({task}: Problem): StraightLineTask | null {
 }
 export function with_line_task(problem: Problem, change: (task: StraightLineTask) => StraightLineTask): Problem {
   const task = line_task(problem);
-  return task ? with_task(problem, change(task)) : problem;
+  return task ? without_unmet(with_task(problem, change(task))) : problem;
 }
 
 /** Something of the task that is a point. */

@@ -2,6 +2,7 @@
 import type {Linkage, Ranked, TauPair} from "../../engine/protocol";
 import {defaults} from "../../state/defaults";
 import {engine_text, with_options, with_task, type Problem} from "../../state/problem";
+import {without_unmet} from "../kinds";
 import {RoundSearch} from "../../state/round_search.svelte";
 import {same_value} from "../../state/task";
 import type {Workbench} from "../../state/workbench.svelte";
@@ -26,7 +27,11 @@ export function problem_of(problem: Problem, {deviation}: StraightLineTask, {tas
 }
 /** Back to what was wanted. */
 export function sought_again(problem: Problem, sought: StraightLineTask): Problem {
-  return with_options(with_task(problem, sought), {deviation: undefined, measure: undefined, window: undefined});
+  return with_options(without_unmet(with_task(problem, sought)), {
+    deviation: undefined,
+    measure: undefined,
+    window: undefined,
+  });
 }
 
 export class LineSearch extends RoundSearch {

@@ -1,0 +1,107 @@
+// What the linkages of a kind can be coloured by, required to be and optimised for once it is known how exactly they are made.
+import {round_step} from "../state/problem";
+import {length_entries, length_tolerance, type Tolerances} from "../state/tolerances";
+import {most_of} from "../state/ends";
+import type {Making, ObjectiveDescription, PropertyDescription, RequirementDescription} from "./kind";
+
+const degrees_per_radian = 180 / Math.PI;
+/** Over a map errors differ by more than this. */
+const spread = 400;
+
+/** About how large an error is where nothing magnifies the tolerances. */
+function plain_error(tolerances: Tolerances, typical: number, error: Making["error"]): number {
+  const lengths = length_entries.map((key) => length_tolerance(tolerances, key)),
+    length = Math.max(most_of(lengths), tolerances.clearance ?? 0),
+    angle = Math.max(tolerances.driver_deg ?? 0, tolerances.link_angle_deg ?? 0);
+  if (error === "length") return Math.max(length, (angle / degrees_per_radian) * typical);
+  return Math.max((length / Math.max(typical, 1e-9)) * degrees_per_radian, angle);
+}
+/** 1, 2, 5 × 10ⁿ within a span. */
+export function round_levels([from, to]: readonly [number, number]): number[] {
+  const levels: number[] = [];
+  for (let level = round_step(from); level <= to; level = round_step(1.5 * level)) levels.push(level);
+  return levels;
+}
+
+export const tolerance_properties = (error: Making["error"]) =>
+  ({
+    tolerance_error: {
+      needs: "tolerances",
+      text: "tolerance.error",
+      short: "tolerance.error_short",
+      term: "tolerance_error",
+      larger_is_better: false,
+      requirement: "max_tolerance_error",
+      quantity: "error",
+      logarithmic: true,
+      span(_, typical, tolerances = {}) {
+        const from = round_step(plain_error(tolerances, typical, error) || 1);
+        return [from, spread * from];
+      },
+      levels: round_levels,
+    },
+    yield: {
+      needs: "limit",
+      text: "region.by_yield",
+      short: "region.by_yield",
+      term: "yield",
+      larger_is_better: true,
+      requirement: "min_yield",
+      quantity: "percent",
+      of_meeting: true,
+      span: () => [0, 1],
+      levels: () => [0.1, 0.25, 0.5, 0.75, 0.9, 0.99],
+    },
+  }) satisfies Record<string, PropertyDescription>;
+
+export const tolerance_requirements = {
+  max_tolerance_error: {
+    name: "req.max_tolerance_error",
+    short: "req.short.max_tolerance_error",
+    term: "tolerance_error",
+    control: "limit",
+    bound: "most",
+    quantity: "error",
+    from: 0,
+    needs: "tolerances",
+  },
+  min_yield: {
+    name: "req.min_yield",
+    short: "req.short.min_yield",
+    term: "yield",
+    control: "limit",
+    bound: "least",
+    quantity: "percent",
+    from: 0,
+    needs: "limit",
+  },
+} satisfies Record<string, RequirementDescription>;
+
+export const tolerance_objectives = {
+  tolerance_error: {name: "req.objective.tolerance_error", measure: "tolerance_error", needs: "tolerances"},
+  yield: {name: "req.objective.yield", measure: "yield", needs: "limit"},
+} satisfies Record<string, ObjectiveDescription>;
+
+const links = {
+  input: "num.input",
+  coupler: "num.coupler",
+  output: "num.output",
+  ground_pivots: "tolerance.pivots",
+} as const;
+const body = {...links, point: "tolerance.point"} as const;
+/** Four-bars that guide a body. */
+export const body_making: Making = {lengths: body, error: "length", limits: ["position", "angle_deg"]};
+/** Of which the output's angle counts. */
+export const angle_making: Making = {lengths: links, error: "angle", limits: ["angle_deg"]};
+export const arc_making: Making = {lengths: null, error: "angle", limits: ["angle_deg"]};
+export const line_making: Making = {lengths: body, error: "length", limits: ["deviation"]};
+export const chain_making: Making = {
+  lengths: {
+    ...body,
+    input: "tolerance.driving_link",
+    output: "tolerance.grounded_links",
+    coupler: "tolerance.other_links",
+  },
+  error: "length",
+  limits: ["position", "angle_deg"],
+};
