@@ -57,7 +57,7 @@ export interface SamplePath {
   role: SampledLink["role"] | "origin";
   d: string;
 }
-const together = 40; // samples to a path: where several paths lie over each other it is darker
+const together = 25; // samples to a path: where several paths lie over each other it is darker
 
 /** Deviations from `nominal` enlarged by `magnification`. */
 export function sample_paths(
