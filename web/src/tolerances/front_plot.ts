@@ -1,7 +1,8 @@
 // The plane of the two objectives: transmission angle to the right, the error upwards by its logarithm.
+import type {Point} from "../engine/protocol";
+import {css_values} from "../state/css_values";
 import {least_of, most_of} from "../state/ends";
 import type {Front, FrontPoint} from "../state/front_study.svelte";
-import type {Point} from "../engine/protocol";
 
 export interface Field {
   angle: readonly [number, number];
@@ -44,6 +45,24 @@ export function place_of({angle, error, width, height}: Field, point: Values): P
     room.left + across * (width - room.left - room.right),
     room.top + (1 - up) * (height - room.top - room.bottom),
   ];
+}
+/** All cells, faint: a dot to each, where several fall on one pixel the first. */
+export function paint_cells(canvas: HTMLCanvasElement, {cells}: Front, field: Field): void {
+  const ratio = devicePixelRatio,
+    context = canvas.getContext("2d")!,
+    taken = new Set<number>();
+  canvas.width = Math.round(field.width * ratio);
+  canvas.height = Math.round(field.height * ratio);
+  context.scale(ratio, ratio);
+  context.fillStyle = css_values(canvas, ["ink3"]).ink3;
+  context.globalAlpha = 0.22;
+  for (let i = 0; i < cells.length; i += 2) {
+    const [x, y] = place_of(field, {angle_deg: cells[i]!, error: cells[i + 1]!}),
+      pixel = Math.round(y) * Math.ceil(field.width) + Math.round(x);
+    if (y < room.top || taken.has(pixel)) continue;
+    taken.add(pixel);
+    context.fillRect(x - 0.6, y - 0.6, 1.2, 1.2);
+  }
 }
 /** From each point of the front to the next better angle it is a corner that nothing reaches beyond. */
 export function front_path(field: Field, points: readonly FrontPoint[]): string {
