@@ -46,9 +46,9 @@ Json drawn_tolerances(Draw& draw, const Sheet& sheet, std::string_view kind) {
   return tolerances;
 }
 
-/// Each cell that meets all else is sampled.
+/// Each cell that meets all else is sampled, and paths along a line are traced for each.
 void keep_map_small(std::string_view kind, Json& options) {
-  const int most = is_of(kind, "six_bar") ? 12 : 40;
+  const int most = is_of(kind, "six_bar") ? 12 : is_of(kind, "line") ? 20 : 40;
   options["region_samples"] = std::min(options.value("region_samples", most), most);
 }
 
@@ -68,7 +68,7 @@ void add_tolerances(Draw& draw, const Sheet& sheet, std::string_view kind, Json&
   if (!draw.chance(0.4)) return;
   problem["tolerances"] = drawn_tolerances(draw, sheet, kind);
   const bool has_limit = problem["tolerances"].contains("limit");
-  if (has_limit) keep_map_small(kind, problem["options"]);
+  if (has_limit || is_of(kind, "line")) keep_map_small(kind, problem["options"]);
   if (!is_of(kind, "search")) add_what_goes_by_them(draw, sheet, kind, has_limit, problem);
 }
 
