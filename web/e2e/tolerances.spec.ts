@@ -126,7 +126,9 @@ test.describe("on a phone", () => {
         all.filter((one) => one.getBoundingClientRect().height < 43.5).map((one) => one.outerHTML.slice(0, 80)),
       );
     expect(low).toEqual([]);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+    await page.evaluate(() => ((globalThis as any).__linkwright.preferences.colour_by = "tolerance_error"));
+    await expect(page.getByTestId("region.upper_end")).toHaveCount(1);
+    expect(await page.evaluate(() => document.querySelector(".app")!.scrollWidth)).toBe(390);
     await until_settled(page);
     await expect(page.getByTestId("num.line_tolerance")).toContainText("mm");
   });
