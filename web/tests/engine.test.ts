@@ -25,6 +25,7 @@ import {stored_start, thumbnail} from "../src/engine/stored";
 import {halo_reach} from "../src/drawing/drags/pose_drags";
 import {first_example} from "../src/gallery/gallery";
 import {roomy_squares} from "../src/state/halo_follower";
+import {sampled_cells} from "../src/region/sampled";
 import {engine_text} from "../src/state/problem";
 import {read_problem} from "../src/state/problem_shape";
 import {poses_of} from "../src/state/task";
@@ -502,5 +503,28 @@ describe("the tailgate", () => {
     expect(thumbnail("landing_gear")!.linkage!.pivots.length).toBe(4);
     expect(thumbnail("landing_gear")!.type.length).toBe(64 ** 2);
     expect(thumbnail("nothing")).toBeNull();
+  });
+});
+
+describe("yields", () => {
+  const problem = engine_text({
+    ...first_example!.problem,
+    tolerances: {length: 0.5, limit: {position: 2}, samples: 1000},
+  });
+  const values = () => explored(problem, "yield", 60).map!;
+
+  test("are sampled in the order in which the map tells them apart", () => {
+    explored(problem, "yield", 60);
+    const {done, total} = ask("yields", {problem, cells: 40}),
+      some = values();
+    expect(done).toBe(40);
+    expect(total).toBe(some.census.meeting);
+    const sampled = sampled_cells(some, done, 0);
+    while (ask("yields", {problem, cells: 1000}).done < total);
+    const all = values().value;
+    expect(sampled_cells(some, total, 0).reduce((sum, is) => sum + is, 0)).toBe(total);
+    const changed = [...all.keys()].filter((cell) => all[cell] !== some.value[cell]);
+    expect(changed.length).toBeGreaterThan(total / 10);
+    expect(changed.filter((cell) => sampled[cell])).toEqual([]);
   });
 });

@@ -3,13 +3,18 @@ import type {MapAnswer} from "../engine/protocol";
 import {most_of} from "../state/ends";
 import {share_of, type Range} from "./value_range";
 
-/** Share of the defect-free cells in each of `bins` equal steps of the range, the largest scaled to 1. */
-export function histogram(map: Pick<MapAnswer, "type" | "defects" | "value">, range: Range, bins: number): number[] {
+/** Share of the defect-free cells, or of those only that meet everything, in each of `bins` equal steps of the range, the largest scaled to 1. */
+export function histogram(
+  map: Pick<MapAnswer, "type" | "defects" | "fails" | "value">,
+  range: Range,
+  bins: number,
+  only_meeting = false,
+): number[] {
   const counts = new Array<number>(bins).fill(0);
-  const {type, defects, value} = map;
+  const {type, defects, fails, value} = map;
   const step = type.length > 200_000 ? 5 : 1;
   for (let i = 0; i < type.length; i += step) {
-    if (defects[i] !== 0 || type[i]! === degenerate) continue;
+    if (defects[i] !== 0 || type[i]! === degenerate || (only_meeting && fails[i] !== 0)) continue;
     const bin = Math.floor(bins * share_of(range, value[i]!));
     if (bin >= 0 && bin < bins) ++counts[bin]!;
   }

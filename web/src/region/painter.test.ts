@@ -2,7 +2,7 @@ import {describe, expect, it} from "vitest";
 import {whole, type MapAnswer} from "../engine/protocol";
 import {histogram} from "./histogram";
 import {diagonal, hash_of, paint_types, paint_values, point_of} from "./painter";
-import {mixed, pixel, ramp, rgb_of, type Look, type Palette} from "./palette";
+import {mixed, pale, pixel, ramp, rgb_of, type Look, type Palette} from "./palette";
 import {make_scale} from "./scale";
 
 const palette: Palette = {
@@ -74,8 +74,27 @@ describe("painter", () => {
     expect(hash_of(Uint32Array.of(1, 2))).not.toBe(hash_of(Uint32Array.of(2, 1)));
     expect(hash_of(Uint32Array.of(1, 2))).toBe(hash_of(Uint32Array.of(1, 2)));
   });
+  it("paints equal ratios in equal steps, and what is not defined as bad as can be", () => {
+    const out = new Uint32Array(4),
+      range = {from: 100, to: 1, logarithmic: true},
+      of = (value: number) => {
+        paint_values({...map, value: Float32Array.of(value, 0, 0, 0)}, look, range, out);
+        return out[2];
+      };
+    expect(of(10)).toBe(pixel(ramp(127 / 255)));
+    expect(of(0)).toBe(pixel(ramp(0)));
+    expect(of(0.5)).toBe(pixel(ramp(1)));
+  });
+  it("paints pale what stands for another cell", () => {
+    const out = new Uint32Array(4);
+    paint_values(map, look, {from: 0, to: 90}, out, Uint8Array.of(0, 1, 1, 1));
+    expect(out[2]).toBe(pixel(pale(ramp(1))));
+    paint_values(map, look, {from: 0, to: 90}, out, Uint8Array.of(1, 1, 1, 1));
+    expect(out[2]).toBe(pixel(ramp(1)));
+  });
   it("counts what is free of defects", () => {
     expect(histogram(map, {from: 0, to: 100}, 2)).toEqual([1, 1]);
+    expect(histogram(map, {from: 0, to: 100}, 2, true)).toEqual([0, 1]);
   });
   it("reads colours", () => {
     expect(rgb_of(" #1f5fbf")).toEqual([31, 95, 191]);

@@ -43,11 +43,11 @@ describe("property", () => {
     expect(levels.filter((l) => l.bold)).toEqual([{level: 33, bold: true}]);
   });
   it("spans errors in equal ratios, from what the tolerances themselves are", () => {
-    expect(domain("tolerance_error", shown({}, {length: 0.5}))).toEqual([0.5, 200]);
-    expect(domain("tolerance_error", shown({}, {length: {coupler: 0.1}, clearance: 0.03}))).toEqual([0.1, 40]);
+    expect(domain("tolerance_error", shown({}, {length: 0.5}))).toEqual([0.5, 500]);
+    expect(domain("tolerance_error", shown({}, {length: {coupler: 0.1}, clearance: 0.03}))).toEqual([0.1, 100]);
     expect(painted_range("tolerance_error", [0.5, 200])).toEqual({from: 200, to: 0.5, logarithmic: true});
     const levels = contour_levels("tolerance_error", shown({max_tolerance_error: 3}, {length: 0.5}));
-    expect(levels.map(({level}) => level)).toEqual([0.5, 1, 2, 3, 5, 10, 20, 50, 100, 200]);
+    expect(levels.map(({level}) => level)).toEqual([0.5, 1, 2, 3, 5, 10, 20, 50, 100, 200, 500]);
     expect(levels.filter(({bold}) => bold)).toEqual([{level: 3, bold: true}]);
   });
   it("is told of tolerances only where there are some, and a limit", () => {

@@ -53,6 +53,8 @@ export class Answers {
   halo = $state.raw<Halo | null>(null);
   /** A better linkage nearby is being looked for. */
   improving = $state(false);
+  /** How far the yields of the map on screen are sampled; null: they are not, or not yet. */
+  yields = $state.raw<Replies["yields"] | null>(null);
   /** What the last map took the engine. */
   engine_ms = $state(0);
 

@@ -5,6 +5,7 @@ import {whole, type Axes, type Mistake, type Property, type Replies, type Window
 import type {Answers} from "./answers.svelte";
 import {settled_on, type Document} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
+import {YieldSampler, type YieldProgress} from "./yield_sampler";
 
 interface Mapped {
   readonly engine: EngineClient | null;
@@ -54,11 +55,17 @@ export class MapFollower {
   private slow_timer: ReturnType<typeof setTimeout> | undefined;
 
   private counting = new AbortController();
+  private readonly yields: YieldSampler;
 
   constructor(
     private readonly mapped: Mapped,
     private readonly next: Next,
-  ) {}
+  ) {
+    this.yields = new YieldSampler(
+      () => mapped.engine,
+      (progress) => this.show_yields(progress),
+    );
+  }
 
   refresh(): void {
     this.stop();
@@ -74,6 +81,7 @@ export class MapFollower {
     clearTimeout(this.rest_timer);
     clearTimeout(this.fine_timer);
     this.counting.abort();
+    this.yields.stop();
     this.fine = false;
   }
   /** What was asked will not be answered, or its answer is gone. */
@@ -124,6 +132,7 @@ export class MapFollower {
     if (mapped.incomplete) return; // positions were removed meanwhile
     if (answers.map_is_of_present && !same_question(document.problem, mapped.problem)) return; // a drag was taken back meanwhile
     answers.take_map(reply.task, reply.map, document.problem);
+    answers.yields = null;
     answers.engine_ms = reply.engine_ms;
     mapped.accept(document);
     if (reply.map && window === whole && samples !== fine_samples)
@@ -157,9 +166,28 @@ export class MapFollower {
     if (this.mapped.gesture || this.fine) return;
     this.fine_timer = setTimeout(() => {
       this.fine = true;
+      if (this.wants_yields) return void this.yields.follow(engine_text(this.mapped.problem));
       if (this.mapped.window !== whole) void this.count_whole();
       void this.explore(fine_samples);
     }, 300);
+  }
+  /** They are shown, or what is required goes by them: a map as fine as the eye sees would take them minutes. */
+  private get wants_yields(): boolean {
+    const {property, problem} = this.mapped;
+    return property === "yield" || (problem.requirements?.min_yield ?? 0) > 0;
+  }
+  private async show_yields(progress: YieldProgress): Promise<boolean> {
+    const {mapped, asked} = this,
+      {engine, answers, problem, window, property} = mapped,
+      order = answers.task?.axes.input.order ?? "fresh";
+    const reply = await engine
+      ?.follow("explore", {problem: engine_text(problem), samples: even_samples, window, property, order})
+      .catch(() => null);
+    if (!reply?.map || this.asked !== asked || mapped.problem !== problem) return false;
+    answers.take_map(reply.task, reply.map, problem);
+    answers.yields = progress;
+    if (window === whole) answers.take_census(reply.map.census, problem);
+    return true;
   }
   /** Zoomed in, the counts are still of the whole region. */
   private async count_whole(): Promise<void> {

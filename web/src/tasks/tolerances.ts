@@ -5,8 +5,8 @@ import {most_of} from "../state/ends";
 import type {Making, ObjectiveDescription, PropertyDescription, RequirementDescription} from "./kind";
 
 const degrees_per_radian = 180 / Math.PI;
-/** Over a map errors differ by more than this. */
-const spread = 400;
+/** Over a map errors differ by some hundred times. */
+const spread = 1000;
 
 /** About how large an error is where nothing magnifies the tolerances. */
 function plain_error(tolerances: Tolerances, typical: number, error: Making["error"]): number {

@@ -1,15 +1,22 @@
 // How tolerances and the errors that they make are said.
 import type {Linkage, ToleranceFigures} from "../engine/protocol";
-import {with_unit} from "../numbers/words";
-import type {Tolerances} from "../state/tolerances";
+import {limit_of, type Tolerances} from "../state/tolerances";
 import {joints_of, lengths_of} from "../tasks/kinds";
-import {degrees_text, significant} from "../texts/numbers";
+import {percent_text, significant, with_unit} from "../texts/numbers";
 import {known_text, t, type TextKey} from "../texts/texts.svelte";
 
 const digits = 3;
 
 export function error_text(error: number, of: ToleranceFigures["unit"], unit: string): string {
   return of === "degrees" ? `${significant(error, digits)}°` : with_unit(significant(error, digits), unit);
+}
+/** Where the linear figure is off, the sampled one. */
+const listed_error = (of: ToleranceFigures) => (of.beyond_first_order ? of.error_sampled : of.error);
+/** "± 0.66 mm · yield 98.4 %" */
+export function figures_text(of: ToleranceFigures, unit: string): string {
+  const error = error_text(listed_error(of), of.unit, unit);
+  if (of.yield === null) return t("tolerance.figures", {error});
+  return t("tolerance.figures_yield", {error, yield: percent_text(of.yield)});
 }
 /** "82.9 %"; next to 1 it keeps the digits in which it differs from it. */
 export function share_text(share: number, certain = digits): string {
@@ -28,16 +35,14 @@ function pivot_name(center: string, hand: Linkage): string {
   return joint?.name ?? known_text(`study.of_${center}`) ?? center;
 }
 /** Of the tolerances: "2 mm", "0.5°". */
-export function limit_text({limit}: Tolerances, unit: string): string {
-  if (!limit) return "";
-  if ("angle_deg" in limit) return degrees_text(limit.angle_deg, limit.angle_deg < 1 ? 2 : 1);
-  return with_unit(significant("position" in limit ? limit.position : limit.deviation, digits), unit);
+export function limit_text(tolerances: Tolerances, unit: string): string {
+  const limit = limit_of(tolerances);
+  return limit ? error_text(limit.value, limit.kind === "angle_deg" ? "degrees" : "length", unit) : "";
 }
 /** In the unit of the errors; nothing where it is of something else. */
-export function limit_on_scale({limit}: Tolerances, of: ToleranceFigures["unit"]): number | null {
-  if (!limit) return null;
-  if ("angle_deg" in limit) return of === "degrees" ? limit.angle_deg : null;
-  return of === "length" ? ("position" in limit ? limit.position : limit.deviation) : null;
+export function limit_on_scale(tolerances: Tolerances, of: ToleranceFigures["unit"]): number | null {
+  const limit = limit_of(tolerances);
+  return limit && (limit.kind === "angle_deg") === (of === "degrees") ? limit.value : null;
 }
 /** What stands on the printed sheet and in the card: name and value. */
 export function figure_rows(figures: ToleranceFigures, unit: string): {key: TextKey; value: string}[] {
@@ -46,7 +51,7 @@ export function figure_rows(figures: ToleranceFigures, unit: string): {key: Text
   return [
     {
       key: "study.error",
-      value: `${t("study.error_text", {error: error(figures.beyond_first_order ? figures.error_sampled : figures.error)})}`,
+      value: `${t("study.error_text", {error: error(listed_error(figures))})}`,
     },
     ...(figures.error_realigned === undefined
       ? []
