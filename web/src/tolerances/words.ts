@@ -1,9 +1,8 @@
 // How tolerances and the errors that they make are said.
 import type {Linkage, ToleranceFigures} from "../engine/protocol";
-import {with_unit} from "../numbers/words";
-import type {Tolerances} from "../state/tolerances";
+import {limit_of, type Tolerances} from "../state/tolerances";
 import {joints_of, lengths_of} from "../tasks/kinds";
-import {degrees_text, significant} from "../texts/numbers";
+import {significant, with_unit} from "../texts/numbers";
 import {known_text, t, type TextKey} from "../texts/texts.svelte";
 
 const digits = 3;
@@ -28,16 +27,14 @@ function pivot_name(center: string, hand: Linkage): string {
   return joint?.name ?? known_text(`study.of_${center}`) ?? center;
 }
 /** Of the tolerances: "2 mm", "0.5°". */
-export function limit_text({limit}: Tolerances, unit: string): string {
-  if (!limit) return "";
-  if ("angle_deg" in limit) return degrees_text(limit.angle_deg, limit.angle_deg < 1 ? 2 : 1);
-  return with_unit(significant("position" in limit ? limit.position : limit.deviation, digits), unit);
+export function limit_text(tolerances: Tolerances, unit: string): string {
+  const limit = limit_of(tolerances);
+  return limit ? error_text(limit.value, limit.kind === "angle_deg" ? "degrees" : "length", unit) : "";
 }
 /** In the unit of the errors; nothing where it is of something else. */
-export function limit_on_scale({limit}: Tolerances, of: ToleranceFigures["unit"]): number | null {
-  if (!limit) return null;
-  if ("angle_deg" in limit) return of === "degrees" ? limit.angle_deg : null;
-  return of === "length" ? ("position" in limit ? limit.position : limit.deviation) : null;
+export function limit_on_scale(tolerances: Tolerances, of: ToleranceFigures["unit"]): number | null {
+  const limit = limit_of(tolerances);
+  return limit && (limit.kind === "angle_deg") === (of === "degrees") ? limit.value : null;
 }
 /** What stands on the printed sheet and in the card: name and value. */
 export function figure_rows(figures: ToleranceFigures, unit: string): {key: TextKey; value: string}[] {
