@@ -406,25 +406,12 @@ export const pictures = {
   ],
   clearance: [ring("body", [48, 32], 22), ring("pivot", [53, 32], 14), ["arrow", "M48 32L53 32"]],
   missed_pose: [plate("thin", [40, 34], 0.2, 14), plate("bad", [52, 28], 0.4, 14), ["arrow", "M40 34L52 28"]],
-  tolerance_error: [
-    plate("thin", [34, 40], 0.1, 12),
-    plate("dash", [62, 26], 0.45, 12),
-    plate("bad", [65, 22], 0.55, 12),
-    plate("bad", [59, 29], 0.35, 12),
-    ["arrow", "M62 26L66 21"],
-  ],
   tolerance_share: [
     ["accent", "M14 14h66"],
     ["accent", "M14 26h40"],
     ["thin", "M14 38h14"],
     ["thin", "M14 50h4"],
     ["thin", "M14 8v48"],
-  ],
-  tolerance_yield: [
-    ["thin", "M8 56h80"],
-    ["good", "M10 56Q20 52 28 34Q36 14 44 14Q52 14 60 34"],
-    ["bad", "M60 34Q68 52 84 56"],
-    ["dash", "M60 8V58"],
   ],
   worst_case: [
     ["thin", "M8 56h80"],

@@ -1,6 +1,6 @@
 // The dimensions of a linkage and the tolerances that a problem file gives for them: several dimensions share one.
 import type {ToleranceFigures} from "../engine/protocol";
-import {length_entries, type LengthEntry, type Tolerances} from "../state/tolerances";
+import {length_entries, length_tolerance, with_length, type LengthEntry, type Tolerances} from "../state/tolerances";
 
 export type Share = ToleranceFigures["sensitivities"][number];
 /** Where a problem file has a tolerance. */
@@ -9,9 +9,9 @@ export type Entry = LengthEntry | "driver_deg" | "link_angle_deg";
 const driving_body = "1";
 
 /** `parameters`: all of the linkage, among which those of a longer one have their neighbours. */
-export function entry_of(parameter: string, is_angle: boolean, parameters: readonly string[]): Entry {
+export function entry_of(parameter: string, of_angle: boolean, parameters: readonly string[]): Entry {
   if (parameter === "driver") return "driver_deg";
-  if (is_angle) return "link_angle_deg";
+  if (of_angle) return "link_angle_deg";
   if (parameter.startsWith("point_")) return "point";
   if (/center_.*[xy]$/.test(parameter)) return "ground_pivots";
   if (parameter.startsWith("length ")) return entry_of_length(parameter, parameters);
@@ -37,15 +37,13 @@ export function entry_of_share({parameter, tolerance_deg}: Share, all: readonly 
 }
 
 export function tolerance_at(tolerances: Tolerances, entry: Entry): number {
-  if (entry === "driver_deg" || entry === "link_angle_deg") return tolerances[entry] ?? 0;
-  const {length = 0} = tolerances;
-  return typeof length === "number" ? length : (length[entry] ?? 0);
+  return is_angle(entry) ? (tolerances[entry] ?? 0) : length_tolerance(tolerances, entry);
 }
-/** Those that had one tolerance for all lengths get one to each. */
 export function with_tolerance(tolerances: Tolerances, entry: Entry, value: number): Tolerances {
-  if (entry === "driver_deg" || entry === "link_angle_deg") return {...tolerances, [entry]: value};
-  const each = Object.fromEntries(length_entries.map((name) => [name, tolerance_at(tolerances, name)]));
-  return {...tolerances, length: {...each, [entry]: value}};
+  return is_angle(entry) ? {...tolerances, [entry]: value} : with_length(tolerances, entry, value);
+}
+function is_angle(entry: Entry): entry is Exclude<Entry, LengthEntry> {
+  return entry === "driver_deg" || entry === "link_angle_deg";
 }
 
 /** By which factor the tolerance behind a dimension changes where its share of the variance is to become `wanted` while
