@@ -260,6 +260,10 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
     expect(map!.fails.filter((bits) => bits === 0).length).toBe(census.meeting);
   });
   test.each(shared_properties)("has the same %s", (property) => {
+    if (property === "yield") {
+      explored(problem, property, samples);
+      ask("yields", {problem, cells: samples ** 2});
+    }
     const {map} = explored(problem, property, samples);
     const wanted = floats(result.region.properties[property]);
     // Single precision: its last bit turns over here and there, more where a link is very long or an angle nearly 0.

@@ -1,6 +1,7 @@
 // What can be taken away, and of which linkage: the picked one, or one that is pinned.
 import type {ExportFormat, Linkage, LinkageType, TauPair} from "../engine/protocol";
 import {drawing_svg, drawing_with_more} from "../drawing/snapshot";
+import {preferences} from "../state/preferences.svelte";
 import {css_values} from "../state/css_values";
 import {engine_text, outline_of, type Problem} from "../state/problem";
 import {poses_of} from "../state/task";
@@ -91,7 +92,8 @@ export function from_engine(
 }
 /** The engine's drawing of the positions, or the page's where more is shown in it. */
 export async function svg_of(workbench: Workbench, target: Target): Promise<string> {
-  const shown = target.pin === null ? drawing_with_more() : null;
+  const shows_more = preferences.instant || target.problem.tolerances !== undefined;
+  const shown = target.pin === null && shows_more ? drawing_with_more() : null;
   if (shown) return drawing_svg(shown)!;
   return (await from_engine(workbench, target, "svg")).text;
 }
