@@ -29,7 +29,15 @@ import {sampled_cells} from "../src/region/sampled";
 import {engine_text} from "../src/state/problem";
 import {read_problem} from "../src/state/problem_shape";
 import {poses_of} from "../src/state/task";
-import {property_descriptions} from "../src/tasks/kinds";
+import {
+  incompleteness,
+  properties_of,
+  property_descriptions,
+  requirements_of,
+  suggested_limit,
+  suggested_tolerances,
+  task_kinds,
+} from "../src/tasks/kinds";
 import {round_of, rounds_of} from "../src/tasks/six_bar/search.svelte";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
@@ -530,5 +538,26 @@ describe("yields", () => {
     const changed = [...all.keys()].filter((cell) => all[cell] !== some.value[cell]);
     expect(changed.length).toBeGreaterThan(total / 10);
     expect(changed.filter((cell) => sampled[cell])).toEqual([]);
+  });
+});
+
+describe("suggested tolerances", () => {
+  const beginnings = task_kinds
+    .flatMap((kind) => (kind.making ? kind.beginnings : []))
+    .map(({id, make}) => ({id, problem: make()}))
+    .filter(({problem}) => incompleteness(problem) === null);
+
+  test.each(beginnings)("and the limit are what the engine takes, requirements and all: $id", ({problem}) => {
+    const made = {...problem, tolerances: suggested_tolerances(problem.task)},
+      asked = {...made, tolerances: {...made.tolerances, limit: suggested_limit(made)}};
+    const keys = requirements_of(problem.task),
+      required = {...asked, requirements: {...asked.requirements, max_tolerance_error: 1e6, min_yield: 0.01}};
+    expect(keys.slice(-2)).toEqual(["max_tolerance_error", "min_yield"]);
+    expect(properties_of(asked)).toEqual(expect.arrayContaining(["tolerance_error", "yield"]));
+    for (const objective of ["tolerance_error", "yield"] as const) {
+      const text = engine_text({...required, options: {...required.options, objective}}),
+        {map} = explored(text, "tolerance_error", 20);
+      expect(map!.census.only).toHaveLength(keys.length);
+    }
   });
 });
