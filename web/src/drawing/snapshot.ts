@@ -46,9 +46,9 @@ export function drawing_svg(
   }
 }
 
-/** The drawing where an instant of the linkage is shown in it. */
-export function drawing_of_instant(): SVGSVGElement | null {
-  return document.querySelector<SVGSVGElement>("svg.drawing:has(.instant)");
+/** The drawing where something is shown in it that the engine's own does not have: an instant of the linkage, samples. */
+export function drawing_with_more(): SVGSVGElement | null {
+  return document.querySelector<SVGSVGElement>("svg.drawing:has(.instant, .samples)");
 }
 
 /** Computed styles become attributes; classes, test names and roles go. */

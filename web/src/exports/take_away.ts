@@ -1,9 +1,8 @@
 // What can be taken away, and of which linkage: the picked one, or one that is pinned.
 import type {ExportFormat, Linkage, LinkageType, TauPair} from "../engine/protocol";
-import {drawing_of_instant, drawing_svg} from "../drawing/snapshot";
+import {drawing_svg, drawing_with_more} from "../drawing/snapshot";
 import {css_values} from "../state/css_values";
 import {engine_text, outline_of, type Problem} from "../state/problem";
-import {preferences} from "../state/preferences.svelte";
 import {poses_of} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {with_other_task} from "../tasks/kinds";
@@ -90,9 +89,9 @@ export function from_engine(
 ): Promise<{text: string; extension: string}> {
   return workbench.driver_client!.run({kind: "export", problem: engine_text(problem), tau, format});
 }
-/** The engine's drawing of the positions, or the page's where an instant is shown in it. */
+/** The engine's drawing of the positions, or the page's where more is shown in it. */
 export async function svg_of(workbench: Workbench, target: Target): Promise<string> {
-  const shown = preferences.instant && target.pin === null ? drawing_of_instant() : null;
+  const shown = target.pin === null ? drawing_with_more() : null;
   if (shown) return drawing_svg(shown)!;
   return (await from_engine(workbench, target, "svg")).text;
 }

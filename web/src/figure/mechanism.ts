@@ -4,7 +4,7 @@ import {joints_at, row_count, row_joints, row_state, state_at, type State} from 
 import {least_of, most_of} from "../state/ends";
 import {placed, type Pin} from "../state/problem";
 import type {TextKey} from "../texts/texts.svelte";
-import type {Body, End, Ends, Figure, Place, Trace} from "./figure";
+import type {Body, End, Ends, Figure, Place, Role, Trace} from "./figure";
 
 /** A linkage in one state of its motion. */
 export interface Configuration {
@@ -28,6 +28,11 @@ export interface Dimension {
   /** In degrees. */
   is_angle?: true;
   role?: "input" | "output" | "body";
+}
+/** A moving link of a linkage as it is made: which of the joints it has, by their places in ToleranceAnswer.drawn. */
+export interface SampledLink {
+  role: Role;
+  joints: readonly number[];
 }
 /** Layers in which plates may lie, by the name of the link; the ground is 0. */
 export type PlateOrder = Readonly<Record<string, number>>;
@@ -54,6 +59,8 @@ export interface Mechanism {
   /** What a pin shows without asking the engine. */
   ghost(pivots: Pin["pivots"], poses: readonly Place[], stage: number): Figure;
   dimensions(linkage: Linkage): Dimension[];
+  /** Of a linkage that is no four-bar; its joints are then those of its configurations. */
+  sampled_links?(linkage: Linkage): readonly SampledLink[];
   /** One loop of four links with all pivots in the plane moves the body: what one instant of it tells can be shown. */
   has_instant?: true;
   /** What the body guides is its origin: its path is shown though there is no outline. */

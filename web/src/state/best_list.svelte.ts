@@ -13,8 +13,6 @@ const most = 10; // as `linkwright solve` prints where nothing else is asked
 
 export class BestList {
   found = $state.raw<{text: string; linkages: Ranked[]; notices: Notice[]} | null>(null);
-  /** It is on screen, in place of the numbers. */
-  shown = $state(false);
   private asked = $state.raw<{text: string; stop: AbortController} | null>(null);
 
   constructor(private readonly listed: Listed) {}

@@ -13,6 +13,7 @@ export class Preferences {
   grid = $state(true);
   construction = $state(false); // poles, focus, asymptotes
   instant = $state(false); // pole, inflection circle, stationary curvature of the linkage as it stands
+  samples = $state(true); // linkages as they are made, where tolerances are given
   contours = $state(true);
   defect_kinds = $state(false);
   only_meeting = $state(false);
@@ -82,6 +83,7 @@ const checks = {
   grid: flag,
   construction: flag,
   instant: flag,
+  samples: flag,
   contours: flag,
   defect_kinds: flag,
   only_meeting: flag,

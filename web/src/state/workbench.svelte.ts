@@ -35,6 +35,7 @@ import {held_tau, held_window, places_of} from "./axis";
 import {from_problem, to_problem, type Picked} from "./document";
 import {angle_at_stage, stage_at_angle} from "./drive";
 import {Editing} from "./editing.svelte";
+import {FrontStudy} from "./front_study.svelte";
 import {HaloFollower} from "./halo_follower";
 import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
@@ -43,6 +44,8 @@ import {preferences} from "./preferences.svelte";
 import {most_pins, type Pin, type Problem} from "./problem";
 import type {Steps} from "./steps";
 import {same_task} from "./task";
+import {tolerances_of} from "./tolerances";
+import {ToleranceStudy} from "./tolerance_study.svelte";
 import {after_change, with_toast, type Toast} from "./toasts";
 
 /** The pivots of a four-bar, as files name them. */
@@ -50,6 +53,8 @@ export type Quadrilateral = Readonly<
   Record<"input_center" | "input_circle" | "output_center" | "output_circle", Point>
 >;
 export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
+/** What stands below the map. */
+export type Below = "numbers" | "best" | "tolerances" | "front";
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
 
@@ -93,6 +98,7 @@ export class Workbench extends Editing {
   full = $state<"none" | "drawing" | "map">("none");
   solid = $state(false);
   sheet = $state<Sheet | null>(null);
+  below = $state<Below>("numbers");
   dialog = $state<Dialog | null>(null);
   toasts = $state.raw<Toast[]>([]);
   /** Step of the drawing's grid at its zoom, to which positions snap; the drawing says. */
@@ -113,6 +119,8 @@ export class Workbench extends Editing {
   readonly seeker = new BestSeeker(this);
   readonly halos = new HaloFollower(this);
   readonly best_list = new BestList(this);
+  readonly tolerance_study = new ToleranceStudy(this);
+  readonly front_study = new FrontStudy(this);
   engine: EngineClient | null = null; // follows the task
   driver_client: EngineClient | null = null; // follows the pointer
   /** One more engine, for what takes its time. */
@@ -174,6 +182,11 @@ export class Workbench extends Editing {
   }
   get unit(): string {
     return has_lengths(this.problem.task) ? (this.problem.length_unit ?? "") : "";
+  }
+  /** What was asked for below the map, where there is that. */
+  get below_map(): Below {
+    const about_tolerances = this.below === "tolerances" || this.below === "front";
+    return about_tolerances && !tolerances_of(this.problem) ? "numbers" : this.below;
   }
   /** The problem as it is saved and shared: with what is picked and pinned. */
   get whole_problem(): Problem {

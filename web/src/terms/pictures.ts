@@ -406,6 +406,28 @@ export const pictures = {
   ],
   clearance: [ring("body", [48, 32], 22), ring("pivot", [53, 32], 14), ["arrow", "M48 32L53 32"]],
   missed_pose: [plate("thin", [40, 34], 0.2, 14), plate("bad", [52, 28], 0.4, 14), ["arrow", "M40 34L52 28"]],
+  tolerance_share: [
+    ["accent", "M14 14h66"],
+    ["accent", "M14 26h40"],
+    ["thin", "M14 38h14"],
+    ["thin", "M14 50h4"],
+    ["thin", "M14 8v48"],
+  ],
+  worst_case: [
+    ["thin", "M8 56h80"],
+    ["curve", "M10 56Q20 52 28 34Q36 14 44 14Q52 14 60 34Q66 50 72 55"],
+    ["bad", "M82 48V60"],
+    ["arrow", "M72 55L81 55"],
+  ],
+  pareto_front: [
+    ["thin", "M12 6V58H90"],
+    ["accent", "M20 50Q50 48 66 34Q80 22 82 10"],
+    ring("thin", [34, 36], 2),
+    ring("thin", [44, 26], 2),
+    ring("thin", [28, 24], 2),
+    ring("thin", [58, 18], 2),
+    ring("good_fill", [66, 34], 3),
+  ],
 } as const satisfies Record<string, readonly Stroke[]>;
 
 export type TermName = keyof typeof pictures;

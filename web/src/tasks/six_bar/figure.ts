@@ -65,6 +65,8 @@ function hinge(role: Role, at: Point): Joint {
 }
 
 export const six_bar: Mechanism = {
+  sampled_links: ({six_bar}) =>
+    (six_bar?.bodies ?? []).slice(1).map((joints, i) => ({role: role_of_body(i + 1), joints})),
   driven: (_, state, hinges): Configuration => ({
     pose: state,
     turned_deg: state.coupler_deg,
