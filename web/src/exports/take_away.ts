@@ -3,7 +3,9 @@ import type {ExportFormat, Linkage, LinkageType, TauPair} from "../engine/protoc
 import {drawing_svg, drawing_with_more} from "../drawing/snapshot";
 import {css_values} from "../state/css_values";
 import {engine_text, outline_of, type Problem} from "../state/problem";
+import {preferences} from "../state/preferences.svelte";
 import {poses_of} from "../state/task";
+import {tolerances_of} from "../state/tolerances";
 import type {Workbench} from "../state/workbench.svelte";
 import {with_other_task} from "../tasks/kinds";
 import type {OwnFile} from "../tasks/view";
@@ -91,7 +93,8 @@ export function from_engine(
 }
 /** The engine's drawing of the positions, or the page's where more is shown in it. */
 export async function svg_of(workbench: Workbench, target: Target): Promise<string> {
-  const shown = target.pin === null ? drawing_with_more() : null;
+  const is_more = preferences.instant || (preferences.samples && tolerances_of(target.problem) !== null);
+  const shown = is_more && target.pin === null ? drawing_with_more() : null;
   if (shown) return drawing_svg(shown)!;
   return (await from_engine(workbench, target, "svg")).text;
 }
