@@ -1,10 +1,11 @@
 // What can be taken away, and of which linkage: the picked one, or one that is pinned.
 import type {ExportFormat, Linkage, LinkageType, TauPair} from "../engine/protocol";
 import {drawing_svg, drawing_with_more} from "../drawing/snapshot";
-import {preferences} from "../state/preferences.svelte";
 import {css_values} from "../state/css_values";
 import {engine_text, outline_of, type Problem} from "../state/problem";
+import {preferences} from "../state/preferences.svelte";
 import {poses_of} from "../state/task";
+import {tolerances_of} from "../state/tolerances";
 import type {Workbench} from "../state/workbench.svelte";
 import {with_other_task} from "../tasks/kinds";
 import type {OwnFile} from "../tasks/view";
@@ -92,8 +93,8 @@ export function from_engine(
 }
 /** The engine's drawing of the positions, or the page's where more is shown in it. */
 export async function svg_of(workbench: Workbench, target: Target): Promise<string> {
-  const shows_more = preferences.instant || target.problem.tolerances !== undefined;
-  const shown = target.pin === null && shows_more ? drawing_with_more() : null;
+  const is_more = preferences.instant || (preferences.samples && tolerances_of(target.problem) !== null);
+  const shown = is_more && target.pin === null ? drawing_with_more() : null;
   if (shown) return drawing_svg(shown)!;
   return (await from_engine(workbench, target, "svg")).text;
 }
