@@ -92,9 +92,9 @@ std::vector<Error> mistakes_in(const Tolerances& tolerances) {
     mistake("cost_exponent_range", "tolerances.cost.exponent",
             "the exponent of the cost must be a positive number; 1 to 2 is usual");
   if (tolerances.samples < least_samples || tolerances.samples > most_samples)
-    mistake("samples_range", "tolerances.samples", "the number of samples lies between 1000 and 10000000");
+    mistake("tolerance_samples_range", "tolerances.samples", "the number of samples lies between 1000 and 10000000");
   if (tolerances.seed > largest_seed)
-    mistake("seed_range", "tolerances.seed", "the seed is a whole number between 0 and 9007199254740991");
+    mistake("tolerance_seed_range", "tolerances.seed", "the seed is a whole number between 0 and 9007199254740991");
   return found;
 }
 

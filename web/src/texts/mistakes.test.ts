@@ -99,6 +99,7 @@ const further = {
   "a strip without width": line("six_point", '"pole_distance": 1', ', "options": {"deviation": 0}'),
   "a strip beside no line": `${motion(`${poses(4)}]`).slice(0, -1)}, "options": {"deviation": 1}}`,
   "tolerances below zero": made('"length": {"input": -1}, "clearance": -1, "driver_deg": 91'),
+  "tolerances of no sample": made('"length": 1, "samples": 10, "seed": -1'),
   "tolerances of nothing": made('"length": 0, "turning_length": -1, "cost": {"exponent": 0}'),
   "tolerances of arcs in the plane": made('"link_angle_deg": 1, "limit": {"deviation": 1}'),
   "tolerances of lengths on a sphere": `{"linkwright": 1, "tolerances": {"length": 1}, "task": {"kind": "motion",
