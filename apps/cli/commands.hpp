@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -42,7 +43,8 @@ struct ToleranceArguments {
   std::string result;            ///< path
   int linkage = 1;               ///< from 1
   std::optional<double> length;  ///< half tolerance of all lengths, instead of the file's
-  std::optional<int> samples, seed;
+  std::optional<int> samples;
+  std::optional<std::int64_t> seed;
   std::string report;   ///< path, "-" for standard output, or empty
   std::string picture;  ///< path or empty
 };

@@ -65,7 +65,10 @@ int tolerance(const ToleranceArguments& arguments) {
   if (!solved) return refuse(solved.errors());
   const Findings& found = findings(*solved);
   const std::size_t place = listed_place(*solved, listed->layer);
-  if (place >= found.tolerance.size() || !found.tolerance[place])
+  if (place >= found.tolerance.size())
+    return refuse({{"no_place", "linkages",
+                    "at the place of this linkage its problem has none any more; solve the problem anew"}});
+  if (!found.tolerance[place])
     return refuse({{"no_sensitivity", "linkages",
                     "this linkage stands at a dead point in one of its positions, where errors have no bound"}});
   ToleranceStudy study = tolerance_study(problem, *solved, place);

@@ -125,7 +125,7 @@ std::string tolerance_table(const Problem& problem, const Findings& found) {
     some_beyond = some_beyond || report.beyond_first_order;
     std::vector<std::string> row = {number,
                                     error(report.error) + (report.beyond_first_order ? " *" : ""),
-                                    error(report.sampled.error),
+                                    report.sampled.assembled() > 0 ? error(report.sampled.error) : "–",
                                     error(report.worst_case),
                                     yield_cell(report),
                                     main_cause(report)};
@@ -238,11 +238,16 @@ std::string tolerance_words(const Problem& problem, const Findings& found, std::
   const std::string_view unit = problem.length_unit;
   const auto error = [&](double value) { return error_text(report, value, unit); };
   std::string text = wrapped(fmt::format("Tolerances: {}.", given_words(given, unit)));
-  text += wrapped(
-      fmt::format("Error: {} to first order, {} of the samples ({}). Worst case {}; mean + 3σ of the "
-                  "largest error {}; signal to noise {} dB.",
-                  error(report.error), error(report.sampled.error), error_words(problem.task), error(report.worst_case),
-                  error(report.sampled.mean_plus_3_sigma()), significant_text(report.signal_to_noise(), error_digits)));
+  if (report.sampled.assembled() == 0)
+    text += wrapped(
+        fmt::format("Error: {} to first order ({}). Worst case {}. No linkage made so assembles in all positions.",
+                    error(report.error), error_words(problem.task), error(report.worst_case)));
+  else
+    text += wrapped(fmt::format(
+        "Error: {} to first order, {} of the samples ({}). Worst case {}; mean + 3σ of the "
+        "largest error {}; signal to noise {} dB.",
+        error(report.error), error(report.sampled.error), error_words(problem.task), error(report.worst_case),
+        error(report.sampled.mean_plus_3_sigma()), significant_text(report.signal_to_noise(), error_digits)));
   if (report.error_realigned)
     text += wrapped(fmt::format("Where the line is laid anew in each linkage made: {}; mean + 3σ {}.",
                                 error(*report.error_realigned),

@@ -69,7 +69,10 @@ void Session::set_tolerances(bool task_is_new) {
   const SynthesisOptions options = with_turning_length(problem_.options, task().about().characteristic_length);
   if (!task_is_new && options.tolerances == tolerances_) return;
   tolerances_ = options.tolerances;
+  const AddedMeasures before = std::move(added_);
   added_ = tolerances_ && family() ? tolerance_measures(problem_.task, *family(), *tolerances_) : AddedMeasures{};
+  if ((before.tolerance_error && !added_.tolerance_error) || (before.yield && !added_.yield))
+    mapped_.reset();  // its map has columns that nothing asks for any more
   tolerances_measured_ = false;
   yields_.reset();
 }
@@ -282,7 +285,11 @@ std::string Session::best(int most) const {
   options.measure_yields = false;
   constexpr int samples_of_the_best = 10'000;
   if (options.tolerances) options.tolerances->samples = std::min(options.tolerances->samples, samples_of_the_best);
-  const auto at_once = most == 1 ? task().best_at_once(requirements_, options.objective) : std::nullopt;
+  // What is told at once is told without its tolerances.
+  const bool by_tolerances = is_of_tolerances(options.objective) || requirements_.min_yield > 0 ||
+                             requirements_.max_tolerance_error < Requirements::unlimited;
+  const auto at_once =
+      most == 1 && !by_tolerances ? task().best_at_once(requirements_, options.objective) : std::nullopt;
   const auto answer = at_once ? Result<Answer>(*task().answer_at(*at_once, requirements_.respect_direction))
                               : solve(problem_.task, problem_.requirements, options);
   return json_of([&](JsonWriter& json) {

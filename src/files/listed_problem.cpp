@@ -58,6 +58,14 @@ void put_on_map(Problem& problem) {
   if (first) problem.options.at->output = family->six_bars().second_coordinate(*first, problem.options.at->output);
 }
 
+bool is_result(const Json& file) {
+  if (!file.is_object() || !file.contains("problem") || !file.contains("linkages")) return false;
+  const Json& problem = file["problem"];
+  const bool has_task = problem.is_object() && problem.contains("task") && problem["task"].is_object();
+  const bool has_options = has_task && problem.contains("options") && problem["options"].is_object();
+  return has_options && file["linkages"].is_array();
+}
+
 Error no_place() {
   return {"no_place", "linkages", "this linkage stands at no place of a map; solve its problem anew"};
 }
@@ -72,8 +80,7 @@ Result<ListedProblem> read_listed_problem(std::string_view text, int linkage) {
   Mistakes mistakes;
   const JsonValue root(*tree, "", mistakes);
   if (const auto refusal = refuse_version(root)) return *refusal;
-  if (!tree->is_object() || !tree->contains("problem") || !tree->contains("linkages") ||
-      !(*tree)["linkages"].is_array() || !(*tree)["problem"].is_object() || !(*tree)["problem"].contains("task"))
+  if (!is_result(*tree))
     return Error{"no_result", "",
                  "this is not a result file; make one with: linkwright solve PROBLEM.json -o RESULT.json"};
   const Json& linkages = (*tree)["linkages"];

@@ -251,10 +251,13 @@ void read_tolerance_limit(const JsonValue& value, Mistakes& mistakes, std::optio
     value.mistake("one_limit", "a limit is exactly one of \"position\", \"angle_deg\" and \"deviation\"");
 }
 
+// Larger than other whole numbers of a file.
 void read_seed(const JsonObject& object, std::uint64_t& seed) {
-  int number = -1;
-  read_whole_number(object, "seed", number);
-  if (object.find("seed")) seed = static_cast<std::uint64_t>(number);  // a negative one is too large
+  const auto found = object.find("seed");
+  const auto number = found ? found->as_number() : std::nullopt;
+  if (!number) return;
+  const bool fits = *number >= 0 && *number <= static_cast<double>(largest_seed) && *number == std::floor(*number);
+  seed = fits ? static_cast<std::uint64_t>(*number) : largest_seed + 1;
 }
 
 void read_tolerances(const JsonValue& value, Mistakes& mistakes, std::optional<Tolerances>& tolerances) {

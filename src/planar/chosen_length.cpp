@@ -34,7 +34,9 @@ MapSummary summary_of(const FourBarFamily& family, const Requirements& requireme
   summary.meeting = filter.census().meeting;
   summary.defect_free = counts.defect_free;
   summary.whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
-  if (const auto best = tile_bests(map, filter, objective, 1); !best.empty()) summary.best_score = best.front().score;
+  // Tolerances are measured of one map, that of the length chosen.
+  const Objective ranked = is_of_tolerances(objective) ? Objective::min_transmission_angle : objective;
+  if (const auto best = tile_bests(map, filter, ranked, 1); !best.empty()) summary.best_score = best.front().score;
   return summary;
 }
 

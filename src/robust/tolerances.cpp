@@ -5,6 +5,7 @@
 #include <string>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/number_check.hpp"
 
 namespace linkwright {
 namespace {
@@ -28,13 +29,17 @@ bool is_length(double value) { return value >= 0 && std::isfinite(value); }
 
 void check_lengths(const LengthTolerances& length, std::vector<Error>& found) {
   const auto check = [&](double value, const char* place) {
+    const std::string where = std::string("tolerances.length") + place;
     if (!is_length(value))
-      found.push_back({"length_tolerance_range", std::string("tolerances.length") + place,
+      found.push_back({"length_tolerance_range", where,
                        "a tolerance is half of its field: a length, 0 where the dimension is exact"});
+    else
+      check_number(value, "a tolerance", where, found);
   };
   const auto& [input, coupler, output, ground_pivots, point] = length;
-  const std::array all = {input, coupler, output, ground_pivots, point};
-  if (std::none_of(all.begin(), all.end(), is_length)) return check(input, "");
+  const std::array each = {input, coupler, output, ground_pivots, point};
+  if (length == LengthTolerances::all(input) || std::none_of(each.begin(), each.end(), is_length))
+    return check(input, "");
   check(input, ".input");
   check(coupler, ".coupler");
   check(output, ".output");
@@ -79,6 +84,8 @@ std::vector<Error> mistakes_in(const Tolerances& tolerances) {
   check_lengths(tolerances.length, found);
   if (!is_length(tolerances.clearance))
     mistake("clearance_range", "tolerances.clearance", "the clearance is a radius: a length, 0 where pins fit exactly");
+  else
+    check_number(tolerances.clearance, "the clearance", "tolerances.clearance", found);
   check_angle(tolerances.driver, "tolerances.driver_deg", found);
   check_angle(tolerances.link_angle, "tolerances.link_angle_deg", found);
   if (is_exact(tolerances))
@@ -87,6 +94,8 @@ std::vector<Error> mistakes_in(const Tolerances& tolerances) {
   if (tolerances.turning_length && !is_length(*tolerances.turning_length))
     mistake("turning_length_range", "tolerances.turning_length",
             "the turning length must be a length; 0 leaves angles out, null weighs them by the size of the task");
+  else if (tolerances.turning_length)
+    check_number(*tolerances.turning_length, "the turning length", "tolerances.turning_length", found);
   if (tolerances.limit) check_limit(*tolerances.limit, found);
   if (tolerances.cost_exponent && !(*tolerances.cost_exponent > 0 && std::isfinite(*tolerances.cost_exponent)))
     mistake("cost_exponent_range", "tolerances.cost.exponent",

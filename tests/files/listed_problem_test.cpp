@@ -56,8 +56,11 @@ TEST(ListedProblem, RefusesWhatIsNoResultAndNumbersBeyond) {
   const std::string result = write_result(sine.problem, sine.answer, false);
   EXPECT_EQ(read_listed_problem(result, 0).errors().front().place, "--linkage");
   EXPECT_EQ(read_listed_problem(result, 1000).errors().front().code, "no_such_linkage");
-  for (const char* text : {"", "[]", "{}", R"({"problem": 3, "linkages": []})",
-                           R"({"problem": {"task": 1}, "linkages": {}})", R"({"linkwright": 1, "task": {}})"})
+  for (const char* text :
+       {"", "[]", "{}", R"({"problem": 3, "linkages": []})", R"({"problem": {"task": 1}, "linkages": {}})",
+        R"({"linkwright": 1, "task": {}})", R"({"problem": {"task": {}, "options": 5}, "linkages": [{}]})",
+        R"({"problem": {"task": {}, "options": [1]}, "linkages": [{}]})",
+        R"({"problem": {"task": "x", "options": {}}, "linkages": [{}]})"})
     EXPECT_FALSE(read_listed_problem(text, 1).ok()) << text;
   json bare = json::parse(result);
   bare["linkages"][0] = {{"lengths", {{"ground", 1}, {"input", 1}, {"coupler", 1}, {"output", 1}}}};

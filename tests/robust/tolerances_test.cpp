@@ -99,6 +99,21 @@ TEST(Tolerances, AreMistakenWhereTheyAreNoLengthsOrAngles) {
   EXPECT_EQ(places_of({}), Places{"tolerances"});
 }
 
+// Squares of what is larger would be infinite.
+TEST(Tolerances, AreNoLargerThanOtherNumbersOfATask) {
+  const auto code = [](const auto& change) {
+    Tolerances tolerances;
+    tolerances.driver = 0.01;
+    change(tolerances);
+    const auto found = mistakes_in(tolerances);
+    return found.size() == 1 ? found.front().code + " " + found.front().place : std::string();
+  };
+  EXPECT_EQ(code([](auto& t) { t.length = LengthTolerances::all(1e200); }), "number_range tolerances.length");
+  EXPECT_EQ(code([](auto& t) { t.length.point = 2e9; }), "number_range tolerances.length.point");
+  EXPECT_EQ(code([](auto& t) { t.clearance = 2e9; }), "number_range tolerances.clearance");
+  EXPECT_EQ(code([](auto& t) { t.turning_length = 2e9; }), "number_range tolerances.turning_length");
+}
+
 TEST(Tolerances, AreMistakenInLimitCostSamplesAndSeed) {
   using Kind = ToleranceLimit::Kind;
   const auto with = [](const auto& change) {

@@ -40,7 +40,8 @@ void check_yield(const json& report, bool has_limit, Wrongs& wrongs) {
   const double failing = number_of(report, "not_assembled");
   if (!(failing >= 0 && failing <= 1)) wrongs.push_back("not_assembled is no share");
   if (!has_limit) return;
-  const double yield = number_of(report, "yield"), low = report["yield_interval"][0], high = report["yield_interval"][1];
+  const double yield = number_of(report, "yield"), low = report["yield_interval"][0],
+               high = report["yield_interval"][1];
   if (!(0 <= low && low <= yield && yield <= high && high <= 1)) wrongs.push_back("a yield outside of its interval");
   if (yield > 1 - failing + 1e-12) wrongs.push_back("more good ones than assemble");
 }
@@ -52,7 +53,8 @@ void check_errors(const json& report, bool of_line, Wrongs& wrongs) {
     if (!(number_of(report, key) >= 0)) wrongs.push_back(fmt::format("{} is below zero", key));
   if (number_of(report, "worst_case") * deviations < std::sqrt(3.0) * error * (1 - rounding_of_files))
     wrongs.push_back("the worst case is better than the usual one");
-  if (of_line && report.contains("error_realigned") && number_of(report, "error_realigned") > error * (1 + rounding_of_files))
+  if (of_line && report.contains("error_realigned") &&
+      number_of(report, "error_realigned") > error * (1 + rounding_of_files))
     wrongs.push_back("a line laid anew lies worse");
 }
 
@@ -104,7 +106,7 @@ void check_front(const json& result, Wrongs& wrongs) {
 
 void check_columns(const RegionMap& map, Wrongs& wrongs) {
   for (const float error : map.values(measures::tolerance_error))
-    if (!(error >= 0)) return wrongs.push_back("tolerance_error of the region is no error");
+    if (error < 0) return wrongs.push_back("tolerance_error of the region is no error");
   for (const float yield : map.values(measures::yield))
     if (!(std::isnan(yield) || (yield >= 0 && yield <= 1))) return wrongs.push_back("yield of the region is no share");
 }
@@ -129,7 +131,8 @@ std::vector<std::string> wrongs_of_tolerances(const Problem& problem, const Answ
   const auto& tolerances = problem.options.tolerances;
   const json &linkages = result["linkages"], &options = result["problem"]["options"];
   for (const json& entry : linkages) {
-    if (entry.contains("tolerance") != tolerances.has_value()) wrongs.push_back("tolerances are told where they are given");
+    if (entry.contains("tolerance") != tolerances.has_value())
+      wrongs.push_back("tolerances are told where they are given");
     if (!tolerances || entry["tolerance"].is_null()) continue;
     const json& report = entry["tolerance"];
     check_shares(report["sensitivities"], wrongs);

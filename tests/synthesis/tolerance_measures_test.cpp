@@ -199,6 +199,21 @@ TEST(ToleranceMeasures, AStrokeNeedNotHoldThePlaceWhereTheLinkageLies) {
   }
 }
 
+// Three poses, the other side's length left to the program: it is chosen by maps of which tolerances are not measured.
+TEST(ToleranceMeasures, RankLinkagesOfALengthThatIsChosen) {
+  Problem problem = testing::example("footrest.json", 60);
+  auto& task = std::get<MotionTask>(problem.task);
+  ASSERT_EQ(task.poses.size(), 3u);
+  std::get<SideAngle>(*task.given).input_length.reset();
+  problem.requirements = {};
+  problem.options.tolerances = some_tolerances(problem);
+  problem.options.tolerances->limit = ToleranceLimit{ToleranceLimit::Kind::position, 0.5};
+  for (const Objective objective : {Objective::tolerance_error, Objective::yield}) {
+    problem.options.objective = objective;
+    EXPECT_FALSE(findings(solved(problem)).tolerance.empty());
+  }
+}
+
 TEST(ToleranceMeasures, TheSameSeedGivesTheSameAnswerForAnyNumberOfThreads) {
   Problem problem = with_limit(1.5);
   problem.options.region.threads = 1;
