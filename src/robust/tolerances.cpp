@@ -94,8 +94,6 @@ std::vector<Error> mistakes_in(const Tolerances& tolerances) {
   if (tolerances.turning_length && !is_length(*tolerances.turning_length))
     mistake("turning_length_range", "tolerances.turning_length",
             "the turning length must be a length; 0 leaves angles out, null weighs them by the size of the task");
-  else if (tolerances.turning_length)
-    check_number(*tolerances.turning_length, "the turning length", "tolerances.turning_length", found);
   if (tolerances.limit) check_limit(*tolerances.limit, found);
   if (tolerances.cost_exponent && !(*tolerances.cost_exponent > 0 && std::isfinite(*tolerances.cost_exponent)))
     mistake("cost_exponent_range", "tolerances.cost.exponent",

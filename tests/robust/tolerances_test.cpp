@@ -111,7 +111,6 @@ TEST(Tolerances, AreNoLargerThanOtherNumbersOfATask) {
   EXPECT_EQ(code([](auto& t) { t.length = LengthTolerances::all(1e200); }), "number_range tolerances.length");
   EXPECT_EQ(code([](auto& t) { t.length.point = 2e9; }), "number_range tolerances.length.point");
   EXPECT_EQ(code([](auto& t) { t.clearance = 2e9; }), "number_range tolerances.clearance");
-  EXPECT_EQ(code([](auto& t) { t.turning_length = 2e9; }), "number_range tolerances.turning_length");
 }
 
 TEST(Tolerances, AreMistakenInLimitCostSamplesAndSeed) {

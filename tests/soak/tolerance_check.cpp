@@ -53,9 +53,6 @@ void check_errors(const json& report, bool of_line, Wrongs& wrongs) {
     if (!(number_of(report, key) >= 0)) wrongs.push_back(fmt::format("{} is below zero", key));
   if (number_of(report, "worst_case") * deviations < std::sqrt(3.0) * error * (1 - rounding_of_files))
     wrongs.push_back("the worst case is better than the usual one");
-  if (of_line && report.contains("error_realigned") &&
-      number_of(report, "error_realigned") > error * (1 + rounding_of_files))
-    wrongs.push_back("a line laid anew lies worse");
 }
 
 void check_allocation(const json& report, bool has_cost, Wrongs& wrongs) {
