@@ -1,6 +1,7 @@
 #include "linkwright/files/label.hpp"
 
 #include <array>
+#include <fmt/format.h>
 #include <utility>
 
 namespace linkwright {
@@ -117,7 +118,15 @@ std::string_view label(SixBarTopology topology) { return topology_labels[static_
 std::string_view label(ChangePointKind kind) { return change_point_labels[static_cast<std::size_t>(kind)]; }
 
 std::string_view branch_label(std::string_view name) { return words_for(name, branch_labels); }
-std::string dimension_label(std::string_view name) { return std::string(words_for(name, dimension_labels)); }
+std::string dimension_label(std::string_view name) {
+  // Of six-bars: "center_c4_x", "length 2:b-d".
+  constexpr std::string_view center = "center_";
+  if (name.starts_with(center) && name.size() > center.size() + 2) {
+    const std::string_view joint = name.substr(center.size(), name.size() - center.size() - 2);
+    return fmt::format("fixed pivot {}, {}", joint, name.back());
+  }
+  return std::string(words_for(name, dimension_labels));
+}
 std::string_view cone_branch_label(std::string_view name) { return words_for(name, cone_branch_labels); }
 
 }  // namespace linkwright

@@ -46,6 +46,16 @@ void AddedMeasures::add_to(RegionMap& map, const LinkageFamily& family, const Re
   if (yield && yields) map.add(AmongPassing(*yield, filter_of(family, map, all_else)), progress);
 }
 
+std::vector<RequirementKind> AddedMeasures::failures_at(MapPoint place, const Requirements& wanted) const {
+  std::vector<RequirementKind> failed;
+  if (tolerance_error && wanted.max_tolerance_error < Requirements::unlimited)
+    if (!(tolerance_error->at(place).value_or(Requirements::unlimited) <= wanted.max_tolerance_error))
+      failed.push_back(RequirementKind::max_tolerance_error);
+  if (yield && wanted.min_yield > 0 && !(yield->at(place).value_or(0) >= wanted.min_yield))
+    failed.push_back(RequirementKind::min_yield);
+  return failed;
+}
+
 std::optional<double> AddedMeasures::score(MapPoint place, const Requirements& wanted, Objective objective,
                                            double own) const {
   constexpr double tie = 1e-9;  // less than one sample of the largest number of them

@@ -117,6 +117,8 @@ std::vector<FoundInLayer> layers_at(const StraightLineAnswer& answer, MapPoint a
     if (!made) continue;
     made->place.at = {at.input, at.output};
     auto failed = failures_of(*made, answer.requirements);
+    const auto of_tolerances = answer.added.failures_at(*place, answer.requirements);
+    failed.insert(failed.end(), of_tolerances.begin(), of_tolerances.end());
     all.push_back({*std::move(made), std::move(failed)});
   }
   std::stable_sort(all.begin(), all.end(), [&](const FoundInLayer& a, const FoundInLayer& b) {

@@ -9,7 +9,7 @@ namespace {
 
 // Larger is better. A map ranks by few samples or to first order; what is listed is known better.
 double score_of(const std::optional<ToleranceReport>& report, Objective objective) {
-  if (!report) return -std::numeric_limits<double>::infinity();
+  if (!report || report->sampled.assembled() == 0) return -std::numeric_limits<double>::infinity();
   if (objective == Objective::yield && report->sampled.yield) return report->sampled.yield->share;
   return -report->listed_error();
 }

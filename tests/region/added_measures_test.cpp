@@ -49,6 +49,18 @@ TEST(AddedMeasures, RefuseWhatFailsARequirementOnThem) {
   EXPECT_FALSE(added.score({3, 0.49}, wanted, Objective::size, own));
 }
 
+TEST(AddedMeasures, NameWhatAPlaceFails) {
+  const AddedMeasures added = error_and_yield();
+  Requirements wanted;
+  EXPECT_TRUE(added.failures_at({3, 0}, wanted).empty());
+  wanted.max_tolerance_error = 3;
+  wanted.min_yield = 0.5;
+  EXPECT_TRUE(added.failures_at({3, 0.5}, wanted).empty());
+  EXPECT_EQ(added.failures_at({4, 0.6}, wanted), std::vector{RequirementKind::max_tolerance_error});
+  EXPECT_EQ(added.failures_at({4, 0.4}, wanted),
+            (std::vector{RequirementKind::max_tolerance_error, RequirementKind::min_yield}));
+}
+
 TEST(AddedMeasures, KnowNoScoreAtADeadPoint) {
   const MapPoint dead = {std::numeric_limits<double>::infinity(), 0.5};
   EXPECT_FALSE(error_and_yield().score(dead, {}, Objective::tolerance_error, own));

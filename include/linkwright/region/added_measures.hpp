@@ -2,10 +2,12 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "linkwright/core/progress.hpp"
 #include "linkwright/region/cell_measure.hpp"
 #include "linkwright/region/objective.hpp"
+#include "linkwright/region/requirement_kind.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
@@ -22,6 +24,9 @@ struct AddedMeasures {
   /// over. Throws std::bad_alloc.
   void add_to(RegionMap& map, const LinkageFamily& family, const Requirements& wanted, bool yields,
               const Progress& progress = {}) const;
+
+  /// The requirements on them that the linkage at a place fails.
+  [[nodiscard]] std::vector<RequirementKind> failures_at(MapPoint place, const Requirements& wanted) const;
 
   /// What a place scores, larger being better: by these where the objective is one of them, otherwise `own`. Of two
   /// linkages of the same yield the one with the smaller error is better. Nothing where a requirement on them fails.
