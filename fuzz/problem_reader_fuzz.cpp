@@ -12,6 +12,7 @@
 
 #include "fuzz_support.hpp"
 #include "linkwright/files/linkage_file.hpp"
+#include "linkwright/files/listed_problem.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
@@ -115,6 +116,8 @@ void check_linkage(std::string_view text) {
 void check_result(std::string_view text) {
   const auto linkages = read_any_result_linkages(text);
   if (!linkages) return check_errors(linkages.errors());
+  const auto listed = read_listed_problem(text, 1);
+  if (!listed) check_errors(listed.errors());
 }
 
 }  // namespace

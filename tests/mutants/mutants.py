@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Mutation test of what is dense with signs, the classifiers and the straight lines: every wrong sign must be caught.
+"""Mutation test of what is dense with signs: classifiers, straight lines, sensitivities. Every wrong sign must be caught.
 
 Builds a check with copies of a source in which one thing is wrong. The right source must agree everywhere with what the
 check knows of it, driving or the series of a motion; each mutant must not.
@@ -93,6 +93,19 @@ INSTANT = [
     ("invariants exchanged", "diameter, third.real(), third.imag()", "diameter, third.imag(), third.real()"),
 ]
 
+SENSITIVITIES = [
+    ("output link", "-output, 1, left_turn,", "output, 1, left_turn,"),
+    ("output's fixed pivot", "-1,    -left_turn, 0,", "1,    -left_turn, 0,"),
+    ("the point left behind by the input", "carries = {input, 0,", "carries = {0, 0,"),
+    ("sense of the arm's turn", "turns = left_turn *", "turns = -left_turn *"),
+    ("sense of the coupler's turn", "-dot(opens[i], output) /", "dot(opens[i], output) /"),
+    ("output measured by the coupler", "(lengths.output * sine)", "(lengths.coupler * sine)"),
+    ("coupler on the sphere", "-dot(opens[i], arcs[2]) / joint", "dot(opens[i], arcs[2]) / joint"),
+    ("ground's arc", "cross(g2, g1)}", "cross(g1, g2)}"),
+    ("driver on the sphere", "opens[at_parameter(SphericalParameter::driver)] = g1", "opens[at_parameter(SphericalParameter::driver)] = g2"),
+    ("best line's slope", "value + product / square", "value - product / square"),
+]
+
 STRAIGHT_LINE_CHECK = ["tests/mutants/straight_line_check.cpp", "tests/support/straight_line_tasks.cpp",
                        "tests/support/random_task.cpp"]
 
@@ -104,6 +117,8 @@ SUBJECTS = {
                   ["tests/mutants/spherical_check.cpp"], SPHERICAL),
     "cases of straight lines": ("src/straight_line/line_cases.cpp", [], STRAIGHT_LINE_CHECK, LINE_CASES),
     "contacts at places": ("src/straight_line/mixed_contacts.cpp", [], STRAIGHT_LINE_CHECK, CONTACTS),
+    "sensitivities": ("src/robust/sensitivity.cpp", [],
+                      ["tests/mutants/tolerance_check.cpp", "tests/support/random_four_bar.cpp"], SENSITIVITIES),
     "instant": ("src/infinitesimal/instant.cpp", [], STRAIGHT_LINE_CHECK, INSTANT),
 }
 
