@@ -40,7 +40,7 @@ TEST_P(EachKind, TheMapSaysOfALinkageWhatItsReportSays) {
   const Problem problem = problem_of(GetParam());
   const Answer answer = solved(problem);
   const Findings& found = findings(answer);
-  const auto outputs = listed_outputs(answer, *found.options.tolerances->turning_length);
+  const auto outputs = listed_outputs(answer, found.options.tolerances->turning_length.value_or(0));
   ASSERT_FALSE(outputs.empty());
   ASSERT_EQ(found.tolerance.size(), outputs.size());
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -102,7 +102,7 @@ TEST_P(EachKind, TheSmallestErrorIsSmallerThanOfAnyOtherBest) {
 TEST_P(EachKind, ARequirementKeepsLargeErrorsOut) {
   Problem problem = problem_of(GetParam());
   const Answer free = solved(problem);
-  const auto outputs = listed_outputs(free, *findings(free).options.tolerances->turning_length);
+  const auto outputs = listed_outputs(free, findings(free).options.tolerances->turning_length.value_or(0));
   const double error = readable_error(*outputs[0], findings(free).tolerance[0]->error);
   problem.requirements.max_tolerance_error = 0.9 * error;
   const Answer kept = solved(problem);
