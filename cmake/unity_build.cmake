@@ -27,10 +27,5 @@ function(linkwright_unity_build target per_unit)
     math(EXPR held "${held} + 1")
     string(REPLACE "/" "_" group "${folder}_${unit}")
     set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
-    # What a page loads counts, and what reads, writes and draws is never what it waits for.
-    if(EMSCRIPTEN AND folder MATCHES "^src/(files|drawing|attitude)")
-      set_source_files_properties("${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${group}_cxx.cxx"
-                                  PROPERTIES COMPILE_OPTIONS -Os)
-    endif()
   endforeach()
 endfunction()
