@@ -51,7 +51,7 @@ export function figure_rows(figures: ToleranceFigures, unit: string): {key: Text
   return [
     {
       key: "study.error",
-      value: `${t("study.error_text", {error: error(listed_error(figures))})}`,
+      value: t("study.error_text", {error: error(listed_error(figures))}),
     },
     ...(figures.error_realigned === undefined
       ? []
