@@ -3,18 +3,10 @@
 // Planar four-bars made with errors, one sample to each lane. A position is the triangle of coupler, output and
 // diagonal, without trigonometry.
 
+#include "core/pack_vector.hpp"
 #include "robust/sampled_block_lanes.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA::sampling {
-
-template <class R>
-struct Vector {
-  R x, y;
-};
-template <class R>
-LINKWRIGHT_INLINE R square(Vector<R> v) {
-  return v.x * v.x + v.y * v.y;
-}
 
 /// One sample of the linkage to each lane.
 template <class R>
@@ -62,7 +54,7 @@ LINKWRIGHT_INLINE Position<Real<Width>> position_of(const Linkage<Real<Width>>& 
     input = {input.x * l.driver.x - input.y * l.driver.y, input.x * l.driver.y + input.y * l.driver.x};
   const Vector<R> circle = {l.input_center.x + l.input * input.x, l.input_center.y + l.input * input.y};
   const Vector<R> diagonal = {l.output_center.x - circle.x, l.output_center.y - circle.y};
-  const R inverse = 1.0 / square(diagonal);
+  const R inverse = 1.0 / dot(diagonal, diagonal);
   // The coupler as shares of the diagonal, along it and to its left.
   const R along = 0.5 + 0.5 * (l.coupler_square - l.output_square) * inverse;
   const R across_square = l.coupler_square * inverse - along * along;
@@ -79,7 +71,8 @@ LINKWRIGHT_INLINE Position<Real<Width>> position_of(const Linkage<Real<Width>>& 
 
 template <int Width>
 LINKWRIGHT_INLINE Real<Width> turned_square(Vector<Real<Width>> direction, const double nominal[2]) {
-  return angle_square<Width>(square(Vector<Real<Width>>{direction.x - nominal[0], direction.y - nominal[1]}));
+  const Vector<Real<Width>> chord = {direction.x - nominal[0], direction.y - nominal[1]};
+  return angle_square<Width>(dot(chord, chord));
 }
 
 /// Takes the straight line that fits best by least squares away from what the samples' points deviate.
@@ -129,7 +122,8 @@ LINKWRIGHT_INLINE void sample_lanes(SamplingBlock& block, int at) {
       error = turned_square<Width>(there.output, block.direction[j]);
       worst = larger(worst, error);
     } else {
-      const R of_point = square(Vector<R>{there.point.x - block.point[j][0], there.point.y - block.point[j][1]});
+      const Vector<R> off = {there.point.x - block.point[j][0], there.point.y - block.point[j][1]};
+      const R of_point = dot(off, off);
       const R of_angle = turned_square<Width>(there.coupler, block.direction[j]);
       error = block.error_of_point * of_point + block.error_of_angle * of_angle;
       worst = larger(worst, error);

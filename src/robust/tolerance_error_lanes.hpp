@@ -3,30 +3,13 @@
 // The tolerance error of four-bars in closed form, one to each lane: the sums over the parameters are written out, so
 // that a position costs a division and nothing costs a root but the end.
 
-#include "core/pack.hpp"
+#include "core/pack_vector.hpp"
 #include "robust/tolerance_error_kernel.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA::tolerance_error {
 
 template <int Width>
 using Real = typename Pack<Width>::Real;
-
-template <class R>
-struct Vector {
-  R x, y;
-};
-template <class R>
-LINKWRIGHT_INLINE Vector<R> operator-(Vector<R> a, Vector<R> b) {
-  return {a.x - b.x, a.y - b.y};
-}
-template <class R>
-LINKWRIGHT_INLINE R dot(Vector<R> a, Vector<R> b) {
-  return a.x * b.x + a.y * b.y;
-}
-template <class R>
-LINKWRIGHT_INLINE R cross(Vector<R> a, Vector<R> b) {
-  return a.x * b.y - a.y * b.x;
-}
 
 template <int Width>
 LINKWRIGHT_INLINE Vector<Real<Width>> load_vector(const double from[2][ToleranceErrorBlock::size], int at) {

@@ -5,43 +5,13 @@
 // to the seventh power), which says how far the first terms carry; then steps of one link's turn that long, the other
 // two links by the intersection of two circles.
 
-#include "core/pack.hpp"
+#include "core/pack_vector.hpp"
 #include "straight_line/line_trace_kernel.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA::line_trace {
 
 template <int Width>
 using Real = typename Pack<Width>::Real;
-
-template <class R>
-struct Vector {
-  R x, y;
-};
-template <class R>
-LINKWRIGHT_INLINE Vector<R> operator+(Vector<R> a, Vector<R> b) {
-  return {a.x + b.x, a.y + b.y};
-}
-template <class R>
-LINKWRIGHT_INLINE Vector<R> operator-(Vector<R> a, Vector<R> b) {
-  return {a.x - b.x, a.y - b.y};
-}
-template <class R>
-LINKWRIGHT_INLINE Vector<R> operator*(R s, Vector<R> a) {
-  return {s * a.x, s * a.y};
-}
-/// As complex numbers.
-template <class R>
-LINKWRIGHT_INLINE Vector<R> product(Vector<R> a, Vector<R> b) {
-  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-}
-template <class R>
-LINKWRIGHT_INLINE R dot(Vector<R> a, Vector<R> b) {
-  return a.x * b.x + a.y * b.y;
-}
-template <class R>
-LINKWRIGHT_INLINE R cross(Vector<R> a, Vector<R> b) {
-  return a.x * b.y - a.y * b.x;
-}
 
 inline constexpr int order = 7;
 
