@@ -8,6 +8,9 @@ if(TARGET linkwright_cli)
   install(TARGETS linkwright_cli)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/build/web/" DESTINATION "${CMAKE_INSTALL_DATADIR}/linkwright/web" OPTIONAL)
 endif()
+if(TARGET linkwright_step)
+  install(TARGETS linkwright_step LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/linkwright")
+endif()
 install(EXPORT linkwright_targets FILE linkwrightTargets.cmake NAMESPACE linkwright:: DESTINATION "${package_dir}")
 
 configure_package_config_file(cmake/linkwrightConfig.cmake.in "${PROJECT_BINARY_DIR}/linkwrightConfig.cmake"
