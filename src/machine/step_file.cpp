@@ -52,10 +52,9 @@ Result<StepWriter*> loaded() {
   }
   return Error{"no_step_component",
                "--format",
-               fmt::format("STEP files need the component linkwright_step, which stands on OpenCASCADE: {}; install "
-                           "libocct-data-exchange-dev (Debian) "
-                           "and build again, or set LINKWRIGHT_COMPONENTS to the folder of {}",
-                           why, file_name),
+               fmt::format("STEP files need a component that stands on OpenCASCADE: {}. Install the package linkwright-step; "
+                           "in a checkout, libocct-data-exchange-dev, and build again",
+                           why),
                {{"why", why}}};
 }
 
