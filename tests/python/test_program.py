@@ -6,6 +6,7 @@ import base64
 import csv
 import io
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,10 @@ import linkwright as lw
 from conftest import EXAMPLES, TREE, problem_of, run, solved
 
 NAMES = sorted(path.stem for path in EXAMPLES.glob("*.json"))
+
+
+def uncommented(path: Path) -> dict:
+    return json.loads(re.sub(r"//.*", "", path.read_text()))
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -62,7 +67,7 @@ def test_analysis_is_that_of_the_program(tailgate: lw.Answer, tmp_path: Path) ->
     found = tailgate.linkages[0].analyze()
     assert list(found) == list(told)
     assert found.type == told["type"] and found.pivots.keys() == told["pivots"].keys()
-    assert found.motion["output_rate"].tolist() == told["motion"]["output_rate"]
+    assert np.array_equal(found.motion["output_rate"], np.array(told["motion"]["output_rate"], float), equal_nan=True)
 
 
 def test_instant_is_that_of_the_program(tmp_path: Path) -> None:
@@ -89,7 +94,7 @@ def test_tolerance_is_that_of_the_program(tmp_path: Path) -> None:
     "command, flags, ours",
     [
         ("convert", ["--euler", "zxz", "40,50,35"], lambda: lw.attitude.convert({"euler_deg": [40, 50, 35], "sequence": "zxz"})),
-        ("screw", "part_transfer.json", lambda: lw.attitude.screw(json.loads((EXAMPLES / "attitude/part_transfer.json").read_text())["displacement"])),
+        ("screw", "part_transfer.json", lambda: lw.attitude.screw(uncommented(EXAMPLES / "attitude/part_transfer.json")["displacement"])),
     ],
 )
 def test_attitude_is_that_of_the_program(command: str, flags: object, ours: object, tmp_path: Path) -> None:

@@ -597,7 +597,9 @@ def _file_text(path: str) -> str:
 
 
 def _write(path: str | "os.PathLike[str]", text: str) -> None:
-    _linkwright.write_file(os.fspath(path), text)
+    failure = _linkwright.write_file(os.fspath(path), text)
+    if failure:
+        raise OSError(f"{os.fspath(path)}: {failure}")
 
 
 def _plain_number(value: Any) -> Any:

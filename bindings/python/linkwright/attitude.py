@@ -101,7 +101,7 @@ def dh(
         points: (n, 3), in the frame of the last link.
         displacement: instead of links, as of :func:`screw`.
     """
-    members = {"form": form, "links": links, "points": points}
+    members: dict[str, Any] = {"form": form, "links": links, "points": points}
     if displacement is not None:
         members["displacement"] = _with_orientations(displacement)
     return _record(_linkwright.attitude.dh(_text(members)))

@@ -78,14 +78,14 @@ def region(
     picture = _painted(region.types[rows], region.defects[rows], sound, meets)
     ax.imshow(picture, origin="lower", extent=extent, aspect="auto", interpolation="nearest")
     if measure is not None:
-        values = np.ma.masked_where(~sound, region[measure][rows])
+        values = np.where(sound, region[measure][rows], np.nan)
         shade = np.where(meets, 1.0, 0.3)
         shown = ax.imshow(values, origin="lower", extent=extent, aspect="auto", interpolation="nearest", alpha=shade)
         ax.figure.colorbar(shown, ax=ax, label=_words(measure))
     elif legend:
         _legend(ax, region.types[rows][sound])
     if contours is not None:
-        name, levels = (contours, 6) if isinstance(contours, str) else contours
+        name, levels = (contours, 6) if isinstance(contours, str) else (contours[0], contours[1])
         values = np.where(sound, region[name][rows], np.nan)
         x, y = np.linspace(*extent[:2], values.shape[1]), np.linspace(*extent[2:], values.shape[0])
         lines = ax.contour(x, y, values, levels=levels, colors=colors["ink"], linewidths=0.7)
@@ -100,7 +100,8 @@ def curves(answer: Answer, ax: Any = None) -> Any:
     """The curves of fixed pivots (solid) and moving pivots in position 1 (dashed), or the few dyads of five positions,
     and the poses of the task. Returns the axes."""
     ax = _plane(ax)
-    samples = (answer.curve or {}).get("samples", {})
+    curve = answer.curve
+    samples = curve["samples"] if curve else {}
     for key, style, name in (("center", "-", "fixed pivots"), ("circle", "--", "moving pivots")):
         if f"{key}_homogeneous" in samples:
             x, y = _paths(samples[f"{key}_homogeneous"], samples["coordinate"])
@@ -178,7 +179,7 @@ def _mark(ax: Any, linkages: Sequence[Linkage]) -> None:
         sides = [linkage.properties.get(side) for side in ("output", "input")]
         if any(side is None or "coordinate" not in side for side in sides):
             return
-        x, y = (side["coordinate"] for side in sides)
+        x, y = (side["coordinate"] for side in sides if side)
         ax.plot(x, y, "o", color=colors["ink"], markerfacecolor="white", markersize=5)
         if number == 1:
             ax.annotate("1", (x, y), textcoords="offset points", xytext=(5, 5), fontsize=8)
@@ -194,7 +195,7 @@ def _four_bar(ax: Any, linkage: Any, state: Any, alpha: float) -> None:
     if "point_x" in state.dtype.names:
         corners[-1] = np.array([state["point_x"], state["point_y"]])
     ax.fill(*np.transpose(corners), facecolor=colors["body"], alpha=0.12 * alpha, zorder=2)
-    _bar(ax, *ends, colors["body"], alpha)
+    _bar(ax, ends[0], ends[1], colors["body"], alpha)
     ax.plot(*np.transpose(grounds), "^", color=colors["ink"], markersize=7, zorder=4)
 
 

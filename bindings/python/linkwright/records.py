@@ -8,7 +8,8 @@ import numpy as np
 
 
 class Record(dict[str, Any]):
-    """A dict whose members may also be read as attributes; lists of numbers in it are read-only numpy arrays.
+    """A dict whose members may also be read as attributes; lists of numbers in it are read-only numpy arrays,
+    in which null is NaN.
 
     Its keys are those of the files that the program writes, described in ``schema/``.
     """
@@ -21,7 +22,7 @@ class Record(dict[str, Any]):
         except KeyError:
             raise AttributeError(f"there is no {name!r} here, but: {', '.join(self)}") from None
 
-    def __dir__(self) -> Iterator[str]:  # type: ignore[override]
+    def __dir__(self) -> Iterator[str]:
         return iter([*super().__dir__(), *self])
 
     def _repr_svg_(self) -> str | None:
@@ -53,11 +54,14 @@ def _with_arrays(value: Any) -> Any:
 
 
 def _is_numeric(value: list[Any]) -> bool:
-    """Numbers, or lists of numbers of one length. An empty list stays a list."""
-    if not value:
-        return False
-    if all(type(each) in (int, float) for each in value):
-        return True
-    if not all(isinstance(each, list) and each and len(each) == len(value[0]) for each in value):
-        return False
-    return all(type(number) in (int, float) for each in value for number in each)
+    """Numbers, or lists of numbers of one length; among them None, which becomes NaN. An empty list stays a list."""
+    kinds = {type(each) for each in value}
+    if kinds == {list}:
+        rows = [each for each in value if each]
+        return len({len(each) for each in value}) == 1 and bool(rows) and all(map(_is_flat, rows))
+    return _is_flat(value)
+
+
+def _is_flat(value: list[Any]) -> bool:
+    kinds = {type(each) for each in value}
+    return kinds <= {int, float, type(None)} and kinds != {type(None)} and bool(kinds)

@@ -21,6 +21,9 @@ Array = npt.NDArray[Any]
 class LiveMap:
     """The solution region of a session's problem as it was when it was asked for. Arrays are read-only copies.
 
+    Rows and columns stand as a display likes them: when a pose is moved the axes keep the order that they had, so that the
+    picture does not jump. `input` and `output` say which sample is which.
+
     Attributes:
         input, output: coordinates of rows and columns, float64.
         types: code of the linkage type (:data:`linkwright.linkage_types`), uint8, (rows, columns).
@@ -104,10 +107,12 @@ class Session:
             measure: what ``values`` show.
             input, output: part of each axis that is looked at, in shares of it.
         """
-        reply = self._session.explore(samples, tuple(input), tuple(output), measure)
+        reply = self._session.explore(samples, (input[0], input[1]), (output[0], output[1]), measure)
         if "census" not in reply:
             return None
         counts, task = record_of(json.loads(reply.pop("census"))), record_of(json.loads(reply.pop("task")))
+        for name in ("types", "meeting_types", "only", "left"):
+            counts[name] = counts[name].astype(int)
         return LiveMap(**reply, counts=counts, task=task)
 
     def linkage(self, input: float, output: float) -> Record:

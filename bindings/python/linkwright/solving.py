@@ -106,8 +106,8 @@ def _on_terminal() -> _Shown | None:
 def _in_notebook() -> _Shown | None:
     if "IPython" not in sys.modules:
         return None
-    from IPython import get_ipython  # type: ignore
-    from IPython.display import display  # type: ignore
+    from IPython import get_ipython
+    from IPython.display import display
 
     shell = get_ipython()
     if shell is None or not hasattr(shell, "kernel"):

@@ -54,7 +54,7 @@ class MotionTask:
     given: Mapping[str, Any] | None = None
 
     def to_dict(self) -> dict[str, Any]:
-        poses = [pose if isinstance(pose, (Pose, Mapping)) else Pose(*pose) for pose in self.poses]
+        poses = [pose if isinstance(pose, (Pose, Mapping)) else Pose(pose[0], pose[1], pose[2]) for pose in self.poses]
         return _without_empty({"kind": "motion", "mechanism": "four_bar", "poses": poses, "given": self.given})
 
 
@@ -185,7 +185,7 @@ def native(problem: ProblemLike) -> _linkwright.Problem:
             return _linkwright.read_problem_file(file)
         except ProblemError as error:
             raise ProblemError(error.mistakes, file) from None
-    return _linkwright.Problem(to_json(problem))
+    return _linkwright.Problem(to_json(problem).encode("utf-8", "surrogatepass"))
 
 
 def to_json(value: Any) -> str:

@@ -175,7 +175,8 @@ void bind_solving(py::module_& module) {
   module.def("read_result_file",
              [](const std::string& path) { return py::bytes(value_of(read_text_file(path, max_result_bytes))); });
   module.def("write_file", [](const std::string& path, const std::string& text) {
-    if (const auto failure = write_atomically(path, text)) throw std::system_error(EIO, std::generic_category(), failure->message);
+    const auto failure = write_atomically(path, text);
+    return failure ? failure->message : "";
   });
   module.def("solve", &solve);
   py::class_<Solved, SharedSolved>(module, "Solved")
