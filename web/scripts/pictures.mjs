@@ -30,7 +30,7 @@ async function open(browser, language, example) {
     JSON.parse(text).title,
     {timeout: 60_000},
   );
-  await page.waitForTimeout(6000); // what it said of the file goes away
+  await page.locator(".toasts button").last().click(); // what it said of the file
   return page;
 }
 
