@@ -49,6 +49,34 @@ def test_exports_are_those_of_the_program(format: str, tailgate: lw.Answer, resu
     assert written.read_text() == run("export", result_file, "--linkage", 2, "--format", format).stdout
 
 
+@pytest.mark.parametrize("format", ["stl", "3mf", "plates", "step"])
+@pytest.mark.filterwarnings("ignore:the plates are free of collisions")
+def test_machines_are_those_of_the_program(format: str, tailgate: lw.Answer, result_file: Path, tmp_path: Path) -> None:
+    written, theirs = tmp_path / f"hinge.{format}", tmp_path / "theirs"
+    tailgate.linkages[1].save(written, pin=7, clearance=0.25)
+    sizes = ("--pin", 7, "--clearance", 0.25)
+    assert run("export", result_file, "--linkage", 2, "--format", format, *sizes, "-o", theirs).returncode == 0
+    if format == "step":  # it tells the time of writing
+        assert len(written.read_bytes()) == len(theirs.read_bytes())
+    else:
+        assert written.read_bytes() == theirs.read_bytes()
+
+
+def test_mistakes_of_machines(tailgate: lw.Answer, tmp_path: Path) -> None:
+    linkage = tailgate.linkages[0]
+    with pytest.raises(lw.ProblemError, match="choose a --pin below"):
+        linkage.build("stl", pin=500)
+    with pytest.raises(lw.ProblemError, match="does not get to a position 9"):
+        linkage.build("step", position=9)
+    with pytest.raises(ValueError, match="'hight' is not a size"):
+        linkage.build("stl", hight=3)
+    with pytest.raises(ValueError, match="'obj' is not a format"):
+        linkage.build("obj")
+    for wrong in (-1, float("nan"), float("inf")):
+        with pytest.raises(lw.ProblemError):
+            linkage.build("stl", width=wrong)
+
+
 @pytest.mark.parametrize("name", ["tailgate", "folding_wing", "loader_bucket_chain", "straight_stage"])
 def test_motion_is_the_table_of_the_program(name: str) -> None:
     linkage = solved(name, 100).linkages[0]

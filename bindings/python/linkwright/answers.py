@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from typing import Any, Iterator, Mapping, Sequence
 
 import numpy as np
@@ -280,9 +281,38 @@ class Linkage:
             )
         return text
 
-    def save(self, path: str | "os.PathLike[str]") -> None:
-        """Writes it to a file, in the format that its name ends in."""
-        _write(path, self.export(os.path.splitext(os.fspath(path))[1].lstrip(".") or "json"))
+    def build(self, format: str = "step", *, position: int = 1, **sizes: float) -> bytes:
+        """As a machine: plates with round ends, pins and a ground plate in layers that do not collide, as
+        ``linkwright export`` writes it. Where there are no such layers, a warning says what meets.
+
+        Args:
+            format: ``step`` (an assembly for CAD; needs the component that stands on OpenCASCADE), ``stl`` or ``3mf`` (to
+                print), ``plates`` (DXF, to cut).
+            position: of the task, from 1, in which a STEP file shows it.
+            sizes: ``width``, ``thickness``, ``gap``, ``pin``, ``clearance`` and, of spherical linkages, ``radius`` in the
+                task's unit of length; what is missing comes from the longest link.
+
+        Raises:
+            ProblemError: sizes that do not fit the linkage; no such position; no component for STEP files.
+            ValueError: the format or a size is not known.
+        """
+        if format not in _machine_formats:
+            raise ValueError(f"{format!r} is not a format of machines: take one of {', '.join(_machine_formats)}")
+        unknown = sorted(set(sizes) - set(_sizes))
+        if unknown:
+            raise ValueError(f"{unknown[0]!r} is not a size of plates: take one of {', '.join(_sizes)}")
+        content, warning = self._native.built(format, {name: float(size) for name, size in sizes.items()}, position)
+        if warning:
+            warnings.warn(warning, stacklevel=2)
+        return content
+
+    def save(self, path: str | "os.PathLike[str]", **wishes: Any) -> None:
+        """Writes it to a file, in the format that its name ends in; ``wishes`` are those of :meth:`build`."""
+        format = os.path.splitext(os.fspath(path))[1].lstrip(".") or "json"
+        if format in _machine_formats:
+            _write(path, self.build(format, **wishes))
+        else:
+            _write(path, self.export(format, **wishes))
 
     def plot(self, ax: Any = None, **options: Any) -> Any:
         """Draws it in its positions: see :func:`linkwright.plot.linkage`. Returns matplotlib's axes."""
@@ -596,7 +626,7 @@ def _file_text(path: str) -> str:
         raise ProblemError(error.mistakes, path) from None
 
 
-def _write(path: str | "os.PathLike[str]", text: str) -> None:
+def _write(path: str | "os.PathLike[str]", text: str | bytes) -> None:
     failure = _linkwright.write_file(os.fspath(path), text)
     if failure:
         raise OSError(f"{os.fspath(path)}: {failure}")
@@ -608,3 +638,5 @@ def _plain_number(value: Any) -> Any:
 
 _columns = ("input", "output", "types", "defects", "failures")
 _formats = ("svg", "dxf", "csv", "json")
+_machine_formats = tuple(_linkwright.machine_formats())
+_sizes = ("width", "thickness", "gap", "pin", "clearance", "radius")

@@ -1,3 +1,4 @@
+#include <map>
 #include <optional>
 #include <pybind11/stl.h>
 
@@ -13,6 +14,7 @@
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/files/tolerance_file.hpp"
+#include "linkwright/machine/machine_export.hpp"
 
 namespace linkwright::python {
 namespace {
@@ -86,6 +88,24 @@ std::pair<std::string, std::string> tolerance(const std::string& result, int lin
   return {write_tolerance_study(listed.study), draw_tolerances(listed.study)};
 }
 
+/// Content and warning; `sizes` by the names of WantedSizes.
+std::pair<py::bytes, std::string> built(const Linkage& linkage, const std::string& format,
+                                        const std::map<std::string, double>& sizes, int position) {
+  MachineWishes wishes;
+  wishes.position = position - 1;
+  const auto take = [&](const char* name, double& size) {
+    if (const auto given = sizes.find(name); given != sizes.end()) size = given->second;
+  };
+  take("width", wishes.sizes.width);
+  take("thickness", wishes.sizes.thickness);
+  take("gap", wishes.sizes.gap);
+  take("pin", wishes.sizes.pin);
+  take("clearance", wishes.sizes.clearance);
+  take("radius", wishes.sizes.radius);
+  const MachineFile file = without_gil([&] { return value_of(exported_machine(linkage.stored, format, wishes)); });
+  return {py::bytes(file.content), file.warning};
+}
+
 }  // namespace
 
 void bind_linkages(py::module_& module) {
@@ -107,6 +127,7 @@ void bind_linkages(py::module_& module) {
            [](const Linkage& linkage, const std::string& format) {
              return without_gil([&] { return exported(linkage.stored, format); });
            })
+      .def("built", &built)
       .def("motion",
            [](const Linkage& linkage) {
              MotionTable table = without_gil(
@@ -126,6 +147,9 @@ void bind_linkages(py::module_& module) {
            });
   module.def("linkages_of_result", [](const std::string& text) {
     return without_gil([&] { return numbered(value_of(read_any_result_linkages(text))); });
+  });
+  module.def("machine_formats", [] {
+    return std::vector<std::string>(machine_formats().begin(), machine_formats().end());
   });
   module.def("instant_of_problem", &instant_of_problem);
   module.def("tolerance",
