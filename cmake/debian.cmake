@@ -1,4 +1,4 @@
-# cpack -G DEB in build/release: linkwright and liblinkwright-dev.
+# cpack -G DEB in build/release: linkwright, liblinkwright-dev and, where OpenCASCADE is found, linkwright-step.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME linkwright)
 set(CPACK_PACKAGE_VENDOR Linkwright)
@@ -31,5 +31,16 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libfmt-dev, libtbb-dev, zlib1g-dev
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
     "The library behind the program linkwright: headers that need only the standard
 library, a static library, and its descriptions for CMake and pkg-config.")
+
+if(TARGET linkwright_step)
+  list(APPEND CPACK_COMPONENTS_ALL step)
+  set(CPACK_DEBIAN_STEP_PACKAGE_NAME linkwright-step)
+  set(CPACK_DEBIAN_STEP_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_STEP_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_STEP_PACKAGE_DEPENDS "linkwright (= ${PROJECT_VERSION})")
+  set(CPACK_COMPONENT_STEP_DESCRIPTION
+      "The component of Linkwright that writes linkages as STEP assemblies for CAD, by
+OpenCASCADE: linkwright export RESULT --format step.")
+endif()
 
 include(CPack)

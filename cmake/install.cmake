@@ -1,5 +1,5 @@
 # install, find_package(linkwright), pkg-config, and the Debian packages that CPack makes: the component `program` is the
-# package linkwright, `development` liblinkwright-dev.
+# package linkwright, `development` liblinkwright-dev, `step` linkwright-step.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/linkwright")
@@ -47,6 +47,12 @@ if(Python3_FOUND)
   add_custom_target(linkwright_manual ALL DEPENDS "${manual}/linkwright")
   install(DIRECTORY "${manual}/man1" DESTINATION "${CMAKE_INSTALL_MANDIR}" OPTIONAL)
   install(FILES "${manual}/linkwright" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" OPTIONAL)
+endif()
+
+if(TARGET linkwright_step)
+  set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME step)
+  install(TARGETS linkwright_step LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/linkwright")
+  install(FILES cmake/copyright DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/linkwright-step")
 endif()
 
 include(cmake/debian.cmake)

@@ -28,6 +28,7 @@ RANKS = (
     ("synthesis",),
     ("files",),
     ("drawing",),
+    ("machine",),
 )
 RANK_OF = {folder: rank for rank, folders in enumerate(RANKS) for folder in folders}
 NAMED = ("include", "src", "apps", "bindings", "tests", "bench", "fuzz", "web/src", "web/tests", "web/e2e")
