@@ -66,7 +66,7 @@ def is_property(value):
 def members_of(value):
     """Public members of a class or module of ours, in the order of the source."""
     for name, member in vars(value).items():
-        own = getattr(member, "__module__", "").startswith("linkwright") if inspect.ismodule(value) else True
+        own = not inspect.ismodule(value) or getattr(member, "__module__", "") == value.__name__
         if not name.startswith("_") and own and (callable(member) or is_property(member) or isinstance(member, (classmethod, staticmethod))):
             yield name, member
 

@@ -62,6 +62,16 @@ def cell(text):
     return " ".join(text.split()).replace("|", "\\|")
 
 
+def objects_in(schema, step=""):
+    """The objects that a member may be, and the way to their members: "." or, of those of a list, "[]."."""
+    if "properties" in schema:
+        yield schema, step + "."
+    if isinstance(schema.get("items"), dict):
+        yield from objects_in(schema["items"], step + "[]")
+    for variant in (*schema.get("oneOf", ()), *schema.get("anyOf", ())):
+        yield from objects_in(variant, step)
+
+
 def members(schema, within=""):
     """Rows of a table: the members of an object, and theirs where they have no name of their own."""
     for name, member in schema.get("properties", {}).items():
@@ -73,9 +83,8 @@ def members(schema, within=""):
             words += f" Default: {code(member['default'])}."
         needed = "required" if name in schema.get("required", ()) else ""
         yield f"| `{place}` | {cell(type_of(member))} | {needed} | {cell(words)} |"
-        inner = member.get("items") if member.get("type") == "array" else member
-        if isinstance(inner, dict) and "$ref" not in inner:
-            yield from members(inner, place + ("[]." if inner is not member else "."))
+        for inner, step in objects_in(member):
+            yield from members(inner, place + step)
 
 
 def section(schema):

@@ -74,7 +74,7 @@ interface Fixtures {
 }
 export const test = base.extend<Fixtures, {site_address: string}>({
   site_address: [
-    async ({}, use) => {
+    async ({browser: _}, use) => {
       const above = mkdtempSync(join(tmpdir(), "linkwright-site-"));
       mkdirSync(join(above, "some"));
       symlinkSync(site, join(above, "some/place"));
@@ -85,7 +85,7 @@ export const test = base.extend<Fixtures, {site_address: string}>({
     },
     {scope: "worker"},
   ],
-  serve: async ({}, use) => {
+  serve: async ({browser: _}, use) => {
     const started: Server[] = [];
     await use(async (start) => {
       const server = await start;
@@ -94,7 +94,7 @@ export const test = base.extend<Fixtures, {site_address: string}>({
     });
     await Promise.all(started.map((server) => server.stop()));
   },
-  folder: async ({}, use) => {
+  folder: async ({browser: _}, use) => {
     const folder = mkdtempSync(join(tmpdir(), "linkwright-page-"));
     await use(folder);
     rmSync(folder, {recursive: true});
