@@ -27,7 +27,7 @@ page for the browser that `linkwright studio` serves on this machine only.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblinkwright-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libfmt-dev, libtbb-dev, zlib1g-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libfmt-dev, libtbb-dev, zlib1g-dev, libpugixml-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
     "The library behind the program linkwright: headers that need only the standard
 library, a static library, and its descriptions for CMake and pkg-config.")

@@ -26,3 +26,6 @@ add_link_options(-fwasm-exceptions)
 # Pictures with a PNG inside need zlib; the page paints the region itself. STEP files are OpenCASCADE's.
 set(linkwright_not_in_webassembly src/drawing/png_image.cpp src/drawing/region_picture.cpp src/drawing/region_figure.cpp
                                   src/drawing/solution_drawing.cpp src/machine/step_file.cpp)
+# Nor does the engine read drawings of other programs: the page does.
+file(GLOB linkwright_outline_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/files/outline/*.cpp)
+list(APPEND linkwright_not_in_webassembly ${linkwright_outline_sources})

@@ -41,6 +41,17 @@ struct ExportArguments {
 };
 [[nodiscard]] int export_linkage(const ExportArguments& arguments);
 
+struct OutlineArguments {
+  std::string drawing;  ///< path ending in .dxf or .svg
+  std::string problem;  ///< path, or "-" for standard input
+  std::string output = "-";
+  int shape = 1;                ///< from 1, in the order of the list that is printed
+  std::string unit;             ///< of the drawing; empty: what it says itself
+  std::optional<double> scale;  ///< lengths of the problem to the drawing's unit
+  std::vector<double> at;       ///< x, y and degrees of the drawing's origin in the moving frame, or empty
+};
+[[nodiscard]] int outline(const OutlineArguments& arguments);
+
 struct ToleranceArguments {
   std::string result;            ///< path
   int linkage = 1;               ///< from 1

@@ -105,6 +105,33 @@ void add_export(CLI::App& app, ExportArguments& arguments) {
   add_machine(*command, arguments.machine);
 }
 
+void add_outline(CLI::App& app, OutlineArguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "outline", "Put a shape of a DXF or SVG drawing into a problem file as the outline of its body");
+  command->add_option("DRAWING", arguments.drawing, "Drawing of another program: FILE.dxf (ASCII) or FILE.svg")
+      ->required();
+  command->add_option("PROBLEM", arguments.problem, "Problem file (JSON; - reads standard input)")->required();
+  command->add_option("-o,--output", arguments.output,
+                      "Write the problem with the outline to this file (default: standard output)");
+  command->add_option("--shape", arguments.shape,
+                      "Which of the drawing's shapes, from 1 (default 1, the largest part)");
+  CLI::Option* unit = command->add_option("--unit", arguments.unit,
+                                          "Unit of the drawing: µm, mm, cm, dm, m, in, ft (default: as it says)");
+  command
+      ->add_option(
+          "--scale", arguments.scale,
+          "Lengths of the problem to a unit of the drawing (default: from the two units; a shape of quite another "
+          "size is brought to the task's)")
+      ->excludes(unit);
+  command
+      ->add_option(
+          "--at", arguments.at,
+          "x,y,degrees of the drawing's origin in the moving frame (default 0,0,0 where it lies in or near the "
+          "shape, else the shape's middle is the frame's origin)")
+      ->delimiter(',')
+      ->expected(3);
+}
+
 void add_tolerance(CLI::App& app, ToleranceArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "tolerance", "What tolerances do to one linkage of a result: error, yield, what to tighten and what to loosen");
@@ -199,12 +226,14 @@ int run(int argc, char** argv) {
   SolveArguments solve_arguments;
   AnalyzeArguments analyze_arguments;
   ExportArguments export_arguments;
+  OutlineArguments outline_arguments;
   ToleranceArguments tolerance_arguments;
   AttitudeArguments attitude_arguments;
   StudioArguments studio_arguments;
   add_solve(app, solve_arguments);
   add_analyze(app, analyze_arguments);
   add_export(app, export_arguments);
+  add_outline(app, outline_arguments);
   add_tolerance(app, tolerance_arguments);
   add_attitude(app, attitude_arguments);
   add_studio(app, studio_arguments);
@@ -221,6 +250,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("solve")) return solve(solve_arguments);
   if (app.got_subcommand("analyze")) return analyze(analyze_arguments);
   if (app.got_subcommand("export")) return export_linkage(export_arguments);
+  if (app.got_subcommand("outline")) return outline(outline_arguments);
   if (app.got_subcommand("tolerance")) return tolerance(tolerance_arguments);
   if (app.got_subcommand("attitude")) return attitude(attitude_arguments);
   if (app.got_subcommand("studio")) return studio(studio_arguments);

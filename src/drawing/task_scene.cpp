@@ -104,6 +104,22 @@ std::vector<Point> points_of_interest(const TaskScene& scene, double size) {
   return points;
 }
 
+/// The body in a pose.
+std::vector<Point> placed_outline(const Problem& problem, const Pose& pose) {
+  std::vector<Point> corners;
+  for (const Point corner : problem.outline) corners.push_back(displaced(corner, Pose{}, pose));
+  return corners;
+}
+
+void draw_outlines(SvgCanvas& svg, const TaskScene& scene, const Problem& problem, const PlaneWindow& window) {
+  if (problem.outline.empty()) return;
+  for (std::size_t pose = scene.frames.size(); pose-- > 0;) {
+    std::vector<Point> corners = placed_outline(problem, scene.frames[pose].pose);
+    for (Point& corner : corners) corner = window.to_px(corner);
+    svg.polygon(corners, fill(palette::accent, pose == 0 ? 0.1 : 0.05) + " " + stroke(palette::accent, pose == 0 ? 1.3 : 0.8));
+  }
+}
+
 /// Beads that do not make all else small.
 void add_near_beads(std::vector<Point>& points, const TaskScene& scene, const WorkingFrame& frame) {
   constexpr double reach = 2;  // of what else there is to see
@@ -260,12 +276,15 @@ void draw_task_scene(SvgCanvas& svg, const TaskScene& scene, const Problem& prob
   const WorkingFrame& frame = answer.given.frame();
   std::vector<Point> points = points_of_interest(scene, frame.scale);
   add_near_beads(points, scene, frame);
+  for (const PrescribedPose& pose : scene.frames)
+    for (const Point corner : placed_outline(problem, pose.pose)) points.push_back(corner);
   const PlaneWindow window(box, points, window_margin(scene));
   svg.begin_clip(box.corner(), box.width, box.height);
   draw_grid(svg, window);
   const Requirements& requirements = answer.requirements;
   if (requirements.ground_pivots_within) draw_box(svg, window, *requirements.ground_pivots_within, "fixed pivots");
   if (requirements.moving_pivots_within) draw_box(svg, window, *requirements.moving_pivots_within, "moving pivots");
+  draw_outlines(svg, scene, problem, window);
   draw_curves(svg, scene, window);
   draw_bead_links(svg, window, frame, scene.beads);
   if (scene.linkage != nullptr) draw_motion(svg, scene, window);

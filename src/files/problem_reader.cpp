@@ -285,12 +285,23 @@ void read_tolerances(const JsonValue& value, Mistakes& mistakes, std::optional<T
   if (mistakes.size() == before) mistakes.add(mistakes_in(read));
 }
 
-void read_view(const JsonValue& value, std::string& view) {
-  if (value.is_object()) {
-    view = value.json().dump();
-  } else {
-    value.wrong_type({"object_in_braces", "an object { … }"});
+/// Three points [x, y] or more; none of another list, which is the workbench's business.
+std::vector<Point> outline_of(const nlohmann::json& list) {
+  std::vector<Point> outline;
+  if (!list.is_array()) return outline;
+  for (const nlohmann::json& point : list) {
+    if (!point.is_array() || point.size() != 2 || !point[0].is_number() || !point[1].is_number()) return {};
+    outline.emplace_back(point[0].get<double>(), point[1].get<double>());
   }
+  return outline.size() < 3 ? std::vector<Point>() : outline;
+}
+
+void read_view(const JsonValue& value, Problem& problem) {
+  if (!value.is_object()) return value.wrong_type({"object_in_braces", "an object { … }"});
+  nlohmann::json rest = value.json();
+  if (const auto outline = rest.find("outline"); outline != rest.end()) problem.outline = outline_of(*outline);
+  if (!problem.outline.empty()) rest.erase("outline");
+  if (problem.outline.empty() || !rest.empty()) problem.view = rest.dump();
 }
 
 void read_problem_members(const JsonObject& file, Mistakes& mistakes, Problem& problem) {
@@ -312,7 +323,7 @@ void read_problem_members(const JsonObject& file, Mistakes& mistakes, Problem& p
     if (const auto requirements = file.find("requirements"))
       refuse_foreign_requirements(*requirements, problem.requirements, linkages(problem.task), mistakes);
   }
-  if (const auto view = file.find("view")) read_view(*view, problem.view);
+  if (const auto view = file.find("view")) read_view(*view, problem);
 }
 
 }  // namespace

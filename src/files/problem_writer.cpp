@@ -1,6 +1,7 @@
 #include "problem_writer.hpp"
 
 #include <cmath>
+#include <fmt/format.h>
 
 #include "files/attitude/space_writer.hpp"
 #include "linkwright/core/angle.hpp"
@@ -114,6 +115,16 @@ void write_options(JsonWriter& json, const SynthesisOptions& options, bool of_li
   json.end_object();
 }
 
+/// The outline, and what else the workbench keeps.
+std::string view_text(const Problem& problem) {
+  if (problem.outline.empty()) return problem.view;
+  std::string text = R"({"outline": [)";
+  for (const Point& p : problem.outline)
+    text += fmt::format("{}[{}, {}]", &p == problem.outline.data() ? "" : ", ", exact_text(p.real()), exact_text(p.imag()));
+  const std::string_view rest = problem.view;
+  return text + (rest.size() > 2 ? fmt::format("], {}", rest.substr(1)) : "]}");
+}
+
 }  // namespace
 
 void write_requirements(JsonWriter& json, const Requirements& requirements, const LinkageClass& asked) {
@@ -198,9 +209,9 @@ void write_problem(JsonWriter& json, const Problem& problem) {
   }
   json.key("options");
   write_options(json, problem.options, std::holds_alternative<StraightLineTask>(problem.task));
-  if (!problem.view.empty()) {
+  if (!problem.view.empty() || !problem.outline.empty()) {
     json.key("view");
-    json.json(problem.view);
+    json.json(view_text(problem));
   }
   json.end_object();
 }

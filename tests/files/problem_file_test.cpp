@@ -170,6 +170,16 @@ TEST(ProblemFile, ViewIsKeptAndNeverRead) {
             nlohmann::json::parse(R"({"pins":[1.5,null],"outline":{"poses":"Tür"}})"));
 }
 
+TEST(ProblemFile, TheOutlineIsReadOutOfTheViewAndWrittenBackIntoIt) {
+  const Problem problem = read(with(R"(, "view": {"pins": [], "outline": [[0, 0], [1.5, 0], [0, 1e-3]]})"));
+  EXPECT_EQ(problem.outline, (std::vector<Point>{{0, 0}, {1.5, 0}, {0, 1e-3}}));
+  EXPECT_EQ(problem.view, R"({"pins":[]})");
+  const Problem again = read(write_problem(problem));
+  EXPECT_EQ(again.outline, problem.outline);
+  EXPECT_EQ(again.view, problem.view);
+  EXPECT_EQ(read(with(R"(, "view": {"outline": [[0, 0], [1, 0], [0, 1]]})")).view, "");
+}
+
 TEST(ProblemFile, WrittenProblemReadsBackAsItself) {
   const Problem problem = read(with(R"(, "title": "Tür \"A\" \\ \u0007 ∞", "length_unit": "in",
     "requirements": {"types": ["crank_rocker"], "min_transmission_angle_deg": 33.3, "max_link_ratio": null,

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "linkwright/algebra/point.hpp"
 #include "linkwright/region/requirements.hpp"
 #include "linkwright/synthesis/options.hpp"
 #include "linkwright/synthesis/task.hpp"
@@ -15,7 +17,8 @@ struct Problem {
   Task task;
   Requirements requirements;
   SynthesisOptions options;
-  std::string view;  ///< the workbench's own object, kept as JSON text on one line and never read; empty when absent
+  std::vector<Point> outline;  ///< of the guided body, in the moving frame: for pictures; empty when absent
+  std::string view;  ///< all else of the workbench's own object, as JSON text on one line, never read; empty when absent
 };
 
 }  // namespace linkwright

@@ -96,7 +96,10 @@ export function add_draft_corner(bench: Bench, at: Point): void {
     const [x, y] = scene.space.project(placed(first, scene.outline_pose!));
     if (Math.hypot(x - at[0], y - at[1]) <= 12) return close_draft(bench);
   }
-  scene.draft = [...draft, corner_at(bench, at)];
+  const corner = corner_at(bench, at),
+    last = draft.at(-1);
+  if (last?.[0] === corner[0] && last[1] === corner[1]) return close_draft(bench); // a double click
+  scene.draft = [...draft, corner];
 }
 export function close_draft({workbench, scene}: Bench): void {
   const {draft} = scene;

@@ -1,5 +1,6 @@
 // A picture behind the drawing: brought to a size that a problem file can carry.
-import type {Background} from "../state/problem";
+import type {Point} from "../engine/protocol";
+import {placed, type Background} from "../state/problem";
 import {to_user, type Viewport} from "./viewport";
 
 const most_pixels = 1600,
@@ -57,6 +58,28 @@ function small_jpeg(image: HTMLImageElement): string {
     else size *= 0.75;
   }
   return text;
+}
+
+export function center_of({x, y, width, aspect, angle_deg = 0}: Background): Point {
+  return placed([width / 2, (width * aspect) / 2], {x, y, theta_deg: angle_deg});
+}
+/** Turned about its middle. */
+export function turned(background: Background, angle_deg: number): Background {
+  const {width, aspect} = background,
+    middle = center_of(background);
+  const [x, y] = placed([-width / 2, (-width * aspect) / 2], {x: middle[0], y: middle[1], theta_deg: angle_deg});
+  return {...background, x, y, angle_deg};
+}
+/** Enlarged about its middle. */
+export function widened(background: Background, width: number): Background {
+  const middle = center_of(background),
+    factor = width / background.width;
+  return {
+    ...background,
+    width,
+    x: middle[0] + (background.x - middle[0]) * factor,
+    y: middle[1] + (background.y - middle[1]) * factor,
+  };
 }
 
 /** The picture enlarged about the first of two of its points, so that they lie `length` apart. */

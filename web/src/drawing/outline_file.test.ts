@@ -1,15 +1,18 @@
 import {DOMParser as XmlParser} from "@xmldom/xmldom";
-import {readFileSync} from "node:fs";
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
-import {execFileSync} from "node:child_process";
-import {mkdtempSync, rmSync} from "node:fs";
+import {execFileSync, spawnSync} from "node:child_process";
 import {tmpdir} from "node:os";
 import {beforeAll, afterAll, describe, expect, it, vi} from "vitest";
 import type {Point} from "../engine/protocol";
+import en from "../texts/en.json";
 import {body_of, outlines_in, unit_factor, type Shapes} from "./outline_file";
 import {preset, preset_names} from "./outline_presets";
 import {simplified, type Shape} from "./outlines/shapes";
 import type {Refusal} from "./outlines/strokes";
+
+const root = join(import.meta.dirname, "../../.."),
+  program = process.env.LINKWRIGHT_CLI ?? join(root, "build/release/bin/linkwright");
 
 /** As browsers do: what is no XML becomes a document that says so. */
 class BrowserLikeParser {
@@ -48,8 +51,15 @@ const rectangle = (x: number, y: number, w: number, h: number): Groups =>
 const svg = (inside: string, attributes = "") =>
   `<?xml version="1.0"?><svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" ${attributes}>${inside}</svg>`;
 
+/** All that is read here: the program reads it, too. */
+const files_read = new Map<string, Shapes | Refusal>();
+async function read_and_kept(name: string, text: string): Promise<Shapes | Refusal> {
+  const read = await outlines_in(name, text);
+  if (text.length < 1e5) files_read.set(`${name.slice(-3)}|${text}`, read);
+  return read;
+}
 async function found(text: string, name = "part.dxf"): Promise<Shapes> {
-  const shapes = await outlines_in(name, text);
+  const shapes = await read_and_kept(name, text);
   if (typeof shapes === "string") throw new Error(`refused: ${shapes}`);
   return shapes;
 }
@@ -58,7 +68,7 @@ async function only(text: string, name?: string): Promise<Shape> {
   expect(shapes).toHaveLength(1);
   return shapes[0]!;
 }
-const refusal = async (text: string, name = "part.dxf"): Promise<Refusal | Shapes> => outlines_in(name, text);
+const refusal = async (text: string, name = "part.dxf"): Promise<Refusal | Shapes> => read_and_kept(name, text);
 function area(points: readonly Point[]): number {
   return Math.abs(
     points.reduce((sum, [x, y], i) => {
@@ -354,10 +364,45 @@ describe("files that are no use", () => {
   });
 });
 
+it("the program makes the same outlines of all these files, and refuses the same ones in the same words", () => {
+  const folder = mkdtempSync(join(tmpdir(), "linkwright-")),
+    task = join(folder, "task.json"),
+    poses = [0, 30, 60, 90].map((x, i) => ({x, y: (x * x) / 90, theta_deg: 7 * i * i})); // 90 √2 across
+  writeFileSync(
+    task,
+    JSON.stringify({linkwright: 1, length_unit: "mm", task: {kind: "motion", mechanism: "four_bar", poses}}),
+  );
+  try {
+    expect(files_read.size).toBeGreaterThan(50);
+    let k = 0;
+    for (const [file, read] of files_read) {
+      const [name, text] = [join(folder, `part_${++k}.${file.slice(0, 3)}`), file.slice(4)];
+      writeFileSync(name, text);
+      const outline = (shape: number) =>
+        spawnSync(program, ["outline", name, task, "--shape", String(shape)], {encoding: "utf8"});
+      if (typeof read === "string") {
+        const {status, stderr} = outline(1);
+        expect([status, stderr]).toEqual([
+          2,
+          expect.stringContaining(en[`drawing.outline_${read}`].split(/” |\./)[1]!),
+        ]);
+      } else
+        read.shapes.forEach((shape, i) => {
+          const {stdout} = outline(i + 1),
+            {outline: corners} = (JSON.parse(stdout) as {view: {outline: Point[]}}).view,
+            expected = body_of(shape, unit_factor(read.unit_mm, "mm"), 0.3 * 90 * Math.SQRT2);
+          expect(corners, text).toHaveLength(expected.length);
+          for (const [j, [x, y]] of corners.entries())
+            expect(Math.hypot(x - expected[j]![0], y - expected[j]![1])).toBeLessThan(1e-6);
+        });
+    }
+  } finally {
+    rmSync(folder, {recursive: true});
+  }
+}, 120_000);
+
 it("what the program exports comes back: the bars in each position, true to size", async () => {
-  const root = join(import.meta.dirname, "../../.."),
-    program = process.env.LINKWRIGHT_CLI ?? join(root, "build/release/bin/linkwright"),
-    folder = mkdtempSync(join(tmpdir(), "linkwright-"));
+  const folder = mkdtempSync(join(tmpdir(), "linkwright-"));
   try {
     const [result, dxf, picture] = ["result.json", "out.dxf", "out.svg"].map((name) => join(folder, name));
     execFileSync(program, ["solve", join(root, "examples/landing_gear.json"), "-o", result!], {stdio: "ignore"});

@@ -9,7 +9,8 @@ import type {Drag} from "./drags/drag";
 import {corner_drag, remove_corner} from "./drags/outline_drags";
 import {pivot_drag} from "./drags/pivot_drag";
 import {curvature_drag, move_drag, turn_drag, velocity_drag} from "./drags/pose_drags";
-import {pan_drag, picture_drag} from "./drags/view_drags";
+import {picture_drag, turning_part} from "./drags/picture_drags";
+import {pan_drag} from "./drags/view_drags";
 import {box_names, target_id, type Target} from "./handles";
 import {keys_of, type Keys} from "./snapping";
 import {panned, zoomed} from "./viewport";
@@ -184,6 +185,7 @@ class Pointer {
     if (workbench.mode === "point") return all;
     if (workbench.mode === "outline" && scene.draft === null)
       return all.filter((t) => t.kind === "corner" || t.kind === "midpoint");
+    if (workbench.mode === "scale") return all.filter((t) => t.kind === "task" && t.part === turning_part);
     return [];
   }
   /** A drag takes the first target, or the one that the last click at this place went down to. */
@@ -202,7 +204,7 @@ class Pointer {
     const {workbench} = this.bench;
     const box = box_names.find((name) => workbench.mode === `${name}_box`);
     if (box) return rubber_drag(this.bench, box, from);
-    if (workbench.mode === "scale") return picture_drag(this.bench, from);
+    if (workbench.mode === "scale" && !taken) return picture_drag(this.bench, from) ?? pan_drag(this.bench, from);
     switch (taken?.kind) {
       case "disc":
       case "body":
@@ -233,7 +235,7 @@ class Pointer {
       case "trace":
         return toggle_traced(this.bench, at);
       case "scale":
-        scene.marks = [...scene.marks.slice(-1), scene.space.unproject(at)];
+        if (!press.taken) scene.marks = [...scene.marks.slice(-1), scene.space.unproject(at)];
         return;
       case "outline":
         if (scene.draft) return add_draft_corner(this.bench, at);

@@ -64,6 +64,9 @@ export class Scene implements Surface {
   /** What the instant tells of the linkage as it stands, where that is shown. */
   instant = $state.raw<InstantReport | null>(null);
 
+  /** What the picture behind the drawing lets take hold of, while it is placed. */
+  picture_parts: () => Handle[] = () => [];
+
   /** `kind`: what the kind of a task shows and lets take hold of. */
   constructor(
     readonly workbench: Workbench,
@@ -158,6 +161,7 @@ export class Scene implements Surface {
     const editing = this.workbench.mode === "outline" && this.draft === null && this.outline_pose;
     return editing ? corner_handles(this.outline, this.outline_pose, this.space) : [];
   });
+  readonly picture_handles = $derived.by(() => (this.workbench.mode === "scale" ? this.picture_parts() : []));
   /** Without those that a handle of the task stands for. */
   private readonly own_pivot_handles = $derived.by(() =>
     this.pivot_handles.filter(({id}) => !this.task_handles.some((handle) => handle.id === id)),
@@ -165,6 +169,7 @@ export class Scene implements Surface {
   /** In reading order. */
   readonly handles = $derived.by((): Handle[] => [
     ...this.corner_handles,
+    ...this.picture_handles,
     ...this.pose_handles,
     ...this.task_handles,
     ...this.own_pivot_handles,

@@ -122,7 +122,12 @@ const background = record<Background>(
     width: positive(),
     aspect: positive(1e3),
   },
-  {opacity: fc.double({min: 0, max: 1, noNaN: true})},
+  {
+    opacity: fc.double({min: 0, max: 1, noNaN: true}),
+    angle_deg: fc.integer({min: -180, max: 180}),
+    hidden: fc.constant(true),
+    locked: fc.constant(true),
+  },
 );
 const body: Arbitrary<SolidBody> = fc.oneof(
   fc.record({

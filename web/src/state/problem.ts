@@ -48,6 +48,9 @@ export interface Background {
   width: number;
   aspect: number; // height / width
   opacity?: number; // 0.5 unless told
+  angle_deg?: number; // about its lower left corner
+  hidden?: boolean;
+  locked?: boolean; // it cannot be dragged
 }
 /** What is turned where a body is guided in space: a simple one, or triangles from a file. */
 export type SolidBody =

@@ -71,7 +71,12 @@ function read_background(value: unknown): Background | undefined {
   if (!is_number(x) || !is_number(y) || !is_number(width) || !is_number(aspect) || width <= 0 || aspect <= 0)
     return undefined;
   const opacity = is_number(value.opacity) && value.opacity >= 0 && value.opacity <= 1 ? {opacity: value.opacity} : {};
-  return {image, x, y, width, aspect, ...opacity};
+  const angle = is_number(value.angle_deg) && Math.abs(value.angle_deg) <= 360 ? {angle_deg: value.angle_deg} : {};
+  return {
+    ...{image, x, y, width, aspect, ...opacity, ...angle},
+    ...(value.hidden === true ? {hidden: true} : {}),
+    ...(value.locked === true ? {locked: true} : {}),
+  };
 }
 
 const simple_bodies = ["triad", "wing", "dish", "box", "craft"] as const;

@@ -76,12 +76,11 @@ export function referred(document: Document, index: number): Document {
       moving_pivots_within: referred_box(requirements.moving_pivots_within, origin),
     };
   if (view?.background) {
-    const {x, y, width, aspect} = view.background;
-    const center = body_point([x + width / 2, y + (width * aspect) / 2], origin); // a picture cannot turn: it keeps its centre
-    changed.view = {
-      ...view,
-      background: {...view.background, x: center[0] - width / 2, y: center[1] - (width * aspect) / 2},
-    };
+    const {angle_deg = 0} = view.background,
+      [x, y] = body_point([view.background.x, view.background.y], origin);
+    const turned = angle_deg - origin.theta_deg,
+      within_a_turn = clean(turned - 360 * Math.round(turned / 360));
+    changed.view = {...view, background: {...view.background, x, y, angle_deg: within_a_turn}};
   }
   return {...document, problem: changed, pins};
 }

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/number_text.hpp"
+#include "linkwright/files/outline_file.hpp"
+#include "linkwright/files/problem_file.hpp"
+
+namespace linkwright::cli {
+namespace {
+
+/// The poses of the body that the task guides in the plane; nothing where it guides none.
+const std::vector<PrescribedPose>* guided_poses(const Task& task) {
+  if (const auto* motion = std::get_if<MotionTask>(&task)) return &motion->poses;
+  if (const auto* six_bar = std::get_if<SixBarTask>(&task)) return &six_bar->poses;
+  return nullptr;
+}
+
+/// About how large a body is beside the way that it goes.
+double usual_size(const std::vector<PrescribedPose>& poses) {
+  double left = poses[0].pose.origin.real(), right = left, bottom = poses[0].pose.origin.imag(), top = bottom;
+  for (const PrescribedPose& pose : poses) {
+    left = std::min(left, pose.pose.origin.real());
+    right = std::max(right, pose.pose.origin.real());
+    bottom = std::min(bottom, pose.pose.origin.imag());
+    top = std::max(top, pose.pose.origin.imag());
+  }
+  const double diagonal = std::hypot(right - left, top - bottom);
+  return 0.3 * (diagonal > 0 ? diagonal : 1);
+}
+
+/// What is wrong with the flags, the drawing's shapes known.
+std::vector<Error> mistakes_in(const OutlineArguments& arguments, std::size_t shapes) {
+  std::vector<Error> mistakes;
+  if (arguments.shape < 1 || static_cast<std::size_t>(arguments.shape) > shapes)
+    mistakes.push_back({"no_such_shape", "--shape",
+                        fmt::format("there is no shape {}; this drawing has 1 to {}", arguments.shape, shapes)});
+  if (!arguments.unit.empty() && !millimetres(arguments.unit))
+    mistakes.push_back(
+        {"unknown_unit", "--unit",
+         fmt::format("\"{}\" is no unit of length; give µm, mm, cm, dm, m, in or ft, or say --scale", arguments.unit)});
+  if (arguments.scale && !(*arguments.scale > 0 && *arguments.scale <= 1e12))
+    mistakes.push_back({"scale_range", "--scale", "a scale is larger than 0 and 1e12 at most"});
+  for (const double value : arguments.at)
+    if (!(std::abs(value) <= 1e12)) {
+      mistakes.push_back({"place_range", "--at", "the drawing's place is finite numbers x,y,degrees of 1e12 at most"});
+      break;
+    }
+  return mistakes;
+}
+
+/// Lengths of the problem to the drawing's unit; 1 where one of the two is not known.
+double scale_of(const OutlineArguments& arguments, const Drawing& drawing, const std::string& length_unit) {
+  if (arguments.scale) return *arguments.scale;
+  const auto file = arguments.unit.empty() ? drawing.unit_mm : millimetres(arguments.unit),
+             task = millimetres(length_unit);
+  return file && task ? *file / *task : 1;
+}
+
+OutlineFit fit_of(const OutlineArguments& arguments, const DrawnShape& shape, double scale, double size) {
+  OutlineFit fit = fit_outline(shape, scale, size);
+  if (arguments.scale && fit.resized) {
+    fit.placed.origin *= scale / fit.scale;
+    fit.scale = scale;
+    fit.resized = false;
+  }
+  if (!arguments.at.empty()) fit.placed = {{arguments.at[0], arguments.at[1]}, radians(arguments.at[2])};
+  return fit;
+}
+
+std::string size_text(const DrawnShape& shape, double scale, const std::string& unit) {
+  return fmt::format("{} × {}{}{}", significant_text(scale * shape.width, 4), significant_text(scale * shape.height, 4),
+                     unit.empty() ? "" : " ", unit);
+}
+
+std::string answer_of(const OutlineArguments& arguments, const Drawing& drawing, const OutlineFit& fit,
+                      const Problem& problem) {
+  std::string text;
+  for (std::size_t i = 0; i < drawing.shapes.size(); ++i) {
+    const DrawnShape& shape = drawing.shapes[i];
+    const bool is_taken = i + 1 == static_cast<std::size_t>(arguments.shape);
+    text += fmt::format("{} shape {}: {}, {}\n", is_taken ? "*" : " ", i + 1,
+                        size_text(shape, fit.scale, problem.length_unit),
+                        shape.frame    ? "frame of the sheet"
+                        : shape.closed ? "closed"
+                                       : "open, closed by a straight edge");
+  }
+  text += fmt::format("Outline of {} corners from {}", problem.outline.size(), arguments.drawing);
+  if (fit.resized)
+    text += fmt::format(", brought to the size of the task by the scale {} (--scale sets another)",
+                        significant_text(fit.scale, 4));
+  return text + "\n";
+}
+
+}  // namespace
+
+int outline(const OutlineArguments& arguments) {
+  const Interruption interruption(Interruption::Answer::at_once);
+  auto problem = read_problem_file(arguments.problem);
+  if (!problem) {
+    print_mistakes(arguments.problem == "-" ? "standard input" : arguments.problem, problem.errors());
+    return mistake;
+  }
+  const std::vector<PrescribedPose>* poses = guided_poses(problem->task);
+  if (poses == nullptr) {
+    print_mistakes(arguments.problem,
+                   {{"no_body", "task", "this task guides no body in the plane, so none can have an outline"}});
+    return mistake;
+  }
+  const auto drawing = read_outlines_file(arguments.drawing);
+  const auto mistakes = drawing ? mistakes_in(arguments, drawing->shapes.size()) : drawing.errors();
+  if (!mistakes.empty()) {
+    print_mistakes(arguments.drawing, mistakes);
+    return mistake;
+  }
+  const DrawnShape& shape = drawing->shapes[static_cast<std::size_t>(arguments.shape - 1)];
+  const OutlineFit fit =
+      fit_of(arguments, shape, scale_of(arguments, *drawing, problem->length_unit), usual_size(*poses));
+  problem->outline = body_outline(shape, fit.scale, fit.placed);
+  if (!write_output(arguments.output, [&](const TextSink& sink) { sink(write_problem(*problem)); })) return failure;
+  if (arguments.output == "-") return 0;
+  return print_answer(answer_of(arguments, *drawing, fit, *problem)) ? 0 : failure;
+}
+
+}  // namespace linkwright::cli

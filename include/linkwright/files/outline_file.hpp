@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "linkwright/algebra/point.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/pose.hpp"
+
+namespace linkwright {
+
+/// A shape in the drawing of another program that can be the outline of a body.
+struct DrawnShape {
+  std::vector<Point> corners;  ///< three or more, as drawn, y up, in the drawing's unit; curves are flattened
+  bool closed = false;         ///< else a straight edge closes it
+  bool frame = false;          ///< the edge of the sheet, or the border on it
+  double width = 0, height = 0;
+};
+
+struct Drawing {
+  std::vector<DrawnShape> shapes;  ///< one at least, 24 at most: closed ones, open chains, frames, each the largest first
+  std::optional<double> unit_mm;   ///< millimetres to the drawing's unit, where the file says
+};
+
+/// The shapes of a drawing in ASCII DXF: lines, arcs, circles, ellipses, polylines with bulges and splines of the model
+/// space, inserted blocks among them, what meets end to end joined. No chord leaves its curve by more than a thousandth
+/// of the curve's size. What is no DXF, is cut off, has no shape or too many points (100 000) is a mistake.
+[[nodiscard]] Result<Drawing> read_dxf_outlines(std::string_view text);
+
+/// The same of an SVG: its paths, rectangles, circles, ellipses, lines and polygons where they are drawn.
+[[nodiscard]] Result<Drawing> read_svg_outlines(std::string_view text);
+
+/// The same from a file of at most 16 MB whose name ends in .dxf or .svg.
+[[nodiscard]] Result<Drawing> read_outlines_file(const std::filesystem::path& path);
+
+/// Millimetres to a unit of length that is known by its name: µm, mm, cm, dm, m, in, ft.
+[[nodiscard]] std::optional<double> millimetres(std::string_view unit);
+
+/// The shape as the outline of a body, in the moving frame: `scale` lengths to the drawing's unit, the drawing's origin
+/// and x axis at `placed`. At most 200 corners, those left out that matter least; nine digits.
+[[nodiscard]] std::vector<Point> body_outline(const DrawnShape& shape, double scale, const Pose& placed);
+
+/// Where a shape goes that nobody has placed.
+struct OutlineFit {
+  double scale = 1;     ///< the same, or what brings a shape of quite another size to the task's
+  Pose placed;          ///< the drawing's origin where it lies in or near the shape, else the shape's middle
+  bool resized = false;
+};
+
+/// `size`: about how large the body may be, in the unit of `scale`; twenty times as large or as small is another size.
+[[nodiscard]] OutlineFit fit_outline(const DrawnShape& shape, double scale, double size);
+
+}  // namespace linkwright

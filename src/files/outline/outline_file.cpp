@@ -1,0 +1,87 @@
+#include "linkwright/files/outline_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fmt/format.h>
+
+#include "linkwright/files/text_file.hpp"
+#include "plain_text.hpp"
+#include "shapes.hpp"
+#include "strokes.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::size_t most_bytes = 16'000'000;
+
+Result<Drawing> drawing_of(Result<Strokes> strokes) {
+  if (!strokes) return strokes.errors();
+  const std::optional<double> unit = strokes->unit_mm;
+  std::vector<DrawnShape> shapes = shapes_of(*std::move(strokes));
+  if (shapes.empty())
+    return Error{"no_outline", "",
+                 "this has no shape with three or more corners; the outline can be a closed line or a chain of lines and "
+                 "arcs in an SVG or DXF file"};
+  return Drawing{std::move(shapes), unit};
+}
+
+double at_nine_digits(double value) {
+  const std::string text = fmt::format("{:.9g}", value);
+  double read = value;
+  std::from_chars(text.data(), text.data() + text.size(), read);
+  return read + 0.0;  // never -0
+}
+
+}  // namespace
+
+Result<Drawing> read_dxf_outlines(std::string_view text) { return drawing_of(dxf_strokes(text)); }
+Result<Drawing> read_svg_outlines(std::string_view text) { return drawing_of(svg_strokes(text)); }
+
+Result<Drawing> read_outlines_file(const std::filesystem::path& path) {
+  const std::string ending = in_small_letters(path.extension().string());
+  if (ending != ".dxf" && ending != ".svg")
+    return Error{"unknown_drawing", "", "an outline is read from a drawing whose name ends in .dxf or .svg"};
+  const auto text = read_text_file(path, most_bytes);
+  if (!text) return text.errors().front().code == "file_too_large" ? Result<Drawing>(drawing_of_too_much()) : text.errors();
+  return ending == ".dxf" ? read_dxf_outlines(*text) : read_svg_outlines(*text);
+}
+
+std::optional<double> millimetres(std::string_view unit) {
+  struct Length {
+    std::string_view name;
+    double mm;
+  };
+  constexpr std::array<Length, 11> lengths = {{{"µm", 1e-3}, {"μm", 1e-3}, {"um", 1e-3}, {"mm", 1}, {"cm", 10}, {"dm", 100},
+                                               {"m", 1000}, {"in", 25.4}, {"inch", 25.4}, {"\"", 25.4}, {"ft", 304.8}}};
+  const std::string name = in_small_letters(unit);
+  const auto found = std::find_if(lengths.begin(), lengths.end(), [&](const Length& length) { return length.name == name; });
+  return found == lengths.end() ? std::nullopt : std::optional(found->mm);
+}
+
+std::vector<Point> body_outline(const DrawnShape& shape, double scale, const Pose& placed) {
+  std::vector<Point> outline;
+  for (const Point corner : simplified(shape.corners)) {
+    const Point at = placed.origin + direction(placed.angle) * (scale * corner);
+    outline.emplace_back(at_nine_digits(at.real()), at_nine_digits(at.imag()));
+  }
+  return outline;
+}
+
+OutlineFit fit_outline(const DrawnShape& shape, double scale, double size) {
+  constexpr double another_size = 20;
+  double left = shape.corners[0].real(), bottom = shape.corners[0].imag();
+  for (const Point corner : shape.corners) {
+    left = std::min(left, corner.real());
+    bottom = std::min(bottom, corner.imag());
+  }
+  OutlineFit fit{scale, {}};
+  const double w = shape.width, h = shape.height, largest = scale * std::max(w, h);
+  fit.resized = largest > another_size * size || largest < size / another_size;
+  if (fit.resized) fit.scale = scale * size / largest;
+  const bool is_near = left - w / 2 <= 0 && left + 1.5 * w >= 0 && bottom - h / 2 <= 0 && bottom + 1.5 * h >= 0;
+  if (!is_near) fit.placed.origin = -fit.scale * Point{left + w / 2, bottom + h / 2};
+  return fit;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,110 @@
+"""`linkwright outline`: a shape of a DXF or SVG drawing becomes the outline of the body."""
+
+import json
+import math
+import unittest
+
+from face_support import TAILGATE, FaceTest, run
+
+SECTION = "0\nSECTION\n2\n{}\n{}0\nENDSEC\n"
+
+
+def dxf(*entities, header=""):
+    start = SECTION.format("HEADER", header) if header else ""
+    return start + SECTION.format("ENTITIES", "".join(entities)) + "0\nEOF\n"
+
+
+def groups(*values):
+    return "".join(f"{value}\n" for value in values)
+
+
+def rectangle(x, y, width, height):
+    corners = ((x, y), (x + width, y), (x + width, y + height), (x, y + height))
+    return groups(0, "LWPOLYLINE", 90, 4, 70, 1) + "".join(groups(10, a, 20, b) for a, b in corners)
+
+
+class Outline(FaceTest):
+    def outline(self, drawing, *flags, name="part.dxf", problem=TAILGATE):
+        """The outline, and what is printed."""
+        target = self.folder / "with_outline.json"
+        status, said, error = run("outline", self.write(name, drawing), problem, "-o", target, *flags)
+        self.assertEqual((status, error), (0, ""))
+        return json.loads(target.read_text())["view"]["outline"], said
+
+    def refused(self, drawing, *pieces, flags=(), name="part.dxf", problem=TAILGATE):
+        target = self.folder / "with_outline.json"
+        self.assert_mistake(run("outline", self.write(name, drawing), problem, "-o", target, *flags), *pieces)
+        self.assertFalse(target.exists())
+
+    def test_the_largest_part_is_taken(self):
+        corners, said = self.outline(dxf(rectangle(0, 0, 30, 20), rectangle(0, 0, 300, 100)))
+        self.assertEqual(corners, [[0, 0], [300, 0], [300, 100], [0, 100]])
+        self.assertIn("* shape 1: 300 × 100 mm, closed", said)
+        self.assertEqual(self.outline(dxf(rectangle(0, 0, 30, 20), rectangle(0, 0, 300, 100)), "--shape", 2)[0][2], [30, 20])
+
+    def test_units_and_scale(self):
+        inches = dxf(rectangle(0, 0, 10, 4), header=groups(9, "$INSUNITS", 70, 1))
+        self.assertEqual(self.outline(inches)[0][2], [254, 101.6])
+        self.assertEqual(self.outline(inches, "--unit", "cm")[0][2], [100, 40])
+        self.assertEqual(self.outline(inches, "--scale", 3)[0][2], [30, 12])
+        self.assertIn("brought to the size", self.outline(dxf(rectangle(0, 0, 1e6, 1e6)))[1])
+        self.assertEqual(self.outline(dxf(rectangle(0, 0, 1e6, 1e6)), "--scale", 1)[0][2], [1e6, 1e6])
+
+    def test_the_drawing_is_placed(self):
+        corners, _ = self.outline(dxf(rectangle(1000, 0, 100, 50)))
+        self.assertEqual(corners, [[-50, -25], [50, -25], [50, 25], [-50, 25]])
+        corners, _ = self.outline(dxf(rectangle(1000, 0, 100, 50)), "--at", "5,6,90")
+        self.assertEqual(corners, [[5, 1006], [5, 1106], [-45, 1106], [-45, 1006]])
+
+    def test_svg(self):
+        circle = '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" viewBox="0 0 1000 500"><circle cx="0" cy="500" r="500"/></svg>'
+        corners, _ = self.outline(circle, name="part.svg")
+        self.assertLess(max(abs(math.hypot(x, y) - 50) for x, y in corners), 0.05)
+
+    def test_everything_else_stays_and_the_picture_shows_it(self):
+        problem = json.loads(run("outline", self.write("a.dxf", dxf(rectangle(0, 0, 300, 100))), TAILGATE)[1])
+        problem["view"]["pins"] = [1.5]
+        again = json.loads(run("outline", self.folder / "a.dxf", self.write("p.json", problem))[1])
+        self.assertEqual(again, problem)
+        bare = dict(problem)
+        del bare["view"]
+        pictures = [self.folder / "with.svg", self.folder / "without.svg"]
+        for content, picture in zip((problem, bare), pictures):
+            self.assertEqual(run("solve", self.write("q.json", content), "--samples", 64, "--svg", picture)[0], 0)
+        polygons = [picture.read_text().count("<polygon") for picture in pictures]
+        self.assertEqual(polygons[0] - polygons[1], len(problem["task"]["poses"]))
+
+    def test_the_problem_may_be_replaced(self):
+        problem = self.write("problem.json", TAILGATE.read_text())
+        self.assertEqual(run("outline", self.write("a.dxf", dxf(rectangle(0, 0, 300, 100))), problem, "-o", problem)[0], 0)
+        self.assertEqual(len(json.loads(problem.read_text())["view"]["outline"]), 4)
+
+    def test_mistakes(self):
+        part = dxf(rectangle(0, 0, 300, 100))
+        self.refused(part, "--shape", "1 to 1", flags=("--shape", 2))
+        self.refused(part, "--unit", "furlong", flags=("--unit", "furlong"))
+        self.refused(part, "--scale", flags=("--scale", -1))
+        self.refused(part, "--at", flags=("--at", "0,nan,0"))
+        self.refused(part, ".dxf or .svg", name="part.step")
+        self.assert_mistake(run("outline", self.folder / "none.dxf", TAILGATE), "none.dxf", "cannot be read")
+        function = {"linkwright": 1, "task": {"kind": "function", "mechanism": "four_bar",
+                    "pairs": [{"input_deg": x, "output_deg": x * x / 99} for x in (0, 30, 60, 90)]}}
+        self.refused(part, "guides no body in the plane", problem=self.write("function.json", function))
+
+    def test_hostile_drawings(self):
+        self.refused("AutoCAD Binary DXF\r\n", "binary DXF")
+        self.refused("0\nSECTION\n2\nENTITIES\n0\nLINE\nten\n0\n", "line 7")
+        self.refused("0\nSECTION\n2\nENTITIES\n0\nLINE\n", "cut off")
+        self.refused("<svg><g></svg>", "line 1", name="part.svg")
+        self.refused("<html/>", "no <svg>", name="part.svg")
+        self.refused(dxf(groups(0, "LWPOLYLINE", 90, 1 << 30, 10, "nan", 20, 0)), "no shape")
+        self.refused(dxf(groups(0, "LWPOLYLINE", 90, 1 << 30, 70, 1, *(10, 1, 20, 1) * 110_000)), "too large")
+        self.refused("<svg>" + "<g>" * 200 + "</g>" * 200 + "</svg>", "too deeply nested", name="part.svg")
+        blocks = groups(0, "BLOCK", 2, "b", 0, "INSERT", 2, "b", 0, "ENDBLK")
+        self.refused(SECTION.format("BLOCKS", blocks) + dxf(groups(0, "INSERT", 2, "b")), "too deeply nested")
+        self.refused(dxf(rectangle(0, 0, 1e300, 1e300)), "no shape")
+        self.refused("0\nSECTION\n" + " " * 17_000_000, "too large")
+
+
+if __name__ == "__main__":
+    unittest.main()

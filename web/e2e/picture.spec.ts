@@ -1,0 +1,82 @@
+// The picture behind the drawing: pasted, placed by hand and by numbers, traced over.
+import type {Page} from "@playwright/test";
+import {drag, expect, keep_screenshot, middle_of, open_workbench, read_state, test} from "./support";
+
+const background = (page: Page) => read_state(page, (workbench) => workbench.problem.view!.background!);
+
+async function paste_picture(page: Page): Promise<void> {
+  await page.evaluate(async () => {
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [600, 300];
+    const pen = canvas.getContext("2d")!;
+    pen.fillStyle = "#89a";
+    pen.fillRect(0, 0, 600, 300);
+    pen.fillStyle = "#345";
+    pen.fillRect(60, 60, 300, 120);
+    const blob = await new Promise<Blob>((resolve) => canvas.toBlob((b) => resolve(b!), "image/png"));
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([blob], "part.png", {type: "image/png"}));
+    document.body.dispatchEvent(
+      new ClipboardEvent("paste", {clipboardData: transfer, bubbles: true, cancelable: true}),
+    );
+  });
+  await page.waitForFunction(() => !!globalThis.__linkwright!.workbench.problem.view?.background);
+  await expect(page.getByTestId("picture.width")).toBeVisible();
+}
+
+test.beforeEach(async ({page}) => {
+  await open_workbench(page);
+  await read_state(page, (workbench) => {
+    workbench.tour = null; // its hint lies over the drawing
+  });
+});
+
+test("a pasted picture is placed by numbers, by its knob and by keys, locked, hidden, and undone", async ({page}) => {
+  await paste_picture(page);
+  const before = await background(page);
+  await page.getByTestId("picture.width").fill("500");
+  await page.keyboard.press("Enter");
+  expect((await background(page)).width).toBeCloseTo(500, 6);
+  await page.getByTestId("picture.angle").fill("30");
+  await page.keyboard.press("Enter");
+  expect((await background(page)).angle_deg).toBe(30);
+  const knob = page.getByTestId("drawing.picture_turn");
+  await knob.focus();
+  await page.keyboard.press("ArrowUp");
+  expect((await background(page)).angle_deg).toBe(31);
+  await page.getByTestId("picture.angle").fill("0");
+  await page.keyboard.press("Enter");
+  const from = await middle_of(knob);
+  await drag(page, from, {x: from.x + 60, y: from.y + 20});
+  expect((await background(page)).angle_deg).toBeLessThan(-5);
+  await keep_screenshot(page, "picture");
+  await page.getByTestId("picture.lock").click();
+  await expect(knob).toHaveCount(0);
+  await page.getByTestId("picture.hide").click();
+  await expect(page.locator(".drawing image")).toHaveCount(0);
+  while (await read_state(page, (workbench) => (workbench.problem.view?.background?.width ?? 0) !== 0 && workbench.can_undo))
+    await read_state(page, (workbench) => workbench.undo());
+  await read_state(page, (workbench) => workbench.redo());
+  expect((await background(page)).width).toBe(before.width);
+});
+
+test("an outline is traced over the picture by clicks, a double click closes it", async ({page}) => {
+  await paste_picture(page);
+  await page.getByTestId("picture.trace").click();
+  const area = (await page.getByTestId("drawing.canvas").boundingBox())!;
+  const at = (x: number, y: number) => [area.x + area.width * x, area.y + area.height * y] as const;
+  await page.mouse.click(...at(0.4, 0.6));
+  await page.mouse.click(...at(0.6, 0.6));
+  await page.mouse.click(...at(0.6, 0.75));
+  await page.mouse.dblclick(...at(0.4, 0.75));
+  expect(await read_state(page, (workbench) => workbench.problem.view!.outline!.length)).toBe(4);
+});
+
+test("its tools fit on a phone", async ({page}) => {
+  await page.setViewportSize({width: 390, height: 844});
+  await paste_picture(page);
+  await keep_screenshot(page, "picture-phone");
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  const box = (await page.getByTestId("picture.lock").boundingBox())!;
+  expect(box.height).toBeGreaterThanOrEqual(44);
+});
