@@ -151,7 +151,7 @@ def resident_bytes() -> int:
 
 def test_memory_is_given_back() -> None:
     def work() -> None:
-        answer = lw.solve(lw.MotionTask(POSES), samples=40)
+        answer = lw.solve(lw.Problem(lw.MotionTask(POSES), options={"best": 1}), samples=40)
         answer.linkages[0].motion()
         assert answer.region["link_ratio"].size == 1600
         with pytest.raises(lw.ProblemError):
@@ -326,7 +326,7 @@ def test_a_session_follows_a_dragged_pose() -> None:
     second = session.explore(samples=100)
     assert not np.array_equal(first.types, second.types) and np.array_equal(first.types, kept)
     fresh = lw.solve(session.problem, samples=100)
-    assert second.counts.types.tolist() == [fresh.region.counts[name] for name in lw.linkage_types]
+    assert second.counts.types.tolist() == [fresh.region.counts.get(name, 0) for name in lw.linkage_types]
     assert session.best(1)[0].type == lw.solve(session.problem).linkages[0].type
     with pytest.raises(lw.ProblemError):
         session.move(2, x=0, y=0, theta_deg=0)

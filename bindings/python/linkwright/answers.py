@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _linkwright
 from .errors import ProblemError
 from .records import Record, read_only, record_of
-from .tasks import to_json
+from .tasks import is_json, to_json
 
 Array = npt.NDArray[Any]
 
@@ -150,7 +150,7 @@ class Linkage:
             ProblemError: it has mistakes.
         """
         file = ""
-        if isinstance(linkage, os.PathLike) or (isinstance(linkage, str) and "{" not in linkage):
+        if isinstance(linkage, (str, os.PathLike)) and not is_json(linkage):
             file = os.fspath(linkage)
             text = _file_text(file)
         else:
@@ -621,7 +621,7 @@ def _unpickled_answer(problem: str, result: str, columns: _Kept | None) -> Answe
 
 def _file_text(path: str) -> str:
     try:
-        return _linkwright.read_result_file(path).decode("utf-8")
+        return _linkwright.read_result_file(os.fsencode(path)).decode("utf-8")
     except ProblemError as error:
         raise ProblemError(error.mistakes, path) from None
 

@@ -182,7 +182,7 @@ def native(problem: ProblemLike) -> _linkwright.Problem:
     if isinstance(problem, (str, os.PathLike)) and not is_json(problem):
         file = os.fspath(problem)
         try:
-            return _linkwright.read_problem_file(file)
+            return _linkwright.read_problem_file(os.fsencode(file))
         except ProblemError as error:
             raise ProblemError(error.mistakes, file) from None
     return _linkwright.Problem(to_json(problem).encode("utf-8", "surrogatepass"))
@@ -203,7 +203,7 @@ def to_json(value: Any) -> str:
 
 def is_json(problem: Any) -> bool:
     """Text that is a problem, rather than the name of a file that holds one."""
-    return isinstance(problem, str) and problem.lstrip()[:1] in ("{", "[", "/") and "{" in problem
+    return isinstance(problem, str) and problem.lstrip().startswith(("{", "[", "//"))
 
 
 def _plain(value: Any) -> Any:
