@@ -17,7 +17,7 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME linkwright)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "liblinkwright-dev, bash-completion")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "linkwright-step, liblinkwright-dev, bash-completion")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
     "Linkwright finds all four-bar linkages that guide a body through three, four or
 five positions, six-bars through four, spherical four-bars, generators of

@@ -30,16 +30,24 @@ make_base() {
   apt-config dump Acquire >"$new/etc/apt/apt.conf.d/acquire"
   echo force-unsafe-io >"$new/etc/dpkg/dpkg.cfg.d/unsafe-io"
   cp /etc/resolv.conf /etc/hosts "$new/etc/"
-  cp "${debs[@]}" "$new/tmp/"
-  inside "$new" apt-get -q update
-  inside "$new" apt-get -qy install --no-install-recommends --download-only "${debs[@]/#*\///tmp/}"
-  rm -f "$new"/tmp/*.deb
   mv "$new" "$base"
 }
 
-if [[ ! -d $base ]] && ! make_base >"$folder/base.log" 2>&1; then
-  tail -n 20 "$folder/base.log"
-  exit 1
+fetch_what_ours_need() {
+  cp "${debs[@]}" "$base/tmp/"
+  inside "$base" apt-get -q update
+  inside "$base" apt-get -qy install --no-install-recommends --download-only "${debs[@]/#*\///tmp/}"
+  rm -f "$base"/tmp/*.deb
+}
+
+# Into the log; where it fails, its last lines and the end.
+logged() { "$@" >"$folder/$1.log" 2>&1 || { tail -n 20 "$folder/$1.log" && exit 1; }; }
+
+[[ -d $base ]] || logged make_base
+needed=$(for deb in "${debs[@]}"; do dpkg-deb --field "$deb" Depends; done)
+if [[ $needed != "$(cat "$base.needed" 2>/dev/null)" ]]; then
+  logged fetch_what_ours_need
+  printf '%s\n' "$needed" >"$base.needed"
 fi
 
 # What changes stays in memory, and is gone at the end.

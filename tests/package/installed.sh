@@ -17,6 +17,10 @@ check "the program says its version" [ "$(linkwright --version)" = "linkwright $
 linkwright solve /usr/share/doc/linkwright/examples/tailgate.json -o result.json --svg tailgate.svg >answer.txt
 check "the tailgate's best linkage is the known one" grep -q 'Linkage 1 has the largest minimum transmission angle, 83.66°' answer.txt
 check "a picture is drawn" grep -q '</svg>' tailgate.svg
+if [[ -e $(compgen -G "linkwright-step_*.deb") ]]; then
+  linkwright export result.json --format step -o tailgate.step
+  check "an assembly is written for CAD" grep -q 'END-ISO-10303-21' tailgate.step
+fi
 
 linkwright studio --port 4180 >/dev/null &
 studio=$!
