@@ -24,6 +24,7 @@ DOCUMENTS = {  # of the tree, by their place on the site
     "README.md": "index.md", "README.zh-CN.md": "zh.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md",
     "examples/README.md": "examples/index.md", "data/README.md": "data.md", "bench/README.md": "bench.md", "LICENSE": "LICENSE.txt",
 }
+START_PAGES = {"index.md": "Open the workbench", "zh.md": "打开工作台"}
 SCHEMAS = {"problem": "Problem files", "result": "Result files", "attitude": "Attitude files"}
 FENCE = re.compile(r"^(```.*?^```[ ]*$)", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
@@ -93,6 +94,12 @@ def moved(text, path, page):
     return "".join(parts)
 
 
+def with_workbench(text, words):
+    """A start page, with the way into the workbench below its title."""
+    title, _, rest = text.partition("\n")
+    return f'{title}\n\n<a class="open-in-workbench" href="workbench/index.html">{words}</a>\n{rest}'
+
+
 def write(page, text):
     path = PAGES / page
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -108,7 +115,8 @@ def write_documents():
             (PAGES / place_of(name)).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(path, PAGES / place_of(name))
     for name, page in DOCUMENTS.items():
-        write(page, moved((ROOT / name).read_text(encoding="utf-8"), name, page))
+        text = moved((ROOT / name).read_text(encoding="utf-8"), name, page)
+        write(page, with_workbench(text, START_PAGES[page]) if page in START_PAGES else text)
 
 
 def story_of(text):

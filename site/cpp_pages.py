@@ -16,6 +16,11 @@ def flat(element):
     return " ".join("".join(element.itertext()).split()) if element is not None else ""
 
 
+def code(element):
+    """A type or a list of arguments, without Doxygen's blanks."""
+    return re.sub(r" ([&*]+)(?=\w)", r"\1 ", flat(element).replace("< ", "<").replace(" >", ">")).replace(" &", "&").replace(" *", "*")
+
+
 def prose(element):
     """Markdown of a description: paragraphs, code, lists, quotations."""
     if element is None:
@@ -50,11 +55,11 @@ def declaration(member):
         values = ", ".join(flat(value.find("name")) for value in member.findall("enumvalue"))
         return f"enum class {name} {{ {values} }}"
     if kind == "typedef":
-        return f"using {name} = {flat(member.find('type'))}"
+        return f"using {name} = {code(member.find('type'))}"
     template = member.find("templateparamlist")
     before = f"template <{', '.join(flat(one) for one in template)}> " if template is not None else ""
     initial = flat(member.find("initializer"))
-    return f"{before}{flat(member.find('type'))} {name}{flat(member.find('argsstring'))} {initial}".strip()
+    return f"{before}{code(member.find('type'))} {name}{code(member.find('argsstring'))} {initial}".strip()
 
 
 def members_of(compound):
@@ -89,7 +94,7 @@ def fields_and_functions(members):
         yield "| Field | | Meaning |\n|---|---|---|"
         for field in fields:
             initial = flat(field.find("initializer"))
-            kind = flat(field.find("type")) + (f" {initial}" if initial else "")
+            kind = code(field.find("type")) + (f" {initial}" if initial else "")
             meaning = " ".join(description(field).split())
             yield f"| `{flat(field.find('name'))}` | `{kind.replace('|', chr(92) + '|')}` | {meaning} |"
         yield ""

@@ -109,7 +109,7 @@ test("every example opens in the workbench", async ({page, site_address}) => {
 test("a problem that a document shows opens in the workbench", async ({page, site_address}) => {
   await known_visitor(page);
   await page.goto(`${site_address}zh.html`);
-  await page.locator(".open-in-workbench").first().click();
+  await page.locator(".open-in-workbench[href*='#']").first().click();
   await until_ready(page);
   expect(await read_state(page, (workbench) => workbench.problem.title)).toBe("Tailgate hinge");
 });
