@@ -23,6 +23,6 @@ add_compile_options(-msimd128 -fno-slp-vectorize -fwasm-exceptions "-ffile-prefi
                     "-ffile-prefix-map=${PROJECT_BINARY_DIR}=build")
 add_link_options(-fwasm-exceptions)
 
-# Pictures with a PNG inside need zlib; the page paints the region itself.
+# Pictures with a PNG inside need zlib; the page paints the region itself. STEP files are OpenCASCADE's.
 set(linkwright_not_in_webassembly src/drawing/png_image.cpp src/drawing/region_picture.cpp src/drawing/region_figure.cpp
-                                  src/drawing/solution_drawing.cpp)
+                                  src/drawing/solution_drawing.cpp src/machine/step_file.cpp)

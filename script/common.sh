@@ -46,6 +46,20 @@ build_web() {
   printf 'built in %d s\n' $((SECONDS - start))
 }
 
+# The version, from its one place.
+project_version() { sed -nE 's/^project\(linkwright VERSION ([0-9.]+).*/\1/p' CMakeLists.txt; }
+
+# What is made twice from one commit is the same to the last bit: files are as old as it is.
+export SOURCE_DATE_EPOCH
+SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CMakeLists.txt)
+
+# The Debian packages into a folder; the program and the page are built.
+make_debs() {
+  rm -rf "$1" && mkdir -p "$1"
+  cpack --config build/release/CPackConfig.cmake -B "$PWD/$1" >"$1.log" 2>&1 || { cat "$1.log" && return 1; }
+  rm -rf "$1/_CPack_Packages"
+}
+
 # The C++ files of the tree, one a line: all that git knows or would know; without git, all there are.
 cpp_files() {
   local folders=(include src apps bindings tests bench fuzz) folder present=()

@@ -16,7 +16,7 @@ function layer(files, regex, message) {
 }
 
 export default tseslint.config(
-  {ignores: ["node_modules/", "public/", "src/engine/generated/"]},
+  {ignores: ["node_modules/", "public/", "src/engine/generated/", "npm/consumer/"]},
   js.configs.recommended,
   tseslint.configs.recommended,
   svelte.configs.recommended,
@@ -47,9 +47,9 @@ export default tseslint.config(
     },
   },
   {files: ["**/*.ts", "**/*.svelte"], rules: {"no-undef": "off"}}, // the compiler's
-  {files: ["e2e/**", "tests/**"], rules: {"@typescript-eslint/no-explicit-any": "off"}}, // what the page hands over
-  {files: ["scripts/*.mjs", "*.js"], languageOptions: {globals: globals.node}},
-  {files: ["firefox/*.mjs"], languageOptions: {globals: {...globals.node, ...globals.browser}}}, // parts run in the page
+  {files: ["e2e/**", "site/**", "tests/**"], rules: {"@typescript-eslint/no-explicit-any": "off"}}, // what the page hands over
+  {files: ["scripts/*.mjs", "npm/**/*.mjs", "*.js"], languageOptions: {globals: globals.node}},
+  {files: ["firefox/*.mjs", "npm/*.test.mjs"], languageOptions: {globals: {...globals.node, ...globals.browser}}}, // parts run in the page
 
   layer(["src/engine/**"], "^\\.\\./(?!texts/)", "The engine's messages, client and worker know nothing of the page."),
   layer(

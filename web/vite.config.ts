@@ -1,9 +1,23 @@
 import {svelte} from "@sveltejs/vite-plugin-svelte";
+import type {Plugin} from "vite";
 import {defineConfig} from "vitest/config";
+
+/** What the studio sends as a header (apps/cli/workbench_server.cpp) stands in the page too, for hosts that send none. */
+const policy =
+  "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; " +
+  "worker-src 'self' blob:; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'";
+const content_policy: Plugin = {
+  name: "content-policy",
+  apply: "build",
+  transformIndexHtml: () => [
+    {tag: "meta", attrs: {"http-equiv": "Content-Security-Policy", content: policy}, injectTo: "head-prepend"},
+    {tag: "meta", attrs: {name: "referrer", content: "no-referrer"}, injectTo: "head"},
+  ],
+};
 
 export default defineConfig({
   base: "./", // any static host, any folder
-  plugins: [svelte()],
+  plugins: [svelte(), content_policy],
   build: {outDir: "../build/web", emptyOutDir: true, target: "es2022", chunkSizeWarningLimit: 900},
   worker: {format: "es"},
   test: {

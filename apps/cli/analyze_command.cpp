@@ -80,18 +80,13 @@ std::optional<Point> point_of(const AnalyzeArguments& arguments) {
 }
 
 Result<LinkageInstant> instant_of(const StoredLinkage& linkage, const AnalyzeArguments& arguments) {
-  const auto point = arguments.point.empty() ? linkage.point : point_of(arguments);
-  TracingFourBar traced{linkage.four_bar, point.value_or(linkage.four_bar.input_circle)};
-  if (arguments.input_deg) {
-    const auto turned = with_input_at(traced, radians(*arguments.input_deg));
-    if (!turned)
-      return Error{"input_out_of_reach", "--input-deg",
-                   fmt::format("the input cannot be there; {}", range_sentence(input_ranges(traced.bars.lengths())))};
-    traced = *turned;
-  }
-  const InstantQuestion question{point ? std::optional(traced.point) : std::nullopt,
-                                 arguments.input_acceleration.value_or(0)};
-  return LinkageInstant{traced.bars, analyze_instant(traced.bars, question)};
+  InstantAsked asked{point_of(arguments), {}, arguments.input_acceleration.value_or(0)};
+  if (arguments.input_deg) asked.input_angle = radians(*arguments.input_deg);
+  auto instant = linkwright::instant_of(linkage, asked);
+  if (instant) return instant;
+  std::vector<Error> errors = instant.errors();
+  for (Error& error : errors) error.place = "--input-deg";
+  return errors;
 }
 
 template <class Drawable>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "console.hpp"
+#include "linkwright/machine/machine_export.hpp"
 
 namespace linkwright::cli {
 
@@ -34,7 +35,8 @@ struct AnalyzeArguments {
 struct ExportArguments {
   std::string result;
   int linkage = 1;     ///< from 1
-  std::string format;  ///< svg, dxf, csv or json
+  std::string format;  ///< svg, dxf, csv, json, or one of machine_formats()
+  MachineWishes machine;
   std::string output = "-";
 };
 [[nodiscard]] int export_linkage(const ExportArguments& arguments);

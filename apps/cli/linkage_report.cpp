@@ -100,15 +100,6 @@ std::string point_words(const StoredLinkage& stored) {
 
 }  // namespace
 
-std::string range_sentence(const std::vector<AngleRange>& ranges) {
-  std::string text = "the input rocks";
-  for (std::size_t i = 0; i < ranges.size(); ++i)
-    text +=
-        fmt::format("{} from {} to {} ({})", i == 0 ? "" : ", or in the other assembly mode,",
-                    angle_text(ranges[i].from), angle_text(ranges[i].to), angle_text(ranges[i].to - ranges[i].from));
-  return text;
-}
-
 std::string linkage_words(const LinkageAnalysis& analysis, std::string_view drive) {
   const std::string title = analysis.linkage.title.empty() ? "Four-bar linkage" : printable(analysis.linkage.title);
   const std::string driven =

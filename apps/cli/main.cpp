@@ -68,14 +68,41 @@ void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {
   add_instant(*command, arguments);
 }
 
+/// Flags of `export` for what is built; lengths in the file's unit.
+void add_machine(CLI::App& command, MachineWishes& wishes) {
+  const auto size = [&](const char* flag, double& value, const char* help) {
+    command.add_option(flag, value, help)->check(CLI::PositiveNumber);
+  };
+  size("--width", wishes.sizes.width, "Width of the plates (default: 12 % of the longest link, or less)");
+  size("--thickness", wishes.sizes.thickness, "Thickness of the plates (default: 6 % of the longest link)");
+  size("--gap", wishes.sizes.gap, "Gap between plates (default: a tenth of the thickness)");
+  size("--pin", wishes.sizes.pin, "Diameter of the pins (default: 5 % of the longest link, or less)");
+  command
+      .add_option("--clearance", wishes.sizes.clearance, "How much wider holes are than pins (default: 2 % of the pin)")
+      ->check(CLI::NonNegativeNumber);
+  size("--radius", wishes.sizes.radius, "Radius of the outermost sphere of a spherical linkage (default: 100)");
+  command
+      .add_option_function<int>(
+          "--position", [&wishes](int position) { wishes.position = position - 1; },
+          "Position of the task in which a STEP file shows the linkage (default: 1)")
+      ->check(CLI::PositiveNumber);
+}
+
 void add_export(CLI::App& app, ExportArguments& arguments) {
   CLI::App* command = app.add_subcommand("export", "Export one linkage of a result as a drawing or a table");
   command->add_option("RESULT", arguments.result, "Result file written by solve -o")->required();
   command->add_option("--linkage", arguments.linkage, "Which linkage of the result, from 1 (default 1, the best)");
-  command->add_option("--format", arguments.format, "svg, dxf (linkages of the plane), csv (its motion) or json")
+  std::vector<std::string> formats = {"svg", "dxf", "csv", "json"};
+  formats.insert(formats.end(), machine_formats().begin(), machine_formats().end());
+  command
+      ->add_option(
+          "--format", arguments.format,
+          "svg, dxf (a drawing of a linkage of the plane), csv (its motion), json; as plates and pins in layers "
+          "that do not collide: step (an assembly), stl or 3mf (to print), plates (DXF, to cut)")
       ->required()
-      ->check(CLI::IsMember({"svg", "dxf", "csv", "json"}));
+      ->check(CLI::IsMember(formats));
   command->add_option("-o,--output", arguments.output, "Output file (default: standard output)");
+  add_machine(*command, arguments.machine);
 }
 
 void add_tolerance(CLI::App& app, ToleranceArguments& arguments) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <functional>
 
 #include "files/json/json_writer.hpp"
@@ -5,6 +6,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
+#include "linkwright/files/label.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "problem_writer.hpp"
 
@@ -117,6 +119,20 @@ std::string write_analysis(const LinkageAnalysis& analysis) {
     json.end_object();
   }
   return text;
+}
+
+Result<LinkageInstant> instant_of(const StoredLinkage& linkage, const InstantAsked& asked) {
+  const auto point = asked.point ? asked.point : linkage.point;
+  TracingFourBar traced{linkage.four_bar, point.value_or(linkage.four_bar.input_circle)};
+  if (asked.input_angle) {
+    const auto turned = with_input_at(traced, *asked.input_angle);
+    if (!turned)
+      return Error{"input_out_of_reach", "input_deg",
+                   fmt::format("the input cannot be there; {}", range_sentence(input_ranges(traced.bars.lengths())))};
+    traced = *turned;
+  }
+  const InstantQuestion question{point ? std::optional(traced.point) : std::nullopt, asked.input_acceleration};
+  return LinkageInstant{traced.bars, analyze_instant(traced.bars, question)};
 }
 
 }  // namespace linkwright

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/number_text.hpp"
+
 namespace linkwright {
 namespace {
 
@@ -128,5 +131,15 @@ std::string dimension_label(std::string_view name) {
   return std::string(words_for(name, dimension_labels));
 }
 std::string_view cone_branch_label(std::string_view name) { return words_for(name, cone_branch_labels); }
+
+std::string range_sentence(const std::vector<AngleRange>& ranges) {
+  const auto text_of = [](double angle) { return rounded_text(degrees(angle), 2) + "°"; };
+  std::string text = "the input rocks";
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    text +=
+        fmt::format("{} from {} to {} ({})", i == 0 ? "" : ", or in the other assembly mode,",
+                    text_of(ranges[i].from), text_of(ranges[i].to), text_of(ranges[i].to - ranges[i].from));
+  return text;
+}
 
 }  // namespace linkwright

@@ -8,7 +8,7 @@ import xml.etree.ElementTree
 
 from attitude_support import AttitudeTest, EXAMPLES
 from face_support import ROOT, load, run
-from readme_test import commands, mismatch
+from documents_test import commands, mismatch
 from schema_test import apply, paths
 
 try:

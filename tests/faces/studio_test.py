@@ -177,6 +177,13 @@ class Pages(StudioTest):
         self.assertEqual(studio.request("/")[2], b"rebuilt")
 
 
+class Policy(unittest.TestCase):
+    def test_is_that_of_the_page_itself(self):
+        built_with = (ROOT / "web/vite.config.ts").read_text(encoding="utf-8")
+        policy = "".join(re.findall(r'^  "((?:default|worker)-src .*)"', built_with, re.MULTILINE))
+        self.assertEqual(policy, STRICT["Content-Security-Policy"].replace("frame-ancestors 'none'; ", ""))  # a page cannot say that
+
+
 class Refusals(StudioTest):
     def test_nothing_outside_of_the_folder(self):
         studio = self.serve()

@@ -44,5 +44,16 @@ TEST(AnalysisFile, NamesChangePoints) {
   EXPECT_EQ(json::parse(write_analysis(analysis))["change_point"], "parallelogram_or_kite");
 }
 
+TEST(AnalysisFile, LooksAtAnInstantWhereTheInputCanBe) {
+  const auto linkage = of_lengths(R"({"lengths": {"ground": 4, "input": 5, "coupler": 3, "output": 3}})");
+  const auto as_it_lies = instant_of(linkage, {});
+  ASSERT_TRUE(as_it_lies.ok());
+  EXPECT_EQ(as_it_lies->four_bar.input_circle, linkage.four_bar.input_circle);
+  const auto refused = instant_of(linkage, {{}, radians(180), 0});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.errors().front().place, "input_deg");
+  EXPECT_NE(refused.errors().front().message.find("the input rocks from"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace linkwright::analysis_file_test

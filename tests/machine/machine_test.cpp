@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "machine_cases.hpp"
+#include "support/machine_cases.hpp"
 
 namespace linkwright::machine_test {
 namespace {

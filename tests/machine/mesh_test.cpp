@@ -4,7 +4,7 @@
 #include <map>
 
 #include "linkwright/core/angle.hpp"
-#include "machine_cases.hpp"
+#include "support/machine_cases.hpp"
 
 namespace linkwright::mesh_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/csv_table.hpp"
-#include "machine_cases.hpp"
+#include "support/machine_cases.hpp"
 
 namespace linkwright::moving_linkage_test {
 namespace {

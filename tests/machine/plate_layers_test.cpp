@@ -7,8 +7,8 @@
 
 #include "machine/hull_distance.hpp"
 #include "machine/plate_corners.hpp"
-#include "machine_cases.hpp"
 #include "support/draws.hpp"
+#include "support/machine_cases.hpp"
 
 namespace linkwright::plate_layers_test {
 namespace {

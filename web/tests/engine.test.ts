@@ -20,7 +20,7 @@ import {
   type RequestMessage,
   type Requests,
 } from "../src/engine/protocol";
-import {Server} from "../src/engine/serve";
+import {Engine} from "../src/engine/serve";
 import {stored_start, thumbnail} from "../src/engine/stored";
 import {halo_reach} from "../src/drawing/drags/pose_drags";
 import {first_example} from "../src/gallery/gallery";
@@ -49,10 +49,10 @@ const all_properties = Object.keys(property_descriptions) as Property[];
 const coarse = 100;
 const locked_deg = 1e-3; // so near a dead point a last bit decides whether it is passed
 
-let server: Server;
+let server: Engine;
 beforeAll(async () => {
   expect(existsSync(program), "build/release is built first (script/build)").toBe(true);
-  server = new Server(await create_linkwright({wasmBinary: readFileSync(wasm)}));
+  server = new Engine(await create_linkwright({wasmBinary: readFileSync(wasm)}));
 });
 
 function reply<K extends Kind>(kind: K, content: Requests[K]): Replies[K] | {refused: Mistake[]} {

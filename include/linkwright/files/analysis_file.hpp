@@ -14,6 +14,15 @@ struct LinkageAnalysis : FourBarAnalysis {
   std::optional<LinkageInstant> instant{};  ///< where it is asked for
 };
 
+/// What is asked of one instant of a linkage.
+struct InstantAsked {
+  std::optional<Point> point;         ///< of the coupler, as it lies; nothing: the linkage's own, if it has one
+  std::optional<double> input_angle;  ///< from the ground link, radians; nothing: as the linkage lies
+  double input_acceleration = 0;      ///< InstantQuestion
+};
+/// An input out of reach is a mistake, place `input_deg`.
+[[nodiscard]] Result<LinkageInstant> instant_of(const StoredLinkage& linkage, const InstantAsked& asked);
+
 /// Traced is traced_point().
 [[nodiscard]] LinkageAnalysis analyze(const StoredLinkage& linkage);
 

@@ -2,11 +2,13 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "linkwright/algebra/circular_cubic.hpp"
 #include "linkwright/algebra/cubic_cone.hpp"
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/analysis/position.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 
 namespace linkwright {
@@ -41,5 +43,8 @@ namespace linkwright {
 
 /// "parallelogram or kite", … as Barker divides change points; empty for none.
 [[nodiscard]] std::string_view label(ChangePointKind kind);
+
+/// Where an input can be: "the input rocks from … to …", without a full stop.
+[[nodiscard]] std::string range_sentence(const std::vector<AngleRange>& ranges);
 
 }  // namespace linkwright

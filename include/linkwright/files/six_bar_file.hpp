@@ -10,6 +10,7 @@
 #include "linkwright/analysis/six_bar_motion.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/linkage_file.hpp"
+#include "linkwright/files/motion_table.hpp"
 #include "linkwright/files/spherical_file.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
@@ -49,10 +50,11 @@ using AnyStoredLinkage = std::variant<StoredLinkage, StoredSixBar, StoredSpheric
 /// As JSON text that read_any_linkage() reads back bit-identical.
 [[nodiscard]] std::string write_linkage(const StoredSixBar& linkage);
 
-/// A motion as comma-separated values, one header line and one line a state: the driver's turn from position 1 in
-/// degrees, counter-clockwise positive; the seven hinges and the moving frame in the fixed frame; the transmission
-/// angle (asin of SixBarTransmission::sine) in degrees; the number of the pose that is met there, from 1, empty
-/// between. Numbers read back bit-identical.
+/// A motion, a row a state: the driver's turn from position 1 in degrees, counter-clockwise positive; the seven hinges
+/// and the moving frame in the fixed frame; the transmission angle (asin of SixBarTransmission::sine) in degrees; the
+/// number of the pose that is met there, from 1, not defined between.
+[[nodiscard]] MotionTable motion_columns(const SixBarMotion& motion);
+/// The same as csv_text().
 [[nodiscard]] std::string motion_table(const SixBarMotion& motion);
 
 /// The poses, or where the file has none a moving frame in hinge d.

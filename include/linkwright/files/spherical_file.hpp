@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwright/files/motion_table.hpp"
 #include "linkwright/mechanism/prescribed_orientation.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/spherical/spherical_analysis.hpp"
@@ -30,10 +31,12 @@ struct StoredSphericalAnalysis : SphericalAnalysis {
 /// The analysis as JSON text: angles in degrees with `_deg`, columns of the motion by name.
 [[nodiscard]] std::string write_analysis(const StoredSphericalAnalysis& analysis);
 
-/// A motion as comma-separated values, one header line and one line a state: input and output angle in degrees, both
-/// moving axes, the coupler's orientation against position 1 as a quaternion [w, x, y, z] (against the task's reference
-/// attitude where orientations are known), transmission angle in degrees, velocity ratio, the number of the orientation
-/// that is met there, from 1, empty between. Numbers read back bit-identical.
+/// A motion, a row a state: input and output angle in degrees, both moving axes, the coupler's orientation against
+/// position 1 as a quaternion [w, x, y, z] (against the task's reference attitude where orientations are known),
+/// transmission angle in degrees, velocity ratio, the number of the orientation that is met there, from 1, not defined
+/// between.
+[[nodiscard]] MotionTable motion_columns(const StoredSphericalAnalysis& analysis);
+/// The same as csv_text().
 [[nodiscard]] std::string motion_table(const StoredSphericalAnalysis& analysis);
 
 }  // namespace linkwright

@@ -1,43 +1,40 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/files/number_text.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 
 namespace linkwright {
 namespace {
 
-std::string six_bar_header() {
-  std::string text = "driver_turn_from_position_1_deg";
+std::vector<std::string> six_bar_columns() {
+  std::vector<std::string> columns{"driver_turn_from_position_1_deg"};
   for (std::size_t joint = 0; joint < SixBar::joint_count; ++joint)
-    text += fmt::format(",{0}_x,{0}_y", joint_name(joint));
-  return text + ",body_x,body_y,body_theta_deg,transmission_angle_deg,position\n";
+    for (const char* axis : {"x", "y"}) columns.push_back(fmt::format("{}_{}", joint_name(joint), axis));
+  columns.insert(columns.end(), {"body_x", "body_y", "body_theta_deg", "transmission_angle_deg", "position"});
+  return columns;
 }
 
-std::string table_line(const SixBarMotionState& state) {
+void put_row(std::vector<double>& values, const SixBarMotionState& state) {
   const SixBarState& place = state.place;
-  std::string line = exact_text(degrees(place.turn));
-  const auto put = [&line](double number) { line += ',' + exact_text(number); };
-  for (const Point joint : place.joints) {
-    put(joint.real());
-    put(joint.imag());
-  }
-  put(place.body.origin.real());
-  put(place.body.origin.imag());
-  put(degrees(place.body.angle));
-  put(degrees(std::asin(std::min(state.sine, 1.0))));
-  return line + (place.pose < 0 ? ",\n" : fmt::format(",{}\n", place.pose + 1));
+  values.push_back(degrees(place.turn));
+  for (const Point joint : place.joints) values.insert(values.end(), {joint.real(), joint.imag()});
+  values.insert(values.end(), {place.body.origin.real(), place.body.origin.imag(), degrees(place.body.angle),
+                               degrees(std::asin(std::min(state.sine, 1.0))),
+                               place.pose < 0 ? std::numeric_limits<double>::quiet_NaN() : place.pose + 1});
 }
 
 }  // namespace
 
-std::string motion_table(const SixBarMotion& motion) {
-  std::string table = six_bar_header();
-  for (const SixBarMotionState& state : motion.states) table += table_line(state);
+MotionTable motion_columns(const SixBarMotion& motion) {
+  MotionTable table{six_bar_columns(), {}};
+  for (const SixBarMotionState& state : motion.states) put_row(table.values, state);
   return table;
 }
+
+std::string motion_table(const SixBarMotion& motion) { return csv_text(motion_columns(motion)); }
 
 std::vector<PrescribedPose> framed_poses(const StoredSixBar& linkage) {
   if (!linkage.poses.empty()) return linkage.poses;

@@ -1,61 +1,51 @@
 #include "linkwright/files/csv_table.hpp"
 
-#include <fmt/format.h>
-#include <initializer_list>
-#include <string_view>
+#include <array>
+#include <limits>
 
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/files/number_text.hpp"
 #include "linkwright/mechanism/tracing_four_bar.hpp"
 
 namespace linkwright {
 namespace {
 
-constexpr std::string_view four_bar_header =
-    "driver_turn_from_position_1_deg,input_angle_from_x_deg,coupler_angle_from_x_deg,output_angle_from_x_deg,"
-    "input_circle_x,input_circle_y,output_circle_x,output_circle_y,body_x,body_y,body_theta_deg,transmission_angle_deg,"
-    "coupler_rate,output_rate,coupler_acceleration,output_acceleration,position";
+const std::array four_bar_columns = {
+    "driver_turn_from_position_1_deg", "input_angle_from_x_deg", "coupler_angle_from_x_deg", "output_angle_from_x_deg",
+    "input_circle_x", "input_circle_y", "output_circle_x", "output_circle_y", "body_x", "body_y", "body_theta_deg",
+    "transmission_angle_deg", "coupler_rate", "output_rate", "coupler_acceleration", "output_acceleration", "position"};
 
-constexpr double row_step = radians(1);
+constexpr double row_step = radians(1), undefined = std::numeric_limits<double>::quiet_NaN();
 
-void put_numbers(std::string& line, std::initializer_list<double> numbers) {
-  for (const double number : numbers) {
-    if (!line.empty()) line += ',';
-    line += exact_text(number);
-  }
-}
-
-std::string table_line(const CycleState& state) {
-  std::string line;
+void put_row(std::vector<double>& values, const CycleState& state) {
   const FourBar& bars = state.four_bar;
-  put_numbers(line, {degrees(state.turn), degrees(state.input_angle), degrees(state.coupler_angle),
-                     degrees(state.output_angle), bars.input_circle.real(), bars.input_circle.imag(),
-                     bars.output_circle.real(), bars.output_circle.imag(), state.body.origin.real(),
-                     state.body.origin.imag(), degrees(state.body.angle), degrees(state.transmission_angle)});
+  values.insert(values.end(), {degrees(state.turn), degrees(state.input_angle), degrees(state.coupler_angle),
+                               degrees(state.output_angle), bars.input_circle.real(), bars.input_circle.imag(),
+                               bars.output_circle.real(), bars.output_circle.imag(), state.body.origin.real(),
+                               state.body.origin.imag(), degrees(state.body.angle), degrees(state.transmission_angle)});
   if (state.rates)
-    put_numbers(line, {state.rates->coupler, state.rates->output, state.rates->coupler_acceleration,
-                       state.rates->output_acceleration});
+    values.insert(values.end(), {state.rates->coupler, state.rates->output, state.rates->coupler_acceleration,
+                                 state.rates->output_acceleration});
   else
-    line += ",,,,";
-  return line + (state.pose < 0 ? "," : fmt::format(",{}", state.pose + 1));
+    values.insert(values.end(), 4, undefined);
+  values.push_back(state.pose < 0 ? undefined : state.pose + 1);
 }
 
 }  // namespace
 
-std::string motion_table(const StoredLinkage& linkage) {
-  std::string table(four_bar_header);
-  table += linkage.point ? ",point_x,point_y\n" : "\n";
+MotionTable motion_columns(const StoredLinkage& linkage) {
+  MotionTable table{{four_bar_columns.begin(), four_bar_columns.end()}, {}};
+  if (linkage.point) table.columns.insert(table.columns.end(), {"point_x", "point_y"});
   for (const CycleState& state : tabulated_cycle(linkage)) {
-    std::string line = table_line(state);
-    if (linkage.point) {
-      const Point point = TracingFourBar{linkage.four_bar, *linkage.point}.moved_to(state.four_bar).point;
-      put_numbers(line, {point.real(), point.imag()});
-    }
-    table += line + "\n";
+    put_row(table.values, state);
+    if (!linkage.point) continue;
+    const Point point = TracingFourBar{linkage.four_bar, *linkage.point}.moved_to(state.four_bar).point;
+    table.values.insert(table.values.end(), {point.real(), point.imag()});
   }
   return table;
 }
+
+std::string motion_table(const StoredLinkage& linkage) { return csv_text(motion_columns(linkage)); }
 
 std::vector<CycleState> tabulated_cycle(const StoredLinkage& linkage) {
   return task_cycle(linkage.four_bar, framed_poses(linkage), row_step);

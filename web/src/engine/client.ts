@@ -1,11 +1,7 @@
-import type {Kind, Mistake, RequestMessage, ReplyMessage, Replies, Requests, TidingsOf} from "./protocol";
+import type {Kind, RequestMessage, ReplyMessage, Replies, Requests, TidingsOf} from "./protocol";
+import {Refusal} from "./refusal";
 
-/** The engine refused: the caller's mistakes, each with its place. */
-export class Refusal extends Error {
-  constructor(readonly mistakes: Mistake[]) {
-    super(mistakes.map((m) => (m.place ? `${m.place}: ${m.message}` : m.message)).join("\n"));
-  }
-}
+export {Refusal};
 /** A newer request of the same kind took this one's place. */
 export class Superseded extends Error {}
 /** It was wanted no longer. */

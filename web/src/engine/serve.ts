@@ -1,6 +1,7 @@
-// Answers the page's requests from an engine session: the worker without the worker.
+// Answers requests from an engine session: the worker without the worker.
 import type {LinkwrightModule, MapArrays, Session} from "./module";
 import {state_width} from "./protocol";
+import {Refusal} from "./refusal";
 import type {
   Census,
   DyadPolygon,
@@ -18,12 +19,6 @@ import type {
   ToleranceFigures,
 } from "./protocol";
 
-class Mistaken extends Error {
-  constructor(readonly mistakes: Mistake[]) {
-    super("mistakes");
-  }
-}
-
 const nearest_order = -1;
 const no_dyads: Mistake = {
   code: "no_dyads",
@@ -39,8 +34,8 @@ function copied<A extends {slice(): A}>(view: A): A {
   return view.slice();
 }
 
-/** Every request's answer, and the buffers to be moved rather than copied. `tell` takes what long jobs say on their way. */
-export class Server {
+/** The engine in the thread that asks. `tell` takes what long jobs say on their way. */
+export class Engine {
   private readonly session: Session;
   private problem: string | null = null;
 
@@ -51,13 +46,19 @@ export class Server {
     this.session = new module.Session();
   }
 
+  /** The answer to a request; throws a Refusal. */
+  ask<K extends Kind>(kind: K, request: Requests[K]): Replies[K] {
+    return this.answer(kind, request, () => {});
+  }
+
+  /** The answer to a message, and the buffers to be moved rather than copied. */
   serve(message: RequestMessage): {message: ReplyMessage; transfer: ArrayBuffer[]} {
     const {id, kind} = message;
     try {
       const reply = this.answer(kind, message as never, (tidings) => this.tell({id, kind, tidings} as ReplyMessage));
       return {message: {id, kind, reply} as ReplyMessage, transfer: buffers_of(reply)};
     } catch (error) {
-      if (!(error instanceof Mistaken)) throw error;
+      if (!(error instanceof Refusal)) throw error;
       return {message: {id, kind, refused: {mistakes: error.mistakes}}, transfer: []};
     }
   }
@@ -87,7 +88,7 @@ export class Server {
   private holding(problem: string): Session {
     if (problem !== this.problem) {
       this.problem = null;
-      if (!this.session.set_problem(problem)) throw new Mistaken(JSON.parse(this.session.mistakes()));
+      if (!this.session.set_problem(problem)) throw new Refusal(JSON.parse(this.session.mistakes()));
       this.problem = problem;
     }
     return this.session;
@@ -107,7 +108,7 @@ export class Server {
   private linkage({problem, tau}: Requests["linkage"]): Replies["linkage"] {
     const start = now();
     const found = this.holding(problem).linkage(...tau);
-    if (!found.linkage) throw new Mistaken([no_dyads]);
+    if (!found.linkage) throw new Refusal([no_dyads]);
     const linkage = JSON.parse(found.linkage) as Linkage;
     if (linkage.drive)
       linkage.drive = {...linkage.drive, width: linkage.drive.width ?? state_width, states: copied(found.states)};
@@ -149,7 +150,7 @@ export class Server {
   private exported({problem, tau, format}: Requests["export"]): Replies["export"] {
     const text = this.holding(problem).exported(...tau, format);
     if (!text)
-      throw new Mistaken([
+      throw new Refusal([
         {code: "no_four_bar", place: "", values: {}, message: "a slider or zero link cannot be written as a four-bar"},
       ]);
     return {text, extension: extensions[format]};
@@ -157,13 +158,13 @@ export class Server {
 
   private report({of, text}: Requests["report"]): Replies["report"] {
     const report = JSON.parse(this.module.report(of, text)) as {mistakes?: Mistake[]};
-    if (report.mistakes) throw new Mistaken(report.mistakes);
+    if (report.mistakes) throw new Refusal(report.mistakes);
     return {report};
   }
 
   private read({text}: Requests["read"]): Replies["read"] {
     const problem = this.session.read(text);
-    if (!problem) throw new Mistaken(JSON.parse(this.session.mistakes()));
+    if (!problem) throw new Refusal(JSON.parse(this.session.mistakes()));
     return {problem};
   }
 }

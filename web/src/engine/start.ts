@@ -1,4 +1,5 @@
-import EngineWorker from "./worker?worker";
+/** Starts a worker with an engine in it (worker.ts): an EngineClient talks to it. */
+export const start_worker = (): Worker => new Worker(new URL("./worker.ts", import.meta.url), {type: "module"});
 
 interface Started {
   engine_state: "loading" | "ready" | "missing" | "slow";
@@ -10,5 +11,5 @@ export function start_engine(page: Started): void {
     page.engine_state = "missing";
     return;
   }
-  page.connect(() => new EngineWorker(), navigator.hardwareConcurrency || 2);
+  page.connect(start_worker, navigator.hardwareConcurrency || 2);
 }

@@ -1,7 +1,7 @@
 // One engine in one worker: loads it, then answers one request after the other.
 import {create_linkwright} from "./module";
 import type {ReplyMessage, RequestMessage} from "./protocol";
-import {Server} from "./serve";
+import {Engine} from "./serve";
 
 const scope = self as unknown as {
   postMessage(message: ReplyMessage, transfer?: Transferable[]): void;
@@ -14,10 +14,10 @@ function crashed(error: unknown): void {
 
 try {
   const module = await create_linkwright();
-  const server = new Server(module, (message) => scope.postMessage(message));
+  const engine = new Engine(module, (message) => scope.postMessage(message));
   scope.onmessage = (event) => {
     try {
-      const {message, transfer} = server.serve(event.data);
+      const {message, transfer} = engine.serve(event.data);
       scope.postMessage(message, transfer);
     } catch (error) {
       // The engine's memory is of no use after an abort; the page starts another worker.

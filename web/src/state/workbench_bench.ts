@@ -3,14 +3,14 @@ import {readFileSync} from "node:fs";
 import {afterEach, beforeAll} from "vitest";
 import {create_linkwright} from "../engine/module";
 import type {ReplyMessage, RequestMessage} from "../engine/protocol";
-import {Server} from "../engine/serve";
+import {Engine} from "../engine/serve";
 import {fine_samples} from "./map_follower";
 import {preferences} from "./preferences.svelte";
 import type {Problem} from "./problem";
 import {Workbench} from "./workbench.svelte";
 
 const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
-let servers: (() => Server)[];
+let servers: (() => Engine)[];
 
 /** What the engine says a map took; null: the truth. */
 interface Machine {
@@ -27,7 +27,7 @@ class Thread {
   onmessage: ((event: MessageEvent<ReplyMessage>) => void) | null = null;
   dead = false;
   constructor(
-    private readonly server: Server,
+    private readonly server: Engine,
     private readonly asked: RequestMessage[],
     private readonly machine: Machine,
   ) {
@@ -60,7 +60,7 @@ class Thread {
 
 beforeAll(async () => {
   const modules = [await create_linkwright({wasmBinary: wasm}), await create_linkwright({wasmBinary: wasm})];
-  servers = modules.map((module) => () => new Server(module));
+  servers = modules.map((module) => () => new Engine(module));
   preferences.colour_by = "type";
 });
 

@@ -2,7 +2,7 @@
 import {readFileSync} from "node:fs";
 import {beforeAll, expect, it} from "vitest";
 import {create_linkwright} from "../../engine/module";
-import {Server} from "../../engine/serve";
+import {Engine} from "../../engine/serve";
 import {whole, type Kind, type Replies, type Requests} from "../../engine/protocol";
 import {examples} from "../../gallery/gallery";
 import {engine_text} from "../../state/problem";
@@ -10,9 +10,9 @@ import {six_bar_kind} from "./kind";
 
 const wasm = readFileSync(new URL("../../engine/generated/linkwright.wasm", import.meta.url));
 const problem = engine_text(examples.find(({name}) => name === "wheel_loader")!.problem);
-let server: Server;
+let server: Engine;
 beforeAll(async () => {
-  server = new Server(await create_linkwright({wasmBinary: wasm}));
+  server = new Engine(await create_linkwright({wasmBinary: wasm}));
 });
 function ask<K extends Kind>(kind: K, content: Requests[K]): Replies[K] {
   const {message} = server.serve({id: 1, kind, ...content} as never);

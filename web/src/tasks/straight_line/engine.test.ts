@@ -7,7 +7,7 @@ import {fileURLToPath} from "node:url";
 import {beforeAll, describe, expect, it} from "vitest";
 import {create_linkwright} from "../../engine/module";
 import {whole, type Kind, type MapAnswer, type Replies, type Requests, type TauPair} from "../../engine/protocol";
-import {Server} from "../../engine/serve";
+import {Engine} from "../../engine/serve";
 import {examples} from "../../gallery/gallery";
 import {row_state} from "../../state/drive";
 import {engine_text, with_task, type Problem} from "../../state/problem";
@@ -20,9 +20,9 @@ import type {StraightLineTask} from "./task";
 
 const mapped = examples.filter(({name}) => name.startsWith("straight_") && name !== "straight_search");
 const wasm = readFileSync(new URL("../../engine/generated/linkwright.wasm", import.meta.url));
-let server: Server;
+let server: Engine;
 beforeAll(async () => {
-  server = new Server(await create_linkwright({wasmBinary: wasm}));
+  server = new Engine(await create_linkwright({wasmBinary: wasm}));
 });
 function ask<K extends Kind>(kind: K, content: Requests[K]): Replies[K] {
   const {message} = server.serve({id: 1, kind, ...content} as never);

@@ -1,6 +1,8 @@
-"""The documents tell the truth: commands run and print what is shown, snippets compile and solve, links lead somewhere."""
+"""The documents tell the truth: commands run and print what is shown, problems solve, snippets compile and run, links lead
+somewhere. In Python what follows `# →` is printed."""
 
 import json
+import os
 import re
 import shlex
 import shutil
@@ -8,7 +10,9 @@ import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree
+from concurrent.futures import ThreadPoolExecutor
 
+import jsonschema
 from face_support import CLI, ROOT, FaceTest, run
 
 sys.path.insert(0, str(ROOT / "script"))
@@ -16,8 +20,10 @@ import lint_tree  # noqa: E402
 
 READMES = ("README.md", "README.zh-CN.md")
 LEFT_OUT = "…"  # a line of its own: the program prints more here
-BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)\s]+)\)|(?:src|href)=\"([^\"]+)\"")
+LANGUAGES = {"console", "json", "cpp", "python", "cmake", "sh", "text", ""}  # the last two are not code
+PYTHON = ROOT / "build/release/python"  # what belongs on PYTHONPATH, where it was built
 
 
 def text_of(path):
@@ -26,6 +32,11 @@ def text_of(path):
 
 def blocks(path, language):
     return [content for name, content in BLOCK.findall(text_of(path)) if name == language]
+
+
+def all_blocks(language):
+    """Each block of any document once, and where it stands."""
+    return {content: path.relative_to(ROOT) for path in reversed(documents()) for content in blocks(path, language)}
 
 
 def commands(path):
@@ -55,26 +66,43 @@ def mismatch(shown, printed):
     return None if anywhere or at == len(printed) else "(the end)"
 
 
-class Readme(FaceTest):
+class Documents(FaceTest):
     def setUp(self):
         super().setUp()
-        for folder in ("examples", "docs"):
-            shutil.copytree(ROOT / folder, self.folder / folder)
+        self.prepare(self.folder)
+
+    def prepare(self, folder):
+        for name in ("examples", "docs"):
+            shutil.copytree(ROOT / name, folder / name)
+
+    def complaints_of(self, document):
+        """What is wrong with the commands of a document, run one after the other in a folder of its own."""
+        folder = self.folder / str(document.relative_to(ROOT)).replace("/", "_")
+        folder.mkdir()
+        self.prepare(folder)
+        for command, shown in commands(document):
+            words = shlex.split(command, comments=True)
+            if words[0] != "linkwright":
+                yield f"{document.name}: {command}: only linkwright is run"
+                continue
+            status, output, error = run(*words[1:], cwd=folder)
+            if (status, error) != (0, ""):
+                yield f"{document.name}: {command}: {status} {error}"
+            elif shown and (line := mismatch(shown, output.rstrip("\n").split("\n"))):
+                yield f"{document.name}: {command}: does not print {line!r} there, but\n{output}"
 
     def test_commands_print_what_is_shown(self):
-        for readme in READMES:
-            ran = 0
-            for command, shown in commands(readme):
-                words = shlex.split(command, comments=True)
-                if words[0] != "linkwright":
-                    continue
-                with self.subTest(readme=readme, command=command):
-                    status, output, error = run(*words[1:], cwd=self.folder)
-                    self.assertEqual((status, error), (0, ""))
-                    if shown:
-                        self.assertIsNone(mismatch(shown, output.rstrip("\n").split("\n")), output)
-                ran += 1
-            self.assertGreaterEqual(ran, 4, readme)
+        ran = [document for document in documents() if blocks(document, "console")]
+        self.assertGreaterEqual({document.name for document in ran}, {"README.md", "attitude.md", "tailgate.md"})
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            complaints = [one for found in pool.map(lambda document: list(self.complaints_of(document)), ran) for one in found]
+        self.assertEqual(complaints, [], "\n".join(complaints))
+
+    def test_code_says_what_it_is(self):
+        for document in documents():
+            for language, content in BLOCK.findall(document.read_text(encoding="utf-8")):
+                with self.subTest(document=document.name, block=content[:60]):
+                    self.assertIn(language, LANGUAGES)
 
     def test_scripts_that_are_named_exist(self):
         for document in documents():
@@ -98,24 +126,51 @@ class Readme(FaceTest):
         self.assertEqual(*texts, f"renew it: linkwright {command} --svg docs/{name}.svg")
 
     def test_problems_that_are_shown_can_be_solved(self):
-        for readme in READMES:
-            shown = blocks(readme, "json")
-            self.assertTrue(shown, readme)
-            for number, problem in enumerate(shown):
-                path = self.write(f"shown{number}.json", problem)
-                status, output, error = run("solve", path, "-o", "-")
+        schema = json.loads(text_of("schema/problem.schema.json"))
+        shown = all_blocks("json")
+        self.assertGreater(len(shown), 3)
+        for number, (problem, document) in enumerate(shown.items()):
+            with self.subTest(document=str(document), problem=problem[:80]):
+                jsonschema.validate(json.loads(problem), schema)
+                status, output, error = run("solve", self.write(f"shown{number}.json", problem), "-o", "-")
                 self.assertEqual((status, error), (0, ""))
-                self.assertEqual(json.loads(output)["status"], "solved")
+                self.assertIn(json.loads(output)["status"], ("solved", "no_solution"))
 
     @unittest.skipUnless(shutil.which("g++"), "no g++")
     def test_snippets_compile(self):
-        for readme in READMES:
-            shown = blocks(readme, "cpp")
-            self.assertTrue(shown, readme)
-            for snippet in shown:
-                compiled = subprocess.run(["g++", "-std=c++20", "-Wall", "-Wextra", "-fsyntax-only", f"-I{ROOT}/include", "-xc++", "-"],
-                                          input=snippet.encode(), capture_output=True, check=False)
-                self.assertEqual(compiled.returncode, 0, compiled.stderr.decode())
+        shown = all_blocks("cpp")
+        self.assertTrue(shown)
+        for snippet, document in shown.items():
+            compiled = subprocess.run(["g++", "-std=c++20", "-Wall", "-Wextra", "-fsyntax-only", f"-I{ROOT}/include", "-xc++", "-"],
+                                      input=snippet.encode(), capture_output=True, check=False)
+            self.assertEqual(compiled.returncode, 0, f"{document}: {compiled.stderr.decode()}")
+
+    @unittest.skipUnless(list(PYTHON.glob("linkwright/_linkwright*.so")), "the Python module is not built")
+    def test_python_runs_and_prints_what_is_shown(self):
+        for snippet, document in all_blocks("python").items():
+            with self.subTest(document=str(document), snippet=snippet):
+                ran = subprocess.run(["/usr/bin/python3", "-c", snippet], cwd=self.folder, capture_output=True, text=True, check=False,
+                                     env={**os.environ, "PYTHONPATH": str(PYTHON), "MPLBACKEND": "Agg"}, timeout=120)
+                self.assertEqual(ran.returncode, 0, ran.stderr)
+                printed = iter(ran.stdout.splitlines())
+                for line in re.findall(r"# → (.+)$", snippet, re.MULTILINE):
+                    self.assertIn(line, printed, ran.stdout)  # goes on behind the last one found
+
+    def test_shells_are_told_what_there_is(self):
+        for block, document in all_blocks("sh").items():
+            for line in filter(None, block.split("\n")):
+                words = shlex.split(line, comments=True)
+                with self.subTest(document=str(document), line=line):
+                    if words[0] == "linkwright":
+                        self.assertEqual(run(words[1], "--help")[0], 0)
+                    else:
+                        self.assertTrue((ROOT / words[0]).exists() or shutil.which(words[0]))
+
+    def test_the_package_is_found_as_is_shown(self):
+        tested = re.findall(r"find_package\(linkwright[^)]*\)|linkwright::linkwright", text_of("tests/package/CMakeLists.txt"))
+        for block in all_blocks("cmake"):
+            for used in re.findall(r"find_package\(linkwright[^)]*\)|linkwright::linkwright", block):
+                self.assertIn(used, tested)
 
     def test_both_languages_show_the_same(self):
         for language in ("console", "json", "cpp", "cmake"):

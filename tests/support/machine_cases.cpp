@@ -1,4 +1,4 @@
-#include "machine_cases.hpp"
+#include "support/machine_cases.hpp"
 
 #include "linkwright/synthesis/solve.hpp"
 #include "support/file_support.hpp"

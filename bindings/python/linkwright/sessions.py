@@ -1,0 +1,138 @@
+"""Sessions: one problem at a time, kept with all that was computed from it, for live use."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any, Mapping
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _linkwright
+from .errors import Mistake, ProblemError
+from .records import Record, record_of
+from .tasks import ProblemLike, native
+
+Array = npt.NDArray[Any]
+
+
+@dataclass(frozen=True)
+class LiveMap:
+    """The solution region of a session's problem as it was when it was asked for. Arrays are read-only copies.
+
+    Rows and columns stand as a display likes them: when a pose is moved the axes keep the order that they had, so that the
+    picture does not jump. `input` and `output` say which sample is which.
+
+    Attributes:
+        input, output: coordinates of rows and columns, float64.
+        types: code of the linkage type (:data:`linkwright.linkage_types`), uint8, (rows, columns).
+        defects: bits 1 order, 2 branch, 4 circuit, uint8, (rows, columns).
+        failures: a bit for each requirement that a cell fails, uint16, (rows, columns); 0: it meets all.
+        values: the measure that was asked for, float32, (rows, columns); angles in degrees, 0 where not defined.
+        counts: linkages by type and defect, those that meet the requirements, and what each requirement costs.
+        task: what is known of the task: pattern, condition, curve, warnings.
+    """
+
+    input: Array
+    output: Array
+    types: Array
+    defects: Array
+    failures: Array
+    values: Array
+    counts: Record
+    task: Record
+
+    @property
+    def meets(self) -> Array:
+        """Cells that meet all requirements, bool, (rows, columns)."""
+        return np.asarray(self.failures == 0)
+
+
+class Session:
+    """A problem that changes while it is looked at: after a change only what is new is computed.
+
+    Threads may share it; one at a time is served, and others run on meanwhile.
+
+    Args:
+        problem: as of :func:`linkwright.solve`.
+
+    Raises:
+        ProblemError: the problem has mistakes.
+    """
+
+    def __init__(self, problem: ProblemLike) -> None:
+        self._session = _linkwright.Session()
+        self.set(problem)
+
+    def set(self, problem: ProblemLike) -> None:
+        """Puts another problem, or the same after a change, in place. With mistakes the last good one stays."""
+        text = native(problem).text()
+        mistakes = json.loads(self._session.set_problem(text))
+        if mistakes:
+            raise ProblemError([Mistake(each["code"], each["place"], each["message"]) for each in mistakes])
+        self._problem: dict[str, Any] = json.loads(text)
+
+    @property
+    def problem(self) -> dict[str, Any]:
+        """The problem at hand, a copy as a dict: change it and set() it."""
+        copy: dict[str, Any] = json.loads(json.dumps(self._problem))
+        return copy
+
+    def move(self, position: int, **members: float) -> None:
+        """Changes a pose of the task: ``move(3, x=-210)``.
+
+        Args:
+            position: from 1.
+            members: of the pose, e.g. ``x``, ``y``, ``theta_deg``.
+        """
+        problem = self.problem
+        poses = problem["task"].get("poses") or []
+        if not 1 <= position <= len(poses):
+            raise IndexError(f"there is no pose {position}: this task has {len(poses)}")
+        poses[position - 1].update(members)
+        self.set(problem)
+
+    def explore(
+        self,
+        samples: int = 400,
+        measure: str = "min_transmission_angle_deg",
+        input: tuple[float, float] = (0, 1),
+        output: tuple[float, float] = (0, 1),
+    ) -> LiveMap | None:
+        """The solution region; None where the task has none.
+
+        Args:
+            samples: N of the N × N map.
+            measure: what ``values`` show.
+            input, output: part of each axis that is looked at, in shares of it.
+        """
+        reply = self._session.explore(samples, (input[0], input[1]), (output[0], output[1]), measure)
+        if "census" not in reply:
+            return None
+        counts, task = record_of(json.loads(reply.pop("census"))), record_of(json.loads(reply.pop("task")))
+        for name in ("types", "meeting_types", "only", "left"):
+            counts[name] = counts[name].astype(int)
+        return LiveMap(**reply, counts=counts, task=task)
+
+    def linkage(self, input: float, output: float) -> Record:
+        """The linkage at a place of the map, by both coordinates, with its properties as the workbench shows them."""
+        text, states, tolerance = self._session.linkage(input, output)
+        record = record_of(json.loads(text) if text else {})
+        record["states"] = states
+        if tolerance:
+            record["tolerance"] = record_of(json.loads(tolerance))
+        return record
+
+    def best(self, most: int = 1) -> list[Record]:
+        """The best linkages, at most so many, best first."""
+        return [record_of(linkage) for linkage in json.loads(self._session.best(most))["linkages"]]
+
+    def improve(self, input: float, output: float) -> tuple[float, float]:
+        """The place of the best linkage that a climb from here reaches."""
+        first, second = json.loads(self._session.improve(input, output))["tau"]
+        return first, second
+
+    def export(self, input: float, output: float, format: str = "svg") -> str:
+        """The linkage at a place as text: ``svg``, ``dxf``, ``csv``, ``json``, or ``result``; empty where none is."""
+        return self._session.exported(input, output, format)

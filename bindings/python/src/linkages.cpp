@@ -1,0 +1,162 @@
+#include <map>
+#include <optional>
+#include <pybind11/stl.h>
+
+#include "bindings.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/drawing/instant_drawing.hpp"
+#include "linkwright/drawing/linkage_export.hpp"
+#include "linkwright/drawing/tolerance_drawing.hpp"
+#include "linkwright/files/analysis_file.hpp"
+#include "linkwright/files/csv_table.hpp"
+#include "linkwright/files/listed_study.hpp"
+#include "linkwright/files/problem_file.hpp"
+#include "linkwright/files/result_file.hpp"
+#include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/files/tolerance_file.hpp"
+#include "linkwright/machine/machine_export.hpp"
+
+namespace linkwright::python {
+namespace {
+
+/// A linkage as files carry it.
+struct Linkage {
+  AnyStoredLinkage stored;
+};
+
+MotionTable motion_of(const StoredLinkage& linkage) { return motion_columns(linkage); }
+MotionTable motion_of(const StoredSixBar& linkage) {
+  return motion_columns(tabulated_motion(linkage.six_bar, framed_poses(linkage)));
+}
+MotionTable motion_of(const StoredSphericalFourBar& linkage) { return motion_columns(analyze(linkage)); }
+
+std::vector<Linkage> numbered(std::vector<AnyStoredLinkage> stored) {
+  std::vector<Linkage> linkages;
+  for (AnyStoredLinkage& linkage : stored) {
+    std::string& title = std::visit([](auto& of_kind) -> std::string& { return of_kind.title; }, linkage);
+    title += (title.empty() ? "linkage " : ", linkage ") + std::to_string(linkages.size() + 1);
+    linkages.push_back({std::move(linkage)});
+  }
+  return linkages;
+}
+
+template <class Stored>
+Stored swapped(Stored stored) {
+  stored.four_bar = stored.four_bar.swapped();
+  return stored;
+}
+StoredSixBar swapped(const StoredSixBar& /*stored*/) {
+  throw CallersMistakes{{{"six_bar_driver", "drive",
+                          "a six-bar is analysed as body 1 drives it, at hinge a; leave drive out"}}};
+}
+
+std::string analysis_text(const Linkage& linkage, const std::string& drive) {
+  if (drive != "input" && drive != "output")
+    throw CallersMistakes{{{"unknown_drive", "drive", "the driving link is \"input\" or \"output\""}}};
+  return std::visit(
+      [&](const auto& stored) { return write_analysis(analyze(drive == "output" ? swapped(stored) : stored)); },
+      linkage.stored);
+}
+
+using Pair = std::array<double, 2>;
+
+std::optional<Point> point_of(const std::optional<Pair>& pair) {
+  return pair ? std::optional(Point{(*pair)[0], (*pair)[1]}) : std::nullopt;
+}
+
+/// JSON text and picture.
+std::pair<std::string, std::string> instant(const Linkage& linkage, const std::optional<Pair>& point,
+                                            std::optional<double> input_deg, double input_acceleration) {
+  const auto* stored = std::get_if<StoredLinkage>(&linkage.stored);
+  if (stored == nullptr)
+    throw CallersMistakes{{{"instant_of_a_plane", "mechanism", "an instant is told of planar four-bars"}}};
+  InstantAsked asked{point_of(point), {}, input_acceleration};
+  if (input_deg) asked.input_angle = radians(*input_deg);
+  LinkageAnalysis analysis = analyze(*stored);
+  analysis.instant = value_of(instant_of(*stored, asked));
+  return {write_analysis(analysis), analysis.instant->analysis.instant ? draw_instant(analysis) : ""};
+}
+
+std::pair<std::string, std::string> instant_of_problem(const std::string& text, const std::optional<Pair>& point) {
+  const PrescribedInstant found = value_of(prescribed_instant(value_of(read_problem(text)), point_of(point)));
+  return {write_instant(found), found.analysis.instant ? draw_instant(found) : ""};
+}
+
+std::pair<std::string, std::string> tolerance(const std::string& result, int linkage, std::optional<double> length,
+                                              std::optional<int> samples, std::optional<std::int64_t> seed) {
+  const ListedStudy listed = value_of(listed_study(result, linkage, {length, samples, seed}));
+  return {write_tolerance_study(listed.study), draw_tolerances(listed.study)};
+}
+
+/// Content and warning; `sizes` by the names of WantedSizes.
+std::pair<py::bytes, std::string> built(const Linkage& linkage, const std::string& format,
+                                        const std::map<std::string, double>& sizes, int position) {
+  MachineWishes wishes;
+  wishes.position = position - 1;
+  const auto take = [&](const char* name, double& size) {
+    if (const auto given = sizes.find(name); given != sizes.end()) size = given->second;
+  };
+  take("width", wishes.sizes.width);
+  take("thickness", wishes.sizes.thickness);
+  take("gap", wishes.sizes.gap);
+  take("pin", wishes.sizes.pin);
+  take("clearance", wishes.sizes.clearance);
+  take("radius", wishes.sizes.radius);
+  const MachineFile file = without_gil([&] { return value_of(exported_machine(linkage.stored, format, wishes)); });
+  return {py::bytes(file.content), file.warning};
+}
+
+}  // namespace
+
+void bind_linkages(py::module_& module) {
+  py::class_<Linkage>(module, "Linkage")
+      .def(py::init([](const std::string& text) { return Linkage{value_of(read_any_linkage(text))}; }))
+      .def("record",
+           [](const Linkage& linkage) {
+             return std::visit([](const auto& stored) { return stored.record; }, linkage.stored);
+           })
+      .def("title",
+           [](const Linkage& linkage) {
+             return std::visit([](const auto& stored) { return stored.title; }, linkage.stored);
+           })
+      .def("length_unit",
+           [](const Linkage& linkage) {
+             return std::visit([](const auto& stored) { return stored.length_unit; }, linkage.stored);
+           })
+      .def("exported",
+           [](const Linkage& linkage, const std::string& format) {
+             return without_gil([&] { return exported(linkage.stored, format); });
+           })
+      .def("built", &built)
+      .def("motion",
+           [](const Linkage& linkage) {
+             MotionTable table = without_gil(
+                 [&] { return std::visit([](const auto& stored) { return motion_of(stored); }, linkage.stored); });
+             const auto rows = static_cast<py::ssize_t>(table.rows());
+             const auto columns = static_cast<py::ssize_t>(table.columns.size());
+             return py::make_tuple(table.columns, owned(std::move(table.values), {rows, columns}));
+           })
+      .def("analysis",
+           [](const Linkage& linkage, const std::string& drive) {
+             return without_gil([&] { return analysis_text(linkage, drive); });
+           })
+      .def("instant",
+           [](const Linkage& linkage, const std::optional<Pair>& point, std::optional<double> input_deg,
+              double input_acceleration) {
+             return without_gil([&] { return instant(linkage, point, input_deg, input_acceleration); });
+           });
+  module.def("linkages_of_result", [](const std::string& text) {
+    return without_gil([&] { return numbered(value_of(read_any_result_linkages(text))); });
+  });
+  module.def("machine_formats", [] {
+    return std::vector<std::string>(machine_formats().begin(), machine_formats().end());
+  });
+  module.def("instant_of_problem", &instant_of_problem);
+  module.def("tolerance",
+             [](const std::string& result, int linkage, std::optional<double> length, std::optional<int> samples,
+                std::optional<std::int64_t> seed) {
+               return without_gil([&] { return tolerance(result, linkage, length, samples, seed); });
+             });
+}
+
+}  // namespace linkwright::python

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "linkwright/core/result.hpp"
+#include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/machine/plate_layers.hpp"
+
+namespace linkwright {
+
+/// What is wanted of a linkage as a machine.
+struct MachineWishes {
+  WantedSizes sizes;
+  int position = 0;  ///< of the task, from 0, in which a STEP file shows it
+};
+
+struct MachineFile {
+  std::string content;
+  std::string warning;  ///< one sentence: what collides, or beyond which stretch something may; empty otherwise
+};
+
+/// `step` (write_step), `stl`, `3mf` (parts to print) and `plates` (a DXF drawing to cut them from).
+[[nodiscard]] std::span<const std::string_view> machine_formats();
+
+/// One linkage in one of these formats. Errors: those of plate_sizes() and write_step(); `format_of_a_sphere` for
+/// plates of a spherical linkage.
+[[nodiscard]] Result<MachineFile> exported_machine(const AnyStoredLinkage& linkage, std::string_view format,
+                                                   const MachineWishes& wishes);
+
+}  // namespace linkwright

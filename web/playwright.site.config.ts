@@ -1,0 +1,11 @@
+import {defineConfig} from "@playwright/test";
+import common from "./playwright.config";
+
+// The site as any static server gives it, in a folder of its own; its tests start what they need of servers.
+export default defineConfig({
+  ...common,
+  testDir: "site",
+  outputDir: "../build/site-tests/failures",
+  projects: [{name: "site"}],
+  webServer: undefined,
+});

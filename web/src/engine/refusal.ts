@@ -1,0 +1,8 @@
+import type {Mistake} from "./protocol";
+
+/** The engine refused: the caller's mistakes, each with its place. */
+export class Refusal extends Error {
+  constructor(readonly mistakes: Mistake[]) {
+    super(mistakes.map((m) => (m.place ? `${m.place}: ${m.message}` : m.message)).join("\n"));
+  }
+}
