@@ -116,7 +116,8 @@ void draw_outlines(SvgCanvas& svg, const TaskScene& scene, const Problem& proble
   for (std::size_t pose = scene.frames.size(); pose-- > 0;) {
     std::vector<Point> corners = placed_outline(problem, scene.frames[pose].pose);
     for (Point& corner : corners) corner = window.to_px(corner);
-    svg.polygon(corners, fill(palette::accent, pose == 0 ? 0.1 : 0.05) + " " + stroke(palette::accent, pose == 0 ? 1.3 : 0.8));
+    svg.polygon(corners,
+                fill(palette::accent, pose == 0 ? 0.1 : 0.05) + " " + stroke(palette::accent, pose == 0 ? 1.3 : 0.8));
   }
 }
 

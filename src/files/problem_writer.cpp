@@ -120,7 +120,8 @@ std::string view_text(const Problem& problem) {
   if (problem.outline.empty()) return problem.view;
   std::string text = R"({"outline": [)";
   for (const Point& p : problem.outline)
-    text += fmt::format("{}[{}, {}]", &p == problem.outline.data() ? "" : ", ", exact_text(p.real()), exact_text(p.imag()));
+    text +=
+        fmt::format("{}[{}, {}]", &p == problem.outline.data() ? "" : ", ", exact_text(p.real()), exact_text(p.imag()));
   const std::string_view rest = problem.view;
   return text + (rest.size() > 2 ? fmt::format("], {}", rest.substr(1)) : "]}");
 }

@@ -50,12 +50,13 @@ Result<StepWriter*> loaded() {
     if (version != nullptr && writer != nullptr && std::string_view(version()) == LINKWRIGHT_VERSION) return writer;
     why = fmt::format("{} belongs to another version", file.string());
   }
-  return Error{"no_step_component",
-               "--format",
-               fmt::format("STEP files need a component that stands on OpenCASCADE: {}. Install the package linkwright-step; "
-                           "in a checkout, libocct-data-exchange-dev, and build again",
-                           why),
-               {{"why", why}}};
+  return Error{
+      "no_step_component",
+      "--format",
+      fmt::format("STEP files need a component that stands on OpenCASCADE: {}. Install the package linkwright-step; "
+                  "in a checkout, libocct-data-exchange-dev, and build again",
+                  why),
+      {{"why", why}}};
 }
 
 }  // namespace

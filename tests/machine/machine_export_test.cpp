@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/machine/print_file.hpp"
+#include "linkwright/machine/simulator_file.hpp"
 #include "support/machine_cases.hpp"
 
 namespace linkwright::machine_export_test {
@@ -14,6 +15,7 @@ TEST(MachineExport, GivesTheFileOfTheFormat) {
   EXPECT_EQ(exported_machine(linkage, "stl", {}).value().content, write_stl(made));
   EXPECT_EQ(exported_machine(linkage, "3mf", {}).value().content, write_3mf(made));
   EXPECT_EQ(exported_machine(linkage, "plates", {}).value().content, draw_plates(made));
+  EXPECT_EQ(exported_machine(linkage, "mjcf", {}).value().content, write_mjcf(made));
 }
 
 TEST(MachineExport, WarnsWhereSomethingCollides) {

@@ -49,7 +49,7 @@ def test_exports_are_those_of_the_program(format: str, tailgate: lw.Answer, resu
     assert written.read_text() == run("export", result_file, "--linkage", 2, "--format", format).stdout
 
 
-@pytest.mark.parametrize("format", ["stl", "3mf", "plates", "step"])
+@pytest.mark.parametrize("format", ["stl", "3mf", "plates", "step", "mjcf", "sdf", "urdf"])
 @pytest.mark.filterwarnings("ignore:the plates are free of collisions")
 def test_machines_are_those_of_the_program(format: str, tailgate: lw.Answer, result_file: Path, tmp_path: Path) -> None:
     written, theirs = tmp_path / f"hinge.{format}", tmp_path / "theirs"

@@ -287,10 +287,10 @@ class Linkage:
 
         Args:
             format: ``step`` (an assembly for CAD; needs the component that stands on OpenCASCADE), ``stl`` or ``3mf`` (to
-                print), ``plates`` (DXF, to cut).
+                print), ``plates`` (DXF, to cut); ``mjcf``, ``sdf`` or ``urdf`` (for simulators, in metres and kilograms).
             position: of the task, from 1, in which a STEP file shows it.
             sizes: ``width``, ``thickness``, ``gap``, ``pin``, ``clearance`` and, of spherical linkages, ``radius`` in the
-                task's unit of length; what is missing comes from the longest link.
+                task's unit of length; what is missing comes from the longest link. For simulators ``density``, kg/m³.
 
         Raises:
             ProblemError: sizes that do not fit the linkage; no such position; no component for STEP files.
@@ -639,4 +639,4 @@ def _plain_number(value: Any) -> Any:
 _columns = ("input", "output", "types", "defects", "failures")
 _formats = ("svg", "dxf", "csv", "json")
 _machine_formats = tuple(_linkwright.machine_formats())
-_sizes = ("width", "thickness", "gap", "pin", "clearance", "radius")
+_sizes = ("width", "thickness", "gap", "pin", "clearance", "radius", "density")

@@ -46,8 +46,8 @@ Stored swapped(Stored stored) {
   return stored;
 }
 StoredSixBar swapped(const StoredSixBar& /*stored*/) {
-  throw CallersMistakes{{{"six_bar_driver", "drive",
-                          "a six-bar is analysed as body 1 drives it, at hinge a; leave drive out"}}};
+  throw CallersMistakes{
+      {{"six_bar_driver", "drive", "a six-bar is analysed as body 1 drives it, at hinge a; leave drive out"}}};
 }
 
 std::string analysis_text(const Linkage& linkage, const std::string& drive) {
@@ -102,6 +102,7 @@ std::pair<py::bytes, std::string> built(const Linkage& linkage, const std::strin
   take("pin", wishes.sizes.pin);
   take("clearance", wishes.sizes.clearance);
   take("radius", wishes.sizes.radius);
+  take("density", wishes.density);
   const MachineFile file = without_gil([&] { return value_of(exported_machine(linkage.stored, format, wishes)); });
   return {py::bytes(file.content), file.warning};
 }
@@ -140,23 +141,20 @@ void bind_linkages(py::module_& module) {
            [](const Linkage& linkage, const std::string& drive) {
              return without_gil([&] { return analysis_text(linkage, drive); });
            })
-      .def("instant",
-           [](const Linkage& linkage, const std::optional<Pair>& point, std::optional<double> input_deg,
-              double input_acceleration) {
-             return without_gil([&] { return instant(linkage, point, input_deg, input_acceleration); });
-           });
+      .def("instant", [](const Linkage& linkage, const std::optional<Pair>& point, std::optional<double> input_deg,
+                         double input_acceleration) {
+        return without_gil([&] { return instant(linkage, point, input_deg, input_acceleration); });
+      });
   module.def("linkages_of_result", [](const std::string& text) {
     return without_gil([&] { return numbered(value_of(read_any_result_linkages(text))); });
   });
-  module.def("machine_formats", [] {
-    return std::vector<std::string>(machine_formats().begin(), machine_formats().end());
-  });
+  module.def("machine_formats",
+             [] { return std::vector<std::string>(machine_formats().begin(), machine_formats().end()); });
   module.def("instant_of_problem", &instant_of_problem);
-  module.def("tolerance",
-             [](const std::string& result, int linkage, std::optional<double> length, std::optional<int> samples,
-                std::optional<std::int64_t> seed) {
-               return without_gil([&] { return tolerance(result, linkage, length, samples, seed); });
-             });
+  module.def("tolerance", [](const std::string& result, int linkage, std::optional<double> length,
+                             std::optional<int> samples, std::optional<std::int64_t> seed) {
+    return without_gil([&] { return tolerance(result, linkage, length, samples, seed); });
+  });
 }
 
 }  // namespace linkwright::python

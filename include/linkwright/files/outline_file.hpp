@@ -20,8 +20,9 @@ struct DrawnShape {
 };
 
 struct Drawing {
-  std::vector<DrawnShape> shapes;  ///< one at least, 24 at most: closed ones, open chains, frames, each the largest first
-  std::optional<double> unit_mm;   ///< millimetres to the drawing's unit, where the file says
+  std::vector<DrawnShape>
+      shapes;  ///< one at least, 24 at most: closed ones, open chains, frames, each the largest first
+  std::optional<double> unit_mm;  ///< millimetres to the drawing's unit, where the file says
 };
 
 /// The shapes of a drawing in ASCII DXF: lines, arcs, circles, ellipses, polylines with bulges and splines of the model
@@ -44,8 +45,8 @@ struct Drawing {
 
 /// Where a shape goes that nobody has placed.
 struct OutlineFit {
-  double scale = 1;     ///< the same, or what brings a shape of quite another size to the task's
-  Pose placed;          ///< the drawing's origin where it lies in or near the shape, else the shape's middle
+  double scale = 1;  ///< the same, or what brings a shape of quite another size to the task's
+  Pose placed;       ///< the drawing's origin where it lies in or near the shape, else the shape's middle
   bool resized = false;
 };
 

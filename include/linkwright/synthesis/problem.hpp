@@ -18,7 +18,8 @@ struct Problem {
   Requirements requirements;
   SynthesisOptions options;
   std::vector<Point> outline;  ///< of the guided body, in the moving frame: for pictures; empty when absent
-  std::string view;  ///< all else of the workbench's own object, as JSON text on one line, never read; empty when absent
+  std::string
+      view;  ///< all else of the workbench's own object, as JSON text on one line, never read; empty when absent
 };
 
 }  // namespace linkwright

@@ -144,8 +144,8 @@ std::vector<Stroke> chained(std::vector<Stroke> strokes) {
   std::copy_if(sure.begin(), sure.end(), std::back_inserter(left), std::not_fn(is_closed));
   std::vector<Stroke> loops = joined(left, reach, any_number);
   std::move(sure.begin(), sure.end(), std::back_inserter(strokes));
-  std::copy_if(std::make_move_iterator(loops.begin()), std::make_move_iterator(loops.end()), std::back_inserter(strokes),
-               is_closed);
+  std::copy_if(std::make_move_iterator(loops.begin()), std::make_move_iterator(loops.end()),
+               std::back_inserter(strokes), is_closed);
   return strokes;
 }
 

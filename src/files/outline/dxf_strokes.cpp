@@ -20,17 +20,28 @@ constexpr double whole_turn = 2 * std::numbers::pi, degree = std::numbers::pi / 
 /// Millimetres to a unit of $INSUNITS.
 std::optional<double> mm_of_insunits(int unit) {
   switch (unit) {
-    case 1: return 25.4;
-    case 2: return 304.8;
-    case 4: return 1;
-    case 5: return 10;
-    case 6: return 1000;
-    case 8: return 25.4e-6;
-    case 9: return 0.0254;
-    case 10: return 914.4;
-    case 13: return 1e-3;
-    case 14: return 100;
-    default: return std::nullopt;
+    case 1:
+      return 25.4;
+    case 2:
+      return 304.8;
+    case 4:
+      return 1;
+    case 5:
+      return 10;
+    case 6:
+      return 1000;
+    case 8:
+      return 25.4e-6;
+    case 9:
+      return 0.0254;
+    case 10:
+      return 914.4;
+    case 13:
+      return 1e-3;
+    case 14:
+      return 100;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -97,7 +108,8 @@ class DxfPainter {
   explicit DxfPainter(const DxfFile& file) : file_(file) {}
 
   Result<Strokes> strokes() {
-    draw(file_.entities, [](Point p) { return p; }, 0);
+    draw(
+        file_.entities, [](Point p) { return p; }, 0);
     if (collector_.is_full()) return drawing_of_too_much();
     return Strokes{collector_.take(), mm_of_insunits(file_.unit), std::nullopt};
   }

@@ -20,9 +20,10 @@ Result<Drawing> drawing_of(Result<Strokes> strokes) {
   const std::optional<double> unit = strokes->unit_mm;
   std::vector<DrawnShape> shapes = shapes_of(*std::move(strokes));
   if (shapes.empty())
-    return Error{"no_outline", "",
-                 "this has no shape with three or more corners; the outline can be a closed line or a chain of lines and "
-                 "arcs in an SVG or DXF file"};
+    return Error{
+        "no_outline", "",
+        "this has no shape with three or more corners; the outline can be a closed line or a chain of lines and "
+        "arcs in an SVG or DXF file"};
   return Drawing{std::move(shapes), unit};
 }
 
@@ -43,7 +44,8 @@ Result<Drawing> read_outlines_file(const std::filesystem::path& path) {
   if (ending != ".dxf" && ending != ".svg")
     return Error{"unknown_drawing", "", "an outline is read from a drawing whose name ends in .dxf or .svg"};
   const auto text = read_text_file(path, most_bytes);
-  if (!text) return text.errors().front().code == "file_too_large" ? Result<Drawing>(drawing_of_too_much()) : text.errors();
+  if (!text)
+    return text.errors().front().code == "file_too_large" ? Result<Drawing>(drawing_of_too_much()) : text.errors();
   return ending == ".dxf" ? read_dxf_outlines(*text) : read_svg_outlines(*text);
 }
 
@@ -52,10 +54,20 @@ std::optional<double> millimetres(std::string_view unit) {
     std::string_view name;
     double mm;
   };
-  constexpr std::array<Length, 11> lengths = {{{"µm", 1e-3}, {"μm", 1e-3}, {"um", 1e-3}, {"mm", 1}, {"cm", 10}, {"dm", 100},
-                                               {"m", 1000}, {"in", 25.4}, {"inch", 25.4}, {"\"", 25.4}, {"ft", 304.8}}};
+  constexpr std::array<Length, 11> lengths = {{{"µm", 1e-3},
+                                               {"μm", 1e-3},
+                                               {"um", 1e-3},
+                                               {"mm", 1},
+                                               {"cm", 10},
+                                               {"dm", 100},
+                                               {"m", 1000},
+                                               {"in", 25.4},
+                                               {"inch", 25.4},
+                                               {"\"", 25.4},
+                                               {"ft", 304.8}}};
   const std::string name = in_small_letters(unit);
-  const auto found = std::find_if(lengths.begin(), lengths.end(), [&](const Length& length) { return length.name == name; });
+  const auto found =
+      std::find_if(lengths.begin(), lengths.end(), [&](const Length& length) { return length.name == name; });
   return found == lengths.end() ? std::nullopt : std::optional(found->mm);
 }
 

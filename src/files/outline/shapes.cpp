@@ -92,7 +92,8 @@ void tell_frames(std::vector<DrawnShape>& shapes, std::optional<Extent> sheet) {
   for (std::size_t i = 0; i + 1 < shapes.size(); ++i) {
     DrawnShape& shape = shapes[i];
     const auto is_inside = [&](const DrawnShape& other) { return contains(shape, other); };
-    if (!is_rectangle(shape) || !std::all_of(shapes.begin() + static_cast<std::ptrdiff_t>(i) + 1, shapes.end(), is_inside))
+    if (!is_rectangle(shape) ||
+        !std::all_of(shapes.begin() + static_cast<std::ptrdiff_t>(i) + 1, shapes.end(), is_inside))
       return;
     const bool lies_along = sheet && shape.width > 0.85 * sheet->width && shape.height > 0.85 * sheet->height;
     if (!has_sheet_ratio(shape) && !lies_along) return;

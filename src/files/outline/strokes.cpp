@@ -41,13 +41,16 @@ double size_of(std::span<const Point> points) {
 double off_chord(Point point, Point from, Point to) {
   const Point chord = to - from, arm = point - from;
   const double squared = std::norm(chord);
-  const double along = squared > 0 ? std::clamp((arm.real() * chord.real() + arm.imag() * chord.imag()) / squared, 0.0, 1.0) : 0;
+  const double along =
+      squared > 0 ? std::clamp((arm.real() * chord.real() + arm.imag() * chord.imag()) / squared, 0.0, 1.0) : 0;
   return std::abs(arm - along * chord);
 }
 
 Error unreadable_drawing(std::string place, std::string reason) {
-  return {"unreadable_drawing", std::move(place),
-          fmt::format("this cannot be read as an SVG or DXF drawing: {}", reason), {{"reason", reason}}};
+  return {"unreadable_drawing",
+          std::move(place),
+          fmt::format("this cannot be read as an SVG or DXF drawing: {}", reason),
+          {{"reason", reason}}};
 }
 
 Error drawing_of_too_much() {

@@ -61,8 +61,8 @@ void add_halved(std::vector<Point>& points, const Curve& curve, double from, Poi
   const double middle = (from + to) / 2;
   const Point half = curve(middle);
   const auto is_near = [&](double t) { return off_chord(curve(t), start, end) <= tolerance; };
-  if (halvings == 0 || (is_near((from + middle) / 2) && is_near((middle + to) / 2) &&
-                        off_chord(half, start, end) <= tolerance)) {
+  if (halvings == 0 ||
+      (is_near((from + middle) / 2) && is_near((middle + to) / 2) && off_chord(half, start, end) <= tolerance)) {
     points.push_back(end);
     return;
   }
@@ -80,8 +80,8 @@ std::vector<Point> flattened(const Curve& curve, double from, double to, int pie
   const double tolerance = flatness * size_of(ends);
   std::vector<Point> points{ends.front()};
   for (int i = 0; i < pieces; ++i)
-    add_halved(points, curve, at(i), ends[static_cast<std::size_t>(i)], at(i + 1), ends[static_cast<std::size_t>(i) + 1],
-               tolerance, most_halvings);
+    add_halved(points, curve, at(i), ends[static_cast<std::size_t>(i)], at(i + 1),
+               ends[static_cast<std::size_t>(i) + 1], tolerance, most_halvings);
   return points;
 }
 

@@ -18,9 +18,7 @@ class Scanner {
  public:
   explicit Scanner(std::string_view text) : rest_(text) {}
 
-  void skip(std::string_view what) {
-    rest_.remove_prefix(std::min(rest_.find_first_not_of(what), rest_.size()));
-  }
+  void skip(std::string_view what) { rest_.remove_prefix(std::min(rest_.find_first_not_of(what), rest_.size())); }
   /// The next number; nothing, and no step further, where none begins here.
   std::optional<double> number() {
     const std::size_t length = number_length();
@@ -117,20 +115,30 @@ class PathPainter {
     const auto point = [&](std::size_t i) { return origin + Point{n[i], n[i + 1]}; };
     const char kind = is_relative ? static_cast<char>(letter - 'a' + 'A') : letter;
     switch (kind) {
-      case 'M': return move_to(point(0));
-      case 'Z': return close();
-      case 'L': return line_to(point(0));
-      case 'H': return line_to({origin.real() + n[0], now_.imag()});
-      case 'V': return line_to({now_.real(), origin.imag() + n[0]});
-      case 'C': return curve_to(kind, {point(0), point(2), point(4)}, point(2));
-      case 'S': return curve_to('C', {mirrored('C'), point(0), point(2)}, point(0));
-      case 'Q': return curve_to(kind, {point(0), point(2)}, point(0));
+      case 'M':
+        return move_to(point(0));
+      case 'Z':
+        return close();
+      case 'L':
+        return line_to(point(0));
+      case 'H':
+        return line_to({origin.real() + n[0], now_.imag()});
+      case 'V':
+        return line_to({now_.real(), origin.imag() + n[0]});
+      case 'C':
+        return curve_to(kind, {point(0), point(2), point(4)}, point(2));
+      case 'S':
+        return curve_to('C', {mirrored('C'), point(0), point(2)}, point(0));
+      case 'Q':
+        return curve_to(kind, {point(0), point(2)}, point(0));
       case 'T': {
         const Point control = mirrored('Q');
         return curve_to('Q', {control, point(0)}, control);
       }
-      case 'A': return arc_to(n, point(5));
-      default: return;
+      case 'A':
+        return arc_to(n, point(5));
+      default:
+        return;
     }
   }
   void end(bool closed) {
@@ -207,16 +215,22 @@ class PathPainter {
 
 std::size_t count_of_numbers(char letter) {
   switch (letter | ' ') {
-    case 'a': return 7;
-    case 'c': return 6;
+    case 'a':
+      return 7;
+    case 'c':
+      return 6;
     case 's':
-    case 'q': return 4;
+    case 'q':
+      return 4;
     case 'm':
     case 'l':
-    case 't': return 2;
+    case 't':
+      return 2;
     case 'h':
-    case 'v': return 1;
-    default: return 0;
+    case 'v':
+      return 1;
+    default:
+      return 0;
   }
 }
 
@@ -277,7 +291,8 @@ void draw_path(std::string_view data, const SvgMatrix& placed, StrokeCollector& 
   scanner.skip(blanks);
   for (bool is_first = true; !scanner.at_end() && !collector.is_full(); is_first = false) {
     char letter = scanner.letter();
-    const bool is_known = std::string_view("mzlhvcsqta").find(static_cast<char>(letter | ' ')) != std::string_view::npos;
+    const bool is_known =
+        std::string_view("mzlhvcsqta").find(static_cast<char>(letter | ' ')) != std::string_view::npos;
     if (!is_known || (is_first && (letter | ' ') != 'm')) break;
     std::array<double, 7> numbers{};
     const std::span<double> used(numbers.data(), count_of_numbers(letter));

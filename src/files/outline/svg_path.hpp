@@ -13,9 +13,7 @@ namespace linkwright {
 struct SvgMatrix {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
 
-  Point operator()(Point p) const {
-    return {a * p.real() + c * p.imag() + e, b * p.real() + d * p.imag() + f};
-  }
+  Point operator()(Point p) const { return {a * p.real() + c * p.imag() + e, b * p.real() + d * p.imag() + f}; }
   /// First `inner`, then this.
   SvgMatrix operator*(const SvgMatrix& inner) const;
 };

@@ -39,7 +39,8 @@ SvgMatrix view_of(const pugi::xml_node& root) {
 std::optional<double> mm_of_unit(const pugi::xml_node& root) {
   const std::string text = in_small_letters(root.attribute("width").value());
   const double width = attribute_number(text);
-  const std::string unit = in_small_letters(std::string_view(text).substr(std::min(text.find_last_of("0123456789.") + 1, text.size())));
+  const std::string unit =
+      in_small_letters(std::string_view(text).substr(std::min(text.find_last_of("0123456789.") + 1, text.size())));
   const std::unordered_map<std::string, double> units = {{"mm", 1},         {"cm", 10},       {"in", 25.4},
                                                          {"pt", 25.4 / 72}, {"pc", 25.4 / 6}, {"q", 0.25}};
   const auto found = units.find(unit);
@@ -55,7 +56,11 @@ SvgMatrix inner_view(const pugi::xml_node& svg) {
                height = number_of(svg, "height");
   if (!box || !(width > 0) || !(height > 0)) return {1, 0, 0, 1, x, y};
   const double scale = std::min(width / box->width, height / box->height);
-  return {scale, 0, 0, scale, x + (width - scale * box->width) / 2 - scale * box->x,
+  return {scale,
+          0,
+          0,
+          scale,
+          x + (width - scale * box->width) / 2 - scale * box->x,
           y + (height - scale * box->height) / 2 - scale * box->y};
 }
 
@@ -75,7 +80,8 @@ bool is_hidden(const pugi::xml_node& node) {
   return false;
 }
 
-// ---- shapes as the data of a path ------------------------------------------------------------------------------------
+// ---- shapes as the data of a path
+// ------------------------------------------------------------------------------------
 
 std::string ellipse_path(double x, double y, double rx, double ry) {
   if (!(rx > 0) || !(ry > 0)) return {};
@@ -114,7 +120,8 @@ std::string path_of(const pugi::xml_node& node) {
   return {};
 }
 
-// ---- the tree --------------------------------------------------------------------------------------------------------
+// ---- the tree
+// --------------------------------------------------------------------------------------------------------
 
 /// Draws what the tree of an SVG shows, used parts in their place.
 class SvgPainter {
@@ -125,7 +132,8 @@ class SvgPainter {
     draw_children(root_, view_of(root_), 0);
     if (collector_.is_full()) return drawing_of_too_much();
     const auto box = view_box(root_);
-    const Extent sheet = box ? Extent{box->width, box->height} : Extent{number_of(root_, "width"), number_of(root_, "height")};
+    const Extent sheet =
+        box ? Extent{box->width, box->height} : Extent{number_of(root_, "width"), number_of(root_, "height")};
     const bool has_sheet = sheet.width > 0 && sheet.height > 0;
     return Strokes{collector_.take(), mm_of_unit(root_), has_sheet ? std::optional(sheet) : std::nullopt};
   }
@@ -190,7 +198,8 @@ std::string line_of(std::string_view text, std::ptrdiff_t offset) {
 
 Result<Strokes> svg_strokes(std::string_view text) {
   pugi::xml_document document;
-  const pugi::xml_parse_result read = document.load_buffer(text.data(), text.size(), pugi::parse_minimal | pugi::parse_escapes);
+  const pugi::xml_parse_result read =
+      document.load_buffer(text.data(), text.size(), pugi::parse_minimal | pugi::parse_escapes);
   if (!read) return unreadable_drawing(line_of(text, read.offset), in_small_letters(read.description()));
   const pugi::xml_node root = document.document_element();
   if (local_name(root) != "svg") return unreadable_drawing("", "its outermost element is no <svg>");

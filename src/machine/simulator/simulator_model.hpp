@@ -29,9 +29,9 @@ struct Solid {
 struct SimulatorLink {
   std::string name;
   int body = 0;
-  int parent = -1;       ///< in SimulatorModel::links; none of the ground
+  int parent = -1;        ///< in SimulatorModel::links; none of the ground
   std::size_t hinge = 0;  ///< that it turns in, seen from the parent
-  Vector3 origin;        ///< of its frame, fixed frame, position 1, m: that hinge
+  Vector3 origin;         ///< of its frame, fixed frame, position 1, m: that hinge
   MassProperties matter;
   std::vector<Solid> solids;
   std::vector<double> colour;  ///< red, green, blue, 0…1
@@ -51,7 +51,7 @@ struct SimulatorKey {
 
 /// What the files of all simulators tell, SI units.
 struct SimulatorModel {
-  std::string remark;  ///< what the linkage is, and how its unit was read
+  std::string remark;                ///< what the linkage is, and how its unit was read
   std::vector<SimulatorLink> links;  ///< the ground first, each right before all that hang on it
   std::vector<SimulatorLoop> loops;
   std::vector<std::string> hinge_names;
