@@ -3,6 +3,7 @@ import {readFileSync, readdirSync} from "node:fs";
 import {dirname, join, normalize} from "node:path";
 import type {Page} from "@playwright/test";
 import {read_state, until_ready} from "../e2e/support";
+import {read_fragment} from "../src/shell/share";
 import {expect, known_visitor, root, site, test} from "./support";
 
 const pages = readdirSync(site, {recursive: true, encoding: "utf8"}).filter(
@@ -90,19 +91,42 @@ test("the search finds words of both languages", async ({page, site_address}) =>
   await expect(page.locator(".md-search-result__link")).toHaveCount(0);
 });
 
-test("every example opens in the workbench", async ({page, site_address}) => {
-  test.slow();
-  await known_visitor(page);
+interface ProblemFile {
+  title: string;
+  task: {kind: string; mechanism: string};
+}
+/** The problems that the links of a page hold, as the workbench itself reads them. */
+function linked_problems(page: string): {fragment: string; problem: ProblemFile}[] {
+  const links = text_of(page).matchAll(/class="open-in-workbench" href="[^"#]*workbench\/index\.html(#[^"]*)"/g);
+  return [...links].map(([, fragment]) => {
+    const read = read_fragment(fragment!);
+    if (!read || "mistake" in read) throw new Error(`${page}: ${JSON.stringify(read)}`);
+    return {fragment: fragment!, problem: JSON.parse(read.text) as ProblemFile};
+  });
+}
+
+test("every example has a link that holds its problem", () => {
   const examples = pages.filter((name) => name.startsWith("examples/") && !name.endsWith("index.html"));
   expect(examples.length).toBeGreaterThan(30);
-  await page.goto(`${site_address}${examples[0]}`);
+  for (const example of examples) {
+    const file: unknown = JSON.parse(text_of(example.replace(/html$/, "json")).replace(/^\s*\/\/.*$/gm, ""));
+    expect(linked_problems(example).map(({problem}) => problem)).toEqual([file]);
+  }
+  expect(linked_problems("examples/index.html").length).toBeGreaterThan(30);
+});
+
+test("an example of each kind opens in the workbench", async ({page, site_address}) => {
+  await known_visitor(page);
+  const links = linked_problems("examples/index.html"),
+    kinds = new Map(links.map((link) => [`${link.problem.task.kind} ${link.problem.task.mechanism}`, link]));
+  expect(kinds.size).toBeGreaterThanOrEqual(6);
+  await page.goto(`${site_address}examples/tailgate.html`);
   await page.locator(".open-in-workbench").click();
   await until_ready(page);
-  for (const example of examples) {
-    const [, fragment] = /class="open-in-workbench" href="[^"#]*(#[^"]*)"/.exec(text_of(example))!;
-    await page.evaluate((link) => (location.hash = link), fragment!);
-    const file = JSON.parse(text_of(example.replace(/html$/, "json")).replace(/^\s*\/\/.*$/gm, "")) as {title: string};
-    await page.waitForFunction((title) => globalThis.__linkwright!.workbench.problem.title === title, file.title);
+  expect(await read_state(page, (workbench) => workbench.problem.title)).toBe("Tailgate hinge");
+  for (const {fragment, problem} of kinds.values()) {
+    await page.evaluate((link) => (location.hash = link), fragment);
+    await page.waitForFunction((title) => globalThis.__linkwright!.workbench.problem.title === title, problem.title);
   }
 });
 
