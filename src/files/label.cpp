@@ -136,9 +136,8 @@ std::string range_sentence(const std::vector<AngleRange>& ranges) {
   const auto text_of = [](double angle) { return rounded_text(degrees(angle), 2) + "°"; };
   std::string text = "the input rocks";
   for (std::size_t i = 0; i < ranges.size(); ++i)
-    text +=
-        fmt::format("{} from {} to {} ({})", i == 0 ? "" : ", or in the other assembly mode,",
-                    text_of(ranges[i].from), text_of(ranges[i].to), text_of(ranges[i].to - ranges[i].from));
+    text += fmt::format("{} from {} to {} ({})", i == 0 ? "" : ", or in the other assembly mode,",
+                        text_of(ranges[i].from), text_of(ranges[i].to), text_of(ranges[i].to - ranges[i].from));
   return text;
 }
 

@@ -44,8 +44,8 @@ Stored swapped(Stored stored) {
   return stored;
 }
 StoredSixBar swapped(const StoredSixBar& /*stored*/) {
-  throw CallersMistakes{{{"six_bar_driver", "drive",
-                          "a six-bar is analysed as body 1 drives it, at hinge a; leave drive out"}}};
+  throw CallersMistakes{
+      {{"six_bar_driver", "drive", "a six-bar is analysed as body 1 drives it, at hinge a; leave drive out"}}};
 }
 
 std::string analysis_text(const Linkage& linkage, const std::string& drive) {
@@ -119,20 +119,18 @@ void bind_linkages(py::module_& module) {
            [](const Linkage& linkage, const std::string& drive) {
              return without_gil([&] { return analysis_text(linkage, drive); });
            })
-      .def("instant",
-           [](const Linkage& linkage, const std::optional<Pair>& point, std::optional<double> input_deg,
-              double input_acceleration) {
-             return without_gil([&] { return instant(linkage, point, input_deg, input_acceleration); });
-           });
+      .def("instant", [](const Linkage& linkage, const std::optional<Pair>& point, std::optional<double> input_deg,
+                         double input_acceleration) {
+        return without_gil([&] { return instant(linkage, point, input_deg, input_acceleration); });
+      });
   module.def("linkages_of_result", [](const std::string& text) {
     return without_gil([&] { return numbered(value_of(read_any_result_linkages(text))); });
   });
   module.def("instant_of_problem", &instant_of_problem);
-  module.def("tolerance",
-             [](const std::string& result, int linkage, std::optional<double> length, std::optional<int> samples,
-                std::optional<std::int64_t> seed) {
-               return without_gil([&] { return tolerance(result, linkage, length, samples, seed); });
-             });
+  module.def("tolerance", [](const std::string& result, int linkage, std::optional<double> length,
+                             std::optional<int> samples, std::optional<std::int64_t> seed) {
+    return without_gil([&] { return tolerance(result, linkage, length, samples, seed); });
+  });
 }
 
 }  // namespace linkwright::python

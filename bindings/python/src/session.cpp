@@ -44,14 +44,16 @@ class LockedSession {
     });
   }
 
-  py::dict explore(int samples, std::array<double, 2> input, std::array<double, 2> output, const std::string& property) {
+  py::dict explore(int samples, std::array<double, 2> input, std::array<double, 2> output,
+                   const std::string& property) {
     Explored found = ask([&](wasm::Session& session) {
       return Explored(session.explore({samples, input, output, property, wasm::ExploreRequest{}.order}));
     });
     py::dict reply;
     reply["task"] = found.task;
     if (found.census.empty()) return reply;
-    const auto rows = static_cast<py::ssize_t>(found.input.size()), columns = static_cast<py::ssize_t>(found.output.size());
+    const auto rows = static_cast<py::ssize_t>(found.input.size()),
+               columns = static_cast<py::ssize_t>(found.output.size());
     reply["census"] = found.census;
     reply["input"] = owned(std::move(found.input), {rows});
     reply["output"] = owned(std::move(found.output), {columns});
@@ -80,8 +82,9 @@ class LockedSession {
     return ask([&](const wasm::Session& session) { return session.exported(input, output, format); });
   }
   py::array offsets(int pose, bool turn, double reach, int steps, int samples) {
-    std::vector<std::uint32_t> counts =
-        ask([&](const wasm::Session& session) { return session.halo({pose, turn, reach, steps, samples}); });
+    std::vector<std::uint32_t> counts = ask([&](const wasm::Session& session) {
+      return session.halo({pose, turn, reach, steps, samples});
+    });
     const auto size = static_cast<py::ssize_t>(steps);
     const bool is_line = counts.size() == static_cast<std::size_t>(steps);
     if (counts.empty()) return owned(std::move(counts), {0});

@@ -76,8 +76,8 @@ class Solved {
     const std::lock_guard lock(mutex_);
     if (!failures_) {
       failures_.emplace(map().rows() * map().columns());
-      const auto family = std::visit(
-          [](const auto& of_kind) { return static_cast<const LinkageFamily*>(of_kind.family()); }, answer_);
+      const auto family =
+          std::visit([](const auto& of_kind) { return static_cast<const LinkageFamily*>(of_kind.family()); }, answer_);
       if (family) filter_of(*family, map(), findings(answer_).requirements).failures_of_all(*failures_);
     }
     return *failures_;
@@ -93,7 +93,8 @@ class Solved {
 
 using SharedSolved = std::shared_ptr<Solved>;
 
-SharedSolved solve(const Problem& problem, const py::object& report, const std::shared_ptr<Cancellation>& cancellation) {
+SharedSolved solve(const Problem& problem, const py::object& report,
+                   const std::shared_ptr<Cancellation>& cancellation) {
   constexpr std::chrono::milliseconds between_looks{50};
   std::atomic<double> done{0};
   std::atomic<bool> stop{false};
@@ -155,11 +156,12 @@ std::vector<std::string> requirement_keys(const Solved& solved) {
 
 void bind_solving(py::module_& module) {
   py::class_<Cancellation, std::shared_ptr<Cancellation>>(module, "Cancellation",
-                                                           "Stops a solve() that runs in another thread.")
+                                                          "Stops a solve() that runs in another thread.")
       .def(py::init<>())
-      .def("cancel", [](Cancellation& of) { of.asked = true; }, "Ask solve() to stop; may be called by any thread.")
-      .def_property_readonly("cancelled", [](const Cancellation& of) { return of.asked.load(); },
-                             "Whether it was asked to stop.");
+      .def(
+          "cancel", [](Cancellation& of) { of.asked = true; }, "Ask solve() to stop; may be called by any thread.")
+      .def_property_readonly(
+          "cancelled", [](const Cancellation& of) { return of.asked.load(); }, "Whether it was asked to stop.");
   py::class_<Problem>(module, "Problem")
       .def(py::init([](const std::string& text) { return value_of(read_problem(text)); }))
       .def("set_samples",
@@ -190,24 +192,25 @@ void bind_solving(py::module_& module) {
            })
       .def("measures", &measure_keys)
       .def("requirements", &requirement_keys)
-      .def("input", [](const py::object& self) {
-        return of_axis(self.cast<const Solved&>().map().input_coordinates(), self);
-      })
-      .def("output", [](const py::object& self) {
-        return of_axis(self.cast<const Solved&>().map().output_coordinates(), self);
-      })
-      .def("types", [](const py::object& self) {
-        const auto& solved = self.cast<const Solved&>();
-        return of_cells(solved, solved.map().types(), self);
-      })
-      .def("defects", [](const py::object& self) {
-        const auto& solved = self.cast<const Solved&>();
-        return of_cells(solved, solved.map().defects(), self);
-      })
-      .def("values", [](const py::object& self, const std::string& key) {
-        const auto& solved = self.cast<const Solved&>();
-        return of_cells(solved, solved.values(key), self);
-      })
+      .def("input",
+           [](const py::object& self) { return of_axis(self.cast<const Solved&>().map().input_coordinates(), self); })
+      .def("output",
+           [](const py::object& self) { return of_axis(self.cast<const Solved&>().map().output_coordinates(), self); })
+      .def("types",
+           [](const py::object& self) {
+             const auto& solved = self.cast<const Solved&>();
+             return of_cells(solved, solved.map().types(), self);
+           })
+      .def("defects",
+           [](const py::object& self) {
+             const auto& solved = self.cast<const Solved&>();
+             return of_cells(solved, solved.map().defects(), self);
+           })
+      .def("values",
+           [](const py::object& self, const std::string& key) {
+             const auto& solved = self.cast<const Solved&>();
+             return of_cells(solved, solved.values(key), self);
+           })
       .def("failures", [](const py::object& self) {
         const auto& solved = self.cast<const Solved&>();
         return of_cells(solved, solved.failures(), self);

@@ -12,10 +12,18 @@ std::string hex(std::uint32_t color) { return fmt::format("#{:06X}", color); }
 
 py::dict colors() {
   py::dict named;
-  for (const auto& [name, color] : {std::pair("paper", palette::paper), {"ink", palette::ink}, {"ink2", palette::ink2},
-                                    {"ink3", palette::ink3}, {"line", palette::line}, {"grid", palette::grid},
-                                    {"accent", palette::accent}, {"input", palette::input}, {"output", palette::output},
-                                    {"body", palette::body}, {"link_2", palette::link_2}, {"link_5", palette::link_5},
+  for (const auto& [name, color] : {std::pair("paper", palette::paper),
+                                    {"ink", palette::ink},
+                                    {"ink2", palette::ink2},
+                                    {"ink3", palette::ink3},
+                                    {"line", palette::line},
+                                    {"grid", palette::grid},
+                                    {"accent", palette::accent},
+                                    {"input", palette::input},
+                                    {"output", palette::output},
+                                    {"body", palette::body},
+                                    {"link_2", palette::link_2},
+                                    {"link_5", palette::link_5},
                                     {"curve", palette::curve}})
     named[name] = std::string(color);
   named["defect"] = hex(palette::defect);

@@ -27,8 +27,9 @@ struct ListedStudy {
   ToleranceStudy study;   ///< its title names the linkage
 };
 
-/// `text`: of a result file; `linkage`: from 1. The caller's mistakes: those of read_listed_problem(), a problem without
-/// tolerances, a linkage at a dead point.
-[[nodiscard]] Result<ListedStudy> listed_study(std::string_view text, int linkage, const ToleranceChanges& changes = {});
+/// `text`: of a result file; `linkage`: from 1. The caller's mistakes: those of read_listed_problem(), a problem
+/// without tolerances, a linkage at a dead point.
+[[nodiscard]] Result<ListedStudy> listed_study(std::string_view text, int linkage,
+                                               const ToleranceChanges& changes = {});
 
 }  // namespace linkwright

@@ -10,10 +10,23 @@
 namespace linkwright {
 namespace {
 
-const std::array four_bar_columns = {
-    "driver_turn_from_position_1_deg", "input_angle_from_x_deg", "coupler_angle_from_x_deg", "output_angle_from_x_deg",
-    "input_circle_x", "input_circle_y", "output_circle_x", "output_circle_y", "body_x", "body_y", "body_theta_deg",
-    "transmission_angle_deg", "coupler_rate", "output_rate", "coupler_acceleration", "output_acceleration", "position"};
+const std::array four_bar_columns = {"driver_turn_from_position_1_deg",
+                                     "input_angle_from_x_deg",
+                                     "coupler_angle_from_x_deg",
+                                     "output_angle_from_x_deg",
+                                     "input_circle_x",
+                                     "input_circle_y",
+                                     "output_circle_x",
+                                     "output_circle_y",
+                                     "body_x",
+                                     "body_y",
+                                     "body_theta_deg",
+                                     "transmission_angle_deg",
+                                     "coupler_rate",
+                                     "output_rate",
+                                     "coupler_acceleration",
+                                     "output_acceleration",
+                                     "position"};
 
 constexpr double row_step = radians(1), undefined = std::numeric_limits<double>::quiet_NaN();
 
