@@ -1,9 +1,9 @@
 #include "linkwright/machine/print_file.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <fmt/format.h>
 #include <limits>
 
@@ -75,7 +75,9 @@ void lay_in_rows(std::vector<LaidPart>& parts, double gap) {
 }
 
 void put_float(std::string& bytes, double value) {
-  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  const auto number = static_cast<float>(value);
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &number, sizeof bits);
   for (int k = 0; k < 4; ++k) bytes += static_cast<char>((bits >> (8 * k)) & 0xFF);
 }
 

@@ -173,7 +173,7 @@ class Documents(FaceTest):
                 self.assertIn(used, tested)
 
     def test_both_languages_show_the_same(self):
-        for language in ("console", "json", "cpp", "cmake"):
+        for language in ("console", "json", "cpp", "cmake", "python"):
             self.assertEqual(*(blocks(readme, language) for readme in READMES))
 
     def test_links_lead_somewhere(self):
