@@ -3,17 +3,19 @@
 #include <array>
 
 #include "linkwright/machine/print_file.hpp"
+#include "linkwright/machine/simulator_file.hpp"
 #include "linkwright/machine/step_file.hpp"
 
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, 4> formats = {"step", "stl", "3mf", "plates"};
+constexpr std::array<std::string_view, 7> formats = {"step", "stl", "3mf", "plates", "mjcf", "sdf", "urdf"};
 
 Result<std::string> content_of(const Machine& made, std::string_view format, const MachineWishes& wishes) {
   if (format == "step") return write_step(made, wishes.position);
   if (format == "stl") return write_stl(made);
   if (format == "3mf") return write_3mf(made);
+  if (format != "plates") return simulator_text(made, format, wishes.density);
   std::string drawing = draw_plates(made);
   if (!drawing.empty()) return drawing;
   return Error{"format_of_a_sphere",

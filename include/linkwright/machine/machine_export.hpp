@@ -6,6 +6,7 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/machine/mass_properties.hpp"
 #include "linkwright/machine/plate_layers.hpp"
 
 namespace linkwright {
@@ -14,6 +15,7 @@ namespace linkwright {
 struct MachineWishes {
   WantedSizes sizes;
   int position = 0;  ///< of the task, from 0, in which a STEP file shows it
+  double density = steel_density;  ///< kg/m³, of what simulators are told
 };
 
 struct MachineFile {
@@ -21,10 +23,11 @@ struct MachineFile {
   std::string warning;  ///< one sentence: what collides, or beyond which stretch something may; empty otherwise
 };
 
-/// `step` (write_step), `stl`, `3mf` (parts to print) and `plates` (a DXF drawing to cut them from).
+/// `step` (write_step), `stl`, `3mf` (parts to print), `plates` (a DXF drawing to cut them from), and
+/// `mjcf`, `sdf`, `urdf` (simulator_text).
 [[nodiscard]] std::span<const std::string_view> machine_formats();
 
-/// One linkage in one of these formats. Errors: those of plate_sizes() and write_step(); `format_of_a_sphere` for
+/// One linkage in one of these formats. Errors: those of plate_sizes(), write_step() and simulator_text(); `format_of_a_sphere` for
 /// plates of a spherical linkage.
 [[nodiscard]] Result<MachineFile> exported_machine(const AnyStoredLinkage& linkage, std::string_view format,
                                                    const MachineWishes& wishes);
