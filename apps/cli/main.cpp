@@ -81,10 +81,7 @@ void add_machine(CLI::App& command, MachineWishes& wishes) {
       .add_option("--clearance", wishes.sizes.clearance, "How much wider holes are than pins (default: 2 % of the pin)")
       ->check(CLI::NonNegativeNumber);
   size("--radius", wishes.sizes.radius, "Radius of the outermost sphere of a spherical linkage (default: 100)");
-  command
-      .add_option("--density", wishes.density,
-                  "Density of plates and pins for simulators, kg/m³ (default: 7850, steel)")
-      ->check(CLI::PositiveNumber);
+  size("--density", wishes.density, "Density for simulators, kg/m³ (default: 7850, steel)");
   command
       .add_option_function<int>(
           "--position", [&wishes](int position) { wishes.position = position - 1; },
@@ -102,9 +99,8 @@ void add_export(CLI::App& app, ExportArguments& arguments) {
       ->add_option(
           "--format", arguments.format,
           "svg, dxf (a drawing of a linkage of the plane), csv (its motion), json; as plates and pins in layers "
-          "that do not collide: step (an assembly), stl or 3mf (to print), plates (DXF, to cut), mjcf, sdf or urdf "
-          "(for "
-          "simulators)")
+          "that do not collide: step (an assembly), stl or 3mf (to print), plates (DXF, to cut), "
+          "mjcf, sdf or urdf (for simulators)")
       ->required()
       ->check(CLI::IsMember(formats));
   command->add_option("-o,--output", arguments.output, "Output file (default: standard output)");

@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/outline_file.hpp"
 #include "linkwright/files/problem_file.hpp"

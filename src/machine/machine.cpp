@@ -137,11 +137,4 @@ std::string collision_text(const Machine& made) {
   return text;
 }
 
-double millimetres(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, double>, 8> known = {
-      {{"mm", 1}, {"cm", 10}, {"dm", 100}, {"m", 1000}, {"in", 25.4}, {"inch", 25.4}, {"\"", 25.4}, {"ft", 304.8}}};
-  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == unit; });
-  return found == known.end() ? 1 : found->second;
-}
-
 }  // namespace linkwright

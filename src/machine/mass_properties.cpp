@@ -45,7 +45,7 @@ MassProperties mass_properties(const Mesh& mesh, double density, double metre) {
 }
 
 MassProperties mass_properties(const Machine& machine, int body, double density) {
-  const double metre = millimetres(machine.linkage.length_unit) / 1000;
+  const double metre = machine.linkage.millimetres() / 1000;
   MassProperties sum;
   for (const Part& part : machine.parts)
     if (part.body == body) sum = sum + mass_properties(mesh_of(part, chord_turn), density, metre);

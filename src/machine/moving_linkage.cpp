@@ -7,6 +7,7 @@
 #include "linkwright/analysis/six_bar_motion.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/csv_table.hpp"
+#include "linkwright/files/length_unit.hpp"
 #include "linkwright/spherical/spherical_analysis.hpp"
 #include "machine/task_stretch.hpp"
 
@@ -159,6 +160,8 @@ double MovingLinkage::longest_link() const {
 double MovingLinkage::shortest_link() const {
   return link_length(*this, longest_link(), [](double a, double b) { return std::min(a, b); });
 }
+
+double MovingLinkage::millimetres() const { return linkwright::millimetres(length_unit).value_or(1); }
 
 MovingLinkage moving_linkage(const AnyStoredLinkage& stored) {
   MovingLinkage linkage = std::visit([](const auto& some) { return moving(some); }, stored);

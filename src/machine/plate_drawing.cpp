@@ -40,7 +40,7 @@ void draw_outline(DxfWriter& dxf, std::string_view layer, const Blank& blank) {
 
 std::string draw_plates(const Machine& machine) {
   if (machine.linkage.spherical) return "";
-  const double scale = millimetres(machine.linkage.length_unit), gap = scale * machine.sizes.pin;
+  const double scale = machine.linkage.millimetres(), gap = scale * machine.sizes.pin;
   std::vector<DxfLayer> layers;
   for (std::size_t body = 0; body < machine.linkage.bodies.size(); ++body)
     layers.push_back({machine.linkage.bodies[body], colors[body % std::size(colors)]});

@@ -113,7 +113,7 @@ constexpr const char* relationships =
 }  // namespace
 
 std::vector<LaidPart> laid_parts(const Machine& machine) {
-  const double scale = millimetres(machine.linkage.length_unit);
+  const double scale = machine.linkage.millimetres();
   std::vector<LaidPart> parts;
   for (const Part& part : machine.parts) {
     parts.push_back({part.name, mesh_of(part)});

@@ -72,7 +72,7 @@ Result<std::string> write_step(const Machine& machine, int position) {
   const auto writer = loaded();
   if (!writer) return writer.errors();
   std::string text;
-  if (!(**writer)(machine, position, millimetres(linkage.length_unit), text))
+  if (!(**writer)(machine, position, linkage.millimetres(), text))
     return Error{"step_failed", "", "OpenCASCADE could not make the solids: " + text, {{"why", text}}};
   return text;
 }

@@ -47,12 +47,6 @@ TEST(OutlineFile, AShapeOfAnotherSizeIsBroughtToTheTasksAndOneFarAwayToTheOrigin
   EXPECT_EQ(fit_outline(square, 1, 1000).scale, 500);
 }
 
-TEST(OutlineFile, UnitsAreKnownByName) {
-  EXPECT_EQ(millimetres(" IN "), 25.4);
-  EXPECT_EQ(millimetres("µm"), 1e-3);
-  EXPECT_FALSE(millimetres("furlong"));
-}
-
 TEST(OutlineFile, WhatCannotBeReadIsRefusedWithItsPlace) {
   EXPECT_EQ(read_dxf_outlines("0\nSECTION\n2\nENTITIES\nx\n").errors()[0].place, "line 5");
   EXPECT_EQ(read_svg_outlines("<svg>\n<g>\n</svg>").errors()[0].place, "line 3");

@@ -69,12 +69,5 @@ TEST(Machine, WithoutLayersFreeOfCollisionsItSaysWhatMeets) {
   EXPECT_EQ(collision_text(testing::machines().front()), "");
 }
 
-TEST(Millimetres, OfAUnit) {
-  EXPECT_EQ(millimetres("mm"), 1);
-  EXPECT_EQ(millimetres("in"), 25.4);
-  EXPECT_EQ(millimetres("m"), 1000);
-  EXPECT_EQ(millimetres(""), 1);
-}
-
 }  // namespace
 }  // namespace linkwright::machine_test

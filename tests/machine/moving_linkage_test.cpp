@@ -105,6 +105,15 @@ TEST(MovingLinkage, ALinkageWithoutATaskStandsInItsFirstPosition) {
   EXPECT_EQ(linkage.task.size(), 1u);
   EXPECT_DOUBLE_EQ(linkage.longest_link(), 4);
   EXPECT_DOUBLE_EQ(linkage.shortest_link(), 1);
+  EXPECT_EQ(linkage.millimetres(), 1);
+}
+
+TEST(MovingLinkage, KnowsItsUnitOfLength) {
+  MovingLinkage linkage;
+  linkage.length_unit = "in";
+  EXPECT_EQ(linkage.millimetres(), 25.4);
+  linkage.length_unit = "furlong";
+  EXPECT_EQ(linkage.millimetres(), 1);
 }
 
 TEST(MovingLinkage, OfPositionsBeyondADeadPointThereIsNoStretch) {

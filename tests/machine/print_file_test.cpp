@@ -12,7 +12,7 @@ namespace {
 
 TEST(LaidParts, LieOnTheBedBesideEachOtherAndKeepTheirVolume) {
   for (const Machine& made : testing::machines()) {
-    const double mm = millimetres(made.linkage.length_unit);
+    const double mm = made.linkage.millimetres();
     const std::vector<LaidPart> parts = laid_parts(made);
     ASSERT_EQ(parts.size(), made.parts.size());
     std::vector<std::array<double, 4>> boxes;
@@ -35,7 +35,7 @@ TEST(LaidParts, LieOnTheBedBesideEachOtherAndKeepTheirVolume) {
 
 TEST(LaidParts, FlatPlatesAreAsHighAsTheyAreThick) {
   const Machine& made = testing::machines().front();
-  const double mm = millimetres(made.linkage.length_unit);
+  const double mm = made.linkage.millimetres();
   for (const LaidPart& part : laid_parts(made)) {
     if (part.name.starts_with("pin_")) continue;
     for (const Vector3 v : part.mesh.vertices)

@@ -89,7 +89,7 @@ std::vector<const Machine*> some_machines() {
 TEST(StepFile, HasNamedSolidsOfTheRightVolume) {
   for (const Machine* made : some_machines()) {
     const auto parts = written(*made, 0);
-    const double mm = millimetres(made->linkage.length_unit);
+    const double mm = made->linkage.millimetres();
     EXPECT_EQ(parts.size(), made->parts.size()) << made->linkage.title;
     for (const Part& part : made->parts) {
       ASSERT_TRUE(parts.contains(part.name)) << made->linkage.title << ' ' << part.name;
@@ -106,7 +106,7 @@ TEST(StepFile, HasNamedSolidsOfTheRightVolume) {
 TEST(StepFile, AxesOfHolesLieAsFarApartAsTheLinksAreLong) {
   for (const Machine* made : some_machines()) {
     const auto parts = written(*made, 0);
-    const double mm = millimetres(made->linkage.length_unit), size = made->linkage.longest_link() * mm;
+    const double mm = made->linkage.millimetres(), size = made->linkage.longest_link() * mm;
     for (std::size_t body = 0; body < made->linkage.bodies.size(); ++body) {
       const std::vector<gp_Ax1> axes = holes(parts.at(made->linkage.bodies[body]), mm * made->sizes.hole() / 2);
       const auto hinges = made->linkage.hinges_of(static_cast<int>(body));

@@ -36,9 +36,6 @@ struct Drawing {
 /// The same from a file of at most 16 MB whose name ends in .dxf or .svg.
 [[nodiscard]] Result<Drawing> read_outlines_file(const std::filesystem::path& path);
 
-/// Millimetres to a unit of length that is known by its name: µm, mm, cm, dm, m, in, ft.
-[[nodiscard]] std::optional<double> millimetres(std::string_view unit);
-
 /// The shape as the outline of a body, in the moving frame: `scale` lengths to the drawing's unit, the drawing's origin
 /// and x axis at `placed`. At most 200 corners, those left out that matter least; nine digits.
 [[nodiscard]] std::vector<Point> body_outline(const DrawnShape& shape, double scale, const Pose& placed);

@@ -54,7 +54,4 @@ struct Machine {
 /// One sentence on what runs into what; empty where the layers are free of collisions.
 [[nodiscard]] std::string collision_text(const Machine& machine);
 
-/// How many millimetres the length unit has; 1 for one that is not known, as if it were millimetres.
-[[nodiscard]] double millimetres(std::string_view length_unit);
-
 }  // namespace linkwright

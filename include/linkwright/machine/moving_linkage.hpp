@@ -52,6 +52,8 @@ struct MovingLinkage {
   [[nodiscard]] double longest_link() const;
   /// Smallest of the same.
   [[nodiscard]] double shortest_link() const;
+  /// To the unit of length; 1 to one that is not known, as if it were millimetres.
+  [[nodiscard]] double millimetres() const;
 };
 
 /// The motion is that of drive_table(), six_bar_motion() or analyze(); none of it is computed here.

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "plain_text.hpp"
+#include "files/text/plain_text.hpp"
 #include "strokes.hpp"
 
 namespace linkwright {

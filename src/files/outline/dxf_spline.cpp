@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plain_text.hpp"
+#include "files/text/plain_text.hpp"
 
 namespace linkwright {
 namespace {

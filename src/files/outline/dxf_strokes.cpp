@@ -7,7 +7,7 @@
 
 #include "dxf_groups.hpp"
 #include "dxf_spline.hpp"
-#include "plain_text.hpp"
+#include "files/text/plain_text.hpp"
 #include "strokes.hpp"
 
 namespace linkwright {

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <fmt/format.h>
 
+#include "files/text/plain_text.hpp"
 #include "linkwright/files/text_file.hpp"
-#include "plain_text.hpp"
 #include "shapes.hpp"
 #include "strokes.hpp"
 
@@ -47,28 +47,6 @@ Result<Drawing> read_outlines_file(const std::filesystem::path& path) {
   if (!text)
     return text.errors().front().code == "file_too_large" ? Result<Drawing>(drawing_of_too_much()) : text.errors();
   return ending == ".dxf" ? read_dxf_outlines(*text) : read_svg_outlines(*text);
-}
-
-std::optional<double> millimetres(std::string_view unit) {
-  struct Length {
-    std::string_view name;
-    double mm;
-  };
-  constexpr std::array<Length, 11> lengths = {{{"µm", 1e-3},
-                                               {"μm", 1e-3},
-                                               {"um", 1e-3},
-                                               {"mm", 1},
-                                               {"cm", 10},
-                                               {"dm", 100},
-                                               {"m", 1000},
-                                               {"in", 25.4},
-                                               {"inch", 25.4},
-                                               {"\"", 25.4},
-                                               {"ft", 304.8}}};
-  const std::string name = in_small_letters(unit);
-  const auto found =
-      std::find_if(lengths.begin(), lengths.end(), [&](const Length& length) { return length.name == name; });
-  return found == lengths.end() ? std::nullopt : std::optional(found->mm);
 }
 
 std::vector<Point> body_outline(const DrawnShape& shape, double scale, const Pose& placed) {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <span>
 
-#include "plain_text.hpp"
+#include "files/text/plain_text.hpp"
 
 namespace linkwright {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "plain_text.hpp"
+#include "files/text/plain_text.hpp"
 #include "strokes.hpp"
 #include "svg_path.hpp"
 

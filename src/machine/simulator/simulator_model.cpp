@@ -106,7 +106,7 @@ class ModelBuilder {
       : machine_(machine),
         linkage_(machine.linkage),
         density_(density),
-        metre_(millimetres(linkage_.length_unit) / 1000),
+        metre_(linkage_.millimetres() / 1000),
         hanging_(hanging(linkage_)),
         place_of_(linkage_.bodies.size()) {}
 
@@ -249,7 +249,7 @@ class ModelBuilder {
 
   [[nodiscard]] std::string remark() const {
     const std::string& unit = linkage_.length_unit;
-    const bool known = unit == "mm" || metre_ != 0.001;
+    const bool known = millimetres(unit).has_value();
     const std::string of_unit =
         known ? "lengths in " + unit
               : (unit.empty() ? "no unit of length" : "the unit of length " + unit) + ", taken for millimetres";

@@ -1,10 +1,15 @@
-#include "plain_text.hpp"
+#include "files/text/plain_text.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <cstdlib>
 #include <limits>
 
 namespace linkwright {
+namespace {
+
+constexpr std::size_t longest_number = 400;  // no double takes more digits
+
+}  // namespace
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n\f\v";
@@ -22,9 +27,11 @@ std::string in_small_letters(std::string_view text) {
 double leading_number(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} ? number : std::numeric_limits<double>::quiet_NaN();
+  // Not from_chars(), which WebAssembly's standard library lacks for doubles.
+  const std::string ended(text.substr(0, longest_number));
+  char* end = nullptr;
+  const double number = std::strtod(ended.c_str(), &end);
+  return end != ended.c_str() ? number : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace linkwright
