@@ -21,7 +21,7 @@ Matrix3x3 diagonal(double x, double y, double z) { return {{{{x, 0, 0}, {0, y, 0
 
 TEST(MassProperties, OfACylinderAreThoseOfTheTextbook) {
   const double r = 4, h = 20, mass = 2e-6 * pi * r * r * h;
-  const Vector3 axis = normalized({1, 2, 2}), from{300, -20, 5};
+  const Vector3 axis = normalized(Vector3{1, 2, 2}), from{300, -20, 5};
   const auto found = mass_properties(mesh_of({"pin", 0, RoundPin{from, from + h * axis, r}}, 0.02), 2000, 0.001);
   EXPECT_NEAR(found.mass, mass, accuracy * mass);
   EXPECT_LT(norm(found.centre - 0.001 * (from + h / 2 * axis)), 1e-9);

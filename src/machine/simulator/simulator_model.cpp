@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
 
 namespace linkwright {
