@@ -3,7 +3,7 @@
 namespace linkwright {
 namespace {
 
-constexpr double chord_turn = 0.02;
+constexpr double chord_turn = 0.04;
 
 /// The inertia of what has this second moment ∫ r rᵀ dm.
 Matrix3x3 inertia_of(const Matrix3x3& second_moment) {
@@ -36,8 +36,9 @@ MassProperties mass_properties(const Mesh& mesh, double density, double metre) {
     const double weight = density * determinant(a, b, c);
     mass += weight / 6;
     first = first + weight / 24 * sum;
-    second = second + weight / 120 *
-                          (dyadic_product(sum, sum) + dyadic_product(a, a) + dyadic_product(b, b) + dyadic_product(c, c));
+    second =
+        second +
+        weight / 120 * (dyadic_product(sum, sum) + dyadic_product(a, a) + dyadic_product(b, b) + dyadic_product(c, c));
   }
   const Vector3 centre = first / mass;
   return {mass, metre * origin + centre, inertia_of(second - mass * dyadic_product(centre, centre))};

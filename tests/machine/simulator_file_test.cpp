@@ -16,7 +16,8 @@ int count(const std::string& text, const std::string& piece) {
 }
 
 Machine scaled(FourBar bars, const std::string& unit, double scale) {
-  for (Point* pivot : {&bars.input_center, &bars.input_circle, &bars.output_circle, &bars.output_center}) *pivot *= scale;
+  for (Point* pivot : {&bars.input_center, &bars.input_circle, &bars.output_circle, &bars.output_center})
+    *pivot *= scale;
   StoredLinkage linkage;
   linkage.four_bar = bars;
   linkage.length_unit = unit;
@@ -30,7 +31,8 @@ std::string bare(const std::string& text) { return std::regex_replace(text, std:
 
 TEST(SimulatorFile, CutsEachLoopOnce) {
   for (const Machine& made : testing::machines()) {
-    const int bodies = static_cast<int>(made.linkage.bodies.size()), hinges = static_cast<int>(made.linkage.hinges.size());
+    const int bodies = static_cast<int>(made.linkage.bodies.size()),
+              hinges = static_cast<int>(made.linkage.hinges.size());
     const int loops = hinges - (bodies - 1);
     const std::string mjcf = write_mjcf(made), sdf = write_sdf(made), urdf = write_urdf(made);
     EXPECT_EQ(count(mjcf, "<joint "), bodies - 1);
@@ -46,12 +48,14 @@ TEST(SimulatorFile, CutsEachLoopOnce) {
 }
 
 TEST(SimulatorFile, IsTheSameInAnyUnit) {
-  const Machine in_mm = scaled(parallelogram, "mm", 1), in_m = scaled(parallelogram, "m", 0.001), in_none = scaled(parallelogram, "", 1);
+  const Machine in_mm = scaled(parallelogram, "mm", 1), in_m = scaled(parallelogram, "m", 0.001),
+                in_none = scaled(parallelogram, "", 1);
   for (const char* format : {"mjcf", "sdf", "urdf"}) {
     const std::string file = simulator_text(in_mm, format).value();
     EXPECT_EQ(bare(file), bare(simulator_text(in_m, format).value())) << format;
     EXPECT_EQ(bare(file), bare(simulator_text(in_none, format).value())) << format;
-    EXPECT_NE(simulator_text(in_none, format).value().find("no unit of length, taken for millimetres"), std::string::npos);
+    EXPECT_NE(simulator_text(in_none, format).value().find("no unit of length, taken for millimetres"),
+              std::string::npos);
     EXPECT_NE(file.find("lengths in mm"), std::string::npos);
   }
 }
@@ -78,7 +82,8 @@ TEST(SimulatorFile, SaysWhatItCannotTake) {
   const Machine made = scaled(parallelogram, "mm", 1);
   const auto code = [](const Result<std::string>& result) { return result.ok() ? "" : result.errors().front().code; };
   EXPECT_EQ(code(simulator_text(made, "obj")), "unknown_simulator");
-  for (const double density : {0.0, -1.0, 1e9, std::nan("")}) EXPECT_EQ(code(simulator_text(made, "mjcf", density)), "density_out_of_range");
+  for (const double density : {0.0, -1.0, 1e9, std::nan("")})
+    EXPECT_EQ(code(simulator_text(made, "mjcf", density)), "density_out_of_range");
   EXPECT_EQ(code(simulator_text(scaled(parallelogram, "mm", 0.002), "mjcf")), "machine_too_small");
   EXPECT_EQ(code(simulator_text(scaled(parallelogram, "m", 100), "mjcf")), "machine_too_large");
 }

@@ -1,5 +1,5 @@
-// Reads an SDF or URDF file by libsdformat: what it complains of goes to standard error, and is counted by the exit status;
-// its links and joints, a line each, to standard output. usage: read_sdf FILE
+// Reads an SDF or URDF file by libsdformat: what it complains of goes to standard error, and is counted by the exit
+// status; its links and joints, a line each, to standard output. usage: read_sdf FILE
 #include <iostream>
 #include <sdf/sdf.hh>
 
@@ -23,9 +23,9 @@ int main(int, char** arguments) {
     const bool placed = joint.ResolveParentLink(parent).empty() && joint.ResolveChildLink(child).empty() &&
                         joint.SemanticPose().Resolve(pose, "__model__").empty();
     ignition::math::Vector3d axis;
-    if (joint.Axis() != nullptr) placed && joint.Axis()->ResolveXyz(axis, "__model__").empty();
-    std::cout << "joint " << joint.Name() << ' ' << placed << ' ' << static_cast<int>(joint.Type()) << ' ' << parent << ' '
-              << child << ' ' << pose.Pos() << ' ' << axis << '\n';
+    if (joint.Axis() != nullptr) placed&& joint.Axis()->ResolveXyz(axis, "__model__").empty();
+    std::cout << "joint " << joint.Name() << ' ' << placed << ' ' << static_cast<int>(joint.Type()) << ' ' << parent
+              << ' ' << child << ' ' << pose.Pos() << ' ' << axis << '\n';
   }
   return errors.empty() ? 0 : 1;
 }

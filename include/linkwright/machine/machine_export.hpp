@@ -14,7 +14,7 @@ namespace linkwright {
 /// What is wanted of a linkage as a machine.
 struct MachineWishes {
   WantedSizes sizes;
-  int position = 0;  ///< of the task, from 0, in which a STEP file shows it
+  int position = 0;                ///< of the task, from 0, in which a STEP file shows it
   double density = steel_density;  ///< kg/m³, of what simulators are told
 };
 
@@ -27,8 +27,8 @@ struct MachineFile {
 /// `mjcf`, `sdf`, `urdf` (simulator_text).
 [[nodiscard]] std::span<const std::string_view> machine_formats();
 
-/// One linkage in one of these formats. Errors: those of plate_sizes(), write_step() and simulator_text(); `format_of_a_sphere` for
-/// plates of a spherical linkage.
+/// One linkage in one of these formats. Errors: those of plate_sizes(), write_step() and simulator_text();
+/// `format_of_a_sphere` for plates of a spherical linkage.
 [[nodiscard]] Result<MachineFile> exported_machine(const AnyStoredLinkage& linkage, std::string_view format,
                                                    const MachineWishes& wishes);
 

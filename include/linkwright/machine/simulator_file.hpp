@@ -9,22 +9,23 @@
 
 namespace linkwright {
 
-/// Files for simulators of rigid bodies: the machine as it lies in position 1 in metres, kilograms and radians, z along the
-/// hinges of planar linkages. Every body is a link of its name with its frame in the hinge to the body before it, its axes
-/// along the fixed frame's; every hinge a joint of its name, at zero in position 1. Shapes are boxes and cylinders to look
-/// at that touch nothing; masses are those of the plates and pins (mass_properties()). A unit of length that is not known
-/// is taken for millimetres, and the file says so.
+/// Files for simulators of rigid bodies: the machine as it lies in position 1 in metres, kilograms and radians, z along
+/// the hinges of planar linkages. Every body is a link of its name with its frame in the hinge to the body before it,
+/// its axes along the fixed frame's; every hinge a joint of its name, at zero in position 1. Shapes are boxes and
+/// cylinders to look at that touch nothing; masses are those of the plates and pins (mass_properties()). A unit of
+/// length that is not known is taken for millimetres, and the file says so.
 
 /// For MuJoCo. The hinge that closes a loop is an equality constraint `connect`, measured by two sites; the actuator
-/// `motor` turns the driver, its control in radians from position 1; a keyframe `position_1`, … for each position that the
-/// drive reaches. Without gravity, as the file says.
+/// `motor` turns the driver, its control in radians from position 1; a keyframe `position_1`, … for each position that
+/// the drive reaches. Without gravity, as the file says.
 [[nodiscard]] std::string write_mjcf(const Machine& machine, double density = steel_density);
 
 /// SDFormat 1.9, for Gazebo and others: one model, every hinge a revolute joint, those that close loops too.
 [[nodiscard]] std::string write_sdf(const Machine& machine, double density = steel_density);
 
 /// URDF, which knows trees only: the hinge that closes a loop is told in a comment, and to what reads URDF through
-/// libsdformat in a `<gazebo>` element. Joints whose angle is proportional to the driver's throughout the travel mimic it.
+/// libsdformat in a `<gazebo>` element. Joints whose angle is proportional to the driver's mimic it: those of
+/// parallelograms, up to where their links lie in one line and the linkage may flip.
 [[nodiscard]] std::string write_urdf(const Machine& machine, double density = steel_density);
 
 /// One of them by its name: mjcf, sdf, urdf. Errors: `unknown_simulator`, `density_out_of_range` (not between 1e-3 and

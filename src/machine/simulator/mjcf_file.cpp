@@ -18,7 +18,8 @@ class MjcfWriter {
     xml_.open("mujoco", {{"model", title.empty() ? "linkage" : title}});
     xml_.leaf("compiler", {{"angle", "radian"}, {"autolimits", "true"}});
     xml_.comment("Without gravity, so that the motor alone moves it; gravity 0 0 -9.81 pulls down along z.");
-    xml_.leaf("option", {{"timestep", "0.001"}, {"integrator", "implicitfast"}, {"tolerance", "1e-12"}, {"gravity", "0 0 0"}});
+    xml_.leaf("option",
+              {{"timestep", "0.001"}, {"integrator", "implicitfast"}, {"tolerance", "1e-12"}, {"gravity", "0 0 0"}});
     write_defaults();
     xml_.open("worldbody");
     const double far = 3 * model_.size;
@@ -47,7 +48,9 @@ class MjcfWriter {
     const Vector3 before = link.parent < 0 ? Vector3{} : model_.links[static_cast<std::size_t>(link.parent)].origin;
     xml_.open("body", {{"name", link.name}, {"pos", numbers(link.origin - before, model_.size)}});
     if (link.parent >= 0)
-      xml_.leaf("joint", {{"name", model_.hinge_names[link.hinge]}, {"type", "hinge"}, {"axis", numbers(model_.hinge_axes[link.hinge])}});
+      xml_.leaf("joint", {{"name", model_.hinge_names[link.hinge]},
+                          {"type", "hinge"},
+                          {"axis", numbers(model_.hinge_axes[link.hinge])}});
     write_matter(link);
     for (const Solid& solid : link.solids) write_solid(link, solid);
     if (link.parent >= 0) write_site(link, model_.hinge_names[link.hinge], link.origin);
@@ -76,7 +79,8 @@ class MjcfWriter {
       attributes = {{"type", "box"}, {"size", numbers(0.5 * box->size, model_.size)}};
     else {
       const auto& cylinder = std::get<SolidCylinder>(solid.shape);
-      attributes = {{"type", "cylinder"}, {"size", number(cylinder.radius, model_.size) + ' ' + number(cylinder.length / 2, model_.size)}};
+      attributes = {{"type", "cylinder"},
+                    {"size", number(cylinder.radius, model_.size) + ' ' + number(cylinder.length / 2, model_.size)}};
     }
     attributes.emplace_back("pos", numbers(solid.place.translation, model_.size));
     attributes.emplace_back("quat", number(q.w()) + ' ' + numbers(q.v()));
@@ -100,16 +104,19 @@ class MjcfWriter {
     xml_.close();
   }
 
-  /// A servo of some 10 Hz on all that moves, as if it were at the longest link's end; damped so that it does not overshoot.
+  /// A servo of some 10 Hz on all that moves, as if it were at the longest link's end; damped so that it does not
+  /// overshoot.
   void write_motor() {
     const double inertia = model_.mass * model_.size * model_.size, speed = two_pi * 10;
-    XmlWriter::Attributes attributes = {{"name", "motor"},
-                                        {"joint", model_.hinge_names[model_.links[static_cast<std::size_t>(model_.driver)].hinge]},
-                                        {"kp", number(inertia * speed * speed, inertia)},
-                                        {"kv", number(2 * inertia * speed, inertia)}};
+    XmlWriter::Attributes attributes = {
+        {"name", "motor"},
+        {"joint", model_.hinge_names[model_.links[static_cast<std::size_t>(model_.driver)].hinge]},
+        {"kp", number(inertia * speed * speed, inertia)},
+        {"kv", number(2 * inertia * speed, inertia)}};
     if (model_.driver_range) {
       xml_.comment("Beyond this range the linkage locks.");
-      attributes.emplace_back("ctrlrange", number(model_.driver_range->first) + ' ' + number(model_.driver_range->second));
+      attributes.emplace_back("ctrlrange",
+                              number(model_.driver_range->first) + ' ' + number(model_.driver_range->second));
     }
     xml_.open("actuator");
     xml_.leaf("position", attributes);

@@ -79,7 +79,8 @@ class SdfWriter {
   }
 
   void write_joint(std::size_t hinge, int parent, int child) {
-    const SimulatorLink &one = model_.links[static_cast<std::size_t>(parent)], &other = model_.links[static_cast<std::size_t>(child)];
+    const SimulatorLink &one = model_.links[static_cast<std::size_t>(parent)],
+                        &other = model_.links[static_cast<std::size_t>(child)];
     xml_.open("joint", {{"name", model_.hinge_names[hinge]}, {"type", "revolute"}});
     write_pose(Displacement::translated(model_.hinge_points[hinge] - other.origin));
     xml_.text("parent", one.name);
@@ -102,6 +103,8 @@ class SdfWriter {
 
 }  // namespace
 
-std::string write_sdf(const Machine& machine, double density) { return SdfWriter(simulator_model(machine, density)).write(); }
+std::string write_sdf(const Machine& machine, double density) {
+  return SdfWriter(simulator_model(machine, density)).write();
+}
 
 }  // namespace linkwright

@@ -13,8 +13,12 @@ namespace linkwright {
 namespace {
 
 /// By body, over again: dark grey, blue, green, orange and so on.
-constexpr std::array<std::array<double, 3>, 6> colours = {
-    {{0.22, 0.26, 0.31}, {0.04, 0.34, 0.82}, {0.18, 0.55, 0.34}, {0.70, 0.28, 0.04}, {0.48, 0.25, 0.60}, {0.10, 0.52, 0.58}}};
+constexpr std::array<std::array<double, 3>, 6> colours = {{{0.22, 0.26, 0.31},
+                                                           {0.04, 0.34, 0.82},
+                                                           {0.18, 0.55, 0.34},
+                                                           {0.70, 0.28, 0.04},
+                                                           {0.48, 0.25, 0.60},
+                                                           {0.10, 0.52, 0.58}}};
 
 /// A frame with its x axis along one direction and its z axis along another, at right angles to it.
 Displacement frame(Vector3 origin, Vector3 x, Vector3 z) {
@@ -36,7 +40,8 @@ std::vector<Solid> solids_of(const FlatPlate& plate) {
     solids.push_back({Displacement::translated(at(corner)), SolidCylinder{plate.radius, thickness}});
   for (std::size_t k = 0; k < (corners == 2 ? 1 : corners); ++k) {
     const Vector3 a = at(plate.outline[k]), b = at(plate.outline[(k + 1) % corners]);
-    solids.push_back({frame(0.5 * (a + b), normalized(b - a), {0, 0, 1}), SolidBox{{norm(b - a), 2 * plate.radius, thickness}}});
+    solids.push_back(
+        {frame(0.5 * (a + b), normalized(b - a), {0, 0, 1}), SolidBox{{norm(b - a), 2 * plate.radius, thickness}}});
   }
   return solids;
 }
@@ -46,7 +51,8 @@ std::vector<Solid> solids_of(const ShellPlate& plate) {
   std::vector<Solid> solids;
   const double middle = (plate.low + plate.high) / 2, thickness = plate.high - plate.low;
   const double radius = middle * std::sin(plate.half_angle);
-  for (const Vector3 end : {plate.from, plate.to}) solids.push_back({frame(middle * end, end), SolidCylinder{radius, thickness}});
+  for (const Vector3 end : {plate.from, plate.to})
+    solids.push_back({frame(middle * end, end), SolidCylinder{radius, thickness}});
   const double arc = angle_between(plate.from, plate.to);
   const int boxes = static_cast<int>(std::ceil(arc / longest));
   const Vector3 normal = normalized(cross(plate.from, plate.to));
@@ -60,13 +66,15 @@ std::vector<Solid> solids_of(const ShellPlate& plate) {
 }
 
 std::vector<Solid> solids_of(const RoundPin& pin) {
-  return {{frame(0.5 * (pin.from + pin.to), normalized(pin.to - pin.from)), SolidCylinder{pin.radius, norm(pin.to - pin.from)}}};
+  return {{frame(0.5 * (pin.from + pin.to), normalized(pin.to - pin.from)),
+           SolidCylinder{pin.radius, norm(pin.to - pin.from)}}};
 }
 
 Solid in_metres(Solid solid, double metre, Vector3 origin) {
   solid.place.translation = metre * solid.place.translation - origin;
   if (auto* box = std::get_if<SolidBox>(&solid.shape)) box->size = metre * box->size;
-  if (auto* cylinder = std::get_if<SolidCylinder>(&solid.shape)) *cylinder = {metre * cylinder->radius, metre * cylinder->length};
+  if (auto* cylinder = std::get_if<SolidCylinder>(&solid.shape))
+    *cylinder = {metre * cylinder->radius, metre * cylinder->length};
   return solid;
 }
 
@@ -95,8 +103,12 @@ std::vector<Hanging> hanging(const MovingLinkage& linkage) {
 class ModelBuilder {
  public:
   ModelBuilder(const Machine& machine, double density)
-      : machine_(machine), linkage_(machine.linkage), density_(density), metre_(millimetres(linkage_.length_unit) / 1000),
-        hanging_(hanging(linkage_)), place_of_(linkage_.bodies.size()) {}
+      : machine_(machine),
+        linkage_(machine.linkage),
+        density_(density),
+        metre_(millimetres(linkage_.length_unit) / 1000),
+        hanging_(hanging(linkage_)),
+        place_of_(linkage_.bodies.size()) {}
 
   SimulatorModel build() {
     set_hinges();
@@ -104,7 +116,8 @@ class ModelBuilder {
     set_loops();
     model_.driver = place_of_[1];
     model_.guided = place_of_[static_cast<std::size_t>(linkage_.guided)];
-    model_.guided_point = linkage_.traced ? metre_ * *linkage_.traced : model_.links[static_cast<std::size_t>(model_.guided)].origin;
+    model_.guided_point =
+        linkage_.traced ? metre_ * *linkage_.traced : model_.links[static_cast<std::size_t>(model_.guided)].origin;
     set_motion();
     model_.remark = remark();
     return std::move(model_);
@@ -147,9 +160,12 @@ class ModelBuilder {
 
   void set_loops() {
     for (std::size_t hinge = 0; hinge < linkage_.hinges.size(); ++hinge) {
-      const bool in_tree = std::any_of(model_.links.begin() + 1, model_.links.end(), [&](const SimulatorLink& link) { return link.hinge == hinge; });
+      const bool in_tree = std::any_of(model_.links.begin() + 1, model_.links.end(),
+                                       [&](const SimulatorLink& link) { return link.hinge == hinge; });
       const auto [first, second] = linkage_.hinges[hinge].bodies;
-      if (!in_tree) model_.loops.push_back({hinge, place_of_[static_cast<std::size_t>(first)], place_of_[static_cast<std::size_t>(second)]});
+      if (!in_tree)
+        model_.loops.push_back(
+            {hinge, place_of_[static_cast<std::size_t>(first)], place_of_[static_cast<std::size_t>(second)]});
     }
   }
 
@@ -157,7 +173,8 @@ class ModelBuilder {
   [[nodiscard]] double turn(const SimulatorLink& link, const MovingState& state) const {
     const int parent = model_.links[static_cast<std::size_t>(link.parent)].body;
     const UnitQuaternion q = (state.bodies[static_cast<std::size_t>(parent)].rotation.inverse() *
-                              state.bodies[static_cast<std::size_t>(link.body)].rotation).quaternion();
+                              state.bodies[static_cast<std::size_t>(link.body)].rotation)
+                                 .quaternion();
     return wrapped(2 * std::atan2(dot(q.v(), model_.hinge_axes[link.hinge]), q.w()));
   }
   static double wrapped(double angle) { return std::remainder(angle, two_pi); }
@@ -191,7 +208,8 @@ class ModelBuilder {
     const auto rows = continued(states);
     for (std::size_t k = 0; k < states.size(); ++k) {
       const auto position = linkage_.travel[states[k]].position;
-      const bool is_new = position && std::none_of(model_.keys.begin(), model_.keys.end(), [&](const SimulatorKey& key) { return key.position == *position; });
+      const bool is_new = position && std::none_of(model_.keys.begin(), model_.keys.end(),
+                                                   [&](const SimulatorKey& key) { return key.position == *position; });
       if (is_new) model_.keys.push_back({*position, rows[k]});
     }
   }
@@ -201,7 +219,8 @@ class ModelBuilder {
     if (!linkage_.task.empty()) add_keys(linkage_.task);
     add_keys(on);
     add_keys(back);
-    std::sort(model_.keys.begin(), model_.keys.end(), [](const SimulatorKey& a, const SimulatorKey& b) { return a.position < b.position; });
+    std::sort(model_.keys.begin(), model_.keys.end(),
+              [](const SimulatorKey& a, const SimulatorKey& b) { return a.position < b.position; });
     auto rows = continued(on);
     const auto others = continued(back);
     rows.insert(rows.end(), others.begin(), others.end());
@@ -213,23 +232,34 @@ class ModelBuilder {
     for (std::size_t k = 0; k + 1 < model_.links.size(); ++k) model_.ratios.push_back(ratio(rows, k, driver));
   }
 
-  static std::optional<double> ratio(const std::vector<std::vector<double>>& rows, std::size_t joint, std::size_t driver) {
-    constexpr double rounding = 1e-9;
-    if (joint == driver) return {};
-    const auto farthest = std::max_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return std::abs(a[driver]) < std::abs(b[driver]); });
-    if (farthest == rows.end() || std::abs((*farthest)[driver]) < 1e-3) return {};
-    const double ratio = std::round((*farthest)[joint] / (*farthest)[driver]);
-    const bool same = std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return std::abs(row[joint] - ratio * row[driver]) < rounding; });
-    return same ? std::optional(ratio) : std::nullopt;
+  /// The joint's angle over the driver's, where that is the same over a stretch about position 1 that has all
+  /// positions: of analytic motions all or none. A parallelogram may flip where its links lie in one line; up to there
+  /// it counts.
+  [[nodiscard]] std::optional<double> ratio(const std::vector<std::vector<double>>& rows, std::size_t joint,
+                                            std::size_t driver) const {
+    constexpr double rounding = 1e-9, stretch = 0.05;
+    if (joint == driver || rows.empty()) return {};
+    const auto some_way =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return std::abs(row[driver]) > stretch; });
+    if (some_way == rows.end()) return {};
+    const double ratio = std::round((*some_way)[joint] / (*some_way)[driver]);
+    const auto same = [&](const std::vector<double>& turns) {
+      return std::abs(turns[joint] - ratio * turns[driver]) < rounding;
+    };
+    const bool in_positions =
+        std::all_of(model_.keys.begin(), model_.keys.end(), [&](const SimulatorKey& key) { return same(key.turns); });
+    return in_positions && std::all_of(rows.begin(), some_way + 1, same) ? std::optional(ratio) : std::nullopt;
   }
 
   [[nodiscard]] std::string remark() const {
     const std::string& unit = linkage_.length_unit;
     const bool known = unit == "mm" || metre_ != 0.001;
-    const std::string of_unit = known ? "lengths in " + unit
-                                      : (unit.empty() ? "no unit of length" : "the unit of length " + unit) + ", taken for millimetres";
+    const std::string of_unit =
+        known ? "lengths in " + unit
+              : (unit.empty() ? "no unit of length" : "the unit of length " + unit) + ", taken for millimetres";
     return fmt::format("{}{}: a linkage with {}; here in m, kg, rad, its density {} kg/m³", linkage_.title,
-                       linkage_.title.empty() ? "Linkwright" : ", by Linkwright", of_unit, significant_text(density_, 6));
+                       linkage_.title.empty() ? "Linkwright" : ", by Linkwright", of_unit,
+                       significant_text(density_, 6));
   }
 
   const Machine& machine_;
@@ -242,7 +272,9 @@ class ModelBuilder {
 
 }  // namespace
 
-SimulatorModel simulator_model(const Machine& machine, double density) { return ModelBuilder(machine, density).build(); }
+SimulatorModel simulator_model(const Machine& machine, double density) {
+  return ModelBuilder(machine, density).build();
+}
 
 std::string number(double value, double size) { return significant_text(value, 10, size); }
 

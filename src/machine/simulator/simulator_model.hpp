@@ -29,9 +29,9 @@ struct Solid {
 struct SimulatorLink {
   std::string name;
   int body = 0;
-  int parent = -1;       ///< in SimulatorModel::links; none of the ground
+  int parent = -1;        ///< in SimulatorModel::links; none of the ground
   std::size_t hinge = 0;  ///< that it turns in, seen from the parent
-  Vector3 origin;        ///< of its frame, fixed frame, position 1, m: that hinge
+  Vector3 origin;         ///< of its frame, fixed frame, position 1, m: that hinge
   MassProperties matter;
   std::vector<Solid> solids;
   std::vector<double> colour;  ///< red, green, blue, 0…1
@@ -51,7 +51,7 @@ struct SimulatorKey {
 
 /// What the files of all simulators tell, SI units.
 struct SimulatorModel {
-  std::string remark;  ///< what the linkage is, and how its unit was read
+  std::string remark;                ///< what the linkage is, and how its unit was read
   std::vector<SimulatorLink> links;  ///< the ground first, each right before all that hang on it
   std::vector<SimulatorLoop> loops;
   std::vector<std::string> hinge_names;
@@ -61,7 +61,7 @@ struct SimulatorModel {
   Vector3 guided_point;  ///< of the guided body: the traced one or the frame's origin; fixed frame, position 1
   std::vector<SimulatorKey> keys;
   std::optional<std::pair<double, double>> driver_range;  ///< none where the driver turns fully
-  /// Of the joint's angle over the driver's, by link, where it is the same throughout the travel.
+  /// Of the joint's angle over the driver's, by link, where it is the same from position 1 on and in all positions.
   std::vector<std::optional<double>> ratios;
   double size = 0;  ///< the longest link, or the sphere's radius
   double mass = 0;  ///< of all that moves

@@ -28,7 +28,8 @@ class UrdfWriter {
 
  private:
   void write_origin(const Displacement& place) {
-    xml_.leaf("origin", {{"xyz", numbers(place.translation, model_.size)}, {"rpy", numbers(roll_pitch_yaw(place.rotation))}});
+    xml_.leaf("origin",
+              {{"xyz", numbers(place.translation, model_.size)}, {"rpy", numbers(roll_pitch_yaw(place.rotation))}});
   }
 
   void write_link(const SimulatorLink& link) {
@@ -39,7 +40,8 @@ class UrdfWriter {
     write_origin(Displacement::translated(centre - link.origin));
     xml_.leaf("mass", {{"value", number(mass, mass)}});
     XmlWriter::Attributes elements;
-    for (const auto& [name, row, column] : inertia_elements) elements.emplace_back(name, number(inertia(row, column), size));
+    for (const auto& [name, row, column] : inertia_elements)
+      elements.emplace_back(name, number(inertia(row, column), size));
     xml_.leaf("inertia", elements);
     xml_.close();
     for (const Solid& solid : link.solids) write_solid(link, solid);
@@ -54,7 +56,8 @@ class UrdfWriter {
       xml_.leaf("box", {{"size", numbers(box->size, model_.size)}});
     else {
       const auto& cylinder = std::get<SolidCylinder>(solid.shape);
-      xml_.leaf("cylinder", {{"radius", number(cylinder.radius, model_.size)}, {"length", number(cylinder.length, model_.size)}});
+      xml_.leaf("cylinder",
+                {{"radius", number(cylinder.radius, model_.size)}, {"length", number(cylinder.length, model_.size)}});
     }
     xml_.close();
     xml_.open("material", {{"name", link.name}});
@@ -94,12 +97,15 @@ class UrdfWriter {
 
   void write_loop(const SimulatorLoop& loop) {
     const std::string& name = model_.hinge_names[loop.hinge];
-    const SimulatorLink &one = model_.links[static_cast<std::size_t>(loop.first)], &other = model_.links[static_cast<std::size_t>(loop.second)];
-    const Vector3 in_one = model_.hinge_points[loop.hinge] - one.origin, in_other = model_.hinge_points[loop.hinge] - other.origin;
-    xml_.comment(fmt::format("URDF knows trees only. The hinge {} closes a loop: it joins {} at ({}) and {} at ({}), in their frames, "
-                             "about the axis ({}). What reads this file through libsdformat makes the joint below of it.",
-                             name, one.name, numbers(in_one, model_.size), other.name, numbers(in_other, model_.size),
-                             numbers(model_.hinge_axes[loop.hinge])));
+    const SimulatorLink &one = model_.links[static_cast<std::size_t>(loop.first)],
+                        &other = model_.links[static_cast<std::size_t>(loop.second)];
+    const Vector3 in_one = model_.hinge_points[loop.hinge] - one.origin,
+                  in_other = model_.hinge_points[loop.hinge] - other.origin;
+    xml_.comment(fmt::format(
+        "URDF knows trees only. The hinge {} closes a loop: it joins {} at ({}) and {} at ({}), in their frames, "
+        "about the axis ({}). What reads this file through libsdformat makes the joint below of it.",
+        name, one.name, numbers(in_one, model_.size), other.name, numbers(in_other, model_.size),
+        numbers(model_.hinge_axes[loop.hinge])));
     xml_.open("gazebo");
     xml_.open("joint", {{"name", name}, {"type", "revolute"}});
     xml_.text("pose", numbers(in_other, model_.size) + " 0 0 0");
@@ -118,6 +124,8 @@ class UrdfWriter {
 
 }  // namespace
 
-std::string write_urdf(const Machine& machine, double density) { return UrdfWriter(simulator_model(machine, density)).write(); }
+std::string write_urdf(const Machine& machine, double density) {
+  return UrdfWriter(simulator_model(machine, density)).write();
+}
 
 }  // namespace linkwright
