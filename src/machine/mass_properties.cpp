@@ -3,7 +3,7 @@
 namespace linkwright {
 namespace {
 
-constexpr double chord_turn = 0.02;
+constexpr double chord_turn = 0.04;
 
 /// The inertia of what has this second moment ∫ r rᵀ dm.
 Matrix3x3 inertia_of(const Matrix3x3& second_moment) {

@@ -22,7 +22,7 @@ Matrix3x3 diagonal(double x, double y, double z) { return {{{{x, 0, 0}, {0, y, 0
 TEST(MassProperties, OfACylinderAreThoseOfTheTextbook) {
   const double r = 4, h = 20, mass = 2e-6 * pi * r * r * h;
   const Vector3 axis = normalized(Vector3{1, 2, 2}), from{300, -20, 5};
-  const auto found = mass_properties(mesh_of({"pin", 0, RoundPin{from, from + h * axis, r}}, 0.02), 2000, 0.001);
+  const auto found = mass_properties(mesh_of(Part{"pin", 0, RoundPin{from, from + h * axis, r}}, 0.02), 2000, 0.001);
   EXPECT_NEAR(found.mass, mass, accuracy * mass);
   EXPECT_LT(norm(found.centre - 0.001 * (from + h / 2 * axis)), 1e-9);
   const double along = mass * r * r / 2 * 1e-6, across = mass * (3 * r * r + h * h) / 12 * 1e-6;
@@ -33,7 +33,7 @@ TEST(MassProperties, OfACylinderAreThoseOfTheTextbook) {
 TEST(MassProperties, OfARoundedBarWithHolesAreThoseOfItsPieces) {
   const double length = 100, r = 10, hole = 3, t = 6;
   const FlatPlate plate{{{0, 0}, {length, 0}}, {{0, 0}, {length, 0}}, r, hole, 2, 2 + t};
-  const auto found = mass_properties(mesh_of({"bar", 0, plate}, 0.02), 1, 1);
+  const auto found = mass_properties(mesh_of(Part{"bar", 0, plate}, 0.02), 1, 1);
   const double box = length * 2 * r * t, disc = pi * r * r * t, bore = pi * hole * hole * t, half = length / 2;
   const double mass = box + disc - 2 * bore;
   EXPECT_NEAR(found.mass, mass, accuracy * mass);
@@ -49,7 +49,7 @@ TEST(MassProperties, OfARoundedBarWithHolesAreThoseOfItsPieces) {
 TEST(MassProperties, OfANarrowShellAreThoseOfAnArc) {
   const double radius = 50, arc = pi / 2;
   const ShellPlate plate{{1, 0, 0}, {0, 1, 0}, 1e-3, 1e-3, radius - 0.05, radius + 0.05};
-  const auto found = mass_properties(mesh_of({"shell", 0, plate}, 0.05), 1, 1);
+  const auto found = mass_properties(mesh_of(Part{"shell", 0, plate}, 0.05), 1, 1);
   const double middle = radius * std::sin(arc / 2) / (arc / 2) / std::sqrt(2.0);
   EXPECT_LT(norm(found.centre - Vector3{middle, middle, 0}), 5e-3 * radius);
   EXPECT_NEAR(found.inertia(2, 2), found.mass * (radius * radius - 2 * middle * middle),
@@ -67,7 +67,7 @@ TEST(MassProperties, AddUpToAllParts) {
   for (const Machine& made : testing::machines()) {
     const double metre = made.linkage.millimetres() / 1000;
     double parts = 0;
-    for (const Part& part : made.parts) parts += steel_density * std::pow(metre, 3) * volume(mesh_of(part, 0.02));
+    for (const Part& part : made.parts) parts += steel_density * std::pow(metre, 3) * volume(mesh_of(part, 0.04));
     EXPECT_NEAR(whole_mass(made), parts, 1e-9 * parts) << made.linkage.title;
     EXPECT_NEAR(whole_mass(made, 2 * steel_density), 2 * parts, 1e-9 * parts) << made.linkage.title;
   }

@@ -24,7 +24,7 @@ struct MassProperties {
 /// in the mesh's unit of length.
 [[nodiscard]] MassProperties mass_properties(const Mesh& mesh, double density, double metre);
 
-/// Of all parts that move with a body, as they lie in position 1; to about 1e-4 of themselves, for circles are taken as
+/// Of all parts that move with a body, as they lie in position 1; to about 5e-4 of themselves, for circles are taken as
 /// chords. A unit of length that is not known is taken for millimetres.
 [[nodiscard]] MassProperties mass_properties(const Machine& machine, int body, double density = steel_density);
 

@@ -24,8 +24,8 @@ namespace linkwright {
 [[nodiscard]] std::string write_sdf(const Machine& machine, double density = steel_density);
 
 /// URDF, which knows trees only: the hinge that closes a loop is told in a comment, and to what reads URDF through
-/// libsdformat in a `<gazebo>` element. Joints whose angle is proportional to the driver's throughout the travel mimic
-/// it.
+/// libsdformat in a `<gazebo>` element. Joints whose angle is proportional to the driver's mimic it: those of
+/// parallelograms, up to where their links lie in one line and the linkage may flip.
 [[nodiscard]] std::string write_urdf(const Machine& machine, double density = steel_density);
 
 /// One of them by its name: mjcf, sdf, urdf. Errors: `unknown_simulator`, `density_out_of_range` (not between 1e-3 and

@@ -233,19 +233,23 @@ class ModelBuilder {
     for (std::size_t k = 0; k + 1 < model_.links.size(); ++k) model_.ratios.push_back(ratio(rows, k, driver));
   }
 
-  static std::optional<double> ratio(const std::vector<std::vector<double>>& rows, std::size_t joint,
-                                     std::size_t driver) {
-    constexpr double rounding = 1e-9;
-    if (joint == driver) return {};
-    const auto farthest = std::max_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
-      return std::abs(a[driver]) < std::abs(b[driver]);
-    });
-    if (farthest == rows.end() || std::abs((*farthest)[driver]) < 1e-3) return {};
-    const double ratio = std::round((*farthest)[joint] / (*farthest)[driver]);
-    const bool same = std::all_of(rows.begin(), rows.end(), [&](const auto& row) {
-      return std::abs(row[joint] - ratio * row[driver]) < rounding;
-    });
-    return same ? std::optional(ratio) : std::nullopt;
+  /// The joint's angle over the driver's, where that is the same over a stretch about position 1 that has all
+  /// positions: of analytic motions all or none. A parallelogram may flip where its links lie in one line; up to there
+  /// it counts.
+  [[nodiscard]] std::optional<double> ratio(const std::vector<std::vector<double>>& rows, std::size_t joint,
+                                            std::size_t driver) const {
+    constexpr double rounding = 1e-9, stretch = 0.05;
+    if (joint == driver || rows.empty()) return {};
+    const auto some_way =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return std::abs(row[driver]) > stretch; });
+    if (some_way == rows.end()) return {};
+    const double ratio = std::round((*some_way)[joint] / (*some_way)[driver]);
+    const auto same = [&](const std::vector<double>& turns) {
+      return std::abs(turns[joint] - ratio * turns[driver]) < rounding;
+    };
+    const bool in_positions =
+        std::all_of(model_.keys.begin(), model_.keys.end(), [&](const SimulatorKey& key) { return same(key.turns); });
+    return in_positions && std::all_of(rows.begin(), some_way + 1, same) ? std::optional(ratio) : std::nullopt;
   }
 
   [[nodiscard]] std::string remark() const {

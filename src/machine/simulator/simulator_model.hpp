@@ -61,7 +61,7 @@ struct SimulatorModel {
   Vector3 guided_point;  ///< of the guided body: the traced one or the frame's origin; fixed frame, position 1
   std::vector<SimulatorKey> keys;
   std::optional<std::pair<double, double>> driver_range;  ///< none where the driver turns fully
-  /// Of the joint's angle over the driver's, by link, where it is the same throughout the travel.
+  /// Of the joint's angle over the driver's, by link, where it is the same from position 1 on and in all positions.
   std::vector<std::optional<double>> ratios;
   double size = 0;  ///< the longest link, or the sphere's radius
   double mass = 0;  ///< of all that moves
