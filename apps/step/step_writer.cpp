@@ -13,30 +13,19 @@
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "machine/body_colors.hpp"
 #include "machine/step_component.hpp"
 #include "step_shapes.hpp"
 
 namespace linkwright::step {
 namespace {
 
-/// By body; pins are grey.
-constexpr std::array<std::array<double, 3>, 6> body_colors = {{{0.45, 0.48, 0.52},
-                                                               {0.16, 0.38, 0.75},
-                                                               {0.83, 0.42, 0.12},
-                                                               {0.17, 0.55, 0.34},
-                                                               {0.55, 0.30, 0.65},
-                                                               {0.72, 0.58, 0.10}}};
-constexpr std::array<double, 3> pin_color = {0.75, 0.76, 0.78};
-
 Quantity_Color color_of(const Part& part) {
-  const auto& [r, g, b] = std::holds_alternative<RoundPin>(part.shape)
-                              ? pin_color
-                              : body_colors.at(static_cast<std::size_t>(part.body) % body_colors.size());
+  const auto [r, g, b] = std::holds_alternative<RoundPin>(part.shape) ? pin_color : body_color(part.body);
   return {r, g, b, Quantity_TOC_sRGB};
 }
 

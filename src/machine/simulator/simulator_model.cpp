@@ -9,17 +9,10 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "machine/body_colors.hpp"
 
 namespace linkwright {
 namespace {
-
-/// By body, over again: dark grey, blue, green, orange and so on.
-constexpr std::array<std::array<double, 3>, 6> colours = {{{0.22, 0.26, 0.31},
-                                                           {0.04, 0.34, 0.82},
-                                                           {0.18, 0.55, 0.34},
-                                                           {0.70, 0.28, 0.04},
-                                                           {0.48, 0.25, 0.60},
-                                                           {0.10, 0.52, 0.58}}};
 
 /// A frame with its x axis along one direction and its z axis along another, at right angles to it.
 Displacement frame(Vector3 origin, Vector3 x, Vector3 z) {
@@ -148,7 +141,7 @@ class ModelBuilder {
     }
     link.matter = mass_properties(machine_, body, density_);
     if (parent >= 0) model_.mass += link.matter.mass;
-    const auto& colour = colours[static_cast<std::size_t>(body) % colours.size()];
+    const Rgb colour = body_color(body);
     link.colour.assign(colour.begin(), colour.end());
     for (const Part& part : machine_.parts) {
       if (part.body != body) continue;
