@@ -81,7 +81,7 @@ class Spherical(SolveTest):
         rows = list(csv.DictReader(io.StringIO(self.export("csv").read_text(encoding="utf-8"))))
         self.assertEqual(sorted(row["position"] for row in rows if row["position"]), ["1", "2", "3", "4"])
         xml.etree.ElementTree.parse(self.export("svg"))
-        self.assert_mistake(run("export", self.folder / "result.json", "--format", "dxf"), "--format", "sphere", "svg, csv or json")
+        self.assert_mistake(run("export", self.folder / "result.json", "--format", "dxf"), "--format", "sphere", "csv or json")
         words = self.analyze(linkage)
         self.assertIn("It meets all 4 orientations of the file.", words)
         self.assertIn("Triple rocker", words)
