@@ -2,6 +2,7 @@
 
 #include "attitude_reply.hpp"
 #include "instant_reply.hpp"
+#include "reply_json.hpp"
 #include "session.hpp"
 
 // The session as a JavaScript class. Arrays are views into the engine's memory: to be copied before the next call.
@@ -92,6 +93,17 @@ class BoundSession : public Session {
   std::string exported_text(double input_tau, double output_tau, const std::string& format) {
     return exported(input_tau, output_tau, format);
   }
+  std::string machine_text(double input_tau, double output_tau, const WantedSizes& sizes) {
+    return machine(input_tau, output_tau, sizes);
+  }
+  val machine_file_reply(double input_tau, double output_tau, const std::string& format, const WantedSizes& sizes) {
+    auto file = machine_file(input_tau, output_tau, format, sizes);
+    file_.assign(file ? std::move(*file) : "");
+    val result = val::object();
+    result.set("mistakes", mistakes_json(file ? std::vector<Error>{} : file.errors()));
+    result.set("bytes", val(typed_memory_view(file_.size(), reinterpret_cast<const std::uint8_t*>(file_.data()))));
+    return result;
+  }
   std::string mistakes_text() { return mistakes(); }
   std::string best_text(int most) { return best(most); }
   std::string improve_text(double input_tau, double output_tau) { return improve(input_tau, output_tau); }
@@ -103,6 +115,7 @@ class BoundSession : public Session {
   ToleranceReply tolerance_;
   std::vector<std::uint32_t> counts_;
   std::vector<double> path_;
+  std::string file_;
 };
 
 std::string report(const std::string& of, const std::string& text) {
@@ -113,6 +126,13 @@ std::string version() { return LINKWRIGHT_VERSION; }
 EMSCRIPTEN_BINDINGS(linkwright) {
   emscripten::function("version", &version);
   emscripten::function("report", &report);
+  emscripten::value_object<WantedSizes>("WantedSizes")
+      .field("width", &WantedSizes::width)
+      .field("thickness", &WantedSizes::thickness)
+      .field("gap", &WantedSizes::gap)
+      .field("pin", &WantedSizes::pin)
+      .field("radius", &WantedSizes::radius)
+      .field("clearance", &WantedSizes::clearance);
   emscripten::class_<BoundSession>("Session")
       .constructor<>()
       .function("set_problem", &BoundSession::set_problem_text)
@@ -129,7 +149,9 @@ EMSCRIPTEN_BINDINGS(linkwright) {
       .function("improve", &BoundSession::improve_text)
       .function("verify", &BoundSession::verify_text)
       .function("trace", &BoundSession::trace_reply)
-      .function("exported", &BoundSession::exported_text);
+      .function("exported", &BoundSession::exported_text)
+      .function("machine", &BoundSession::machine_text)
+      .function("machine_file", &BoundSession::machine_file_reply);
 }
 
 }  // namespace

@@ -7,9 +7,12 @@
 #include "linkwright/drawing/linkage_export.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/machine/machine.hpp"
+#include "linkwright/machine/print_file.hpp"
 #include "linkwright/region/pareto_front.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "linkwright/synthesis/tolerance_measures.hpp"
+#include "machine_reply.hpp"
 #include "reply_json.hpp"
 #include "six_bar_session.hpp"
 #include "spherical_function_session.hpp"
@@ -344,6 +347,22 @@ std::string Session::exported(double input_tau, double output_tau, std::string_v
   constexpr bool with_region = false;
   if (format == "result") return write_result(problem_, *answer, with_region);
   return linkwright::exported(stored_linkages(problem_, *answer).front(), format);
+}
+
+Result<Machine> Session::machine_at(MapPoint place, const WantedSizes& sizes) const {
+  const auto answer = task().answer_at(place, requirements_.respect_direction);
+  if (!answer) return Error{"no_four_bar", "", "a slider or zero link cannot be written as a four-bar", {}};
+  return linkwright::machine(moving_linkage(stored_linkages(problem_, *answer).front()), sizes);
+}
+
+std::string Session::machine(double input_tau, double output_tau, const WantedSizes& sizes) const {
+  return machine_reply(machine_at({input_tau, output_tau}, sizes));
+}
+
+Result<std::string> Session::machine_file(double input_tau, double output_tau, std::string_view format,
+                                          const WantedSizes& sizes) const {
+  const auto made = machine_at({input_tau, output_tau}, sizes);
+  return made ? write_parts(*made, format) : Result<std::string>(made.errors());
 }
 
 }  // namespace linkwright::wasm

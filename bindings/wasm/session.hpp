@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "linkwright/files/problem_file.hpp"
+#include "linkwright/machine/machine.hpp"
 #include "map_reply.hpp"
 #include "task_session.hpp"
 #include "tolerance_reply.hpp"
@@ -61,6 +62,12 @@ class Session {
   [[nodiscard]] std::vector<double> trace(double input_tau, double output_tau, Point traced);
   /// A file: svg, dxf, csv, json or result. Empty where there is no linkage to write.
   [[nodiscard]] std::string exported(double input_tau, double output_tau, std::string_view format) const;
+  /// A linkage as plates and pins, to be looked at before it is made. JSON text: that of machine_reply().
+  [[nodiscard]] std::string machine(double input_tau, double output_tau, const WantedSizes& sizes) const;
+  /// The bytes of a file to make it from: stl, 3mf or plates. Errors: `no_four_bar`, those of machine() and
+  /// write_parts().
+  [[nodiscard]] Result<std::string> machine_file(double input_tau, double output_tau, std::string_view format,
+                                                 const WantedSizes& sizes) const;
 
  private:
   [[nodiscard]] const TaskSession& task() const;
@@ -68,6 +75,7 @@ class Session {
   [[nodiscard]] Wish wish() const { return {requirements_, problem_.options.objective, added_}; }
   void set_tolerances(bool task_is_new);
   [[nodiscard]] std::optional<LinkageOutput> output_at(MapPoint place) const;
+  [[nodiscard]] Result<Machine> machine_at(MapPoint place, const WantedSizes& sizes) const;
   void measure_tolerances(bool map_is_new);
   [[nodiscard]] bool fails_yield(MapPoint place) const;
   /// Null where there is no map.

@@ -13,16 +13,8 @@ constexpr std::array<std::string_view, 7> formats = {"step", "stl", "3mf", "plat
 
 Result<std::string> content_of(const Machine& made, std::string_view format, const MachineWishes& wishes) {
   if (format == "step") return write_step(made, wishes.position);
-  if (format == "stl") return write_stl(made);
-  if (format == "3mf") return write_3mf(made);
-  if (format != "plates") return simulator_text(made, format, wishes.density);
-  std::string drawing = draw_plates(made);
-  if (!drawing.empty()) return drawing;
-  return Error{"format_of_a_sphere",
-               "--format",
-               "the plates of a spherical four-bar are curved, so that nobody can cut them from a sheet; export it as "
-               "step, stl or 3mf",
-               {}};
+  if (format == "stl" || format == "3mf" || format == "plates") return write_parts(made, format);
+  return simulator_text(made, format, wishes.density);
 }
 
 std::string warning_of(const Machine& made) {

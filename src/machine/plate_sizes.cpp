@@ -48,22 +48,22 @@ Result<PlateSizes> plate_sizes(const MovingLinkage& linkage, const WantedSizes& 
     return Error{"sphere_too_small",
                  "--thickness",
                  fmt::format("four layers of plates {} thick reach the centre of a sphere of radius {}; choose a "
-                             "larger --radius or thinner plates",
+                             "larger radius or thinner plates",
                              significant_text(sizes.thickness, 4), significant_text(sizes.radius, 4)),
-                 {}};
-  if (sizes.width < 1.3 * sizes.hole())
-    return Error{"pin_too_wide",
-                 "--pin",
-                 fmt::format("plates {} wide have no room for holes {} wide; choose a --pin below {}",
-                             significant_text(sizes.width, 4), significant_text(sizes.hole(), 4),
-                             significant_text(sizes.width / 1.3 - sizes.clearance, 4)),
-                 {}};
-  if (shortest < 1.05 * sizes.hole())
+                 {{"thickness", sizes.thickness}, {"radius", sizes.radius}}};
+  if (const double widest = sizes.width / 1.3 - sizes.clearance; sizes.pin > widest)
+    return Error{
+        "pin_too_wide",
+        "--pin",
+        fmt::format("plates {} wide have no room for holes {} wide; choose a pin below {}",
+                    significant_text(sizes.width, 4), significant_text(sizes.hole(), 4), significant_text(widest, 4)),
+        {{"width", sizes.width}, {"hole", sizes.hole()}, {"widest", widest}}};
+  if (const double widest = shortest / 1.05 - sizes.clearance; sizes.pin > widest)
     return Error{"pins_overlap",
                  "--pin",
-                 fmt::format("the holes of the shortest link, {} apart, would meet; choose a --pin below {}",
-                             significant_text(shortest, 4), significant_text(shortest / 1.05 - sizes.clearance, 4)),
-                 {}};
+                 fmt::format("the holes of the shortest link, {} apart, would meet; choose a pin below {}",
+                             significant_text(shortest, 4), significant_text(widest, 4)),
+                 {{"apart", shortest}, {"widest", widest}}};
   return sizes;
 }
 

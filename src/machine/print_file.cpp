@@ -147,4 +147,16 @@ std::string write_3mf(const Machine& machine) {
                       {"3D/3dmodel.model", model_of(laid_parts(machine))}});
 }
 
+Result<std::string> write_parts(const Machine& machine, std::string_view format) {
+  if (format == "stl") return write_stl(machine);
+  if (format == "3mf") return write_3mf(machine);
+  std::string drawing = draw_plates(machine);
+  if (!drawing.empty()) return drawing;
+  return Error{"curved_plates",
+               "--format",
+               "the plates of a spherical four-bar are curved, so that nobody can cut them from a sheet; export it as "
+               "step, stl or 3mf",
+               {}};
+}
+
 }  // namespace linkwright

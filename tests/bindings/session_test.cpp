@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -208,6 +209,40 @@ TEST_F(SessionTest, WritesEveryFormat) {
   EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 361);
   EXPECT_TRUE(read_linkage(session.exported(1.3125, 1.1125, "json")).ok());
   EXPECT_EQ(json::parse(session.exported(1.3125, 1.1125, "result"))["linkages"].size(), 1u);
+}
+
+TEST_F(SessionTest, TellsOfALinkageAsPlatesAndPins) {
+  WantedSizes sizes;
+  sizes.clearance = 0.4;
+  const json plan = json::parse(session.machine(1.3125, 1.1125, sizes));
+  EXPECT_EQ(plan["sizes"]["clearance"], 0.4);
+  EXPECT_EQ(plan["sizes"]["radius"], 0);
+  ASSERT_EQ(plan["layers"].size(), 4u);
+  EXPECT_EQ(plan["layers"][0], json({"ground", 0}));
+  for (const json& crossing : plan["crossings"]) {
+    EXPECT_NE(crossing.contains("pin"), crossing.contains("other"));
+    EXPECT_LE(crossing["from_deg"], crossing["to_deg"]);
+  }
+  sizes.pin = 1e6;
+  EXPECT_EQ(json::parse(session.machine(1.3125, 1.1125, sizes))["mistakes"][0]["code"], "pin_too_wide");
+}
+
+TEST_F(SessionTest, GivesTheBytesOfPlatesAndPins) {
+  const auto bytes = [&](std::string_view format, double clearance) {
+    WantedSizes sizes;
+    sizes.clearance = clearance;
+    return session.machine_file(1.3125, 1.1125, format, sizes).value();
+  };
+  const std::string stl = bytes("stl", 0.4);
+  std::uint32_t triangles = 0;
+  std::memcpy(&triangles, stl.data() + 80, sizeof triangles);
+  EXPECT_EQ(stl.size(), 84 + 50u * triangles);
+  EXPECT_EQ(bytes("3mf", 0.4).substr(0, 2), "PK");
+  EXPECT_NE(bytes("3mf", 0.4), bytes("3mf", 0.1));
+  EXPECT_NE(bytes("plates", 0.4).find("CIRCLE"), std::string::npos);
+  WantedSizes negative;
+  negative.width = -1;
+  EXPECT_EQ(session.machine_file(1.3125, 1.1125, "stl", negative).errors().front().code, "size_out_of_range");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST(MachineExport, PassesMistakesOn) {
     wishes.sizes.pin = 1e6;
     EXPECT_FALSE(exported_machine(linkage, "stl", wishes).ok());
     if (!std::holds_alternative<StoredSphericalFourBar>(linkage)) continue;
-    EXPECT_EQ(exported_machine(linkage, "plates", {}).errors().front().code, "format_of_a_sphere");
+    EXPECT_EQ(exported_machine(linkage, "plates", {}).errors().front().code, "curved_plates");
   }
 }
 

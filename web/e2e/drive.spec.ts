@@ -216,6 +216,37 @@ test.describe("exports", () => {
     }
   });
 
+  test("plates and pins: what collides is told, sizes are given, and files come for printing and cutting", async ({
+    page,
+  }) => {
+    await open_exports(page);
+    await expect(page.getByTestId("export.plates.report")).toContainText("collide");
+    await page.getByTestId("export.plates.fold").locator("summary").click();
+    await expect(page.getByTestId("export.plates.radius")).toHaveCount(0);
+    const clearance = page.getByTestId("export.plates.clearance");
+    await expect(clearance).toHaveAttribute("placeholder", /^[\d.]+$/);
+    const narrow = await exported(page, "3mf");
+    await clearance.fill("0.4");
+    await clearance.press("Enter");
+    const wide = await exported(page, "3mf");
+    expect(wide.name).toMatch(/^tailgate-hinge-.*\.3mf$/);
+    expect(wide.bytes.subarray(0, 2).toString()).toBe("PK");
+    expect(wide.bytes.equals(narrow.bytes)).toBe(false);
+    const {bytes} = await exported(page, "stl");
+    expect(bytes.length).toBe(84 + 50 * bytes.readUInt32LE(80));
+    const plates = await exported(page, "plates");
+    expect(plates.name).toMatch(/-plates\.dxf$/);
+    const drawing = in_file(plates.name, plates.bytes, (path) =>
+      JSON.parse(execFileSync("/usr/bin/python3", ["-c", read_dxf, path], {encoding: "utf8"})),
+    );
+    expect(drawing.errors).toBe(0);
+    await page.getByTestId("export.plates.pin").fill("5000");
+    await page.getByTestId("export.plates.pin").press("Enter");
+    await expect(page.getByTestId("export.plates.report")).toContainText("choose a pin below");
+    await expect(page.getByTestId("export.stl")).toBeDisabled();
+    await expect_accessible(page, "dialog");
+  });
+
   test("SVG is well-formed, CSV begins at position 1 and has a row at each, JSON is read by the program", async ({
     page,
   }) => {

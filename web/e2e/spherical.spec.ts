@@ -128,7 +128,7 @@ test("a linkage is pinned, compared, kept in a link and a file, and taken away",
   const before = await kept();
 
   await page.getByRole("button", {name: "Export", exact: true}).click();
-  await expect(page.getByTestId("export.stl.report")).toContainText("No links collide over the whole travel");
+  await expect(page.getByTestId("export.plates.report")).toContainText("nothing collides");
   await expect(page.getByTestId("export.missing")).toContainText("no plane");
   await expect(page.getByTestId("export.csv")).toContainText("quaternion");
   const taken = async (format: string) => {
@@ -157,7 +157,7 @@ test("links that collide are told before they are saved", async ({page}) => {
   });
   await until_settled(page);
   await page.getByTestId("num.stl").click();
-  await expect(page.getByTestId("export.stl.report")).toContainText("collide between");
+  await expect(page.getByTestId("export.plates.report")).toContainText("has collisions");
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId("export.stl").click()]);
   expect(download.suggestedFilename()).toMatch(/\.stl$/);
 });

@@ -28,7 +28,7 @@ struct MachineFile {
 [[nodiscard]] std::span<const std::string_view> machine_formats();
 
 /// One linkage in one of these formats. Errors: those of plate_sizes(), write_step() and simulator_text();
-/// `format_of_a_sphere` for plates of a spherical linkage.
+/// `curved_plates` for plates of a spherical linkage.
 [[nodiscard]] Result<MachineFile> exported_machine(const AnyStoredLinkage& linkage, std::string_view format,
                                                    const MachineWishes& wishes);
 

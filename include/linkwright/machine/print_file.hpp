@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "linkwright/machine/machine.hpp"
@@ -27,5 +28,8 @@ struct LaidPart {
 /// layer to each plate, with its outline and its holes at their true diameters. Empty for spherical linkages, whose
 /// plates are not flat.
 [[nodiscard]] std::string draw_plates(const Machine& machine);
+
+/// One of these files: `stl`, `3mf` or `plates`. Errors: `curved_plates`.
+[[nodiscard]] Result<std::string> write_parts(const Machine& machine, std::string_view format);
 
 }  // namespace linkwright

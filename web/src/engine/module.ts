@@ -1,6 +1,6 @@
 // The engine's module (bindings/wasm/bind.cpp). Arrays are views into the engine's memory: to be copied before the next
 // call.
-import type {DyadPolygon} from "./protocol";
+import type {DyadPolygon, PlateSizes} from "./protocol";
 import untyped from "./generated/linkwright.mjs";
 
 export interface MapArrays {
@@ -41,6 +41,14 @@ export interface Session {
   verify(input_tau: number, output_tau: number): string;
   trace(input_tau: number, output_tau: number, x: number, y: number): Float64Array;
   exported(input_tau: number, output_tau: number, format: string): string;
+  /** JSON text: a MachinePlan, or {"mistakes"}. Sizes that are 0 are chosen, and a clearance below 0. */
+  machine(input_tau: number, output_tau: number, sizes: PlateSizes): string;
+  machine_file(
+    input_tau: number,
+    output_tau: number,
+    format: string,
+    sizes: PlateSizes,
+  ): {bytes: Uint8Array<ArrayBuffer>; mistakes: string};
   delete(): void;
 }
 export interface LinkwrightModule {

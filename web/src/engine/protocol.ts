@@ -380,6 +380,35 @@ export interface ToleranceAnswer {
 // ---- messages -------------------------------------------------------------------------------------------------
 
 export type ExportFormat = "svg" | "dxf" | "csv" | "json" | "result";
+/** Files to make a linkage from, as plates on pins: parts to print, or a drawing (DXF) to cut the plates from. */
+export type MachineFormat = "3mf" | "stl" | "plates";
+/** User's unit. About a centre plates are pieces of spherical shells. */
+export interface PlateSizes {
+  width: number;
+  thickness: number;
+  gap: number; // between layers, and between what moves past each other in one
+  pin: number; // diameter
+  clearance: number; // by how much a hole is wider than its pin
+  radius: number; // of the outermost sphere; 0: planar
+}
+/** What runs into what, and at which driver angles. */
+export interface PlateCrossing {
+  body: string;
+  /** What it runs into: the pin of a hinge, or another body's plate. */
+  pin?: string;
+  other?: string;
+  from_deg: number;
+  to_deg: number;
+}
+/** A linkage as plates on pins. Bodies and hinges are called as in the files. */
+export interface MachinePlan {
+  sizes: PlateSizes;
+  /** From the ground, which lies in layer 0 (about a centre the innermost). */
+  layers: [body: string, layer: number][];
+  /** Free of collisions over the whole travel, or at least from the first position to the last. */
+  over: "travel" | "task";
+  crossings: PlateCrossing[];
+}
 
 /** Requests by kind. Every request carries the problem (the file's text); a worker keeps the last and reads it again
  *  only when the text differs. */
@@ -407,6 +436,9 @@ export interface Requests {
   front: {problem: string; objectives: readonly [string, string]};
   trace: {problem: string; tau: TauPair; point: Point}; // path of a body point (position 1 coordinates)
   export: {problem: string; tau: TauPair; format: ExportFormat};
+  /** What is left out of the sizes is chosen. */
+  machine: {problem: string; tau: TauPair; sizes: Partial<PlateSizes>};
+  machine_file: {problem: string; tau: TauPair; sizes: Partial<PlateSizes>; format: MachineFormat};
   /** What is no linkage's: JSON text that the engine's report of this name reads. */
   report: {of: string; text: string};
   /** Reads a problem file: its normal form or its mistakes. */
@@ -436,6 +468,8 @@ export interface Replies {
   front: {front: [row: number, column: number, first: number, second: number][]}; // the best by the first one first
   trace: {points: Float64Array}; // 2K, one per drive state
   export: {text: string; extension: string};
+  machine: MachinePlan;
+  machine_file: {bytes: Uint8Array<ArrayBuffer>; extension: string};
   report: {report: object};
   read: {problem: string};
 }

@@ -7,8 +7,10 @@ import type {
   DyadPolygon,
   Kind,
   Linkage,
+  MachinePlan,
   MapAnswer,
   Mistake,
+  PlateSizes,
   Replies,
   ReplyMessage,
   RequestMessage,
@@ -27,6 +29,8 @@ const no_dyads: Mistake = {
   message: "these positions have no grounded links to pair; move one of them",
 };
 const extensions = {svg: ".svg", dxf: ".dxf", csv: ".csv", json: ".json", result: ".json"};
+const machine_extensions = {stl: ".stl", "3mf": ".3mf", plates: ".dxf"};
+const chosen_sizes: PlateSizes = {width: 0, thickness: 0, gap: 0, pin: 0, clearance: -1, radius: 0};
 
 const now = () => performance.now();
 
@@ -78,6 +82,8 @@ export class Engine {
       front: (r) => JSON.parse(this.holding(r.problem).front(...r.objectives)),
       trace: (r) => ({points: copied(this.holding(r.problem).trace(...r.tau, ...r.point))}),
       export: (r) => this.exported(r),
+      machine: (r) => this.machine(r),
+      machine_file: (r) => this.machine_file(r),
       report: (r) => this.report(r),
       read: (r) => this.read(r),
     };
@@ -154,6 +160,20 @@ export class Engine {
         {code: "no_four_bar", place: "", values: {}, message: "a slider or zero link cannot be written as a four-bar"},
       ]);
     return {text, extension: extensions[format]};
+  }
+
+  private machine({problem, tau, sizes}: Requests["machine"]): Replies["machine"] {
+    const text = this.holding(problem).machine(...tau, {...chosen_sizes, ...sizes}),
+      plan = JSON.parse(text) as MachinePlan | {mistakes: Mistake[]};
+    if ("mistakes" in plan) throw new Refusal(plan.mistakes);
+    return plan;
+  }
+
+  private machine_file({problem, tau, sizes, format}: Requests["machine_file"]): Replies["machine_file"] {
+    const file = this.holding(problem).machine_file(...tau, format, {...chosen_sizes, ...sizes}),
+      mistakes = JSON.parse(file.mistakes) as Mistake[];
+    if (mistakes.length) throw new Refusal(mistakes);
+    return {bytes: copied(file.bytes), extension: machine_extensions[format]};
   }
 
   private report({of, text}: Requests["report"]): Replies["report"] {

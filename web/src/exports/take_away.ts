@@ -1,5 +1,5 @@
 // What can be taken away, and of which linkage: the picked one, or one that is pinned.
-import type {ExportFormat, Linkage, LinkageType, TauPair} from "../engine/protocol";
+import type {ExportFormat, Linkage, LinkageType, MachineFormat, MachinePlan, TauPair} from "../engine/protocol";
 import {drawing_svg, drawing_with_more} from "../drawing/snapshot";
 import {css_values} from "../state/css_values";
 import {engine_text, outline_of, type Problem} from "../state/problem";
@@ -8,13 +8,13 @@ import {poses_of} from "../state/task";
 import {tolerances_of} from "../state/tolerances";
 import type {Workbench} from "../state/workbench.svelte";
 import {with_other_task} from "../tasks/kinds";
-import type {OwnFile} from "../tasks/view";
 import {task_view} from "../tasks/views";
 import {animated_gif, type Progress} from "./animation";
 import {containers, film, film_angles, type Container} from "./film";
 import {film_choice} from "./film_form.svelte";
 import {animation_frames} from "./frames";
 import {file_name, file_stem} from "./names";
+import {plate_choice} from "./plate_form.svelte";
 import {picture_colors, picture_of} from "./picture";
 import {has_stage_picture, rasterised, stage_picture} from "./raster";
 
@@ -26,7 +26,18 @@ export interface Target {
   /** The task in which it does its work. */
   problem: Problem;
 }
-export const formats = ["dxf", "svg", "png", "csv", "json", "result", "gif", ...containers] as const;
+export const machine_formats = ["3mf", "stl", "plates"] as const satisfies readonly MachineFormat[];
+export const formats = [
+  "dxf",
+  ...machine_formats,
+  "svg",
+  "png",
+  "csv",
+  "json",
+  "result",
+  "gif",
+  ...containers,
+] as const;
 export type Format = (typeof formats)[number];
 export const animated: readonly Format[] = ["gif", ...containers];
 
@@ -36,6 +47,11 @@ const engine_types: Record<ExportFormat, string> = {
   csv: "text/csv",
   json: "application/json",
   result: "application/json",
+};
+const machine_types: Record<MachineFormat, string> = {
+  "3mf": "model/3mf",
+  stl: "model/stl",
+  plates: engine_types.dxf,
 };
 const gif_size = {width: 640, height: 480};
 
@@ -49,6 +65,8 @@ export function targets(workbench: Workbench): Target[] {
   ];
 }
 
+const no_progress: Progress = {done: () => {}, signal: new AbortController().signal};
+
 export interface File {
   name: string;
   blob: Blob;
@@ -57,7 +75,7 @@ export async function made_file(
   workbench: Workbench,
   target: Target,
   format: Format,
-  progress: Progress,
+  progress: Progress = no_progress,
 ): Promise<File> {
   const stem = file_stem(target.problem, target, workbench.pins);
   if (format === "svg")
@@ -65,20 +83,30 @@ export async function made_file(
   if (format === "png") return {name: `${stem}.png`, blob: await png(workbench, target)};
   if (format === "gif" || format === "mp4" || format === "webm")
     return {name: `${stem}.${format}`, blob: await animation(workbench, target, format, progress)};
+  if (is_of_a_machine(format)) {
+    const {bytes, extension} = await workbench.driver_client!.run({
+      kind: "machine_file",
+      ...machine_of(target),
+      format,
+    });
+    const name = file_name(format === "plates" ? `${stem}-plates` : stem, extension);
+    return {name, blob: new Blob([bytes], {type: machine_types[format]})};
+  }
   const {text, extension} = await from_engine(workbench, target, format);
   return {
     name: file_name(format === "result" ? `${stem}-result` : stem, extension),
     blob: new Blob([text], {type: engine_types[format]}),
   };
 }
-/** One that its kind has the page make. */
-export async function own_file(
-  workbench: Workbench,
-  target: Target,
-  file: OwnFile,
-): Promise<{name: string; blob: Blob}> {
-  const linkage = await linkage_of(workbench, target);
-  return {name: file_name(file_stem(target.problem, target, workbench.pins), file.extension), blob: file.made(linkage)};
+export function is_of_a_machine(format: Format): format is MachineFormat {
+  return (machine_formats as readonly Format[]).includes(format);
+}
+function machine_of({problem, tau}: Target) {
+  return {problem: engine_text(problem), tau, sizes: plate_choice.sizes};
+}
+/** The linkage as plates on pins, to be looked at before it is made; throws a Refusal. */
+export function machine_plan(workbench: Workbench, target: Target): Promise<MachinePlan> {
+  return workbench.driver_client!.follow("machine", machine_of(target));
 }
 /** What is told of a linkage in its problem: another unit or title makes another drawing of the same bars. */
 export function question_of({problem, tau}: Target): string {

@@ -2,7 +2,7 @@
 import type {Linkage, Point, Side} from "../engine/protocol";
 import {row_state, type State} from "../state/drive";
 import {body_point, placed, type Pin} from "../state/problem";
-import {t} from "../texts/texts.svelte";
+import {t, type TextKey} from "../texts/texts.svelte";
 import {
   empty_figure,
   ground,
@@ -14,7 +14,15 @@ import {
   type Place,
   type Slider,
 } from "./figure";
-import {in_plane, reached_rows, type Carrier, type Configuration, type Mechanism, type PlateOrder} from "./mechanism";
+import {
+  in_plane,
+  reached_rows,
+  type Carrier,
+  type Configuration,
+  type Mechanism,
+  type PlateOrder,
+  type PlateWords,
+} from "./mechanism";
 
 const sides = ["input", "output"] as const,
   coupler = "coupler";
@@ -96,6 +104,11 @@ export const plate_orders: readonly PlateOrder[] = [
   {input: 2, coupler: 3, output: 1},
 ];
 
+export const four_bar_words: PlateWords = {
+  body: (name) => t(`num.${name}` as TextKey),
+  pin: (name) => t(`solid.${name}_pin` as TextKey),
+};
+
 export const four_bar: Mechanism = {
   has_instant: true,
   driven(linkage, state): Configuration {
@@ -170,6 +183,7 @@ export const four_bar: Mechanism = {
       ]),
     ];
   },
+  plate_words: four_bar_words,
   plates: plate_orders,
 };
 

@@ -34,6 +34,11 @@ export interface SampledLink {
   role: Role;
   joints: readonly number[];
 }
+/** What the engine's bodies and pins (the hinges' names) are called. */
+export interface PlateWords {
+  body(name: string): string;
+  pin(name: string): string;
+}
 /** Layers in which plates may lie, by the name of the link; the ground is 0. */
 export type PlateOrder = Readonly<Record<string, number>>;
 
@@ -65,6 +70,7 @@ export interface Mechanism {
   has_instant?: true;
   /** What the body guides is its origin: its path is shown though there is no outline. */
   guides_a_point?: true;
+  plate_words: PlateWords;
   /** How its links can lie over each other as plates, the simplest first; or why there is no view in 3-D. */
   plates: readonly PlateOrder[] | {missing: TextKey};
 }

@@ -20,5 +20,6 @@ export const no_mechanism: Mechanism = {
   sketch: () => empty_figure,
   ghost: () => empty_figure,
   dimensions: () => [],
+  plate_words: {body: (name) => name, pin: (name) => name},
   plates: {missing: "drive.nothing"},
 };

@@ -2,7 +2,7 @@
 import type {Component} from "svelte";
 import type {Handle} from "../drawing/handles";
 import type {Surface} from "../drawing/surface";
-import type {ExportFormat, Linkage, RequirementKey, Requirements} from "../engine/protocol";
+import type {ExportFormat, Linkage, MachineFormat, RequirementKey, Requirements} from "../engine/protocol";
 import type {Mechanism} from "../figure/mechanism";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
@@ -12,22 +12,6 @@ import type {PlotChoice} from "../transport/plot";
 export interface EditorProperties {
   /** A sentence about a field, or that there is nothing to say about it any more. */
   report: (place: string, sentence: string | null) => void;
-}
-/** A file that the page itself makes of a linkage. */
-export interface OwnFile {
-  format: string;
-  name: TextKey;
-  about: TextKey;
-  extension: string;
-  type: string;
-  made(linkage: Linkage): Blob;
-  /** What is found of it before it is saved. */
-  report?(linkage: Linkage): FileReport | null;
-}
-export interface FileReport {
-  text: string;
-  /** It will not do what it is for. */
-  is_warning?: true;
 }
 /** A file of the task itself, where no linkage is sought. */
 export interface TaskFile {
@@ -73,9 +57,8 @@ export interface TaskView {
   Numbers?: Component<{hand: Linkage}>;
   /** The first one is shown first. */
   plots(task: Task): readonly [PlotChoice, ...PlotChoice[]];
-  /** Of a linkage, beside what the engine writes; and what of that it does not, with the reason. */
-  files?: readonly OwnFile[];
-  not_written?: Partial<Record<ExportFormat, TextKey>>;
+  /** Files that there are not of its linkages, with the reason. */
+  not_written?: Partial<Record<ExportFormat | MachineFormat, TextKey>>;
   /** Of the task itself, where no linkage is sought. */
   task_files?: readonly TaskFile[];
   /** What a new task is about, at a glance, on a field of 72 by 46: one to each of the kind's beginnings. */

@@ -3,7 +3,7 @@ import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {fileURLToPath} from "node:url";
 import {afterEach, beforeAll, describe, expect, it} from "vitest";
 import {create_linkwright} from "../engine/module";
-import type {Mistake} from "../engine/protocol";
+import type {Mistake, PlateSizes} from "../engine/protocol";
 import {preferences} from "../state/preferences.svelte";
 import en from "./en.json";
 import {mistake_text, mistakes_text} from "./mistakes";
@@ -14,11 +14,33 @@ const wasm = new URL("../engine/generated/linkwright.wasm", import.meta.url);
 const program = `${root}build/release/bin/linkwright`;
 
 let read: (text: string) => Mistake[];
+/** Of the plates of a linkage, which are asked for beside a file. */
+let of_plates: (asked: PlatesAsked) => Mistake[];
 beforeAll(async () => {
   const session = new (await create_linkwright({wasmBinary: readFileSync(wasm)})).Session();
   read = (text) => (session.read(text) ? [] : (JSON.parse(session.mistakes()) as Mistake[]));
+  of_plates = ({example, at, sizes, format}) => {
+    session.set_problem(readFileSync(`${root}examples/${example}.json`, "utf8"));
+    const tau = at ?? (JSON.parse(session.best(1)) as {linkages: {tau: [number, number]}[]}).linkages[0]!.tau;
+    return JSON.parse(session.machine_file(...tau, format, {...not_given, ...sizes}).mistakes) as Mistake[];
+  };
 });
 afterEach(() => void (preferences.language = "en"));
+
+interface PlatesAsked {
+  example: string;
+  at?: [number, number];
+  sizes: Partial<PlateSizes>;
+  format: string;
+}
+const not_given: PlateSizes = {width: 0, thickness: 0, gap: 0, pin: 0, clearance: -1, radius: 0};
+const asked_of_plates: PlatesAsked[] = [
+  {example: "tailgate", sizes: {width: -1, radius: 1e10}, format: "stl"},
+  {example: "tailgate", sizes: {width: 20, pin: 30}, format: "stl"},
+  {example: "tailgate", sizes: {width: 3000, pin: 1000}, format: "3mf"},
+  {example: "folding_wing", sizes: {thickness: 40}, format: "stl"},
+  {example: "folding_wing", sizes: {}, format: "plates"},
+];
 
 /** Files that are text: others are refused before the engine sees them. */
 const files = readdirSync(folder)
@@ -128,7 +150,15 @@ const further = {
 const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name, text}))];
 
 /** Sentences that no text provokes: what JSON cannot say or a reader catches, and what the page finds itself. */
-const unprovoked = ["not_available", "limits_finite", "axis_finite", "two_functions", "no_dyads", "not_utf8"];
+const unprovoked = [
+  "not_available",
+  "limits_finite",
+  "axis_finite",
+  "two_functions",
+  "no_dyads",
+  "no_four_bar",
+  "not_utf8",
+];
 
 /** The codes in the sources of what reads and checks problem files: those before a place, and those of a value read. */
 function codes_of_sources(): string[] {
@@ -140,7 +170,7 @@ function codes_of_sources(): string[] {
       ),
   );
   const made =
-    /\b(?:mistake|mistakes_?(?:\.|->)add)\(\s*"(\w+)"|(?:[{(]\s*|"(\w+)" : )"(\w+)",\s+(?:place|here|where|"task\.|"options\.|"requirements\.|"linkwright"|fmt::format\("task\.)/g;
+    /\b(?:mistake|mistakes_?(?:\.|->)add)\(\s*"(\w+)"|(?:[{(]\s*|"(\w+)" : )"(\w+)",\s+(?:place|here|where|"--(?:pin|thickness)"|fmt::format\("--|"task\.|"options\.|"requirements\.|"linkwright"|fmt::format\("task\.)/g;
   return sources.flatMap((name) =>
     [...readFileSync(`${root}src/${name}`, "utf8").matchAll(made)].flatMap((found) => found.slice(1).filter(Boolean)),
   );
@@ -172,13 +202,24 @@ describe("the engine's sentences about files", () => {
       expect(shortened(without_place(mistake))).toBe(shortened(mistake.message));
     }
   });
+  it.each(asked_of_plates)("are their texts where plates cannot be made: $sizes", (asked) => {
+    const mistakes = of_plates(asked);
+    expect(mistakes.length).toBeGreaterThan(0);
+    for (const mistake of mistakes) {
+      preferences.language = "en";
+      expect(shortened(without_place(mistake))).toBe(shortened(mistake.message));
+      preferences.language = "zh";
+      expect(without_place(mistake)).toMatch(/\p{Script=Han}/u);
+    }
+  });
   it("all have a text", () => {
     const codes = codes_of_sources();
     expect(codes.length).toBeGreaterThan(90);
     expect(codes.filter((code) => !(`mistake.${code}` in en))).toEqual([]);
   });
   it("are all that there are texts for", () => {
-    const provoked = new Set(texts.flatMap(({text}) => read(text)).map(({code}) => code));
+    const mistakes = [...texts.flatMap(({text}) => read(text)), ...asked_of_plates.flatMap(of_plates)],
+      provoked = new Set(mistakes.map(({code}) => code));
     const worded = Object.keys(en).flatMap((key) => (key.startsWith("mistake.") ? [key.slice("mistake.".length)] : []));
     expect(worded.filter((code) => !provoked.has(code)).sort()).toEqual(unprovoked.sort());
   });

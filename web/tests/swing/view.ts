@@ -39,6 +39,7 @@ export const swing_view: TaskView = {
       return kept ? gate(kept, kept) : empty_figure;
     },
     dimensions: () => [{name: "radius of the gate", value: 50}],
+    plate_words: {body: (name) => name, pin: (name) => name},
     plates: {missing: "drawing.title"},
   },
   Stage,

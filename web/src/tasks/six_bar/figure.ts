@@ -6,6 +6,7 @@ import {frame} from "../../figure/four_bar";
 import {in_plane, reached_rows, type Configuration, type Mechanism} from "../../figure/mechanism";
 import type {SixBar} from "./replies";
 import {added, end_joints, role_of_body, role_of_joint} from "./roles";
+import {t} from "../../texts/texts.svelte";
 import {body_name, joint_mark, joint_words, length_words} from "./names";
 
 const guided_body = 3;
@@ -135,6 +136,10 @@ export const six_bar: Mechanism = {
       ...parts.lengths.map(({name, length}) => ({name: length_words(name), value: length})),
       ...parts.joints.map(({at}, joint) => ({name: joint_words(parts, joint), value: at})),
     ];
+  },
+  plate_words: {
+    body: (name) => body_name(Number(name.replace("body_", "")) || 0),
+    pin: (name) => t("solid.pin", {name: joint_mark(name)}),
   },
   plates: {missing: "six_bar.no_solid"},
 };

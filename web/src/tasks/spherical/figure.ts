@@ -1,6 +1,7 @@
 // A spherical four-bar as it is drawn flat: in lists, comparisons, films and thumbnails, seen as the stage is at first.
 import type {Linkage, Pivot, Point} from "../../engine/protocol";
 import {empty_figure, type Body, type Figure, type Joint, type Role} from "../../figure/figure";
+import {four_bar_words} from "../../figure/four_bar";
 import type {Configuration, Mechanism} from "../../figure/mechanism";
 import {t} from "../../texts/texts.svelte";
 import {circle, column, cross, dot, first_eye, great_circle, identity, unit, type Vec3} from "../../sphere/vectors";
@@ -105,5 +106,6 @@ export const spherical_four_bar: Mechanism = {
       })),
     ];
   },
+  plate_words: four_bar_words,
   plates: {missing: "spherical.no_solid"},
 };

@@ -7,7 +7,7 @@ import type {Item, Label, SphereColor} from "../../sphere/item";
 import {triad} from "../../sphere/item";
 import {circle, column, dot, great_circle, times, type Rows, type Vec3} from "../../sphere/vectors";
 import {is_axis} from "./figure";
-import {link_solid, hub_reaches, shells, type ShellOrder, type Sizes} from "./print";
+import {link_solid, hub_reaches, shells, type ShellOrder, type Sizes} from "./link_solid";
 import type {Cone, LinkName} from "./replies";
 import {after, all_rows, axis_names, link_angle, link_ends, link_frame, link_names, stands, type Stand} from "./space";
 
@@ -186,7 +186,6 @@ const sizes: Sizes = {
   half_width: 0.024,
   hub: 0.044,
   bore: 0.014,
-  pin: 0.013,
   clearance: 0.004,
   corners: 12,
   step_deg: 6,

@@ -5,7 +5,7 @@ import {column, dot, length, unit, type Vec3} from "../../sphere/vectors";
 import {spherical_four_bar} from "./figure";
 import {single_axes, smooth_way, stretches} from "./pictures";
 import type {SphericalBars} from "./replies";
-import {after, angle_between, arc_frame, distance_from_arc, rows_of_quaternion, stand_at, stands} from "./space";
+import {after, angle_between, arc_frame, rows_of_quaternion, stand_at, stands} from "./space";
 
 const half = Math.SQRT1_2;
 const bars: SphericalBars = {
@@ -84,10 +84,7 @@ describe("arcs", () => {
     expect(dot(column(frame, 1), to)).toBeGreaterThan(0);
     expect(dot(column(frame, 2), to)).toBeCloseTo(0);
   });
-  it("lie as far from an axis as their nearest point", () => {
-    expect(distance_from_arc([0, 0, 1], [1, 0, 0], [0, 1, 0])).toBeCloseTo(Math.PI / 2);
-    expect(distance_from_arc([half, half, 0], [1, 0, 0], [0, 1, 0])).toBeCloseTo(0);
-    expect(distance_from_arc([0, -1, 0], [1, 0, 0], [0, 1, 0])).toBeCloseTo(Math.PI / 2);
+  it("are as long as the angle between their ends", () => {
     expect(angle_between([1, 0, 0], [-1, 0, 0])).toBeCloseTo(Math.PI);
   });
   it("turn as quaternions of any length say", () => {

@@ -120,15 +120,6 @@ export function link_frame(link: LinkName, stand: Stand): Rows {
   const [from, to] = link_ends[link];
   return arc_frame(stand[from], stand[to]);
 }
-/** How far an axis lies from the nearest of an arc, radians. */
-export function distance_from_arc(axis: Vec3, from: Vec3, to: Vec3): number {
-  const frame = arc_frame(from, to),
-    [x, y, z] = [column(frame, 0), column(frame, 1), column(frame, 2)],
-    along = Math.atan2(dot(axis, y), dot(axis, x));
-  if (along >= 0 && along <= angle_between(from, to))
-    return Math.abs(Math.asin(Math.min(Math.max(dot(axis, z), -1), 1)));
-  return Math.min(angle_between(axis, from), angle_between(axis, to));
-}
 /** Points of a line on the ball, neighbours in the same sense: of each of two opposite points the one nearer to the last. */
 export function aligned(points: readonly Vec3[]): Vec3[] {
   const line: Vec3[] = [];

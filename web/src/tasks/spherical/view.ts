@@ -1,7 +1,6 @@
 import type {TaskView} from "../view";
 import Editor from "./Editor.svelte";
 import {spherical_four_bar} from "./figure";
-import {spherical_files} from "./files";
 import Numbers from "./Numbers.svelte";
 import Picture from "./Picture.svelte";
 import Requirement from "./Requirement.svelte";
@@ -14,7 +13,6 @@ export const spherical_view: TaskView = {
   Requirement,
   Numbers,
   Picture,
-  files: spherical_files,
-  not_written: {dxf: "spherical.no_dxf"},
+  not_written: {dxf: "spherical.no_dxf", plates: "spherical.no_dxf"},
   plots: () => ["transmission", "output", "velocity", "advantage"],
 };

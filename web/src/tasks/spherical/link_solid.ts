@@ -1,11 +1,10 @@
-// The links of a spherical four-bar as solids that can be printed: each bar on a shell of its own about the centre, straight
+// The links of a spherical four-bar as solids on the stage: each bar on a shell of its own about the centre, straight
 // hubs along the axes with a bore for a pin. What joins two links that are no neighbours reaches through the shells between.
-import {plus, seen_from_outside, times, type Rows, type Vec3} from "../../sphere/vectors";
-import {least_of, most_of} from "../../state/ends";
+import {plus, times, type Vec3} from "../../sphere/vectors";
 import type {LinkName} from "./replies";
-import {axis_names, link_angle, link_ends, link_frame, link_names, type Stand} from "./space";
+import {link_ends, link_names} from "./space";
 
-/** Millimetres. */
+/** In whatever unit the radii are. */
 export interface Sizes {
   /** Radius of the innermost shell. */
   inner: number;
@@ -13,24 +12,12 @@ export interface Sizes {
   half_width: number;
   hub: number; // radius
   bore: number; // radius
-  pin: number; // radius
   /** Between what moves against each other. */
   clearance: number;
   /** Of a hub on the side away from the bar; a bar has one every so many degrees. */
   corners: number;
   step_deg: number;
 }
-export const usual_sizes: Sizes = {
-  inner: 36,
-  thickness: 4,
-  half_width: 3,
-  hub: 5,
-  bore: 1.6,
-  pin: 1.5,
-  clearance: 0.4,
-  corners: 24,
-  step_deg: 3,
-};
 /** Three corners to a triangle, counter-clockwise from outside. */
 export type Triangles = Vec3[];
 export interface Shell {
@@ -63,11 +50,6 @@ export function hub_reaches(link: LinkName, order: ShellOrder, sizes: Sizes): re
     const other = link_names.find((name) => name !== link && link_ends[name].includes(axis))!;
     return [own.inner, Math.max(own.outer, of[other].inner > own.outer ? of[other].inner - sizes.clearance : 0)];
   }) as unknown as readonly [Reach, Reach];
-}
-/** Sizes at which the hubs of the shortest link leave room for a bar between them. */
-export function fitting_sizes(stand: Stand, sizes: Sizes = usual_sizes): Sizes {
-  const least = Math.min(least_of(link_names.map((link) => link_angle(link, stand))), Math.PI / 2);
-  return {...sizes, inner: Math.max(sizes.inner, (1.25 * sizes.hub) / Math.tan(least / 2))};
 }
 
 // ---- one link -------------------------------------------------------------------------------------------------------
@@ -167,55 +149,4 @@ export function link_solid(angle: number, shell: Shell, reaches: readonly [Reach
     [0, 1, 2, 3].flatMap((k) => quad(here[k]!, here[(k + 1) % 4]!, next[(k + 1) % 4]!, next[k]!)),
   );
   return [...hub(first, reaches[0], shell, sizes), ...bar, ...hub(last, reaches[1], shell, sizes)];
-}
-
-// ---- all of them ----------------------------------------------------------------------------------------------------
-
-/** Each link where it stands. */
-export function link_solids(stand: Stand, order: ShellOrder, sizes: Sizes): Record<LinkName, Triangles> {
-  const of = shells(order, sizes);
-  const solid = (link: LinkName): Triangles => {
-    const frame: Rows = link_frame(link, stand);
-    return link_solid(link_angle(link, stand), of[link], hub_reaches(link, order, sizes), sizes).map((corner) =>
-      seen_from_outside(frame, corner),
-    );
-  };
-  return Object.fromEntries(link_names.map((link) => [link, solid(link)])) as Record<LinkName, Triangles>;
-}
-
-/** A pin to each axis, upright beside what is at smaller x, its foot at `floor`: as long as the hubs that it joins. */
-export function pins(order: ShellOrder, sizes: Sizes, beside: number, floor: number): Triangles {
-  const of = shells(order, sizes),
-    {pin: radius, corners: around} = sizes;
-  return axis_names.flatMap((axis, k) => {
-    const joined = link_names.filter((link) => link_ends[link].includes(axis)).map((link) => of[link]),
-      height = most_of(joined.map(({outer}) => outer)) - least_of(joined.map(({inner}) => inner));
-    const middle: Vec3 = [beside + 3 * radius, 6 * radius * (k - 1.5), floor],
-      at = (size: number, turn: number, z: number) => plus(middle, [size * Math.cos(turn), size * Math.sin(turn), z]);
-    return Array.from({length: around}, (_, i) => [i, i + 1].map((j) => (2 * Math.PI * (j % around)) / around)).flatMap(
-      ([a, b]) => [
-        ...quad(at(radius, a!, 0), at(radius, b!, 0), at(radius, b!, height), at(radius, a!, height)),
-        ...[at(0, 0, height), at(radius, a!, height), at(radius, b!, height)],
-        ...[at(0, 0, 0), at(radius, b!, 0), at(radius, a!, 0)],
-      ],
-    );
-  });
-}
-
-/** Binary STL (80 bytes of title, count, then normal, three corners and two bytes to each triangle). */
-export function stl(triangles: Triangles, title: string): ArrayBuffer {
-  const count = triangles.length / 3,
-    data = new DataView(new ArrayBuffer(84 + 50 * count));
-  [...title.slice(0, 79)].forEach((letter, i) =>
-    data.setUint8(i, letter.charCodeAt(0) < 128 ? letter.charCodeAt(0) : 95),
-  );
-  data.setUint32(80, count, true);
-  for (let k = 0; k < count; ++k) {
-    const at = 84 + 50 * k; // the normal is left at 0: readers take it from the corners
-    triangles
-      .slice(3 * k, 3 * k + 3)
-      .flat()
-      .forEach((value, i) => data.setFloat32(at + 12 + 4 * i, value, true));
-  }
-  return data.buffer;
 }

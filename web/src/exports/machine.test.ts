@@ -1,0 +1,127 @@
+// The engine as it is built for the page makes the same plates and pins as the program: sines differ in the last bit from
+// one machine to another, and nothing else.
+import {execFileSync} from "node:child_process";
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+import {fileURLToPath} from "node:url";
+import {afterEach, beforeAll, describe, expect, it} from "vitest";
+import {create_linkwright} from "../engine/module";
+import type {MachineFormat, MachinePlan, TauPair} from "../engine/protocol";
+import {Refusal} from "../engine/refusal";
+import {Engine} from "../engine/serve";
+import {no_mechanism} from "../figure/no_mechanism";
+import {crossings_told} from "../figure/plate_words";
+import {examples, first_example} from "../gallery/gallery";
+import {engine_text, type Problem} from "../state/problem";
+import {load_views, task_view} from "../tasks/views";
+import {plate_choice} from "./plate_form.svelte";
+
+const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
+const program = fileURLToPath(new URL("../../../build/release/bin/linkwright", import.meta.url));
+let engine: Engine;
+beforeAll(async () => {
+  engine = new Engine(await create_linkwright({wasmBinary: wasm}));
+  await load_views();
+});
+
+function best_of(problem: Problem): {problem: string; tau: TauPair} {
+  const text = engine_text(problem);
+  return {problem: text, tau: engine.ask("best", {problem: text, most: 1}).linkages[0]!.tau};
+}
+const example = (name: string) => examples.find((one) => one.name === name)!.problem;
+const radii = (plan: MachinePlan) => plan.sizes.radius;
+
+const text_of = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
+const number = /-?\d+(?:\.\d+)?(?:e[-+]\d+)?/g;
+const expect_same: Record<MachineFormat, (one: Uint8Array, other: Uint8Array) => void> = {
+  "3mf": (one, other) => expect(one.length === other.length && one.every((byte, i) => byte === other[i])).toBe(true),
+  stl(one, other) {
+    expect(one.length).toBe(other.length);
+    const [a, b] = [one, other].map(({buffer, byteOffset, length}) => new DataView(buffer, byteOffset, length));
+    let apart = Math.abs(a!.getUint32(80, true) - b!.getUint32(80, true));
+    for (let at = 84; at < one.length; at += 50)
+      for (let k = 12; k < 48; k += 4)
+        apart = Math.max(apart, Math.abs(a!.getFloat32(at + k, true) - b!.getFloat32(at + k, true)));
+    expect(apart).toBeLessThan(2e-4); // of a metre, as floats
+  },
+  plates(one, other) {
+    const [a, b] = [text_of(one), text_of(other)];
+    expect(a.replace(number, "#")).toBe(b.replace(number, "#"));
+    const numbers = b.match(number)!.map(Number);
+    a.match(number)!.forEach((value, i) => expect(Math.abs(Number(value) - numbers[i]!)).toBeLessThan(1e-6));
+  },
+};
+
+describe("a linkage as plates on pins", () => {
+  it.each([
+    ["stl", []],
+    ["3mf", []],
+    ["plates", []],
+    ["3mf", ["--clearance", "0.4", "--width", "30"]],
+  ] as [MachineFormat, string[]][])("is the program's: %s %j", (format, options) => {
+    expect(existsSync(program), "build/release is built first").toBe(true);
+    const of = best_of(first_example.problem),
+      sizes = options.length ? {clearance: 0.4, width: 30} : {},
+      {bytes} = engine.ask("machine_file", {...of, sizes, format});
+    const folder = mkdtempSync(join(tmpdir(), "linkwright-machine-"));
+    try {
+      const result = join(folder, "result.json"),
+        made = join(folder, "made");
+      writeFileSync(result, engine.ask("export", {...of, format: "result"}).text);
+      execFileSync(program, ["export", result, "--format", format, ...options, "-o", made], {stdio: "pipe"});
+      expect_same[format](bytes, readFileSync(made));
+    } finally {
+      rmSync(folder, {recursive: true});
+    }
+  });
+  it("has the sizes that are wanted, and others that go with them", () => {
+    const of = best_of(first_example.problem),
+      {sizes, layers} = engine.ask("machine", {...of, sizes: {clearance: 0, pin: 7}});
+    expect(sizes).toMatchObject({clearance: 0, pin: 7, radius: 0});
+    expect(sizes.width).toBeGreaterThan(7);
+    expect(layers.map(([body]) => body)).toEqual(["ground", "input", "coupler", "output"]);
+    expect(layers[0]![1]).toBe(0);
+  });
+  it.each(["wheel_loader", "folding_wing"])("is made of any kind: %s", (name) => {
+    const of = best_of(example(name)),
+      plan = engine.ask("machine", {...of, sizes: {}});
+    expect(plan.layers.length).toBe(name === "wheel_loader" ? 6 : 4);
+    expect(plan.sizes.radius > 0).toBe(name === "folding_wing");
+    const {mechanism} = task_view(example(name).task);
+    for (const [body] of plan.layers) expect(mechanism.plate_words.body(body)).not.toMatch(/[._]/);
+    expect(engine.ask("machine_file", {...of, sizes: {}, format: "3mf"}).bytes.subarray(0, 2)).toEqual(
+      Uint8Array.from([0x50, 0x4b]),
+    );
+  });
+  it("is refused where it cannot be made", () => {
+    const of = best_of(first_example.problem);
+    const refusal = (format: MachineFormat) => {
+      try {
+        engine.ask("machine_file", {...of, sizes: {pin: 1e6}, format});
+      } catch (error) {
+        return (error as Refusal).mistakes.map(({code}) => code);
+      }
+      return [];
+    };
+    expect(refusal("stl")).toEqual(refusal("plates"));
+    expect(refusal("stl")).toHaveLength(1);
+  });
+  it("tells the first of what collides", () => {
+    const plan = {
+      crossings: [1, 2, 3, 4].map((n) => ({body: `body ${n}`, other: "ground", from_deg: n, to_deg: 2 * n})),
+    } as unknown as MachinePlan;
+    expect(crossings_told(no_mechanism, plan)).toHaveLength(3);
+    expect(crossings_told(no_mechanism, plan)[0]).toBe("body 1 and ground collide in one layer between 1° and 2°.");
+  });
+});
+
+describe("the sizes given", () => {
+  afterEach(() => void (plate_choice.sizes = {}));
+  it("are those that are not empty", () => {
+    plate_choice.give("clearance", 0.3);
+    plate_choice.give("pin", 4);
+    plate_choice.give("pin", null);
+    expect(plate_choice.sizes).toEqual({clearance: 0.3});
+  });
+});
