@@ -34,8 +34,18 @@ bool is_of_a_machine(std::string_view format) {
   return std::ranges::find(machine_formats(), format) != machine_formats().end();
 }
 
+bool is_given(const MachineWishes& wishes) {
+  const WantedSizes& s = wishes.sizes;
+  return s.width != 0 || s.thickness != 0 || s.gap != 0 || s.pin != 0 || s.radius != 0 || s.clearance >= 0 ||
+         wishes.position || wishes.density;
+}
+
 Result<MachineFile> exported_file(const AnyStoredLinkage& linkage, const ExportArguments& arguments) {
   if (is_of_a_machine(arguments.format)) return exported_machine(linkage, arguments.format, arguments.machine);
+  if (is_given(arguments.machine))
+    return Error{"wish_of_another_format", "--format",
+                 fmt::format("sizes, position and density are those of {}; {} has none",
+                             fmt::join(machine_formats(), ", "), arguments.format)};
   std::string text = exported(linkage, arguments.format);
   if (!text.empty()) return MachineFile{std::move(text), ""};
   return Error{
@@ -52,7 +62,8 @@ int export_linkage(const ExportArguments& arguments) {
   const auto file = linkage ? exported_file(*linkage, arguments) : Result<MachineFile>(linkage.errors());
   if (!file) {
     print_mistakes(arguments.result, file.errors());
-    return file.errors().front().code == "no_step_component" ? failure : mistake;
+    const std::string& code = file.errors().front().code;
+    return code == "no_step_component" || code == "step_failed" ? failure : mistake;
   }
   if (!file->warning.empty()) print_failure("warning: " + file->warning);
   const bool written = write_output(arguments.output, [&](const TextSink& sink) { sink(file->content); });

@@ -70,8 +70,15 @@ void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {
 
 /// Flags of `export` for what is built; lengths in the file's unit.
 void add_machine(CLI::App& command, MachineWishes& wishes) {
+  const auto above_zero = CLI::Validator(
+      [](const std::string& text) {
+        double value = 0;
+        const bool is_number = CLI::detail::lexical_cast(text, value);
+        return is_number && value > 0 ? "" : fmt::format("{} is not a number above 0", in_quotes(text));
+      },
+      "");
   const auto size = [&](const char* flag, double& value, const char* help) {
-    command.add_option(flag, value, help)->check(CLI::PositiveNumber);
+    command.add_option(flag, value, help)->check(above_zero);
   };
   size("--width", wishes.sizes.width, "Width of the plates (default: 12 % of the longest link, or less)");
   size("--thickness", wishes.sizes.thickness, "Thickness of the plates (default: 6 % of the longest link)");
@@ -79,14 +86,20 @@ void add_machine(CLI::App& command, MachineWishes& wishes) {
   size("--pin", wishes.sizes.pin, "Diameter of the pins (default: 5 % of the longest link, or less)");
   command
       .add_option("--clearance", wishes.sizes.clearance, "How much wider holes are than pins (default: 2 % of the pin)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return text.starts_with('-') ? fmt::format("{} is below 0", in_quotes(text)) : std::string();
+          },
+          ""));
   size("--radius", wishes.sizes.radius, "Radius of the outermost sphere of a spherical linkage (default: 100)");
-  size("--density", wishes.density, "Density for simulators, kg/m³ (default: 7850, steel)");
   command
-      .add_option_function<int>(
-          "--position", [&wishes](int position) { wishes.position = position - 1; },
-          "Position of the task in which a STEP file shows the linkage (default: 1)")
-      ->check(CLI::PositiveNumber);
+      .add_option_function<double>(
+          "--density", [&wishes](double density) { wishes.density = density; },
+          "Density for simulators, kg/m³ (default: 7850, steel)")
+      ->check(above_zero);
+  command.add_option_function<int>(
+      "--position", [&wishes](int position) { wishes.position = position - 1; },
+      "Position of the task, from 1, in which a STEP file shows the linkage (default: 1)");
 }
 
 void add_export(CLI::App& app, ExportArguments& arguments) {

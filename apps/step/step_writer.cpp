@@ -29,8 +29,15 @@ Quantity_Color color_of(const Part& part) {
   return {r, g, b, Quantity_TOC_sRGB};
 }
 
+/// Without control characters, which STEP files may not hold.
+std::string printable(std::string words) {
+  for (char& c : words)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+  return words;
+}
+
 void name(const TDF_Label& label, const std::string& words) {
-  TDataStd_Name::Set(label, TCollection_ExtendedString(words.c_str(), true));
+  TDataStd_Name::Set(label, TCollection_ExtendedString(printable(words).c_str(), true));
 }
 
 /// The parts, and an assembly in which each stands in its place.
@@ -53,7 +60,7 @@ void fill(const Handle(TDocStd_Document) & document, const Machine& machine, int
 void write_header(STEPCAFControl_Writer& writer, const std::string& title) {
   APIHeaderSection_MakeHeader header(writer.ChangeWriter().Model());
   const auto text = [](const std::string& words) { return new TCollection_HAsciiString(words.c_str()); };
-  header.SetName(text(title));
+  header.SetName(text(printable(title)));
   header.SetOriginatingSystem(text("Linkwright " LINKWRIGHT_VERSION));
 }
 
@@ -100,6 +107,7 @@ extern "C" {
 
 linkwright::StepWriter linkwright_step_writer;
 linkwright::StepVersion linkwright_step_version;
+linkwright::StepLayout linkwright_step_layout;
 
 bool linkwright_step_writer(const linkwright::Machine& machine, int position, double scale, std::string& text) {
   try {
@@ -113,5 +121,7 @@ bool linkwright_step_writer(const linkwright::Machine& machine, int position, do
 }
 
 const char* linkwright_step_version() { return LINKWRIGHT_VERSION; }
+
+std::size_t linkwright_step_layout() { return linkwright::machine_layout; }
 
 }  // extern "C"

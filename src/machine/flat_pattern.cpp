@@ -25,6 +25,7 @@ class Corners {
     points_.push_back(point);
     return static_cast<int>(points_.size()) - 1;
   }
+  [[nodiscard]] Point at(int number) const { return points_[static_cast<std::size_t>(number)]; }
   std::vector<Point> take() { return std::move(points_); }
 
  private:
@@ -59,31 +60,41 @@ std::vector<int> numbered(Corners& corners, const std::vector<Point>& points) {
   return numbers;
 }
 
-/// From the corner whose direction, seen from a site, comes first after −π.
-void start_at_least_angle(std::vector<Point>& ring, Point site) {
-  std::rotate(ring.begin(),
-              std::min_element(ring.begin(), ring.end(),
-                               [&](Point a, Point b) { return std::arg(a - site) < std::arg(b - site); }),
-              ring.end());
+/// A ring of corners seen from a site: their numbers and angles, from the least angle on and round.
+struct Ring {
+  std::vector<int> numbers;
+  std::vector<double> angles;
+
+  [[nodiscard]] std::size_t size() const { return numbers.size(); }
+  [[nodiscard]] int number(std::size_t k) const { return numbers[k % size()]; }
+  [[nodiscard]] double angle(std::size_t k) const { return angles[k % size()] + (k >= size() ? two_pi : 0); }
+};
+
+Ring ring_of(Corners& corners, std::vector<Point> points, Point site) {
+  const auto angle = [&](Point p) { return std::arg(p - site); };
+  std::rotate(points.begin(),
+              std::min_element(points.begin(), points.end(), [&](Point a, Point b) { return angle(a) < angle(b); }),
+              points.end());
+  Ring ring;
+  ring.numbers = numbered(corners, points);
+  for (const int number : ring.numbers) ring.angles.push_back(angle(corners.at(number)));
+  return ring;
 }
 
-/// Between a hole and what lies round it: of both rings the one whose next corner has turned less goes on.
-void fill_ring(Corners& corners, std::vector<Point> outer, std::vector<Point> inner, Point site,
+/// Between a hole and what lies round it: of both rings the one whose next corner has turned less goes on. Corners lie
+/// so close on both that no triangle reaches across the hole (`finest`).
+void fill_ring(Corners& corners, const std::vector<Point>& rim, const PatternSite& site,
                std::vector<std::array<int, 3>>& triangles) {
-  start_at_least_angle(outer, site);
-  start_at_least_angle(inner, site);
-  const std::vector<int> out = numbered(corners, outer), in = numbered(corners, inner);
-  const auto angle = [&](const std::vector<Point>& ring, std::size_t k) {
-    return std::arg(ring[k % ring.size()] - site) + (k >= ring.size() ? two_pi : 0);
-  };
+  const Ring out = ring_of(corners, rim, site.at), in = ring_of(corners, site.hole, site.at);
   std::size_t o = 0, i = 0;
   while (o < out.size() || i < in.size()) {
-    const int from_out = out[o % out.size()], from_in = in[i % in.size()];
-    const bool outer_goes = i == in.size() || (o < out.size() && angle(outer, o + 1) <= angle(inner, i + 1));
-    if (outer_goes)
-      triangles.push_back({from_in, from_out, out[++o % out.size()]});
-    else
-      triangles.push_back({from_in, from_out, in[++i % in.size()]});
+    const int from_out = out.number(o), from_in = in.number(i);
+    const bool outer_goes = i == in.size() || (o < out.size() && out.angle(o + 1) <= in.angle(i + 1));
+    if (outer_goes) {
+      triangles.push_back({from_in, from_out, out.number(++o)});
+    } else {
+      triangles.push_back({from_in, from_out, in.number(++i)});
+    }
   }
 }
 
@@ -91,6 +102,26 @@ void fill_fan(Corners& corners, const std::vector<Point>& rim, Point site, std::
   const std::vector<int> out = numbered(corners, rim);
   const int middle = corners.number(site);
   for (std::size_t k = 0; k < out.size(); ++k) triangles.push_back({middle, out[k], out[(k + 1) % out.size()]});
+}
+
+/// Longest edge of a rim round a hole, seen from the hole's middle, radians: holes fill up to 1 / 1.05 of the way to
+/// their rim, and the tangent at a corner of theirs passes above rims less than acos(1 / 1.05) = 0.31 away.
+constexpr double finest = 0.12;
+
+std::vector<Point> with_short_chords(const std::vector<Point>& rim, Point site) {
+  std::vector<Point> fine;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const Point a = rim[i], b = rim[(i + 1) % rim.size()];
+    const double seen = std::abs(std::arg((b - site) * std::conj(a - site)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(seen / finest)));
+    // Even in angle, not along the edge.
+    for (int k = 0; k < pieces; ++k) {
+      const Point ray = (a - site) * direction(std::arg((b - site) * std::conj(a - site)) * k / pieces);
+      const double share = k == 0 ? 0 : cross(site - a, ray) / cross(b - a, ray);
+      fine.push_back(a + share * (b - a));
+    }
+  }
+  return fine;
 }
 
 /// Every corner of a neighbour on an edge is a corner of this polygon, too.
@@ -124,6 +155,7 @@ FlatPattern flat_pattern(const std::vector<Point>& outline, const std::vector<Pa
     cells.push_back(outline);
     for (const PatternSite& other : sites)
       if (&other != &site) cells.back() = nearer(cells.back(), site.at, other.at);
+    if (!site.hole.empty()) cells.back() = with_short_chords(cells.back(), site.at);
     all.insert(all.end(), cells.back().begin(), cells.back().end());
   }
   Corners corners(size);
@@ -133,7 +165,7 @@ FlatPattern flat_pattern(const std::vector<Point>& outline, const std::vector<Pa
     if (sites[k].hole.empty())
       fill_fan(corners, cells[k], sites[k].at, pattern.triangles);
     else
-      fill_ring(corners, cells[k], sites[k].hole, sites[k].at, pattern.triangles);
+      fill_ring(corners, cells[k], sites[k], pattern.triangles);
   }
   pattern.points = corners.take();
   return pattern;
@@ -144,7 +176,9 @@ FlatPattern with_short_edges(FlatPattern pattern, double longest) {
     const auto at = [&](std::size_t k) { return pattern.points[static_cast<std::size_t>(t[k])]; };
     return std::max({std::abs(at(1) - at(0)), std::abs(at(2) - at(1)), std::abs(at(0) - at(2))}) > longest;
   };
-  while (std::any_of(pattern.triangles.begin(), pattern.triangles.end(), too_long)) {
+  constexpr int most_rounds = 5;
+  for (int round = 0; round < most_rounds && std::any_of(pattern.triangles.begin(), pattern.triangles.end(), too_long);
+       ++round) {
     std::map<std::pair<int, int>, int> middles;
     const auto middle = [&](int a, int b) {
       const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<int>(pattern.points.size()));

@@ -66,13 +66,22 @@ class Workshop {
       return;
     }
     FlatPlate plate;
-    for (const Vector3 corner : corners) plate.holes.push_back(in_plane(corner));
-    plate.outline = convex_hull(plate.holes);
+    std::vector<Point> points;
+    for (const Vector3 corner : corners) points.push_back(in_plane(corner));
+    plate.outline = convex_hull(points);
+    for (const Point point : points)
+      if (is_clear(point, plate.holes)) plate.holes.push_back(point);
     plate.radius = sizes_.width / 2;
     plate.hole_radius = sizes_.hole() / 2;
     plate.low = low(layer);
     plate.high = high(layer);
     part.shape = std::move(plate);
+  }
+
+  /// A traced point that lies in a hinge, or nearly so, has no hole of its own.
+  [[nodiscard]] bool is_clear(Point point, const std::vector<Point>& holes) const {
+    return std::none_of(holes.begin(), holes.end(),
+                        [&](Point hole) { return std::abs(point - hole) < 1.05 * sizes_.hole(); });
   }
 
   void make_pin(const Hinge& hinge) {
@@ -126,7 +135,7 @@ std::string collision_text(const Machine& made) {
     const std::string obstacle =
         crossing.is_pin ? "the pin " + linkage.hinges[crossing.obstacle].name : linkage.bodies[crossing.obstacle];
     const double from = degrees(crossing.from_turn), to = degrees(crossing.to_turn);
-    return fmt::format("{} runs into {} with the driver turned {}° to {}° from position 1",
+    return fmt::format("{} comes nearer than the gap to {} with the driver turned {}° to {}° from position 1",
                        linkage.bodies[static_cast<std::size_t>(crossing.body)], obstacle,
                        rounded_text(std::min(from, to), 0), rounded_text(std::max(from, to), 0));
   };

@@ -1,7 +1,10 @@
 #include "linkwright/machine/machine_export.hpp"
 
 #include <array>
+#include <fmt/format.h>
 
+#include "linkwright/files/length_unit.hpp"
+#include "linkwright/files/nearest_name.hpp"
 #include "linkwright/machine/print_file.hpp"
 #include "linkwright/machine/simulator_file.hpp"
 #include "linkwright/machine/step_file.hpp"
@@ -12,16 +15,35 @@ namespace {
 constexpr std::array<std::string_view, 7> formats = {"step", "stl", "3mf", "plates", "mjcf", "sdf", "urdf"};
 
 Result<std::string> content_of(const Machine& made, std::string_view format, const MachineWishes& wishes) {
-  if (format == "step") return write_step(made, wishes.position);
+  if (format == "step") return write_step(made, wishes.position.value_or(0));
   if (format == "stl" || format == "3mf" || format == "plates") return write_parts(made, format);
-  return simulator_text(made, format, wishes.density);
+  return simulator_text(made, format, wishes.density.value_or(steel_density));
+}
+
+/// What has no meaning in a file of this format.
+std::optional<Error> idle_wish(const AnyStoredLinkage& linkage, std::string_view format, const MachineWishes& wishes) {
+  const auto idle = [&](const char* flag, const char* of) {
+    return Error{
+        "wish_of_another_format", flag, fmt::format("{} means something for {} only; leave it out", flag, of), {}};
+  };
+  const bool for_simulators = format == "mjcf" || format == "sdf" || format == "urdf";
+  if (wishes.position && format != "step") return idle("--position", "STEP files");
+  if (wishes.density && !for_simulators) return idle("--density", "simulators (mjcf, sdf and urdf)");
+  if (wishes.sizes.radius != 0 && !std::holds_alternative<StoredSphericalFourBar>(linkage))
+    return idle("--radius", "spherical linkages");
+  return {};
 }
 
 std::string warning_of(const Machine& made) {
-  if (std::string collisions = collision_text(made); !collisions.empty()) return collisions;
-  if (made.layers.over == PlateLayers::Over::task)
-    return "the plates are free of collisions from the first position to the last, but not over the whole travel";
-  return "";
+  std::string words = collision_text(made);
+  if (words.empty() && made.layers.over == PlateLayers::Over::task)
+    words = "the plates are free of collisions from the first position to the last, but not over the whole travel";
+  const std::string& unit = made.linkage.length_unit;
+  if (millimetres(unit) || (unit.empty() && made.linkage.spherical)) return words;
+  return words + (words.empty() ? "" : "; ") +
+         (unit.empty() ? std::string("no unit of length is given")
+                       : "the unit of length " + in_quotes(unit) + " is not known") +
+         ", so that lengths are taken for millimetres";
 }
 
 }  // namespace
@@ -30,6 +52,7 @@ std::span<const std::string_view> machine_formats() { return formats; }
 
 Result<MachineFile> exported_machine(const AnyStoredLinkage& linkage, std::string_view format,
                                      const MachineWishes& wishes) {
+  if (auto idle = idle_wish(linkage, format, wishes)) return std::move(*idle);
   const auto made = machine(moving_linkage(linkage), wishes.sizes);
   if (!made) return made.errors();
   auto content = content_of(*made, format, wishes);

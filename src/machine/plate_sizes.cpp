@@ -8,38 +8,51 @@
 namespace linkwright {
 namespace {
 
-std::vector<Error> out_of_range(const WantedSizes& wanted) {
+constexpr double least_share = 1e-4, largest_share = 10;  // of the longest link, or of the sphere's radius
+constexpr double widest_on_sphere = 0.8;                  // of its radius: plates that are still bars
+constexpr double layers_on_sphere = 4;                    // below the outermost, of a spherical four-bar's
+
+std::string text(double length) { return significant_text(length, 4); }
+
+Error out_of_range(const char* name, double value, double least, double largest) {
+  return {"size_out_of_range",
+          fmt::format("--{}", name),
+          fmt::format("the {} is {}; beside this linkage it is a length from {} to {}", name, text(value), text(least),
+                      text(largest)),
+          {{"size", name}, {"value", value}, {"least", least}, {"largest", largest}}};
+}
+
+/// What is wrong with what is given; `size` of the linkage.
+std::vector<Error> out_of_range(const WantedSizes& wanted, bool spherical, double size) {
   std::vector<Error> errors;
-  const auto check = [&](const char* name, double value, bool ok) {
-    if (!ok)
-      errors.push_back({"size_out_of_range",
-                        fmt::format("--{}", name),
-                        fmt::format("the {} of the plates is {}; it is a positive length below 1e9", name,
-                                    significant_text(value, 4)),
-                        {{"size", name}, {"value", value}}});
+  const auto check = [&](const char* name, double value, double least, double largest) {
+    if (!(value >= least && value <= largest)) errors.push_back(out_of_range(name, value, least, largest));
   };
-  const auto length = [&](const char* name, double value) { check(name, value, value >= 0 && value < 1e9); };
-  length("width", wanted.width);
-  length("thickness", wanted.thickness);
-  length("gap", wanted.gap);
-  length("pin", wanted.pin);
-  length("radius", wanted.radius);
-  check("clearance", wanted.clearance, wanted.clearance < 1e9 && !std::isnan(wanted.clearance));
+  const auto length = [&](const char* name, double value, double largest) {
+    if (value != 0) check(name, value, least_share * size, largest * size);
+  };
+  length("width", wanted.width, spherical ? widest_on_sphere : largest_share);
+  length("thickness", wanted.thickness, largest_share);
+  length("gap", wanted.gap, largest_share);
+  length("pin", wanted.pin, largest_share);
+  if (!(wanted.clearance < 0)) check("clearance", wanted.clearance, 0, largest_share * size);
   return errors;
 }
 
 }  // namespace
 
 Result<PlateSizes> plate_sizes(const MovingLinkage& linkage, const WantedSizes& wanted) {
-  if (auto errors = out_of_range(wanted); !errors.empty()) return errors;
   const auto given = [](double value, double usual) { return value > 0 ? value : usual; };
+  if (wanted.radius != 0 && !(wanted.radius >= 1e-9 && wanted.radius <= 1e9))
+    return out_of_range("radius", wanted.radius, 1e-9, 1e9);
   PlateSizes sizes;
   sizes.radius = linkage.spherical ? given(wanted.radius, 100) : 0;
   const double size = linkage.spherical ? sizes.radius : linkage.longest_link();
+  if (auto errors = out_of_range(wanted, linkage.spherical, size); !errors.empty()) return errors;
   sizes.thickness = given(wanted.thickness, 0.06 * size);
   sizes.gap = given(wanted.gap, 0.1 * sizes.thickness);
-  // About a centre the innermost layer, where links are shortest, is some six layers below the outermost.
-  const double inner = linkage.spherical ? sizes.radius - 4 * sizes.pitch() : 1;
+  const double inner = linkage.spherical ? sizes.radius - layers_on_sphere * sizes.pitch() : 1;
+  const double narrowed = linkage.spherical ? inner / sizes.radius : 1;
   const double shortest = linkage.shortest_link() * inner;
   sizes.pin = given(wanted.pin, std::min(0.05 * size, 0.4 * shortest));
   sizes.clearance = wanted.clearance >= 0 ? wanted.clearance : 0.02 * sizes.pin;
@@ -49,21 +62,23 @@ Result<PlateSizes> plate_sizes(const MovingLinkage& linkage, const WantedSizes& 
                  "--thickness",
                  fmt::format("four layers of plates {} thick reach the centre of a sphere of radius {}; choose a "
                              "larger radius or thinner plates",
-                             significant_text(sizes.thickness, 4), significant_text(sizes.radius, 4)),
+                             text(sizes.thickness), text(sizes.radius)),
                  {{"thickness", sizes.thickness}, {"radius", sizes.radius}}};
-  if (const double widest = sizes.width / 1.3 - sizes.clearance; sizes.pin > widest)
-    return Error{
-        "pin_too_wide",
-        "--pin",
-        fmt::format("plates {} wide have no room for holes {} wide; choose a pin below {}",
-                    significant_text(sizes.width, 4), significant_text(sizes.hole(), 4), significant_text(widest, 4)),
-        {{"width", sizes.width}, {"hole", sizes.hole()}, {"widest", widest}}};
-  if (const double widest = shortest / 1.05 - sizes.clearance; sizes.pin > widest)
-    return Error{"pins_overlap",
+  if (const double widest = narrowed * sizes.width / 1.3; sizes.hole() > widest)
+    return Error{"pin_too_wide",
                  "--pin",
-                 fmt::format("the holes of the shortest link, {} apart, would meet; choose a pin below {}",
-                             significant_text(shortest, 4), significant_text(widest, 4)),
-                 {{"apart", shortest}, {"widest", widest}}};
+                 fmt::format("plates {} wide have no room for holes {} wide; choose a pin that with its clearance is "
+                             "narrower than {}, or wider plates",
+                             text(narrowed * sizes.width), text(sizes.hole()), text(widest)),
+                 {{"width", narrowed * sizes.width}, {"hole", sizes.hole()}, {"widest", widest}}};
+  if (const double widest = shortest / 1.05; sizes.hole() > widest)
+    return Error{
+        "pins_overlap",
+        "--pin",
+        fmt::format("the holes of the shortest link, {} apart, would meet; choose a pin that with its clearance "
+                    "is narrower than {}",
+                    text(shortest), text(widest)),
+        {{"apart", shortest}, {"widest", widest}}};
   return sizes;
 }
 

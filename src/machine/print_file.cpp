@@ -88,7 +88,7 @@ std::string model_of(const std::vector<LaidPart>& parts) {
   for (std::size_t k = 0; k < parts.size(); ++k) {
     xml += fmt::format("<object id=\"{}\" type=\"model\" name=\"{}\"><mesh><vertices>\n", k + 1, parts[k].name);
     for (const Vector3 v : parts[k].mesh.vertices)
-      xml += fmt::format("<vertex x=\"{:.6f}\" y=\"{:.6f}\" z=\"{:.6f}\"/>\n", v.x, v.y, v.z);
+      xml += fmt::format("<vertex x=\"{:.9g}\" y=\"{:.9g}\" z=\"{:.9g}\"/>\n", v.x, v.y, v.z);
     xml += "</vertices><triangles>\n";
     for (const auto& [a, b, c] : parts[k].mesh.triangles)
       xml += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n", a, b, c);

@@ -12,5 +12,10 @@ namespace linkwright {
 using StepWriter = bool(const Machine& machine, int position, double scale, std::string& text);
 /// Of the library that the component was built with. Exported as linkwright_step_version.
 using StepVersion = const char*();
+/// machine_layout, as the component was built. Exported as linkwright_step_layout.
+using StepLayout = std::size_t();
+
+/// Changes where what is handed over has other members.
+inline constexpr std::size_t machine_layout = 10'000 * sizeof(Machine) + sizeof(Part);
 
 }  // namespace linkwright

@@ -6,12 +6,14 @@
 #include <fmt/format.h>
 #include <vector>
 
+#include "linkwright/files/number_text.hpp"
 #include "machine/step_component.hpp"
 
 namespace linkwright {
 namespace {
 
 constexpr const char* file_name = "linkwright_step.so";
+constexpr double least_mm = 1e-3, largest_mm = 1e7;  // beside OpenCASCADE's own precision of 1e-7 mm
 
 /// Of the program or module that this code is part of; empty where the system does not say.
 std::filesystem::path own_folder() {
@@ -47,7 +49,10 @@ Result<StepWriter*> loaded() {
     }
     auto* version = reinterpret_cast<StepVersion*>(dlsym(component, "linkwright_step_version"));
     auto* writer = reinterpret_cast<StepWriter*>(dlsym(component, "linkwright_step_writer"));
-    if (version != nullptr && writer != nullptr && std::string_view(version()) == LINKWRIGHT_VERSION) return writer;
+    auto* layout = reinterpret_cast<StepLayout*>(dlsym(component, "linkwright_step_layout"));
+    if (version != nullptr && layout != nullptr && writer != nullptr &&
+        std::string_view(version()) == LINKWRIGHT_VERSION && layout() == machine_layout)
+      return writer;
     why = fmt::format("{} belongs to another version", file.string());
   }
   return Error{
@@ -69,6 +74,14 @@ Result<std::string> write_step(const Machine& machine, int position) {
         "--position",
         fmt::format("the linkage does not get to a position {}; its task has 1 to {}", position + 1, linkage.positions),
         {{"position", position + 1}, {"positions", linkage.positions}}};
+  const double longest = linkage.millimetres() * (linkage.spherical ? machine.sizes.radius : linkage.longest_link());
+  if (!(longest >= least_mm && longest <= largest_mm))
+    return Error{
+        "step_size",
+        "",
+        fmt::format("STEP files are for links from {} to {} mm; the longest has {} mm", significant_text(least_mm, 4),
+                    significant_text(largest_mm, 4), significant_text(longest, 4)),
+        {{"longest", longest}, {"least", least_mm}, {"largest", largest_mm}}};
   const auto writer = loaded();
   if (!writer) return writer.errors();
   std::string text;

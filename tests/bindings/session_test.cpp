@@ -223,7 +223,8 @@ TEST_F(SessionTest, TellsOfALinkageAsPlatesAndPins) {
     EXPECT_NE(crossing.contains("pin"), crossing.contains("other"));
     EXPECT_LE(crossing["from_deg"], crossing["to_deg"]);
   }
-  sizes.pin = 1e6;
+  sizes.pin = 100;
+  sizes.width = 20;
   EXPECT_EQ(json::parse(session.machine(1.3125, 1.1125, sizes))["mistakes"][0]["code"], "pin_too_wide");
 }
 

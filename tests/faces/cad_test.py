@@ -119,7 +119,7 @@ class CadExports(unittest.TestCase):
             return error
 
         self.assertIn("--position: the linkage does not get to a position 9", refused("tailgate", "step", "--position", "9"))
-        self.assertIn("choose a pin below", refused("tailgate", "stl", "--pin", "200"))
+        self.assertIn("narrower than", refused("tailgate", "stl", "--pin", "200"))
         self.assertIn("--width", refused("tailgate", "stl", "--width", "-3"))
         self.assertIn("--width", refused("tailgate", "stl", "--width", "nan"))
         self.assertIn("curved", refused("folding_wing", "plates"))

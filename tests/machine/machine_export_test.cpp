@@ -21,7 +21,7 @@ TEST(MachineExport, GivesTheFileOfTheFormat) {
 TEST(MachineExport, WarnsWhereSomethingCollides) {
   StoredLinkage drag_link;
   drag_link.four_bar = {{0, 0}, {3, 0}, {1, 0}, {1, 3}};
-  EXPECT_NE(exported_machine(drag_link, "stl", {}).value().warning.find("runs into"), std::string::npos);
+  EXPECT_NE(exported_machine(drag_link, "stl", {}).value().warning.find("comes nearer"), std::string::npos);
 }
 
 TEST(MachineExport, PassesMistakesOn) {

@@ -65,7 +65,7 @@ TEST(Machine, WithoutLayersFreeOfCollisionsItSaysWhatMeets) {
   drag_link.four_bar = {{0, 0}, {3, 0}, {1, 0}, {1, 3}};
   const Machine made = machine(moving_linkage(AnyStoredLinkage(drag_link))).value();
   EXPECT_FALSE(made.layers.crossings.empty());
-  EXPECT_NE(collision_text(made).find("runs into"), std::string::npos);
+  EXPECT_NE(collision_text(made).find("comes nearer"), std::string::npos);
   EXPECT_EQ(collision_text(testing::machines().front()), "");
 }
 

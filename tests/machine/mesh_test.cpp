@@ -54,6 +54,25 @@ double exact_volume(const ShellPlate& plate) {
   return directions * (std::pow(plate.high, 3) - std::pow(plate.low, 3)) / 3;
 }
 
+/// Faces of flat plates are covered once, those of shells look out or in: no triangle is folded over.
+::testing::AssertionResult is_unfolded(const Part& part, const Mesh& mesh) {
+  const auto* plate = std::get_if<FlatPlate>(&part.shape);
+  const auto* shell = std::get_if<ShellPlate>(&part.shape);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const auto at = [&](int k) { return mesh.vertices[static_cast<std::size_t>(k)]; };
+    const Vector3 normal = cross(at(b) - at(a), at(c) - at(a));
+    if (!(norm(normal) > 0)) return ::testing::AssertionFailure() << "a triangle without area";
+    if (plate != nullptr && at(a).z == at(b).z && at(b).z == at(c).z && (normal.z > 0) != (at(a).z == plate->high))
+      return ::testing::AssertionFailure() << "a triangle folded over";
+    if (shell == nullptr) continue;
+    const auto on = [&](int k, double radius) { return std::abs(norm(at(k)) - radius) < 1e-9 * radius; };
+    for (const double radius : {shell->low, shell->high})
+      if (on(a, radius) && on(b, radius) && on(c, radius) && (dot(normal, at(a)) > 0) != (radius == shell->high))
+        return ::testing::AssertionFailure() << "a triangle folded over";
+  }
+  return ::testing::AssertionSuccess();
+}
+
 TEST(Mesh, IsClosedAndEnclosesWhatTheFormulasSay) {
   for (const Machine& made : testing::machines()) {
     for (const Part& part : made.parts) {
@@ -61,12 +80,41 @@ TEST(Mesh, IsClosedAndEnclosesWhatTheFormulasSay) {
       double last = 1;
       for (const double turn : {0.2, 0.1, 0.05}) {
         const Mesh mesh = mesh_of(part, turn);
+        EXPECT_TRUE(is_unfolded(part, mesh)) << made.linkage.title << ": " << part.name << ' ' << turn;
         EXPECT_TRUE(is_closed(mesh)) << made.linkage.title << ": " << part.name << ' ' << turn;
         const double error = std::abs(volume(mesh) / exact - 1);
         EXPECT_LT(error, 0.3 * turn * turn) << made.linkage.title << ": " << part.name << ' ' << turn;
         EXPECT_LT(error, last) << made.linkage.title << ": " << part.name;
         last = error;
       }
+    }
+  }
+}
+
+TEST(Mesh, OfATracedPointInAHingeIsClosed) {
+  for (const double off : {0.0, 1e-6, 0.01, 0.3}) {
+    StoredLinkage stored;
+    stored.four_bar = {{0, 0}, {0, 1}, {4, 0}, {3.5, 2.5}};
+    stored.point = stored.four_bar.input_circle + Point{off, 0};
+    const Machine made = machine(moving_linkage(AnyStoredLinkage(stored))).value();
+    EXPECT_EQ(std::get<FlatPlate>(made.parts[2].shape).holes.size(), off < 0.2 ? 2u : 3u) << off;
+    for (const Part& part : made.parts) {
+      EXPECT_TRUE(is_closed(mesh_of(part))) << off;
+      EXPECT_TRUE(is_unfolded(part, mesh_of(part))) << off;
+    }
+  }
+}
+
+TEST(Mesh, OfTheWidestPlatesOfASphereIsBounded) {
+  for (const Machine& made : testing::machines()) {
+    if (!made.linkage.spherical) continue;
+    WantedSizes wanted;
+    wanted.width = 0.8 * made.sizes.radius;
+    const Machine wide = machine(made.linkage, wanted).value();
+    for (const Part& part : wide.parts) {
+      const Mesh mesh = mesh_of(part);
+      EXPECT_LT(mesh.triangles.size(), 200'000u);
+      EXPECT_TRUE(is_closed(mesh));
     }
   }
 }

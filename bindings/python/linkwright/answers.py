@@ -281,14 +281,14 @@ class Linkage:
             )
         return text
 
-    def build(self, format: str = "step", *, position: int = 1, **sizes: float) -> bytes:
+    def build(self, format: str = "step", *, position: int | None = None, **sizes: float) -> bytes:
         """As a machine: plates with round ends, pins and a ground plate in layers that do not collide, as
         ``linkwright export`` writes it. Where there are no such layers, a warning says what meets.
 
         Args:
             format: ``step`` (an assembly for CAD; needs the component that stands on OpenCASCADE), ``stl`` or ``3mf`` (to
                 print), ``plates`` (DXF, to cut); ``mjcf``, ``sdf`` or ``urdf`` (for simulators, in metres and kilograms).
-            position: of the task, from 1, in which a STEP file shows it.
+            position: of the task, from 1, in which a STEP file shows it; None: the first.
             sizes: ``width``, ``thickness``, ``gap``, ``pin``, ``clearance`` and, of spherical linkages, ``radius`` in the
                 task's unit of length; what is missing comes from the longest link. For simulators ``density``, kg/m³.
 

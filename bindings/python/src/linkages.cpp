@@ -90,9 +90,10 @@ std::pair<std::string, std::string> tolerance(const std::string& result, int lin
 
 /// Content and warning; `sizes` by the names of WantedSizes.
 std::pair<py::bytes, std::string> built(const Linkage& linkage, const std::string& format,
-                                        const std::map<std::string, double>& sizes, int position) {
+                                        const std::map<std::string, double>& sizes,
+                                        const std::optional<int>& position) {
   MachineWishes wishes;
-  wishes.position = position - 1;
+  if (position) wishes.position = *position - 1;
   const auto take = [&](const char* name, double& size) {
     if (const auto given = sizes.find(name); given != sizes.end()) size = given->second;
   };
@@ -102,7 +103,7 @@ std::pair<py::bytes, std::string> built(const Linkage& linkage, const std::strin
   take("pin", wishes.sizes.pin);
   take("clearance", wishes.sizes.clearance);
   take("radius", wishes.sizes.radius);
-  take("density", wishes.density);
+  if (const auto given = sizes.find("density"); given != sizes.end()) wishes.density = given->second;
   const MachineFile file = without_gil([&] { return value_of(exported_machine(linkage.stored, format, wishes)); });
   return {py::bytes(file.content), file.warning};
 }

@@ -30,8 +30,9 @@ struct WantedSizes {
   double clearance = -1;                                          ///< negative: not given
 };
 
-/// Errors: `size_out_of_range` (not a positive finite number), `pin_too_wide` (the plate is narrower than 1.3 holes),
-/// `pins_overlap` (two holes of a link meet).
+/// Errors: `size_out_of_range` (not from 1e-4 to 10 of the longest link or of the sphere's radius, 0.8 of which is as
+/// wide as plates can be), `sphere_too_small` (four layers reach its centre), `pin_too_wide` (the plate is narrower
+/// than 1.3 holes), `pins_overlap` (two holes of a link meet).
 [[nodiscard]] Result<PlateSizes> plate_sizes(const MovingLinkage& linkage, const WantedSizes& wanted);
 
 /// Where something runs into something else.
@@ -53,7 +54,8 @@ struct PlateLayers {
 /// Of all ways to lay the plates over each other, those with fewer layers and shorter pins first, the first that is
 /// free of collisions over the travel; otherwise over the task; otherwise the one that collides least over the task
 /// (the travel, where there is no task). A pin reaches from the layer of one of its bodies to that of the other.
-/// Between two states of the travel things may come closer by as much as they move meanwhile: that is allowed for.
+/// Between two states of the travel things may come closer
+/// by as much as they move meanwhile: that is allowed for, along the chords of their ways.
 [[nodiscard]] PlateLayers plate_layers(const MovingLinkage& linkage, const PlateSizes& sizes);
 
 }  // namespace linkwright

@@ -35,9 +35,9 @@ interface PlatesAsked {
 }
 const not_given: PlateSizes = {width: 0, thickness: 0, gap: 0, pin: 0, clearance: -1, radius: 0};
 const asked_of_plates: PlatesAsked[] = [
-  {example: "tailgate", sizes: {width: -1, radius: 1e10}, format: "stl"},
+  {example: "tailgate", sizes: {width: -1, thickness: 1e10}, format: "stl"},
   {example: "tailgate", sizes: {width: 20, pin: 30}, format: "stl"},
-  {example: "tailgate", sizes: {width: 3000, pin: 1000}, format: "3mf"},
+  {example: "tailgate", sizes: {width: 300, pin: 200}, format: "3mf"},
   {example: "folding_wing", sizes: {thickness: 40}, format: "stl"},
   {example: "folding_wing", sizes: {}, format: "plates"},
 ];
