@@ -81,14 +81,24 @@ void put_float(std::string& bytes, double value) {
   for (int k = 0; k < 4; ++k) bytes += static_cast<char>((bits >> (8 * k)) & 0xFF);
 }
 
+/// Decimals that tell a hundred millionth of what is laid out: beyond them stands rounding.
+int vertex_decimals(const std::vector<LaidPart>& parts) {
+  double size = 0;
+  for (const LaidPart& part : parts)
+    for (const Vector3 v : part.mesh.vertices) size = std::max({size, v.x, v.y, v.z});
+  return std::clamp(8 - static_cast<int>(std::floor(std::log10(size))), 0, 30);
+}
+
 std::string model_of(const std::vector<LaidPart>& parts) {
+  const int decimals = vertex_decimals(parts);
   std::string xml =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-US\" "
       "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n<resources>\n";
   for (std::size_t k = 0; k < parts.size(); ++k) {
     xml += fmt::format("<object id=\"{}\" type=\"model\" name=\"{}\"><mesh><vertices>\n", k + 1, parts[k].name);
     for (const Vector3 v : parts[k].mesh.vertices)
-      xml += fmt::format("<vertex x=\"{:.9g}\" y=\"{:.9g}\" z=\"{:.9g}\"/>\n", v.x, v.y, v.z);
+      xml += fmt::format("<vertex x=\"{:.{}f}\" y=\"{:.{}f}\" z=\"{:.{}f}\"/>\n", v.x, decimals, v.y, decimals, v.z,
+                         decimals);
     xml += "</vertices><triangles>\n";
     for (const auto& [a, b, c] : parts[k].mesh.triangles)
       xml += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n", a, b, c);

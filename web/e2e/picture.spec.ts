@@ -54,7 +54,9 @@ test("a pasted picture is placed by numbers, by its knob and by keys, locked, hi
   await expect(knob).toHaveCount(0);
   await page.getByTestId("picture.hide").click();
   await expect(page.locator(".drawing image")).toHaveCount(0);
-  while (await read_state(page, (workbench) => (workbench.problem.view?.background?.width ?? 0) !== 0 && workbench.can_undo))
+  while (
+    await read_state(page, (workbench) => (workbench.problem.view?.background?.width ?? 0) !== 0 && workbench.can_undo)
+  )
     await read_state(page, (workbench) => workbench.undo());
   await read_state(page, (workbench) => workbench.redo());
   expect((await background(page)).width).toBe(before.width);

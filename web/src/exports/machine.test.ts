@@ -30,7 +30,6 @@ function best_of(problem: Problem): {problem: string; tau: TauPair} {
   return {problem: text, tau: engine.ask("best", {problem: text, most: 1}).linkages[0]!.tau};
 }
 const example = (name: string) => examples.find((one) => one.name === name)!.problem;
-const radii = (plan: MachinePlan) => plan.sizes.radius;
 
 const text_of = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
 const number = /-?\d+(?:\.\d+)?(?:e[-+]\d+)?/g;
