@@ -242,7 +242,7 @@ test.describe("exports", () => {
     expect(drawing.errors).toBe(0);
     await page.getByTestId("export.plates.pin").fill("5000");
     await page.getByTestId("export.plates.pin").press("Enter");
-    await expect(page.getByTestId("export.plates.report")).toContainText("choose a pin below");
+    await expect(page.getByTestId("export.plates.report")).toContainText("beside this linkage it is a length from");
     await expect(page.getByTestId("export.stl")).toBeDisabled();
     await expect_accessible(page, "dialog");
   });

@@ -34,9 +34,9 @@ test.beforeEach(async ({page}) => {
 test("a pasted picture is placed by numbers, by its knob and by keys, locked, hidden, and undone", async ({page}) => {
   await paste_picture(page);
   const before = await background(page);
-  await page.getByTestId("picture.width").fill("500");
+  await page.getByTestId("picture.width").fill("300");
   await page.keyboard.press("Enter");
-  expect((await background(page)).width).toBeCloseTo(500, 6);
+  expect((await background(page)).width).toBeCloseTo(300, 6);
   await page.getByTestId("picture.angle").fill("30");
   await page.keyboard.press("Enter");
   expect((await background(page)).angle_deg).toBe(30);

@@ -242,7 +242,7 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
 function latin_words(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const allowed =
-      /^(Linkwright|linkwright|solve|analyze|English|mm|DXF|SVG|PNG|CSV|JSON|GIF|MP|WebM|A4|A3|MB|kB|PP?P?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
+      /^(Linkwright|linkwright|solve|analyze|English|mm|DXF|SVG|PNG|CSV|JSON|GIF|MP|MF|STL|WebM|A4|A3|MB|kB|PP?P?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
     const texts: string[] = [];
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
