@@ -64,7 +64,7 @@ def test_machines_are_those_of_the_program(format: str, tailgate: lw.Answer, res
 
 def test_mistakes_of_machines(tailgate: lw.Answer, tmp_path: Path) -> None:
     linkage = tailgate.linkages[0]
-    with pytest.raises(lw.ProblemError, match="choose a --pin below"):
+    with pytest.raises(lw.ProblemError, match="narrower than"):
         linkage.build("stl", pin=500)
     with pytest.raises(lw.ProblemError, match="does not get to a position 9"):
         linkage.build("step", position=9)
