@@ -12,7 +12,9 @@ same sentences as the program's.
 from . import attitude, plot
 from ._linkwright import linkage_types
 from ._linkwright import version as __version__
-from .answers import Answer, FourBar, Linkage, Region, SixBar, SphericalFourBar, instant
+from .answers import Answer, instant
+from .linkages import FourBar, Linkage, SixBar, SphericalFourBar
+from .region import Region
 from .errors import Cancelled, Mistake, ProblemError
 from .records import Record
 from .sessions import LiveMap, Session

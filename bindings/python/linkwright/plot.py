@@ -14,7 +14,9 @@ import numpy.typing as npt
 from . import _linkwright
 
 if TYPE_CHECKING:
-    from .answers import Answer, Linkage, Region
+    from .answers import Answer
+    from .linkages import Linkage
+    from .region import Region
 
 Array = npt.NDArray[Any]
 colors = _linkwright.colors
@@ -128,7 +130,7 @@ def linkage(linkage: Linkage, ax: Any = None, *, path: bool = True) -> Any:
     Returns:
         The axes.
     """
-    from .answers import SixBar, SphericalFourBar
+    from .linkages import SixBar, SphericalFourBar
 
     motion = linkage.motion()
     positions = motion[motion["position"] > 0]
