@@ -23,6 +23,7 @@ struct SixBarChoice {
   int best = 10;
   int threads = 0;        ///< 0: as many as the machine has
   AddedMeasures added{};  ///< of a map
+  std::optional<MapWindow> window{};  ///< of a map, which nothing is refined out of
 };
 
 /// The best six-bars of a map that meet requirements whose lengths are set, refined along both coordinates to the
