@@ -18,7 +18,7 @@ namespace {
 // rest, all those of a halo. What is asked for is meant for four-bars, of which solve() takes four times as many, too.
 constexpr double cell_us = 35;
 constexpr double live_ms = 150, rest_ms = 600, halo_ms = 150;
-constexpr int four_bar_samples_to_one = 4, least_samples = 20, least_of_halo = 8;
+constexpr int four_bar_samples_to_one = 4, least_samples = 20, least_of_halo = 10;
 constexpr int samples_of_the_usual_map = 400;
 
 int samples_within(double ms, std::size_t maps = 1) {
@@ -101,7 +101,7 @@ int SixBarSession::map_samples(int asked) const {
 }
 
 int SixBarSession::halo_samples(int asked, std::size_t places) const {
-  return std::max(least_of_halo, std::min(asked / four_bar_samples_to_one, samples_within(halo_ms, places)));
+  return std::max(least_of_halo, std::min(asked, samples_within(halo_ms, places)));
 }
 
 std::optional<SixBarSolution> SixBarSession::at(MapPoint place) const {

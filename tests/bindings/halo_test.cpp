@@ -77,9 +77,9 @@ TEST(Halo, HoldsToALimitOfTheToleranceError) {
   EXPECT_EQ(exact[0], meeting(problem, 40));
 }
 
-// Maps of six-bars are a quarter as fine.
+// Six-bars are counted by a map that is a quarter as fine.
 TEST(Halo, OfSixBarsCountsForPosesAndForHingesOfTheChain) {
-  constexpr int asked = 40, of_the_map = 10;
+  constexpr int asked = 10, of_the_map = 10;
   for (const int part : {1, 4, 5, 6}) {
     const auto counts = halo(loader(), {part, false, 120, 3, asked});
     ASSERT_EQ(counts.size(), 9u);
