@@ -99,11 +99,12 @@ Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
     });
     return progress.is_cancelled() ? Result<Answer>(cancelled_map()) : Result<Answer>(Answer(std::move(answer)));
   }
-  answer.linkages = options.pareto ? along_the_front(answer, progress)
-                                   : best_six_bars(answer.task, *answer.chain, answer.region, answer.requirements,
-                                                   {options.objective, options.best, options.region.threads,
-                                                    answer.added, options.window},
-                                                   progress);
+  answer.linkages =
+      options.pareto
+          ? along_the_front(answer, progress)
+          : best_six_bars(answer.task, *answer.chain, answer.region, answer.requirements,
+                          {options.objective, options.best, options.region.threads, answer.added, options.window},
+                          progress);
   if (progress.is_cancelled()) return cancelled_map();
   evaluate(answer);
   return Answer(std::move(answer));

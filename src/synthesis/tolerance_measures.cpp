@@ -165,8 +165,8 @@ class SixBarOutputError : public OutputError {
         if (map.type(map.index(row, column)) == LinkageType::degenerate) continue;
         const auto six_bar = family_.member(*first, family_.second_tau(*first, map.output_coordinates()[column]));
         if (!six_bar) continue;
-        const auto error = first_order_error(
-            six_bar_output(task_, *six_bar, tolerances_.turning_length.value_or(0)), tolerances_);
+        const auto error =
+            first_order_error(six_bar_output(task_, *six_bar, tolerances_.turning_length.value_or(0)), tolerances_);
         values[column] = static_cast<float>(error.value_or(std::numeric_limits<double>::infinity()));
       }
     };

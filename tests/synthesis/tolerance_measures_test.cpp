@@ -195,7 +195,8 @@ TEST(ToleranceMeasures, AFrontOfSixBarsListsWhatNothingBeats) {
 
 // Rows of a map share their link 4; on some rows of six-bars link 5 is joined to it.
 TEST(ToleranceMeasures, AMapOfSixBarsHasTheErrorsOfItsPlaces) {
-  for (const std::array added : {std::array{BodyPair{0, 2}, BodyPair{1, 3}}, std::array{BodyPair{0, 2}, BodyPair{4, 3}}}) {
+  for (const std::array added :
+       {std::array{BodyPair{0, 2}, BodyPair{1, 3}}, std::array{BodyPair{0, 2}, BodyPair{4, 3}}}) {
     Problem problem = problem_of("loader_bucket_chain");
     problem.options.region_samples = 64;
     std::get<SixBarTask>(problem.task).added = added;

@@ -21,8 +21,8 @@ namespace linkwright {
 struct SixBarChoice {
   Objective objective = Objective::min_transmission_angle;
   int best = 10;
-  int threads = 0;        ///< 0: as many as the machine has
-  AddedMeasures added{};  ///< of a map
+  int threads = 0;                    ///< 0: as many as the machine has
+  AddedMeasures added{};              ///< of a map
   std::optional<MapWindow> window{};  ///< of a map, which nothing is refined out of
 };
 
