@@ -8,7 +8,23 @@
 
 namespace linkwright {
 
-nlohmann::json linkage_records(const Answer& answer) {
+namespace {
+
+// What is long to write and no column tells.
+template <class KindAnswer>
+void drop_the_rest(KindAnswer& answer) {
+  if constexpr (requires { answer.pairs; }) {
+    answer.pairs.clear();
+    for (auto& linkage : answer.linkages)
+      if (linkage.function) linkage.function->samples.clear();
+  }
+  if constexpr (requires { answer.relaxed; }) answer.relaxed.clear();
+}
+
+}  // namespace
+
+nlohmann::json linkage_records(Answer answer) {
+  std::visit([](auto& of_kind) { drop_the_rest(of_kind); }, answer);
   const std::string text = json_text_of([&](JsonWriter& json) {
     json.begin_object(JsonWriter::Layout::one_line);
     std::visit([&](const auto& of_kind) { write_linkages(json, of_kind); }, answer);

@@ -7,8 +7,8 @@
 
 namespace linkwright {
 
-/// The member `linkages` that a result file of the answer has.
-[[nodiscard]] nlohmann::json linkage_records(const Answer& answer);
+/// The member `linkages` that a result file of the answer has, without curves for plots. Takes the answer apart.
+[[nodiscard]] nlohmann::json linkage_records(Answer answer);
 
 /// A member of a member …: "lengths.ground", "input.center_point[0]"; null where there is none.
 [[nodiscard]] const nlohmann::json* member_at(const nlohmann::json& record, std::string_view name);

@@ -33,14 +33,14 @@ class SampleWriter {
  public:
   SampleWriter(const SweepPlan& plan, SweepRows& rows) : plan_(plan), rows_(rows) {}
 
-  void put(std::int64_t sample, const Problem& problem, const Answer& answer) {
+  void put(std::int64_t sample, const Problem& problem, Answer&& answer) {
     const Findings& found = findings(answer);
     begin(sample, name(found.status), found.reason.code, linkage_count(answer));
     put_counts(problem, answer);
     const bool is_empty = linkage_count(answer) == 0 && plan_.kept_linkages() > 0;
     if (is_empty || found.status != SolutionStatus::solved)
       put_failure(sample, {found.reason.code, "", found.reason.message, found.reason.values});
-    put_linkages(sample, answer);
+    put_linkages(sample, std::move(answer));
   }
 
   void put(std::int64_t sample, const std::vector<Error>& mistakes) {
@@ -95,13 +95,13 @@ class SampleWriter {
     rows.put(why.message, width(SweepTable::failures, 3));
   }
 
-  void put_linkages(std::int64_t sample, const Answer& answer) {
+  void put_linkages(std::int64_t sample, Answer answer) {
     if (linkage_count(answer) == 0) return;
     TableRows& rows = rows_.of(SweepTable::linkages);
     constexpr std::size_t own = 2;  // sample and rank
     const auto columns = std::span(plan_.columns()[static_cast<std::size_t>(SweepTable::linkages)]).subspan(own);
     std::int64_t rank = 0;
-    for (const nlohmann::json& linkage : linkage_records(answer)) {
+    for (const nlohmann::json& linkage : linkage_records(std::move(answer))) {
       rows.put(sample);
       rows.put(++rank);
       put_linkage(rows, columns, linkage);
@@ -127,9 +127,9 @@ std::optional<SweepRows> sweep_samples(const SweepPlan& plan, std::int64_t first
       continue;
     }
     problem->options.region.threads = 1;
-    const auto answer = solve(problem->task, problem->requirements, problem->options, progress);
+    auto answer = solve(problem->task, problem->requirements, problem->options, progress);
     if (progress.is_cancelled()) return std::nullopt;
-    answer ? writer.put(sample, *problem, *answer) : writer.put(sample, answer.errors());
+    answer ? writer.put(sample, *problem, std::move(*answer)) : writer.put(sample, answer.errors());
   }
   return rows;
 }

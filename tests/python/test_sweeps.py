@@ -64,7 +64,7 @@ def test_mistakes_have_places(tmp_path: Path) -> None:
     with pytest.raises(lw.ProblemError) as caught:
         lw.sweep({"linkwright": 1, "problem": lw.read_problem(EXAMPLES / "tailgate.json"), "sampling": {"method": "grid"},
                   "vary": [{"at": "/task/nowhere", "from": 0, "to": 1, "count": 2}]})
-    assert caught.value.mistakes[0].place == "vary[0].at"
+    assert caught.value.mistakes[0].where == "vary[0].at"
     pytest.importorskip("h5py")
     with pytest.raises((ValueError, OSError)):
         (tmp_path / "none.h5").write_text("{}")

@@ -17,9 +17,9 @@ void expect_members(const std::string& example) {
   auto problem = read_problem_file(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / (example + ".json"));
   ASSERT_TRUE(problem.ok()) << example;
   problem->options.region_samples = std::min(problem->options.region_samples, 100);
-  const auto answer = solve(problem->task, problem->requirements, problem->options);
+  auto answer = solve(problem->task, problem->requirements, problem->options);
   ASSERT_TRUE(answer.ok()) << example;
-  const auto records = linkage_records(*answer);
+  const auto records = linkage_records(std::move(*answer));
   ASSERT_FALSE(records.empty()) << example;
   for (const KeptColumn& kept : keepable_columns(*problem)) {
     if (!kept.by_default || kept.column.name.starts_with("tolerance.")) continue;
