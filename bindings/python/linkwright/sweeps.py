@@ -45,6 +45,7 @@ class SweepPlan:
 
     @property
     def title(self) -> str:
+        """What the file calls it."""
         return self._plan.title
 
     @property
