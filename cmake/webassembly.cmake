@@ -32,3 +32,6 @@ list(APPEND linkwright_not_in_webassembly src/machine/machine_export.cpp ${linkw
 # Nor does the engine read drawings of other programs: the page does.
 file(GLOB linkwright_outline_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/files/outline/*.cpp)
 list(APPEND linkwright_not_in_webassembly ${linkwright_outline_sources})
+# Sweeps are for programs that run for hours.
+file(GLOB linkwright_sweep_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/sweep/*.cpp)
+list(APPEND linkwright_not_in_webassembly ${linkwright_sweep_sources})

@@ -29,6 +29,7 @@ RANKS = (
     ("files",),
     ("drawing",),
     ("machine",),
+    ("sweep",),
 )
 RANK_OF = {folder: rank for rank, folders in enumerate(RANKS) for folder in folders}
 NAMED = ("include", "src", "apps", "bindings", "tests", "bench", "fuzz", "web/src", "web/tests", "web/e2e", "web/site")

@@ -25,7 +25,7 @@ DOCUMENTS = {  # of the tree, by their place on the site
     "examples/README.md": "examples/index.md", "data/README.md": "data.md", "bench/README.md": "bench.md", "LICENSE": "LICENSE.txt",
 }
 START_PAGES = {"index.md": "Open the workbench", "zh.md": "打开工作台"}
-SCHEMAS = {"problem": "Problem files", "result": "Result files", "attitude": "Attitude files"}
+SCHEMAS = {"problem": "Problem files", "result": "Result files", "attitude": "Attitude files", "sweep": "Sweep files"}
 FENCE = re.compile(r"^(```.*?^```[ ]*$)", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
 
@@ -178,7 +178,7 @@ def navigation():
                   "contributing.md", "changelog.md", {"Worked examples": "data.md"}, {"Benchmarks": "bench.md"}]
     return [
         {"Start": "index.md"}, {"Tutorials": tutorials("")}, {"Examples": ["examples/index.md", *pages_of("examples")]},
-        {"Theory": pages_of("theory")}, {"Glossary": "glossary.md"},
+        {"Theory": pages_of("theory")}, {"Sweeps": "sweeps.md"}, {"Glossary": "glossary.md"},
         {"File formats": [{words: f"formats/{name}.md"} for name, words in SCHEMAS.items()]},
         {"Python": "python.md"}, {"C++": pages_of("cpp", lambda _, name: name)}, {"Development": developers},
         {"中文": [{"说明": "zh.md"}, *tutorials(".zh-CN")]},

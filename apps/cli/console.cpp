@@ -18,6 +18,7 @@ namespace {
 // What the handlers of signals read and write.
 std::atomic<bool> interrupted{false}, stops_when_asked{false}, has_written{false}, has_temporary{false};
 std::atomic<int> interrupting_signal{0};
+std::atomic<const char*> own_words{nullptr};
 std::array<char, 4096> temporary_file{};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
@@ -25,6 +26,7 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
 constexpr int patience = 400'000;
 
 std::string_view stopped_words() {
+  if (const char* words = own_words) return words;
   return has_written ? "stopped before all was written" : "stopped; nothing was written";
 }
 
@@ -133,6 +135,7 @@ void Interruption::settle() {
   set_alarm(0);
   interrupted = false;
 }
+void Interruption::set_words(const char* words) { own_words = words; }
 std::string_view Interruption::words() { return stopped_words(); }
 int Interruption::exit_status() { return interrupting_signal == 0 ? 0 : 128 + interrupting_signal; }
 

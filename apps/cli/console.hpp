@@ -40,6 +40,8 @@ class Interruption {
   [[nodiscard]] static const std::atomic<bool>* flag();
   /// The work has stopped as asked and has something to show: what follows counts as not interrupted.
   static void settle();
+  /// What became of the output where nobody else is asked, from here on; lives as long as the program.
+  static void set_words(const char* words);
   /// What became of the output, in words.
   [[nodiscard]] static std::string_view words();
   /// 128 + the number of the signal that came, settled or not; 0 without one.

@@ -199,6 +199,25 @@ void add_attitude(CLI::App& app, AttitudeArguments& arguments) {
   add_attitude_command(*group, "dh", "A chain of links by Hartenberg-Denavit parameters", false, arguments);
 }
 
+void add_sweep(CLI::App& app, SweepArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("sweep", "Solve a problem for many values of its numbers, and keep the answers in one table");
+  CLI::Option* sweep = command->add_option("SWEEP", arguments.sweep, "Sweep file (JSON; - reads standard input)");
+  command->add_option("-o,--output", arguments.output, "Write the table to this HDF5 file")->needs(sweep);
+  CLI::Option* resume = command->add_flag(
+      "--resume", arguments.resumes, "Go on with a sweep that was stopped; what is done is kept beside the output");
+  command->add_flag("--overwrite", arguments.overwrites, "Begin anew, whatever is there")->excludes(resume);
+  command->add_option("--threads", arguments.threads, "Threads (default: as many as the machine has)")
+      ->check(CLI::Range(1, 4096));
+  command
+      ->add_flag("--dry-run", arguments.is_dry, "Say how many samples there are, the first ones, and how long it takes")
+      ->needs(sweep);
+  command
+      ->add_option("--inspect", arguments.inspected,
+                   "Say what is in this table, or how far the sweep is that is to become it")
+      ->excludes(sweep);
+}
+
 void add_studio(CLI::App& app, StudioArguments& arguments) {
   CLI::App* command = app.add_subcommand("studio", "Serve the workbench to a browser on this machine");
   command->add_option("--port", arguments.port, "Port on 127.0.0.1 (0: any free one; default 4180, or any free one)")
@@ -244,6 +263,7 @@ int run(int argc, char** argv) {
   OutlineArguments outline_arguments;
   ToleranceArguments tolerance_arguments;
   AttitudeArguments attitude_arguments;
+  SweepArguments sweep_arguments;
   StudioArguments studio_arguments;
   add_solve(app, solve_arguments);
   add_analyze(app, analyze_arguments);
@@ -251,6 +271,7 @@ int run(int argc, char** argv) {
   add_outline(app, outline_arguments);
   add_tolerance(app, tolerance_arguments);
   add_attitude(app, attitude_arguments);
+  add_sweep(app, sweep_arguments);
   add_studio(app, studio_arguments);
   refuse_empty_texts(app);
   try {
@@ -268,6 +289,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("outline")) return outline(outline_arguments);
   if (app.got_subcommand("tolerance")) return tolerance(tolerance_arguments);
   if (app.got_subcommand("attitude")) return attitude(attitude_arguments);
+  if (app.got_subcommand("sweep")) return sweep(sweep_arguments);
   if (app.got_subcommand("studio")) return studio(studio_arguments);
   std::fputs(app.help().c_str(), stderr);
   return mistake;

@@ -59,7 +59,7 @@ class Manual(unittest.TestCase):
         self.assertIn("Draw the instant to this SVG file (with --instant)", page)
 
     def test_commands_are_completed(self):
-        self.assertEqual(self.completions("s"), ["solve", "studio"])
+        self.assertEqual(self.completions("s"), ["solve", "sweep", "studio"])
         self.assertEqual(self.completions("attitude", "s"), ["screw"])
 
     def test_options_are_completed(self):

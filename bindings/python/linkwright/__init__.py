@@ -19,6 +19,7 @@ from .errors import Cancelled, Mistake, ProblemError
 from .records import Record
 from .sessions import LiveMap, Session
 from .solving import Cancellation, read_problem, solve
+from .sweeps import Sweep, SweepPlan, load_sweep, sweep
 from .tasks import (
     FunctionTask,
     MotionTask,
@@ -51,12 +52,16 @@ __all__ = [
     "SphericalFourBar",
     "SphericalMotionTask",
     "StraightLineTask",
+    "Sweep",
+    "SweepPlan",
     "__version__",
     "attitude",
     "instant",
     "linkage_types",
+    "load_sweep",
     "orientation",
     "plot",
     "read_problem",
     "solve",
+    "sweep",
 ]

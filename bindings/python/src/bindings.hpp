@@ -54,6 +54,7 @@ void bind_solving(py::module_& module);
 void bind_linkages(py::module_& module);
 void bind_attitude(py::module_& module);
 void bind_session(py::module_& module);
+void bind_sweeps(py::module_& module);
 void bind_vocabulary(py::module_& module);
 
 }  // namespace linkwright::python

@@ -10,4 +10,5 @@ PYBIND11_MODULE(_linkwright, module) {
   bind_linkages(module);
   bind_attitude(module);
   bind_session(module);
+  bind_sweeps(module);
 }

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "bindings.hpp"
+#include "cancellation.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/atomic_file.hpp"
 #include "linkwright/files/problem_file.hpp"
@@ -17,11 +18,6 @@
 
 namespace linkwright::python {
 namespace {
-
-/// Asked by any thread, heard by the one that solves.
-struct Cancellation {
-  std::atomic<bool> asked{false};
-};
 
 /// Work in a thread of its own, while the calling thread, which alone hears Ctrl-C, looks after Python.
 class WatchedWork {

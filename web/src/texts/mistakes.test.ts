@@ -168,7 +168,7 @@ function codes_of_sources(): string[] {
   const sources = readdirSync(`${root}src`, {recursive: true, encoding: "utf8"}).filter(
     (name) =>
       name.endsWith(".cpp") &&
-      !/attitude|files\/(linkage|text|stored_linkage|six_bar\/six_bar_reader|spherical\/spherical_reader)|synthesis\/(solve|picked_place|six_bar_answer)/.test(
+      !/^sweep\/|attitude|files\/(linkage|text|stored_linkage|six_bar\/six_bar_reader|spherical\/spherical_reader)|synthesis\/(solve|picked_place|six_bar_answer)/.test(
         name,
       ),
   );

@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "linkwright/core/count_text.hpp"
+#include "linkwright/core/parallel.hpp"
+#include "linkwright/files/number_text.hpp"
+#include "linkwright/sweep/run_sweep.hpp"
+#include "linkwright/sweep/sweep_block.hpp"
+#include "sweep_file.hpp"
+#include "sweep_progress.hpp"
+#include "sweep_report.hpp"
+
+namespace linkwright::cli {
+namespace {
+
+/// The machine's no, not the caller's: what is done is kept.
+bool is_failure(const Error& error) {
+  return error.code == "unwritable_output" || error.code == "unreadable_journal" || error.code == "missing_block";
+}
+
+int refused(const std::string& file, const std::vector<Error>& errors) {
+  print_mistakes(file, errors);
+  return is_failure(errors.front()) ? failure : mistake;
+}
+
+int stopped() {
+  print_failure(Interruption::words());
+  return Interruption::exit_status();
+}
+
+void tell_what_is_lost(const JournalScan& scan) {
+  if (scan.torn > 0) print_failure("the last block was not written whole; it is computed anew");
+  if (scan.corrupt > 0)
+    print_failure(fmt::format("{} of what was kept is corrupt; those blocks are computed anew",
+                              scan.corrupt == 1 ? "one piece" : grouped_text(scan.corrupt) + " pieces"));
+}
+
+/// The table is there and no folder beside it: nothing is left to resume.
+bool is_finished(const std::filesystem::path& output) {
+  std::error_code error;
+  return std::filesystem::exists(output, error) && !std::filesystem::exists(SweepFolder::beside(output), error);
+}
+
+int tell_finished(const std::filesystem::path& output, const SweepPlan& plan) {
+  const auto head = read_sweep_head(output);
+  if (!head) return refused(output.string(), head.errors());
+  if (head->problem != plan.base_text() || head->sweep != plan.sweep_text() || head->version != LINKWRIGHT_VERSION)
+    return refused(output.string(), {Error{"another_sweep", "",
+                                           "this is the table of another sweep or version; --overwrite replaces it"}});
+  const auto text = fmt::format("{} is complete: {} samples\n", output.string(), grouped_text(plan.samples()));
+  return print_answer(text) ? 0 : failure;
+}
+
+/// Blocks that are not done, into the journal; the exit status where that ends early.
+std::optional<int> compute(const SweepPlan& plan, const SweepFolder& folder, const SweepArguments& arguments) {
+  const auto scan = folder.scan(plan);
+  if (!scan) return refused(arguments.output, scan.errors());
+  tell_what_is_lost(*scan);
+  auto journal = BlockJournal::open(folder.path(), plan, 0);
+  if (!journal) return refused(arguments.output, journal.errors());
+  RemainingBlocks remaining(plan, *scan);
+  SweepProgressLine line(plan.samples(), plan.samples() - remaining.samples());
+  const SweepRunOptions options{arguments.threads, Interruption::flag(),
+                                [&line](std::int64_t samples) { line.add(samples); }};
+  if (const auto error = run_sweep(plan, remaining, *journal, options)) return refused(arguments.output, {*error});
+  if (Interruption::happened()) return stopped();
+  return std::nullopt;
+}
+
+int run(const SweepPlan& plan, const SweepArguments& arguments, std::filesystem::path output) {
+  std::error_code error;
+  if (std::filesystem::is_symlink(output, error)) output = std::filesystem::weakly_canonical(output, error);
+  if (arguments.resumes && is_finished(output)) return tell_finished(output, plan);
+  const SweepStart start = arguments.resumes      ? SweepStart::resume
+                           : arguments.overwrites ? SweepStart::overwrite
+                                                  : SweepStart::fresh;
+  auto folder = SweepFolder::open(output, plan, start);
+  if (!folder) return refused(arguments.output, folder.errors());
+  Interruption::set_words("stopped; what is done is kept, and the same command with --resume goes on");
+  const auto begun = std::chrono::steady_clock::now();
+  if (const auto status = compute(plan, *folder, arguments)) return *status;
+  if (const auto failed = write_sweep_file(output, plan, *folder)) return refused(arguments.output, {*failed});
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  const std::string text =
+      fmt::format("{} samples are in {}, after {}; linkwright sweep --inspect tells what they are\n",
+                  grouped_text(plan.samples()), output.string(), duration_text(seconds));
+  return print_answer(text) ? 0 : failure;
+}
+
+/// What one sample takes, from a few that are spread over all of them.
+std::optional<double> seconds_a_sample(const SweepPlan& plan) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::int64_t most = 5;
+  constexpr double patience = 3;
+  const auto begun = Clock::now();
+  double seconds = 0;
+  std::int64_t tried = 0;
+  for (; tried < std::min(most, plan.samples()) && seconds < patience; ++tried) {
+    const std::int64_t sample = (2 * tried + 1) * (plan.samples() / (2 * most)) % plan.samples();
+    if (!sweep_samples(plan, sample, sample + 1, Interruption::flag())) return std::nullopt;
+    seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+  }
+  return seconds / static_cast<double>(tried);
+}
+
+int dry_run(const SweepPlan& plan, const SweepArguments& arguments) {
+  const auto seconds = seconds_a_sample(plan);
+  if (!seconds) return stopped();
+  const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
+  const double all = *seconds * static_cast<double>(plan.samples()) / threads;
+  const std::string text =
+      report_plan(plan) + fmt::format("A sample takes about {} ms, all of them about {} on {} thread{}.\n",
+                                      significant_text(1e3 * *seconds, 2), duration_text(all), threads,
+                                      threads == 1 ? "" : "s");
+  return print_answer(text) ? 0 : failure;
+}
+
+int inspect_begun(const std::filesystem::path& folder) {
+  const auto plan = read_begun_sweep(folder);
+  if (!plan) return refused(folder.string(), plan.errors());
+  const auto scan = scan_journals(folder, *plan);
+  if (!scan) return refused(folder.string(), scan.errors());
+  const std::int64_t left = RemainingBlocks(*plan, *scan).samples();
+  const std::string text =
+      report_plan(*plan) + fmt::format("{} of {} samples are done{}; the same sweep with --resume goes on.\n",
+                                       grouped_text(plan->samples() - left), grouped_text(plan->samples()),
+                                       scan->corrupt > 0 ? fmt::format(", {} pieces are corrupt", scan->corrupt) : "");
+  return print_answer(text) ? 0 : failure;
+}
+
+int inspect(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return inspect_begun(path);
+  const std::filesystem::path begun = SweepFolder::beside(path);
+  if (!std::filesystem::exists(path, error) && std::filesystem::is_directory(begun, error)) return inspect_begun(begun);
+  const auto summary = summarize_sweep_file(path);
+  if (!summary) return refused(path.string(), summary.errors());
+  return print_answer(report_sweep_file(*summary)) ? 0 : failure;
+}
+
+int usage(std::string_view message) {
+  print_failure(fmt::format("{}; see linkwright sweep --help", message));
+  return mistake;
+}
+
+}  // namespace
+
+int sweep(const SweepArguments& arguments) {
+  const Interruption interruption(Interruption::Answer::when_asked);
+  if (const auto missing = missing_sweep_files()) {
+    print_failure(missing->message);
+    return failure;
+  }
+  if (!arguments.inspected.empty()) return inspect(arguments.inspected);
+  if (arguments.sweep.empty()) return usage("SWEEP is required, or --inspect");
+  const auto plan = read_sweep_file(arguments.sweep);
+  if (!plan) return refused(arguments.sweep == "-" ? "standard input" : arguments.sweep, plan.errors());
+  if (arguments.is_dry) return dry_run(*plan, arguments);
+  if (arguments.output.empty()) return usage("--output is required, or --dry-run");
+  if (arguments.output == "-") return usage("a table cannot go to standard output; name a file");
+  return run(*plan, arguments, arguments.output);
+}
+
+}  // namespace linkwright::cli

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "linkwright/core/result.hpp"
+#include "linkwright/sweep/sweep_plan.hpp"
+
+namespace linkwright {
+
+/// Where the rows of a block stand: which journal, and where in it.
+struct StoredBlock {
+  std::int64_t block = 0;
+  std::uint32_t journal = 0;  ///< index of JournalScan::journals
+  std::uint64_t offset = 0;   ///< of the record
+};
+
+/// What the journals of a folder hold.
+struct JournalScan {
+  std::vector<std::filesystem::path> journals;
+  std::vector<StoredBlock> blocks;  ///< whole ones, each once, by rising number
+  std::int64_t torn = 0;            ///< journals whose last record was not written whole
+  std::int64_t corrupt = 0;         ///< places whose bytes are not those that were written
+};
+
+/// How a run goes about what is there already.
+enum class SweepStart { fresh, resume, overwrite };
+
+/// The folder beside the output that keeps what is done until all is: OUT.h5.partial. It has the plan's texts and a
+/// journal to each process. Locked as long as it lives, for one run at a time; the lock ends with the process.
+class SweepFolder {
+ public:
+  /// The caller's mistakes: a folder or output that exists where `fresh` is asked for, another sweep's where `resume`
+  /// is, one in use, one that cannot be written.
+  [[nodiscard]] static Result<SweepFolder> open(const std::filesystem::path& output, const SweepPlan& plan,
+                                                SweepStart start);
+  /// OUT.h5.partial of OUT.h5.
+  [[nodiscard]] static std::filesystem::path beside(const std::filesystem::path& output);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Reads all journals; a mistake where one cannot be read.
+  [[nodiscard]] Result<JournalScan> scan(const SweepPlan& plan) const;
+  /// Removes it with all that it holds, and gives up the lock.
+  void remove();
+
+ private:
+  struct Lock;
+  std::filesystem::path path_;
+  std::shared_ptr<Lock> lock_;
+};
+
+/// The same without its lock, for the other processes of a run and for looking on: what the journals in a folder hold.
+[[nodiscard]] Result<JournalScan> scan_journals(const std::filesystem::path& folder, const SweepPlan& plan);
+
+/// The plan that a folder was begun with; a mistake where it has none.
+[[nodiscard]] Result<SweepPlan> read_begun_sweep(const std::filesystem::path& folder);
+
+/// Keeps blocks of one process, one after another, each with its checksum: a block is there whole or not at all.
+class BlockJournal {
+ public:
+  /// `process`: number among those that share the folder, from 0. What a journal of that number holds is kept; a torn
+  /// end is cut off.
+  [[nodiscard]] static Result<BlockJournal> open(const std::filesystem::path& folder, const SweepPlan& plan,
+                                                 int process);
+  ~BlockJournal();
+  BlockJournal(BlockJournal&& other) noexcept;
+  BlockJournal& operator=(BlockJournal&&) = delete;
+  BlockJournal(const BlockJournal&) = delete;
+  BlockJournal& operator=(const BlockJournal&) = delete;
+
+  /// What went wrong, such as a full disk; the journal is as it was before, then.
+  [[nodiscard]] std::optional<Error> add(std::int64_t block, std::string_view rows);
+  /// Waits until all is on the disk.
+  [[nodiscard]] std::optional<Error> sync();
+
+ private:
+  BlockJournal(std::filesystem::path path, int descriptor, std::uint64_t size)
+      : path_(std::move(path)), descriptor_(descriptor), size_(size) {}
+
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+/// The rows of blocks of a scan, checked once more.
+class StoredBlocks {
+ public:
+  explicit StoredBlocks(const JournalScan& scan);
+  ~StoredBlocks();
+  StoredBlocks(const StoredBlocks&) = delete;
+  StoredBlocks& operator=(const StoredBlocks&) = delete;
+
+  [[nodiscard]] std::optional<std::string> read(const StoredBlock& block) const;
+
+ private:
+  std::vector<int> descriptors_;
+};
+
+}  // namespace linkwright

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwright/sweep/block_journal.hpp"
+#include "linkwright/sweep/sweep_plan.hpp"
+
+namespace linkwright {
+
+/// Gives out the numbers of blocks, each once: to the threads of a process, or to many processes.
+class BlockSource {
+ public:
+  BlockSource() = default;
+  BlockSource(const BlockSource&) = delete;
+  BlockSource& operator=(const BlockSource&) = delete;
+  virtual ~BlockSource() = default;
+
+  /// The next block to do, or nothing when there are no more. Called by one thread at a time, from any.
+  [[nodiscard]] virtual std::optional<std::int64_t> next() = 0;
+};
+
+/// All blocks of a plan that are not done, by rising number.
+class RemainingBlocks : public BlockSource {
+ public:
+  RemainingBlocks(const SweepPlan& plan, const JournalScan& done);
+  [[nodiscard]] std::optional<std::int64_t> next() override;
+
+  [[nodiscard]] std::int64_t samples() const { return samples_; }  ///< in all of them
+
+ private:
+  std::vector<bool> done_;
+  std::size_t next_ = 0;
+  std::int64_t samples_ = 0;
+};
+
+struct SweepRunOptions {
+  int threads = 0;                               ///< 0: as many as the machine has
+  const std::atomic<bool>* cancelled = nullptr;  ///< blocks under way are dropped
+  /// After each block that is kept, with its number of samples; called by one thread at a time.
+  std::function<void(std::int64_t samples)> kept;
+};
+
+/// Computes the blocks that the source gives and adds each to the journal when it is whole. Returns when there are no
+/// more, when cancelled, or with what kept a block from being written.
+[[nodiscard]] std::optional<Error> run_sweep(const SweepPlan& plan, BlockSource& source, BlockJournal& journal,
+                                             const SweepRunOptions& options);
+
+}  // namespace linkwright

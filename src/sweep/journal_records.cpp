@@ -1,0 +1,70 @@
+#include "journal_records.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <unistd.h>
+#include <zlib.h>
+
+namespace linkwright {
+namespace {
+
+constexpr std::uint32_t record_magic = 0x4b42574c;  // LWBK
+
+template <class Header>
+std::string_view bytes_of(const Header& header, std::size_t count) {
+  return {reinterpret_cast<const char*>(&header), count};
+}
+
+}  // namespace
+
+std::uint32_t checksum(std::string_view bytes) {
+  const auto* data = reinterpret_cast<const Bytef*>(bytes.data());
+  return static_cast<std::uint32_t>(::crc32_z(::crc32_z(0, nullptr, 0), data, bytes.size()));
+}
+
+JournalHeader journal_header(const SweepPlan& plan) {
+  JournalHeader header{"linkwright sweep 1\n", 0};
+  header.plan_check = checksum(plan.base_text() + "\n" + plan.sweep_text() + "\n" LINKWRIGHT_VERSION);
+  return header;
+}
+
+RecordHeader record_header(std::int64_t block, std::string_view rows) {
+  RecordHeader header{record_magic, checksum(rows), block, rows.size(), 0, 0};
+  header.header_check = checksum(bytes_of(header, offsetof(RecordHeader, header_check)));
+  return header;
+}
+
+bool is_whole(const RecordHeader& header, std::int64_t blocks) {
+  return header.magic == record_magic && header.block >= 0 && header.block < blocks &&
+         header.header_check == checksum(bytes_of(header, offsetof(RecordHeader, header_check)));
+}
+
+OpenFile::~OpenFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::string read_at(int descriptor, std::uint64_t offset, std::uint64_t count) {
+  std::string bytes(count, '\0');
+  std::size_t have = 0;
+  while (have < bytes.size()) {
+    const ssize_t got =
+        ::pread(descriptor, bytes.data() + have, bytes.size() - have, static_cast<off_t>(offset + have));
+    if (got > 0)
+      have += static_cast<std::size_t>(got);
+    else if (got == 0 || errno != EINTR)
+      break;
+  }
+  bytes.resize(have);
+  return bytes;
+}
+
+Error unwritable(std::string_view what, const std::filesystem::path& path, int error_number) {
+  const char* const reason = std::strerror(error_number);
+  return {"unwritable_output",
+          "",
+          fmt::format("{} {}: {}", path.string(), what, reason),
+          {{"what", what}, {"reason", reason}}};
+}
+
+}  // namespace linkwright

@@ -1,0 +1,59 @@
+#include "linkage_records.hpp"
+
+#include <charconv>
+#include <string>
+
+#include "files/json/json_writer.hpp"
+#include "files/kinds.hpp"
+
+namespace linkwright {
+
+namespace {
+
+// What is long to write and no column tells.
+template <class KindAnswer>
+void drop_the_rest(KindAnswer& answer) {
+  if constexpr (requires { answer.pairs; }) {
+    answer.pairs.clear();
+    for (auto& linkage : answer.linkages)
+      if (linkage.function) linkage.function->samples.clear();
+  }
+  if constexpr (requires { answer.relaxed; }) answer.relaxed.clear();
+}
+
+}  // namespace
+
+nlohmann::json linkage_records(Answer answer) {
+  std::visit([](auto& of_kind) { drop_the_rest(of_kind); }, answer);
+  const std::string text = json_text_of([&](JsonWriter& json) {
+    json.begin_object(JsonWriter::Layout::one_line);
+    std::visit([&](const auto& of_kind) { write_linkages(json, of_kind); }, answer);
+    json.end_object();
+  });
+  nlohmann::json members = nlohmann::json::parse(text);
+  return std::move(members["linkages"]);
+}
+
+const nlohmann::json* member_at(const nlohmann::json& record, std::string_view name) {
+  const nlohmann::json* at = &record;
+  while (!name.empty()) {
+    if (name.front() == '.') name.remove_prefix(1);
+    if (name.front() == '[') {
+      std::size_t index = 0;
+      std::from_chars(name.data() + 1, name.data() + name.size(), index);
+      if (!at->is_array() || index >= at->size()) return nullptr;
+      at = &(*at)[index];
+      name.remove_prefix(name.find(']') + 1);
+      continue;
+    }
+    const std::string_view key = name.substr(0, name.find_first_of(".["));
+    if (!at->is_object()) return nullptr;
+    const auto found = at->find(key);
+    if (found == at->end()) return nullptr;
+    at = &*found;
+    name.remove_prefix(key.size());
+  }
+  return at;
+}
+
+}  // namespace linkwright

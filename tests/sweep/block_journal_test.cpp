@@ -1,0 +1,138 @@
+#include "linkwright/sweep/block_journal.hpp"
+
+#include <fstream>
+#include <gtest/gtest.h>
+
+#include "sweep_support.hpp"
+
+namespace linkwright {
+namespace block_journal_test {
+namespace {
+
+using sweep_support::ScratchFolder;
+using sweep_support::small_plan;
+namespace fs = std::filesystem;
+
+std::string rows_of(std::int64_t block) { return "rows of " + std::to_string(block) + std::string(100, 'x'); }
+
+/// A folder with blocks 0 to 9 in its journal.
+class BlockJournals : public testing::Test {
+ protected:
+  BlockJournals() {
+    auto folder = SweepFolder::open(scratch.path() / "out.h5", plan, SweepStart::fresh);
+    EXPECT_TRUE(folder.ok());
+    journal = folder->path() / "000000.journal";
+    auto open = BlockJournal::open(folder->path(), plan, 0);
+    for (std::int64_t block = 0; block < 10; ++block) EXPECT_FALSE(open->add(block, rows_of(block)));
+    EXPECT_FALSE(open->sync());
+  }
+  JournalScan scan() { return *scan_journals(journal.parent_path(), plan); }
+  void change_byte(std::uint64_t at) {
+    std::fstream file(journal, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(static_cast<std::streamoff>(at));
+    const int byte = file.get();
+    file.seekp(static_cast<std::streamoff>(at));
+    file.put(static_cast<char>(byte ^ 0x40));
+  }
+
+  ScratchFolder scratch;
+  SweepPlan plan = small_plan();
+  fs::path journal;
+};
+
+TEST_F(BlockJournals, GiveBackWhatTheyKeep) {
+  const JournalScan found = scan();
+  ASSERT_EQ(found.blocks.size(), 10u);
+  const StoredBlocks stored(found);
+  for (const StoredBlock& block : found.blocks) EXPECT_EQ(stored.read(block), rows_of(block.block));
+  EXPECT_EQ(found.torn + found.corrupt, 0);
+}
+
+// Wherever a killed program stopped writing, what is before is there.
+TEST_F(BlockJournals, LoseOnlyTheBlockThatIsTorn) {
+  const auto size = fs::file_size(journal);
+  const std::uint64_t record = (size - 24) / 10;
+  for (std::uint64_t keep = size - 1; keep > size - record; --keep) {
+    fs::resize_file(journal, keep);
+    const JournalScan found = scan();
+    EXPECT_EQ(found.blocks.size(), 9u) << keep;
+    EXPECT_EQ(found.torn, 1) << keep;
+    EXPECT_EQ(found.corrupt, 0) << keep;
+  }
+  fs::resize_file(journal, size - 1);
+  EXPECT_FALSE(BlockJournal::open(journal.parent_path(), plan, 0)->add(9, rows_of(9)));
+  const JournalScan mended = scan();
+  ASSERT_EQ(mended.blocks.size(), 10u);
+  EXPECT_EQ(StoredBlocks(mended).read(mended.blocks[9]), rows_of(9));
+}
+
+TEST_F(BlockJournals, LoseOnlyTheBlockThatIsCorrupt) {
+  const auto size = fs::file_size(journal);
+  const std::uint64_t record = (size - 24) / 10;
+  for (const std::uint64_t at : {0u, 5u, 8u, 16u, 24u, 40u, 100u}) {
+    change_byte(24 + 4 * record + at);
+    const JournalScan found = scan();
+    EXPECT_EQ(found.blocks.size(), 9u) << at;
+    EXPECT_EQ(found.corrupt, 1) << at;
+    change_byte(24 + 4 * record + at);
+  }
+  EXPECT_EQ(scan().blocks.size(), 10u);
+}
+
+TEST_F(BlockJournals, OfManyProcessesAreOne) {
+  EXPECT_FALSE(BlockJournal::open(journal.parent_path(), plan, 3)->add(30, rows_of(30)));
+  EXPECT_FALSE(BlockJournal::open(journal.parent_path(), plan, 3)->add(5, rows_of(5)));
+  const JournalScan found = scan();
+  EXPECT_EQ(found.journals.size(), 2u);
+  EXPECT_EQ(found.blocks.size(), 11u);
+  EXPECT_EQ(found.blocks.back().block, 30);
+}
+
+TEST_F(BlockJournals, OfAnotherPlanAreNotTaken) {
+  change_byte(21);
+  EXPECT_EQ(scan().corrupt, 1);
+  EXPECT_TRUE(scan().blocks.empty());
+}
+
+TEST_F(BlockJournals, AreOneRunsAtATime) {
+  const fs::path output = scratch.path() / "out.h5";
+  EXPECT_EQ(SweepFolder::open(output, plan, SweepStart::fresh).errors()[0].code, "sweep_begun");
+  const auto first = SweepFolder::open(output, plan, SweepStart::resume);
+  ASSERT_TRUE(first.ok());
+  for (const auto start : {SweepStart::fresh, SweepStart::resume, SweepStart::overwrite})
+    EXPECT_EQ(SweepFolder::open(output, plan, start).errors()[0].code, "sweep_in_use");
+}
+
+TEST_F(BlockJournals, AreResumedByTheSameSweepOnly) {
+  const fs::path output = scratch.path() / "out.h5";
+  const auto other = sweep_support::plan_of(sweep_support::sweep_text(
+      R"({"method": "random", "samples": 41})", R"([{"at": "/requirements/max_length", "from": 1, "to": 2}])"));
+  const auto refused = SweepFolder::open(output, other, SweepStart::resume);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.errors()[0].message.find("/sweep/"), std::string::npos) << refused.errors()[0].message;
+  ASSERT_TRUE(SweepFolder::open(output, other, SweepStart::overwrite).ok());
+  EXPECT_FALSE(fs::exists(journal));
+}
+
+TEST_F(BlockJournals, SayWhatTheyWereBegunWith) {
+  const auto begun = read_begun_sweep(journal.parent_path());
+  ASSERT_TRUE(begun.ok());
+  EXPECT_EQ(begun->sweep_text(), plan.sweep_text());
+}
+
+TEST(SweepFolder, LeavesOutputsAlone) {
+  const ScratchFolder scratch;
+  const SweepPlan plan = small_plan();
+  const fs::path output = scratch.path() / "out.h5";
+  std::ofstream(output) << "mine";
+  EXPECT_EQ(SweepFolder::open(output, plan, SweepStart::fresh).errors()[0].code, "output_exists");
+  EXPECT_EQ(SweepFolder::open(scratch.path(), plan, SweepStart::overwrite).errors()[0].code, "not_a_regular_file");
+  EXPECT_EQ(SweepFolder::open(scratch.path() / "no" / "out.h5", plan, SweepStart::fresh).errors()[0].code,
+            "unwritable_output");
+  ASSERT_TRUE(SweepFolder::open(output, plan, SweepStart::overwrite).ok());
+  EXPECT_EQ(fs::file_size(output), 4u);
+}
+
+}  // namespace
+}  // namespace block_journal_test
+}  // namespace linkwright
