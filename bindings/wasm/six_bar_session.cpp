@@ -16,7 +16,7 @@ namespace {
 
 // What a cell takes in the page (docs/performance.md), and how long maps may take: one that follows the pointer, one at
 // rest, all those of a halo. What is asked for is meant for four-bars, of which solve() takes four times as many, too.
-constexpr double cell_us = 35;
+constexpr double cell_us = 3;
 constexpr double live_ms = 150, rest_ms = 600, halo_ms = 150;
 constexpr int four_bar_samples_to_one = 4, least_samples = 20, least_of_halo = 10;
 constexpr int samples_of_the_usual_map = 400;

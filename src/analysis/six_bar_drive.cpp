@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/six_bar_judge.hpp"
 #include "analysis/six_bar_walk.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -30,8 +31,8 @@ enum class Until { dead_point, return_only };
 
 class Walker {
  public:
-  Walker(const SixBar& six_bar, std::span<const SixBarTurns> wanted, const SixBarDriveOptions& options)
-      : loops_(six_bar), wanted_(wanted), options_(options) {}
+  Walker(const SixBarLoops& loops, std::span<const SixBarTurns> wanted, const SixBarDriveOptions& options)
+      : loops_(loops), wanted_(wanted), options_(options) {}
 
   /// The signs at all configurations agree: necessary for one branch, and cheap.
   [[nodiscard]] bool signs_agree() const;
@@ -153,7 +154,7 @@ SixBarDriveReport drive(const Walker& walker, int sense, bool circuits) {
 
 std::optional<double> sine_upper_bound(const SixBar& six_bar, std::span<const SixBarTurns> wanted) {
   if (wanted.empty()) return std::nullopt;
-  const Walker walker(six_bar, wanted, {});
+  const Walker walker(SixBarLoops(six_bar), wanted, {});
   if (!walker.signs_agree()) return std::nullopt;
   const std::array<double, 2> sines = walker.sines_at_wanted();
   return std::min(sines[0], sines[1]);
@@ -162,9 +163,35 @@ std::optional<double> sine_upper_bound(const SixBar& six_bar, std::span<const Si
 SixBarDriveReport drive_six_bar(const SixBar& six_bar, std::span<const SixBarTurns> wanted,
                                 const SixBarDriveOptions& options) {
   if (wanted.empty()) return undecided();
-  const Walker walker(six_bar, wanted, options);
+  const SixBarToDrive given{SixBarLoops(six_bar), wanted};
+  const Walker walker(given.loops, wanted, options);
   if (!walker.signs_agree()) return branch_defect(walker, options.circuits);
-  return drive(walker, likelier_sense(wanted), options.circuits);
+  const SixBarDriveReport report = drive(walker, likelier_sense(wanted), options.circuits);
+  if (report.completed) return report;
+  // Where strands nearly cross on the torus of all angles, the dyads one by one may still be sure.
+  const auto sure = judge_six_bars({&given, 1}).front();
+  return sure && sure->defects.none() ? *sure : report;
+}
+
+std::vector<SixBarDriveReport> drive_six_bars(std::span<const SixBarToDrive> six_bars, Simd simd) {
+  std::vector<SixBarDriveReport> reports(six_bars.size(), with_defects(Defects::branch_bit));
+  std::vector<SixBarToDrive> open;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < six_bars.size(); ++i) {
+    const auto& [loops, wanted] = six_bars[i];
+    if (wanted.empty())
+      reports[i] = undecided();
+    else if (Walker(loops, wanted, {}).signs_agree())
+      open.push_back(six_bars[i]), places.push_back(i);
+  }
+  const auto sure = judge_six_bars(open, simd);
+  SixBarDriveOptions no_circuits;
+  no_circuits.circuits = false;
+  for (std::size_t k = 0; k < open.size(); ++k)
+    reports[places[k]] = sure[k] ? *sure[k]
+                                 : drive(Walker(open[k].loops, open[k].wanted, no_circuits),
+                                         likelier_sense(open[k].wanted), no_circuits.circuits);
+  return reports;
 }
 
 }  // namespace linkwright

@@ -232,7 +232,7 @@ class DyadJudge {
       note(lane, at(lanes_->passed[i], lane), lanes_->sine_squares[0][i].of[lane], lanes_->sine_squares[1][i].of[lane]);
   }
 
-  /// Squared sines of the samples of the way, and of lower places between three of them.
+  /// Squared sines of the samples of the way, and of lower places between them.
   [[nodiscard]] std::array<double, 2> least_squares(std::size_t lane) const {
     std::array<double, 2> least = on_[lane].least_squares;
     const auto count = static_cast<std::size_t>(lanes_->samples[lane]);
@@ -241,37 +241,64 @@ class DyadJudge {
       for (std::size_t i = 0; i < count; ++i) {
         least[dyad] = std::min(least[dyad], square(i));
         if (i > 0 && i + 1 < count && square(i) <= square(i - 1) && square(i) <= square(i + 1))
-          least[dyad] = std::min(least[dyad], lowest_about(lane, dyad, i));
+          least[dyad] = std::min(least[dyad], Valley(*this, lane, dyad, i).lowest(i - 1, i + 1));
       }
+      for (const auto& [end, next] : {std::pair{std::size_t{0}, std::size_t{1}}, std::pair{count - 1, count - 2}})
+        if (count > 1) least[dyad] = std::min(least[dyad], Valley(*this, lane, dyad, end).lowest_from_end(next));
     }
     return least;
   }
 
-  /// Squared sine of a dyad at its lowest place between the samples next to sample i, by parabolas.
-  [[nodiscard]] double lowest_about(std::size_t lane, std::size_t dyad, std::size_t i) const {
-    constexpr int parabolas = 3;
-    const Point middle = at(lanes_->passed[i], lane);
+  /// The squared sine of a dyad about a sample, by the driver's way from there (twice the tangent of half the angle).
+  class Valley {
+   public:
+    Valley(const DyadJudge& judge, std::size_t lane, std::size_t dyad, std::size_t middle)
+        : lanes_(*judge.lanes_), lane_(lane), dyad_(dyad), middle_(at(lanes_.passed[middle], lane)) {}
+
+    /// Where the sample itself is lower than both others.
+    [[nodiscard]] double lowest(std::size_t before, std::size_t after) const {
+      return lowest(sample(before), {0, here().square}, sample(after));
+    }
+    /// Where the way begins or ends: it may go down from there before it goes up to the next sample.
+    [[nodiscard]] double lowest_from_end(std::size_t next) const {
+      constexpr double a_little = 1e-3;
+      const Place end = here(), beyond = sample(next), inside = place_at(a_little * beyond.way);
+      return inside.square < end.square && inside.square < beyond.square ? lowest(end, inside, beyond) : end.square;
+    }
+
+   private:
     struct Place {
       double way, square;
     };
-    const auto sample = [&](std::size_t k) {
-      const Point turn = std::conj(middle) * at(lanes_->passed[k], lane);
-      return Place{2 * turn.imag() / (1 + turn.real()), lanes_->sine_squares[dyad][k].of[lane]};
-    };
-    Place before = sample(i - 1), here = sample(i), after = sample(i + 1);
-    for (int round = 0; round < parabolas; ++round) {
-      const double h0 = before.way - here.way, h1 = after.way - here.way;
-      const double s0 = (before.square - here.square) / h0, s1 = (after.square - here.square) / h1;
-      const double bend = (s1 - s0) / (h1 - h0), way = here.way - (s0 - bend * h0) / (2 * bend);
-      if (!(std::abs(way - here.way) > 1e-9) || (way - before.way) * (way - after.way) >= 0) break;
-      const Point turn = middle * Point{1 - way * way / 4, way} / (1 + way * way / 4);
-      const isa_judge::DyadsAt<1> found(*lanes_, static_cast<int>(lane), {turn.real(), turn.imag()});
-      Place next{way, found.sine_square[dyad]};
-      if (next.square < here.square) std::swap(next, here);
-      ((next.way - here.way) * h0 > 0 ? before : after) = next;
+    [[nodiscard]] Place place_at(double way) const {
+      const Point turn = middle_ * Point{1 - way * way / 4, way} / (1 + way * way / 4);
+      const isa_judge::DyadsAt<1> found(lanes_, static_cast<int>(lane_), {turn.real(), turn.imag()});
+      return {way, found.sine_square[dyad_]};
     }
-    return here.square;
-  }
+    [[nodiscard]] Place here() const { return place_at(0); }
+    [[nodiscard]] Place sample(std::size_t i) const {
+      const Point turn = std::conj(middle_) * at(lanes_.passed[i], lane_);
+      return {2 * turn.imag() / (1 + turn.real()), lanes_.sine_squares[dyad_][i].of[lane_]};
+    }
+    /// By parabolas.
+    [[nodiscard]] double lowest(Place before, Place middle, Place after) const {
+      constexpr int parabolas = 4;
+      for (int round = 0; round < parabolas; ++round) {
+        const double h0 = before.way - middle.way, h1 = after.way - middle.way;
+        const double s0 = (before.square - middle.square) / h0, s1 = (after.square - middle.square) / h1;
+        const double bend = (s1 - s0) / (h1 - h0), way = middle.way - (s0 - bend * h0) / (2 * bend);
+        if (!(std::abs(way - middle.way) > 1e-9) || (way - before.way) * (way - after.way) >= 0) break;
+        Place next = place_at(way);
+        if (next.square < middle.square) std::swap(next, middle);
+        ((next.way - middle.way) * h0 > 0 ? before : after) = next;
+      }
+      return middle.square;
+    }
+
+    const DyadLanes& lanes_;
+    std::size_t lane_, dyad_;
+    Point middle_;
+  };
 
   /// Something harmless, so that the kernel may work on it.
   void rest(std::size_t lane) {
