@@ -170,7 +170,8 @@ SixBarDriveReport drive_six_bar(const SixBar& six_bar, std::span<const SixBarTur
   if (report.completed) return report;
   // Where strands nearly cross on the torus of all angles, the dyads one by one may still be sure.
   const auto sure = judge_six_bars({&given, 1}).front();
-  return sure && sure->defects.none() ? *sure : report;
+  if (!sure) return report;
+  return sure->defects.branch() ? branch_defect(walker, options.circuits) : *sure;
 }
 
 std::vector<SixBarDriveReport> drive_six_bars(std::span<const SixBarToDrive> six_bars, Simd simd) {
