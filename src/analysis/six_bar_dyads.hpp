@@ -1,7 +1,8 @@
 #pragma once
 
-// Six-bars in dyads on their way, one to each lane: steps of the driver between which no dead point can hide. Included by
-// the six_bar_kernel_*.cpp files, one for each instruction set. docs/theory/six-bars.md, section 4, derives the bounds.
+// Six-bars in dyads on their way, one to each lane: steps of the driver between which no dead point can hide. Included
+// by the six_bar_kernel_*.cpp files, one for each instruction set. docs/theory/six-bars.md, section 4, derives the
+// bounds.
 
 #include "analysis/six_bar_lanes.hpp"
 
@@ -53,8 +54,8 @@ LINKWRIGHT_INLINE Mask reach_all_the_way(const DyadLanes& lanes, int at, typenam
                                          const DyadsAt<Width>& next) {
   using Real = typename Pack<Width>::Real;
   const auto of = [at](const LaneReal& value) { return load<Width>(value.of + at); };
-  const Real cosine = magnitude<Width>(of(lanes.cosine)) +
-                      angle * (of(lanes.cosine_rate) + 0.5 * angle * of(lanes.bend_of_u));
+  const Real cosine =
+      magnitude<Width>(of(lanes.cosine)) + angle * (of(lanes.cosine_rate) + 0.5 * angle * of(lanes.bend_of_u));
   const Real per_sine_square = 1.0 / larger(1.0 - cosine * cosine, Real{} + 1e-300);
   const Real per_sine = square_root<Width>(per_sine_square);
   const Real bend = of(lanes.bend) + of(lanes.first_bend) * per_sine_square +
@@ -105,7 +106,8 @@ LINKWRIGHT_INLINE bool dyads_step(DyadLanes& lanes, int at) {
   const Real sense = load<Width>(lanes.sense.of + at), wanted = load<Width>(lanes.step.of + at);
   const Real along = dot(turn, goal), across = sense * cross(turn, goal);
   const Real rest = 2.0 * across / (1.0 + along);
-  const Mask arrives = less<Width>(Real{}, along) & less<Width>(Real{}, across) & negated<Width>(less<Width>(wanted, rest));
+  const Mask arrives =
+      less<Width>(Real{}, along) & less<Width>(Real{}, across) & negated<Width>(less<Width>(wanted, rest));
   const Real step = select<Width>(arrives, rest, wanted);
   const Real q = 0.25 * step * step, per = 1.0 / (1.0 + q);
   const Vector<Real> rotation = {(1.0 - q) * per, sense * step * per};

@@ -15,9 +15,9 @@ struct SixBarToDrive {
   std::span<const SixBarTurns> wanted;
 };
 
-/// Of six-bars whose signs at all configurations agree. Where a verdict is sure: what drive_six_bar() says without circuits, with γ to three digits or so; otherwise nothing:
-/// strands cross or nearly do, positions share an angle of the driver, or a dead point is too near to tell. All have as
-/// many configurations as the first.
+/// Of six-bars whose signs at all configurations agree. Where a verdict is sure: what drive_six_bar() says without
+/// circuits, with γ to three digits or so; otherwise nothing: strands cross or nearly do, positions share an angle of
+/// the driver, or a dead point is too near to tell. All have as many configurations as the first.
 [[nodiscard]] std::vector<std::optional<SixBarDriveReport>> judge_six_bars(std::span<const SixBarToDrive> six_bars,
                                                                            Simd simd = Simd::automatic);
 

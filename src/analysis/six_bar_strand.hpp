@@ -1,7 +1,7 @@
 #pragma once
 
-// The curve of configurations of a six-bar near one of its points, a six-bar to each lane: one source for the walk of one
-// (six_bar_walk.cpp) and of several at once (six_bar_strands.hpp).
+// The curve of configurations of a six-bar near one of its points, a six-bar to each lane: one source for the walk of
+// one (six_bar_walk.cpp) and of several at once (six_bar_strands.hpp).
 
 #include "core/pack_vector.hpp"
 
@@ -101,8 +101,8 @@ template <int Width>
 struct StrandBall {
   using Real = typename Pack<Width>::Real;
   Real tangent[5], correction[5];
-  Real reach;      ///< 0 where the Jacobian is singular
-  Real sine_4th;   ///< fourth power of SixBarTransmission::sine where the loops do not fall apart
+  Real reach;     ///< 0 where the Jacobian is singular
+  Real sine_4th;  ///< fourth power of SixBarTransmission::sine where the loops do not fall apart
 };
 
 // With J the Jacobian and J⁺ its inverse on the planes normal to the tangent, body i's column changes over a distance d
@@ -126,14 +126,16 @@ LINKWRIGHT_INLINE StrandBall<Width> strand_ball(const LoopTerms<Width>& terms) {
   Real volume_square = {}, columns = Real{} + 1.0, steepest = {};
   for (int i = 0; i < 5; ++i) volume_square += minors[i] * minors[i];
   const Mask regular = factor.regular & less<Width>(Real{}, volume_square);
-  const Real per_volume = where<Width>(regular, 1.0 / square_root<Width>(select<Width>(regular, volume_square, Real{} + 1.0)));
+  const Real per_volume =
+      where<Width>(regular, 1.0 / square_root<Width>(select<Width>(regular, volume_square, Real{} + 1.0)));
 
   StrandBall<Width> ball;
   // J δ = −F with J = i·column: the columns' sum Σ cᵢ δᵢ is i F.
   const Vector4<Real> weights = factor.backwards(factor.forwards(turned_column(terms.f, terms.g)));
   for (int i = 0; i < 5; ++i) {
     const Vector4<Real> c = column(terms.u[i], terms.v[i]);
-    steepest = larger(steepest, squares(factor.forwards(c)) + squares(factor.forwards(turned_column(terms.u[i], terms.v[i]))));
+    steepest =
+        larger(steepest, squares(factor.forwards(c)) + squares(factor.forwards(turned_column(terms.u[i], terms.v[i]))));
     ball.tangent[i] = minors[i] * per_volume;
     ball.correction[i] = where<Width>(
         regular, c.of[0] * weights.of[0] + c.of[1] * weights.of[1] + c.of[2] * weights.of[2] + c.of[3] * weights.of[3]);
@@ -148,7 +150,7 @@ LINKWRIGHT_INLINE StrandBall<Width> strand_ball(const LoopTerms<Width>& terms) {
 /// The unit vector after a step of `way`: the angle x turns by 2 atan(x/2), which needs no trigonometry.
 template <int Width>
 LINKWRIGHT_INLINE Vector<typename Pack<Width>::Real> stepped(Vector<typename Pack<Width>::Real> turn,
-                                                            typename Pack<Width>::Real way) {
+                                                             typename Pack<Width>::Real way) {
   using Real = typename Pack<Width>::Real;
   const Real q = 0.25 * way * way, size = 1.0 + q;
   const Vector<Real> r = product(turn, {(1.0 - q) / size, way / size});

@@ -43,8 +43,8 @@ LINKWRIGHT_INLINE bool strands_step(StrandLanes& lanes, int at) {
   const Real along = of(lanes.along) * length;
   Vector<Real> turn[5];
   for (int i = 0; i < 5; ++i)
-    turn[i] = stepped<Width>(load_vector<Width>(lanes.turn[i], at),
-                             along * of(lanes.tangent[i]) + of(lanes.correction[i]));
+    turn[i] =
+        stepped<Width>(load_vector<Width>(lanes.turn[i], at), along * of(lanes.tangent[i]) + of(lanes.correction[i]));
   // Of the arc sine as much as it takes to tell one whole turn from the next.
   const Real sine = cross(load_vector<Width>(lanes.turn[0], at), turn[0]), z = sine * sine;
   store<Width>(of(lanes.turned) + sine * (1.0 + z * (1.0 / 6 + z * (3.0 / 40))), lanes.turned.of + at);
@@ -70,12 +70,12 @@ LINKWRIGHT_INLINE bool strands_step(StrandLanes& lanes, int at) {
     const Mask bit = 1u << lane;
     const int i = at + lane;
     ++lanes.steps[i];
-    lanes.event[i] = lanes.idle[i]                            ? TravelEvent::none
-                     : lost & bit                             ? TravelEvent::undecided
-                     : dead & bit                             ? TravelEvent::dead_point
-                     : near & bit                             ? TravelEvent::arrived
+    lanes.event[i] = lanes.idle[i]                              ? TravelEvent::none
+                     : lost & bit                               ? TravelEvent::undecided
+                     : dead & bit                               ? TravelEvent::dead_point
+                     : near & bit                               ? TravelEvent::arrived
                      : lanes.steps[i] > StrandLanes::most_steps ? TravelEvent::undecided
-                                                              : TravelEvent::none;
+                                                                : TravelEvent::none;
     any = any || lanes.event[i] != TravelEvent::none;
   }
   return any;
