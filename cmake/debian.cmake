@@ -1,4 +1,5 @@
-# cpack -G DEB in build/release: linkwright, liblinkwright-dev and, where OpenCASCADE is found, linkwright-step.
+# cpack -G DEB in build/release: linkwright, liblinkwright-dev and, where OpenCASCADE and MPI are found, linkwright-step
+# and linkwright-mpi.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME linkwright)
 set(CPACK_PACKAGE_VENDOR Linkwright)
@@ -17,7 +18,7 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME linkwright)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "linkwright-step, liblinkwright-dev, bash-completion")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "linkwright-step, linkwright-mpi, liblinkwright-dev, bash-completion")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
     "Linkwright finds all four-bar linkages that guide a body through three, four or
 five positions, six-bars through four, spherical four-bars, generators of
@@ -41,6 +42,18 @@ if(TARGET linkwright_step)
   set(CPACK_COMPONENT_STEP_DESCRIPTION
       "The component of Linkwright that writes linkages as STEP assemblies for CAD, by
 OpenCASCADE: linkwright export RESULT --format step.")
+endif()
+
+if(TARGET linkwright_mpi)
+  list(APPEND CPACK_COMPONENTS_ALL mpi)
+  set(CPACK_DEBIAN_MPI_PACKAGE_NAME linkwright-mpi)
+  set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS openmpi-bin)
+  set(CPACK_DEBIAN_MPI_PACKAGE_SUGGESTS linkwright)
+  set(CPACK_COMPONENT_MPI_DESCRIPTION
+      "Sweeps of Linkwright on a cluster: mpirun linkwright-mpi sweep does what
+linkwright sweep does, with many processes, by Open MPI.")
 endif()
 
 include(CPack)

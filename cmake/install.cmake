@@ -1,5 +1,5 @@
 # install, find_package(linkwright), pkg-config, and the Debian packages that CPack makes: the component `program` is the
-# package linkwright, `development` liblinkwright-dev, `step` linkwright-step.
+# package linkwright, `development` liblinkwright-dev, `step` linkwright-step, `mpi` linkwright-mpi.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/linkwright")
@@ -53,6 +53,12 @@ if(TARGET linkwright_step)
   set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME step)
   install(TARGETS linkwright_step LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/linkwright")
   install(FILES cmake/copyright DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/linkwright-step")
+endif()
+
+if(TARGET linkwright_mpi)
+  set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME mpi)
+  install(TARGETS linkwright_mpi)
+  install(FILES cmake/copyright DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/linkwright-mpi")
 endif()
 
 include(cmake/debian.cmake)

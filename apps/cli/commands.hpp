@@ -73,15 +73,6 @@ struct AttitudeArguments {
 };
 [[nodiscard]] int attitude(const AttitudeArguments& arguments);
 
-struct SweepArguments {
-  std::string sweep;      ///< path, or "-" for standard input; empty with `inspected`
-  std::string output;     ///< path
-  std::string inspected;  ///< path of a table, or empty
-  bool resumes = false, overwrites = false, is_dry = false;
-  int threads = 0;  ///< 0: as many as the machine has
-};
-[[nodiscard]] int sweep(const SweepArguments& arguments);
-
 struct StudioArguments {
   std::optional<int> port;  ///< 0: any free one; nothing: the usual one, or any free one
   std::string folder;       ///< of the built workbench; empty: where the program was installed or built

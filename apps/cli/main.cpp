@@ -2,26 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
-#include <fmt/format.h>
-#include <new>
 #include <string>
 
 #include "attitude_flags.hpp"
+#include "command_line.hpp"
 #include "commands.hpp"
 #include "linkwright/files/nearest_name.hpp"
+#include "sweep_command.hpp"
 
 namespace linkwright::cli {
 namespace {
-
-/// Of a command and those below it: an empty text is neither a number nor the name of a file.
-void refuse_empty_texts(CLI::App& command) {
-  const CLI::Validator not_empty(
-      [](const std::string& text) { return text.empty() ? "a value is needed here, not an empty text" : ""; }, "");
-  for (CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->get_items_expected_max() > 0; }))
-    option->check(not_empty);
-  for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_texts(*below);
-}
 
 void add_solve(CLI::App& app, SolveArguments& arguments) {
   CLI::App* command = app.add_subcommand("solve", "Find all linkages that do a task, and the best of them");
@@ -199,56 +189,11 @@ void add_attitude(CLI::App& app, AttitudeArguments& arguments) {
   add_attitude_command(*group, "dh", "A chain of links by Hartenberg-Denavit parameters", false, arguments);
 }
 
-void add_sweep(CLI::App& app, SweepArguments& arguments) {
-  CLI::App* command =
-      app.add_subcommand("sweep", "Solve a problem for many values of its numbers, and keep the answers in one table");
-  CLI::Option* sweep = command->add_option("SWEEP", arguments.sweep, "Sweep file (JSON; - reads standard input)");
-  command->add_option("-o,--output", arguments.output, "Write the table to this HDF5 file")->needs(sweep);
-  CLI::Option* resume = command->add_flag(
-      "--resume", arguments.resumes, "Go on with a sweep that was stopped; what is done is kept beside the output");
-  command->add_flag("--overwrite", arguments.overwrites, "Begin anew, whatever is there")->excludes(resume);
-  command->add_option("--threads", arguments.threads, "Threads (default: as many as the machine has)")
-      ->check(CLI::Range(1, 4096));
-  command
-      ->add_flag("--dry-run", arguments.is_dry, "Say how many samples there are, the first ones, and how long it takes")
-      ->needs(sweep);
-  command
-      ->add_option("--inspect", arguments.inspected,
-                   "Say what is in this table, or how far the sweep is that is to become it")
-      ->excludes(sweep);
-}
-
 void add_studio(CLI::App& app, StudioArguments& arguments) {
   CLI::App* command = app.add_subcommand("studio", "Serve the workbench to a browser on this machine");
   command->add_option("--port", arguments.port, "Port on 127.0.0.1 (0: any free one; default 4180, or any free one)")
       ->check(CLI::Range(0, 65535));
   command->add_option("--folder", arguments.folder, "Serve this built workbench instead of the installed one");
-}
-
-/// Where a word stands in the place of a command: which one may be meant.
-std::optional<std::string> unknown_command(const CLI::App& app) {
-  const CLI::App* group = &app;
-  while (!group->get_subcommands().empty()) group = group->get_subcommands().front();
-  std::vector<std::string> names;
-  for (const CLI::App* command : group->get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
-  const auto rest = app.remaining(true);
-  if (names.empty() || rest.empty() || rest.front().starts_with('-')) return std::nullopt;
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  return fmt::format("there is no command {}; did you mean {}?", in_quotes(rest.front()),
-                     nearest_name(rest.front(), known));
-}
-
-/// One line that says what is wrong with the command line.
-std::string usage_mistake(const CLI::App& app, const CLI::ParseError& error) {
-  std::string command = "linkwright";
-  for (auto chosen = app.get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands()) {
-    command += " " + chosen.front()->get_name();
-  }
-  std::string message = unknown_command(app).value_or(error.what());
-  while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.pop_back();
-  for (char& c : message) c = c == '\n' ? ' ' : c;
-  return fmt::format("{}; see {} --help", message, command);
 }
 
 int run(int argc, char** argv) {
@@ -273,23 +218,17 @@ int run(int argc, char** argv) {
   add_attitude(app, attitude_arguments);
   add_sweep(app, sweep_arguments);
   add_studio(app, studio_arguments);
-  refuse_empty_texts(app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {  // --help, --version
-    app.exit(success);
-    return std::fflush(stdout) == 0 ? 0 : failure;
-  } catch (const CLI::ParseError& error) {
-    print_failure(usage_mistake(app, error));
-    return mistake;
-  }
+  if (const auto status = parse(app, argc, argv)) return *status;
   if (app.got_subcommand("solve")) return solve(solve_arguments);
   if (app.got_subcommand("analyze")) return analyze(analyze_arguments);
   if (app.got_subcommand("export")) return export_linkage(export_arguments);
   if (app.got_subcommand("outline")) return outline(outline_arguments);
   if (app.got_subcommand("tolerance")) return tolerance(tolerance_arguments);
   if (app.got_subcommand("attitude")) return attitude(attitude_arguments);
-  if (app.got_subcommand("sweep")) return sweep(sweep_arguments);
+  if (app.got_subcommand("sweep")) {
+    ThreadsHere threads;
+    return sweep(sweep_arguments, threads);
+  }
   if (app.got_subcommand("studio")) return studio(studio_arguments);
   std::fputs(app.help().c_str(), stderr);
   return mistake;
@@ -299,12 +238,5 @@ int run(int argc, char** argv) {
 }  // namespace linkwright::cli
 
 int main(int argc, char** argv) {
-  try {
-    return linkwright::cli::run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    linkwright::cli::print_failure("there is not enough memory for this; use fewer samples (--samples)");
-  } catch (const std::exception& error) {
-    linkwright::cli::print_failure(error.what());
-  }
-  return linkwright::cli::failure;
+  return linkwright::cli::guarded([&] { return linkwright::cli::run(argc, argv); });
 }

@@ -1,16 +1,16 @@
+#include "sweep_command.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 
-#include "commands.hpp"
+#include "console.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/files/number_text.hpp"
-#include "linkwright/sweep/run_sweep.hpp"
 #include "linkwright/sweep/sweep_block.hpp"
 #include "sweep_file.hpp"
-#include "sweep_progress.hpp"
 #include "sweep_report.hpp"
 
 namespace linkwright::cli {
@@ -54,23 +54,21 @@ int tell_finished(const std::filesystem::path& output, const SweepPlan& plan) {
   return print_answer(text) ? 0 : failure;
 }
 
-/// Blocks that are not done, into the journal; the exit status where that ends early.
-std::optional<int> compute(const SweepPlan& plan, const SweepFolder& folder, const SweepArguments& arguments) {
+/// Blocks that are not done, into journals; the exit status where that ends early.
+std::optional<int> compute(const SweepPlan& plan, const SweepFolder& folder, const SweepArguments& arguments,
+                           SweepWorkers& workers) {
   const auto scan = folder.scan(plan);
   if (!scan) return refused(arguments.output, scan.errors());
   tell_what_is_lost(*scan);
-  auto journal = BlockJournal::open(folder.path(), plan, 0);
-  if (!journal) return refused(arguments.output, journal.errors());
   RemainingBlocks remaining(plan, *scan);
   SweepProgressLine line(plan.samples(), plan.samples() - remaining.samples());
-  const SweepRunOptions options{arguments.threads, Interruption::flag(),
-                                [&line](std::int64_t samples) { line.add(samples); }};
-  if (const auto error = run_sweep(plan, remaining, *journal, options)) return refused(arguments.output, {*error});
+  const auto error = workers.compute(plan, folder, remaining, arguments.threads, line);
+  if (error) return refused(arguments.output, {*error});
   if (Interruption::happened()) return stopped();
   return std::nullopt;
 }
 
-int run(const SweepPlan& plan, const SweepArguments& arguments, std::filesystem::path output) {
+int run(const SweepPlan& plan, const SweepArguments& arguments, SweepWorkers& workers, std::filesystem::path output) {
   std::error_code error;
   if (std::filesystem::is_symlink(output, error)) output = std::filesystem::weakly_canonical(output, error);
   if (arguments.resumes && is_finished(output)) return tell_finished(output, plan);
@@ -81,7 +79,7 @@ int run(const SweepPlan& plan, const SweepArguments& arguments, std::filesystem:
   if (!folder) return refused(arguments.output, folder.errors());
   Interruption::set_words("stopped; what is done is kept, and the same command with --resume goes on");
   const auto begun = std::chrono::steady_clock::now();
-  if (const auto status = compute(plan, *folder, arguments)) return *status;
+  if (const auto status = compute(plan, *folder, arguments, workers)) return *status;
   if (const auto failed = write_sweep_file(output, plan, *folder)) return refused(arguments.output, {*failed});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   const std::string text =
@@ -106,10 +104,9 @@ std::optional<double> seconds_a_sample(const SweepPlan& plan) {
   return seconds / static_cast<double>(tried);
 }
 
-int dry_run(const SweepPlan& plan, const SweepArguments& arguments) {
+int dry_run(const SweepPlan& plan, int threads) {
   const auto seconds = seconds_a_sample(plan);
   if (!seconds) return stopped();
-  const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
   const double all = *seconds * static_cast<double>(plan.samples()) / threads;
   const std::string text =
       report_plan(plan) + fmt::format("A sample takes about {} ms, all of them about {} on {} thread{}.\n",
@@ -148,7 +145,17 @@ int usage(std::string_view message) {
 
 }  // namespace
 
-int sweep(const SweepArguments& arguments) {
+int ThreadsHere::threads(int wished) const { return wished > 0 ? wished : available_threads(); }
+
+std::optional<Error> ThreadsHere::compute(const SweepPlan& plan, const SweepFolder& folder, RemainingBlocks& remaining,
+                                          int threads, SweepProgressLine& line) {
+  auto journal = BlockJournal::open(folder.path(), plan, 0);
+  if (!journal) return journal.errors().front();
+  const SweepRunOptions options{threads, Interruption::flag(), [&line](std::int64_t samples) { line.add(samples); }};
+  return run_sweep(plan, remaining, *journal, options);
+}
+
+int sweep(const SweepArguments& arguments, SweepWorkers& workers) {
   const Interruption interruption(Interruption::Answer::when_asked);
   if (const auto missing = missing_sweep_files()) {
     print_failure(missing->message);
@@ -158,10 +165,10 @@ int sweep(const SweepArguments& arguments) {
   if (arguments.sweep.empty()) return usage("SWEEP is required, or --inspect");
   const auto plan = read_sweep_file(arguments.sweep);
   if (!plan) return refused(arguments.sweep == "-" ? "standard input" : arguments.sweep, plan.errors());
-  if (arguments.is_dry) return dry_run(*plan, arguments);
+  if (arguments.is_dry) return dry_run(*plan, workers.threads(arguments.threads));
   if (arguments.output.empty()) return usage("--output is required, or --dry-run");
   if (arguments.output == "-") return usage("a table cannot go to standard output; name a file");
-  return run(*plan, arguments, arguments.output);
+  return run(*plan, arguments, workers, arguments.output);
 }
 
 }  // namespace linkwright::cli

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/uio.h>
 #include <unistd.h>
 #include <utility>
@@ -42,7 +43,9 @@ Result<BlockJournal> BlockJournal::open(const std::filesystem::path& folder, con
   const std::filesystem::path path = folder / fmt::format("{:06}.journal", process);
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) return unwritable("cannot be written", path, errno);
-  BlockJournal journal(path, descriptor, sound_size(descriptor, plan));
+  BlockJournal journal(path, descriptor, 0);
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return sweep_in_use();
+  journal.size_ = sound_size(descriptor, plan);
   if (journal.size_ > 0) return journal;
   const JournalHeader header = journal_header(plan);
   const std::string_view bytes(reinterpret_cast<const char*>(&header), sizeof header);

@@ -67,4 +67,6 @@ Error unwritable(std::string_view what, const std::filesystem::path& path, int e
           {{"what", what}, {"reason", reason}}};
 }
 
+Error sweep_in_use() { return {"sweep_in_use", "", "another run is writing this file; wait for it or stop it"}; }
+
 }  // namespace linkwright

@@ -48,5 +48,6 @@ class OpenFile {
 
 /// "…: <the system's reason>".
 [[nodiscard]] Error unwritable(std::string_view what, const std::filesystem::path& path, int error_number);
+[[nodiscard]] Error sweep_in_use();
 
 }  // namespace linkwright

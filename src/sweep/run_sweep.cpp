@@ -1,9 +1,11 @@
 #include "linkwright/sweep/run_sweep.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/sweep/sweep_block.hpp"
@@ -73,20 +75,44 @@ class SharedRun {
   std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
 };
 
+/// What stands between blocks that are done, which come by rising number.
+std::vector<BlockRun> runs_between(const std::vector<StoredBlock>& done, std::int64_t blocks) {
+  std::vector<BlockRun> runs;
+  std::int64_t first = 0;
+  for (const StoredBlock& stored : done) {
+    if (stored.block > first) runs.push_back({first, stored.block});
+    first = stored.block + 1;
+  }
+  if (blocks > first) runs.push_back({first, blocks});
+  return runs;
+}
+
 }  // namespace
 
 RemainingBlocks::RemainingBlocks(const SweepPlan& plan, const JournalScan& done)
-    : done_(static_cast<std::size_t>(plan.blocks())), samples_(plan.samples()) {
-  for (const StoredBlock& stored : done.blocks) {
-    done_[static_cast<std::size_t>(stored.block)] = true;
-    samples_ -= std::min(plan.block_samples(), plan.samples() - stored.block * plan.block_samples());
+    : RemainingBlocks(plan, runs_between(done.blocks, plan.blocks())) {}
+
+RemainingBlocks::RemainingBlocks(const SweepPlan& plan, std::vector<BlockRun> runs) : runs_(std::move(runs)) {
+  std::int64_t blocks = 0;
+  for (const BlockRun& run : runs_) {
+    before_.push_back(blocks);
+    blocks += run.last - run.first;
+    samples_ += std::min(run.last * plan.block_samples(), plan.samples()) - run.first * plan.block_samples();
   }
 }
 
+std::optional<std::int64_t> RemainingBlocks::at(std::int64_t k) const {
+  const auto after = std::upper_bound(before_.begin(), before_.end(), k);
+  if (after == before_.begin()) return std::nullopt;
+  const auto which = static_cast<std::size_t>(after - before_.begin() - 1);
+  if (k - before_[which] >= runs_[which].last - runs_[which].first) return std::nullopt;
+  return runs_[which].first + (k - before_[which]);
+}
+
 std::optional<std::int64_t> RemainingBlocks::next() {
-  while (next_ < done_.size() && done_[next_]) ++next_;
-  if (next_ == done_.size()) return std::nullopt;
-  return static_cast<std::int64_t>(next_++);
+  const auto block = at(next_);
+  if (block) ++next_;
+  return block;
 }
 
 std::optional<Error> run_sweep(const SweepPlan& plan, BlockSource& source, BlockJournal& journal,

@@ -85,8 +85,7 @@ Result<SweepFolder> SweepFolder::open(const std::filesystem::path& output, const
   const std::filesystem::path lock = folder.path_ / "lock";
   folder.lock_ = std::make_shared<Lock>(::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (folder.lock_->descriptor() < 0) return unwritable("cannot be written", lock, errno);
-  if (::flock(folder.lock_->descriptor(), LOCK_EX | LOCK_NB) != 0)
-    return Error{"sweep_in_use", "", "another run is writing this file; wait for it or stop it"};
+  if (::flock(folder.lock_->descriptor(), LOCK_EX | LOCK_NB) != 0) return sweep_in_use();
   const bool is_begun = std::filesystem::exists(folder.path_ / plan_file, error);
   if (is_begun && start == SweepStart::fresh)
     return Error{"sweep_begun", "",

@@ -120,6 +120,18 @@ TEST_F(BlockJournals, SayWhatTheyWereBegunWith) {
   EXPECT_EQ(begun->sweep_text(), plan.sweep_text());
 }
 
+TEST(BlockJournal, IsWrittenByOneProcessAtATime) {
+  const ScratchFolder scratch;
+  const SweepPlan plan = small_plan();
+  const auto folder = *SweepFolder::open(scratch.path() / "out.h5", plan, SweepStart::fresh);
+  {
+    const auto journal = BlockJournal::open(folder.path(), plan, 3);
+    EXPECT_EQ(BlockJournal::open(folder.path(), plan, 3).errors()[0].code, "sweep_in_use");
+    EXPECT_TRUE(BlockJournal::open(folder.path(), plan, 4).ok());
+  }
+  EXPECT_TRUE(BlockJournal::open(folder.path(), plan, 3).ok());
+}
+
 TEST(SweepFolder, LeavesOutputsAlone) {
   const ScratchFolder scratch;
   const SweepPlan plan = small_plan();

@@ -109,12 +109,29 @@ TEST(RunSweep, ADamagedTableIsReadOrRefused) {
   EXPECT_EQ(summarize_sweep_file(scratch.path() / "none").errors()[0].code, "unreadable_file");
 }
 
+TEST(RunSweep, WhatRemainsIsFoundByNumber) {
+  const SweepPlan plan = small_plan();
+  JournalScan done;
+  for (const std::int64_t block : {0, 1, 7, 20, 39}) done.blocks.push_back({block, 0, 0});
+  RemainingBlocks remaining(plan, done);
+  const RemainingBlocks elsewhere(plan, remaining.runs());
+  EXPECT_EQ(remaining.samples(), 35);
+  EXPECT_EQ(elsewhere.samples(), 35);
+  EXPECT_EQ(remaining.at(0), 2);
+  EXPECT_EQ(remaining.at(5), 8);
+  EXPECT_EQ(remaining.at(34), 38);
+  for (const std::int64_t outside : {std::int64_t{-1}, std::int64_t{35}, std::int64_t{1} << 62})
+    EXPECT_FALSE(remaining.at(outside)) << outside;
+  for (std::int64_t k = 0; k < 35; ++k) EXPECT_EQ(remaining.next(), elsewhere.at(k));
+  EXPECT_FALSE(remaining.next());
+}
+
 TEST(RunSweep, CancelledItKeepsWholeBlocksOnly) {
   const ScratchFolder scratch;
   const SweepPlan plan = small_plan();
   auto folder = *SweepFolder::open(scratch.path() / "out.h5", plan, SweepStart::fresh);
   auto journal = BlockJournal::open(folder.path(), plan, 0);
-  RemainingBlocks source(plan, {});
+  RemainingBlocks source(plan, JournalScan{});
   std::atomic<bool> cancelled = false;
   std::int64_t kept = 0;
   const SweepRunOptions options{2, &cancelled, [&](std::int64_t samples) { cancelled = (kept += samples) >= 7; }};

@@ -63,8 +63,8 @@ class SweepFolder {
 /// Keeps blocks of one process, one after another, each with its checksum: a block is there whole or not at all.
 class BlockJournal {
  public:
-  /// `process`: number among those that share the folder, from 0. What a journal of that number holds is kept; a torn
-  /// end is cut off.
+  /// `process`: number among those that share the folder, from 0. What a journal of that number holds is kept; one that
+  /// a process still writes, of a run that has lost its first one, is a mistake.
   [[nodiscard]] static Result<BlockJournal> open(const std::filesystem::path& folder, const SweepPlan& plan,
                                                  int process);
   ~BlockJournal();

@@ -24,18 +24,28 @@ class BlockSource {
   [[nodiscard]] virtual std::optional<std::int64_t> next() = 0;
 };
 
+/// Blocks [first, last), one after another.
+struct BlockRun {
+  std::int64_t first = 0, last = 0;
+};
+
 /// All blocks of a plan that are not done, by rising number.
 class RemainingBlocks : public BlockSource {
  public:
   RemainingBlocks(const SweepPlan& plan, const JournalScan& done);
+  /// Those of another process: what its runs() are.
+  RemainingBlocks(const SweepPlan& plan, std::vector<BlockRun> runs);
   [[nodiscard]] std::optional<std::int64_t> next() override;
 
+  /// Number k of them, from 0; nothing where there are fewer.
+  [[nodiscard]] std::optional<std::int64_t> at(std::int64_t k) const;
+  [[nodiscard]] const std::vector<BlockRun>& runs() const { return runs_; }
   [[nodiscard]] std::int64_t samples() const { return samples_; }  ///< in all of them
 
  private:
-  std::vector<bool> done_;
-  std::size_t next_ = 0;
-  std::int64_t samples_ = 0;
+  std::vector<BlockRun> runs_;
+  std::vector<std::int64_t> before_;  ///< of each run: how many blocks stand in those before it
+  std::int64_t next_ = 0, samples_ = 0;
 };
 
 struct SweepRunOptions {
