@@ -5,6 +5,8 @@ are the best of their type and free of defects.
 
 usage: script/atlas/learning.py [--rows N] [--free SHARE] [--seed S] [-o FILE.csv|FILE.h5] [--card FILE.md]"""
 
+import collections
+import itertools
 import time
 from pathlib import Path
 
@@ -54,51 +56,51 @@ def draw(options, origin, number, samples, wanted=None):
     """The linkages of one sweep; its seed is that of the data and its number."""
     table = swept(options, f"learning_{origin}_{wanted or 'any'}_{options.seed}_{number}_{samples}",
                   problem(at=[0.5, 0.5]) if origin == "place" else problem(wanted=wanted),
-                  {"method": "random", "samples": samples, "seed": options.seed * 1000 + number},
+                  {"method": "random", "samples": samples, "seed": options.seed * 1_000_000 + number},
                   chance() + (at_place() if origin == "place" else []), {"linkages": 1, "columns": LABELS + LINKAGE + PLACE})
     return [{"origin": origin, **row} for row in linkages_with(table, *POSES) if row["type"] in TYPES]
 
 
-def drawn_until(quotas, options, origin, samples, wanted=None):
-    """Rows in the order of drawing, of each type its quota and no more; (rows, how many samples were drawn)."""
-    rows, missing, number = [], dict(quotas), 0
-    while any(missing.values()) and number < options.most_sweeps:
+def drawn_until(quotas, options, origin, told, wanted=None):
+    """Rows in the order of drawing, of each type its quota and no more."""
+    missing, number = dict(quotas), 0
+    while any(missing.values()):
         number += 1
-        for row in draw(options, origin, number, samples, wanted):
+        told[origin, "drawn"] += options.block
+        for row in draw(options, origin, number, options.block, wanted):
             if missing.get(row["type"], 0) and (origin == "place" or is_free(row)):
                 missing[row["type"]] -= 1
-                rows.append(row)
-    return rows, number * samples
+                yield row
 
 
-def collected(options):
-    """(all rows, {origin: samples drawn})."""
+def collected(options, told):
+    """All rows, one by one; `told` counts them for the card."""
     free = round(options.rows * options.free / len(TYPES))
-    rows, places = drawn_until({of: options.rows // len(TYPES) - free for of in TYPES}, options, "place", options.block)
-    best = 0
-    for of in TYPES if free else []:
-        more, drawn = drawn_until({of: free}, options, "best", options.block, of)
-        rows, best = rows + more, best + drawn
-    return rows, {"place": places, "best": best}
+    places = {of: options.rows // len(TYPES) - free for of in TYPES}
+    parts = [drawn_until(places, options, "place", told)]
+    parts += [drawn_until({of: free}, options, "best", told, of) for of in TYPES]
+    for row in itertools.chain(*parts):
+        told[row["origin"], row["type"]] += 1
+        told.update(kind for kind in ("order", "branch", "circuit") if row[f"defects.{kind}"] == 1)
+        told["free"] += is_free(row)
+        yield row
 
 
-def card(options, rows, drawn):
+def card(options, told):
     """How the data were made, what is in them."""
-    def count(of, origin):
-        return sum(row["type"] == of and row["origin"] == origin for row in rows)
-    def share(test):
-        return f"{100 * sum(map(test, rows)) / max(len(rows), 1):.1f} %"
+    rows = sum(told[origin, of] for origin in SIDE for of in TYPES)
+    def share(kind):
+        return f"{100 * told[kind] / max(rows, 1):.1f} %"
     lines = ["# Four poses and a four-bar through them: data for learning", "",
-             f"{len(rows)} rows, made by `script/atlas/learning.py --rows {options.rows} --free {options.free:g} --seed {options.seed}` "
+             f"{rows} rows, made by `script/atlas/learning.py --rows {options.rows} --free {options.free:g} --seed {options.seed}` "
              "with `linkwright sweep`.", "",
              "Poses are random and independent: x and y even in −1…1, theta in −90°…90°. `place`: a place of the map drawn evenly, rows of a "
              "type dropped once there are enough of it. `best`: for each type, the best linkage of that type on the map by transmission angle; "
              "tasks without one are dropped. Places are drawn from 0 to 2, so that curves of two branches count four times as much as "
              "those of one. So neither types nor defects are as frequent as in nature, and `best` rows have good "
-             f"angles. Drawn: {drawn['place']} places, {drawn['best']} maps.", "",
-             f"Free of defects: {share(is_free)}; order {share(lambda row: row['defects.order'] == 1)}, "
-             f"branch {share(lambda row: row['defects.branch'] == 1)}, circuit {share(lambda row: row['defects.circuit'] == 1)}.", "",
-             "| type | place | best |", "|---|---:|---:|", *[f"| `{of}` | {count(of, 'place')} | {count(of, 'best')} |" for of in TYPES], "",
+             f"angles. Drawn: {told['place', 'drawn']} places, {told['best', 'drawn']} maps.", "",
+             f"Free of defects: {share('free')}; order {share('order')}, branch {share('branch')}, circuit {share('circuit')}.", "",
+             "| type | place | best |", "|---|---:|---:|", *[f"| `{of}` | {told['place', of]} | {told['best', of]} |" for of in TYPES], "",
              "| column | what, unit |", "|---|---|", *[f"| `{name}` | {words} |" for name, words in WORDS.items()], ""]
     return "\n".join(lines)
 
@@ -109,15 +111,13 @@ def main():
     parser.add_argument("--free", type=float, default=0.25, help="share of rows that are best of their type")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--block", type=int, default=500, help="samples of a sweep")
-    parser.add_argument("--most-sweeps", type=int, default=1_000_000, help="of each type, before it is left as it is")
     parser.add_argument("-o", "--output", type=Path, default=ATLAS / "learning.csv")
     parser.add_argument("--card", type=Path, default=ATLAS / "learning_card.md")
     options = parser.parse_args()
-    began = time.monotonic()
-    rows, drawn = collected(options)
-    write_table(options.output, COLUMNS, rows)
-    options.card.write_text(card(options, rows, drawn), encoding="utf-8")
-    print(f"{len(rows)} rows in {time.monotonic() - began:.1f} s")
+    began, told = time.monotonic(), collections.Counter()
+    write_table(options.output, COLUMNS, collected(options, told))
+    options.card.write_text(card(options, told), encoding="utf-8")
+    print(f"{options.rows} rows in {time.monotonic() - began:.1f} s")
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 """Straight lines by all cases: which linkage runs straight how far for its size, how exactly, with which transmission
 angle. Lengths in strokes; searched for over deviations and least transmission angles.
 
-usage: script/atlas/straight_lines.py [--deviations N] [--angles DEG…] [--effort N] [-o FILE.csv] [--picture FILE.svg]"""
+usage: script/atlas/straight_lines.py [--deviations N] [--angles DEG…] [--seeds N] [--effort N] [-o FILE.csv] [--picture FILE.svg]"""
 
 from pathlib import Path
 
@@ -108,7 +108,7 @@ def main():
     parser = arguments(__doc__)
     parser.add_argument("--deviations", type=int, default=7)
     parser.add_argument("--angles", type=float, nargs="+", default=[20, 35, 45, 55, 65])
-    parser.add_argument("--seeds", type=int, default=1)
+    parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--effort", type=int, default=20_000)
     parser.add_argument("-o", "--output", type=Path, default=ATLAS / "straight_lines.csv")
     parser.add_argument("--picture", type=Path, default=ROOT / "docs/straight_lines_atlas.svg")

@@ -2,6 +2,7 @@
 
 import argparse
 import csv
+import itertools
 import json
 import re
 import subprocess
@@ -85,18 +86,29 @@ def word(value):
 
 
 def write_table(path, columns, rows):
-    """A CSV file, or HDF5 with a data set to a column."""
+    """A CSV file, or HDF5 with a data set to a column; rows may come one by one."""
     path.parent.mkdir(parents=True, exist_ok=True)
     if path.suffix == ".h5":
-        with h5py.File(path, "w") as file:
-            for name in columns:
-                values = numpy.array([row[name] for row in rows])
-                file.create_dataset(name, data=values.astype("S") if values.dtype.kind == "U" else values, compression="gzip")
+        write_hdf5(path, columns, rows)
         return
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows([word(row[name]) for name in columns] for row in rows)
+
+
+def write_hdf5(path, columns, rows, at_once=10_000):
+    rows, done = iter(rows), 0
+    with h5py.File(path, "w") as file:
+        while block := list(itertools.islice(rows, at_once)):
+            for name in columns:
+                values = numpy.array([row[name] for row in block])
+                values = values.astype("S32") if values.dtype.kind == "U" else values
+                if not done:
+                    file.create_dataset(name, (0,), values.dtype, maxshape=(None,), chunks=(at_once,), compression="gzip")
+                file[name].resize((done + len(block),))
+                file[name][done:] = values
+            done += len(block)
 
 
 def read_table(path):

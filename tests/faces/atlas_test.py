@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 from face_support import CLI, ROOT, FaceTest, run
-from straight_support import Tracer
+from straight_support import TASKS, Tracer
 
 SCRIPTS, ATLAS = ROOT / "script/atlas", ROOT / "data/atlas"
 sys.path.insert(0, str(SCRIPTS))
@@ -116,6 +116,7 @@ class StraightLines(AtlasTest):
 
     def test_fronts_are_fronts(self):
         rows = self.rows("straight_lines.csv")
+        self.assertLessEqual({row["case"] for row in rows}, {task["case"] for task in TASKS.values()})
         for row in rows:
             beaten = any(straight_lines.beats(other, row) for other in rows if other["deviation"] == row["deviation"])
             self.assertEqual(row["front"], float(not beaten))
