@@ -11,6 +11,8 @@
 namespace linkwright::wasm {
 namespace {
 
+constexpr int most_steps = 101;
+
 struct Move {
   Point by{};
   double turn = 0;
@@ -83,6 +85,7 @@ class CellCounter {
 
 std::vector<Move> moves_of(const HaloRequest& request) {
   std::vector<Move> moves;
+  if (request.steps <= 0 || request.steps > most_steps) return {};
   const std::vector<double> offsets = offset_values(request.reach, request.steps);
   for (const double y : offsets) {
     if (request.turn) {

@@ -167,7 +167,7 @@ SixBarDriveReport drive_six_bar(const SixBar& six_bar, std::span<const SixBarTur
   const Walker walker(given.loops, wanted, options);
   if (!walker.signs_agree()) return branch_defect(walker, options.circuits);
   const SixBarDriveReport report = drive(walker, likelier_sense(wanted), options.circuits);
-  if (report.completed) return report;
+  if (report.completed || !given.loops.dyads) return report;
   // Where strands nearly cross on the torus of all angles, the dyads one by one may still be sure.
   const auto sure = judge_six_bars({&given, 1}).front();
   if (!sure) return report;

@@ -6,6 +6,7 @@
 #include "analysis/six_bar_dyads.hpp"
 #include "analysis/six_bar_judges.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
@@ -68,7 +69,7 @@ class DyadJudge {
       const std::size_t index = open_.back();
       open_.pop_back();
       const std::optional<DriverRound> round = round_of(six_bars_[index].wanted);
-      if (!round || !lay(lane, six_bars_[index].loops)) continue;
+      if (!round || !closes(six_bars_[index]) || !lay(lane, six_bars_[index].loops)) continue;
       rounds_[lane] = *round;
       on_[lane] = {.six_bar = index};
       lanes_->idle[lane] = false;
@@ -81,8 +82,18 @@ class DyadJudge {
     rest(lane);
   }
 
+  /// At all positions: what follows knows of them the driver's turns and the sides on which the dyads lie.
+  static bool closes(const SixBarToDrive& given) {
+    return std::all_of(given.wanted.begin(), given.wanted.end(), [&](const SixBarTurns& turns) {
+      const LoopValues values(given.loops, turns);
+      return std::max(std::abs(values.f), std::abs(values.g)) <= tolerance::closed;
+    });
+  }
+
   /// In the sense in which the positions come in order, if any; nothing where some share an angle.
   static std::optional<DriverRound> round_of(std::span<const SixBarTurns> wanted) {
+    constexpr std::size_t least_positions = 3;  // fewer come in order in both senses
+    if (wanted.size() < least_positions) return std::nullopt;
     DriverRound ccw(wanted, +1);
     if (!ccw.distinct) return std::nullopt;
     if (ccw.in_order) return ccw;
@@ -92,6 +103,7 @@ class DyadJudge {
 
   /// False where a link has no length.
   bool lay(std::size_t lane, const SixBarLoops& loops) {
+    constexpr double rounding = 1e-13;  // of sums of coefficients, which are of order one
     DyadLanes& l = *lanes_;
     const auto& [bodies, loop] = *loops.dyads;
     const auto& first = loops.coefficient[loop[0]];
@@ -112,9 +124,11 @@ class DyadJudge {
     l.yy.of[lane] = yy;
     l.pp_and_qq.of[lane] = p * p + q * q;
     l.two_pq.of[lane] = 2 * p * q;
-    l.shortest.of[lane] = std::abs(p - q);
-    l.longest.of[lane] = p + q;
+    l.shortest.of[lane] = std::abs(p - q) + rounding;
+    l.longest.of[lane] = p + q - rounding;
     l.per_two_xy.of[lane] = 1 / (2 * x_length * y_length);
+    l.beyond_reach[0].of[lane] = -std::max(1e-11, rounding * (1 + xx + yy) * l.per_two_xy.of[lane]);
+    l.beyond_reach[1].of[lane] = -std::max(1e-11, rounding * (1 + p * p + q * q) / (2 * p * q));
     l.bend_of_u.of[lane] = 2 * std::abs(first[0]) * arm * l.per_two_xy.of[lane];
     l.turned.of[lane] = arm;
     l.slope.of[lane] = arm * arm * (1 / x_length + 1 / y_length);
@@ -174,7 +188,8 @@ class DyadJudge {
     if (on.arc + 1 == arcs && round.in_order && on.broken_arcs == 0)
       return finish(lane, without_defects(round.sense, round.sweep, least_sines(lane)));
     if (on.arc == arcs) return finish(lane, with_defect(Defects::order_bit));
-    lanes_->samples[lane] = on.broken_arcs > 0 || !round.in_order ? 0 : lanes_->samples[lane];
+    if (on.broken_arcs > 0 || !round.in_order) lanes_->samples[lane] = 0;
+    if (is_full(lane)) make_room(lane);
     begin_arc(lane);
   }
 
@@ -189,6 +204,7 @@ class DyadJudge {
     return {std::sqrt(std::max(squares[0], 0.0)), std::sqrt(std::max(squares[1], 0.0))};
   }
 
+  [[nodiscard]] bool is_full(std::size_t lane) const { return lanes_->samples[lane] + 1 >= DyadLanes::most_samples; }
   /// The last two samples go on.
   void make_room(std::size_t lane) {
     on_[lane].least_squares = least_squares(lane);
@@ -209,6 +225,8 @@ class DyadJudge {
         if (i > 0 && i + 1 < count && square(i) <= square(i - 1) && square(i) <= square(i + 1))
           least[dyad] = std::min(least[dyad], Valley(*this, lane, dyad, i).lowest(i - 1, i + 1));
       }
+      for (std::size_t i = 1; i < count; ++i)
+        least[dyad] = std::min(least[dyad], Valley(*this, lane, dyad, i - 1).lowest_before(i));
       for (const auto& [end, next] : {std::pair{std::size_t{0}, std::size_t{1}}, std::pair{count - 1, count - 2}})
         if (count > 1) least[dyad] = std::min(least[dyad], Valley(*this, lane, dyad, end).lowest_from_end(next));
     }
@@ -224,6 +242,11 @@ class DyadJudge {
     /// Where the sample itself is lower than both others.
     [[nodiscard]] double lowest(std::size_t before, std::size_t after) const {
       return lowest(sample(before), {0, here().square}, sample(after));
+    }
+    /// On the way to the next sample, where the middle of it is lower than both.
+    [[nodiscard]] double lowest_before(std::size_t next) const {
+      const Place end = here(), beyond = sample(next), middle = place_at(beyond.way / 2);
+      return middle.square < end.square && middle.square < beyond.square ? lowest(end, middle, beyond) : end.square;
     }
     /// Where the way begins or ends: it may go down from there before it goes up to the next sample.
     [[nodiscard]] double lowest_from_end(std::size_t next) const {

@@ -8,8 +8,6 @@
 
 namespace linkwright::LINKWRIGHT_ISA {
 
-/// A squared sine as far below zero as rounding never brings it: the dyad does not reach.
-inline constexpr double beyond_reach = -1e-11;
 inline constexpr double longest_step = 0.5, shortest_step = 1e-7;
 
 template <int Width, class Real = typename Pack<Width>::Real>
@@ -66,7 +64,7 @@ LINKWRIGHT_INLINE Mask reach_all_the_way(const DyadLanes& lanes, int at, typenam
   const Real farthest = square_root<Width>(larger(here, next.ww)) + off_chord;
   const Real nearest_square = smaller(here, next.ww) - 0.25 * dot(chord, chord);
   const Real nearest = square_root<Width>(larger(nearest_square, Real{})) - off_chord;
-  return less<Width>(cosine, Real{} + 1.0) & less<Width>(farthest, of(lanes.longest)) &
+  return less<Width>(cosine, 1.0 + of(lanes.beyond_reach[0])) & less<Width>(farthest, of(lanes.longest)) &
          less<Width>(of(lanes.shortest), nearest);
 }
 
@@ -107,7 +105,7 @@ LINKWRIGHT_INLINE bool dyads_step(DyadLanes& lanes, int at) {
   const Real along = dot(turn, goal), across = sense * cross(turn, goal);
   const Real rest = 2.0 * across / (1.0 + along);
   const Mask arrives =
-      less<Width>(Real{}, along) & less<Width>(Real{}, across) & negated<Width>(less<Width>(wanted, rest));
+      less<Width>(Real{}, along) & less<Width>(Real{}, across) & less<Width>((1.0 - 1e-9) * rest, wanted);
   const Real step = select<Width>(arrives, rest, wanted);
   const Real q = 0.25 * step * step, per = 1.0 / (1.0 + q);
   const Vector<Real> rotation = {(1.0 - q) * per, sense * step * per};
@@ -116,9 +114,9 @@ LINKWRIGHT_INLINE bool dyads_step(DyadLanes& lanes, int at) {
   ahead = select<Width>(arrives, goal, ahead);
 
   const DyadsAt<Width> next(lanes, at, ahead);
-  const Real beyond = Real{} + beyond_reach;
-  const Mask dead = less<Width>(next.sine_square[0], beyond) |
-                    (less<Width>(Real{}, next.sine_square[0]) & less<Width>(next.sine_square[1], beyond));
+  const Mask dead = less<Width>(next.sine_square[0], load<Width>(lanes.beyond_reach[0].of + at)) |
+                    (less<Width>(Real{}, next.sine_square[0]) &
+                     less<Width>(next.sine_square[1], load<Width>(lanes.beyond_reach[1].of + at)));
   const Mask done = reach_all_the_way<Width>(lanes, at, step, next) & negated<Width>(dead);
   const Real next_step = select<Width>(done, smaller(1.6 * step, Real{} + longest_step), 0.5 * step);
   store<Width>(next_step, lanes.step.of + at);

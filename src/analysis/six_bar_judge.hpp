@@ -16,8 +16,9 @@ struct SixBarToDrive {
 };
 
 /// Of six-bars whose signs at all configurations agree. Where a verdict is sure: what drive_six_bar() says without
-/// circuits, with γ to three digits or so; otherwise nothing: strands cross or nearly do, positions share an angle of
-/// the driver, or a dead point is too near to tell. All have as many configurations as the first.
+/// circuits, with γ to three digits or so; otherwise nothing: positions share an angle of the driver or do not close, a
+/// dead point is too near to tell, or there are too few or too many positions (at least three for dyads, at most four
+/// otherwise).
 [[nodiscard]] std::vector<std::optional<SixBarDriveReport>> judge_six_bars(std::span<const SixBarToDrive> six_bars,
                                                                            Simd simd = Simd::automatic);
 

@@ -20,7 +20,7 @@ enum class TravelEvent : unsigned char { none, arrived, dead_point, full, undeci
 /// Six-bars whose loops fall apart into dyads, each on its way to a place of the driver; the loops as in SixBarLoops.
 /// Every lane is at all times a six-bar that closes at `turn`, or idle.
 struct DyadLanes {
-  // First loop: c0 + c1 r1 + X + Y = 0, |X|² = xx, |Y|² = yy; `side` is the sign of Y × X.
+  // First loop: c0 + c1 r1 + X + Y = 0, |X|² = xx, |Y|² = yy; `side` is the sign of X × Y.
   LaneVector c0, c1;
   LaneReal xx, yy, side;
   // Second loop: the vector that its dyad spans is w = d0 + d1 r1 + gx X + gy Y, |w| between `shortest` and `longest`.
@@ -28,6 +28,8 @@ struct DyadLanes {
   LaneReal pp_and_qq, two_pq, shortest, longest;
   // Bounds that depend on lengths alone (docs/theory/six-bars.md, section 4).
   LaneReal per_two_xy, bend_of_u, turned, slope, bend, first_bend, second_bend;
+
+  LaneReal beyond_reach[2];  ///< a squared sine as far below zero as rounding never brings it
 
   LaneReal sense;        ///< ±1
   LaneVector goal;       ///< turn of the driver that it is on the way to

@@ -152,7 +152,7 @@ class StrandJudge {
   void attend(std::size_t lane) {
     switch (lanes_->event[lane]) {
       case TravelEvent::undecided:
-        finish(lane, std::nullopt);
+        finish(lane, undecided());  // driving would come to the same place
         return take_next(lane);
       case TravelEvent::dead_point:
         if (!end_walk(lane)) take_next(lane);
@@ -160,6 +160,12 @@ class StrandJudge {
       default:
         if (!go_on(lane)) take_next(lane);
     }
+  }
+
+  static SixBarDriveReport undecided() {
+    SixBarDriveReport report = with_defect(Defects::branch_bit | Defects::circuit_bit);
+    report.completed = false;
+    return report;
   }
 
   bool finish(std::size_t lane, const std::optional<SixBarDriveReport>& report) {

@@ -1,5 +1,6 @@
 #include "linkwright/planar/chain_family.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -97,15 +98,18 @@ void ChainFamily::fill(RegionMap& map, std::span<const double> input, std::span<
   const auto put_row = [&](std::size_t row, std::span<MapCell> cells) {
     const auto first = six_bars_.with_first(input[row]);
     if (!first) return;
-    std::vector<SixBarMember> members;
-    std::vector<std::size_t> places;
-    for (std::size_t column = 0; column < cells.size(); ++column)
-      if (const auto member = six_bars_.member(*first, output, seconds, column)) {
-        members.push_back(*member);
-        places.push_back(column);
-      }
-    const std::vector<SixBarRating> ratings = ratings_of(members, options.simd);
-    for (std::size_t i = 0; i < places.size(); ++i) cells[places[i]] = ratings[i].cell();
+    constexpr std::size_t chunk = 64;  // wild six-bars take long: between chunks one may cancel
+    for (std::size_t begin = 0; begin < cells.size() && !progress.is_cancelled(); begin += chunk) {
+      std::vector<SixBarMember> members;
+      std::vector<std::size_t> places;
+      for (std::size_t column = begin; column < std::min(begin + chunk, cells.size()); ++column)
+        if (const auto member = six_bars_.member(*first, output, seconds, column)) {
+          members.push_back(*member);
+          places.push_back(column);
+        }
+      const std::vector<SixBarRating> ratings = ratings_of(members, options.simd);
+      for (std::size_t i = 0; i < places.size(); ++i) cells[places[i]] = ratings[i].cell();
+    }
   };
   map.evaluate_rows(input, output, planar_measures, driver_travel(six_bars_), put_row, options, progress);
 }

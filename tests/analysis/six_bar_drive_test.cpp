@@ -58,6 +58,51 @@ TEST(SixBarDrive, AgreesWithDenseStepsOfTheHinges) {
   EXPECT_GT(others, 100);
 }
 
+/// Position 1 and so many others of a six-bar without defects on its way to the last one; `count` divides 600.
+std::vector<SixBarTurns> positions_on_the_way(const SixBarMember& member, int count) {
+  constexpr int steps = 600;
+  const SixBarDriveReport report = drive_six_bar(member.six_bar, member.turns);
+  std::vector<SixBarTurns> positions = {member.turns[0]};
+  SixBarTurns turns = positions.front();
+  for (int i = 1; i <= steps; ++i) {
+    turns[SixBar::driver] = direction((report.sense == DriveSense::cw ? -1 : 1) * report.sweep * i / steps);
+    turns = closed(member.six_bar, turns).value();
+    if (i % (steps / count) == 0) positions.push_back(turns);
+  }
+  return positions;
+}
+
+TEST(SixBarDrive, HundredsOfPositionsAndFewAreJudgedWhereDrivingGivesUp) {
+  std::mt19937_64 random(35);
+  SixBarDriveOptions impatient;
+  impatient.circuits = false;
+  impatient.max_steps = 1;
+  int judged = 0;
+  for (int i = 0; i < 40; ++i) {
+    const SixBarMember member = testing::random_six_bar(random, six_bar_rows()[0]).member;
+    const SixBarDriveReport all = drive_six_bar(member.six_bar, member.turns);
+    if (!all.defects.none() || all.min_sine < 0.05) continue;
+    for (const int count : {1, 2, 3, 600}) {
+      const std::vector<SixBarTurns> wanted = positions_on_the_way(member, count);
+      const SixBarDriveReport report = drive_six_bar(member.six_bar, wanted, impatient);
+      if (!report.completed) continue;
+      ++judged;
+      EXPECT_TRUE(report.defects.none()) << count;
+    }
+  }
+  EXPECT_GT(judged, 3);
+}
+
+TEST(SixBarDrive, PositionsThatDoNotCloseAreNotJudged) {
+  std::mt19937_64 random(36);
+  for (int i = 0; i < 40; ++i) {
+    SixBarMember member = testing::random_six_bar(random, six_bar_rows()[0]).member;
+    if (!drive_six_bar(member.six_bar, member.turns).defects.none()) continue;
+    for (std::size_t j = 0; j < member.turns.size(); ++j) member.turns[j][5] *= direction(0.02);
+    EXPECT_FALSE(drive_six_bar(member.six_bar, member.turns).defects.none());
+  }
+}
+
 TEST(SixBarDrive, ExactStepsSayTheSame) {
   std::mt19937_64 random(32);
   for (const SixBarRow& row : six_bar_rows())
