@@ -178,7 +178,7 @@ def navigation():
                   "contributing.md", "changelog.md", {"Worked examples": "data.md"}, {"Benchmarks": "bench.md"}]
     return [
         {"Start": "index.md"}, {"Tutorials": tutorials("")}, {"Examples": ["examples/index.md", *pages_of("examples")]},
-        {"Theory": pages_of("theory")}, {"Sweeps": "sweeps.md"}, {"Glossary": "glossary.md"},
+        {"Theory": pages_of("theory")}, {"Sweeps": ["sweeps.md", {"Atlases": "atlas.md"}]}, {"Glossary": "glossary.md"},
         {"File formats": [{words: f"formats/{name}.md"} for name, words in SCHEMAS.items()]},
         {"Python": "python.md"}, {"C++": pages_of("cpp", lambda _, name: name)}, {"Development": developers},
         {"中文": [{"说明": "zh.md"}, *tutorials(".zh-CN")]},

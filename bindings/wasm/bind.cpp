@@ -70,8 +70,8 @@ class BoundSession : public Session {
   }
   std::string sample_yields_text(int cells) { return sample_yields(cells); }
   std::string front_text(const std::string& first, const std::string& second) { return front(first, second); }
-  val halo_reply(int pose, bool turn, double reach, int steps, int samples) {
-    counts_ = halo({pose, turn, reach, steps, samples});
+  val halo_reply(int part, bool turn, double reach, int steps, int samples) {
+    counts_ = halo({part, turn, reach, steps, samples});
     return view(counts_);
   }
   val trace_reply(double input_tau, double output_tau, double x, double y) {

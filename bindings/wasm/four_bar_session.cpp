@@ -154,13 +154,6 @@ bool MotionSession::measure(EvaluatedMap& map, std::string_view property) const 
   return true;
 }
 
-std::vector<std::uint32_t> MotionSession::halo(const HaloRequest& request, const Problem& problem) const {
-  const FeasibleOffsets halo(task_, problem.requirements, problem.options.spacing, request.samples);
-  const auto pose = static_cast<std::size_t>(request.pose);
-  return request.turn ? halo.turned(pose, request.reach, request.steps)
-                      : halo.moved(pose, request.reach, request.steps);
-}
-
 std::optional<Answer> MotionSession::answer_at(MapPoint place, bool respect_direction) const {
   constexpr bool verify = true;
   MotionAnswer answer;

@@ -58,7 +58,6 @@ class MotionSession final : public FourBarSession {
 
   [[nodiscard]] bool serves(const Problem& problem) const override;
   bool measure(EvaluatedMap& map, std::string_view property) const override;
-  [[nodiscard]] std::vector<std::uint32_t> halo(const HaloRequest& request, const Problem& problem) const override;
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const override;
 
  private:

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "four_bar_session.hpp"
+#include "halo.hpp"
 #include "linkwright/drawing/linkage_export.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
@@ -210,7 +211,7 @@ LiveReply Session::live(double input_tau, double output_tau) {
   return reply;
 }
 
-std::vector<std::uint32_t> Session::halo(const HaloRequest& request) const { return task().halo(request, problem_); }
+std::vector<std::uint32_t> Session::halo(const HaloRequest& request) const { return wasm::halo(problem_, request); }
 
 std::optional<LinkageOutput> Session::output_at(MapPoint place) const {
   if (!family()) return std::nullopt;

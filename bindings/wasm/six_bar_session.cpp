@@ -14,10 +14,16 @@
 namespace linkwright::wasm {
 namespace {
 
+// What a cell takes in the page (docs/performance.md), and how long maps may take: one that follows the pointer, one at
+// rest, all those of a halo. What is asked for is meant for four-bars, of which solve() takes four times as many, too.
+constexpr double cell_us = 3;
+constexpr double live_ms = 150, rest_ms = 600, halo_ms = 150;
+constexpr int four_bar_samples_to_one = 4, least_samples = 20, least_of_halo = 10;
 constexpr int samples_of_the_usual_map = 400;
 
-// Each cell of such a map is driven through.
-int six_bar_samples(int samples) { return std::clamp(samples / 5, 20, 60); }
+int samples_within(double ms, std::size_t maps = 1) {
+  return static_cast<int>(std::sqrt(1000 * ms / (cell_us * static_cast<double>(maps))));
+}
 
 DrawnCurves drawn_links(const AddedLinks& links) {
   if (links.curve->coordinate_length() == 0) return {};
@@ -89,7 +95,14 @@ std::vector<double> SixBarSession::coordinates(const ExploreRequest& request, co
   return axis.order.samples(map_samples(request.samples), from, to);
 }
 
-int SixBarSession::map_samples(int asked) const { return six_bar_samples(asked); }
+int SixBarSession::map_samples(int asked) const {
+  const double ms = asked > samples_of_the_usual_map ? rest_ms : live_ms;
+  return std::clamp(asked / four_bar_samples_to_one, least_samples, samples_within(ms));
+}
+
+int SixBarSession::halo_samples(int asked, std::size_t places) const {
+  return std::max(least_of_halo, std::min(asked, samples_within(halo_ms, places)));
+}
 
 std::optional<SixBarSolution> SixBarSession::at(MapPoint place) const {
   const auto member = family_ ? family_->member(place) : std::nullopt;
@@ -116,8 +129,7 @@ std::optional<MapPoint> SixBarSession::improved(MapPoint place, const Wish& wish
   return family_ ? improved_six_bar(*family_, wish.requirements, wish.objective, place, wish.added) : std::nullopt;
 }
 
-// Of which solve() takes a quarter.
-int SixBarSession::samples_for_best() const { return 4 * six_bar_samples(samples_of_the_usual_map); }
+int SixBarSession::samples_for_best() const { return four_bar_samples_to_one * map_samples(samples_of_the_usual_map); }
 
 std::optional<Answer> SixBarSession::answer_at(MapPoint place, bool /*respect_direction*/) const {
   auto found = at(place);

@@ -21,6 +21,7 @@ class SixBarSession final : public TaskSession {
   [[nodiscard]] std::vector<double> coordinates(const ExploreRequest& request, const ShownAxis& axis,
                                                 Side side) const override;
   [[nodiscard]] int map_samples(int asked) const override;
+  [[nodiscard]] int halo_samples(int asked, std::size_t places) const override;
   [[nodiscard]] LinkageReply linkage(MapPoint place, FailureBits fails, bool respect_direction) const override;
   [[nodiscard]] Verification verify(MapPoint place, bool respect_direction) const override;
   [[nodiscard]] std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const override;

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "linkwright/planar/feasible_offsets.hpp"
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/synthesis/answer.hpp"
 #include "linkwright/synthesis/problem.hpp"
@@ -26,7 +26,7 @@ struct ExploreRequest {
   int order = 0;                                                     ///< code of a display order, or nearest_order
 };
 struct HaloRequest {
-  int pose = 0;  ///< from 0
+  int part = 0;  ///< a pose, from 0; of six-bars after them the chain's hinges a, b, d
   bool turn = false;
   double reach = 0;  ///< user's unit, or radians
   int steps = 13, samples = 60;
@@ -80,6 +80,8 @@ class TaskSession {
                                                         Side side) const = 0;
   /// As many as are asked for, where so many are soon computed.
   [[nodiscard]] virtual int map_samples(int asked) const = 0;
+  /// The same of each map of a halo of so many places.
+  [[nodiscard]] virtual int halo_samples(int asked, std::size_t /*places*/) const { return asked; }
   /// Where requirements leave nothing.
   [[nodiscard]] virtual std::vector<MissedBox> missed_boxes(const Requirements& /*wanted*/) const { return {}; }
   /// Colours the map by a property of the task's own; false where it has no such.
@@ -92,10 +94,6 @@ class TaskSession {
   /// The path of a point of the moving body (as it lies in position 1), x and y by turns.
   [[nodiscard]] virtual std::vector<double> trace(MapPoint place, Point traced, bool respect_direction) const = 0;
   [[nodiscard]] virtual std::optional<MapPoint> improved(MapPoint place, const Wish& wish) const = 0;
-  [[nodiscard]] virtual std::vector<std::uint32_t> halo(const HaloRequest& /*request*/,
-                                                        const Problem& /*problem*/) const {
-    return {};
-  }
   /// SynthesisOptions::region_samples for solve() to find the best of the usual map.
   [[nodiscard]] virtual int samples_for_best() const = 0;
   /// The best linkage, nearly, where solve() would keep the page waiting; nothing: solve() finds it.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/six_bar_judge.hpp"
 #include "analysis/six_bar_walk.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -12,35 +13,17 @@
 namespace linkwright {
 namespace {
 
-constexpr double share_of_reach = 0.75;
-
 /// Sines of the transmission at a place of a walk.
 struct Sample {
   double arc = 0;
   std::array<double, 2> sine{};
 };
 
-/// A configuration met: how far the walk had come, and how far the driver had turned.
-struct PositionMet {
-  double arc = 0, turn = 0;
-};
-
-/// What a walk from position 1 in one sense of the driver met.
-struct Walk {
-  std::vector<std::optional<PositionMet>> meetings;
-  double length = 0, turn = 0;
+/// A walk with what it passed.
+struct SampledWalk : SixBarProgress {
+  using SixBarProgress::SixBarProgress;
   std::vector<Sample> samples;
   int steps = 0;
-
-  explicit Walk(std::size_t wanted) : meetings(wanted) { meetings.front() = PositionMet{}; }
-  [[nodiscard]] bool met_all() const {
-    return std::all_of(meetings.begin(), meetings.end(), [](const auto& meeting) { return meeting.has_value(); });
-  }
-  [[nodiscard]] bool met_all_in_order() const {
-    return met_all() && std::adjacent_find(meetings.begin(), meetings.end(), [](const auto& x, const auto& y) {
-                          return !(x->arc < y->arc);
-                        }) == meetings.end();
-  }
 };
 
 /// Where a walk ends beside a return to position 1 and a meeting of all configurations.
@@ -48,8 +31,8 @@ enum class Until { dead_point, return_only };
 
 class Walker {
  public:
-  Walker(const SixBar& six_bar, std::span<const SixBarTurns> wanted, const SixBarDriveOptions& options)
-      : loops_(six_bar), wanted_(wanted), options_(options) {}
+  Walker(const SixBarLoops& loops, std::span<const SixBarTurns> wanted, const SixBarDriveOptions& options)
+      : loops_(loops), wanted_(wanted), options_(options) {}
 
   /// The signs at all configurations agree: necessary for one branch, and cheap.
   [[nodiscard]] bool signs_agree() const;
@@ -57,46 +40,15 @@ class Walker {
   [[nodiscard]] std::array<double, 2> sines_at_wanted() const;
   /// From position 1, first with the driver turning counter-clockwise (`sense` +1) or clockwise (−1). Nothing where
   /// the curve cannot be followed.
-  [[nodiscard]] std::optional<Walk> walk(int sense, Until until) const;
+  [[nodiscard]] std::optional<SampledWalk> walk(int sense, Until until) const;
 
  private:
   [[nodiscard]] std::optional<SixBarStrand> advanced(const SixBarStrand& here, const TurnVector& way) const;
-  void meet(const SixBarStrand& here, const TurnVector& ahead, double length, Walk& walk) const;
 
   SixBarLoops loops_;
   std::span<const SixBarTurns> wanted_;
   SixBarDriveOptions options_;
 };
-
-TurnVector times(double s, TurnVector v) {
-  for (double& x : v) x *= s;
-  return v;
-}
-
-TurnVector plus(TurnVector a, const TurnVector& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
-  return a;
-}
-
-/// How far along a step of `length` from `here` a point on the strand, or a little off it, lies; nothing where the step
-/// does not pass it. Points off the strand can fall into the wedge between the planes that end one step and begin the
-/// next: they count for both.
-std::optional<double> distance_to(const SixBarTurns& point, const SixBarStrand& here, const TurnVector& ahead,
-                                  double length) {
-  double chords = 0;  // shorter than the angles, and cheap
-  for (std::size_t i = 1; i < point.size(); ++i) chords += std::norm(point[i] - here.turns[i]);
-  if (!(chords <= here.reach * here.reach)) return std::nullopt;
-  const TurnVector way = shortest_way(here.turns, point);
-  if (!(norm(way) <= here.reach)) return std::nullopt;
-  const double along = dot(ahead, way);
-  const double wedge = norm(plus(way, times(-along, ahead))) / 2;
-  if (along < -wedge || along > length + wedge) return std::nullopt;
-  return along;
-}
-
-double turn_between(const SixBarTurns& from, const SixBarTurns& to) {
-  return std::arg(std::conj(from[SixBar::driver]) * to[SixBar::driver]);
-}
 
 bool Walker::signs_agree() const {
   const SixBarTransmission first = signs_of(loops_, LoopValues(loops_, wanted_.front()));
@@ -120,33 +72,19 @@ std::optional<SixBarStrand> Walker::advanced(const SixBarStrand& here, const Tur
   return strand_at(loops_, stepped(here.turns, plus(way, here.correction)));
 }
 
-/// Within its reach a strand crosses each plane once: the point where it crosses the plane of a wanted configuration
-/// is that configuration, or the linkage misses it.
-void Walker::meet(const SixBarStrand& here, const TurnVector& ahead, double length, Walk& walk) const {
-  for (std::size_t j = 1; j < wanted_.size(); ++j) {
-    if (walk.meetings[j]) continue;
-    const auto along = distance_to(wanted_[j], here, ahead, length);
-    if (!along) continue;
-    const auto point = corrected(loops_, stepped(here.turns, times(*along, ahead)), tolerance::on_curve);
-    if (!point) continue;
-    if (!(norm(shortest_way(point->turns, wanted_[j])) <= std::min(options_.pose_tolerance, here.reach / 4))) continue;
-    walk.meetings[j] = PositionMet{walk.length + *along, walk.turn + turn_between(here.turns, wanted_[j])};
-  }
-}
-
-std::optional<Walk> Walker::walk(int sense, Until until) const {
+std::optional<SampledWalk> Walker::walk(int sense, Until until) const {
   auto here = corrected(loops_, wanted_.front(), tolerance::on_curve);
   if (!here) return std::nullopt;
   const SixBarTurns home = here->turns;
   const bool home_positive = here->positive();
   const double along_tangent = (home_positive ? 1 : -1) * sense;
-  Walk walk(wanted_.size());
+  SampledWalk walk(wanted_.size());
   for (; walk.steps < options_.max_steps; ++walk.steps) {
     if (!(here->reach > tolerance::crossing_strands_radius)) return std::nullopt;
     if (until == Until::dead_point) walk.samples.push_back({walk.length, sines_of(loops_, here->values)});
     const TurnVector ahead = times(along_tangent, here->tangent);
-    const double length = share_of_reach * here->reach;
-    meet(*here, ahead, length, walk);
+    const double length = step_in_reach * here->reach;
+    walk.meet(loops_, wanted_, *here, ahead, length, options_.pose_tolerance);
     if (walk.met_all() || (walk.steps > 0 && distance_to(home, *here, ahead, length))) return walk;
     const auto next = advanced(*here, times(length, ahead));
     if (!next) return std::nullopt;
@@ -158,18 +96,7 @@ std::optional<Walk> Walker::walk(int sense, Until until) const {
   return std::nullopt;
 }
 
-/// The sense in which the driver's angles come in order, or nearest to it.
-int likelier_sense(std::span<const SixBarTurns> wanted) {
-  double ccw = 0, cw = 0;
-  for (std::size_t j = 1; j < wanted.size(); ++j) {
-    const double turn = wrap_positive(turn_between(wanted[j - 1], wanted[j]));
-    ccw += turn;
-    cw += two_pi - turn;
-  }
-  return ccw <= cw ? 1 : -1;
-}
-
-SixBarDriveReport free_of_defects(const Walker& walker, const Walk& walk, int sense) {
+SixBarDriveReport free_of_defects(const Walker& walker, const SampledWalk& walk, int sense) {
   const PositionMet last = walk.meetings.back().value_or(PositionMet{});
   SixBarDriveReport report;
   report.completed = true;
@@ -206,13 +133,6 @@ SixBarDriveReport branch_defect(const Walker& walker, bool circuits) {
   return report;
 }
 
-/// Configurations that one of two walks met.
-bool met_all_between_them(const Walk& one, const Walk& other) {
-  for (std::size_t j = 0; j < one.meetings.size(); ++j)
-    if (!one.meetings[j] && !other.meetings[j]) return false;
-  return true;
-}
-
 SixBarDriveReport drive(const Walker& walker, int sense, bool circuits) {
   const auto there = walker.walk(sense, Until::dead_point);
   if (!there) return undecided();
@@ -234,7 +154,7 @@ SixBarDriveReport drive(const Walker& walker, int sense, bool circuits) {
 
 std::optional<double> sine_upper_bound(const SixBar& six_bar, std::span<const SixBarTurns> wanted) {
   if (wanted.empty()) return std::nullopt;
-  const Walker walker(six_bar, wanted, {});
+  const Walker walker(SixBarLoops(six_bar), wanted, {});
   if (!walker.signs_agree()) return std::nullopt;
   const std::array<double, 2> sines = walker.sines_at_wanted();
   return std::min(sines[0], sines[1]);
@@ -243,9 +163,36 @@ std::optional<double> sine_upper_bound(const SixBar& six_bar, std::span<const Si
 SixBarDriveReport drive_six_bar(const SixBar& six_bar, std::span<const SixBarTurns> wanted,
                                 const SixBarDriveOptions& options) {
   if (wanted.empty()) return undecided();
-  const Walker walker(six_bar, wanted, options);
+  const SixBarToDrive given{SixBarLoops(six_bar), wanted};
+  const Walker walker(given.loops, wanted, options);
   if (!walker.signs_agree()) return branch_defect(walker, options.circuits);
-  return drive(walker, likelier_sense(wanted), options.circuits);
+  const SixBarDriveReport report = drive(walker, likelier_sense(wanted), options.circuits);
+  if (report.completed) return report;
+  // Where strands nearly cross on the torus of all angles, the dyads one by one may still be sure.
+  const auto sure = judge_six_bars({&given, 1}).front();
+  if (!sure) return report;
+  return sure->defects.branch() ? branch_defect(walker, options.circuits) : *sure;
+}
+
+std::vector<SixBarDriveReport> drive_six_bars(std::span<const SixBarToDrive> six_bars, Simd simd) {
+  std::vector<SixBarDriveReport> reports(six_bars.size(), with_defects(Defects::branch_bit));
+  std::vector<SixBarToDrive> open;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < six_bars.size(); ++i) {
+    const auto& [loops, wanted] = six_bars[i];
+    if (wanted.empty())
+      reports[i] = undecided();
+    else if (Walker(loops, wanted, {}).signs_agree())
+      open.push_back(six_bars[i]), places.push_back(i);
+  }
+  const auto sure = judge_six_bars(open, simd);
+  SixBarDriveOptions no_circuits;
+  no_circuits.circuits = false;
+  for (std::size_t k = 0; k < open.size(); ++k)
+    reports[places[k]] = sure[k] ? *sure[k]
+                                 : drive(Walker(open[k].loops, open[k].wanted, no_circuits),
+                                         likelier_sense(open[k].wanted), no_circuits.circuits);
+  return reports;
 }
 
 }  // namespace linkwright

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace linkwright {
 namespace {
@@ -54,23 +53,28 @@ LinearForm loop_over(const SixBar& six_bar, SixBar::JointIndex closing) {
   return loop;
 }
 
-std::vector<std::size_t> unknown_bodies(const LinearForm& loop) {
-  std::vector<std::size_t> found;
-  for (std::size_t i = 2; i < loop.present.size(); ++i)
-    if (loop.present[i]) found.push_back(i);
-  return found;
+/// The two bodies beside ground and driver; nothing where there are not two.
+std::optional<std::array<std::size_t, 2>> two_unknown_bodies(const LinearForm& loop) {
+  std::array<std::size_t, 2> found{};
+  std::size_t count = 0;
+  for (std::size_t i = 2; i < loop.present.size(); ++i) {
+    if (!loop.present[i]) continue;
+    if (count == found.size()) return std::nullopt;
+    found[count++] = i;
+  }
+  return count == found.size() ? std::optional(found) : std::nullopt;
 }
 
 std::optional<SixBarLoops::Dyads> dyads_of(const std::array<LinearForm, 2>& loops) {
   for (std::size_t first = 0; first < 2; ++first) {
-    const std::vector<std::size_t> pair = unknown_bodies(loops[first]);
-    if (pair.size() != 2) continue;
+    const auto pair = two_unknown_bodies(loops[first]);
+    if (!pair) continue;
     SixBarLoops::Dyads dyads;
     dyads.loop = {first, 1 - first};
-    dyads.bodies[0] = {pair[0], pair[1]};
+    dyads.bodies[0] = *pair;
     std::size_t found = 0;
     for (std::size_t i = 2; i < static_cast<std::size_t>(SixBar::bodies); ++i)
-      if (i != pair[0] && i != pair[1]) dyads.bodies[1][found++] = i;
+      if (i != (*pair)[0] && i != (*pair)[1]) dyads.bodies[1][found++] = i;
     return dyads;
   }
   return std::nullopt;
@@ -106,7 +110,7 @@ SixBarLoops::SixBarLoops(const SixBar& six_bar) {
   const std::array<LinearForm, 2> forms = {loop_over(six_bar, SixBar::z4), loop_over(six_bar, SixBar::z5)};
   double longest = 0;
   for (const LinearForm& form : forms)
-    for (const Point c : form.c) longest = std::max(longest, std::abs(c));
+    for (const Point c : form.c) longest = std::max({longest, std::abs(c.real()), std::abs(c.imag())});
   for (std::size_t l = 0; l < 2; ++l)
     for (std::size_t i = 0; i < coefficient[l].size(); ++i)
       coefficient[l][i] = longest > 0 && forms[l].present[i] ? forms[l].c[i] / longest : Point{};

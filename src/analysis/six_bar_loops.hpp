@@ -8,7 +8,8 @@
 namespace linkwright {
 
 /// The two loops of a six-bar, closed by links 4 and 5: Σ cᵢ rᵢ = 0 each, over the bodies' turns rᵢ = e^{iφᵢ}, the
-/// ground's being 1. Lengths are divided by the longest coefficient. Nothing here knows of dyads but `dyads`.
+/// ground's being 1. Lengths are divided by the largest coordinate of a coefficient. Nothing here knows of dyads but
+/// `dyads`.
 struct SixBarLoops {
   explicit SixBarLoops(const SixBar& six_bar);
 

@@ -1,68 +1,19 @@
 #include "analysis/six_bar_walk.hpp"
 
+#define LINKWRIGHT_ISA isa_walk
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/six_bar_strand.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
 
-using Vector4 = std::array<double, 4>;
+using Lane = isa_walk::Vector<double>;
 
-/// Lower triangle L of the Gram matrix J Jᵀ = L Lᵀ, with the inverses of its diagonal.
-struct Cholesky {
-  std::array<Vector4, 4> l{};
-  bool regular = true;
-
-  explicit Cholesky(const std::array<Vector4, 4>& gram) {
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t k = 0; k <= i; ++k) {
-        double sum = gram[i][k];
-        for (std::size_t m = 0; m < k; ++m) sum -= l[i][m] * l[k][m];
-        if (k < i) {
-          l[i][k] = sum * l[k][k];
-          continue;
-        }
-        regular = regular && sum > 0;
-        l[i][i] = sum > 0 ? 1 / std::sqrt(sum) : 0;
-      }
-  }
-
-  /// L⁻¹ b.
-  [[nodiscard]] Vector4 forwards(Vector4 b) const {
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t m = 0; m < i; ++m) b[i] -= l[i][m] * b[m];
-      b[i] *= l[i][i];
-    }
-    return b;
-  }
-  /// L⁻ᵀ b.
-  [[nodiscard]] Vector4 backwards(Vector4 b) const {
-    for (std::size_t i = 4; i-- > 0;) {
-      for (std::size_t m = i + 1; m < 4; ++m) b[i] -= l[m][i] * b[m];
-      b[i] *= l[i][i];
-    }
-    return b;
-  }
-};
-
-double squares(const Vector4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]; }
-
-// The Jacobian's columns are i·(uᵢ, vᵢ). Turned back by i, which changes neither the Gram matrix nor lengths, they are
-// the terms themselves.
-Vector4 column(Point u, Point v) { return {u.real(), u.imag(), v.real(), v.imag()}; }
-Vector4 turned_column(Point u, Point v) { return {-u.imag(), u.real(), -v.imag(), v.real()}; }
-
-Cholesky gram_of(const LoopValues& values) {
-  std::array<Vector4, 4> gram{};
-  for (std::size_t i = 0; i < 5; ++i) {
-    const Vector4 c = column(values.u[i], values.v[i]);
-    for (std::size_t r = 0; r < 4; ++r)
-      for (std::size_t k = 0; k <= r; ++k) gram[r][k] += c[r] * c[k];
-  }
-  return Cholesky(gram);
-}
+Lane in_lane(Point p) { return {p.real(), p.imag()}; }
 
 }  // namespace
 
@@ -83,40 +34,54 @@ TurnVector shortest_way(const SixBarTurns& from, const SixBarTurns& to) {
 SixBarTurns stepped(const SixBarTurns& turns, const TurnVector& way) {
   SixBarTurns result = turns;
   for (std::size_t i = 0; i < way.size(); ++i) {
-    const double x = way[i], size = 1 + x * x / 4;
-    const Point r = turns[i + 1] * Point{(1 - x * x / 4) / size, x / size};
-    result[i + 1] = r * ((3 - std::norm(r)) / 2);  // rounding must not add up
+    const Lane r = isa_walk::stepped<1>(in_lane(turns[i + 1]), way[i]);
+    result[i + 1] = {r.x, r.y};
   }
   return result;
 }
 
-// With J the Jacobian and J⁺ its inverse on the planes normal to the tangent, body i's column changes over a distance d
-// by at most dᵢ times a vector of the plane of that column and the column turned by a right angle: after J⁺ at most
-// βᵢ dᵢ, βᵢ² = |J⁺ i cᵢ|² + |J⁺ cᵢ|². With Λ = max βᵢ the Jacobian thus stays regular on those planes within |d| < 1/Λ,
-// and the loops are injective on the part of each plane within the ball: one strand. At a quarter of that radius the
-// strand's slope against the tangent is at most (1/4)/(1 − 1/4) = 1/3 and Newton's method converges from the tangent
-// (Kantorovich). Units of the loops and their combination do not matter.
 SixBarStrand strand_at(const SixBarLoops& loops, const SixBarTurns& turns) {
   SixBarStrand strand{turns, {}, {}, 0, LoopValues(loops, turns)};
   const LoopValues& values = strand.values;
-  const Cholesky factor = gram_of(values);
-  const TurnVector minors = values.minors();
-  const double volume = norm(minors);
-  if (!factor.regular || !(volume > 0)) return strand;
-  for (std::size_t i = 0; i < 5; ++i) strand.tangent[i] = minors[i] / volume;
-
-  double steepest = 0;
-  // J δ = −F with J = i·column: the columns' sum Σ cᵢ δᵢ is i F.
-  const Vector4 error = factor.forwards(turned_column(values.f, values.g));
-  const Vector4 weights = factor.backwards(error);
+  isa_walk::LoopTerms<1> terms;
   for (std::size_t i = 0; i < 5; ++i) {
-    const Vector4 c = column(values.u[i], values.v[i]);
-    const double beta = squares(factor.forwards(c)) + squares(factor.forwards(turned_column(values.u[i], values.v[i])));
-    steepest = std::max(steepest, beta);
-    strand.correction[i] = c[0] * weights[0] + c[1] * weights[1] + c[2] * weights[2] + c[3] * weights[3];
+    terms.u[i] = in_lane(values.u[i]);
+    terms.v[i] = in_lane(values.v[i]);
   }
-  strand.reach = steepest > 0 ? 0.25 / std::sqrt(steepest) : 0;
+  terms.f = in_lane(values.f);
+  terms.g = in_lane(values.g);
+  const isa_walk::StrandBall<1> ball = isa_walk::strand_ball<1>(terms);
+  std::copy_n(ball.tangent, strand.tangent.size(), strand.tangent.begin());
+  std::copy_n(ball.correction, strand.correction.size(), strand.correction.begin());
+  strand.reach = ball.reach;
   return strand;
+}
+
+TurnVector times(double s, TurnVector v) {
+  for (double& x : v) x *= s;
+  return v;
+}
+
+TurnVector plus(TurnVector a, const TurnVector& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+  return a;
+}
+
+double turn_between(const SixBarTurns& from, const SixBarTurns& to) {
+  return std::arg(std::conj(from[SixBar::driver]) * to[SixBar::driver]);
+}
+
+std::optional<double> distance_to(const SixBarTurns& point, const SixBarStrand& here, const TurnVector& ahead,
+                                  double length) {
+  double chords = 0;  // shorter than the angles, and cheap
+  for (std::size_t i = 1; i < point.size(); ++i) chords += std::norm(point[i] - here.turns[i]);
+  if (!(chords <= here.reach * here.reach)) return std::nullopt;
+  const TurnVector way = shortest_way(here.turns, point);
+  if (!(norm(way) <= here.reach)) return std::nullopt;
+  const double along = dot(ahead, way);
+  const double wedge = norm(plus(way, times(-along, ahead))) / 2;
+  if (along < -wedge || along > length + wedge) return std::nullopt;
+  return along;
 }
 
 std::optional<SixBarStrand> corrected(const SixBarLoops& loops, const SixBarTurns& turns, double accuracy) {
@@ -131,6 +96,45 @@ std::optional<SixBarStrand> corrected(const SixBarLoops& loops, const SixBarTurn
     strand = strand_at(loops, stepped(strand.turns, strand.correction));
   }
   return std::nullopt;
+}
+
+bool SixBarProgress::met_all() const {
+  return std::all_of(meetings.begin(), meetings.end(), [](const auto& meeting) { return meeting.has_value(); });
+}
+
+bool SixBarProgress::met_all_in_order() const {
+  return met_all() && std::adjacent_find(meetings.begin(), meetings.end(), [](const auto& x, const auto& y) {
+                        return !(x->arc < y->arc);
+                      }) == meetings.end();
+}
+
+void SixBarProgress::meet(const SixBarLoops& loops, std::span<const SixBarTurns> wanted, const SixBarStrand& here,
+                          const TurnVector& ahead, double step, double pose_tolerance) {
+  for (std::size_t j = 1; j < wanted.size(); ++j) {
+    if (meetings[j]) continue;
+    const auto along = distance_to(wanted[j], here, ahead, step);
+    if (!along) continue;
+    const auto point = corrected(loops, stepped(here.turns, times(*along, ahead)), tolerance::on_curve);
+    if (!point) continue;
+    if (!(norm(shortest_way(point->turns, wanted[j])) <= std::min(pose_tolerance, here.reach / 4))) continue;
+    meetings[j] = PositionMet{length + *along, turn + turn_between(here.turns, wanted[j])};
+  }
+}
+
+bool met_all_between_them(const SixBarProgress& one, const SixBarProgress& other) {
+  for (std::size_t j = 0; j < one.meetings.size(); ++j)
+    if (!one.meetings[j] && !other.meetings[j]) return false;
+  return true;
+}
+
+int likelier_sense(std::span<const SixBarTurns> wanted) {
+  double ccw = 0, cw = 0;
+  for (std::size_t j = 1; j < wanted.size(); ++j) {
+    const double turn = wrap_positive(turn_between(wanted[j - 1], wanted[j]));
+    ccw += turn;
+    cw += two_pi - turn;
+  }
+  return ccw <= cw ? 1 : -1;
 }
 
 }  // namespace linkwright

@@ -19,12 +19,17 @@ std::optional<std::size_t> hinge_between(const SixBar& six_bar, int x, int y) {
 
 bool joined(const SixBar& six_bar, int x, int y) { return hinge_between(six_bar, x, y).has_value(); }
 
-/// Bodies hinged to a body, ascending.
-std::vector<int> neighbours(const SixBar& six_bar, int body) {
-  std::vector<int> found;
-  for (int other = 0; other < SixBar::bodies; ++other)
-    if (other != body && joined(six_bar, body, other)) found.push_back(other);
-  return found;
+/// The hinge between each two bodies; none: SixBar::joint_count.
+using HingeTable = std::array<std::array<std::size_t, SixBar::bodies>, SixBar::bodies>;
+HingeTable hinge_table(const SixBar& six_bar) {
+  HingeTable table;
+  for (auto& row : table) row.fill(SixBar::joint_count);
+  for (std::size_t j = SixBar::joint_count; j-- > 0;) {
+    const auto x = static_cast<std::size_t>(six_bar.joints[j].bodies[0]),
+               y = static_cast<std::size_t>(six_bar.joints[j].bodies[1]);
+    table[x][y] = table[y][x] = j;
+  }
+  return table;
 }
 
 bool has_order(const SixBar& six_bar, int body, std::size_t order) { return six_bar.joints_of(body).size() == order; }
@@ -80,18 +85,15 @@ std::vector<SixBarLength> SixBar::lengths() const {
 }
 
 std::optional<std::array<std::size_t, 4>> SixBar::four_bar_loop() const {
-  for (int frame = 0; frame < bodies; ++frame)
-    for (const int input : neighbours(*this, frame))
-      for (const int coupler : neighbours(*this, input))
-        for (const int output : neighbours(*this, coupler)) {
-          const auto input_center = hinge_between(*this, frame, input),
-                     output_center = hinge_between(*this, frame, output);
-          const auto input_circle = hinge_between(*this, input, coupler),
-                     output_circle = hinge_between(*this, coupler, output);
-          if (coupler == frame || output == input || !output_center || !input_center || !input_circle || !output_circle)
-            continue;
-          return std::array{*input_center, *input_circle, *output_circle, *output_center};
-        }
+  const HingeTable hinge = hinge_table(*this);
+  constexpr std::size_t count = bodies;
+  const auto joined = [&](std::size_t x, std::size_t y) { return x != y && hinge[x][y] < joint_count; };
+  for (std::size_t frame = 0; frame < count; ++frame)
+    for (std::size_t input = 0; input < count; ++input)
+      for (std::size_t coupler = 0; joined(frame, input) && coupler < count; ++coupler)
+        for (std::size_t output = 0; joined(input, coupler) && coupler != frame && output < count; ++output)
+          if (output != input && joined(coupler, output) && joined(output, frame))
+            return std::array{hinge[frame][input], hinge[input][coupler], hinge[coupler][output], hinge[frame][output]};
   return std::nullopt;
 }
 

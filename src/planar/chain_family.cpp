@@ -93,15 +93,21 @@ MapPivots ChainFamily::pivots(const RegionMap& map) const {
 
 void ChainFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                        bool /*respect_direction*/, const RegionOptions& options, const Progress& progress) const {
-  constexpr bool circuits = false;  // takes a walk round the whole circuit
-  const auto links = first_links(six_bars_, input, options.threads);
-  const auto cell_at = [&](std::size_t row, std::size_t column) -> MapCell {
-    const auto& first = links[row];
-    if (!first) return {};
-    const auto found = six_bars_.member(*first, six_bars_.second_tau(*first, output[column]));
-    return found ? rating_of(*found, circuits).cell() : MapCell{};
+  const auto seconds = six_bars_.independent_hinges(output);
+  const auto put_row = [&](std::size_t row, std::span<MapCell> cells) {
+    const auto first = six_bars_.with_first(input[row]);
+    if (!first) return;
+    std::vector<SixBarMember> members;
+    std::vector<std::size_t> places;
+    for (std::size_t column = 0; column < cells.size(); ++column)
+      if (const auto member = six_bars_.member(*first, output, seconds, column)) {
+        members.push_back(*member);
+        places.push_back(column);
+      }
+    const std::vector<SixBarRating> ratings = ratings_of(members, options.simd);
+    for (std::size_t i = 0; i < places.size(); ++i) cells[places[i]] = ratings[i].cell();
   };
-  map.evaluate_cells(input, output, planar_measures, driver_travel(six_bars_), cell_at, options, progress);
+  map.evaluate_rows(input, output, planar_measures, driver_travel(six_bars_), put_row, options, progress);
 }
 
 }  // namespace linkwright

@@ -154,6 +154,20 @@ std::optional<SixBarMember> SixBarFamily::member(const WithFirst& first, double 
   return member(first, tau, *hinges);
 }
 
+SixBarFamily::SecondHinges SixBarFamily::independent_hinges(std::span<const double> coordinates) const {
+  SecondHinges hinges;
+  if (independent_second_)
+    for (const double tau : coordinates) hinges.push_back(independent_second_->hinges(tau, chain_.size()));
+  return hinges;
+}
+
+std::optional<SixBarMember> SixBarFamily::member(const WithFirst& first, std::span<const double> coordinates,
+                                                 const SecondHinges& hinges, std::size_t i) const {
+  const double tau = second_tau(first, coordinates[i]);
+  if (first.second != independent_second_ || hinges.empty()) return member(first, tau);
+  return hinges[i] ? std::optional(member(first, tau, *hinges[i])) : std::nullopt;
+}
+
 SixBarMember SixBarFamily::member(const WithFirst& first, double tau, std::array<Point, 2> hinges) const {
   SixBarMember result{
       SixBar::of({chain_.a, chain_.b, chain_.d}, added_, first.hinges, hinges), {}, {first.coordinate, tau}};

@@ -97,9 +97,9 @@ class Search {
 
 /// A score that driving cannot better; nothing where it need not be driven.
 std::optional<Search::Bounded> Search::bounded(const SixBarMember& member, const Requirements& wanted) const {
-  SixBarRating best{shape_of(member.six_bar), {}};
   const auto sine = sine_upper_bound(member.six_bar, member.turns);
   if (!sine && wanted.no_defects) return std::nullopt;
+  SixBarRating best{shape_of(member.six_bar), {}};
   best.drive.completed = true;
   best.drive.min_sine = sine.value_or(0);
   if (!meets(wanted, member.six_bar, best)) return std::nullopt;
@@ -109,14 +109,21 @@ std::optional<Search::Bounded> Search::bounded(const SixBarMember& member, const
 std::vector<Search::Bounded> Search::sampled(const SixBarFamily& family, const Requirements& wanted,
                                              Trial& trial) const {
   std::vector<Bounded> found;
-  const auto evenly = [](double length, int i) { return length * (i + 0.5) / samples; };
-  for (int row = 0; row < samples && family.first().curve->coordinate_length() > 0; ++row) {
-    const double tau_4 = evenly(family.first().curve->coordinate_length(), row);
+  const auto evenly = [](double length) {
+    std::array<double, samples> places{};
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = length * (static_cast<double>(i) + 0.5) / samples;
+    return places;
+  };
+  if (!(family.first().curve->coordinate_length() > 0)) return found;
+  const auto places = evenly(family.second_axis_length());
+  SixBarFamily::SecondHinges seconds = family.independent_hinges(places);
+  for (auto& hinges : seconds)
+    if (hinges && !contains_all(box_, *hinges)) hinges.reset();
+  for (const double tau_4 : evenly(family.first().curve->coordinate_length())) {
     const auto first = family.with_first(tau_4);
     if (!first || !contains_all(box_, first->hinges)) continue;
-    for (int column = 0; column < samples; ++column) {
-      const double place = evenly(family.second_axis_length(), column);
-      const auto member = family.member(*first, family.second_tau(*first, place));
+    for (std::size_t column = 0; column < places.size(); ++column) {
+      const auto member = family.member(*first, places, seconds, column);
       if (!member || !box_.contains(member->six_bar.at(SixBar::c5)) || !box_.contains(member->six_bar.at(SixBar::z5)))
         continue;
       ++trial.six_bars;

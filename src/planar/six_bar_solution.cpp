@@ -4,12 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/six_bar_judge.hpp"
 #include "linkwright/analysis/six_bar_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
+
+// SixBar::lengths() one by one: a map asks for those of all its cells.
+bool share_a_body(const SixBarJoint& x, const SixBarJoint& y) {
+  return x.bodies[0] == y.bodies[0] || x.bodies[0] == y.bodies[1] || x.bodies[1] == y.bodies[0] ||
+         x.bodies[1] == y.bodies[1];
+}
 
 LinkageType type_of_loop(const SixBar& six_bar) {
   const auto loop = six_bar.four_bar_loop();
@@ -54,10 +61,13 @@ bool visits_all(const SixBar& six_bar, std::span<const PrescribedPose> poses) {
 SixBarShape shape_of(const SixBar& six_bar) {
   SixBarShape shape;
   double shortest = std::numeric_limits<double>::infinity();
-  for (const SixBarLength& length : six_bar.lengths()) {
-    shortest = std::min(shortest, length.length);
-    shape.longest = std::max(shape.longest, length.length);
-  }
+  for (std::size_t i = 0; i < SixBar::joint_count; ++i)
+    for (std::size_t k = i + 1; k < SixBar::joint_count; ++k) {
+      if (!share_a_body(six_bar.joints[i], six_bar.joints[k])) continue;
+      const double length = std::abs(six_bar.joints[k].point - six_bar.joints[i].point);
+      shortest = std::min(shortest, length);
+      shape.longest = std::max(shape.longest, length);
+    }
   const bool sound = shortest > tolerance::change_point * shape.longest && std::isfinite(shape.longest);
   shape.link_ratio = sound ? shape.longest / shortest : std::numeric_limits<double>::infinity();
   shape.type = sound ? type_of_loop(six_bar) : LinkageType::degenerate;
@@ -82,13 +92,27 @@ MapCell SixBarRating::cell() const {
 }
 
 SixBarRating rating_of(const SixBarMember& member, bool circuits) {
+  if (!circuits) return ratings_of({&member, 1}).front();
   SixBarRating rating{shape_of(member.six_bar), {}};
   if (rating.shape.type != LinkageType::degenerate) {
-    SixBarDriveOptions options;
-    options.circuits = circuits;
-    rating.drive = drive_six_bar(member.six_bar, member.turns, options);
+    rating.drive = drive_six_bar(member.six_bar, member.turns);
   }
   return rating;
+}
+
+std::vector<SixBarRating> ratings_of(std::span<const SixBarMember> members, Simd simd) {
+  std::vector<SixBarRating> ratings(members.size());
+  std::vector<SixBarToDrive> driven;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    ratings[i].shape = shape_of(members[i].six_bar);
+    if (ratings[i].shape.type == LinkageType::degenerate) continue;
+    driven.push_back({SixBarLoops(members[i].six_bar), members[i].turns});
+    places.push_back(i);
+  }
+  const std::vector<SixBarDriveReport> reports = drive_six_bars(driven, simd);
+  for (std::size_t k = 0; k < places.size(); ++k) ratings[places[k]].drive = reports[k];
+  return ratings;
 }
 
 bool meets_by_shape(const Requirements& wanted, const SixBar& six_bar, const SixBarShape& shape) {

@@ -27,8 +27,11 @@ AxisStretch branch_of(const BurmesterCurve& curve, double tau, double unit) {
 /// Judges any place of a chain's map.
 class ChainEvaluator {
  public:
-  ChainEvaluator(const ChainFamily& family, const Requirements& wanted, Objective objective, AddedMeasures added)
-      : chain_(family.chain()),
+  ChainEvaluator(const ChainFamily& family, const Requirements& wanted, Objective objective, AddedMeasures added,
+                 std::optional<MapWindow> window = std::nullopt)
+      : map_(family),
+        window_(window),
+        chain_(family.chain()),
         family_(family.six_bars()),
         wanted_(wanted),
         objective_(objective),
@@ -72,6 +75,7 @@ class ChainEvaluator {
   static constexpr int max_evaluations = 24;
 
   [[nodiscard]] std::optional<Placed> at(const SixBarFamily::WithFirst& first, std::array<double, 2> place) const {
+    if (!is_within(map_, window_, {place[0], place[1]})) return std::nullopt;
     const double tau = family_.second_tau(first, place[1]);
     const auto member = family_.member(first, tau);
     if (!member) return std::nullopt;
@@ -84,6 +88,8 @@ class ChainEvaluator {
     return Placed{{chain_, {place[0], tau}, *score, *member, false}, place};
   }
 
+  const ChainFamily& map_;
+  std::optional<MapWindow> window_;
   ThreeLinkChain chain_;
   const SixBarFamily& family_;
   Requirements wanted_;
@@ -99,10 +105,14 @@ std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ChainFam
                                           const Progress& progress) {
   const auto row = six_bar_row(task.added);
   if (!row || choice.best <= 0 || map.rows() == 0 || map.columns() == 0) return {};
-  const ChainEvaluator evaluator(family, requirements, choice.objective, choice.added);
-  const std::array<double, 2> step = {
-      family.axis(Side::input).coordinate_length() / static_cast<double>(map.rows()),
-      family.axis(Side::output).coordinate_length() / static_cast<double>(map.columns())};
+  const ChainEvaluator evaluator(family, requirements, choice.objective, choice.added, choice.window);
+  const auto spread = [&](Side side) {
+    if (!choice.window) return family.axis(side).coordinate_length();
+    const auto [low, high] = side == Side::input ? choice.window->input : choice.window->output;
+    return high - low;
+  };
+  const std::array<double, 2> step = {spread(Side::input) / static_cast<double>(map.rows()),
+                                      spread(Side::output) / static_cast<double>(map.columns())};
   const auto wanted = static_cast<std::size_t>(choice.best);
   const RequirementFilter filter = filter_of(family, map, requirements);
   std::vector<SixBarProspect> tops;

@@ -47,13 +47,26 @@ void RegionMap::evaluate_cells(std::span<const double> input, std::span<const do
                                std::span<const Measure> measures, DriverTravel travel,
                                const std::function<MapCell(std::size_t row, std::size_t column)>& cell_at,
                                const RegionOptions& options, const Progress& progress) {
+  const auto put_row = [&](std::size_t row, std::span<MapCell> cells) {
+    for (std::size_t column = 0; column < cells.size() && !progress.is_cancelled(); ++column)
+      cells[column] = cell_at(row, column);
+  };
+  evaluate_rows(input, output, measures, travel, put_row, options, progress);
+}
+
+void RegionMap::evaluate_rows(std::span<const double> input, std::span<const double> output,
+                              std::span<const Measure> measures, DriverTravel travel, const RowOfCells& put_row,
+                              const RegionOptions& options, const Progress& progress) {
   lay(input, output, measures, false, options);
   drivers_.assign(rows_, travel);
   parallel_for(rows_, options.threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<MapCell> cells(columns_);
     for (std::size_t row = begin; row < end; ++row) {
       leave_empty(row, row + 1);
-      for (std::size_t column = 0; column < columns_ && !progress.is_cancelled(); ++column)
-        put(row, column, cell_at(row, column));
+      if (progress.is_cancelled()) continue;
+      std::fill(cells.begin(), cells.end(), MapCell{});
+      put_row(row, cells);
+      for (std::size_t column = 0; column < columns_; ++column) put(row, column, cells[column]);
     }
   });
 }

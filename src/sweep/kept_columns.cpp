@@ -26,7 +26,7 @@ class ColumnList {
     list_.push_back({flag_column(std::move(name), std::move(description)), kept});
   }
   void text(std::string name, std::string description, bool kept = false) {
-    constexpr std::size_t longest_word = 32;
+    constexpr std::size_t longest_word = 48;
     list_.push_back({text_column(std::move(name), longest_word, std::move(description)), kept});
   }
   /// x and y, or x, y and z.

@@ -129,9 +129,10 @@ std::vector<Error> mistakes_in_pareto(const Task& task, const std::array<Objecti
   if (std::find(objectives.begin(), objectives.end(), Objective::structural_error) != objectives.end())
     return {{"pareto_of_map", "options.pareto",
              "a structural error is no property of the map; choose two objectives that are"}};
-  if (std::holds_alternative<SixBarTask>(task) || !has_map(task))
+  if (!has_map(task))
     return {{"pareto_of_search", "options.pareto",
-             "of six-bars and of linkages that are searched for there is no front of two objectives; drop it"}};
+             "linkages that are searched for come from many maps, which have no front in common; ask it of the map of "
+             "one of them, or drop it"}};
   return {};
 }
 

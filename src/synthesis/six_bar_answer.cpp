@@ -73,11 +73,25 @@ std::optional<SixBarSolution> six_bar_at(const SixBarAnswer& answer, MapPoint pl
   return found;
 }
 
+/// Some of the map's front, in its order.
+std::vector<SixBarSolution> along_the_front(const SixBarAnswer& answer, const Progress& progress) {
+  std::vector<SixBarSolution> found;
+  for (const ParetoCell& cell : spread_over(answer.pareto, static_cast<std::size_t>(answer.options.best))) {
+    if (progress.is_cancelled()) break;
+    const MapPoint place = {answer.region.input_coordinates()[cell.row],
+                            answer.region.output_coordinates()[cell.column]};
+    std::vector<RequirementKind> failed;
+    if (auto six_bar = six_bar_at(answer, place, failed); six_bar && failed.empty())
+      found.push_back(*std::move(six_bar));
+  }
+  return found;
+}
+
 Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
   answer.chain = ChainFamily::of(answer.task);
   if (!answer.chain) return Error{"out_of_reach", "task.chain", "the chain does not reach all poses"};
   const RequirementFilter filter =
-      count_region(answer, answer.task, *answer.chain, {samples_of(answer.options), std::nullopt}, progress);
+      count_region(answer, answer.task, *answer.chain, {samples_of(answer.options), answer.options.window}, progress);
   const SynthesisOptions& options = answer.options;
   if (options.at) {
     list_what_is_there(answer, *answer.chain, [&](MapPoint place, std::vector<RequirementKind>& failed) {
@@ -85,8 +99,12 @@ Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
     });
     return progress.is_cancelled() ? Result<Answer>(cancelled_map()) : Result<Answer>(Answer(std::move(answer)));
   }
-  answer.linkages = best_six_bars(answer.task, *answer.chain, answer.region, answer.requirements,
-                                  {options.objective, options.best, options.region.threads, answer.added}, progress);
+  answer.linkages =
+      options.pareto
+          ? along_the_front(answer, progress)
+          : best_six_bars(answer.task, *answer.chain, answer.region, answer.requirements,
+                          {options.objective, options.best, options.region.threads, answer.added, options.window},
+                          progress);
   if (progress.is_cancelled()) return cancelled_map();
   evaluate(answer);
   return Answer(std::move(answer));

@@ -147,6 +147,37 @@ class OutputError : public CellMeasure {
   Tolerances tolerances_;
 };
 
+/// The same of a chain's six-bars: those of a row have their link 4 in common.
+class SixBarOutputError : public OutputError {
+ public:
+  SixBarOutputError(OutputAt output_at, SixBarTask task, const ChainFamily& family, const Tolerances& tolerances)
+      : OutputError(std::move(output_at), tolerances),
+        task_(std::move(task)),
+        family_(family.six_bars()),
+        tolerances_(tolerances) {}
+
+  [[nodiscard]] Rows rows_of(const RegionMap& map) const override {
+    return [this, &map](std::size_t row, std::span<float> values) {
+      std::fill(values.begin(), values.end(), 0.0F);
+      const auto first = family_.with_first(map.input_coordinates()[row]);
+      if (!first) return;
+      for (std::size_t column = 0; column < values.size(); ++column) {
+        if (map.type(map.index(row, column)) == LinkageType::degenerate) continue;
+        const auto six_bar = family_.member(*first, family_.second_tau(*first, map.output_coordinates()[column]));
+        if (!six_bar) continue;
+        const auto error =
+            first_order_error(six_bar_output(task_, *six_bar, tolerances_.turning_length.value_or(0)), tolerances_);
+        values[column] = static_cast<float>(error.value_or(std::numeric_limits<double>::infinity()));
+      }
+    };
+  }
+
+ private:
+  SixBarTask task_;
+  const SixBarFamily& family_;
+  Tolerances tolerances_;
+};
+
 /// The same of planar four-bars, whole rows at once.
 class FourBarOutputError : public OutputError {
  public:
@@ -218,6 +249,9 @@ AddedMeasures tolerance_measures(const Task& task, const LinkageFamily& family, 
     added.tolerance_error = std::make_shared<FourBarOutputError>(output_at, *four_bars, tolerances);
   else if (const auto* spherical = dynamic_cast<const SphericalProductFamily*>(&family))
     added.tolerance_error = std::make_shared<SphericalOutputError>(output_at, *spherical, tolerances);
+  else if (const auto* chain = dynamic_cast<const ChainFamily*>(&family))
+    added.tolerance_error =
+        std::make_shared<SixBarOutputError>(output_at, std::get<SixBarTask>(task), *chain, tolerances);
   else
     added.tolerance_error = std::make_shared<OutputError>(output_at, tolerances);
   added.of_passing = dynamic_cast<const StraightLineFamily*>(&family) != nullptr;

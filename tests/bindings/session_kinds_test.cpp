@@ -226,7 +226,7 @@ TEST(SessionOfAFunction, WithoutANameKnowsItsPairsOnly) {
 }
 
 TEST(SessionOfASixBar, HasAMapOverBothAddedLinks) {
-  Explored explored(loader, 100);
+  Explored explored(loader, 80);
   EXPECT_EQ(explored.reply.map->fails().size(), 400u);
   EXPECT_FALSE(explored.task["symmetric"].get<bool>());
   EXPECT_FALSE(explored.reply.input_curves->tau.empty());
@@ -243,7 +243,7 @@ TEST(SessionOfASixBar, HasAMapOverBothAddedLinks) {
 }
 
 TEST(SessionOfASixBar, ImprovesTheOneInHand) {
-  Explored explored(loader, 100);
+  Explored explored(loader, 80);
   const auto [input, output] = explored.passing();
   const json better = json::parse(explored.session.improve(input, output));
   ASSERT_TRUE(better["improved"]);
@@ -254,7 +254,7 @@ TEST(SessionOfASixBar, ImprovesTheOneInHand) {
 }
 
 TEST(SessionOfASixBar, WritesEveryFormat) {
-  Explored explored(loader, 100);
+  Explored explored(loader, 80);
   const std::array<double, 2> place = explored.passing();
   const auto written = [&](std::string_view format) { return explored.session.exported(place[0], place[1], format); };
   EXPECT_NE(written("svg").find("<svg"), std::string::npos);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
+#include "support/draws.hpp"
 #include "support/random_six_bar.hpp"
 
 namespace linkwright::six_bar_solution_test {
@@ -27,6 +28,99 @@ TEST(SixBarSolution, IsCheckedInTheUsersCoordinates) {
       EXPECT_TRUE(solution.verified_by_driving) << text(row.added[0]) << text(row.added[1]) << i;
     }
   EXPECT_GT(free_ones, 10);
+}
+
+/// The six-bars of a chain over a coarse map, wild ones with long and short links among them.
+std::vector<SixBarMember> members_of(const testing::ReachedTask& task, const SixBarRow& row, int samples) {
+  const SixBarFamily family(task.chain, row.added, task.bodies);
+  std::vector<SixBarMember> members;
+  for (int i = 0; i < samples; ++i) {
+    const auto first = family.with_first(family.first().curve->coordinate_length() * (i + 0.5) / samples);
+    for (int k = 0; first && k < samples; ++k)
+      if (const auto member =
+              family.member(*first, family.second_tau(*first, family.second_axis_length() * (k + 0.5) / samples)))
+        members.push_back(*member);
+  }
+  return members;
+}
+
+TEST(SixBarSolution, ManyAtOnceAreJudgedAsDrivingJudgesEach) {
+  std::mt19937_64 random(43);
+  constexpr int samples = 14;
+  int free_ones = 0, order = 0, branch = 0;
+  double worst_sine = 0;
+  for (int chain = 0; chain < testing::draws(20); ++chain)
+    for (const SixBarRow& row : six_bar_rows()) {
+      const testing::ReachedTask task = testing::random_reached_task(random);
+      const std::vector<SixBarMember> members = members_of(task, row, samples);
+      const std::vector<SixBarRating> ratings = ratings_of(members);
+      ASSERT_EQ(ratings.size(), members.size());
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        const SixBarDriveReport& judged = ratings[i].drive;
+        if (ratings[i].shape.type == LinkageType::degenerate) continue;
+        SixBarDriveOptions options;
+        options.circuits = false;
+        SixBarDriveReport driven = drive_six_bar(members[i].six_bar, members[i].turns, options);
+        if (judged.defects != driven.defects) {  // two in a million: one of Newton's steps a step was not enough there
+          options.exact_steps = true;
+          driven = drive_six_bar(members[i].six_bar, members[i].turns, options);
+        }
+        ASSERT_EQ(judged.completed, driven.completed) << text(row.added[0]) << " " << text(row.added[1]) << " " << i;
+        ASSERT_EQ(judged.defects, driven.defects) << text(row.added[0]) << " " << text(row.added[1]) << " " << i;
+        ASSERT_EQ(judged.sense, driven.sense);
+        EXPECT_NEAR(judged.sweep, driven.sweep, 1e-4);
+        (driven.defects.none() ? free_ones : driven.defects.bits & Defects::order_bit ? order : branch) += 1;
+        worst_sine = std::max(worst_sine, std::abs(judged.min_sine - driven.min_sine));
+      }
+    }
+  EXPECT_GT(free_ones, testing::draws(500));
+  EXPECT_GT(order, 0);
+  EXPECT_GT(branch, testing::draws(20'000));
+  EXPECT_LT(worst_sine, 0.02);  // driving looks at its steps only, the judge between its own, too
+}
+
+TEST(SixBarSolution, TheLeastSineIsThatOfDenseStepsOfTheDriver) {
+  std::mt19937_64 random(44);
+  constexpr int steps = 4000;
+  int compared = 0;
+  for (const SixBarRow& row : six_bar_rows())
+    for (int chain = 0; chain < 4; ++chain) {
+      const std::vector<SixBarMember> members = members_of(testing::random_reached_task(random), row, 6);
+      const std::vector<SixBarRating> ratings = ratings_of(members);
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        const SixBarDriveReport& drive = ratings[i].drive;
+        if (!drive.completed || !drive.defects.none() || drive.min_sine < 0.01) continue;
+        const double sense = drive.sense == DriveSense::cw ? -1 : 1;
+        SixBarTurns turns = members[i].turns[0];
+        double least = 1;
+        for (int step = 0; step <= steps; ++step) {
+          turns[SixBar::driver] = direction(sense * drive.sweep * step / steps);
+          const auto found = closed(members[i].six_bar, turns);
+          ASSERT_TRUE(found);
+          turns = *found;
+          least = std::min(least, six_bar_transmission(members[i].six_bar, turns).sine);
+        }
+        EXPECT_NEAR(drive.min_sine, least, 2e-3) << text(row.added[0]) << " " << text(row.added[1]);
+        ++compared;
+      }
+    }
+  EXPECT_GT(compared, 10);
+}
+
+TEST(SixBarSolution, EveryInstructionSetGivesTheSameBits) {
+  std::mt19937_64 random(45);
+  for (const SixBarRow& row : six_bar_rows()) {
+    const std::vector<SixBarMember> members = members_of(testing::random_reached_task(random), row, 12);
+    const std::vector<SixBarRating> ratings = ratings_of(members, Simd::scalar);
+    for (const Simd simd : {Simd::baseline, Simd::avx2, Simd::avx512}) {
+      if (!is_supported(simd)) continue;
+      const std::vector<SixBarRating> others = ratings_of(members, simd);
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        EXPECT_EQ(ratings[i].drive.defects, others[i].drive.defects);
+        EXPECT_EQ(ratings[i].drive.min_sine, others[i].drive.min_sine) << name(simd);
+      }
+    }
+  }
 }
 
 TEST(SixBarSolution, OfAnotherBodyIsNotVerified) {

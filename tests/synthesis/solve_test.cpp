@@ -9,6 +9,7 @@
 
 #include "linkwright/analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
+#include "support/file_support.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"
 #include "support/solved.hpp"
@@ -583,6 +584,26 @@ TEST(SolveSphericalFunction, FivePairsListEveryLinkageWhateverItsDefects) {
     ASSERT_TRUE(found.function);
     EXPECT_LT(found.residual, 1e-9);
   }
+}
+
+TEST(SolveSixBars, LooksAtAWindowOnly) {
+  Problem problem = testing::example("loader_bucket_chain.json", 160);
+  problem.options.window = MapWindow{{0.2, 0.45}, {0.1, 0.4}};
+  const Answer answer = solve(problem.task, problem.requirements, problem.options).value();
+  const auto& six_bars = std::get<SixBarAnswer>(answer);
+  EXPECT_GT(six_bars.region.input_coordinates().front(), 0.2);
+  EXPECT_LT(six_bars.region.output_coordinates().back(), 0.4);
+  for (const SixBarSolution& found : six_bars.linkages)
+    EXPECT_TRUE(is_within(*six_bars.chain, problem.options.window, six_bars.chain->point_of(found.member)));
+  problem.options.window.reset();
+  const Answer whole = solve(problem.task, problem.requirements, problem.options).value();
+  ASSERT_FALSE(std::get<SixBarAnswer>(whole).linkages.empty());
+  const MapPoint best = six_bars.chain->point_of(std::get<SixBarAnswer>(whole).linkages.front().member);
+  problem.options.window = MapWindow{{best.input - 0.02, best.input + 0.02}, {best.output - 0.02, best.output + 0.02}};
+  const Answer near = solve(problem.task, problem.requirements, problem.options).value();
+  ASSERT_FALSE(std::get<SixBarAnswer>(near).linkages.empty());
+  EXPECT_GE(std::get<SixBarAnswer>(near).linkages.front().rating.min_transmission_angle(),
+            0.99 * std::get<SixBarAnswer>(whole).linkages.front().rating.min_transmission_angle());
 }
 
 TEST_F(SolveAtAPlace, OfASearchIsRefused) {

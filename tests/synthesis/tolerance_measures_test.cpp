@@ -179,6 +179,43 @@ TEST(ToleranceMeasures, AFrontOfTwoObjectivesListsWhatNothingBeats) {
   }
 }
 
+TEST(ToleranceMeasures, AFrontOfSixBarsListsWhatNothingBeats) {
+  Problem problem = problem_of("loader_bucket_chain");
+  problem.options.pareto = {Objective::min_transmission_angle, Objective::tolerance_error};
+  const Answer answer = solved(problem);
+  const auto& six_bars = std::get<SixBarAnswer>(answer);
+  ASSERT_GE(six_bars.pareto.size(), 2u);
+  ASSERT_GE(six_bars.linkages.size(), 2u);
+  for (std::size_t i = 1; i < six_bars.linkages.size(); ++i) {
+    EXPECT_LT(six_bars.linkages[i].rating.min_transmission_angle(),
+              six_bars.linkages[i - 1].rating.min_transmission_angle());
+    EXPECT_LT(six_bars.tolerance[i]->error, six_bars.tolerance[i - 1]->error);
+  }
+}
+
+// Rows of a map share their link 4; on some rows of six-bars link 5 is joined to it.
+TEST(ToleranceMeasures, AMapOfSixBarsHasTheErrorsOfItsPlaces) {
+  for (const std::array added :
+       {std::array{BodyPair{0, 2}, BodyPair{1, 3}}, std::array{BodyPair{0, 2}, BodyPair{4, 3}}}) {
+    Problem problem = problem_of("loader_bucket_chain");
+    problem.options.region_samples = 64;
+    std::get<SixBarTask>(problem.task).added = added;
+    const Answer answer = solved(problem);
+    const Findings& found = findings(answer);
+    const auto errors = found.region.values(measures::tolerance_error);
+    std::size_t whole = 0;
+    for (std::size_t row = 0; row < found.region.rows(); ++row)
+      for (std::size_t column = 0; column < found.region.columns(); ++column) {
+        const std::size_t cell = found.region.index(row, column);
+        const auto there = found.added.tolerance_error->at(
+            {found.region.input_coordinates()[row], found.region.output_coordinates()[column]});
+        EXPECT_EQ(errors[cell], static_cast<float>(there.value_or(0)));
+        whole += errors[cell] > 0 ? 1 : 0;
+      }
+    EXPECT_GT(whole, 100u);
+  }
+}
+
 // Contacts at places: the stroke between them begins where the linkage lies, and a stroke asked for may not hold it.
 TEST(ToleranceMeasures, AStrokeNeedNotHoldThePlaceWhereTheLinkageLies) {
   for (const std::optional<double> stroke : {std::optional<double>(), std::optional(0.5)}) {

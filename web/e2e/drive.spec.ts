@@ -314,6 +314,18 @@ test.describe("exports", () => {
     await expect(page.getByTestId("export.dialog")).toBeHidden();
   });
 
+  test("a dialog that is closed before the linkage is known as plates is not told of it", async ({page}) => {
+    await open_with_drive(page);
+    for (let i = 0; i < 3; ++i) {
+      await read_state(page, async (workbench) => {
+        workbench.dialog = "export";
+        await new Promise(requestAnimationFrame);
+        workbench.dialog = null;
+      });
+      await page.waitForTimeout(100); // its answer comes, and the page complains of nothing
+    }
+  });
+
   test("the print sheet is one page with drawing, map, numbers and link", async ({page}) => {
     await page.addInitScript(() => {
       window.print = () => {

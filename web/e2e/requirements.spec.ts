@@ -123,6 +123,31 @@ test("the slider is live, one drag is one undo, Esc takes it back", async ({page
   ]);
 });
 
+test("a drag that begins before the last one's end has been heard is a step of its own", async ({page}) => {
+  const slider = page.getByTestId("req.min_transmission");
+  await slider.evaluate((input: HTMLInputElement) => {
+    const at = (angle: number) => {
+      input.value = String(angle);
+      input.dispatchEvent(new Event("input", {bubbles: true}));
+    };
+    for (const angles of [
+      [40, 45],
+      [50, 55, 60],
+    ]) {
+      input.dispatchEvent(new PointerEvent("pointerdown", {bubbles: true, button: 0}));
+      angles.forEach(at);
+      input.dispatchEvent(new PointerEvent("pointerup", {bubbles: true, button: 0}));
+    }
+  });
+  await page.waitForFunction(() => !(globalThis as unknown as Hooked).__linkwright.workbench.gesture);
+  const asked = () => read_state(page, (workbench) => workbench.problem.requirements!.min_transmission_angle_deg);
+  expect(await asked()).toBe(60);
+  await read_state(page, (workbench) => workbench.undo());
+  expect(await asked()).toBe(45);
+  await read_state(page, (workbench) => workbench.undo());
+  expect([await asked(), await read_state(page, (workbench) => workbench.can_undo)]).toEqual([30, false]);
+});
+
 test("every cell in full colour has its ground pivots in the box", async ({page}) => {
   await page.getByTestId("req.ground_box.draw").click();
   expect(await read_state(page, (workbench) => workbench.mode)).toBe("ground_box");

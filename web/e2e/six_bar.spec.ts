@@ -156,3 +156,49 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   await until_settled(page);
   expect(await read_state(page, ({problem}) => (problem.task as SixBarTask).chain!.b)).toEqual([288.6, 1029.9]);
 });
+
+test("while something is held, what is left of six-bars shows where it may go", async ({page}) => {
+  test.slow();
+  await open_loader(page);
+  const halo = page.getByTestId("drawing.halo");
+  for (const name of ["drawing.chain_d", "drawing.disc_4"]) {
+    const from = await middle_of(page.getByTestId(name).first());
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x + 5, from.y, {steps: 2});
+    await expect(halo).toBeVisible();
+    const squares = await halo.locator("rect").evaluateAll((all) => all.map((r) => r.getAttribute("data-offset")));
+    expect(squares.length).toBeGreaterThan(1); // few places: the requirements of the bucket are tight
+    expect(squares.length).toBeLessThan(13 * 13);
+    await keep_screenshot(page, `six_bar_halo_${name.slice(-1)}`);
+    await page.keyboard.press("Escape");
+    await page.mouse.up();
+    await expect(halo).toBeHidden();
+    await until_settled(page);
+  }
+});
+
+test("a part of the map of six-bars is looked at closely, and told by its tolerances", async ({page}) => {
+  test.slow();
+  await open_loader(page);
+  const samples = () => read_state(page, ({map}) => map!.samples),
+    span = () => read_state(page, ({map}) => map!.input_tau.at(-1)! - map!.input_tau[0]!);
+  const whole_samples = await samples(),
+    whole_span = await span();
+  await read_state(page, (workbench) => workbench.zoom({input: [0.25, 0.5], output: [0.5, 0.75]}));
+  await expect.poll(span).toBeLessThan(whole_span / 3);
+  await until_settled(page);
+  expect(await samples()).toBeGreaterThanOrEqual(whole_samples);
+  await expect(page.getByTestId("region.zoomed")).toHaveText("×4");
+  await keep_screenshot(page, "six_bar_window");
+  await page.getByTestId("region.zoomed").click();
+  await until_settled(page);
+
+  await page.getByTestId("tolerance.add").click();
+  await page.getByTestId("region.menu").click();
+  await page.getByTestId("region.color.tolerance_error").click();
+  await page.waitForFunction(() => globalThis.__linkwright!.workbench.map?.property === "tolerance_error");
+  await until_settled(page);
+  expect(await read_state(page, ({hand}) => hand!.tolerance!.error)).toBeGreaterThan(0.1);
+  await keep_screenshot(page, "six_bar_tolerance");
+});

@@ -22,9 +22,8 @@ import {
 } from "../src/engine/protocol";
 import {Engine} from "../src/engine/serve";
 import {stored_start, thumbnail} from "../src/engine/stored";
-import {halo_reach} from "../src/drawing/drags/pose_drags";
 import {first_example} from "../src/gallery/gallery";
-import {roomy_squares} from "../src/state/halo_follower";
+import {halo_reach, roomy_squares} from "../src/state/halo_follower";
 import {sampled_cells} from "../src/region/sampled";
 import {engine_text} from "../src/state/problem";
 import {read_problem} from "../src/state/problem_shape";
@@ -436,7 +435,7 @@ describe("the tailgate", () => {
   test("says where its third position may go", () => {
     const {counts, offsets, steps} = ask("halo", {
       problem: tailgate,
-      pose: 2,
+      part: 2,
       mode: "move",
       reach: 40,
       steps: 13,
@@ -449,14 +448,14 @@ describe("the tailgate", () => {
     expect(counts[6 * 13 + 12]).toBe(0); // at +40 in x
     // What the tour asks for: the last position goes far without all being lost.
     const poses = poses_of(first_example!.problem.task);
-    const room = poses.map((_, pose) =>
+    const room = poses.map((_, part) =>
       roomy_squares(
-        ask("halo", {problem: tailgate, pose, mode: "move", reach: halo_reach(poses), steps: 13, samples: 60}).counts,
+        ask("halo", {problem: tailgate, part, mode: "move", reach: halo_reach(poses), steps: 13, samples: 60}).counts,
       ),
     );
     expect(Math.max(...room)).toBe(room[3]);
     expect(room[3]).toBeGreaterThan(13 ** 2 / 3);
-    const turned = ask("halo", {problem: tailgate, pose: 2, mode: "turn", reach: 5, steps: 5, samples: 60});
+    const turned = ask("halo", {problem: tailgate, part: 2, mode: "turn", reach: 5, steps: 5, samples: 60});
     expect(turned.counts.length).toBe(5);
     expect(turned.counts[2]).toBe(center);
   });

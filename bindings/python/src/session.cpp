@@ -81,9 +81,9 @@ class LockedSession {
   std::string exported(double input, double output, const std::string& format) {
     return ask([&](const wasm::Session& session) { return session.exported(input, output, format); });
   }
-  py::array offsets(int pose, bool turn, double reach, int steps, int samples) {
+  py::array offsets(int part, bool turn, double reach, int steps, int samples) {
     std::vector<std::uint32_t> counts = ask([&](const wasm::Session& session) {
-      return session.halo({pose, turn, reach, steps, samples});
+      return session.halo({part, turn, reach, steps, samples});
     });
     const auto size = static_cast<py::ssize_t>(steps);
     const bool is_line = counts.size() == static_cast<std::size_t>(steps);

@@ -3,7 +3,9 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "linkwright/analysis/six_bar_position.hpp"
 #include "linkwright/mechanism/dyad.hpp"
@@ -97,6 +99,12 @@ class SixBarFamily {
 
   /// The six-bar; nothing where τ gives no link 5.
   [[nodiscard]] std::optional<SixBarMember> member(const WithFirst& first, double tau) const;
+  /// Hinges of the links 5 at coordinates of the second axis, where they do not depend on link 4; otherwise none.
+  using SecondHinges = std::vector<std::optional<std::array<Point, 2>>>;
+  [[nodiscard]] SecondHinges independent_hinges(std::span<const double> coordinates) const;
+  /// The six-bar at the i-th of the coordinates that `hinges` are of.
+  [[nodiscard]] std::optional<SixBarMember> member(const WithFirst& first, std::span<const double> coordinates,
+                                                   const SecondHinges& hinges, std::size_t i) const;
   /// The same with link 5's hinges known already.
   [[nodiscard]] SixBarMember member(const WithFirst& first, double tau, std::array<Point, 2> hinges) const;
 

@@ -7,6 +7,7 @@
 
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/analysis/six_bar_drive.hpp"
+#include "linkwright/core/simd.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 #include "linkwright/planar/six_bar_family.hpp"
 #include "linkwright/planar/six_bar_task.hpp"
@@ -39,6 +40,10 @@ struct SixBarRating {
 
 /// `circuits` as SixBarDriveOptions::circuits.
 [[nodiscard]] SixBarRating rating_of(const SixBarMember& member, bool circuits);
+
+/// Of many at once, without circuits: by packs, which is some hundred times as fast as to drive one after the other,
+/// and says the same (docs/theory/six-bars.md, section 4). A member without links of its own length is not driven.
+[[nodiscard]] std::vector<SixBarRating> ratings_of(std::span<const SixBarMember> members, Simd simd = Simd::automatic);
 
 /// Whether a six-bar meets the requirements that its drive has no say in: types, lengths, where its hinges lie.
 [[nodiscard]] bool meets_by_shape(const Requirements& wanted, const SixBar& six_bar, const SixBarShape& shape);

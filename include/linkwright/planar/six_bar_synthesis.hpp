@@ -21,8 +21,9 @@ namespace linkwright {
 struct SixBarChoice {
   Objective objective = Objective::min_transmission_angle;
   int best = 10;
-  int threads = 0;        ///< 0: as many as the machine has
-  AddedMeasures added{};  ///< of a map
+  int threads = 0;                    ///< 0: as many as the machine has
+  AddedMeasures added{};              ///< of a map
+  std::optional<MapWindow> window{};  ///< of a map, which nothing is refined out of
 };
 
 /// The best six-bars of a map that meet requirements whose lengths are set, refined along both coordinates to the

@@ -90,6 +90,12 @@ class RegionMap {
 
   /// Cells by `cell_at`, called from several threads; the driver turns as `travel` says in all of them. Rows left out
   /// because `progress` was cancelled are degenerate.
+  /// The cells of a row, each to its place.
+  using RowOfCells = std::function<void(std::size_t row, std::span<MapCell> cells)>;
+  /// Row by row.
+  void evaluate_rows(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
+                     DriverTravel travel, const RowOfCells& put_row, const RegionOptions& options = {},
+                     const Progress& progress = {});
   void evaluate_cells(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
                       DriverTravel travel, const std::function<MapCell(std::size_t row, std::size_t column)>& cell_at,
                       const RegionOptions& options = {}, const Progress& progress = {});

@@ -27,7 +27,7 @@ struct SynthesisOptions {
   /// by `objective`.
   std::optional<std::array<Objective, 2>> pareto;
   int best = 10;                    ///< how many linkages, ≥ 0
-  std::optional<MapWindow> window;  ///< of four-bars; nothing: the whole region
+  std::optional<MapWindow> window;  ///< nothing: the whole region
   /// A place of the map: what is there is listed, whether it meets the requirements or not, and nothing else. Nothing:
   /// the best.
   std::optional<MapPoint> at;

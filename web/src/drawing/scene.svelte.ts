@@ -3,6 +3,8 @@ import {getContext, setContext, untrack} from "svelte";
 import type {Box, InstantReport, Linkage, Point, Side} from "../engine/protocol";
 import type {End} from "../figure/figure";
 import {at_angle, at_row, reached_rows, type Carrier, type Configuration} from "../figure/mechanism";
+import type {Halo} from "../state/answers.svelte";
+import {halo_reach} from "../state/halo_follower";
 import {preferences} from "../state/preferences.svelte";
 import {outline_of, placed} from "../state/problem";
 import {screen_size} from "../state/screen.svelte";
@@ -35,7 +37,8 @@ import {Plane} from "./space";
 import {surface_key, type Note, type Surface} from "./surface";
 import type {Viewport} from "./viewport";
 
-const curve_reach = [8, 20] as const;
+const curve_reach = [8, 20] as const,
+  halo_turn_deg = 30;
 
 export class Scene implements Surface {
   view = $state.raw<Viewport>({x: 0, y: 0, scale: 1, width: 0, height: 0});
@@ -47,8 +50,8 @@ export class Scene implements Surface {
   note = $state.raw<Note | null>(null);
   guides = $state.raw<readonly Guide[]>([]);
   spot = $state.raw<Spot | null>(null);
-  /** A held pose as it was pressed: the halo lies about it. */
-  pressed_pose = $state.raw<Pose | null>(null);
+  /** A held pose, or a point, as it was pressed: the halo lies about it. */
+  pressed = $state.raw<Pose | null>(null);
   /** Where a part of the task stood when it was pressed, if it stays there while it is dragged. */
   anchor = $state.raw<Point | null>(null);
   /** Pixels from the origin to the pointer that turns a pose. */
@@ -206,8 +209,13 @@ export class Scene implements Surface {
     const [mistake] = this.workbench.refusal ?? [];
     this.note = {at, text, reason: reason === undefined && mistake ? mistake_sentence(mistake) : reason};
   }
+  show_halo(part: number, pressed: Pose, mode: Halo["mode"] = "move"): void {
+    if (this.workbench.incomplete) return;
+    this.pressed = pressed;
+    void this.workbench.fetch_halo(part, mode, mode === "move" ? halo_reach(this.poses) : halo_turn_deg);
+  }
   finish(keep: boolean): void {
-    this.held = this.note = this.pressed_pose = this.anchor = this.arm = this.rubber = null;
+    this.held = this.note = this.pressed = this.anchor = this.arm = this.rubber = null;
     this.guides = [];
     this.workbench.held_pose = null;
     if (keep) this.workbench.end_gesture();

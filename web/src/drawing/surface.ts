@@ -48,6 +48,8 @@ export interface Surface {
   guides: readonly Guide[];
   /** Numbers beside the pointer; without a reason of their own, with what the engine refuses. */
   tell(at: Point, text: string, reason?: string | null): void;
+  /** Where a part of the task that was pressed there may go with linkages left: parts as the engine counts them. */
+  show_halo(part: number, pressed: Pose): void;
   /** Ends or cancels one gesture, and takes away what only a drag shows. */
   finish(keep: boolean): void;
 }

@@ -119,7 +119,7 @@ describe("one engine worker", () => {
   it("drops what is not wanted any more", async () => {
     const engine = client();
     const lost = expect(
-      engine.follow("halo", {problem, pose: 0, mode: "move", reach: 1, steps: 3, samples: 8}),
+      engine.follow("halo", {problem, part: 0, mode: "move", reach: 1, steps: 3, samples: 8}),
     ).rejects.toBeInstanceOf(Superseded);
     engine.cancel("halo");
     await lost;

@@ -35,7 +35,7 @@ export interface Session {
   tolerance(input_tau: number, output_tau: number, bins: number, drawn: number): {report: string; drawn: Float64Array};
   sample_yields(cells: number): string;
   front(first: string, second: string): string;
-  halo(pose: number, turn: boolean, reach: number, steps: number, samples: number): Uint32Array;
+  halo(part: number, turn: boolean, reach: number, steps: number, samples: number): Uint32Array;
   best(most: number): string;
   improve(input_tau: number, output_tau: number): string;
   verify(input_tau: number, output_tau: number): string;

@@ -419,9 +419,10 @@ export interface Requests {
   linkage: {problem: string; tau: TauPair};
   /** Bits failed along the curve samples of each side when one grounded link is held and the other slides. */
   live: {problem: string; tau: TauPair};
-  /** Cells that pass (of samples² ) with position `pose` moved by a grid of offsets up to ± reach (user's unit) or
-   *  turned up to ± reach_deg. */
-  halo: {problem: string; pose: number; mode: "move" | "turn"; reach: number; steps: number; samples: number};
+  /** Cells that pass (of samples², fewer where cells take long) with a part of the task moved by a grid of offsets up to
+   *  ± reach (user's unit) or turned up to ± reach_deg. Parts are the poses, from 0; of six-bars, after them, the chain's
+   *  hinges a, b, d. */
+  halo: {problem: string; part: number; mode: "move" | "turn"; reach: number; steps: number; samples: number};
   best: {problem: string; most: number};
   /** The best of several problems one after the other, the answer that of the last; each is told as it comes. */
   search: {rounds: readonly string[]; most: number};

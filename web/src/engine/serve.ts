@@ -133,11 +133,11 @@ export class Engine {
     return {input: copied(found.input), output: copied(found.output)};
   }
 
-  private halo({problem, pose, mode, reach, steps, samples}: Requests["halo"]): Replies["halo"] {
+  private halo({problem, part, mode, reach, steps, samples}: Requests["halo"]): Replies["halo"] {
     const start = now();
     const turn = mode === "turn";
     const session = this.holding(problem);
-    const counts = copied(session.halo(pose, turn, turn ? (reach * Math.PI) / 180 : reach, steps, samples));
+    const counts = copied(session.halo(part, turn, turn ? (reach * Math.PI) / 180 : reach, steps, samples));
     const offsets = Float64Array.from({length: steps}, (_, i) =>
       steps === 1 ? 0 : reach * ((2 * i) / (steps - 1) - 1),
     );

@@ -12,8 +12,8 @@ interface Answer<T> {
   of: Problem;
 }
 type Verdict = Replies["verify"];
-/** Where a position may go with linkages left. */
-export type Halo = Replies["halo"] & {pose: number; mode: "move" | "turn"};
+/** Where a part of the task may go with linkages left. */
+export type Halo = Replies["halo"] & {part: number; mode: "move" | "turn"};
 
 /** Whether the answer on screen has been waiting for its successor for too long. */
 class Wait {

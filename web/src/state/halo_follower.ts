@@ -1,33 +1,44 @@
-// Shows where a position may go with linkages left, while it is held or before it is touched.
+// Shows where a part of the task may go with linkages left, while it is held or before it is touched.
 import type {EngineClient} from "../engine/client";
 import type {Answers, Halo} from "./answers.svelte";
 import type {Document} from "./document";
 import {most_of} from "./ends";
-import {engine_text} from "./problem";
+import {engine_text, poses_extent, round_step} from "./problem";
+import type {Pose} from "./task";
 
 interface Held {
   readonly driver_client: EngineClient | null;
   readonly answers: Answers;
   readonly document: Document;
   readonly gesture: boolean;
-  readonly held_pose: number | null;
 }
 
 const first_steps = 13,
   turn_steps = 61,
   fine_steps = 25, // once the hand rests
   samples = 60; // of the map behind each place
-const at_rest_ms = 300;
+const at_rest_ms = 300,
+  longest_ms = 400; // what is finer must not keep the linkage in hand waiting
+
+/** Thirteen squares side by side, of a round size, make about an eighth of the poses' extent to each side. */
+export function halo_reach(poses: readonly Pose[]): number {
+  const step = poses_extent(poses) / 48,
+    up = round_step(step);
+  const down = round_step((step / 2.5) * 1.0001);
+  return 6 * (up / step < step / down ? up : down);
+}
 
 export class HaloFollower {
+  private hold: object | null = null; // what is followed
+
   constructor(private readonly held: Held) {}
 
-  private async ask(pose: number, mode: Halo["mode"], reach: number, steps: number): Promise<Halo | null> {
+  private async ask(part: number, mode: Halo["mode"], reach: number, steps: number): Promise<Halo | null> {
     const problem = engine_text(this.held.document.problem);
     const reply = await this.held.driver_client
-      ?.follow("halo", {problem, pose, mode, reach, steps, samples})
+      ?.follow("halo", {problem, part, mode, reach, steps, samples})
       .catch(() => null);
-    return reply ? {...reply, pose, mode} : null;
+    return reply ? {...reply, part, mode} : null;
   }
   /** The position which has the most room: a newcomer is to drag it. Nothing where it is not `wanted` any more. */
   async offer(poses: number, reach: number, wanted: () => boolean): Promise<void> {
@@ -40,12 +51,18 @@ export class HaloFollower {
     }
     if (this.held.document.problem === problem && !this.held.gesture && wanted()) this.held.answers.halo = best.halo;
   }
+  /** Nothing is held any more. */
+  release(): void {
+    this.hold = null;
+    this.held.answers.halo = null;
+  }
   /** Steps² cells of a square, or steps of an arc. Closer where the room that is left is near, finer once the hand rests. */
-  async follow(pose: number, mode: Halo["mode"], reach: number): Promise<void> {
+  async follow(part: number, mode: Halo["mode"], reach: number): Promise<void> {
     const {held} = this,
-      is_held = () => held.gesture && held.held_pose === pose;
+      hold = (this.hold = {}),
+      is_held = () => held.gesture && this.hold === hold;
     const show = async (steps: number) => {
-      const halo = await this.ask(pose, mode, reach, steps);
+      const halo = await this.ask(part, mode, reach, steps);
       if (halo && is_held()) held.answers.halo = halo;
       return halo;
     };
@@ -55,8 +72,9 @@ export class HaloFollower {
       reach /= 2;
       halo = await show(first_steps);
     }
+    const finer_ms = (halo?.engine_ms ?? Infinity) * (fine_steps / first_steps) ** 2;
     let seen = held.document;
-    while (is_held()) {
+    while (is_held() && finer_ms < longest_ms) {
       await new Promise((resolve) => setTimeout(resolve, at_rest_ms));
       if (held.document === seen) return void (await (is_held() && show(fine_steps)));
       seen = held.document;

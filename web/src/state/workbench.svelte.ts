@@ -275,11 +275,11 @@ export class Workbench extends Editing {
   // ---- editing ------------------------------------------------------------------------------------------------
 
   override end_gesture(): void {
-    this.answers.halo = null;
+    this.halos.release();
     super.end_gesture();
   }
   override cancel_gesture(): void {
-    this.answers.halo = null;
+    this.halos.release();
     super.cancel_gesture();
   }
   /** Another task altogether: one step, so that undo brings the old one back. */
@@ -336,9 +336,9 @@ export class Workbench extends Editing {
     const tau = this.tau_in_hand;
     if (tau && this.task?.symmetric) this.pick([tau[1], tau[0]]);
   }
-  /** Where a held position may go with linkages left. */
-  fetch_halo(pose: number, mode: "move" | "turn", reach: number): Promise<void> {
-    return this.halos.follow(pose, mode, reach);
+  /** Where a held part of the task may go with linkages left. */
+  fetch_halo(part: number, mode: "move" | "turn", reach: number): Promise<void> {
+    return this.halos.follow(part, mode, reach);
   }
   /** What one instant of a four-bar tells; null where there is no answer, or a newer one is wanted. */
   async instant_of(pivots: Quadrilateral): Promise<InstantReport | null> {

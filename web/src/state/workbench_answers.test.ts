@@ -189,7 +189,6 @@ describe("the answers on the workbench", () => {
       {workbench} = b;
     await settled(b);
     workbench.begin_gesture();
-    workbench.held_pose = 2;
     const wide = workbench.fetch_halo(2, "move", 120);
     await until(() => workbench.halo);
     const counts = (): number[] => Array.from(workbench.halo!.counts);

@@ -144,7 +144,10 @@ const further = {
   "a front of one": front('"size"'),
   "a front of the same twice": front('"size", "size"'),
   "a front of structural errors": front('"size", "structural_error"'),
-  "a front of six-bars": front('"size", "link_ratio"', chain("[2, -5]")),
+  "a front of a search": front('"size", "link_ratio"', chain("[2, -5]").replace(/, "chain": .*$/, "}}")).replace(
+    '"pareto"',
+    '"box": {"x": [-9, 9], "y": [-9, 9]}, "pareto"',
+  ),
   "a shortest link longer than the longest": lengths('"min_length": 5, "max_length": 4'),
 };
 const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name, text}))];

@@ -1,6 +1,6 @@
 // Dragging a position: its place, its angle, its direction and curvature of travel.
 import type {Point} from "../../engine/protocol";
-import {poses_extent, round_step, type Problem} from "../../state/problem";
+import type {Problem} from "../../state/problem";
 import {poses_of, type Pose} from "../../state/task";
 import {with_bend, with_travel} from "../../task/travel";
 import {curvature_reach, arm_length, travel_direction, type Target} from "../handles";
@@ -12,15 +12,6 @@ import {with_pose, with_poses} from "../../tasks/kinds";
 import {Way, type Drag} from "./drag";
 
 type PoseTarget = Extract<Target, {pose: number}>;
-const halo_turn_deg = 30;
-
-/** Thirteen squares side by side, of a round size, make about an eighth of the poses' extent to each side. */
-export function halo_reach(poses: readonly Pose[]): number {
-  const step = poses_extent(poses) / 48,
-    up = round_step(step);
-  const down = round_step((step / 2.5) * 1.0001);
-  return 6 * (up / step < step / down ? up : down);
-}
 
 function begin(bench: Bench, target: PoseTarget, halo: "move" | "turn" | null): Pose {
   const {workbench, scene} = bench,
@@ -28,10 +19,7 @@ function begin(bench: Bench, target: PoseTarget, halo: "move" | "turn" | null): 
   workbench.begin_gesture();
   workbench.held_pose = target.pose;
   scene.held = target;
-  if (halo && !workbench.incomplete) {
-    scene.pressed_pose = pose;
-    void workbench.fetch_halo(target.pose, halo, halo === "move" ? halo_reach(scene.poses) : halo_turn_deg);
-  }
+  if (halo) scene.show_halo(target.pose, pose, halo);
   return pose;
 }
 /** The same pose, however it was changed meanwhile. */

@@ -46,7 +46,7 @@ function part_of(surface: Surface, hinge: Hinge, start: Point): Omit<TaskPart, "
 function hinge_drag(surface: Surface, hinge: Hinge, start: Point, from: Point): Drag {
   const {workbench} = surface,
     way = new Way(surface, from);
-  return part_drag(surface, name_of(hinge), {
+  const dragged = part_drag(surface, name_of(hinge), {
     cursor: "move",
     move(at, keys) {
       const {space, origins} = surface,
@@ -56,4 +56,7 @@ function hinge_drag(surface: Surface, hinge: Hinge, start: Point, from: Point): 
       surface.tell(at, `${hinge}  ${point_note(point, space.step, workbench.unit)}`);
     },
   });
+  const [x, y] = start;
+  surface.show_halo(surface.poses.length + hinges.indexOf(hinge), {x, y, theta_deg: 0}); // after the poses
+  return dragged;
 }

@@ -34,7 +34,7 @@ it("finds linkages in a task that is begun anew", () => {
 it("counts what the program counts, and drives what meets everything through all positions", () => {
   const {map} = ask("explore", {
     problem,
-    samples: 100,
+    samples: 80,
     window: whole,
     property: "min_transmission_angle_deg",
     order: "fresh",
@@ -52,4 +52,46 @@ it("counts what the program counts, and drives what meets everything through all
   expect(linkage.drive!.ticks.every(({reached}) => reached)).toBe(true);
   expect(linkage.drive!.states.length % linkage.drive!.width).toBe(0);
   expect(ask("verify", {problem, tau}).verified).toBe(true);
+});
+it("shows a part of the map as finely as the whole", () => {
+  const asked = {problem, samples: 80, property: "tolerance_error", order: "fresh"} as const,
+    whole_map = ask("explore", {...asked, window: whole}).map!,
+    part = ask("explore", {...asked, window: {input: [0.25, 0.5], output: [0.5, 0.75]}}).map!;
+  expect([part.rows, part.columns]).toEqual([whole_map.rows, whole_map.columns]);
+  const cell = (map: typeof part) => map.input_tau[1]! - map.input_tau[0]!;
+  expect(cell(part)).toBeCloseTo(cell(whole_map) / 4);
+});
+it("colours the map by the error of what is made with tolerances, and counts what a limit of it leaves", () => {
+  const with_limit = (limit: number | undefined) => {
+    const file = JSON.parse(problem) as Record<string, object>;
+    return JSON.stringify({
+      ...file,
+      tolerances: {length: 0.5},
+      requirements: {...file.requirements, max_tolerance_error: limit},
+    });
+  };
+  const explored = (limit?: number) =>
+    ask("explore", {
+      problem: with_limit(limit),
+      samples: 80,
+      window: whole,
+      property: "tolerance_error",
+      order: "fresh",
+    }).map!;
+  const {value, fails, census} = explored(),
+    errors = [...value.keys()].filter((cell) => fails[cell] === 0).map((cell) => value[cell]!);
+  expect(Math.min(...errors)).toBeGreaterThan(0.5);
+  const middle = errors.sort((a, b) => a - b)[Math.floor(errors.length / 2)]!,
+    left = explored(middle).census.meeting;
+  expect(left).toBeGreaterThan(0);
+  expect(left).toBeLessThan(census.meeting);
+});
+it("says where positions and the chain's hinges may go", () => {
+  for (const part of [3, 4, 5, 6]) {
+    const {counts} = ask("halo", {problem, part, mode: "move", reach: 180, steps: 5, samples: 60}),
+      possible = Array.from(counts).filter((count) => count > 0).length;
+    expect(counts[2 * 5 + 2], `part ${part}`).toBeGreaterThan(0);
+    expect(possible).toBeLessThan(25);
+  }
+  expect(ask("halo", {problem, part: 7, mode: "move", reach: 180, steps: 5, samples: 60}).counts).toHaveLength(0);
 });

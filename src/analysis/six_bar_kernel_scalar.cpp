@@ -1,0 +1,10 @@
+#define LINKWRIGHT_ISA isa_scalar
+#include "analysis/six_bar_dyads.hpp"
+#include "analysis/six_bar_strands.hpp"
+
+namespace linkwright {
+
+void dyad_kernel_scalar(DyadLanes& lanes) { isa_scalar::dyad_kernel<1>(lanes); }
+void strand_kernel_scalar(StrandLanes& lanes) { isa_scalar::strand_kernel<1>(lanes); }
+
+}  // namespace linkwright

@@ -1,0 +1,160 @@
+#pragma once
+
+// The curve of configurations of a six-bar near one of its points, a six-bar to each lane: one source for the walk of
+// one (six_bar_walk.cpp) and of several at once (six_bar_strands.hpp).
+
+#include "core/pack_vector.hpp"
+
+namespace linkwright::LINKWRIGHT_ISA {
+
+template <class Real>
+struct Vector4 {
+  Real of[4];
+};
+
+/// Lower triangle L of the Gram matrix J Jᵀ = L Lᵀ, with the inverses of its diagonal.
+template <int Width>
+struct Cholesky {
+  using Real = typename Pack<Width>::Real;
+  Real l[4][4];
+  Mask regular = all_lanes<Width>;
+
+  LINKWRIGHT_INLINE explicit Cholesky(const Real (&gram)[4][4]) {
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k <= i; ++k) {
+        Real sum = gram[i][k];
+        for (int m = 0; m < k; ++m) sum -= l[i][m] * l[k][m];
+        if (k < i) {
+          l[i][k] = sum * l[k][k];
+          continue;
+        }
+        const Mask positive = less<Width>(Real{}, sum);
+        regular &= positive;
+        l[i][i] = where<Width>(positive, 1.0 / square_root<Width>(select<Width>(positive, sum, Real{} + 1.0)));
+      }
+  }
+
+  /// L⁻¹ b.
+  LINKWRIGHT_INLINE Vector4<Real> forwards(Vector4<Real> b) const {
+    for (int i = 0; i < 4; ++i) {
+      for (int m = 0; m < i; ++m) b.of[i] -= l[i][m] * b.of[m];
+      b.of[i] *= l[i][i];
+    }
+    return b;
+  }
+  /// L⁻ᵀ b.
+  LINKWRIGHT_INLINE Vector4<Real> backwards(Vector4<Real> b) const {
+    for (int i = 3; i >= 0; --i) {
+      for (int m = i + 1; m < 4; ++m) b.of[i] -= l[m][i] * b.of[m];
+      b.of[i] *= l[i][i];
+    }
+    return b;
+  }
+};
+
+template <class Real>
+LINKWRIGHT_INLINE Real squares(const Vector4<Real>& v) {
+  return v.of[0] * v.of[0] + v.of[1] * v.of[1] + v.of[2] * v.of[2] + v.of[3] * v.of[3];
+}
+
+/// Terms of bodies 1 … 5 in both loops, and the loops' errors.
+template <int Width>
+struct LoopTerms {
+  using Real = typename Pack<Width>::Real;
+  Vector<Real> u[5], v[5], f, g;
+};
+
+// The Jacobian's columns are i·(uᵢ, vᵢ). Turned back by i, which changes neither the Gram matrix nor lengths, they are
+// the terms themselves.
+template <class Real>
+LINKWRIGHT_INLINE Vector4<Real> column(Vector<Real> u, Vector<Real> v) {
+  return {{u.x, u.y, v.x, v.y}};
+}
+template <class Real>
+LINKWRIGHT_INLINE Vector4<Real> turned_column(Vector<Real> u, Vector<Real> v) {
+  return {{-u.y, u.x, -v.y, v.x}};
+}
+
+/// Signed minors of the 4 × 5 Jacobian: (−1)^j times the determinant without the column of body j + 1.
+template <int Width>
+LINKWRIGHT_INLINE void minors_of(const LoopTerms<Width>& terms, typename Pack<Width>::Real (&minors)[5]) {
+  using Real = typename Pack<Width>::Real;
+  Real mu[5][5], mv[5][5];
+  for (int i = 0; i < 5; ++i)
+    for (int k = i + 1; k < 5; ++k) {
+      mu[i][k] = cross(terms.u[i], terms.u[k]);
+      mv[i][k] = cross(terms.v[i], terms.v[k]);
+    }
+  for (int j = 0; j < 5; ++j) {
+    int k[4] = {};
+    for (int i = 0, n = 0; i < 5; ++i)
+      if (i != j) k[n++] = i;
+    const Real determinant = mu[k[0]][k[1]] * mv[k[2]][k[3]] - mu[k[0]][k[2]] * mv[k[1]][k[3]] +
+                             mu[k[0]][k[3]] * mv[k[1]][k[2]] + mu[k[1]][k[2]] * mv[k[0]][k[3]] -
+                             mu[k[1]][k[3]] * mv[k[0]][k[2]] + mu[k[2]][k[3]] * mv[k[0]][k[1]];
+    minors[j] = j % 2 == 0 ? determinant : -determinant;
+  }
+}
+
+/// A ball about a point in which the curve is one strand (SixBarStrand).
+template <int Width>
+struct StrandBall {
+  using Real = typename Pack<Width>::Real;
+  Real tangent[5], correction[5];
+  Real reach;     ///< 0 where the Jacobian is singular
+  Real sine_4th;  ///< fourth power of SixBarTransmission::sine where the loops do not fall apart
+};
+
+// With J the Jacobian and J⁺ its inverse on the planes normal to the tangent, body i's column changes over a distance d
+// by at most dᵢ times a vector of the plane of that column and the column turned by a right angle: after J⁺ at most
+// βᵢ dᵢ, βᵢ² = |J⁺ i cᵢ|² + |J⁺ cᵢ|². With Λ = max βᵢ the Jacobian thus stays regular on those planes within |d| < 1/Λ,
+// and the loops are injective on the part of each plane within the ball: one strand. At a quarter of that radius the
+// strand's slope against the tangent is at most (1/4)/(1 − 1/4) = 1/3 and Newton's method converges from the tangent
+// (Kantorovich). Units of the loops and their combination do not matter.
+template <int Width>
+LINKWRIGHT_INLINE StrandBall<Width> strand_ball(const LoopTerms<Width>& terms) {
+  using Real = typename Pack<Width>::Real;
+  Real gram[4][4] = {};
+  for (int i = 0; i < 5; ++i) {
+    const Vector4<Real> c = column(terms.u[i], terms.v[i]);
+    for (int r = 0; r < 4; ++r)
+      for (int k = 0; k <= r; ++k) gram[r][k] += c.of[r] * c.of[k];
+  }
+  const Cholesky<Width> factor(gram);
+  Real minors[5];
+  minors_of<Width>(terms, minors);
+  Real volume_square = {}, columns = Real{} + 1.0, steepest = {};
+  for (int i = 0; i < 5; ++i) volume_square += minors[i] * minors[i];
+  const Mask regular = factor.regular & less<Width>(Real{}, volume_square);
+  const Real per_volume =
+      where<Width>(regular, 1.0 / square_root<Width>(select<Width>(regular, volume_square, Real{} + 1.0)));
+
+  StrandBall<Width> ball;
+  // J δ = −F with J = i·column: the columns' sum Σ cᵢ δᵢ is i F.
+  const Vector4<Real> weights = factor.backwards(factor.forwards(turned_column(terms.f, terms.g)));
+  for (int i = 0; i < 5; ++i) {
+    const Vector4<Real> c = column(terms.u[i], terms.v[i]);
+    steepest =
+        larger(steepest, squares(factor.forwards(c)) + squares(factor.forwards(turned_column(terms.u[i], terms.v[i]))));
+    ball.tangent[i] = minors[i] * per_volume;
+    ball.correction[i] = where<Width>(
+        regular, c.of[0] * weights.of[0] + c.of[1] * weights.of[1] + c.of[2] * weights.of[2] + c.of[3] * weights.of[3]);
+    if (i > 0) columns = columns * squares(c);
+  }
+  const Mask steep = regular & less<Width>(Real{}, steepest);
+  ball.reach = where<Width>(steep, 0.25 / square_root<Width>(select<Width>(steep, steepest, Real{} + 1.0)));
+  ball.sine_4th = minors[0] * minors[0] / columns;
+  return ball;
+}
+
+/// The unit vector after a step of `way`: the angle x turns by 2 atan(x/2), which needs no trigonometry.
+template <int Width>
+LINKWRIGHT_INLINE Vector<typename Pack<Width>::Real> stepped(Vector<typename Pack<Width>::Real> turn,
+                                                             typename Pack<Width>::Real way) {
+  using Real = typename Pack<Width>::Real;
+  const Real q = 0.25 * way * way, size = 1.0 + q;
+  const Vector<Real> r = product(turn, {(1.0 - q) / size, way / size});
+  return 0.5 * (3.0 - dot(r, r)) * r;  // rounding must not add up
+}
+
+}  // namespace linkwright::LINKWRIGHT_ISA
