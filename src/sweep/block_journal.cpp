@@ -29,14 +29,6 @@ int write_both(int descriptor, std::string_view first, std::string_view second) 
   return 0;
 }
 
-/// How much of a journal of this plan is whole from its beginning on; 0: nothing, not even the header.
-std::uint64_t sound_size(int descriptor, const SweepPlan& plan) {
-  const JournalHeader wanted = journal_header(plan);
-  const std::string_view wanted_bytes(reinterpret_cast<const char*>(&wanted), sizeof wanted);
-  if (read_at(descriptor, 0, sizeof wanted) != wanted_bytes) return 0;
-  return static_cast<std::uint64_t>(::lseek(descriptor, 0, SEEK_END));
-}
-
 }  // namespace
 
 Result<BlockJournal> BlockJournal::open(const std::filesystem::path& folder, const SweepPlan& plan, int process) {
@@ -45,12 +37,13 @@ Result<BlockJournal> BlockJournal::open(const std::filesystem::path& folder, con
   if (descriptor < 0) return unwritable("cannot be written", path, errno);
   BlockJournal journal(path, descriptor, 0);
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return sweep_in_use();
-  journal.size_ = sound_size(descriptor, plan);
+  journal.size_ = untorn_size(descriptor, plan);
+  if (::ftruncate(descriptor, static_cast<off_t>(journal.size_)) != 0)
+    return unwritable("cannot be written", path, errno);
   if (journal.size_ > 0) return journal;
   const JournalHeader header = journal_header(plan);
   const std::string_view bytes(reinterpret_cast<const char*>(&header), sizeof header);
-  if (::ftruncate(descriptor, 0) != 0 || write_both(descriptor, bytes, "") != 0)
-    return unwritable("cannot be written", path, errno);
+  if (write_both(descriptor, bytes, "") != 0) return unwritable("cannot be written", path, errno);
   journal.size_ = sizeof header;
   return journal;
 }

@@ -15,29 +15,53 @@ class JournalReader {
   JournalReader(int descriptor, std::uint64_t size, std::int64_t blocks)
       : descriptor_(descriptor), size_(size), blocks_(blocks) {}
 
-  void read(std::uint32_t journal, JournalScan& scan) {
-    std::uint64_t at = sizeof(JournalHeader);
-    while (at < size_) {
-      const auto header = header_at(at);
-      if (!header) {
-        const std::uint64_t next = next_header(at + 1);
-        ++(next < size_ ? scan.corrupt : scan.torn);
-        at = next;
-      } else if (header->size > size_ - at - sizeof(RecordHeader)) {
+  void read(std::uint32_t journal, JournalScan& scan) const {
+    for (std::uint64_t at = sizeof(JournalHeader); at < size_;) {
+      const Piece piece = piece_at(at);
+      if (piece.kind == Piece::torn)
         ++scan.torn;
-        at = size_;
-      } else {
-        const std::string rows = read_at(descriptor_, at + sizeof(RecordHeader), header->size);
-        if (rows.size() == header->size && checksum(rows) == header->rows_check)
-          scan.blocks.push_back({header->block, journal, at});
-        else
-          ++scan.corrupt;
-        at += sizeof(RecordHeader) + header->size;
-      }
+      else if (piece.kind == Piece::record && is_sound(at))
+        scan.blocks.push_back({piece.block, journal, at});
+      else
+        ++scan.corrupt;
+      at = piece.end;
     }
   }
 
+  [[nodiscard]] std::uint64_t untorn_size() const {
+    for (std::uint64_t at = sizeof(JournalHeader); at < size_;) {
+      const Piece piece = piece_at(at);
+      if (piece.kind == Piece::torn) return at;
+      at = piece.end;
+    }
+    return size_;
+  }
+
  private:
+  /// Bytes from a place to `end`: a record, by its header, or what is none; torn where nothing follows that is whole.
+  struct Piece {
+    enum { record, corrupt, torn } kind;
+    std::int64_t block;
+    std::uint64_t end;
+  };
+
+  [[nodiscard]] Piece piece_at(std::uint64_t at) const {
+    if (const auto header = header_at(at)) {
+      const std::uint64_t rows_at = at + sizeof(RecordHeader);
+      if (header->size > size_ - rows_at) return {Piece::torn, header->block, size_};
+      return {Piece::record, header->block, rows_at + header->size};
+    }
+    const std::uint64_t next = next_header(at + 1);
+    return {next < size_ ? Piece::corrupt : Piece::torn, 0, next};
+  }
+
+  [[nodiscard]] bool is_sound(std::uint64_t at) const {
+    const auto header = header_at(at);
+    if (!header) return false;
+    const std::string rows = read_at(descriptor_, at + sizeof(RecordHeader), header->size);
+    return rows.size() == header->size && checksum(rows) == header->rows_check;
+  }
+
   [[nodiscard]] std::optional<RecordHeader> header_at(std::uint64_t at) const {
     const std::string bytes = read_at(descriptor_, at, sizeof(RecordHeader));
     if (bytes.size() < sizeof(RecordHeader)) return std::nullopt;
@@ -91,6 +115,12 @@ std::optional<Error> read_journal(std::uint32_t journal, const SweepPlan& plan, 
 }
 
 }  // namespace
+
+std::uint64_t untorn_size(int descriptor, const SweepPlan& plan) {
+  if (!is_of_plan(descriptor, plan)) return 0;
+  const auto size = static_cast<std::uint64_t>(::lseek(descriptor, 0, SEEK_END));
+  return JournalReader(descriptor, size, plan.blocks()).untorn_size();
+}
 
 Result<JournalScan> scan_journals(const std::filesystem::path& folder, const SweepPlan& plan) {
   JournalScan scan;

@@ -3,6 +3,7 @@
 import fcntl
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -11,7 +12,7 @@ import unittest
 from pathlib import Path
 
 from face_support import CLI, run
-from sweep_test import SweepTest, limited_to, sweep_of
+from sweep_test import SweepTest, sweep_of
 
 MPI = f"{CLI}-mpi"
 MISSING = next((f"{what} is not there" for what in ("mpirun", MPI) if not shutil.which(what)), None)
@@ -38,8 +39,10 @@ class MpiTest(SweepTest):
     def begin(self, ranks, content, *more, settings=(), **options):
         path = self.write("sweep.json", content)
         command = ["mpirun", "-n", str(ranks), *settings, MPI, "sweep", str(path), "-o", str(self.output), *map(str, more)]
-        return subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                 env={**os.environ, **SETTINGS, "TMPDIR": "/tmp"}, **options)
+        self.addCleanup(process.kill)
+        return process
 
     def ranks(self, *arguments, **options):
         """Exit status, standard output, the program's own lines of standard error."""
@@ -139,7 +142,7 @@ class Ranks(MpiTest):
 
 class Mistakes(MpiTest):
     def test_two_runs_do_not_write_one_table(self):
-        content = SWEEP
+        content = sweep_of(4000)
         process = self.begin(2, content)
         self.await_kept(2)
         for status, error in (self.ranks(2, content, "--resume")[::2], self.sweep(content, "--resume")[::2]):
@@ -151,8 +154,12 @@ class Mistakes(MpiTest):
     def test_a_full_disk_is_told_once(self):
         content = SWEEP
         whole = self.whole(content)
-        status, _, error = self.ranks(3, content, preexec_fn=limited_to(30_000))
-        self.assertEqual(status, 1)
+        process = self.begin(3, content)
+        self.await_kept(3)
+        for rank in (1, 2):  # not from the start: what MPI shares in memory is a file, too
+            resource.prlimit(pid_of_rank(process.pid, rank), resource.RLIMIT_FSIZE, (5000, 5000))
+        error = self.own_lines(process.communicate(timeout=60)[1].decode())
+        self.assertEqual(process.returncode, 1)
         self.assertEqual(len(error), 1, error)
         self.assertRegex(error[0], r"00000\d\.journal cannot be written: File too large")
         self.assertEqual(self.done_by(2, content, "--resume"), whole)

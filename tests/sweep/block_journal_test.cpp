@@ -59,11 +59,32 @@ TEST_F(BlockJournals, LoseOnlyTheBlockThatIsTorn) {
     EXPECT_EQ(found.torn, 1) << keep;
     EXPECT_EQ(found.corrupt, 0) << keep;
   }
-  fs::resize_file(journal, size - 1);
-  EXPECT_FALSE(BlockJournal::open(journal.parent_path(), plan, 0)->add(9, rows_of(9)));
-  const JournalScan mended = scan();
-  ASSERT_EQ(mended.blocks.size(), 10u);
-  EXPECT_EQ(StoredBlocks(mended).read(mended.blocks[9]), rows_of(9));
+}
+
+// A run that goes on does not bury what was torn: it would be taken for corrupt, and the record after it with it.
+TEST_F(BlockJournals, GoOnWithoutWhatIsTorn) {
+  const auto size = fs::file_size(journal);
+  const std::uint64_t record = (size - 24) / 10;
+  for (const std::uint64_t lost : {std::uint64_t{1}, record - 33, record - 32, record - 1}) {
+    fs::resize_file(journal, size - lost);
+    auto open = BlockJournal::open(journal.parent_path(), plan, 0);
+    EXPECT_EQ(fs::file_size(journal), size - record) << lost;
+    EXPECT_FALSE(open->add(9, rows_of(9)));
+    const JournalScan mended = scan();
+    ASSERT_EQ(mended.blocks.size(), 10u) << lost;
+    EXPECT_EQ(mended.torn + mended.corrupt, 0) << lost;
+    EXPECT_EQ(StoredBlocks(mended).read(mended.blocks[9]), rows_of(9));
+  }
+}
+
+// Corrupt in the middle, whole at its end: what stands behind stays.
+TEST_F(BlockJournals, GoOnBehindWhatIsCorrupt) {
+  const auto size = fs::file_size(journal);
+  change_byte(24 + (size - 24) / 10 * 4 + 8);
+  EXPECT_FALSE(BlockJournal::open(journal.parent_path(), plan, 0)->add(4, rows_of(4)));
+  const JournalScan found = scan();
+  EXPECT_EQ(found.blocks.size(), 10u);
+  EXPECT_EQ(found.corrupt, 1);
 }
 
 TEST_F(BlockJournals, LoseOnlyTheBlockThatIsCorrupt) {
