@@ -46,7 +46,8 @@ class OpenFile {
 /// As many bytes as there are, at most `count`; shorter at the end of the file or where it cannot be read.
 [[nodiscard]] std::string read_at(int descriptor, std::uint64_t offset, std::uint64_t count);
 
-/// How much of a journal of this plan there is without a last record that was not written whole; 0: not even its header.
+/// How much of a journal of this plan there is without a last record that was not written whole; 0: not even its
+/// header.
 [[nodiscard]] std::uint64_t untorn_size(int descriptor, const SweepPlan& plan);
 
 /// "…: <the system's reason>".
