@@ -34,8 +34,9 @@ int stopped() {
 void tell_what_is_lost(const JournalScan& scan) {
   if (scan.torn > 0) print_failure("the last block was not written whole; it is computed anew");
   if (scan.corrupt > 0)
-    print_failure(fmt::format("{} of what was kept is corrupt; those blocks are computed anew",
-                              scan.corrupt == 1 ? "one piece" : grouped_text(scan.corrupt) + " pieces"));
+    print_failure(fmt::format("{} of what was kept {} corrupt; those blocks are computed anew",
+                              scan.corrupt == 1 ? "one piece" : grouped_text(scan.corrupt) + " pieces",
+                              scan.corrupt == 1 ? "is" : "are"));
 }
 
 /// The table is there and no folder beside it: nothing is left to resume.
