@@ -28,6 +28,14 @@ void put_linkage(TableRows& rows, std::span<const SweepColumn> columns, const nl
   }
 }
 
+/// By a search.
+std::int64_t linkages_looked_at(const Answer& answer) {
+  if (const auto* six_bars = std::get_if<SixBarAnswer>(&answer))
+    return six_bars->search ? six_bars->search->six_bars : 0;
+  const auto* lines = std::get_if<StraightLineAnswer>(&answer);
+  return lines && lines->search ? lines->search->drawn : 0;
+}
+
 /// Puts samples into rows one after another.
 class SampleWriter {
  public:
@@ -70,19 +78,16 @@ class SampleWriter {
 
   void put_counts(const Problem& problem, const Answer& answer) {
     const Findings& found = findings(answer);
-    RegionCounts counts = found.counts;
-    std::int64_t meeting = found.meeting_requirements;
-    if (const auto* six_bars = std::get_if<SixBarAnswer>(&answer); six_bars && six_bars->search) {
-      counts.pairs = six_bars->search->six_bars;
-      counts.defect_free = six_bars->search->defect_free;
+    const RegionCounts& counts = found.counts;
+    if (is_search(problem.task)) {
+      samples().put(linkages_looked_at(answer));
+    } else {
+      for (const std::int64_t count :
+           {counts.pairs, counts.defect_free, found.meeting_requirements, counts.order, counts.branch, counts.circuit})
+        samples().put(count);
+      for (const LinkageType type : linkages(problem.task).types)
+        samples().put(counts.types[static_cast<std::size_t>(type)]);
     }
-    if (const auto* lines = std::get_if<StraightLineAnswer>(&answer); lines && lines->search)
-      counts.pairs = lines->search->drawn;
-    for (const std::int64_t count :
-         {counts.pairs, counts.defect_free, meeting, counts.order, counts.branch, counts.circuit})
-      samples().put(count);
-    for (const LinkageType type : linkages(problem.task).types)
-      samples().put(counts.types[static_cast<std::size_t>(type)]);
     samples().put(found.condition);
     samples().put(found.characteristic_length);
   }

@@ -430,25 +430,37 @@ void SweepReader::keep_named(const JsonValue& written, const std::vector<KeptCol
   }
 }
 
+namespace {
+
+/// What a map is counted by.
+void add_counts_of_region(const LinkageClass& linkages, std::vector<SweepColumn>& samples) {
+  for (SweepColumn& column :
+       std::vector{count_column("defect_free", "Of these, free of defects"),
+                   count_column("meeting_requirements", "Of these, those that meet the requirements"),
+                   count_column("order", "Linkages with an order defect"),
+                   count_column("branch", "Linkages with a branch defect"),
+                   count_column("circuit", "Linkages with a circuit defect")})
+    samples.push_back(std::move(column));
+  for (const LinkageType type : linkages.types)
+    samples.push_back(count_column("types." + std::string(name(type)), "Linkages of this type"));
+}
+
+}  // namespace
+
 void SweepReader::make_columns(std::vector<SweepColumn> kept) {
   constexpr std::size_t status_width = 12, code_width = 48, place_width = 96, message_width = 256;
   auto& [samples, linkages, failures] = plan_.columns_;
   samples = {count_column("sample", "Number of the sample, from 0")};
   for (const SweepVariable& variable : plan_.variables_)
     samples.push_back(number_column(variable.name, variable.unit, "Varied: " + variable.numbers.front().pointer));
-  const std::vector<SweepColumn> found = {
-      text_column("status", status_width, "solved, no_solution, degenerate, or invalid: the values make no problem"),
-      text_column("reason", code_width, "Why, by its code; in words in /failures"),
-      count_column("linkages", "Linkages kept"),
-      count_column("cells", "Linkages of the solution region, or looked at by a search"),
-      count_column("defect_free", "Of these, free of defects"),
-      count_column("meeting_requirements", "Of these, those that meet the requirements"),
-      count_column("order", "Linkages with an order defect"),
-      count_column("branch", "Linkages with a branch defect"),
-      count_column("circuit", "Linkages with a circuit defect")};
-  samples.insert(samples.end(), found.begin(), found.end());
-  for (const LinkageType type : linkwright::linkages(problem_->task).types)
-    samples.push_back(count_column("types." + std::string(name(type)), "Linkages of this type"));
+  for (SweepColumn& column :
+       std::vector{text_column("status", status_width,
+                               "solved, no_solution, degenerate, or invalid: the values make no problem"),
+                   text_column("reason", code_width, "Why, by its code; in words in /failures"),
+                   count_column("linkages", "Linkages kept"),
+                   count_column("cells", "Linkages of the solution region, or looked at by a search")})
+    samples.push_back(std::move(column));
+  if (!is_search(problem_->task)) add_counts_of_region(linkwright::linkages(problem_->task), samples);
   samples.push_back(number_column("condition", "", "Condition of the task"));
   samples.push_back(number_column("characteristic_length", problem_->length_unit, "Characteristic length of the task"));
   linkages = {count_column("sample", "Number of the sample, from 0"),

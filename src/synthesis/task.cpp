@@ -17,6 +17,12 @@ const WantedFunction* wanted_function(const Task& task) {
       task);
 }
 
+bool is_search(const Task& task) {
+  if (const auto* six_bar = std::get_if<SixBarTask>(&task)) return !six_bar->chain;
+  const auto* line = std::get_if<StraightLineTask>(&task);
+  return line && std::holds_alternative<straight_cases::Search>(line->given);
+}
+
 std::vector<Error> mistakes_in(const Task& task) {
   return std::visit([](const auto& of_kind) { return mistakes_in(of_kind); }, task);
 }

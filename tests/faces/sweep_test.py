@@ -96,6 +96,18 @@ class Sweeps(SweepTest):
                 self.assertEqual(status, 0)
                 self.assertIn("A sample takes about", words)
 
+    def test_a_search_is_not_counted_as_a_map_is(self):
+        for problem, options in (("loader_bucket", {"effort": 100}), ("straight_search", {"effort": 0.05})):
+            base = load(ROOT / f"examples/{problem}.json")
+            base["options"] = {**base.get("options", {}), **options}
+            effort = options["effort"]
+            self.done({"linkwright": 1, "problem": base, "sampling": {"method": "list", "rows": [[effort], [2 * effort]]},
+                       "vary": [{"name": "effort", "at": "/options/effort"}], "keep": {"linkages": 1}}, "--overwrite")
+            _, words, _ = run("sweep", "--inspect", self.output)
+            self.assertRegex(words, r"    cells +[1-9]")
+            for counted in ("defect_free", "meeting_requirements", "types."):
+                self.assertNotIn(f"    {counted}", words.split("/linkages: ")[0])
+
     def test_any_number_of_threads_writes_the_same_bytes(self):
         content = sweep_of(100)
         whole = self.whole(content)

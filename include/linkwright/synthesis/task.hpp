@@ -24,6 +24,9 @@ using Task =
 /// The function that a task asks for; null where it asks for none.
 [[nodiscard]] const WantedFunction* wanted_function(const Task& task);
 
+/// Whether chance draws linkages, of which the best are kept: the answer has no map that could be counted.
+[[nodiscard]] bool is_search(const Task& task);
+
 /// The caller's mistakes, as of the kind of task.
 [[nodiscard]] std::vector<Error> mistakes_in(const Task& task);
 
