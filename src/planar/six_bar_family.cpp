@@ -37,16 +37,6 @@ std::optional<std::array<Point, 2>> present_link(const SixBar& six_bar, std::siz
   return std::nullopt;
 }
 
-BodyPositions positions_of_link(const std::array<Point, 2>& hinges, const BodyPositions& x, const BodyPositions& k) {
-  BodyPositions link;
-  for (std::size_t j = 0; j < positions; ++j) {
-    const Point c = x.moved(hinges[0], j), z = k.moved(hinges[1], j);
-    link.at[j] = {c, unit((z - c) / (hinges[1] - hinges[0]))};
-  }
-  link.at[0].turn = 1;
-  return link;
-}
-
 }  // namespace
 
 std::optional<std::array<BodyPositions, 4>> chain_positions(const std::vector<PrescribedPose>& poses,
@@ -66,6 +56,32 @@ std::optional<std::array<BodyPositions, 4>> chain_positions(const std::vector<Pr
     bodies[3].at[j] = {d, direction(pose.angle - first.angle)};
   }
   return bodies;
+}
+
+BodyPositions positions_of_link(const std::array<Point, 2>& hinges, const BodyPositions& x, const BodyPositions& k) {
+  BodyPositions link;
+  for (std::size_t j = 0; j < positions; ++j) {
+    const Point c = x.moved(hinges[0], j), z = k.moved(hinges[1], j);
+    link.at[j] = {c, unit((z - c) / (hinges[1] - hinges[0]))};
+  }
+  link.at[0].turn = 1;
+  return link;
+}
+
+SixBarMember six_bar_member(const ThreeLinkChain& chain, std::array<BodyPair, 2> added,
+                            const std::array<BodyPositions, 4>& bodies, const std::array<Point, 2>& hinges_4,
+                            const BodyPositions& link_4, const std::array<Point, 2>& hinges_5) {
+  SixBarMember result{SixBar::of({chain.a, chain.b, chain.d}, added, hinges_4, hinges_5), {}, {}};
+  const auto body = [&](int i) -> const BodyPositions& { return i == 4 ? link_4 : bodies[static_cast<std::size_t>(i)]; };
+  const BodyPositions link_5 = positions_of_link(hinges_5, body(added[1].a), body(added[1].b));
+  for (std::size_t j = 0; j < positions; ++j) {
+    SixBarTurns& turns = result.turns[j];
+    turns[0] = 1;
+    for (std::size_t i = 1; i < bodies.size(); ++i) turns[i] = bodies[i].at[j].turn;
+    turns[4] = link_4.at[j].turn;
+    turns[5] = link_5.at[j].turn;
+  }
+  return result;
 }
 
 std::vector<PrescribedPose> relative_poses(const BodyPositions& x, const BodyPositions& k) {
@@ -169,17 +185,8 @@ std::optional<SixBarMember> SixBarFamily::member(const WithFirst& first, std::sp
 }
 
 SixBarMember SixBarFamily::member(const WithFirst& first, double tau, std::array<Point, 2> hinges) const {
-  SixBarMember result{
-      SixBar::of({chain_.a, chain_.b, chain_.d}, added_, first.hinges, hinges), {}, {first.coordinate, tau}};
-  const BodyPositions link_5 =
-      positions_of_link(hinges, positions_of(added_[1].a, first.positions), positions_of(added_[1].b, first.positions));
-  for (std::size_t j = 0; j < positions; ++j) {
-    SixBarTurns& turns = result.turns[j];
-    turns[0] = 1;
-    for (std::size_t body = 1; body < bodies_.size(); ++body) turns[body] = bodies_[body].at[j].turn;
-    turns[4] = first.positions.at[j].turn;
-    turns[5] = link_5.at[j].turn;
-  }
+  SixBarMember result = six_bar_member(chain_, added_, bodies_, first.hinges, first.positions, hinges);
+  result.coordinates = {first.coordinate, tau};
   return result;
 }
 

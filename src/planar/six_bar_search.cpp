@@ -7,12 +7,12 @@
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
+#include "planar/six_bar_glance.hpp"
 #include "planar/six_bar_prospect.hpp"
 
 namespace linkwright {
 namespace {
 
-constexpr int samples = 16;                  // along each curve of a chain
 constexpr std::int64_t draws_a_chain = 200;  // drawn for each that is to be tried, at most
 constexpr double different_chain = 0.05;     // share of the box
 
@@ -47,6 +47,11 @@ ThreeLinkChain drawn(std::mt19937_64& random, const ChainBoxes& boxes) {
   return chain;
 }
 
+struct ChainInPositions {
+  ThreeLinkChain chain;
+  std::array<BodyPositions, 4> bodies;
+};
+
 /// What trying a chain showed.
 struct Trial {
   bool done = false;  ///< not cut off by an interruption
@@ -60,17 +65,11 @@ class Search {
   Search(const SixBarTask& task, const SixBarRow& row, const Box& box, const Requirements& wanted, Objective objective)
       : task_(task), row_(row), box_(box), wanted_(wanted), objective_(objective) {}
 
-  [[nodiscard]] std::optional<SixBarFamily> family(const ThreeLinkChain& chain) const {
-    if (!contains_all(box_, std::array{chain.a, chain.b, chain.d})) return std::nullopt;
-    const double least = tolerance::same_linkage * chain.size();
-    if (!(chain.first_length() > least && chain.second_length() > least)) return std::nullopt;
-    const auto bodies = chain_positions(task_.poses, chain);
-    if (!bodies) return std::nullopt;
-    return SixBarFamily(chain, row_.added, *bodies);
-  }
+  /// The chain where it reaches all poses and has links of some length.
+  [[nodiscard]] std::optional<ChainInPositions> in_positions(const ThreeLinkChain& chain) const;
 
-  /// The best of the chain's six-bars, sampled evenly along both curves. Only those are driven that could be it.
-  [[nodiscard]] Trial trial(const ThreeLinkChain& chain) const;
+  /// The best of some of the chain's six-bars. Only those are driven that could be it.
+  [[nodiscard]] Trial trial(const ChainInPositions& chain) const;
 
   /// The same six-bar with chain and links moved to where random steps, shorter and shorter, find nothing better.
   [[nodiscard]] SixBarProspect refined(SixBarProspect here, std::uint64_t seed, const Progress& progress) const;
@@ -78,12 +77,17 @@ class Search {
  private:
   struct Bounded {
     double bound = 0;
-    double tau_4 = 0, tau_5 = 0;
     SixBarMember member;
   };
+  [[nodiscard]] bool is_in_box(const SixBarMember& member) const {
+    return std::all_of(member.six_bar.joints.begin(), member.six_bar.joints.end(),
+                       [&](const SixBarJoint& joint) { return box_.contains(joint.point); });
+  }
   [[nodiscard]] std::optional<Bounded> bounded(const SixBarMember& member, const Requirements& wanted) const;
-  [[nodiscard]] std::vector<Bounded> sampled(const SixBarFamily& family, const Requirements& wanted,
-                                             Trial& trial) const;
+  [[nodiscard]] std::vector<Bounded> glanced_at(const ChainInPositions& chain, const Requirements& wanted,
+                                                Trial& trial) const;
+  /// The same six-bar by its coordinates on the curves of its chain; nothing where they have none.
+  [[nodiscard]] std::optional<SixBarMember> on_curves(const SixBarFamily& family, const SixBarMember& member) const;
   /// Nothing where it does not better this score.
   [[nodiscard]] std::optional<SixBarProspect> prospect(const ThreeLinkChain& chain, std::array<double, 2> tau,
                                                        double to_better) const;
@@ -95,6 +99,14 @@ class Search {
   Objective objective_;
 };
 
+std::optional<ChainInPositions> Search::in_positions(const ThreeLinkChain& chain) const {
+  if (!contains_all(box_, std::array{chain.a, chain.b, chain.d})) return std::nullopt;
+  const double least = tolerance::same_linkage * chain.size();
+  if (!(chain.first_length() > least && chain.second_length() > least)) return std::nullopt;
+  const auto bodies = chain_positions(task_.poses, chain);
+  return bodies ? std::optional(ChainInPositions{chain, *bodies}) : std::nullopt;
+}
+
 /// A score that driving cannot better; nothing where it need not be driven.
 std::optional<Search::Bounded> Search::bounded(const SixBarMember& member, const Requirements& wanted) const {
   const auto sine = sine_upper_bound(member.six_bar, member.turns);
@@ -103,52 +115,51 @@ std::optional<Search::Bounded> Search::bounded(const SixBarMember& member, const
   best.drive.completed = true;
   best.drive.min_sine = sine.value_or(0);
   if (!meets(wanted, member.six_bar, best)) return std::nullopt;
-  return Bounded{score_of(objective_, best), member.coordinates[0], member.coordinates[1], member};
+  return Bounded{score_of(objective_, best), member};
 }
 
-std::vector<Search::Bounded> Search::sampled(const SixBarFamily& family, const Requirements& wanted,
-                                             Trial& trial) const {
+std::vector<Search::Bounded> Search::glanced_at(const ChainInPositions& chain, const Requirements& wanted,
+                                                Trial& trial) const {
+  const auto seen = SixBarGlance(row_.added, box_, wanted).look_at(chain.bodies);
+  trial.six_bars = seen.six_bars;
   std::vector<Bounded> found;
-  const auto evenly = [](double length) {
-    std::array<double, samples> places{};
-    for (std::size_t i = 0; i < places.size(); ++i) places[i] = length * (static_cast<double>(i) + 0.5) / samples;
-    return places;
-  };
-  if (!(family.first().curve->coordinate_length() > 0)) return found;
-  const auto places = evenly(family.second_axis_length());
-  SixBarFamily::SecondHinges seconds = family.independent_hinges(places);
-  for (auto& hinges : seconds)
-    if (hinges && !contains_all(box_, *hinges)) hinges.reset();
-  for (const double tau_4 : evenly(family.first().curve->coordinate_length())) {
-    const auto first = family.with_first(tau_4);
-    if (!first || !contains_all(box_, first->hinges)) continue;
-    for (std::size_t column = 0; column < places.size(); ++column) {
-      const auto member = family.member(*first, places, seconds, column);
-      if (!member || !box_.contains(member->six_bar.at(SixBar::c5)) || !box_.contains(member->six_bar.at(SixBar::z5)))
-        continue;
-      ++trial.six_bars;
-      if (const auto candidate = bounded(*member, wanted)) found.push_back(*candidate);
-    }
+  for (const auto& [link_4, link_5] : seen.promising) {
+    const auto body = [&](int i) -> const BodyPositions& { return chain.bodies[static_cast<std::size_t>(i)]; };
+    const auto positions = positions_of_link(link_4, body(row_.added[0].a), body(row_.added[0].b));
+    const auto candidate =
+        bounded(six_bar_member(chain.chain, row_.added, chain.bodies, link_4, positions, link_5), wanted);
+    if (candidate) found.push_back(*candidate);
   }
-  std::sort(found.begin(), found.end(), [](const Bounded& x, const Bounded& y) {
-    return x.bound != y.bound ? x.bound > y.bound : std::pair(x.tau_4, x.tau_5) < std::pair(y.tau_4, y.tau_5);
-  });
+  std::stable_sort(found.begin(), found.end(), [](const Bounded& x, const Bounded& y) { return x.bound > y.bound; });
   return found;
 }
 
-Trial Search::trial(const ThreeLinkChain& chain) const {
+std::optional<SixBarMember> Search::on_curves(const SixBarFamily& family, const SixBarMember& member) const {
+  const auto tau = [&](const AddedLinks& links, SixBar::JointIndex circle) {
+    const Point seen = links.conditions.frame.to_working(member.six_bar.at(circle));
+    return links.curve->coordinate_of(Homogeneous::of(seen));
+  };
+  const auto tau_4 = tau(family.first(), SixBar::z4);
+  const auto first = tau_4 ? family.with_first(*tau_4) : std::nullopt;
+  const auto tau_5 = first ? tau(*first->second, SixBar::z5) : std::nullopt;
+  return tau_5 ? family.member(*first, *tau_5) : std::nullopt;
+}
+
+Trial Search::trial(const ChainInPositions& chain) const {
   Trial trial;
-  const auto its_family = family(chain);
-  if (!its_family) return trial;
-  const Requirements wanted = with_defaults(wanted_, chain);
-  for (const Bounded& candidate : sampled(*its_family, wanted, trial)) {
+  const Requirements wanted = with_defaults(wanted_, chain.chain);
+  const std::vector<Bounded> candidates = glanced_at(chain, wanted, trial);
+  if (candidates.empty()) return trial;
+  const SixBarFamily its_family(chain.chain, row_.added, chain.bodies);
+  for (const Bounded& candidate : candidates) {
     if (trial.best && candidate.bound <= trial.best->score) break;
-    const SixBarRating rating = rating_of(candidate.member, false);
+    const auto member = on_curves(its_family, candidate.member);
+    if (!member || !is_in_box(*member)) continue;
+    const SixBarRating rating = rating_of(*member, false);
     ++trial.driven;
     if (rating.drive.completed && rating.drive.defects.none()) ++trial.defect_free;
-    if (!meets(wanted, candidate.member.six_bar, rating)) continue;
-    const SixBarProspect found{chain, candidate.member.coordinates, score_of(objective_, rating), candidate.member,
-                               false};
+    if (!meets(wanted, member->six_bar, rating)) continue;
+    const SixBarProspect found{chain.chain, member->coordinates, score_of(objective_, rating), *member, false};
     if (!trial.best || is_better(found, *trial.best)) trial.best = found;
   }
   return trial;
@@ -156,13 +167,13 @@ Trial Search::trial(const ThreeLinkChain& chain) const {
 
 std::optional<SixBarProspect> Search::prospect(const ThreeLinkChain& chain, std::array<double, 2> tau,
                                                double to_better) const {
-  const auto its_family = family(chain);
-  if (!its_family) return std::nullopt;
-  const auto first = its_family->with_first(tau[0]);
+  const auto reached = in_positions(chain);
+  if (!reached) return std::nullopt;
+  const SixBarFamily its_family(chain, row_.added, reached->bodies);
+  const auto first = its_family.with_first(tau[0]);
   if (!first || !contains_all(box_, first->hinges)) return std::nullopt;
-  const auto member = its_family->member(*first, tau[1]);
-  if (!member || !box_.contains(member->six_bar.at(SixBar::c5)) || !box_.contains(member->six_bar.at(SixBar::z5)))
-    return std::nullopt;
+  const auto member = its_family.member(*first, tau[1]);
+  if (!member || !is_in_box(*member)) return std::nullopt;
   const Requirements wanted = with_defaults(wanted_, chain);
   const auto at_most = bounded(*member, wanted);
   if (!at_most || !is_real_gain(at_most->bound, to_better)) return std::nullopt;
@@ -196,13 +207,13 @@ SixBarProspect Search::refined(SixBarProspect here, std::uint64_t seed, const Pr
 }
 
 /// The chains that reach all poses among the next ones drawn; as many as asked for unless few do.
-std::vector<ThreeLinkChain> next_chains(const SixBarTask& task, const ChainBoxes& boxes, std::mt19937_64& random,
-                                        std::size_t count, std::int64_t& drawn_so_far) {
-  std::vector<ThreeLinkChain> chains;
+std::vector<ChainInPositions> next_chains(const Search& search, const ChainBoxes& boxes, std::mt19937_64& random,
+                                          std::size_t count, std::int64_t& drawn_so_far) {
+  std::vector<ChainInPositions> chains;
   for (std::int64_t i = 0; chains.size() < count && i < draws_a_chain * static_cast<std::int64_t>(count); ++i) {
-    const ThreeLinkChain chain = drawn(random, boxes);
+    const auto reached = search.in_positions(drawn(random, boxes));
     ++drawn_so_far;
-    if (chain_positions(task.poses, chain)) chains.push_back(chain);
+    if (reached) chains.push_back(*reached);
   }
   return chains;
 }
@@ -267,7 +278,7 @@ SixBarSearchResult search_six_bars(const SixBarTask& task, const Requirements& r
   std::vector<SixBarProspect> held;
   while (!boxes.empty() && result.chains_tried < effort && !progress.is_cancelled()) {
     const auto count = static_cast<std::size_t>(std::min<std::int64_t>(chunk, effort - result.chains_tried));
-    const std::vector<ThreeLinkChain> chains = next_chains(task, boxes, random, count, result.chains_drawn);
+    const auto chains = next_chains(search, boxes, random, count, result.chains_drawn);
     if (chains.empty()) break;
     std::vector<Trial> trials(chains.size());
     parallel_for(chains.size(), choice.threads, [&](std::size_t begin, std::size_t end) {

@@ -41,6 +41,10 @@ struct BodyPositions {
 [[nodiscard]] std::optional<std::array<BodyPositions, 4>> chain_positions(const std::vector<PrescribedPose>& poses,
                                                                           const ThreeLinkChain& chain);
 
+/// A link that is joined to bodies x and k by hinges at these places in position 1: its reference point is the one on x.
+[[nodiscard]] BodyPositions positions_of_link(const std::array<Point, 2>& hinges, const BodyPositions& x,
+                                              const BodyPositions& k);
+
 /// The poses of body `k` as seen from body `x`, in the frame that is body x and the fixed frame in position 1.
 [[nodiscard]] std::vector<PrescribedPose> relative_poses(const BodyPositions& x, const BodyPositions& k);
 
@@ -64,6 +68,12 @@ struct SixBarMember {
   std::array<SixBarTurns, 4> turns;
   std::array<double, 2> coordinates{};  ///< τ of link 4 and of link 5
 };
+
+/// The chain in its positions with both links added by their hinges; `link_4` from positions_of_link(). No coordinates.
+[[nodiscard]] SixBarMember six_bar_member(const ThreeLinkChain& chain, std::array<BodyPair, 2> added,
+                                          const std::array<BodyPositions, 4>& bodies,
+                                          const std::array<Point, 2>& hinges_4, const BodyPositions& link_4,
+                                          const std::array<Point, 2>& hinges_5);
 
 /// The six-bars of a given chain: a curve of links 4 and, for each of them, a curve of links 5, each of four relative
 /// poses (docs/theory/six-bars.md).
