@@ -72,7 +72,9 @@ SixBarMember six_bar_member(const ThreeLinkChain& chain, std::array<BodyPair, 2>
                             const std::array<BodyPositions, 4>& bodies, const std::array<Point, 2>& hinges_4,
                             const BodyPositions& link_4, const std::array<Point, 2>& hinges_5) {
   SixBarMember result{SixBar::of({chain.a, chain.b, chain.d}, added, hinges_4, hinges_5), {}, {}};
-  const auto body = [&](int i) -> const BodyPositions& { return i == 4 ? link_4 : bodies[static_cast<std::size_t>(i)]; };
+  const auto body = [&](int i) -> const BodyPositions& {
+    return i == 4 ? link_4 : bodies[static_cast<std::size_t>(i)];
+  };
   const BodyPositions link_5 = positions_of_link(hinges_5, body(added[1].a), body(added[1].b));
   for (std::size_t j = 0; j < positions; ++j) {
     SixBarTurns& turns = result.turns[j];

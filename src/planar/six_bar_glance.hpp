@@ -11,8 +11,8 @@ namespace linkwright {
 /// Hinges of an added link in position 1, fixed frame: centre point, circle point.
 using LinkHinges = std::array<Point, 2>;
 
-/// Links that may join two bodies, in closed form and unpolished: each pole is a circle point, so a line through it meets
-/// the cubic of circle points in two others at most. Of even directions, two to a line. Empty where the bodies do
+/// Links that may join two bodies, in closed form and unpolished: each pole is a circle point, so a line through it
+/// meets the cubic of circle points in two others at most. Of even directions, two to a line. Empty where the bodies do
 /// not turn to each other. The distances hold to some 1e-9 of the coordinates where poles are not close together.
 [[nodiscard]] std::vector<LinkHinges> links_through_pole(const BodyPositions& x, const BodyPositions& k);
 

@@ -85,10 +85,9 @@ class SixBars(FaceTest):
         self.assertEqual((status, error), (0, ""))
         self.assertEqual(json.loads(output)["linkages"], [])
 
-    def test_the_chain_is_that_of_the_search(self):
-        for hinge, given in self.chain["problem"]["task"]["chain"].items():
-            if hinge != "elbow":
-                self.assertEqual(given, [round(value) for value in self.search["linkages"][0]["joints"][hinge]])
+    def test_the_map_of_a_good_chain_has_what_a_search_finds_or_better(self):
+        found, chosen = (result["linkages"][0]["min_transmission_angle_deg"] for result in (self.search, self.chain))
+        self.assertGreater(chosen, found)
 
     def test_the_list_of_examples_is_true(self):
         text = (ROOT / "examples/README.md").read_text(encoding="utf-8")

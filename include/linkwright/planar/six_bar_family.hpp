@@ -41,7 +41,8 @@ struct BodyPositions {
 [[nodiscard]] std::optional<std::array<BodyPositions, 4>> chain_positions(const std::vector<PrescribedPose>& poses,
                                                                           const ThreeLinkChain& chain);
 
-/// A link that is joined to bodies x and k by hinges at these places in position 1: its reference point is the one on x.
+/// A link that is joined to bodies x and k by hinges at these places in position 1: its reference point is the one on
+/// x.
 [[nodiscard]] BodyPositions positions_of_link(const std::array<Point, 2>& hinges, const BodyPositions& x,
                                               const BodyPositions& k);
 
