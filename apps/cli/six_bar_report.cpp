@@ -189,7 +189,7 @@ std::string travel_words(const StoredSixBarAnalysis& analysis) {
       fmt::format("Through all {} poses of the file the driver turns {} {}; the minimum transmission angle "
                   "on the way is {}.",
                   analysis.linkage.poses.size(), angle_text(std::abs(turn), 2),
-                  turn < 0 ? "clockwise" : "counter-clockwise", angle_of(analysis.travel.min_sine())));
+                  turn < 0 ? "clockwise" : "counter-clockwise", angle_of(analysis.travel.min_sine)));
 }
 
 std::string transmission_words(const StoredSixBarAnalysis& analysis) {
@@ -199,7 +199,7 @@ std::string transmission_words(const StoredSixBarAnalysis& analysis) {
           : "Transmission index (the loops do not separate into dyads: asin √(|det| / Π|columns|) of their Jacobian)";
   std::string text = fmt::format("{} in the position given: {}", what, angle_text(analysis.transmission_angle, 2));
   text += analysis.motion.full_turn
-              ? fmt::format("; minimum over the full turn: {}.", angle_of(analysis.motion.min_sine()))
+              ? fmt::format("; minimum over the full turn: {}.", angle_of(analysis.motion.min_sine))
               : "; it is 0 at the dead points.";
   return wrapped(text);
 }

@@ -272,7 +272,7 @@ TEST(SixBarFile, WithoutPosesTheTableIsTheWholeMotion) {
 TEST(SixBarFile, AnalysisKnowsTravelAndRange) {
   const StoredSixBarAnalysis analysis = analyze(stored());
   const SixBarRating& rating = solved().six_bars()[0].rating;
-  EXPECT_NEAR(std::asin(analysis.travel.min_sine()), rating.min_transmission_angle(), radians(0.1));
+  EXPECT_NEAR(std::asin(analysis.travel.min_sine), rating.min_transmission_angle(), radians(0.005));
   EXPECT_LE(analysis.motion.states.front().place.turn, 0);
   EXPECT_GE(analysis.motion.states.back().place.turn, rating.drive.sweep);
   const auto json = nlohmann::json::parse(write_analysis(analysis));

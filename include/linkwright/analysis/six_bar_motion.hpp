@@ -21,8 +21,7 @@ struct SixBarMotion {
   std::vector<SixBarMotionState> states;  ///< by rising turn of the driver (counter-clockwise from position 1)
   bool full_turn = false;                 ///< the driver turns fully: states go from 0 to 2π
   bool dyadic = false;                    ///< SixBarTransmission::dyadic
-
-  [[nodiscard]] double min_sine() const;  ///< over all states; 0 without any
+  double min_sine = 0;                    ///< over the motion, between the states as well; 0 without any
 };
 
 /// From dead point to dead point, or one full turn, in steps of the driver of at most `step` radians; the states where

@@ -75,8 +75,8 @@ std::string write_analysis(const StoredSixBarAnalysis& analysis) {
     json.member("in_dyads", analysis.motion.dyadic);
     json.member("transmission_angle_deg", degrees(analysis.transmission_angle));
     json.key("min_transmission_angle_deg");
-    analysis.travel.states.empty() ? json.null() : json.value(angle_of_sine_deg(analysis.travel.min_sine()));
-    json.member("min_transmission_angle_whole_motion_deg", angle_of_sine_deg(analysis.motion.min_sine()));
+    analysis.travel.states.empty() ? json.null() : json.value(angle_of_sine_deg(analysis.travel.min_sine));
+    json.member("min_transmission_angle_whole_motion_deg", angle_of_sine_deg(analysis.motion.min_sine));
     json.key("motion");
     write_motion(json, analysis.motion);
     json.end_object();
