@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Six-bars of all eleven rows for the loader bucket: many searches of each, the best of all with their maps.
 
-usage: script/atlas/six_bars.py [--searches N] [--effort CHAINS] [-o FOLDER]; 11 · N · CHAINS chains in all, 2.2 million
+usage: script/atlas/six_bars.py [--searches N] [--effort CHAINS] [-o FOLDER]; 11 · N · CHAINS chains in all, 22 million
 of them where nothing is said: 110 times the effort of one search"""
 
 import json
@@ -71,7 +71,7 @@ def draw(options, folder, found):
 def main():
     parser = arguments(__doc__)
     parser.add_argument("--searches", type=int, default=10)
-    parser.add_argument("--effort", type=int, default=20_000)
+    parser.add_argument("--effort", type=int, default=200_000)
     parser.add_argument("--best", type=int, default=5)
     parser.add_argument("-o", "--output", type=Path, default=ATLAS)
     options = parser.parse_args()

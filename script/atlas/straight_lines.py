@@ -109,7 +109,7 @@ def main():
     parser.add_argument("--deviations", type=int, default=7)
     parser.add_argument("--angles", type=float, nargs="+", default=[20, 35, 45, 55, 65])
     parser.add_argument("--seeds", type=int, default=3)
-    parser.add_argument("--effort", type=int, default=20_000)
+    parser.add_argument("--effort", type=int, default=200_000)
     parser.add_argument("-o", "--output", type=Path, default=ATLAS / "straight_lines.csv")
     parser.add_argument("--picture", type=Path, default=ROOT / "docs/straight_lines_atlas.svg")
     options = parser.parse_args()

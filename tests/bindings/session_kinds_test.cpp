@@ -316,7 +316,7 @@ TEST(SessionOfAStraightLine, SearchesAllCasesAndTellsTheMapOfEachLinkage) {
   Session session;
   ASSERT_TRUE(session.set_problem(
       R"({"linkwright": 1, "task": {"kind": "straight_line", "mechanism": "four_bar", "case": "search",
-      "line": {"point": [0, 0], "direction_deg": 0}, "stroke": 100, "deviation": 0.5}, "options": {"effort": 1000}})"));
+      "line": {"point": [0, 0], "direction_deg": 0}, "stroke": 100, "deviation": 0.5}, "options": {"effort": 10000}})"));
   const auto best = json::parse(session.best(3));
   ASSERT_GE(best["linkages"].size(), 1U);
   for (const json& found : best["linkages"]) {

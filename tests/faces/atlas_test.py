@@ -107,7 +107,7 @@ class StraightLines(AtlasTest):
 
     def test_are_found_again(self):
         row, = self.rows("straight_lines.csv", 1)
-        problem = straight_lines.problem(20_000)
+        problem = straight_lines.problem(200_000)
         problem["task"]["deviation"] = row["deviation"]
         problem["requirements"]["min_transmission_angle_deg"] = row["least_angle_deg"]
         problem["options"].update(seed=int(row["seed"]), best=200)
@@ -122,7 +122,7 @@ class StraightLines(AtlasTest):
             self.assertEqual(row["front"], float(not beaten))
 
     def test_are_the_same_when_made_again(self):
-        self.made_twice("straight_lines.py", {"-o": "lines.csv", "--picture": "lines.svg"}, "--deviations", 2, "--angles", 40, "--effort", 500)
+        self.made_twice("straight_lines.py", {"-o": "lines.csv", "--picture": "lines.svg"}, "--deviations", 2, "--angles", 40, "--effort", 5000)
 
 
 class Robust(AtlasTest):

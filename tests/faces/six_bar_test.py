@@ -85,9 +85,9 @@ class SixBars(FaceTest):
         self.assertEqual((status, error), (0, ""))
         self.assertEqual(json.loads(output)["linkages"], [])
 
-    def test_the_map_of_a_good_chain_has_what_a_search_finds_or_better(self):
+    def test_a_search_finds_better_than_one_good_chain_has(self):
         found, chosen = (result["linkages"][0]["min_transmission_angle_deg"] for result in (self.search, self.chain))
-        self.assertGreater(chosen, found)
+        self.assertGreater(found, chosen)
 
     def test_the_list_of_examples_is_true(self):
         text = (ROOT / "examples/README.md").read_text(encoding="utf-8")
@@ -103,7 +103,7 @@ class SixBars(FaceTest):
         for result in (self.search, self.chain):
             linkage = result["linkages"][0]
             rows = list(csv.DictReader(io.StringIO(self.export(result, "csv"))))
-            self.assertGreater(len(rows), 60)
+            self.assertGreater(len(rows), linkage["driver_sweep_deg"])
             turns = [float(row["driver_turn_from_position_1_deg"]) for row in rows]
             self.assertEqual(turns, sorted(turns))
             self.assertAlmostEqual(turns[-1], linkage["driver_sweep_deg"], places=6)
@@ -118,7 +118,7 @@ class SixBars(FaceTest):
                     for key, value in (("body_x", pose["x"]), ("body_y", pose["y"]), ("body_theta_deg", pose["theta_deg"])):
                         self.assertAlmostEqual(float(row[key]), value, places=5)
             least = min(float(row["transmission_angle_deg"]) for row in rows)
-            self.assertAlmostEqual(least, linkage["min_transmission_angle_deg"], delta=0.05)
+            self.assertAlmostEqual(least, linkage["min_transmission_angle_deg"], delta=0.1)  # at the rows alone
 
     def test_json_is_accepted_by_analyze(self):
         for number, linkage in enumerate(self.search["linkages"], start=1):
@@ -128,7 +128,7 @@ class SixBars(FaceTest):
             self.assertEqual(analysis["joints"], linkage["joints"])
             self.assertEqual(analysis["lengths"], linkage["lengths"])
             self.assertEqual((analysis["type"], analysis["topology"]), (linkage["type"], linkage["topology"]))
-            self.assertAlmostEqual(analysis["min_transmission_angle_deg"], linkage["min_transmission_angle_deg"], delta=0.05)
+            self.assertAlmostEqual(analysis["min_transmission_angle_deg"], linkage["min_transmission_angle_deg"], delta=0.005)
             low, high = analysis["driver_range_deg"]
             self.assertTrue(low <= 0 and high >= linkage["driver_sweep_deg"])
 
@@ -185,7 +185,7 @@ class SixBars(FaceTest):
     def test_the_answer_says_what_was_searched_and_found(self):
         status, output, error = run("solve", SEARCH)
         self.assertEqual((status, error), (0, ""))
-        for piece in ("six-bar for four positions (P-P-P-P), Watt I by 0-2 and 1-3", "Tried 12 000 chains", "seed 1", "c4 (0-4)",
+        for piece in ("six-bar for four positions (P-P-P-P), Watt I by 0-2 and 1-3", "Tried 200 000 chains", "seed 1", "c4 (0-4)",
                       f"{self.search['linkages'][0]['min_transmission_angle_deg']:.1f}°", "verified every six-bar"):
             self.assertIn(piece, " ".join(output.split()))
         self.assertLessEqual(max(map(len, output.splitlines())), 100)

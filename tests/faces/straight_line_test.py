@@ -257,12 +257,12 @@ class StraightLines(FaceTest):
     def test_a_search_against_its_own_requirements_says_so(self):
         for requirement, words in (({"min_stroke": 61}, "search for a stroke as long"),
                                    ({"max_deviation": 0.29}, "search for a deviation as small")):
-            problem = problem_of("search", effort=200) | {"requirements": requirement}
+            problem = problem_of("search", effort=2000) | {"requirements": requirement}
             with self.subTest(requirement):
                 self.assertIn(words, " ".join(run("solve", self.write("problem.json", problem))[1].split()))
 
     def test_a_long_search_takes_no_more_memory_than_a_short_one(self):
-        problem = problem_of("search", effort=100_000)
+        problem = problem_of("search", effort=1_000_000)
         with subprocess.Popen([CLI, "solve", str(self.write("problem.json", problem))], stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL) as process:
             _, status, usage = os.wait4(process.pid, 0)

@@ -39,7 +39,7 @@ LEAST_CONTACT = {"five_point": 5, "five_point_inflection_pole": 5, "five_point_s
 
 def problem_of(name, **options):
     return {"linkwright": 1, "task": TASKS[name],
-            "options": {"region_samples": 12, "best": 3} | ({"effort": 500} if name == "search" else {}) | options}
+            "options": {"region_samples": 12, "best": 3} | ({"effort": 5000} if name == "search" else {}) | options}
 
 
 class Tracer:

@@ -97,7 +97,7 @@ class Sweeps(SweepTest):
                 self.assertIn("A sample takes about", words)
 
     def test_a_search_is_not_counted_as_a_map_is(self):
-        for problem, options in (("loader_bucket", {"effort": 100}), ("straight_search", {"effort": 1})):
+        for problem, options in (("loader_bucket", {"effort": 100}), ("straight_search", {"effort": 10})):
             base = load(ROOT / f"examples/{problem}.json")
             base["options"] = {**base.get("options", {}), **options}
             self.done({"linkwright": 1, "problem": base, "sampling": {"method": "list", "rows": [[options["effort"]]]},

@@ -71,7 +71,7 @@ Json drawn_line_options(Draw& draw, const Sheet& sheet, std::string_view kind) {
   if (draw.chance(0.4)) options["deviation"] = sheet.scale * draw.power_of_ten(-6, -1);
   if (draw.chance(0.4)) options["stroke"] = sheet.scale * draw.power_of_ten(-1, 1);
   if (draw.chance(0.5)) options["measure"] = draw.one_of({"tangent", "strip"});
-  if (kind == "line_search") options["effort"] = draw.whole(100, 2000);
+  if (kind == "line_search") options["effort"] = draw.whole(1000, 20'000);
   return options;
 }
 
@@ -104,7 +104,7 @@ Json drawn_options(Draw& draw, const Sheet& sheet, std::string_view kind) {
   if (draw.chance(0.1)) options["window"] = drawn_window(draw);
   if (kind == "six_bar_search") {
     options["box"] = drawn_box(draw, sheet, 0, 1);
-    options["effort"] = draw.whole(20, 300);
+    options["effort"] = draw.whole(200, 3000);
     if (options.contains("best"))
       options["best"] = draw.one_of({0, 1, 2});  // each is refined by chains drawn at random
     options["seed"] = draw.whole(0, 1000);

@@ -40,7 +40,7 @@ struct SixBarChoice {
                                                        const AddedMeasures& added = {});
 
 /// How many chains are tried where nobody says: enough for most tasks, in some seconds.
-inline constexpr int default_effort = 20'000;
+inline constexpr int default_effort = 200'000;
 
 /// A search for six-bars whose chain is not given.
 struct SixBarSearchOptions {

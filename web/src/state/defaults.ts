@@ -4,7 +4,7 @@ export const defaults = {
   function: {interpolation: "monotone_cubic", points: 4, spacing: "chebyshev"},
   output_scale: {range: [0.5, 2]},
   requirements: {no_defects: true, max_link_ratio: 20, respect_direction: true},
-  options: {spacing: "coordinate", seed: 1, effort: 20_000, best: 10},
+  options: {spacing: "coordinate", seed: 1, effort: 200_000, best: 10},
 } as const;
 
 /** The default of max_length, in characteristic lengths of the task. */

@@ -34,7 +34,7 @@ describe("a search over all cases", () => {
     const {workbench, search, asked} = search_with();
     await search.start();
     expect(search.end).toBe("done");
-    expect(asked.map((text) => JSON.parse(text).options.effort)).toEqual([2000, 20_000]);
+    expect(asked.map((text) => JSON.parse(text).options.effort)).toEqual([20_000, 200_000]);
     const [one] = search.found_for(workbench.problem);
     search.take(one!);
     expect(workbench.problem.task).toEqual(task);
