@@ -13,7 +13,8 @@ from swept import ATLAS, ROOT, arguments, grid, linkages_with, swept, write_tabl
 PIVOTS = [f"pivots.{pivot}[{k}]" for pivot in ("input_fixed", "input_moving", "output_moving", "output_fixed", "point") for k in (0, 1)]
 MEASURES = ["case", "type", "contact_points", "stroke_over_longest", "min_transmission_angle_deg",
             *[f"lengths.{link}" for link in ("ground", "input", "coupler", "output", "point_to_input", "point_to_output")], *PIVOTS]
-COLUMNS = ["deviation", "least_angle_deg", "seed", "front", *MEASURES]
+SHAPE = ["layer", "shape.turns", *[f"shape.numbers[{k}]" for k in range(4)]]
+COLUMNS = ["deviation", "least_angle_deg", "seed", "front", *MEASURES, *SHAPE]
 NAMES = {"four_point_cubic": "four points", "pole_at_fixed_pivot": "pole at a pivot", "mixed": "contacts at given places",
          "five_point": "five points", "six_point": "six points", "symmetric_lambda": "symmetric λ", "parallel_side_links": "Watt",
          "isosceles_trapezoid": "trapezoid", "ball_point_on_side_link": "Ball's point on a side link"}
@@ -46,7 +47,7 @@ def found(options):
     table = swept(options, "straight_lines", problem(options.effort), {"method": "grid"},
                   grid(deviation=("/task/deviation", rows), seed=("/options/seed", range(1, options.seeds + 1)),
                        least_angle_deg=("/requirements/min_transmission_angle_deg", options.angles)),
-                  {"linkages": 200, "columns": MEASURES})
+                  {"linkages": 200, "columns": [*MEASURES, *SHAPE]})
     return linkages_with(table, "deviation", "seed", "least_angle_deg")
 
 
@@ -108,8 +109,8 @@ def main():
     parser = arguments(__doc__)
     parser.add_argument("--deviations", type=int, default=7)
     parser.add_argument("--angles", type=float, nargs="+", default=[20, 35, 45, 55, 65])
-    parser.add_argument("--seeds", type=int, default=3)
-    parser.add_argument("--effort", type=int, default=200_000)
+    parser.add_argument("--seeds", type=int, default=4)
+    parser.add_argument("--effort", type=int, default=2_000_000)
     parser.add_argument("-o", "--output", type=Path, default=ATLAS / "straight_lines.csv")
     parser.add_argument("--picture", type=Path, default=ROOT / "docs/straight_lines_atlas.svg")
     options = parser.parse_args()

@@ -9,8 +9,9 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "straight_line/line_atlas.hpp"
 #include "straight_line/line_estimate.hpp"
-#include "straight_line/line_shape.hpp"
+#include "straight_line/placed_shape.hpp"
 
 namespace linkwright {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 constexpr std::int64_t draws = 24'000;  // of each kind, effort 1
 constexpr std::size_t chunk = 1'000;    // drawn from one seed
 constexpr std::size_t starts = 10;      // of each kind, made better
+constexpr std::size_t guesses = 5;      // of the atlas, of each kind
 constexpr double different = 0.03;      // share of the longest link by which designs differ
 
 double share(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
@@ -199,6 +201,19 @@ void add_designs(const LineShape& shape, const Wish& wish, std::vector<Drawn>& d
   }
 }
 
+// Those of the atlas that do what is asked for, best first.
+std::vector<Prospect> guessed(ShapeKind kind, const Wish& wish) {
+  std::vector<Drawn> known;
+  for (const auto& [shape, layer] : line_atlas(kind)) {
+    const LineDesign design = designs_of_shape(placed(shape))[static_cast<std::size_t>(layer)];
+    if (design.kind == DesignKind::four_bar && has_shape(design.linkage, wish.requirements()))
+      known.push_back({shape, layer, design.linkage});
+  }
+  auto prospects = Estimator(wish, kind).prospects(std::move(known));
+  std::stable_sort(prospects.begin(), prospects.end(), better);
+  return prospects;
+}
+
 // The best of `count` shapes drawn from one seed.
 struct Harvest {
   std::vector<Prospect> best;
@@ -312,6 +327,7 @@ std::optional<StraightLineSolution> measured(const Prospect& of, const Wish& wis
   reach.to = found->usable_strip.to;
   const auto exact = StraightPath::of(found->linkage, there.task.line.direction, reach);
   if (exact) found->stroke = exact->stroke(mid - wish.stroke() / 2, mid + wish.stroke() / 2);
+  found->shape = of.shape;
   found->local_optimum = true;
   return found->stroke ? found : std::nullopt;
 }
@@ -385,13 +401,16 @@ Gathered gathered(const Wish& wish, const StraightLineSearchOptions& options, co
   return all;
 }
 
-// The best of each kind, climbed; best first, without likes.
+// The best of each kind, drawn and known, climbed; best first, without likes.
 std::vector<Prospect> climbed_prospects(const Gathered& all, const Wish& wish, const StraightLineSearchOptions& options,
                                         const Progress& progress) {
   std::vector<Prospect> prospects;
-  for (const auto& of_kind : all.best) {
-    const auto some = without_likes(of_kind, starts, wish);
+  const auto add = [&](const std::vector<Prospect>& some) {
     prospects.insert(prospects.end(), some.begin(), some.end());
+  };
+  for (std::size_t kind = 0; kind < all.best.size(); ++kind) {
+    add(without_likes(all.best[kind], starts, wish));
+    add(without_likes(guessed(static_cast<ShapeKind>(kind), wish), guesses, wish));
   }
   parallel_for(prospects.size(), options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

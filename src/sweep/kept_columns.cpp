@@ -1,5 +1,6 @@
 #include "linkwright/sweep/kept_columns.hpp"
 
+#include <fmt/format.h>
 #include <initializer_list>
 #include <utility>
 
@@ -134,6 +135,9 @@ void add_straight_line(ColumnList& list) {
   list.text("case", "Case of straight lines whose map it lies on", by_default);
   list.number("layer", "", "Which of the linkages at its place of the map");
   list.coordinates("place", "", "Place on the map", false, 2);
+  list.number("shape.turns", "", "Of a search of all cases: the sides of the line and the dyad, as bits");
+  for (int k = 0; k < 4; ++k)
+    list.number(fmt::format("shape.numbers[{}]", k), "", "Of a search of all cases: a number of the shape, 0 to 1");
   list.text("type", "Type of the linkage", by_default);
   list.angle("min_transmission_angle_deg", "Minimum transmission angle over the usable length", by_default);
   list.lengths({{"ground", "Length of the ground link"},

@@ -31,7 +31,8 @@ struct StraightLineSearchResult {
 /// Looks over all cases, all layers and all that they leave open for linkages whose point runs straight over
 /// `wanted.stroke`, its middle at the line's point, within ± `wanted.deviation`. Of each shape the smallest that does
 /// it is taken: whether it is straight enough depends on its share of the stroke alone. First drawn at random and
-/// estimated, then the best of each case made better, then measured exactly. `requirements` with max_length set.
+/// estimated, then the best of each case and those of an atlas of long searches made better, then measured exactly.
+/// `requirements` with max_length set.
 [[nodiscard]] StraightLineSearchResult search_straight_lines(const DirectedLine& line,
                                                              const straight_cases::Search& wanted,
                                                              const Requirements& requirements,

@@ -6,6 +6,7 @@
 
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
+#include "linkwright/straight_line/line_shape.hpp"
 #include "linkwright/straight_line/line_worth.hpp"
 #include "linkwright/straight_line/straight_line_family.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
@@ -38,7 +39,8 @@ struct StraightLineSolution {
   double residual = 0;                 ///< distance of the point from the task's line, as it lies
   /// Two; none where the point's path is a circle.
   std::vector<StraightLineCognate> cognates;
-  bool local_optimum = false;  ///< the top of its hill; otherwise a distinct linkage beside those
+  std::optional<LineShape> shape;  ///< of a search of all cases: what it is of what is drawn there
+  bool local_optimum = false;      ///< the top of its hill; otherwise a distinct linkage beside those
   /// Assembled by the triangles of its links it passes the places of its path; driven, the contacts at places.
   bool verified_by_driving = false;
 

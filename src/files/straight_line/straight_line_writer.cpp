@@ -153,6 +153,17 @@ void write_built(JsonWriter& json, const TracingFourBar& linkage, LinkageType ty
   json.member("type", name(type));
 }
 
+void write_shape(JsonWriter& json, const LineShape& shape) {
+  json.key("shape");
+  json.begin_object(Layout::one_line);
+  json.member("turns", static_cast<int>(shape.turns));
+  json.key("numbers");
+  json.begin_list();
+  for (std::size_t k = 0; k < number_count(shape.kind); ++k) json.value(shape.numbers[k]);
+  json.end_list();
+  json.end_object();
+}
+
 void write_straight_line(JsonWriter& json, const StraightLineSolution& found, const StraightLineAnswer& answer,
                          const ListedNotes& listed) {
   json.begin_object();
@@ -168,6 +179,7 @@ void write_straight_line(JsonWriter& json, const StraightLineSolution& found, co
     json.begin_object();
     write_of_kind(json, found.task);
     json.end_object();
+    if (found.shape) write_shape(json, *found.shape);
   }
   write_built(json, found.linkage, found.type);
   if (std::holds_alternative<MixedContacts>(found.task.given)) {

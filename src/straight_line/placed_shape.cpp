@@ -1,4 +1,4 @@
-#include "straight_line/line_shape.hpp"
+#include "straight_line/placed_shape.hpp"
 
 #include <cmath>
 

@@ -1,0 +1,74 @@
+#include "linkwright/straight_line/line_shape.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "linkwright/straight_line/straight_line_search.hpp"
+#include "straight_line/line_atlas.hpp"
+#include "straight_line/placed_shape.hpp"
+#include "support/draws.hpp"
+
+namespace linkwright {
+namespace {
+
+LineShape drawn_shape(ShapeKind kind, std::mt19937& random) {
+  std::uniform_real_distribution<double> share(0, 1);
+  LineShape shape{kind, {}, static_cast<unsigned>(random() % 8)};
+  for (std::size_t k = 0; k < number_count(kind); ++k) shape.numbers[k] = share(random);
+  return shape;
+}
+
+TEST(LineShape, HasItsLinkagesOnItsLineWhereverItIsMovedAndHoweverLarge) {
+  std::mt19937 random(3);
+  const DirectedLine line{{7, -2}, std::polar(1.0, 0.8)};
+  constexpr double scale = 3.5;
+  for (std::size_t kind = 0; kind < shape_kind_count; ++kind)
+    for (int i = 0; i < testing::draws(40); ++i) {
+      const PlacedShape unit = placed(drawn_shape(static_cast<ShapeKind>(kind), random)),
+                        there = moved(unit, scale, line, {0, 0});
+      const LineDesigns before = designs_of_shape(unit), after = designs_of_shape(there);
+      for (std::size_t layer = 0; layer < before.size(); ++layer) {
+        if (before[layer].kind != DesignKind::four_bar) continue;
+        ASSERT_EQ(after[layer].kind, DesignKind::four_bar);
+        const TracingFourBar &one = before[layer].linkage, &other = after[layer].linkage;
+        const double size = scale * one.longest();
+        EXPECT_LT(std::abs(line.to_fixed(scale * one.point) - other.point), 1e-7 * size);
+        EXPECT_LT(std::abs(line.to_fixed(scale * one.bars.output_circle) - other.bars.output_circle), 1e-7 * size);
+      }
+    }
+}
+
+TEST(LineShape, OfTheAtlasAreOfTheirKindAndHaveLinkages) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < shape_kind_count; ++k) {
+    const auto kind = static_cast<ShapeKind>(k);
+    for (const auto& [shape, layer] : line_atlas(kind)) {
+      EXPECT_EQ(shape.kind, kind);
+      for (const double number : shape.numbers) EXPECT_TRUE(number >= 0 && number <= 1);
+      EXPECT_EQ(designs_of_shape(placed(shape))[static_cast<std::size_t>(layer)].kind, DesignKind::four_bar);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 100u);
+}
+
+TEST(LineShape, OfALinkageThatIsFoundHasItOnItsMap) {
+  Requirements wanted;
+  wanted.max_length = 1000;
+  const DirectedLine line{{10, 20}, std::polar(1.0, 0.3)};
+  const auto found = search_straight_lines(line, {100, 0.05}, wanted, {Objective::stroke, 6, 1, 0.01, 0});
+  ASSERT_FALSE(found.linkages.empty());
+  for (const StraightLineSolution& one : found.linkages) {
+    ASSERT_TRUE(one.shape);
+    const LineDesign design = designs_of_shape(placed(*one.shape))[static_cast<std::size_t>(one.place.layer)];
+    ASSERT_EQ(design.kind, DesignKind::four_bar);
+    const LinkLengths unit = design.linkage.bars.lengths();
+    const double scale = one.linkage.longest() / design.linkage.longest();
+    EXPECT_NEAR(one.lengths.ground, scale * unit.ground, 1e-7 * one.linkage.longest());
+    EXPECT_NEAR(one.lengths.coupler, scale * unit.coupler, 1e-7 * one.linkage.longest());
+  }
+}
+
+}  // namespace
+}  // namespace linkwright
