@@ -39,10 +39,10 @@ void tell_what_is_lost(const JournalScan& scan) {
                               scan.corrupt == 1 ? "is" : "are"));
 }
 
-/// The table is there and no folder beside it: nothing is left to resume.
+/// The table is there and no sweep to it is begun: nothing is left to resume.
 bool is_finished(const std::filesystem::path& output) {
   std::error_code error;
-  return std::filesystem::exists(output, error) && !std::filesystem::exists(SweepFolder::beside(output), error);
+  return std::filesystem::exists(output, error) && !SweepFolder::is_begun(output);
 }
 
 int tell_finished(const std::filesystem::path& output, const SweepPlan& plan) {

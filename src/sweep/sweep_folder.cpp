@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view plan_file = "sweep.json";
+constexpr std::string_view plan_file = "sweep.json", lock_file = "lock";
 constexpr std::size_t max_plan_bytes = 64u << 20;
 
 Json plan_tree(const SweepPlan& plan) {
@@ -75,6 +75,11 @@ struct SweepFolder::Lock : OpenFile {
 
 std::filesystem::path SweepFolder::beside(const std::filesystem::path& output) { return output.string() + ".partial"; }
 
+bool SweepFolder::is_begun(const std::filesystem::path& output) {
+  std::error_code error;
+  return std::filesystem::exists(beside(output) / plan_file, error);
+}
+
 Result<SweepFolder> SweepFolder::open(const std::filesystem::path& output, const SweepPlan& plan, SweepStart start) {
   if (const auto refusal = refuse_output(output, start)) return *refusal;
   SweepFolder folder;
@@ -82,15 +87,15 @@ Result<SweepFolder> SweepFolder::open(const std::filesystem::path& output, const
   std::error_code error;
   std::filesystem::create_directory(folder.path_, error);
   if (error) return unwritable("cannot be made", folder.path_, error.value());
-  const std::filesystem::path lock = folder.path_ / "lock";
+  const std::filesystem::path lock = folder.path_ / lock_file;
   folder.lock_ = std::make_shared<Lock>(::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (folder.lock_->descriptor() < 0) return unwritable("cannot be written", lock, errno);
   if (::flock(folder.lock_->descriptor(), LOCK_EX | LOCK_NB) != 0) return sweep_in_use();
-  const bool is_begun = std::filesystem::exists(folder.path_ / plan_file, error);
-  if (is_begun && start == SweepStart::fresh)
+  const bool begun = is_begun(output);
+  if (begun && start == SweepStart::fresh)
     return Error{"sweep_begun", "",
                  "a sweep to this file was begun; --resume goes on with it, --overwrite begins anew"};
-  if (is_begun && start == SweepStart::resume) {
+  if (begun && start == SweepStart::resume) {
     if (const auto refusal = difference(folder.path_, plan)) return *refusal;
     return folder;
   }
@@ -102,8 +107,10 @@ Result<SweepFolder> SweepFolder::open(const std::filesystem::path& output, const
 Result<JournalScan> SweepFolder::scan(const SweepPlan& plan) const { return scan_journals(path_, plan); }
 
 void SweepFolder::remove() {
+  remove_journals(path_);
   std::error_code error;
-  std::filesystem::remove_all(path_, error);
+  std::filesystem::remove(path_ / lock_file, error);
+  std::filesystem::remove(path_, error);
   lock_.reset();
 }
 

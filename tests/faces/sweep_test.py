@@ -193,6 +193,28 @@ class Sweeps(SweepTest):
         process.kill()
         process.communicate()
 
+    def test_what_others_have_put_beside_it_stays(self):
+        content = sweep_of(50)
+        self.partial.mkdir()
+        note = self.partial / "note.txt"
+        note.write_text("mine", encoding="utf-8")
+        self.done(content)
+        self.assertEqual({path.name for path in self.partial.iterdir()}, {"note.txt"})
+        self.assertIn("is complete", self.done(content, "--resume"))
+
+    def test_killed_while_it_tidies_up_it_is_complete(self):
+        content = sweep_of(1500)
+        self.stopped_midway(content)
+        journal = (self.partial / "000000.journal").read_bytes()
+        self.done(content, "--resume")
+        whole = self.output.read_bytes()
+        self.partial.mkdir()
+        (self.partial / "000000.journal").write_bytes(journal)
+        self.assertIn("is complete", self.done(content, "--resume"))
+        self.done(sweep_of(20), "--overwrite")
+        self.assertFalse(self.partial.exists())
+        self.assertNotEqual(self.output.read_bytes(), whole)
+
     def test_another_sweep_is_not_resumed(self):
         content = sweep_of(1500)
         self.stopped_midway(content)

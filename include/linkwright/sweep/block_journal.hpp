@@ -41,11 +41,14 @@ class SweepFolder {
                                                 SweepStart start);
   /// OUT.h5.partial of OUT.h5.
   [[nodiscard]] static std::filesystem::path beside(const std::filesystem::path& output);
+  /// A sweep to this output is begun and not finished.
+  [[nodiscard]] static bool is_begun(const std::filesystem::path& output);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Reads all journals; a mistake where one cannot be read.
   [[nodiscard]] Result<JournalScan> scan(const SweepPlan& plan) const;
-  /// Removes it with all that it holds, and gives up the lock.
+  /// Removes what the sweep has put there, the plan first, and the folder where nothing else is in it; gives up the
+  /// lock. Stopped on the way it leaves no sweep that is begun.
   void remove();
 
  private:
