@@ -135,6 +135,24 @@ TEST_F(BlockJournals, AreResumedByTheSameSweepOnly) {
   EXPECT_FALSE(fs::exists(journal));
 }
 
+// Equal as numbers, not as what the journals are checked by: taken for another plan's they would be emptied.
+TEST_F(BlockJournals, AreKeptFromASweepThatIsWrittenOtherwise) {
+  const auto size = fs::file_size(journal);
+  std::string text = plan.sweep_text();
+  const auto from = text.find("\"from\":");
+  ASSERT_NE(from, std::string::npos);
+  const auto end = text.find_first_of(",}", from);
+  ASSERT_EQ(text.substr(from, end - from).find('.'), std::string::npos);
+  text.insert(end, ".0");
+  text.insert(text.size() - 1, ",\"problem\":" + plan.base_text());
+  const auto other = SweepPlan::read(text, {});
+  ASSERT_TRUE(other.ok());
+  const auto refused = SweepFolder::open(scratch.path() / "out.h5", *other, SweepStart::resume);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.errors()[0].code, "another_sweep");
+  EXPECT_EQ(fs::file_size(journal), size);
+}
+
 TEST_F(BlockJournals, SayWhatTheyWereBegunWith) {
   const auto begun = read_begun_sweep(journal.parent_path());
   ASSERT_TRUE(begun.ok());
