@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 #include "linkwright/files/problem_file.hpp"
 #include "plan_base.hpp"
@@ -21,7 +22,8 @@ nlohmann::json json_number(double value) {
 double SweepVariable::at(double share) const {
   if (whole) return std::min(from + std::floor(share * (to - from + 1)), to);
   if (share >= 1) return to;
-  return logarithmic ? from * std::pow(to / from, share) : from + share * (to - from);
+  // to / from may be more than a double holds.
+  return logarithmic ? std::pow(from, 1 - share) * std::pow(to, share) : from + share * (to - from);
 }
 
 double SweepVariable::on_grid(std::int64_t k) const {
@@ -54,7 +56,19 @@ std::string SweepPlan::problem_text(std::int64_t sample) const {
   return problem.dump();
 }
 
-Result<Problem> SweepPlan::problem(std::int64_t sample) const { return read_problem(problem_text(sample)); }
+// JSON has no infinity: what overflows would read as if it were not given.
+Result<Problem> SweepPlan::problem(std::int64_t sample) const {
+  const std::vector<double> now = values(sample);
+  for (std::size_t k = 0; k < variables_.size(); ++k)
+    for (const VariedNumber& number : variables_[k].numbers)
+      if (!std::isfinite(number.scale * now[k] + number.offset))
+        return Error{"number_overflows",
+                     number.pointer,
+                     fmt::format("{} times the scale {}, plus {}, is more than a double holds", now[k], number.scale,
+                                 number.offset),
+                     {{"given", now[k]}}};
+  return read_problem(problem_text(sample));
+}
 
 // Small ones, so that little is lost and many can share; not so small that a sweep of 2⁵³ samples cannot remember them.
 std::int64_t SweepPlan::block_samples() const {

@@ -69,6 +69,20 @@ std::string told(std::string_view pointer) {
   return name;
 }
 
+struct Counted {
+  std::string_view code, what;
+};
+
+/// How many there are, or the mistake where it is no such number.
+std::optional<std::int64_t> whole_count(const JsonValue& written, double number, const Counted& counted) {
+  constexpr double most = static_cast<double>(SweepPlan::most_samples);
+  if (number >= 1 && number <= most && number == std::floor(number)) return static_cast<std::int64_t>(number);
+  written.mistake(std::string(counted.code),
+                  fmt::format("{} is no number of {}; write a whole one from 1 to 2^53", number, counted.what),
+                  {{"given", number}});
+  return std::nullopt;
+}
+
 bool is_fit_for_a_name(std::string_view name) {
   constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.[]-";
   return !name.empty() && name.size() <= longest_name && name.find_first_not_of(allowed) == std::string_view::npos &&
@@ -201,13 +215,7 @@ void SweepReader::read_sample_count(const JsonObject& sampling) {
   const auto written = sampling.require("samples", {"sample_count", "the number of samples"});
   const auto number = written ? written->as_number() : std::nullopt;
   if (!number) return;
-  constexpr double most = static_cast<double>(SweepPlan::most_samples);
-  if (*number >= 1 && *number <= most && *number == std::floor(*number))
-    plan_.samples_ = static_cast<std::int64_t>(*number);
-  else
-    written->mistake("sample_count",
-                     fmt::format("{} is no number of samples; write a whole one from 1 to 2^53", *number),
-                     {{"given", *number}});
+  plan_.samples_ = whole_count(*written, *number, {"sample_count", "samples"}).value_or(0);
 }
 
 void SweepReader::read_seed(const JsonObject& sampling) {
@@ -338,12 +346,8 @@ void SweepReader::read_range(const JsonObject& object, const JsonValue& value, S
   if (from && to) check_range(value, variable);
   if (plan_.sampling_ != Sampling::grid) return refuse(object, "count", "is of a grid");
   const auto count = object.require("count", {"grid_count", "how many values"});
-  const auto number = count ? count->as_whole_number() : std::nullopt;
-  if (!number) return;
-  variable.count = *number;
-  if (*number < 1)
-    count->mistake("grid_count", fmt::format("{} is no number of values; write 1 or more", *number),
-                   {{"given", *number}});
+  if (const auto number = count ? count->as_number() : std::nullopt)
+    variable.count = whole_count(*count, *number, {"grid_count", "values"}).value_or(0);
 }
 
 void SweepReader::read_values(const JsonValue& list, SweepVariable& variable) {

@@ -1,5 +1,6 @@
 #include "linkwright/sweep/sweep_plan.hpp"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -123,6 +124,7 @@ TEST(SweepPlan, MistakesSayWhereTheyAre) {
   EXPECT_THAT(wrong(grid, R"([{"at": "/task/function/x/-", "from": 0, "to": 1, "count": 2}])"),
               HasSubstr("at vary[0]"));
   EXPECT_THAT(wrong(grid, reach + R"(, "count": 0}])"), HasSubstr("grid_count at vary[0].count"));
+  EXPECT_THAT(wrong(grid, reach + R"(, "count": 2.5}])"), HasSubstr("grid_count at vary[0].count"));
   EXPECT_THAT(wrong(grid, reach + R"(, "count": 1e99}])"), testing::Not(HasSubstr("large_grid")));
   EXPECT_THAT(wrong(grid, reach + R"(, "count": 1000000000},
       {"at": "/requirements/max_length", "from": 1, "to": 2, "count": 1000000000}])"),
@@ -156,6 +158,28 @@ TEST(SweepPlan, MistakesSayWhereTheyAre) {
   EXPECT_THAT(testing::PrintToString(mistakes(R"({"linkwright": 1, "problem": {"linkwright": 1}, "sampling": {"method":
       "grid"}, "vary": [{"at": "/a", "from": 0, "to": 1, "count": 1}]})")),
               HasSubstr("at problem.task"));
+}
+
+TEST(SweepPlan, HasAsManyValuesAsItIsTold) {
+  const SweepPlan plan = sweep_support::plan_of(sweep_support::sweep_text(
+      R"({"method": "grid"})", R"([{"at": "/requirements/max_length", "from": 1, "to": 2, "count": 1e10}])"));
+  EXPECT_EQ(plan.samples(), 10'000'000'000);
+}
+
+TEST(SweepPlan, HasLogarithmsWhoseEndsAreFartherApartThanADoubleHolds) {
+  const SweepPlan plan = sweep_support::plan_of(sweep_support::sweep_text(
+      R"({"method": "grid"})",
+      R"([{"at": "/requirements/max_length", "from": 1e-200, "to": 1e200, "count": 5, "spacing": "logarithmic"}])"));
+  for (int k = 0; k < 5; ++k) EXPECT_NEAR(std::log10(plan.values(k)[0]), -200 + 100 * k, 1e-10);
+}
+
+TEST(SweepPlan, MakesNoProblemOfANumberThatOverflows) {
+  const SweepPlan plan = sweep_support::plan_of(sweep_support::sweep_text(
+      R"({"method": "grid"})",
+      R"([{"at": {"at": "/requirements/max_length", "scale": 1e300}, "from": 1, "to": 1e300, "count": 2}])"));
+  EXPECT_TRUE(plan.problem(0).ok());
+  ASSERT_FALSE(plan.problem(1).ok());
+  EXPECT_EQ(plan.problem(1).errors()[0].code, "number_overflows");
 }
 
 }  // namespace
