@@ -184,13 +184,6 @@ Error cannot_write(const std::filesystem::path& path, const std::string& reason)
           {{"what", path.string()}, {"reason", reason}}};
 }
 
-Error missing_block(std::int64_t block) {
-  return {"missing_block",
-          "",
-          fmt::format("block {} is not whole in the journals; --resume computes it anew", block),
-          {{"block", block}}};
-}
-
 /// All on the disk, and under its name; nothing, or the system's reason.
 std::optional<std::string> settle(const std::filesystem::path& made, const std::filesystem::path& output) {
   const int descriptor = ::open(made.c_str(), O_RDWR | O_CLOEXEC);
@@ -203,12 +196,15 @@ std::optional<std::string> settle(const std::filesystem::path& made, const std::
 
 std::optional<Error> merge(const std::filesystem::path& made, const SweepPlan& plan, const JournalScan& scan) {
   TableWriter table(made, plan);
-  const StoredBlocks stored(scan);
+  StoredBlocks stored(scan);
   SweepRows rows(plan.columns());
   std::optional<Error> failure;
   for (const StoredBlock& block : scan.blocks) {
     const auto bytes = stored.read(block);
-    if (!bytes || !rows.from_bytes(*bytes, plan.columns())) failure = missing_block(block.block);
+    if (!bytes)
+      failure = bytes.errors().front();
+    else if (!rows.from_bytes(*bytes, plan.columns()))
+      failure = missing_block(block.block);
     if (failure || table.failed()) break;
     table.add(rows);
   }

@@ -1,5 +1,6 @@
 #include "linkwright/sweep/block_journal.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fcntl.h>
@@ -29,34 +30,42 @@ int write_both(int descriptor, std::string_view first, std::string_view second) 
   return 0;
 }
 
+Error another_journal(const std::filesystem::path& path) {
+  return {"another_journal", "",
+          path.string() + " is of another sweep, or damaged from its first byte on; move it away, or --overwrite"};
+}
+
 }  // namespace
 
 Result<BlockJournal> BlockJournal::open(const std::filesystem::path& folder, const SweepPlan& plan, int process) {
   const std::filesystem::path path = folder / fmt::format("{:06}.journal", process);
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) return unwritable("cannot be written", path, errno);
-  BlockJournal journal(path, descriptor, 0);
+  BlockJournal journal(path, descriptor, plan_check(plan));
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return sweep_in_use();
-  journal.size_ = untorn_size(descriptor, plan);
-  if (::ftruncate(descriptor, static_cast<off_t>(journal.size_)) != 0)
-    return unwritable("cannot be written", path, errno);
-  if (journal.size_ > 0) return journal;
-  const JournalHeader header = journal_header(plan);
+  const JournalState state = journal_state(descriptor, plan);
+  if (state.owner == JournalOwner::another) return another_journal(path);
+  const JournalHeader header = journal_header(journal.plan_check_);
   const std::string_view bytes(reinterpret_cast<const char*>(&header), sizeof header);
-  if (write_both(descriptor, bytes, "") != 0) return unwritable("cannot be written", path, errno);
-  journal.size_ = sizeof header;
+  if (::ftruncate(descriptor, static_cast<off_t>(state.untorn_size)) != 0 || ::lseek(descriptor, 0, SEEK_SET) != 0 ||
+      write_both(descriptor, bytes, "") != 0)
+    return unwritable("cannot be written", path, errno);
+  journal.size_ = std::max<std::uint64_t>(state.untorn_size, sizeof header);
   return journal;
 }
 
 BlockJournal::BlockJournal(BlockJournal&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_) {}
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      plan_check_(other.plan_check_),
+      size_(other.size_) {}
 
 BlockJournal::~BlockJournal() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 std::optional<Error> BlockJournal::add(std::int64_t block, std::string_view rows) {
-  const RecordHeader header = record_header(block, rows);
+  const RecordHeader header = record_header(plan_check_, block, rows);
   const std::string_view bytes(reinterpret_cast<const char*>(&header), sizeof header);
   if (::lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET) >= 0 && write_both(descriptor_, bytes, rows) == 0) {
     size_ += sizeof header + rows.size();

@@ -23,20 +23,20 @@ std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(::crc32_z(0, nullptr, 0), data, bytes.size()));
 }
 
-JournalHeader journal_header(const SweepPlan& plan) {
-  JournalHeader header{"linkwright sweep 1\n", 0};
-  header.plan_check = checksum(plan.base_text() + "\n" + plan.sweep_text() + "\n" LINKWRIGHT_VERSION);
-  return header;
+std::uint32_t plan_check(const SweepPlan& plan) {
+  return checksum(plan.base_text() + "\n" + plan.sweep_text() + "\n" LINKWRIGHT_VERSION);
 }
 
-RecordHeader record_header(std::int64_t block, std::string_view rows) {
-  RecordHeader header{record_magic, checksum(rows), block, rows.size(), 0, 0};
+JournalHeader journal_header(std::uint32_t plan_check) { return {"linkwright sweep 2\n", plan_check}; }
+
+RecordHeader record_header(std::uint32_t plan_check, std::int64_t block, std::string_view rows) {
+  RecordHeader header{record_magic, plan_check, block, rows.size(), checksum(rows), 0};
   header.header_check = checksum(bytes_of(header, offsetof(RecordHeader, header_check)));
   return header;
 }
 
-bool is_whole(const RecordHeader& header, std::int64_t blocks) {
-  return header.magic == record_magic && header.block >= 0 && header.block < blocks &&
+bool is_whole(const RecordHeader& header) {
+  return header.magic == record_magic &&
          header.header_check == checksum(bytes_of(header, offsetof(RecordHeader, header_check)));
 }
 

@@ -6,8 +6,9 @@
 
 #include "linkwright/sweep/block_journal.hpp"
 
-// A journal on the disk: a header with the checksum of its plan, then records one after another, each a header with
-// checksums of itself and of the rows that follow it. Numbers as this machine has them.
+// A journal on the disk: a header, then records one after another, each a header with checksums of itself and of the
+// rows that follow it. All headers have the checksum of the plan, so that every record tells for itself whose it is.
+// Numbers as this machine has them.
 namespace linkwright {
 
 struct JournalHeader {
@@ -17,17 +18,19 @@ struct JournalHeader {
 static_assert(sizeof(JournalHeader) == 24);
 
 struct RecordHeader {
-  std::uint32_t magic, rows_check;
+  std::uint32_t magic, plan_check;
   std::int64_t block;
   std::uint64_t size;
-  std::uint32_t header_check, unused;
+  std::uint32_t rows_check, header_check;
 };
 static_assert(sizeof(RecordHeader) == 32);
 
-[[nodiscard]] JournalHeader journal_header(const SweepPlan& plan);
-[[nodiscard]] RecordHeader record_header(std::int64_t block, std::string_view rows);
-/// A record of a block of the plan could begin with it.
-[[nodiscard]] bool is_whole(const RecordHeader& header, std::int64_t blocks);
+/// Of a plan's texts and this version.
+[[nodiscard]] std::uint32_t plan_check(const SweepPlan& plan);
+[[nodiscard]] JournalHeader journal_header(std::uint32_t plan_check);
+[[nodiscard]] RecordHeader record_header(std::uint32_t plan_check, std::int64_t block, std::string_view rows);
+/// The bytes are those that were written.
+[[nodiscard]] bool is_whole(const RecordHeader& header);
 [[nodiscard]] std::uint32_t checksum(std::string_view bytes);
 
 /// A descriptor that closes itself.
@@ -46,9 +49,13 @@ class OpenFile {
 /// As many bytes as there are, at most `count`; shorter at the end of the file or where it cannot be read.
 [[nodiscard]] std::string read_at(int descriptor, std::uint64_t offset, std::uint64_t count);
 
-/// How much of a journal of this plan there is without a last record that was not written whole; 0: not even its
-/// header.
-[[nodiscard]] std::uint64_t untorn_size(int descriptor, const SweepPlan& plan);
+/// Of which plan a journal is, by its header or, where that has changed, by a record.
+enum class JournalOwner { nobody, plan, another };
+struct JournalState {
+  JournalOwner owner = JournalOwner::nobody;  ///< nobody: not even its header was written
+  std::uint64_t untorn_size = 0;              ///< bytes without a last record that was not written whole
+};
+[[nodiscard]] JournalState journal_state(int descriptor, const SweepPlan& plan);
 
 /// "…: <the system's reason>".
 [[nodiscard]] Error unwritable(std::string_view what, const std::filesystem::path& path, int error_number);

@@ -2,7 +2,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
+#include <utility>
 
 #include "journal_records.hpp"
 
@@ -12,10 +14,24 @@ namespace {
 /// Goes through one journal.
 class JournalReader {
  public:
-  JournalReader(int descriptor, std::uint64_t size, std::int64_t blocks)
-      : descriptor_(descriptor), size_(size), blocks_(blocks) {}
+  JournalReader(int descriptor, const SweepPlan& plan)
+      : descriptor_(descriptor), plan_check_(plan_check(plan)), blocks_(plan.blocks()) {
+    const off_t end = ::lseek(descriptor, 0, SEEK_END);
+    size_ = end > 0 ? static_cast<std::uint64_t>(end) : 0;
+  }
+
+  [[nodiscard]] JournalState state() const {
+    if (size_ < sizeof(JournalHeader)) return {};
+    if (has_header() || size_ == sizeof(JournalHeader) || next_header(sizeof(JournalHeader)) < size_)
+      return {JournalOwner::plan, untorn_size()};
+    return {JournalOwner::another, size_};
+  }
 
   void read(std::uint32_t journal, JournalScan& scan) const {
+    const JournalOwner owner = state().owner;
+    if (owner == JournalOwner::nobody && size_ > 0) ++scan.torn;
+    if (owner == JournalOwner::another || (owner == JournalOwner::plan && !has_header())) ++scan.corrupt;
+    if (owner != JournalOwner::plan) return;
     for (std::uint64_t at = sizeof(JournalHeader); at < size_;) {
       const Piece piece = piece_at(at);
       if (piece.kind == Piece::torn)
@@ -28,6 +44,13 @@ class JournalReader {
     }
   }
 
+ private:
+  [[nodiscard]] bool has_header() const {
+    const JournalHeader wanted = journal_header(plan_check_);
+    const std::string bytes = read_at(descriptor_, 0, sizeof wanted);
+    return bytes.size() == sizeof wanted && std::memcmp(bytes.data(), &wanted, sizeof wanted) == 0;
+  }
+
   [[nodiscard]] std::uint64_t untorn_size() const {
     for (std::uint64_t at = sizeof(JournalHeader); at < size_;) {
       const Piece piece = piece_at(at);
@@ -37,7 +60,6 @@ class JournalReader {
     return size_;
   }
 
- private:
   /// Bytes from a place to `end`: a record, by its header, or what is none; torn where nothing follows that is whole.
   struct Piece {
     enum { record, corrupt, torn } kind;
@@ -67,13 +89,14 @@ class JournalReader {
     if (bytes.size() < sizeof(RecordHeader)) return std::nullopt;
     RecordHeader header{};
     std::memcpy(&header, bytes.data(), sizeof header);
-    return is_whole(header, blocks_) ? std::optional(header) : std::nullopt;
+    const bool is_of_plan = header.plan_check == plan_check_ && header.block >= 0 && header.block < blocks_;
+    return is_of_plan && is_whole(header) ? std::optional(header) : std::nullopt;
   }
 
   /// Where the next whole header stands, or the end of the file.
   [[nodiscard]] std::uint64_t next_header(std::uint64_t from) const {
     constexpr std::uint64_t piece = 1 << 20;
-    const RecordHeader pattern = record_header(0, "");
+    const RecordHeader pattern = record_header(0, 0, "");
     const std::string_view magic(reinterpret_cast<const char*>(&pattern.magic), sizeof pattern.magic);
     for (std::uint64_t start = from; start < size_; start += piece) {
       const std::string bytes = read_at(descriptor_, start, piece + magic.size() - 1);
@@ -84,8 +107,9 @@ class JournalReader {
   }
 
   int descriptor_;
-  std::uint64_t size_;
+  std::uint32_t plan_check_;
   std::int64_t blocks_;
+  std::uint64_t size_ = 0;
 };
 
 Error unreadable(const std::filesystem::path& path, int error_number) {
@@ -95,32 +119,17 @@ Error unreadable(const std::filesystem::path& path, int error_number) {
           {{"reason", std::strerror(error_number)}}};
 }
 
-bool is_of_plan(int descriptor, const SweepPlan& plan) {
-  const JournalHeader wanted = journal_header(plan);
-  const std::string bytes = read_at(descriptor, 0, sizeof wanted);
-  return bytes.size() == sizeof wanted && std::memcmp(bytes.data(), &wanted, sizeof wanted) == 0;
-}
-
-/// A journal whose header was not written whole has nothing; one of another plan is corrupt.
 std::optional<Error> read_journal(std::uint32_t journal, const SweepPlan& plan, JournalScan& scan) {
   const std::filesystem::path& path = scan.journals[journal];
   const OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.descriptor() < 0) return unreadable(path, errno);
-  const auto size = static_cast<std::uint64_t>(::lseek(file.descriptor(), 0, SEEK_END));
-  if (is_of_plan(file.descriptor(), plan))
-    JournalReader(file.descriptor(), size, plan.blocks()).read(journal, scan);
-  else if (size > 0)
-    ++(size < sizeof(JournalHeader) ? scan.torn : scan.corrupt);
+  JournalReader(file.descriptor(), plan).read(journal, scan);
   return std::nullopt;
 }
 
 }  // namespace
 
-std::uint64_t untorn_size(int descriptor, const SweepPlan& plan) {
-  if (!is_of_plan(descriptor, plan)) return 0;
-  const auto size = static_cast<std::uint64_t>(::lseek(descriptor, 0, SEEK_END));
-  return JournalReader(descriptor, size, plan.blocks()).untorn_size();
-}
+JournalState journal_state(int descriptor, const SweepPlan& plan) { return JournalReader(descriptor, plan).state(); }
 
 Result<JournalScan> scan_journals(const std::filesystem::path& folder, const SweepPlan& plan) {
   JournalScan scan;
@@ -138,25 +147,40 @@ Result<JournalScan> scan_journals(const std::filesystem::path& folder, const Swe
   return scan;
 }
 
-StoredBlocks::StoredBlocks(const JournalScan& scan) {
-  for (const auto& path : scan.journals) descriptors_.push_back(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-}
-
 StoredBlocks::~StoredBlocks() {
-  for (const int descriptor : descriptors_)
-    if (descriptor >= 0) ::close(descriptor);
+  for (const std::uint32_t journal : opened_) ::close(descriptors_[journal]);
 }
 
-std::optional<std::string> StoredBlocks::read(const StoredBlock& block) const {
-  const int descriptor = descriptors_[block.journal];
+int StoredBlocks::descriptor_of(std::uint32_t journal) {
+  int& descriptor = descriptors_[journal];
+  if (descriptor >= 0) return descriptor;
+  if (opened_.size() == most_open) {
+    ::close(std::exchange(descriptors_[opened_.front()], -1));
+    opened_.pop_front();
+  }
+  descriptor = ::open(journals_[journal].c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor >= 0) opened_.push_back(journal);
+  return descriptor;
+}
+
+Result<std::string> StoredBlocks::read(const StoredBlock& block) {
+  const int descriptor = descriptor_of(block.journal);
+  if (descriptor < 0) return unreadable(journals_[block.journal], errno);
   const std::string bytes = read_at(descriptor, block.offset, sizeof(RecordHeader));
-  if (bytes.size() < sizeof(RecordHeader)) return std::nullopt;
+  if (bytes.size() < sizeof(RecordHeader)) return missing_block(block.block);
   RecordHeader header{};
   std::memcpy(&header, bytes.data(), sizeof header);
-  if (header.block != block.block || !is_whole(header, block.block + 1)) return std::nullopt;
+  if (header.block != block.block || !is_whole(header)) return missing_block(block.block);
   std::string rows = read_at(descriptor, block.offset + sizeof(RecordHeader), header.size);
-  if (rows.size() != header.size || checksum(rows) != header.rows_check) return std::nullopt;
+  if (rows.size() != header.size || checksum(rows) != header.rows_check) return missing_block(block.block);
   return rows;
+}
+
+Error missing_block(std::int64_t block) {
+  return {"missing_block",
+          "",
+          fmt::format("block {} is not whole in the journals; --resume computes it anew", block),
+          {{"block", block}}};
 }
 
 }  // namespace linkwright

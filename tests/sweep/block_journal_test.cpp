@@ -43,8 +43,8 @@ class BlockJournals : public testing::Test {
 TEST_F(BlockJournals, GiveBackWhatTheyKeep) {
   const JournalScan found = scan();
   ASSERT_EQ(found.blocks.size(), 10u);
-  const StoredBlocks stored(found);
-  for (const StoredBlock& block : found.blocks) EXPECT_EQ(stored.read(block), rows_of(block.block));
+  StoredBlocks stored(found);
+  for (const StoredBlock& block : found.blocks) EXPECT_EQ(*stored.read(block), rows_of(block.block));
   EXPECT_EQ(found.torn + found.corrupt, 0);
 }
 
@@ -73,7 +73,7 @@ TEST_F(BlockJournals, GoOnWithoutWhatIsTorn) {
     const JournalScan mended = scan();
     ASSERT_EQ(mended.blocks.size(), 10u) << lost;
     EXPECT_EQ(mended.torn + mended.corrupt, 0) << lost;
-    EXPECT_EQ(StoredBlocks(mended).read(mended.blocks[9]), rows_of(9));
+    EXPECT_EQ(*StoredBlocks(mended).read(mended.blocks[9]), rows_of(9));
   }
 }
 
@@ -109,10 +109,42 @@ TEST_F(BlockJournals, OfManyProcessesAreOne) {
   EXPECT_EQ(found.blocks.back().block, 30);
 }
 
-TEST_F(BlockJournals, OfAnotherPlanAreNotTaken) {
-  change_byte(21);
-  EXPECT_EQ(scan().corrupt, 1);
-  EXPECT_TRUE(scan().blocks.empty());
+// Each record tells whose it is.
+TEST_F(BlockJournals, LoseNothingByTheirFirstBytes) {
+  for (std::uint64_t at = 0; at < 24; ++at) {
+    change_byte(at);
+    EXPECT_EQ(scan().blocks.size(), 10u) << at;
+    EXPECT_EQ(scan().corrupt, 1) << at;
+    EXPECT_TRUE(BlockJournal::open(journal.parent_path(), plan, 0).ok()) << at;
+    EXPECT_EQ(scan().corrupt, 0) << at;
+  }
+  EXPECT_EQ(scan().blocks.size(), 10u);
+}
+
+TEST_F(BlockJournals, OfAnotherPlanAreNeitherTakenNorTouched) {
+  const auto size = fs::file_size(journal);
+  const auto other = sweep_support::plan_of(sweep_support::sweep_text(
+      R"({"method": "random", "samples": 41})", R"([{"at": "/requirements/max_length", "from": 1, "to": 2}])"));
+  const JournalScan found = *scan_journals(journal.parent_path(), other);
+  EXPECT_TRUE(found.blocks.empty());
+  EXPECT_EQ(found.corrupt, 1);
+  const auto refused = BlockJournal::open(journal.parent_path(), other, 0);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.errors()[0].code, "another_journal");
+  EXPECT_EQ(fs::file_size(journal), size);
+}
+
+TEST_F(BlockJournals, CanBeMoreThanAProcessMayOpen) {
+  constexpr int processes = StoredBlocks::most_open + 40;
+  for (int process = 1; process < processes; ++process)
+    EXPECT_FALSE(BlockJournal::open(journal.parent_path(), plan, process)->add(process % 30 + 10, rows_of(process)));
+  const JournalScan found = scan();
+  StoredBlocks stored(found);
+  for (int round = 0; round < 2; ++round)
+    for (std::uint32_t k = 0; k < found.journals.size(); ++k)
+      EXPECT_EQ(*stored.read({k == 0 ? 0 : k % 30 + 10, k, 24}), rows_of(k));
+  EXPECT_LE(std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator()),
+            static_cast<std::ptrdiff_t>(StoredBlocks::most_open) + 40);
 }
 
 TEST_F(BlockJournals, AreOneRunsAtATime) {

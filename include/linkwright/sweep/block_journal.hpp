@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -66,8 +67,8 @@ class SweepFolder {
 /// Keeps blocks of one process, one after another, each with its checksum: a block is there whole or not at all.
 class BlockJournal {
  public:
-  /// `process`: number among those that share the folder, from 0. What a journal of that number holds is kept; one that
-  /// a process still writes, of a run that has lost its first one, is a mistake.
+  /// `process`: number among those that share the folder, from 0. What a journal of that number holds is kept; one
+  /// that a process still writes, of a run that has lost its first one, is a mistake, and so is one of another sweep.
   [[nodiscard]] static Result<BlockJournal> open(const std::filesystem::path& folder, const SweepPlan& plan,
                                                  int process);
   ~BlockJournal();
@@ -82,26 +83,37 @@ class BlockJournal {
   [[nodiscard]] std::optional<Error> sync();
 
  private:
-  BlockJournal(std::filesystem::path path, int descriptor, std::uint64_t size)
-      : path_(std::move(path)), descriptor_(descriptor), size_(size) {}
+  BlockJournal(std::filesystem::path path, int descriptor, std::uint32_t plan_check)
+      : path_(std::move(path)), descriptor_(descriptor), plan_check_(plan_check) {}
 
   std::filesystem::path path_;
   int descriptor_ = -1;
+  std::uint32_t plan_check_ = 0;
   std::uint64_t size_ = 0;
 };
 
-/// The rows of blocks of a scan, checked once more.
+/// The rows of blocks of a scan, checked once more. However many journals there are, few are open at a time.
 class StoredBlocks {
  public:
-  explicit StoredBlocks(const JournalScan& scan);
+  static constexpr std::size_t most_open = 256;
+
+  explicit StoredBlocks(const JournalScan& scan) : journals_(scan.journals), descriptors_(journals_.size(), -1) {}
   ~StoredBlocks();
   StoredBlocks(const StoredBlocks&) = delete;
   StoredBlocks& operator=(const StoredBlocks&) = delete;
 
-  [[nodiscard]] std::optional<std::string> read(const StoredBlock& block) const;
+  /// A mistake where the journal cannot be read or its bytes have changed since.
+  [[nodiscard]] Result<std::string> read(const StoredBlock& block);
 
  private:
-  std::vector<int> descriptors_;
+  [[nodiscard]] int descriptor_of(std::uint32_t journal);
+
+  std::vector<std::filesystem::path> journals_;
+  std::vector<int> descriptors_;      ///< −1: not open
+  std::deque<std::uint32_t> opened_;  ///< journals, the one opened first in front
 };
+
+/// A block that the journals of a sweep do not have.
+[[nodiscard]] Error missing_block(std::int64_t block);
 
 }  // namespace linkwright
