@@ -43,7 +43,7 @@ class RankShare {
   std::optional<Error> run(const std::function<std::optional<Error>(const SweepRunOptions&, RankShare&)>& compute,
                            int threads) {
     const SweepRunOptions options{threads, &stop_, [this](std::int64_t samples) { kept_ += samples; }};
-    auto work = std::async(std::launch::async, [&] { return compute(options, *this); });
+    auto work = begun([&] { return compute(options, *this); });
     // Where the network does not reach into memory by itself, rank 0 has to look for those who want a number.
     const milliseconds between_looks(rank_ == 0 ? 1 : 200);
     while (work.wait_for(between_looks) != std::future_status::ready) look();
@@ -57,6 +57,17 @@ class RankShare {
   [[nodiscard]] SharedBlocks blocks(const RemainingBlocks& remaining) { return {remaining, counter_, calls_}; }
 
  private:
+  /// A failure where there is no thread to be had: the others wait for this rank's end.
+  static std::future<std::optional<Error>> begun(const std::function<std::optional<Error>()>& work) {
+    try {
+      return std::async(std::launch::async, work);
+    } catch (const std::system_error& error) {
+      std::promise<std::optional<Error>> none;
+      none.set_value(Error{"rank_failed", "", error.what()});
+      return none.get_future();
+    }
+  }
+
   static std::optional<Error> outcome(std::future<std::optional<Error>>& work) {
     try {
       return work.get();
@@ -121,6 +132,12 @@ void broadcast(Container& items) {
   broadcast(&count, sizeof count);
   items.resize(static_cast<std::size_t>(count));
   broadcast(items.data(), items.size() * sizeof *items.data());
+}
+
+Error unreadable_for_a_rank(const std::filesystem::path& folder, const Error& error) {
+  if (error.code != "no_sweep_begun") return error;
+  return {"folder_not_shared", "",
+          "a rank does not find " + folder.string() + "; name an output in a folder that all nodes share"};
 }
 
 /// The error of the lowest rank that has one, on all of them.
@@ -194,9 +211,7 @@ std::optional<Error> RankTeam::share(const std::filesystem::path& folder, std::v
                                      const SweepPlan* plan, cli::SweepProgressLine* line) const {
   const auto compute = [&](const SweepRunOptions& options, RankShare& shared) -> std::optional<Error> {
     const auto begun = plan ? Result<SweepPlan>(*plan) : read_begun_sweep(folder);
-    if (!begun)
-      return Error{"folder_not_shared", "",
-                   "a rank does not find " + folder.string() + "; name an output in a folder that all nodes share"};
+    if (!begun) return unreadable_for_a_rank(folder, begun.errors().front());
     auto journal = BlockJournal::open(folder, *begun, rank_);
     if (!journal) return journal.errors().front();
     const RemainingBlocks remaining(*begun, std::move(runs));

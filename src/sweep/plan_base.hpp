@@ -10,4 +10,7 @@ struct SweepPlan::Base {
   nlohmann::json problem;
 };
 
+/// The plan of a sweep file's tree, however large it is written.
+[[nodiscard]] Result<SweepPlan> read_sweep_tree(const nlohmann::json& tree, const std::filesystem::path& folder);
+
 }  // namespace linkwright

@@ -9,6 +9,7 @@
 #include "journal_records.hpp"
 #include "linkwright/files/atomic_file.hpp"
 #include "linkwright/files/text_file.hpp"
+#include "plan_base.hpp"
 
 namespace linkwright {
 namespace {
@@ -16,7 +17,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view plan_file = "sweep.json", lock_file = "lock";
-constexpr std::size_t max_plan_bytes = 64u << 20;
+// A problem and a sweep, each as large and as deep as its file may be; numbers written anew can be some times as long.
+constexpr JsonLimits plan_limits = {.max_bytes = 256u << 20, .deepest_nesting = 128, .kept = {}};
 
 Json plan_tree(const SweepPlan& plan) {
   return {{"version", LINKWRIGHT_VERSION},
@@ -37,15 +39,32 @@ Error another_sweep(const std::filesystem::path& folder, std::string_view what) 
           {{"what", what}}};
 }
 
+Error damaged_plan(const std::filesystem::path& path, std::string_view why) {
+  return {"damaged_plan", "", fmt::format("{} cannot be read: {}; --overwrite begins anew", path.string(), why)};
+}
+
+/// The tree that a folder was begun with.
+Result<Json> stored_plan(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / plan_file;
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+    return Error{"no_sweep_begun", "", "no sweep is begun in the folder " + folder.string()};
+  const auto text = read_text_file(path, plan_limits.max_bytes);
+  auto tree = text ? parse_json(*text, plan_limits) : Result<Json>(text.errors());
+  if (!tree) return damaged_plan(path, tree.errors().front().message);
+  const auto has = [&](std::string_view key) { return tree->is_object() && tree->contains(key); };
+  if (has("version") && has("problem") && has("sweep") && tree->at("sweep").is_object()) return tree;
+  return damaged_plan(path, "it is not as it was written");
+}
+
 /// What differs between the plan of a folder and this one; nothing where they are the same.
 std::optional<Error> difference(const std::filesystem::path& folder, const SweepPlan& plan) {
-  const auto text = read_text_file(folder / plan_file, max_plan_bytes);
-  const auto stored = text ? parse_json(*text, {.max_bytes = max_plan_bytes, .kept = {}}) : Result<Json>(text.errors());
-  if (!stored) return another_sweep(folder, fmt::format("its {} cannot be read", plan_file));
+  const auto stored = stored_plan(folder);
+  if (!stored) return stored.errors().front();
   const Json wanted = plan_tree(plan);
   if (stored->dump() == wanted.dump()) return std::nullopt;  // as the journals compare it
   if (*stored == wanted) return another_sweep(folder, "a number is written otherwise, such as 200.0 for 200");
-  if (stored->is_object() && stored->contains("version") && stored->at("version") != wanted["version"])
+  if (stored->at("version") != wanted["version"])
     return another_sweep(folder, fmt::format("it was begun by version {}, this is {}", stored->at("version").dump(),
                                              LINKWRIGHT_VERSION));
   return another_sweep(folder, fmt::format("they differ at {}", first_difference(*stored, wanted)));
@@ -101,7 +120,7 @@ Result<SweepFolder> SweepFolder::open(const std::filesystem::path& output, const
     return folder;
   }
   remove_journals(folder.path_);
-  if (auto failure = write_atomically(folder.path_ / plan_file, plan_tree(plan).dump(2) + "\n")) return *failure;
+  if (auto failure = write_atomically(folder.path_ / plan_file, plan_tree(plan).dump() + "\n")) return *failure;
   return folder;
 }
 
@@ -116,15 +135,11 @@ void SweepFolder::remove() {
 }
 
 Result<SweepPlan> read_begun_sweep(const std::filesystem::path& folder) {
-  const auto text = read_text_file(folder / plan_file, max_plan_bytes);
-  if (!text) return text.errors();
-  const auto stored = parse_json(*text, {.max_bytes = max_plan_bytes, .kept = {}});
+  const auto stored = stored_plan(folder);
   if (!stored) return stored.errors();
-  if (!stored->is_object() || !stored->contains("sweep") || !stored->at("sweep").is_object())
-    return another_sweep(folder, fmt::format("its {} cannot be read", plan_file));
   Json sweep = stored->at("sweep");
-  sweep["problem"] = stored->value("problem", Json());
-  return SweepPlan::read(sweep.dump(), {});
+  sweep["problem"] = stored->at("problem");
+  return read_sweep_tree(sweep, {});
 }
 
 }  // namespace linkwright

@@ -170,7 +170,9 @@ void SweepReader::read_base(const JsonObject& file) {
 
 void SweepReader::read_base_text(const JsonValue& at, std::string_view text) {
   const std::string file = at.json().is_string() ? presentable(at.json().get<std::string>()) + ": " : "";
-  auto problem = read_problem(text);
+  auto tree = parse_json(text, {.max_bytes = max_file_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
+  // What is solved is the tree written anew, which may be longer than the text: 1e12 is 1000000000000.0 then.
+  auto problem = tree ? read_problem(tree->dump()) : Result<Problem>(tree.errors());
   if (!problem) {
     for (const Error& error : problem.errors())
       mistakes_.add(error.code, error.place.empty() ? "problem" : "problem." + error.place, file + error.message,
@@ -178,7 +180,7 @@ void SweepReader::read_base_text(const JsonValue& at, std::string_view text) {
     return;
   }
   problem_ = *std::move(problem);
-  base_->problem = *parse_json(text, {.max_bytes = max_file_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
+  base_->problem = *std::move(tree);
 }
 
 void SweepReader::read_sampling(const JsonObject& file) {
@@ -496,8 +498,11 @@ void SweepReader::finish() {
 
 Result<SweepPlan> SweepPlan::read(std::string_view text, const std::filesystem::path& folder) {
   const auto tree = parse_json(text, {.max_bytes = max_file_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
-  if (!tree) return tree.errors();
-  return SweepReader(*tree, folder).read();
+  return tree ? read_sweep_tree(*tree, folder) : Result<SweepPlan>(tree.errors());
+}
+
+Result<SweepPlan> read_sweep_tree(const nlohmann::json& tree, const std::filesystem::path& folder) {
+  return SweepReader(tree, folder).read();
 }
 
 Result<SweepPlan> read_sweep_file(const std::filesystem::path& path) {

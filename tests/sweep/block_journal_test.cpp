@@ -191,6 +191,32 @@ TEST_F(BlockJournals, SayWhatTheyWereBegunWith) {
   EXPECT_EQ(begun->sweep_text(), plan.sweep_text());
 }
 
+TEST_F(BlockJournals, AreNotResumedWhereThePlanIsDamaged) {
+  const fs::path stored = journal.parent_path() / "sweep.json";
+  for (const std::string text : {"", "[]", "{\"version\": 1", "{\"version\": 1, \"problem\": {}, \"sweep\": 3}"}) {
+    std::ofstream(stored) << text;
+    EXPECT_EQ(read_begun_sweep(journal.parent_path()).errors()[0].code, "damaged_plan") << text;
+    EXPECT_EQ(SweepFolder::open(scratch.path() / "out.h5", plan, SweepStart::resume).errors()[0].code, "damaged_plan");
+  }
+  fs::remove(stored);
+  EXPECT_EQ(read_begun_sweep(journal.parent_path()).errors()[0].code, "no_sweep_begun");
+}
+
+// What a file may have, written out, is more than a file may have.
+TEST(SweepFolder, ReadsBackWhateverItWasBegunWith) {
+  std::string rows = "[9e14]";
+  for (int row = 1; row < 900'000; ++row) rows += ",[9e14]";
+  const SweepPlan plan = sweep_support::plan_of(sweep_support::sweep_text(
+      "{\"method\": \"list\", \"rows\": [" + rows + "]}", R"([{"at": "/requirements/max_length"}])"));
+  EXPECT_GT(plan.sweep_text().size(), 17u << 20);
+  const ScratchFolder scratch;
+  const auto folder = SweepFolder::open(scratch.path() / "out.h5", plan, SweepStart::fresh);
+  ASSERT_TRUE(folder.ok());
+  const auto begun = read_begun_sweep(folder->path());
+  ASSERT_TRUE(begun.ok()) << begun.errors()[0].message;
+  EXPECT_EQ(begun->sweep_text(), plan.sweep_text());
+}
+
 TEST(BlockJournal, IsWrittenByOneProcessAtATime) {
   const ScratchFolder scratch;
   const SweepPlan plan = small_plan();

@@ -61,7 +61,7 @@ class SweepFolder {
 /// The same without its lock, for the other processes of a run and for looking on: what the journals in a folder hold.
 [[nodiscard]] Result<JournalScan> scan_journals(const std::filesystem::path& folder, const SweepPlan& plan);
 
-/// The plan that a folder was begun with; a mistake where it has none.
+/// The plan that a folder was begun with. Mistakes: no_sweep_begun, damaged_plan.
 [[nodiscard]] Result<SweepPlan> read_begun_sweep(const std::filesystem::path& folder);
 
 /// Keeps blocks of one process, one after another, each with its checksum: a block is there whole or not at all.
