@@ -1,6 +1,7 @@
 // The program `linkwright`: reads files, calls the library, prints for people or writes files; serves the workbench.
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -238,5 +239,6 @@ int run(int argc, char** argv) {
 }  // namespace linkwright::cli
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that must not grow is a full disk
   return linkwright::cli::guarded([&] { return linkwright::cli::run(argc, argv); });
 }

@@ -1,6 +1,7 @@
 #include "sweep_command.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -18,7 +19,9 @@ namespace {
 
 /// The machine's no, not the caller's: what is done is kept.
 bool is_failure(const Error& error) {
-  return error.code == "unwritable_output" || error.code == "unreadable_journal" || error.code == "missing_block";
+  constexpr std::array codes = {"unwritable_output", "unreadable_journal", "missing_block",
+                                "folder_not_shared", "out_of_memory",      "rank_failed"};
+  return std::find(codes.begin(), codes.end(), error.code) != codes.end();
 }
 
 int refused(const std::string& file, const std::vector<Error>& errors) {
@@ -48,7 +51,7 @@ bool is_finished(const std::filesystem::path& output) {
 int tell_finished(const std::filesystem::path& output, const SweepPlan& plan) {
   const auto head = read_sweep_head(output);
   if (!head) return refused(output.string(), head.errors());
-  if (head->problem != plan.base_text() || head->sweep != plan.sweep_text() || head->version != LINKWRIGHT_VERSION)
+  if (!is_head_of(*head, plan))
     return refused(output.string(), {Error{"another_sweep", "",
                                            "this is the table of another sweep or version; --overwrite replaces it"}});
   const auto text = fmt::format("{} is complete: {} samples\n", output.string(), grouped_text(plan.samples()));
@@ -69,9 +72,20 @@ std::optional<int> compute(const SweepPlan& plan, const SweepFolder& folder, con
   return std::nullopt;
 }
 
-int run(const SweepPlan& plan, const SweepArguments& arguments, SweepWorkers& workers, std::filesystem::path output) {
+/// Where an output leads to, as AtomicFile has it.
+Result<std::filesystem::path> followed(const std::filesystem::path& output) {
   std::error_code error;
-  if (std::filesystem::is_symlink(output, error)) output = std::filesystem::weakly_canonical(output, error);
+  if (!std::filesystem::is_symlink(output, error)) return output;
+  auto target = std::filesystem::canonical(output, error);
+  if (!error) return target;
+  return Error{"not_a_regular_file", "",
+               "this output path is a symbolic link that leads nowhere; it was left alone, name another file"};
+}
+
+int run(const SweepPlan& plan, const SweepArguments& arguments, SweepWorkers& workers) {
+  const auto target = followed(arguments.output);
+  if (!target) return refused(arguments.output, target.errors());
+  const std::filesystem::path& output = *target;
   if (arguments.resumes && is_finished(output)) return tell_finished(output, plan);
   const SweepStart start = arguments.resumes      ? SweepStart::resume
                            : arguments.overwrites ? SweepStart::overwrite
@@ -169,7 +183,7 @@ int sweep(const SweepArguments& arguments, SweepWorkers& workers) {
   if (arguments.is_dry) return dry_run(*plan, workers.threads(arguments.threads));
   if (arguments.output.empty()) return usage("--output is required, or --dry-run");
   if (arguments.output == "-") return usage("a table cannot go to standard output; name a file");
-  return run(*plan, arguments, workers, arguments.output);
+  return run(*plan, arguments, workers);
 }
 
 }  // namespace linkwright::cli

@@ -19,6 +19,8 @@ std::optional<Error> write_sweep_file(const std::filesystem::path& /*output*/, c
 
 Result<SweepFileHead> read_sweep_head(const std::filesystem::path& /*path*/) { return no_hdf5(); }
 
+bool is_head_of(const SweepFileHead& /*head*/, const SweepPlan& /*plan*/) { return false; }
+
 Result<SweepFileSummary> summarize_sweep_file(const std::filesystem::path& /*path*/) { return no_hdf5(); }
 
 }  // namespace linkwright

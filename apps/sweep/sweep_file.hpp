@@ -33,6 +33,9 @@ struct SweepFileHead {
   std::int64_t seed = 0, samples = 0;
 };
 
+/// The table is of this very sweep, by this version.
+[[nodiscard]] bool is_head_of(const SweepFileHead& head, const SweepPlan& plan);
+
 /// One column of it, looked through.
 struct ColumnSummary {
   SweepColumn column;

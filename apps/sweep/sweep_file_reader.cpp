@@ -196,6 +196,10 @@ Result<SweepFileHead> read_sweep_head(const std::filesystem::path& path) {
   return file ? head_of(file->id()) : Result<SweepFileHead>(file.errors());
 }
 
+bool is_head_of(const SweepFileHead& head, const SweepPlan& plan) {
+  return head.problem == plan.base_text() && head.sweep == plan.sweep_text() && head.version == LINKWRIGHT_VERSION;
+}
+
 Result<SweepFileSummary> summarize_sweep_file(const std::filesystem::path& path) {
   const auto file = open_table(path);
   if (!file) return file.errors();

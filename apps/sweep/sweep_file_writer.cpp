@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -184,14 +185,42 @@ Error cannot_write(const std::filesystem::path& path, const std::string& reason)
           {{"what", path.string()}, {"reason", reason}}};
 }
 
-/// All on the disk, and under its name; nothing, or the system's reason.
-std::optional<std::string> settle(const std::filesystem::path& made, const std::filesystem::path& output) {
-  const int descriptor = ::open(made.c_str(), O_RDWR | O_CLOEXEC);
+/// On the disk, or the system's reason.
+std::optional<std::string> sync(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool synced = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);
   const int why = errno;
   if (descriptor >= 0) ::close(descriptor);
-  if (!synced) return std::strerror(why);
-  return ::rename(made.c_str(), output.c_str()) == 0 ? std::nullopt : std::optional<std::string>(std::strerror(errno));
+  return synced ? std::nullopt : std::optional<std::string>(std::strerror(why));
+}
+
+/// This very table stands there already: a run was stopped before it had tidied up.
+bool is_table_of(const std::filesystem::path& path, const SweepPlan& plan) {
+  const auto head = read_sweep_head(path);
+  return head && is_head_of(*head, plan);
+}
+
+/// Takes the name of the output where nothing has it; 0, or the system's number for why not.
+int take_free_name(const std::filesystem::path& made, const std::filesystem::path& output) {
+  if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, output.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return errno;  // not every file system can
+  std::error_code error;
+  if (std::filesystem::exists(std::filesystem::symlink_status(output, error))) return EEXIST;
+  return ::rename(made.c_str(), output.c_str()) == 0 ? 0 : errno;
+}
+
+/// All on the disk, and under its name. What came to stand there since the sweep was begun is left alone.
+std::optional<Error> settle(const std::filesystem::path& made, const std::filesystem::path& output,
+                            const SweepPlan& plan, const SweepFolder& folder) {
+  if (const auto reason = sync(made)) return cannot_write(output, *reason);
+  const bool replaces = folder.replaces_output() || is_table_of(output, plan);
+  const int failed = !replaces ? take_free_name(made, output) : ::rename(made.c_str(), output.c_str()) == 0 ? 0 : errno;
+  if (failed == EEXIST)
+    return Error{"output_exists", "",
+                 "another file came to be there meanwhile; what is done is kept: move that file away, then --resume"};
+  if (failed != 0) return cannot_write(output, std::strerror(failed));
+  (void)sync(std::filesystem::absolute(output).parent_path());  // the name as well, where folders can be synced
+  return std::nullopt;
 }
 
 std::optional<Error> merge(const std::filesystem::path& made, const SweepPlan& plan, const JournalScan& scan) {
@@ -226,8 +255,7 @@ std::optional<Error> write_sweep_file(const std::filesystem::path& output, const
       return missing_block(k);
   const std::filesystem::path made = folder.path() / "merged.h5";
   auto failure = merge(made, plan, *scan);
-  if (!failure)
-    if (const auto reason = settle(made, output)) failure = cannot_write(output, *reason);
+  if (!failure) failure = settle(made, output, plan, folder);
   std::error_code error;
   if (failure)
     std::filesystem::remove(made, error);

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view plan_file = "sweep.json", lock_file = "lock";
+constexpr std::string_view plan_file = "sweep.json", lock_file = "lock", replaces = "replaces_output";
 // A problem and a sweep, each as large and as deep as its file may be; numbers written anew can be some times as long.
 constexpr JsonLimits plan_limits = {.max_bytes = 256u << 20, .deepest_nesting = 128, .kept = {}};
 
@@ -58,16 +58,14 @@ Result<Json> stored_plan(const std::filesystem::path& folder) {
 }
 
 /// What differs between the plan of a folder and this one; nothing where they are the same.
-std::optional<Error> difference(const std::filesystem::path& folder, const SweepPlan& plan) {
-  const auto stored = stored_plan(folder);
-  if (!stored) return stored.errors().front();
+std::optional<Error> difference(const std::filesystem::path& folder, const Json& stored, const SweepPlan& plan) {
   const Json wanted = plan_tree(plan);
-  if (stored->dump() == wanted.dump()) return std::nullopt;  // as the journals compare it
-  if (*stored == wanted) return another_sweep(folder, "a number is written otherwise, such as 200.0 for 200");
-  if (stored->at("version") != wanted["version"])
-    return another_sweep(folder, fmt::format("it was begun by version {}, this is {}", stored->at("version").dump(),
-                                             LINKWRIGHT_VERSION));
-  return another_sweep(folder, fmt::format("they differ at {}", first_difference(*stored, wanted)));
+  if (stored.dump() == wanted.dump()) return std::nullopt;  // as the journals compare it
+  if (stored == wanted) return another_sweep(folder, "a number is written otherwise, such as 200.0 for 200");
+  if (stored.at("version") != wanted["version"])
+    return another_sweep(
+        folder, fmt::format("it was begun by version {}, this is {}", stored.at("version").dump(), LINKWRIGHT_VERSION));
+  return another_sweep(folder, fmt::format("they differ at {}", first_difference(stored, wanted)));
 }
 
 std::optional<Error> refuse_output(const std::filesystem::path& output, SweepStart start) {
@@ -116,11 +114,17 @@ Result<SweepFolder> SweepFolder::open(const std::filesystem::path& output, const
     return Error{"sweep_begun", "",
                  "a sweep to this file was begun; --resume goes on with it, --overwrite begins anew"};
   if (begun && start == SweepStart::resume) {
-    if (const auto refusal = difference(folder.path_, plan)) return *refusal;
+    auto stored = stored_plan(folder.path_);
+    if (!stored) return stored.errors();
+    folder.replaces_output_ = stored->erase(std::string(replaces)) > 0;
+    if (const auto refusal = difference(folder.path_, *stored, plan)) return *refusal;
     return folder;
   }
+  folder.replaces_output_ = start == SweepStart::overwrite;
   remove_journals(folder.path_);
-  if (auto failure = write_atomically(folder.path_ / plan_file, plan_tree(plan).dump() + "\n")) return *failure;
+  Json tree = plan_tree(plan);
+  if (folder.replaces_output_) tree[replaces] = true;
+  if (auto failure = write_atomically(folder.path_ / plan_file, tree.dump() + "\n")) return *failure;
   return folder;
 }
 

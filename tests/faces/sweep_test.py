@@ -4,6 +4,7 @@ import json
 import os
 import random
 import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -35,7 +36,6 @@ def sweep_of(samples=400, side=300, **more):
 def limited_to(size):
     """For preexec_fn: files end at so many bytes, as a full disk does."""
     def limit():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
     return limit
 
@@ -214,6 +214,54 @@ class Sweeps(SweepTest):
         self.done(sweep_of(20), "--overwrite")
         self.assertFalse(self.partial.exists())
         self.assertNotEqual(self.output.read_bytes(), whole)
+
+    def test_what_came_to_be_there_meanwhile_stays(self):
+        content = sweep_of(1500)
+        whole = self.whole(content)
+        self.stopped_midway(content)
+        self.output.write_text("mine", encoding="utf-8")
+        for _ in range(2):
+            status, _, error = self.sweep(content, "--resume")
+            self.assertEqual(status, 2)
+            self.assertIn("move that file away, then --resume", error)
+            self.assertEqual(self.output.read_text(encoding="utf-8"), "mine")
+        self.output.unlink()
+        self.done(content, "--resume")
+        self.assertEqual(self.output.read_bytes(), whole)
+
+    def test_stopped_between_its_name_and_tidying_up_it_can_be_resumed(self):
+        content = sweep_of(300)
+        self.stopped_midway(content)
+        shutil.copytree(self.partial, self.folder / "kept")
+        self.done(content, "--resume")
+        whole = self.output.read_bytes()
+        shutil.move(self.folder / "kept", self.partial)
+        self.done(content, "--resume")
+        self.assertEqual(self.output.read_bytes(), whole)
+        self.assertFalse(self.partial.exists())
+
+    def test_what_is_to_be_replaced_is_replaced_after_a_stop(self):
+        content = sweep_of(1500)
+        self.output.write_text("mine", encoding="utf-8")
+        process = self.start(content, "--overwrite")
+        while not (self.partial / "000000.journal").exists():
+            time.sleep(0.005)
+        process.kill()
+        process.communicate()
+        self.assertEqual(self.output.read_text(encoding="utf-8"), "mine")
+        self.done(content, "--resume")
+        self.assertEqual(self.output.read_bytes(), self.whole(content))
+
+    def test_links_are_followed(self):
+        content, link = sweep_of(5), self.folder / "link.h5"
+        link.symlink_to(self.folder / "nowhere.h5")
+        status, _, error = self.sweep(content, output=link)
+        self.assertEqual(status, 2)
+        self.assertIn("a symbolic link that leads nowhere", error)
+        (self.folder / "nowhere.h5").write_text("mine", encoding="utf-8")
+        self.done(content, "--overwrite", output=link)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual((self.folder / "nowhere.h5").read_bytes(), self.whole(content))
 
     def test_another_sweep_is_not_resumed(self):
         content = sweep_of(1500)

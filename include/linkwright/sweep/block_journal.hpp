@@ -46,6 +46,8 @@ class SweepFolder {
   [[nodiscard]] static bool is_begun(const std::filesystem::path& output);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// The sweep was begun to replace what stands at its output.
+  [[nodiscard]] bool replaces_output() const { return replaces_output_; }
   /// Reads all journals; a mistake where one cannot be read.
   [[nodiscard]] Result<JournalScan> scan(const SweepPlan& plan) const;
   /// Removes what the sweep has put there, the plan first, and the folder where nothing else is in it; gives up the
@@ -55,6 +57,7 @@ class SweepFolder {
  private:
   struct Lock;
   std::filesystem::path path_;
+  bool replaces_output_ = false;
   std::shared_ptr<Lock> lock_;
 };
 
