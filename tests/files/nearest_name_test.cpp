@@ -25,6 +25,13 @@ TEST(NearestName, StrangeNamesArePresentable) {
   EXPECT_EQ(in_quotes("a\nb"), "\"a?b\"");
   const std::string cut = presentable(std::string(39, 'a') + "üüüü");
   EXPECT_EQ(cut, std::string(39, 'a') + "…");  // never half a character
+  EXPECT_EQ(presentable("a\xFFz"), "a\uFFFDz");
+}
+
+TEST(NearestName, TextsBecomeWellFormed) {
+  EXPECT_EQ(well_formed("\"机构\"\n"), "\"机构\"\n");
+  EXPECT_EQ(well_formed("\xC3"), "\uFFFD");
+  EXPECT_EQ(well_formed(std::string_view("\0\xFFü", 4)), std::string_view("\0\uFFFDü", 6));
 }
 
 }  // namespace

@@ -14,7 +14,10 @@ namespace linkwright {
 /// The known name nearest to what was written; the first of equals. `known` is not empty.
 [[nodiscard]] std::string_view nearest_name(std::string_view written, std::span<const std::string_view> known);
 
-/// A name from a file as messages show it: control characters replaced, cut when long.
+/// The text in which bytes that are not UTF-8 have become U+FFFD.
+[[nodiscard]] std::string well_formed(std::string_view text);
+
+/// A name from a file as messages show it: well formed, control characters replaced, cut when long.
 [[nodiscard]] std::string presentable(std::string_view name);
 
 /// The same in double quotes.

@@ -1,6 +1,7 @@
 #include "linkwright/files/nearest_name.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace linkwright {
@@ -37,11 +38,20 @@ std::string_view nearest_name(std::string_view written, std::span<const std::str
   });
 }
 
+std::string well_formed(std::string_view text) {
+  const bool is_ascii =
+      std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  if (is_ascii) return std::string(text);
+  using Json = nlohmann::json;
+  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
 std::string presentable(std::string_view name) {
   std::size_t shown = std::min(name.size(), longest_shown);
   while (shown < name.size() && shown > 0 && is_continuation(name[shown])) --shown;
   std::string text;
-  for (const char c : name.substr(0, shown)) text += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
+  for (const char c : well_formed(name.substr(0, shown)))
+    text += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
   return shown < name.size() ? text + "…" : text;
 }
 
