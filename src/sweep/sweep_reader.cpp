@@ -301,6 +301,8 @@ void SweepReader::read_number(const JsonValue& value, SweepVariable& variable) {
   auto text = written.as_text();
   if (!text) return;
   number.pointer = *std::move(text);
+  if (number.pointer == "/options/best")
+    return written.mistake("kept_linkages", "how many linkages are kept does not vary; write it as keep.linkages");
   if (problem_ && !number_at(base_->problem, written, number.pointer)) return;
   if (!pointers_.insert(number.pointer).second)
     written.mistake("varied_twice", fmt::format("{} varies already", in_quotes(number.pointer)),

@@ -160,6 +160,13 @@ TEST(SweepPlan, MistakesSayWhereTheyAre) {
               HasSubstr("at problem.task"));
 }
 
+TEST(SweepPlan, KeepsAsManyLinkagesOfEachSample) {
+  const auto refused = SweepPlan::read(
+      sweep_support::sweep_text(R"({"method": "list", "rows": [[5]]})", R"([{"at": "/options/best"}])"), {});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.errors()[0].code, "kept_linkages");
+}
+
 TEST(SweepPlan, HasAsManyValuesAsItIsTold) {
   const SweepPlan plan = sweep_support::plan_of(sweep_support::sweep_text(
       R"({"method": "grid"})", R"([{"at": "/requirements/max_length", "from": 1, "to": 2, "count": 1e10}])"));
