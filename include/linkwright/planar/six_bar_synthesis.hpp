@@ -39,7 +39,7 @@ struct SixBarChoice {
                                                        Objective objective, MapPoint start,
                                                        const AddedMeasures& added = {});
 
-/// How many chains are tried where nobody says: enough for most tasks, in some seconds.
+/// How many chains are tried where nobody says: enough for most tasks, in half a second.
 inline constexpr int default_effort = 200'000;
 
 /// A search for six-bars whose chain is not given.

@@ -29,6 +29,7 @@ struct LineShape {
   unsigned turns = 0;  ///< bits: the other side of the line, the other sense of it, the other side of the dyad
 };
 
+/// How many numbers a shape of a kind has, 1 to 4.
 [[nodiscard]] std::size_t number_count(ShapeKind kind);
 
 }  // namespace linkwright
