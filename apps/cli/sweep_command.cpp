@@ -5,8 +5,10 @@
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
+#include <functional>
 
 #include "console.hpp"
+#include "in_child.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/files/number_text.hpp"
@@ -48,6 +50,21 @@ bool is_finished(const std::filesystem::path& output) {
   return std::filesystem::exists(output, error) && !SweepFolder::is_begun(output);
 }
 
+/// Many times what reading a whole table takes.
+std::chrono::seconds patience_for(const std::filesystem::path& table) {
+  constexpr std::uintmax_t bytes_a_second = 100'000;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(table, error);
+  return std::chrono::seconds(60 + (error ? 0 : size / bytes_a_second));
+}
+
+/// Reads a table of HDF5 and tells of it.
+int read_apart(const std::filesystem::path& path, const std::function<int()>& work) {
+  if (const auto status = in_child(patience_for(path), work)) return *status;
+  if (Interruption::happened()) return stopped();
+  return refused(path.string(), {Error{"damaged_table", "", "this table is damaged: HDF5 fails when it is read"}});
+}
+
 int tell_finished(const std::filesystem::path& output, const SweepPlan& plan) {
   const auto head = read_sweep_head(output);
   if (!head) return refused(output.string(), head.errors());
@@ -86,7 +103,7 @@ int run(const SweepPlan& plan, const SweepArguments& arguments, SweepWorkers& wo
   const auto target = followed(arguments.output);
   if (!target) return refused(arguments.output, target.errors());
   const std::filesystem::path& output = *target;
-  if (arguments.resumes && is_finished(output)) return tell_finished(output, plan);
+  if (arguments.resumes && is_finished(output)) return read_apart(output, [&] { return tell_finished(output, plan); });
   const SweepStart start = arguments.resumes      ? SweepStart::resume
                            : arguments.overwrites ? SweepStart::overwrite
                                                   : SweepStart::fresh;
@@ -148,9 +165,11 @@ int inspect(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error)) return inspect_begun(path);
   const std::filesystem::path begun = SweepFolder::beside(path);
   if (!std::filesystem::exists(path, error) && std::filesystem::is_directory(begun, error)) return inspect_begun(begun);
-  const auto summary = summarize_sweep_file(path);
-  if (!summary) return refused(path.string(), summary.errors());
-  return print_answer(report_sweep_file(*summary)) ? 0 : failure;
+  return read_apart(path, [&path] {
+    const auto summary = summarize_sweep_file(path);
+    if (!summary) return refused(path.string(), summary.errors());
+    return print_answer(report_sweep_file(*summary)) ? 0 : failure;
+  });
 }
 
 int usage(std::string_view message) {

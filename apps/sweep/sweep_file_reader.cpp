@@ -29,7 +29,7 @@ std::optional<std::string> text_attribute(hid_t object, const char* name) {
   const Hdf5Handle type = text_type(H5T_VARIABLE);
   char* bytes = nullptr;
   if (::H5Aread(attribute.id(), type.id(), &bytes) < 0 || bytes == nullptr) return std::nullopt;
-  std::string text(bytes, ::strnlen(bytes, longest_attribute));
+  std::string text = well_formed({bytes, ::strnlen(bytes, longest_attribute)});
   ::H5free_memory(bytes);
   return text;
 }
@@ -80,9 +80,9 @@ Result<SweepFileHead> head_of(hid_t file) {
   return head;
 }
 
-std::optional<SweepColumn> column_of(hid_t data, std::string name) {
+std::optional<SweepColumn> column_of(hid_t data, std::string_view name) {
   SweepColumn column;
-  column.name = std::move(name);
+  column.name = well_formed(name);
   column.unit = text_attribute(data, "unit").value_or("");
   column.description = text_attribute(data, "description").value_or("");
   const Hdf5Handle type(::H5Dget_type(data), ::H5Tclose);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
@@ -8,6 +9,7 @@
 #include <unistd.h>
 
 #include "hdf5_handle.hpp"
+#include "in_child.hpp"
 #include "sweep_file.hpp"
 
 namespace linkwright {
@@ -127,7 +129,8 @@ class TableWriter {
   }
 
   [[nodiscard]] bool failed() const { return reason_.has_value(); }
-  [[nodiscard]] const std::string& reason() const { return *reason_; }
+  /// Of the first failure.
+  [[nodiscard]] const std::optional<std::string>& reason() const { return reason_; }
 
   void add(const SweepRows& rows) {
     for (std::size_t t = 0; t < sweep_table_names.size() && !failed(); ++t) {
@@ -196,8 +199,11 @@ std::optional<std::string> sync(const std::filesystem::path& path) {
 
 /// This very table stands there already: a run was stopped before it had tidied up.
 bool is_table_of(const std::filesystem::path& path, const SweepPlan& plan) {
-  const auto head = read_sweep_head(path);
-  return head && is_head_of(*head, plan);
+  const auto status = in_child(std::chrono::minutes(1), [&] {
+    const auto head = read_sweep_head(path);
+    return head && is_head_of(*head, plan) ? 0 : 1;
+  });
+  return status == 0;
 }
 
 /// Takes the name of the output where nothing has it; 0, or the system's number for why not.
@@ -213,7 +219,9 @@ int take_free_name(const std::filesystem::path& made, const std::filesystem::pat
 std::optional<Error> settle(const std::filesystem::path& made, const std::filesystem::path& output,
                             const SweepPlan& plan, const SweepFolder& folder) {
   if (const auto reason = sync(made)) return cannot_write(output, *reason);
-  const bool replaces = folder.replaces_output() || is_table_of(output, plan);
+  std::error_code error;
+  const bool replaces =
+      folder.replaces_output() || (std::filesystem::exists(output, error) && is_table_of(output, plan));
   const int failed = !replaces ? take_free_name(made, output) : ::rename(made.c_str(), output.c_str()) == 0 ? 0 : errno;
   if (failed == EEXIST)
     return Error{"output_exists", "",
@@ -238,7 +246,8 @@ std::optional<Error> merge(const std::filesystem::path& made, const SweepPlan& p
     table.add(rows);
   }
   table.finish();
-  if (!failure && table.failed()) failure = cannot_write(made, table.reason());
+  const std::optional<std::string>& reason = table.reason();
+  if (!failure && reason) failure = cannot_write(made, *reason);
   return failure;
 }
 

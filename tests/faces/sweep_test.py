@@ -263,6 +263,21 @@ class Sweeps(SweepTest):
         self.assertTrue(link.is_symlink())
         self.assertEqual((self.folder / "nowhere.h5").read_bytes(), self.whole(content))
 
+    def test_damaged_tables_are_told(self):
+        self.done(sweep_of(40))
+        table, moments = self.output.read_bytes(), random.Random(3)
+        told = set()
+        for _ in range(150):
+            damaged = bytearray(table)
+            for _ in range(moments.choice((1, 2, 8, 40))):
+                damaged[moments.randrange(len(table))] = moments.randrange(256)
+            self.output.write_bytes(damaged)
+            status, _, error = run("sweep", "--inspect", self.output)
+            self.assertIn(status, (0, 2))
+            self.assertEqual(status == 0, error == "")
+            told.add(error.removeprefix(f"{self.output}: "))
+        self.assertIn("this table is damaged: HDF5 fails when it is read\n", told)
+
     def test_another_sweep_is_not_resumed(self):
         content = sweep_of(1500)
         self.stopped_midway(content)
