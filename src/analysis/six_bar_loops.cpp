@@ -18,27 +18,19 @@ struct LinearForm {
   }
 };
 
-LinearForm operator-(LinearForm x, const LinearForm& y) {
-  for (std::size_t i = 0; i < x.c.size(); ++i) {
-    x.c[i] -= y.c[i];
-    x.present[i] = x.present[i] || y.present[i];
-  }
-  return x;
-}
-
 /// The point of `body` that lies at `point` in position 1, reached from the ground along the chain, or from the body
 /// that an added link depends on.
 LinearForm point_on(const SixBar& six_bar, int body, Point point) {
-  if (body == 0) {
-    LinearForm form;
-    form.add(0, point);
-    return form;
-  }
   constexpr std::array<SixBar::JointIndex, SixBar::bodies> from = {SixBar::a, SixBar::a,  SixBar::b,
                                                                    SixBar::d, SixBar::c4, SixBar::c5};
-  const SixBarJoint& joint = six_bar.joints[from[static_cast<std::size_t>(body)]];
-  LinearForm form = point_on(six_bar, joint.bodies[0], joint.point);
-  form.add(body, point - joint.point);
+  LinearForm form;
+  while (body != 0) {
+    const SixBarJoint& joint = six_bar.joints[from[static_cast<std::size_t>(body)]];
+    form.add(body, point - joint.point);
+    body = joint.bodies[0];
+    point = joint.point;
+  }
+  form.add(0, point);
   return form;
 }
 
@@ -46,10 +38,13 @@ LinearForm loop_over(const SixBar& six_bar, SixBar::JointIndex closing) {
   const SixBarJoint& joint = six_bar.joints[closing];
   const LinearForm one = point_on(six_bar, joint.bodies[0], joint.point),
                    other = point_on(six_bar, joint.bodies[1], joint.point);
-  LinearForm loop = one - other;
-  // Bodies that both ways go along together, from the same hinge to the same hinge, drop out.
-  for (std::size_t i = 1; i < loop.c.size(); ++i)
-    if (one.present[i] && other.present[i] && one.c[i] == other.c[i]) loop.present[i] = false;
+  LinearForm loop;
+  for (std::size_t i = 0; i < loop.c.size(); ++i) {
+    loop.c[i] = one.c[i] - other.c[i];
+    // Bodies that both ways go along together, from the same hinge to the same hinge, drop out.
+    const bool both = i > 0 && one.present[i] && other.present[i] && one.c[i] == other.c[i];
+    loop.present[i] = !both && (one.present[i] || other.present[i]);
+  }
   return loop;
 }
 
@@ -78,15 +73,6 @@ std::optional<SixBarLoops::Dyads> dyads_of(const std::array<LinearForm, 2>& loop
     return dyads;
   }
   return std::nullopt;
-}
-
-double determinant_without(const std::array<std::array<double, 5>, 5>& mu,
-                           const std::array<std::array<double, 5>, 5>& mv, std::size_t column) {
-  std::array<std::size_t, 4> k{};
-  for (std::size_t i = 0, n = 0; i < 5; ++i)
-    if (i != column) k[n++] = i;
-  return mu[k[0]][k[1]] * mv[k[2]][k[3]] - mu[k[0]][k[2]] * mv[k[1]][k[3]] + mu[k[0]][k[3]] * mv[k[1]][k[2]] +
-         mu[k[1]][k[2]] * mv[k[0]][k[3]] - mu[k[1]][k[3]] * mv[k[0]][k[2]] + mu[k[2]][k[3]] * mv[k[0]][k[1]];
 }
 
 Point term(const LoopValues& values, std::size_t loop, std::size_t body) {
@@ -127,22 +113,17 @@ LoopValues::LoopValues(const SixBarLoops& loops, const SixBarTurns& turns)
   }
 }
 
-std::array<double, 5> LoopValues::minors() const {
-  std::array<std::array<double, 5>, 5> mu{}, mv{};
-  for (std::size_t i = 0; i < 5; ++i)
-    for (std::size_t k = i + 1; k < 5; ++k) {
-      mu[i][k] = cross(u[i], u[k]);
-      mv[i][k] = cross(v[i], v[k]);
-    }
-  std::array<double, 5> result{};
-  for (std::size_t j = 0; j < 5; ++j) result[j] = (j % 2 == 0 ? 1 : -1) * determinant_without(mu, mv, j);
-  return result;
+double LoopValues::driver_minor() const {
+  const auto mu = [this](std::size_t i, std::size_t k) { return cross(u[i], u[k]); };
+  const auto mv = [this](std::size_t i, std::size_t k) { return cross(v[i], v[k]); };
+  return mu(1, 2) * mv(3, 4) - mu(1, 3) * mv(2, 4) + mu(1, 4) * mv(2, 3) + mu(2, 3) * mv(1, 4) - mu(2, 4) * mv(1, 3) +
+         mu(3, 4) * mv(1, 2);
 }
 
 SixBarTransmission signs_of(const SixBarLoops& loops, const LoopValues& values) {
   SixBarTransmission result;
   result.dyadic = loops.dyads.has_value();
-  result.positive = values.minors()[0] > 0;
+  result.positive = values.driver_minor() > 0;
   for (std::size_t i = 0; i < 2; ++i)
     result.joint_positive[i] = loops.dyads ? joint_cross(*loops.dyads, values, i) > 0 : result.positive;
   return result;
@@ -152,7 +133,7 @@ std::array<double, 2> sines_of(const SixBarLoops& loops, const LoopValues& value
   if (loops.dyads) return {joint_sine(*loops.dyads, values, 0), joint_sine(*loops.dyads, values, 1)};
   double columns = 1;
   for (std::size_t i = 1; i < 5; ++i) columns *= std::norm(values.u[i]) + std::norm(values.v[i]);
-  const double volume = std::abs(values.minors()[0]);
+  const double volume = std::abs(values.driver_minor());
   const double sine = columns > 0 ? std::min(1.0, std::sqrt(volume / std::sqrt(columns))) : 0;
   return {sine, sine};
 }

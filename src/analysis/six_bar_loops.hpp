@@ -30,9 +30,8 @@ struct LoopValues {
   std::array<Point, 5> u{}, v{};  ///< terms of bodies 1 … 5 in the first and in the second loop
   Point f, g;                     ///< the loops' errors
 
-  /// Signed minors of the 4 × 5 Jacobian: (−1)^j times the determinant without the column of body j + 1. Along the
-  /// curve of configurations, in direction; the first tells whether the driver goes on.
-  [[nodiscard]] std::array<double, 5> minors() const;
+  /// The determinant of the Jacobian without the column of body 1: its sign tells whether the driver goes on.
+  [[nodiscard]] double driver_minor() const;
 };
 
 /// Sines of the transmission of the two dyads, in the order in which they follow; of all four bodies, twice, where

@@ -12,43 +12,49 @@ struct Vector4 {
   Real of[4];
 };
 
-/// Lower triangle L of the Gram matrix J Jᵀ = L Lᵀ, with the inverses of its diagonal.
+/// Of the Gram matrix J Jᵀ = L D Lᵀ the triangle L, whose diagonal is 1, and the inverse of D: no roots are needed.
 template <int Width>
-struct Cholesky {
+struct GramFactor {
   using Real = typename Pack<Width>::Real;
-  Real l[4][4];
+  Real l[4][4], per[4];
   Mask regular = all_lanes<Width>;
 
-  LINKWRIGHT_INLINE explicit Cholesky(const Real (&gram)[4][4]) {
-    for (int i = 0; i < 4; ++i)
-      for (int k = 0; k <= i; ++k) {
+  LINKWRIGHT_INLINE explicit GramFactor(const Real (&gram)[4][4]) {
+    Real scaled[4][4];  // L D
+    for (int i = 0; i < 4; ++i) {
+      for (int k = 0; k < i; ++k) {
         Real sum = gram[i][k];
-        for (int m = 0; m < k; ++m) sum -= l[i][m] * l[k][m];
-        if (k < i) {
-          l[i][k] = sum * l[k][k];
-          continue;
-        }
-        const Mask positive = less<Width>(Real{}, sum);
-        regular &= positive;
-        l[i][i] = where<Width>(positive, 1.0 / square_root<Width>(select<Width>(positive, sum, Real{} + 1.0)));
+        for (int m = 0; m < k; ++m) sum -= scaled[i][m] * l[k][m];
+        scaled[i][k] = sum;
+        l[i][k] = sum * per[k];
       }
+      Real rest = gram[i][i];
+      for (int m = 0; m < i; ++m) rest -= scaled[i][m] * l[i][m];
+      const Mask positive = less<Width>(Real{}, rest);
+      regular &= positive;
+      per[i] = where<Width>(positive, 1.0 / select<Width>(positive, rest, Real{} + 1.0));
+    }
   }
 
   /// L⁻¹ b.
   LINKWRIGHT_INLINE Vector4<Real> forwards(Vector4<Real> b) const {
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
       for (int m = 0; m < i; ++m) b.of[i] -= l[i][m] * b.of[m];
-      b.of[i] *= l[i][i];
-    }
     return b;
   }
-  /// L⁻ᵀ b.
-  LINKWRIGHT_INLINE Vector4<Real> backwards(Vector4<Real> b) const {
-    for (int i = 3; i >= 0; --i) {
+  /// (J Jᵀ)⁻¹ b.
+  LINKWRIGHT_INLINE Vector4<Real> solution(Vector4<Real> b) const {
+    b = forwards(b);
+    for (int i = 0; i < 4; ++i) b.of[i] *= per[i];
+    for (int i = 3; i >= 0; --i)
       for (int m = i + 1; m < 4; ++m) b.of[i] -= l[m][i] * b.of[m];
-      b.of[i] *= l[i][i];
-    }
     return b;
+  }
+  /// |J⁺ b|² = bᵀ (J Jᵀ)⁻¹ b.
+  LINKWRIGHT_INLINE Real squares_of_solution(Vector4<Real> b) const {
+    b = forwards(b);
+    return b.of[0] * b.of[0] * per[0] + b.of[1] * b.of[1] * per[1] + b.of[2] * b.of[2] * per[2] +
+           b.of[3] * b.of[3] * per[3];
   }
 };
 
@@ -120,7 +126,7 @@ LINKWRIGHT_INLINE StrandBall<Width> strand_ball(const LoopTerms<Width>& terms) {
     for (int r = 0; r < 4; ++r)
       for (int k = 0; k <= r; ++k) gram[r][k] += c.of[r] * c.of[k];
   }
-  const Cholesky<Width> factor(gram);
+  const GramFactor<Width> factor(gram);
   Real minors[5];
   minors_of<Width>(terms, minors);
   Real volume_square = {}, columns = Real{} + 1.0, steepest = {};
@@ -131,11 +137,11 @@ LINKWRIGHT_INLINE StrandBall<Width> strand_ball(const LoopTerms<Width>& terms) {
 
   StrandBall<Width> ball;
   // J δ = −F with J = i·column: the columns' sum Σ cᵢ δᵢ is i F.
-  const Vector4<Real> weights = factor.backwards(factor.forwards(turned_column(terms.f, terms.g)));
+  const Vector4<Real> weights = factor.solution(turned_column(terms.f, terms.g));
   for (int i = 0; i < 5; ++i) {
     const Vector4<Real> c = column(terms.u[i], terms.v[i]);
-    steepest =
-        larger(steepest, squares(factor.forwards(c)) + squares(factor.forwards(turned_column(terms.u[i], terms.v[i]))));
+    steepest = larger(
+        steepest, factor.squares_of_solution(c) + factor.squares_of_solution(turned_column(terms.u[i], terms.v[i])));
     ball.tangent[i] = minors[i] * per_volume;
     ball.correction[i] = where<Width>(
         regular, c.of[0] * weights.of[0] + c.of[1] * weights.of[1] + c.of[2] * weights.of[2] + c.of[3] * weights.of[3]);
@@ -152,8 +158,8 @@ template <int Width>
 LINKWRIGHT_INLINE Vector<typename Pack<Width>::Real> stepped(Vector<typename Pack<Width>::Real> turn,
                                                              typename Pack<Width>::Real way) {
   using Real = typename Pack<Width>::Real;
-  const Real q = 0.25 * way * way, size = 1.0 + q;
-  const Vector<Real> r = product(turn, {(1.0 - q) / size, way / size});
+  const Real q = 0.25 * way * way, per = 1.0 / (1.0 + q);
+  const Vector<Real> r = product(turn, {(1.0 - q) * per, way * per});
   return 0.5 * (3.0 - dot(r, r)) * r;  // rounding must not add up
 }
 
