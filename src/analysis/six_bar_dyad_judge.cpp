@@ -50,7 +50,12 @@ struct Round {
 class DyadJudge {
  public:
   DyadJudge(std::span<const SixBarToDrive> six_bars, Simd simd, SixBarReports& reports)
-      : six_bars_(six_bars), kernel_(dyad_kernel.for_simd(simd)), reports_(reports) {}
+      : six_bars_(six_bars),
+        kernel_(dyad_kernel.for_simd(simd)),
+        middles_kernel_(dyad_middles_kernel.for_simd(simd)),
+        reports_(reports) {
+    middles_->lanes = lanes_.get();
+  }
 
   void judge(std::vector<std::size_t> open) {
     open_ = std::move(open);
@@ -218,17 +223,22 @@ class DyadJudge {
   [[nodiscard]] std::array<double, 2> least_squares(std::size_t lane) const {
     std::array<double, 2> least = on_[lane].least_squares;
     const auto count = static_cast<std::size_t>(lanes_->samples[lane]);
+    middles_->lane = static_cast<int>(lane);
+    middles_kernel_(*middles_);
     for (std::size_t dyad = 0; dyad < 2; ++dyad) {
+      const auto lower = [&](double square) { least[dyad] = std::min(least[dyad], square); };
       const auto square = [&](std::size_t i) { return lanes_->sine_squares[dyad][i].of[lane]; };
       for (std::size_t i = 0; i < count; ++i) {
-        least[dyad] = std::min(least[dyad], square(i));
+        lower(square(i));
         if (i > 0 && i + 1 < count && square(i) <= square(i - 1) && square(i) <= square(i + 1))
-          least[dyad] = std::min(least[dyad], Valley(*this, lane, dyad, i).lowest(i - 1, i + 1));
+          lower(Valley(*this, lane, dyad, i).lowest(i - 1, i + 1));
+        if (i + 1 == count) continue;
+        const double halfway = middles_->sine_squares[dyad][i];
+        if (halfway < square(i) && halfway < square(i + 1))
+          lower(Valley(*this, lane, dyad, i).lowest_before(i + 1, halfway));
       }
-      for (std::size_t i = 1; i < count; ++i)
-        least[dyad] = std::min(least[dyad], Valley(*this, lane, dyad, i - 1).lowest_before(i));
       for (const auto& [end, next] : {std::pair{std::size_t{0}, std::size_t{1}}, std::pair{count - 1, count - 2}})
-        if (count > 1) least[dyad] = std::min(least[dyad], Valley(*this, lane, dyad, end).lowest_from_end(next));
+        if (count > 1) lower(Valley(*this, lane, dyad, end).lowest_from_end(next));
     }
     return least;
   }
@@ -237,22 +247,27 @@ class DyadJudge {
   class Valley {
    public:
     Valley(const DyadJudge& judge, std::size_t lane, std::size_t dyad, std::size_t middle)
-        : lanes_(*judge.lanes_), lane_(lane), dyad_(dyad), middle_(at(lanes_.passed[middle], lane)) {}
+        : lanes_(*judge.lanes_),
+          lane_(lane),
+          dyad_(dyad),
+          middle_(at(lanes_.passed[middle], lane)),
+          here_{0, lanes_.sine_squares[dyad][middle].of[lane]} {}
 
     /// Where the sample itself is lower than both others.
     [[nodiscard]] double lowest(std::size_t before, std::size_t after) const {
-      return lowest(sample(before), {0, here().square}, sample(after));
+      return lowest(sample(before), here_, sample(after));
     }
-    /// On the way to the next sample, where the middle of it is lower than both.
-    [[nodiscard]] double lowest_before(std::size_t next) const {
-      const Place end = here(), beyond = sample(next), middle = place_at(beyond.way / 2);
-      return middle.square < end.square && middle.square < beyond.square ? lowest(end, middle, beyond) : end.square;
+    /// On the way to the next sample, where halfway it is lower than at both.
+    [[nodiscard]] double lowest_before(std::size_t next, double halfway) const {
+      const Place beyond = sample(next);
+      return lowest(here_, {beyond.way / 2, halfway}, beyond);
     }
     /// Where the way begins or ends: it may go down from there before it goes up to the next sample.
     [[nodiscard]] double lowest_from_end(std::size_t next) const {
       constexpr double a_little = 1e-3;
-      const Place end = here(), beyond = sample(next), inside = place_at(a_little * beyond.way);
-      return inside.square < end.square && inside.square < beyond.square ? lowest(end, inside, beyond) : end.square;
+      const Place beyond = sample(next), inside = place_at(a_little * beyond.way);
+      return inside.square < here_.square && inside.square < beyond.square ? lowest(here_, inside, beyond)
+                                                                           : here_.square;
     }
 
    private:
@@ -261,10 +276,10 @@ class DyadJudge {
     };
     [[nodiscard]] Place place_at(double way) const {
       const Point turn = middle_ * Point{1 - way * way / 4, way} / (1 + way * way / 4);
-      const isa_judge::DyadsAt<1> found(lanes_, static_cast<int>(lane_), {turn.real(), turn.imag()});
+      const isa_judge::OneLane<1> own{static_cast<int>(lane_)};
+      const isa_judge::DyadsAt<1> found(lanes_, own, {turn.real(), turn.imag()});
       return {way, found.sine_square[dyad_]};
     }
-    [[nodiscard]] Place here() const { return place_at(0); }
     [[nodiscard]] Place sample(std::size_t i) const {
       const Point turn = std::conj(middle_) * at(lanes_.passed[i], lane_);
       return {2 * turn.imag() / (1 + turn.real()), lanes_.sine_squares[dyad_][i].of[lane_]};
@@ -287,6 +302,7 @@ class DyadJudge {
     const DyadLanes& lanes_;
     std::size_t lane_, dyad_;
     Point middle_;
+    Place here_;
   };
 
   /// Something harmless, so that the kernel may work on it.
@@ -302,8 +318,10 @@ class DyadJudge {
 
   std::span<const SixBarToDrive> six_bars_;
   void (*kernel_)(DyadLanes&);
+  void (*middles_kernel_)(DyadMiddles&);
   SixBarReports& reports_;
   std::unique_ptr<DyadLanes> lanes_ = std::make_unique<DyadLanes>();
+  std::unique_ptr<DyadMiddles> middles_ = std::make_unique<DyadMiddles>();
   std::array<Round, six_bar_lanes> on_{};
   std::array<DriverRound, six_bar_lanes> rounds_;
   std::vector<std::size_t> open_;

@@ -24,18 +24,17 @@ struct DyadsAt {
   Real ww;
   Real sine_square[2];  ///< negative where the dyad does not reach
 
-  LINKWRIGHT_INLINE DyadsAt(const DyadLanes& lanes, int at, Vector<Real> turn) {
-    const auto of = [at](const LaneReal& value) { return load<Width>(value.of + at); };
-    const auto vector_of = [at](const LaneVector& value) { return load_vector<Width>(value, at); };
-    const Vector<Real> arm = product(vector_of(lanes.c1), turn), u = vector_of(lanes.c0) + arm;
+  /// `of`: EachLane or OneLane.
+  template <class Reader>
+  LINKWRIGHT_INLINE DyadsAt(const DyadLanes& lanes, Reader of, Vector<Real> turn) {
+    const Vector<Real> arm = product(of(lanes.c1), turn), u = of(lanes.c0) + arm;
     const Real xx = of(lanes.xx), yy = of(lanes.yy), uu = dot(u, u), p = uu + (xx - yy);
     const Real four_areas_square = 4.0 * xx * uu - p * p;
     const Real root = of(lanes.side) * square_root<Width>(larger(four_areas_square, Real{}));
     const Real half = 0.5 / uu;
     const Vector<Real> x = {half * (-p * u.x - root * u.y), half * (root * u.x - p * u.y)};
     const Vector<Real> y = {-u.x - x.x, -u.y - x.y};
-    w = vector_of(lanes.d0) + product(vector_of(lanes.d1), turn) + product(vector_of(lanes.gx), x) +
-        product(vector_of(lanes.gy), y);
+    w = of(lanes.d0) + product(of(lanes.d1), turn) + product(of(lanes.gx), x) + product(of(lanes.gy), y);
     ww = dot(w, w);
     const Real per = of(lanes.per_two_xy);
     cosine = (uu - (xx + yy)) * per;
@@ -51,7 +50,7 @@ template <int Width>
 LINKWRIGHT_INLINE Mask reach_all_the_way(const DyadLanes& lanes, int at, typename Pack<Width>::Real angle,
                                          const DyadsAt<Width>& next) {
   using Real = typename Pack<Width>::Real;
-  const auto of = [at](const LaneReal& value) { return load<Width>(value.of + at); };
+  const EachLane<Width> of{at};
   const Real cosine =
       magnitude<Width>(of(lanes.cosine)) + angle * (of(lanes.cosine_rate) + 0.5 * angle * of(lanes.bend_of_u));
   const Real per_sine_square = 1.0 / larger(1.0 - cosine * cosine, Real{} + 1e-300);
@@ -113,7 +112,7 @@ LINKWRIGHT_INLINE bool dyads_step(DyadLanes& lanes, int at) {
   ahead = 0.5 * (3.0 - dot(ahead, ahead)) * ahead;  // rounding must not add up
   ahead = select<Width>(arrives, goal, ahead);
 
-  const DyadsAt<Width> next(lanes, at, ahead);
+  const DyadsAt<Width> next(lanes, EachLane<Width>{at}, ahead);
   const Mask dead = less<Width>(next.sine_square[0], load<Width>(lanes.beyond_reach[0].of + at)) |
                     (less<Width>(Real{}, next.sine_square[0]) &
                      less<Width>(next.sine_square[1], load<Width>(lanes.beyond_reach[1].of + at)));
@@ -150,6 +149,30 @@ template <int Width>
 void dyad_kernel(DyadLanes& lanes) {
   for (bool any = false; !any;)
     for (int at = 0; at < six_bar_lanes; at += Width) any = dyads_step<Width>(lanes, at) || any;
+}
+
+/// The squared sines halfway between the samples of one lane.
+template <int Width>
+void dyad_middles_kernel(DyadMiddles& middles) {
+  using Real = typename Pack<Width>::Real;
+  const DyadLanes& lanes = *middles.lanes;
+  const int gaps = lanes.samples[middles.lane] - 1;
+  for (int first = 0; first < gaps; first += Width) {
+    double x[2][Width], y[2][Width], squares[2][Width];
+    for (int k = 0; k < Width; ++k)
+      for (int end = 0; end < 2; ++end) {
+        const LaneVector& turn = lanes.passed[(first + k < gaps ? first + k : gaps - 1) + end];
+        x[end][k] = turn.x.of[middles.lane];
+        y[end][k] = turn.y.of[middles.lane];
+      }
+    const Vector<Real> here = {load<Width>(x[0]), load<Width>(y[0])}, next = {load<Width>(x[1]), load<Width>(y[1])};
+    const Real half = cross(here, next) / (1.0 + dot(here, next)), q = 0.25 * half * half, per = 1.0 / (1.0 + q);
+    const DyadsAt<Width> middle(lanes, OneLane<Width>{middles.lane}, product(here, {(1.0 - q) * per, half * per}));
+    for (int dyad = 0; dyad < 2; ++dyad) {
+      store<Width>(middle.sine_square[dyad], squares[dyad]);
+      for (int k = 0; k < Width && first + k < gaps; ++k) middles.sine_squares[dyad][first + k] = squares[dyad][k];
+    }
+  }
 }
 
 }  // namespace linkwright::LINKWRIGHT_ISA

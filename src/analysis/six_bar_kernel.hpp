@@ -50,6 +50,14 @@ struct DyadLanes {
   TravelEvent event[six_bar_lanes];
 };
 
+/// Of the samples of one lane: between sample i and the next, halfway by the driver's angle, the squared sines of both
+/// dyads.
+struct DyadMiddles {
+  const DyadLanes* lanes = nullptr;
+  int lane = 0;
+  double sine_squares[2][DyadLanes::most_samples];
+};
+
 /// Six-bars whose loops do not fall apart, each on its walk along its curve of configurations (SixBarStrand).
 struct StrandLanes {
   static constexpr double step_in_reach = 0.75;  ///< length of a step, as a share of the reach
@@ -75,5 +83,6 @@ struct StrandLanes {
 /// They go on with all lanes until at least one has come to an event.
 LINKWRIGHT_DECLARE_KERNELS(dyad_kernel, DyadLanes&);
 LINKWRIGHT_DECLARE_KERNELS(strand_kernel, StrandLanes&);
+LINKWRIGHT_DECLARE_KERNELS(dyad_middles_kernel, DyadMiddles&);
 
 }  // namespace linkwright

@@ -7,6 +7,7 @@ namespace linkwright {
 
 void dyad_kernel_avx512(DyadLanes& lanes) { isa_avx512::dyad_kernel<8>(lanes); }
 void strand_kernel_avx512(StrandLanes& lanes) { isa_avx512::strand_kernel<8>(lanes); }
+void dyad_middles_kernel_avx512(DyadMiddles& middles) { isa_avx512::dyad_middles_kernel<8>(middles); }
 
 }  // namespace linkwright
 #endif

@@ -6,5 +6,6 @@ namespace linkwright {
 
 void dyad_kernel_baseline(DyadLanes& lanes) { isa_baseline::dyad_kernel<2>(lanes); }
 void strand_kernel_baseline(StrandLanes& lanes) { isa_baseline::strand_kernel<2>(lanes); }
+void dyad_middles_kernel_baseline(DyadMiddles& middles) { isa_baseline::dyad_middles_kernel<2>(middles); }
 
 }  // namespace linkwright
