@@ -16,25 +16,26 @@ Problem example(const char* name) {
 
 // Cells per second. Of 4-3 each row has a curve of links 5 of its own; 1-3 after 0-3 does not fall into dyads.
 void map_of_chain(benchmark::State& state, BodyPair link_4, BodyPair link_5) {
-  constexpr int samples = 50;
+  const int samples = static_cast<int>(state.range(0));
+  RegionOptions options;
+  options.threads = static_cast<int>(state.range(1));
   SixBarTask task = std::get<SixBarTask>(example("loader_bucket_chain").task);
   task.added = {link_4, link_5};
   const auto family = ChainFamily::of(task);
   const auto first = family->samples(Side::input, samples, Spacing::coordinate),
              second = family->samples(Side::output, samples, Spacing::coordinate);
   RegionMap map;
-  for (auto _ : state) family->classify(map, first, second, true);
+  for (auto _ : state) family->classify(map, first, second, true, options);
   state.SetItemsProcessed(state.iterations() * samples * samples);
 }
-BENCHMARK_CAPTURE(map_of_chain, watt_1_by_0_2_and_1_3, BodyPair{0, 2}, BodyPair{1, 3})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(map_of_chain, watt_1_by_0_2_and_4_3, BodyPair{0, 2}, BodyPair{4, 3})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(map_of_chain, stephenson_2_by_0_3_and_1_3, BodyPair{0, 3}, BodyPair{1, 3})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+void sizes_and_threads(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"samples", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  for (const int samples : {50, 100, 200})
+    for (const int threads : {1, 2}) bench->Args({samples, threads});
+}
+BENCHMARK_CAPTURE(map_of_chain, watt_1_by_0_2_and_1_3, BodyPair{0, 2}, BodyPair{1, 3})->Apply(sizes_and_threads);
+BENCHMARK_CAPTURE(map_of_chain, watt_1_by_0_2_and_4_3, BodyPair{0, 2}, BodyPair{4, 3})->Apply(sizes_and_threads);
+BENCHMARK_CAPTURE(map_of_chain, stephenson_2_by_0_3_and_1_3, BodyPair{0, 3}, BodyPair{1, 3})->Apply(sizes_and_threads);
 
 // Chains per second: drawn, glanced at, the promising six-bars driven, the best of all refined.
 void search_chains(benchmark::State& state) {

@@ -34,8 +34,6 @@ class Walker {
   Walker(const SixBarLoops& loops, std::span<const SixBarTurns> wanted, const SixBarDriveOptions& options)
       : loops_(loops), wanted_(wanted), options_(options) {}
 
-  /// The signs at all configurations agree: necessary for one branch, and cheap.
-  [[nodiscard]] bool signs_agree() const;
   /// Least sines at the configurations wanted.
   [[nodiscard]] std::array<double, 2> sines_at_wanted() const;
   /// From position 1, first with the driver turning counter-clockwise (`sense` +1) or clockwise (−1). Nothing where
@@ -49,14 +47,6 @@ class Walker {
   std::span<const SixBarTurns> wanted_;
   SixBarDriveOptions options_;
 };
-
-bool Walker::signs_agree() const {
-  const SixBarTransmission first = signs_of(loops_, LoopValues(loops_, wanted_.front()));
-  return std::all_of(wanted_.begin() + 1, wanted_.end(), [&](const SixBarTurns& turns) {
-    const SixBarTransmission here = signs_of(loops_, LoopValues(loops_, turns));
-    return here.positive == first.positive && here.joint_positive == first.joint_positive;
-  });
-}
 
 std::array<double, 2> Walker::sines_at_wanted() const {
   std::array<double, 2> least = {1, 1};
@@ -152,11 +142,21 @@ SixBarDriveReport drive(const Walker& walker, int sense, bool circuits) {
 
 }  // namespace
 
+bool signs_agree(const SixBarLoops& loops, std::span<const SixBarTurns> wanted) {
+  const SixBarTransmission first = signs_of(loops, LoopValues(loops, wanted.front()));
+  return std::all_of(wanted.begin() + 1, wanted.end(), [&](const SixBarTurns& turns) {
+    const SixBarTransmission here = signs_of(loops, LoopValues(loops, turns));
+    return here.positive == first.positive && here.joint_positive == first.joint_positive;
+  });
+}
+
+SixBarDriveReport turned_down_by_signs() { return with_defects(Defects::branch_bit); }
+
 std::optional<double> sine_upper_bound(const SixBar& six_bar, std::span<const SixBarTurns> wanted) {
   if (wanted.empty()) return std::nullopt;
-  const Walker walker(SixBarLoops(six_bar), wanted, {});
-  if (!walker.signs_agree()) return std::nullopt;
-  const std::array<double, 2> sines = walker.sines_at_wanted();
+  const SixBarLoops loops(six_bar);
+  if (!signs_agree(loops, wanted)) return std::nullopt;
+  const std::array<double, 2> sines = Walker(loops, wanted, {}).sines_at_wanted();
   return std::min(sines[0], sines[1]);
 }
 
@@ -165,7 +165,7 @@ SixBarDriveReport drive_six_bar(const SixBar& six_bar, std::span<const SixBarTur
   if (wanted.empty()) return undecided();
   const SixBarToDrive given{SixBarLoops(six_bar), wanted};
   const Walker walker(given.loops, wanted, options);
-  if (!walker.signs_agree()) return branch_defect(walker, options.circuits);
+  if (!signs_agree(given.loops, wanted)) return branch_defect(walker, options.circuits);
   const SixBarDriveReport report = drive(walker, likelier_sense(wanted), options.circuits);
   if (report.completed || !given.loops.dyads) return report;
   // Where strands nearly cross on the torus of all angles, the dyads one by one may still be sure.
@@ -175,23 +175,15 @@ SixBarDriveReport drive_six_bar(const SixBar& six_bar, std::span<const SixBarTur
 }
 
 std::vector<SixBarDriveReport> drive_six_bars(std::span<const SixBarToDrive> six_bars, Simd simd) {
-  std::vector<SixBarDriveReport> reports(six_bars.size(), with_defects(Defects::branch_bit));
-  std::vector<SixBarToDrive> open;
-  std::vector<std::size_t> places;
+  const auto sure = judge_six_bars(six_bars, simd);
+  SixBarDriveOptions options;
+  options.circuits = false;
+  std::vector<SixBarDriveReport> reports;
   for (std::size_t i = 0; i < six_bars.size(); ++i) {
     const auto& [loops, wanted] = six_bars[i];
-    if (wanted.empty())
-      reports[i] = undecided();
-    else if (Walker(loops, wanted, {}).signs_agree())
-      open.push_back(six_bars[i]), places.push_back(i);
+    reports.push_back(sure[i] ? *sure[i]
+                              : drive(Walker(loops, wanted, options), likelier_sense(wanted), options.circuits));
   }
-  const auto sure = judge_six_bars(open, simd);
-  SixBarDriveOptions no_circuits;
-  no_circuits.circuits = false;
-  for (std::size_t k = 0; k < open.size(); ++k)
-    reports[places[k]] = sure[k] ? *sure[k]
-                                 : drive(Walker(open[k].loops, open[k].wanted, no_circuits),
-                                         likelier_sense(open[k].wanted), no_circuits.circuits);
   return reports;
 }
 

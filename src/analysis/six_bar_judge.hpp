@@ -15,15 +15,21 @@ struct SixBarToDrive {
   std::span<const SixBarTurns> wanted;
 };
 
-/// Of six-bars whose signs at all configurations agree. Where a verdict is sure: what drive_six_bar() says without
-/// circuits, with γ to three digits or so; otherwise nothing: positions share an angle of the driver or do not close, a
-/// dead point is too near to tell, or there are too few or too many positions (at least three for dyads, at most four
-/// otherwise).
+/// The signs of the transmission are the same in all configurations: necessary for one branch, and cheap.
+[[nodiscard]] bool signs_agree(const SixBarLoops& loops, std::span<const SixBarTurns> wanted);
+
+/// Of six-bars whose signs agree. Where a verdict is sure: what drive_six_bar() says without circuits, with γ to three
+/// digits or so; otherwise nothing: positions share an angle of the driver or do not close, a dead point is too near to
+/// tell, or there are too few or too many positions (at least three for dyads, at most four otherwise).
 [[nodiscard]] std::vector<std::optional<SixBarDriveReport>> judge_six_bars(std::span<const SixBarToDrive> six_bars,
                                                                            Simd simd = Simd::automatic);
 
-/// Of each what drive_six_bar() says without circuits: judged where that is sure, driven where it is not.
+/// Of six-bars whose signs agree, of each what drive_six_bar() says without circuits: judged where that is sure, driven
+/// where it is not.
 [[nodiscard]] std::vector<SixBarDriveReport> drive_six_bars(std::span<const SixBarToDrive> six_bars,
                                                             Simd simd = Simd::automatic);
+
+/// What drive_six_bar() says of one whose signs do not agree, without circuits.
+[[nodiscard]] SixBarDriveReport turned_down_by_signs();
 
 }  // namespace linkwright

@@ -8,6 +8,7 @@
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
 #include "linkwright/planar/six_bar_solution.hpp"
+#include "planar/six_bar_rater.hpp"
 
 namespace linkwright {
 namespace {
@@ -95,23 +96,17 @@ MapPivots ChainFamily::pivots(const RegionMap& map) const {
 void ChainFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                        bool /*respect_direction*/, const RegionOptions& options, const Progress& progress) const {
   const auto seconds = six_bars_.independent_hinges(output);
-  const auto put_row = [&](std::size_t row, std::span<MapCell> cells) {
-    const auto first = six_bars_.with_first(input[row]);
-    if (!first) return;
-    constexpr std::size_t chunk = 64;  // wild six-bars take long: between chunks one may cancel
-    for (std::size_t begin = 0; begin < cells.size() && !progress.is_cancelled(); begin += chunk) {
-      std::vector<SixBarMember> members;
-      std::vector<std::size_t> places;
-      for (std::size_t column = begin; column < std::min(begin + chunk, cells.size()); ++column)
-        if (const auto member = six_bars_.member(*first, output, seconds, column)) {
-          members.push_back(*member);
-          places.push_back(column);
-        }
-      const std::vector<SixBarRating> ratings = ratings_of(members, options.simd);
-      for (std::size_t i = 0; i < places.size(); ++i) cells[places[i]] = ratings[i].cell();
+  const auto put_rows = [&](std::size_t first_row, std::span<MapCell> cells) {
+    SixBarRater rater([&](std::size_t cell, const SixBarRating& rating) { cells[cell] = rating.cell(); }, options.simd);
+    const std::size_t columns = output.size();
+    for (std::size_t begin = 0; begin < cells.size() && !progress.is_cancelled(); begin += columns) {
+      const auto first = six_bars_.with_first(input[first_row + begin / columns]);
+      for (std::size_t k = 0; first && k < columns && !progress.is_cancelled(); ++k)
+        if (const auto member = six_bars_.member(*first, output, seconds, k)) rater.add(begin + k, *member);
     }
+    if (!progress.is_cancelled()) rater.finish();
   };
-  map.evaluate_rows(input, output, planar_measures, driver_travel(six_bars_), put_row, options, progress);
+  map.evaluate_rows(input, output, planar_measures, driver_travel(six_bars_), put_rows, options, progress);
 }
 
 }  // namespace linkwright

@@ -60,9 +60,10 @@ std::optional<std::array<BodyPositions, 4>> chain_positions(const std::vector<Pr
 
 BodyPositions positions_of_link(const std::array<Point, 2>& hinges, const BodyPositions& x, const BodyPositions& k) {
   BodyPositions link;
+  const Point back = std::conj(unit(hinges[1] - hinges[0]));
   for (std::size_t j = 0; j < positions; ++j) {
-    const Point c = x.moved(hinges[0], j), z = k.moved(hinges[1], j);
-    link.at[j] = {c, unit((z - c) / (hinges[1] - hinges[0]))};
+    const Point c = x.moved(hinges[0], j), turned = (k.moved(hinges[1], j) - c) * back;
+    link.at[j] = {c, turned / std::sqrt(std::norm(turned))};
   }
   link.at[0].turn = 1;
   return link;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/six_bar_judge.hpp"
 #include "linkwright/analysis/six_bar_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "planar/six_bar_rater.hpp"
 
 namespace linkwright {
 namespace {
@@ -59,15 +59,17 @@ bool visits_all(const SixBar& six_bar, std::span<const PrescribedPose> poses) {
 }  // namespace
 
 SixBarShape shape_of(const SixBar& six_bar) {
-  SixBarShape shape;
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;  // squares
   for (std::size_t i = 0; i < SixBar::joint_count; ++i)
     for (std::size_t k = i + 1; k < SixBar::joint_count; ++k) {
       if (!share_a_body(six_bar.joints[i], six_bar.joints[k])) continue;
-      const double length = std::abs(six_bar.joints[k].point - six_bar.joints[i].point);
-      shortest = std::min(shortest, length);
-      shape.longest = std::max(shape.longest, length);
+      const double square = std::norm(six_bar.joints[k].point - six_bar.joints[i].point);
+      shortest = std::min(shortest, square);
+      longest = std::max(longest, square);
     }
+  SixBarShape shape;
+  shape.longest = std::sqrt(longest);
+  shortest = std::sqrt(shortest);
   const bool sound = shortest > tolerance::change_point * shape.longest && std::isfinite(shape.longest);
   shape.link_ratio = sound ? shape.longest / shortest : std::numeric_limits<double>::infinity();
   shape.type = sound ? type_of_loop(six_bar) : LinkageType::degenerate;
@@ -102,16 +104,9 @@ SixBarRating rating_of(const SixBarMember& member, bool circuits) {
 
 std::vector<SixBarRating> ratings_of(std::span<const SixBarMember> members, Simd simd) {
   std::vector<SixBarRating> ratings(members.size());
-  std::vector<SixBarToDrive> driven;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    ratings[i].shape = shape_of(members[i].six_bar);
-    if (ratings[i].shape.type == LinkageType::degenerate) continue;
-    driven.push_back({SixBarLoops(members[i].six_bar), members[i].turns});
-    places.push_back(i);
-  }
-  const std::vector<SixBarDriveReport> reports = drive_six_bars(driven, simd);
-  for (std::size_t k = 0; k < places.size(); ++k) ratings[places[k]].drive = reports[k];
+  SixBarRater rater([&](std::size_t place, const SixBarRating& rating) { ratings[place] = rating; }, simd);
+  for (std::size_t i = 0; i < members.size(); ++i) rater.add(i, members[i]);
+  rater.finish();
   return ratings;
 }
 

@@ -47,26 +47,29 @@ void RegionMap::evaluate_cells(std::span<const double> input, std::span<const do
                                std::span<const Measure> measures, DriverTravel travel,
                                const std::function<MapCell(std::size_t row, std::size_t column)>& cell_at,
                                const RegionOptions& options, const Progress& progress) {
-  const auto put_row = [&](std::size_t row, std::span<MapCell> cells) {
-    for (std::size_t column = 0; column < cells.size() && !progress.is_cancelled(); ++column)
-      cells[column] = cell_at(row, column);
+  const auto put_rows = [&](std::size_t first_row, std::span<MapCell> cells) {
+    for (std::size_t i = 0; i < cells.size() && !progress.is_cancelled(); ++i)
+      cells[i] = cell_at(first_row + i / columns_, i % columns_);
   };
-  evaluate_rows(input, output, measures, travel, put_row, options, progress);
+  evaluate_rows(input, output, measures, travel, put_rows, options, progress);
 }
 
 void RegionMap::evaluate_rows(std::span<const double> input, std::span<const double> output,
-                              std::span<const Measure> measures, DriverTravel travel, const RowOfCells& put_row,
+                              std::span<const Measure> measures, DriverTravel travel, const RowsOfCells& put_rows,
                               const RegionOptions& options, const Progress& progress) {
+  constexpr std::size_t cells_at_a_time = 4096;
   lay(input, output, measures, false, options);
   drivers_.assign(rows_, travel);
+  const std::size_t most_rows = std::max<std::size_t>(1, cells_at_a_time / std::max<std::size_t>(1, columns_));
   parallel_for(rows_, options.threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<MapCell> cells(columns_);
-    for (std::size_t row = begin; row < end; ++row) {
-      leave_empty(row, row + 1);
+    std::vector<MapCell> cells;
+    for (std::size_t first = begin; first < end; first += most_rows) {
+      const std::size_t last = std::min(first + most_rows, end);
+      leave_empty(first, last);
       if (progress.is_cancelled()) continue;
-      std::fill(cells.begin(), cells.end(), MapCell{});
-      put_row(row, cells);
-      for (std::size_t column = 0; column < columns_; ++column) put(row, column, cells[column]);
+      cells.assign((last - first) * columns_, {});
+      put_rows(first, cells);
+      for (std::size_t i = 0; i < cells.size(); ++i) put(first + i / columns_, i % columns_, cells[i]);
     }
   });
 }

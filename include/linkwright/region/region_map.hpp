@@ -88,11 +88,12 @@ class RegionMap {
   /// Degenerate cells, for rows that are not judged.
   void leave_empty(std::size_t row_begin, std::size_t row_end);
 
-  /// The cells of a row, each to its place.
-  using RowOfCells = std::function<void(std::size_t row, std::span<MapCell> cells)>;
-  /// Row by row.
+  /// The cells of whole rows from one on, row-major, each to its place.
+  using RowsOfCells = std::function<void(std::size_t first_row, std::span<MapCell> cells)>;
+  /// A few rows at a time, for linkages that are judged in packs; called from several threads. Rows left out because
+  /// `progress` was cancelled are degenerate.
   void evaluate_rows(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
-                     DriverTravel travel, const RowOfCells& put_row, const RegionOptions& options = {},
+                     DriverTravel travel, const RowsOfCells& put_rows, const RegionOptions& options = {},
                      const Progress& progress = {});
   /// Cells by `cell_at`, called from several threads; the driver turns as `travel` says in all of them. Rows left out
   /// because `progress` was cancelled are degenerate.
