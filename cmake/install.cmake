@@ -35,19 +35,27 @@ install(DIRECTORY schema DESTINATION "${data_dir}")
 install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES cmake/copyright CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
+# Manual pages and completion of a program, by the component that it is installed with.
 find_package(Python3 COMPONENTS Interpreter)
-if(Python3_FOUND)
-  set(manual "${PROJECT_BINARY_DIR}/manual")
+add_custom_target(linkwright_manual ALL)
+function(linkwright_manual_of target program component)
+  if(NOT Python3_FOUND)
+    return()
+  endif()
+  set(manual "${PROJECT_BINARY_DIR}/manual/${program}")
   add_custom_command(
-    OUTPUT "${manual}/linkwright"
-    COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/script/manual.py" "$<TARGET_FILE:linkwright_cli>" "${PROJECT_VERSION}"
+    OUTPUT "${manual}/${program}"
+    COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/script/manual.py" "$<TARGET_FILE:${target}>" "${PROJECT_VERSION}"
             "${manual}"
-    DEPENDS linkwright_cli script/manual.py
+    DEPENDS ${target} "${PROJECT_SOURCE_DIR}/script/manual.py"
     VERBATIM)
-  add_custom_target(linkwright_manual ALL DEPENDS "${manual}/linkwright")
-  install(DIRECTORY "${manual}/man1" DESTINATION "${CMAKE_INSTALL_MANDIR}" OPTIONAL)
-  install(FILES "${manual}/linkwright" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" OPTIONAL)
-endif()
+  add_custom_target(${target}_manual DEPENDS "${manual}/${program}")
+  add_dependencies(linkwright_manual ${target}_manual)
+  install(DIRECTORY "${manual}/man1" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT ${component} OPTIONAL)
+  install(FILES "${manual}/${program}" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
+          COMPONENT ${component} OPTIONAL)
+endfunction()
+linkwright_manual_of(linkwright_cli linkwright program)
 
 if(TARGET linkwright_step)
   set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME step)
@@ -58,6 +66,7 @@ endif()
 if(TARGET linkwright_mpi)
   set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME mpi)
   install(TARGETS linkwright_mpi)
+  linkwright_manual_of(linkwright_mpi linkwright-mpi mpi)
   install(FILES cmake/copyright DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/linkwright-mpi")
 endif()
 

@@ -3,7 +3,7 @@
 
 usage: script/manual.py PROGRAM VERSION FOLDER
 
-Asks PROGRAM and each of its commands for --help, and writes FOLDER/man1/*.1.gz and FOLDER/linkwright.
+Asks PROGRAM and each of its commands for --help, and writes FOLDER/man1/*.1.gz and, for bash, FOLDER/<its name>.
 """
 
 import gzip
@@ -46,6 +46,7 @@ class Item:
 
 @dataclass
 class Command:
+    program: str  # its name
     path: tuple[str, ...]  # ("attitude", "convert"); of the program itself ()
     purpose: str
     usage: str
@@ -87,11 +88,11 @@ def command_of(program, path=()):
     purpose, usage = text.strip().splitlines()[:2]
     sections = sections_of(text)
     below = [command_of(program, (*path, item.name)) for item in sections.get("Subcommands", [])]
-    return Command(path, purpose, usage.removeprefix("Usage: "), sections.get("Positionals", []), sections["Options"], below)
+    return Command(Path(program).name, path, purpose, usage.removeprefix("Usage: "), sections.get("Positionals", []), sections["Options"], below)
 
 
 def page_name(command):
-    return "-".join(("linkwright", *command.path))
+    return "-".join((command.program, *command.path))
 
 
 def roff(text):
@@ -113,11 +114,11 @@ def page_of(command, version, related):
     if command.path:
         purpose = purpose[0].lower() + purpose[1:]
     lines = [
-        f'.TH {name.upper()} 1 "" "linkwright {version}" "User Commands"',
+        f'.TH {name.upper()} 1 "" "{command.program} {version}" "User Commands"',
         ".SH NAME",
         f"{name} \\- {roff(purpose.removeprefix('Linkwright '))}",
         ".SH SYNOPSIS",
-        f"\\fB{roff(' '.join(('linkwright', *command.path)))}\\fR {roff(command.usage.split(' ', 1 + len(command.path))[-1])}",
+        f"\\fB{roff(' '.join((command.program, *command.path)))}\\fR {roff(command.usage.split(' ', 1 + len(command.path))[-1])}",
         *page_items("ARGUMENTS", command.arguments),
         *page_items("OPTIONS", command.options),
         *page_items("COMMANDS", [Item(c.path[-1], c.purpose) for c in command.below]),
@@ -155,8 +156,8 @@ def completion_case(command):
 
 
 COMPLETION = """\
-# Completion of linkwright's commands, options and files in bash.
-_linkwright() {{
+# Completion of {program}'s commands, options and files in bash.
+{function}() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}} command= options= words= files= word
   if [[ $current == = ]]; then current=; fi # --format=
   if [[ $previous == = ]]; then previous=${{COMP_WORDS[COMP_CWORD - 2]}}; fi
@@ -175,7 +176,7 @@ _linkwright() {{
   mapfile -t COMPREPLY < <(compgen ${{files:+-f}} -W "$words" -- "$current")
   if [[ $files ]]; then compopt -o filenames 2>/dev/null; fi
 }}
-complete -F _linkwright linkwright
+complete -F {function} {program}
 """
 
 
@@ -183,7 +184,8 @@ def completion_of(program):
     commands = list(program.with_all_below())
     known = " | ".join(f'"{" ".join(command.path[:-1])}/{command.path[-1]}"' for command in commands if command.path)
     cases = "\n".join(line for command in commands for line in completion_case(command))
-    return COMPLETION.format(known=known, cases=cases)
+    function = "_" + program.program.replace("-", "_")
+    return COMPLETION.format(program=program.program, function=function, known=known, cases=cases)
 
 
 def main(program, version, folder):
@@ -194,7 +196,7 @@ def main(program, version, folder):
     for command in root.with_all_below():
         page = page_of(command, version, names).encode()
         (pages / f"{page_name(command)}.1.gz").write_bytes(gzip.compress(page, mtime=0))
-    Path(folder, "linkwright").write_text(completion_of(root))
+    Path(folder, root.program).write_text(completion_of(root))
 
 
 if __name__ == "__main__":

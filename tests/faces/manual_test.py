@@ -2,6 +2,7 @@
 
 import gzip
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -46,6 +47,16 @@ class Manual(unittest.TestCase):
             drawn = subprocess.run(["groff", "-man", "-Tutf8", "-ww", "-z"], input=gzip.decompress(page.read_bytes()),
                                    capture_output=True, check=True)
             self.assertEqual(drawn.stderr, b"", page.name)
+
+    @unittest.skipUnless(shutil.which(f"{CLI}-mpi"), "linkwright-mpi is not there")
+    def test_other_programs_have_theirs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, ROOT / "script/manual.py", f"{CLI}-mpi", "1.2.3", folder], check=True)
+            pages = sorted(page.name for page in Path(folder, "man1").iterdir())
+            self.assertEqual(pages, ["linkwright-mpi-sweep.1.gz", "linkwright-mpi.1.gz"])
+            page = gzip.decompress(Path(folder, "man1", pages[0]).read_bytes()).decode().replace("\\-", "-")
+            self.assertIn("\\fBlinkwright-mpi sweep\\fR [OPTIONS] [SWEEP]", page)
+            self.assertIn("complete -F _linkwright_mpi linkwright-mpi\n", Path(folder, "linkwright-mpi").read_text())
 
     def test_every_option_has_its_entry(self):
         for command in COMMANDS:

@@ -31,6 +31,9 @@ check "the studio serves the page's script" grep -q text/javascript <(get "/$(gr
 kill $studio
 
 check "the manual describes solve" grep -q region_samples <(zcat /usr/share/man/man1/linkwright-solve.1.gz)
+if [[ -e $(compgen -G "linkwright-mpi_*.deb") ]]; then
+  check "the manual describes sweeps on a cluster" grep -q resume <(zcat /usr/share/man/man1/linkwright-mpi-sweep.1.gz)
+fi
 source /usr/share/bash-completion/completions/linkwright
 COMP_WORDS=(linkwright exp) COMP_CWORD=1
 _linkwright
