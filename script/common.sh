@@ -49,6 +49,9 @@ build_web() {
 # The version, from its one place.
 project_version() { sed -nE 's/^project\(linkwright VERSION ([0-9.]+).*/\1/p' CMakeLists.txt; }
 
+# Clones of the tree share what was compiled, wherever they lie.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+
 # What is made twice from one commit is the same to the last bit: files are as old as it is.
 export SOURCE_DATE_EPOCH
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CMakeLists.txt)

@@ -4,14 +4,16 @@
 Builds a check with copies of a source in which one thing is wrong. The right source must agree everywhere with what the
 check knows of it, driving or the series of a motion; each mutant must not.
 
-usage: mutants.py SOURCE_DIR LIBRARY CXX [FLAG...]   (linker flags among them)
+usage: mutants.py SOURCE_DIR SCRATCH_DIR LIBRARY CXX [FLAG...]   (linker flags among them)
+
+Units whose texts were compiled before come from ccache, where it is installed.
 """
 
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
-import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 PLANAR = [
@@ -128,13 +130,14 @@ class Workshop:
 
     def __init__(self, source_dir, library, compiler, flags, scratch, shared):
         self.source_dir, self.library, self.compiler, self.flags, self.scratch = source_dir, library, compiler, flags, scratch
+        self.launcher = ["ccache"] if shutil.which("ccache") else []
         scratch.mkdir(parents=True)
         self.shared = [scratch / (pathlib.Path(path).stem + ".o") for path in shared]
         for path, target in zip(shared, self.shared):
             self.compile(source_dir / path, target, [])
 
     def compile(self, source, target, before):
-        command = [self.compiler, "-std=c++20", "-O1", "-w", *before, f"-I{self.source_dir}/include", f"-I{self.source_dir}/src",
+        command = [*self.launcher, self.compiler, "-std=c++20", "-O1", "-w", *before, f"-I{self.source_dir}/include", f"-I{self.source_dir}/src",
                    f"-I{self.source_dir}/tests", "-c", str(source), "-o", str(target)]
         subprocess.run(command, check=True)
 
@@ -165,10 +168,11 @@ def mutants_of(subject, texts, failures):
 
 
 def main():
-    source_dir, library, compiler, *flags = sys.argv[1:]
+    source_dir, scratch, library, compiler, *flags = sys.argv[1:]
     source_dir = pathlib.Path(source_dir)
+    shutil.rmtree(scratch, ignore_errors=True)
     failures = []
-    with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(os.cpu_count()) as pool:
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
         for subject, (unit, headers, shared, _) in SUBJECTS.items():
             texts = {path: (source_dir / path).read_text() for path in [unit, *headers]}
             workshop = Workshop(source_dir, library, compiler, flags, pathlib.Path(scratch) / subject.replace(" ", "_"), shared)
