@@ -12,7 +12,7 @@ namespace linkwright {
 namespace {
 
 constexpr std::size_t longest_attribute = 64u << 20, widest_text = 4096, most_columns = 2000;
-constexpr hsize_t rows_a_piece = 4096;
+constexpr hsize_t rows_a_piece = 4096, most_chunk_bytes = 16u << 20;
 
 Error no_table(std::string_view why) {
   return {"no_sweep_table", "", "this is no table of a sweep: " + std::string(why), {{"why", why}}};
@@ -107,6 +107,18 @@ std::optional<SweepColumn> column_of(hid_t data, std::string_view name) {
   return column;
 }
 
+/// How many rows of a column are read at a time, whole chunks of them; 0 where its bytes are not all in this file, or
+/// chunks are so large that no sweep has written them.
+hsize_t rows_at_a_time(hid_t data, std::size_t width) {
+  const Hdf5Handle properties(::H5Dget_create_plist(data), ::H5Pclose);
+  const H5D_layout_t layout = ::H5Pget_layout(properties.id());
+  if (layout == H5D_VIRTUAL || ::H5Pget_external_count(properties.id()) != 0) return 0;
+  if (layout != H5D_CHUNKED) return rows_a_piece;
+  hsize_t rows = 0;
+  if (::H5Pget_chunk(properties.id(), 1, &rows) != 1 || rows == 0 || rows > most_chunk_bytes / width) return 0;
+  return rows >= rows_a_piece ? rows : rows_a_piece / rows * rows;
+}
+
 /// What a piece of a column adds to its summary.
 class Summarizer {
  public:
@@ -164,11 +176,13 @@ std::optional<ColumnSummary> summary_of(hid_t group, const std::string& name) {
   hsize_t rows = 0;
   ::H5Sget_simple_extent_dims(space.id(), &rows, nullptr);
   summary.rows = static_cast<std::int64_t>(rows);
+  const hsize_t most = rows_at_a_time(data.id(), summary.column.width);
+  if (most == 0) return std::nullopt;
   const Hdf5Handle type = memory_type(summary.column);
-  std::string piece(rows_a_piece * summary.column.width, '\0');
+  std::string piece(most * summary.column.width, '\0');
   Summarizer summarizer(summary);
-  for (hsize_t start = 0; start < rows; start += rows_a_piece) {
-    const hsize_t count = std::min(rows_a_piece, rows - start);
+  for (hsize_t start = 0; start < rows; start += most) {
+    const hsize_t count = std::min(most, rows - start);
     const Hdf5Handle memory(::H5Screate_simple(1, &count, nullptr), ::H5Sclose);
     ::H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &start, nullptr, &count, nullptr);
     if (::H5Dread(data.id(), type.id(), memory.id(), space.id(), H5P_DEFAULT, piece.data()) < 0) return std::nullopt;
