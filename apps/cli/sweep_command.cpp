@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <functional>
@@ -60,9 +61,15 @@ std::chrono::seconds patience_for(const std::filesystem::path& table) {
 
 /// Reads a table of HDF5 and tells of it.
 int read_apart(const std::filesystem::path& path, const std::function<int()>& work) {
-  if (const auto status = in_child(patience_for(path), work)) return *status;
+  const ChildEnd end = in_child(patience_for(path), work);
+  if (end.status) return *end.status;
   if (Interruption::happened()) return stopped();
-  return refused(path.string(), {Error{"damaged_table", "", "this table is damaged: HDF5 fails when it is read"}});
+  if (end.crashed())
+    return refused(path.string(), {Error{"damaged_table", "", "this table is damaged: HDF5 fails when it is read"}});
+  if (end.signal == SIGPIPE) std::raise(SIGPIPE);  // whoever reads the answer has heard enough
+  print_failure(end.signal == 0 ? "there is no process to be had that reads the table"
+                                : fmt::format("the process that read the table was ended by signal {}", end.signal));
+  return failure;
 }
 
 int tell_finished(const std::filesystem::path& output, const SweepPlan& plan) {
@@ -71,6 +78,7 @@ int tell_finished(const std::filesystem::path& output, const SweepPlan& plan) {
   if (!is_head_of(*head, plan))
     return refused(output.string(), {Error{"another_sweep", "",
                                            "this is the table of another sweep or version; --overwrite replaces it"}});
+  SweepFolder::tidy_up(output);
   const auto text = fmt::format("{} is complete: {} samples\n", output.string(), grouped_text(plan.samples()));
   return print_answer(text) ? 0 : failure;
 }
@@ -112,7 +120,8 @@ int run(const SweepPlan& plan, const SweepArguments& arguments, SweepWorkers& wo
   Interruption::set_words("stopped; what is done is kept, and the same command with --resume goes on");
   const auto begun = std::chrono::steady_clock::now();
   if (const auto status = compute(plan, *folder, arguments, workers)) return *status;
-  if (const auto failed = write_sweep_file(output, plan, *folder)) return refused(arguments.output, {*failed});
+  const auto failed = write_sweep_file(output, plan, *folder);
+  if (failed) return Interruption::happened() ? stopped() : refused(arguments.output, {*failed});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   const std::string text =
       fmt::format("{} samples are in {}, after {}; linkwright sweep --inspect tells what they are\n",

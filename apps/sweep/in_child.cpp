@@ -1,6 +1,7 @@
 #include "in_child.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -42,15 +43,21 @@ void compute_at_most(std::chrono::seconds longest) {
 
 }  // namespace
 
-std::optional<int> in_child(std::chrono::seconds longest, const std::function<int()>& work) {
+bool ChildEnd::crashed() const {
+  constexpr std::array crashes = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU};
+  return std::find(crashes.begin(), crashes.end(), signal) != crashes.end();
+}
+
+ChildEnd in_child(std::chrono::seconds longest, const std::function<int()>& work) {
   std::fflush(nullptr);
   const pid_t parent = ::getpid(), child = ::fork();
-  if (child < 0) return work();
+  if (child < 0) return {};
   if (child == 0) do_and_leave(longest, work, parent);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return std::nullopt;
-  return WIFEXITED(status) ? std::optional(WEXITSTATUS(status)) : std::nullopt;
+    if (errno != EINTR) return {};
+  if (WIFEXITED(status)) return {WEXITSTATUS(status), 0};
+  return {std::nullopt, WTERMSIG(status)};
 }
 
 }  // namespace linkwright

@@ -109,7 +109,7 @@ Hdf5Handle create_file(const std::filesystem::path& path) {
   ::H5Pset_obj_track_times(creation.id(), false);
   ::H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   ::H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18);
-  return {::H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), ::H5Fclose};
+  return {::H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation.id(), access.id()), ::H5Fclose};
 }
 
 Hdf5Handle create_group(hid_t file, std::string_view name) {
@@ -199,11 +199,11 @@ std::optional<std::string> sync(const std::filesystem::path& path) {
 
 /// This very table stands there already: a run was stopped before it had tidied up.
 bool is_table_of(const std::filesystem::path& path, const SweepPlan& plan) {
-  const auto status = in_child(std::chrono::minutes(1), [&] {
+  const ChildEnd end = in_child(std::chrono::minutes(1), [&] {
     const auto head = read_sweep_head(path);
     return head && is_head_of(*head, plan) ? 0 : 1;
   });
-  return status == 0;
+  return end.status == 0;
 }
 
 /// Takes the name of the output where nothing has it; 0, or the system's number for why not.
@@ -262,10 +262,11 @@ std::optional<Error> write_sweep_file(const std::filesystem::path& output, const
   for (std::int64_t k = 0; k < plan.blocks(); ++k)
     if (k >= static_cast<std::int64_t>(scan->blocks.size()) || scan->blocks[static_cast<std::size_t>(k)].block != k)
       return missing_block(k);
-  const std::filesystem::path made = folder.path() / "merged.h5";
+  const std::filesystem::path made = folder.path() / "sweep.merged.h5";
+  std::error_code error;
+  std::filesystem::remove(made, error);  // of a run that was killed
   auto failure = merge(made, plan, *scan);
   if (!failure) failure = settle(made, output, plan, folder);
-  std::error_code error;
   if (failure)
     std::filesystem::remove(made, error);
   else
