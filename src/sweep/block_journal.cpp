@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/uio.h>
 #include <unistd.h>
@@ -38,12 +37,14 @@ Error another_journal(const std::filesystem::path& path) {
 }  // namespace
 
 Result<BlockJournal> BlockJournal::open(const std::filesystem::path& folder, const SweepPlan& plan, int process) {
-  const std::filesystem::path path = folder / fmt::format("{:06}.journal", process);
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  const std::filesystem::path path = folder / journal_name(process);
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
   if (descriptor < 0) return unwritable("cannot be written", path, errno);
   BlockJournal journal(path, descriptor, plan_check(plan));
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return sweep_in_use();
-  const JournalState state = journal_state(descriptor, plan);
+  JournalFile file(descriptor);
+  const JournalState state = file.failed() == 0 ? journal_state(file, plan) : JournalState{};
+  if (file.failed() != 0) return unreadable_journal(path, file.failed());  // what cannot be read is not cut off
   if (state.owner == JournalOwner::another) return another_journal(path);
   const JournalHeader header = journal_header(journal.plan_check_);
   const std::string_view bytes(reinterpret_cast<const char*>(&header), sizeof header);

@@ -1,8 +1,10 @@
 #include "journal_records.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -44,19 +46,43 @@ OpenFile::~OpenFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-std::string read_at(int descriptor, std::uint64_t offset, std::uint64_t count) {
+JournalFile::JournalFile(int descriptor) : descriptor_(descriptor) {
+  struct stat about {};
+  if (::fstat(descriptor, &about) != 0)
+    failed_ = errno;
+  else if (!S_ISREG(about.st_mode))
+    failed_ = EINVAL;
+  else
+    size_ = static_cast<std::uint64_t>(about.st_size);
+}
+
+std::string JournalFile::read(std::uint64_t offset, std::uint64_t count) {
   std::string bytes(count, '\0');
   std::size_t have = 0;
-  while (have < bytes.size()) {
+  while (have < bytes.size() && failed_ == 0) {
     const ssize_t got =
-        ::pread(descriptor, bytes.data() + have, bytes.size() - have, static_cast<off_t>(offset + have));
+        ::pread(descriptor_, bytes.data() + have, bytes.size() - have, static_cast<off_t>(offset + have));
+    if (got == 0) break;
     if (got > 0)
       have += static_cast<std::size_t>(got);
-    else if (got == 0 || errno != EINTR)
-      break;
+    else if (errno != EINTR)
+      failed_ = errno;
   }
-  bytes.resize(have);
+  bytes.resize(failed_ == 0 ? have : 0);
   return bytes;
+}
+
+std::string journal_name(int process) { return fmt::format("{:06}.journal", process); }
+
+bool is_journal(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+  return digits >= 6 && name.substr(digits) == ".journal";
+}
+
+Error unreadable_journal(const std::filesystem::path& path, int error_number) {
+  const char* const reason = std::strerror(error_number);
+  return {"unreadable_journal", "", path.string() + " cannot be read: " + reason, {{"reason", reason}}};
 }
 
 Error unwritable(std::string_view what, const std::filesystem::path& path, int error_number) {

@@ -46,8 +46,23 @@ class OpenFile {
   int descriptor_;
 };
 
-/// As many bytes as there are, at most `count`; shorter at the end of the file or where it cannot be read.
-[[nodiscard]] std::string read_at(int descriptor, std::uint64_t offset, std::uint64_t count);
+/// A journal that is read. Once the system has failed to read, nothing more is: what came of it says nothing of the
+/// file.
+class JournalFile {
+ public:
+  /// `descriptor` stays its owner's.
+  explicit JournalFile(int descriptor);
+
+  /// The system's number of the first failure; 0: none.
+  [[nodiscard]] int failed() const { return failed_; }
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// As many bytes as there are, at most `count`; fewer at the end of the file or where reading fails.
+  [[nodiscard]] std::string read(std::uint64_t offset, std::uint64_t count);
+
+ private:
+  int descriptor_, failed_ = 0;
+  std::uint64_t size_ = 0;
+};
 
 /// Of which plan a journal is, by its header or, where that has changed, by a record.
 enum class JournalOwner { nobody, plan, another };
@@ -55,9 +70,15 @@ struct JournalState {
   JournalOwner owner = JournalOwner::nobody;  ///< nobody: not even its header was written
   std::uint64_t untorn_size = 0;              ///< bytes without a last record that was not written whole
 };
-[[nodiscard]] JournalState journal_state(int descriptor, const SweepPlan& plan);
+/// Where reading fails the file has failed(), and its state is not known.
+[[nodiscard]] JournalState journal_state(JournalFile& file, const SweepPlan& plan);
+
+/// 000000.journal of process 0; so are all named that a sweep writes.
+[[nodiscard]] std::string journal_name(int process);
+[[nodiscard]] bool is_journal(const std::filesystem::path& path);
 
 /// "…: <the system's reason>".
+[[nodiscard]] Error unreadable_journal(const std::filesystem::path& path, int error_number);
 [[nodiscard]] Error unwritable(std::string_view what, const std::filesystem::path& path, int error_number);
 [[nodiscard]] Error sweep_in_use();
 

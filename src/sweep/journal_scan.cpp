@@ -14,11 +14,8 @@ namespace {
 /// Goes through one journal.
 class JournalReader {
  public:
-  JournalReader(int descriptor, const SweepPlan& plan)
-      : descriptor_(descriptor), plan_check_(plan_check(plan)), blocks_(plan.blocks()) {
-    const off_t end = ::lseek(descriptor, 0, SEEK_END);
-    size_ = end > 0 ? static_cast<std::uint64_t>(end) : 0;
-  }
+  JournalReader(JournalFile& file, const SweepPlan& plan)
+      : file_(file), plan_check_(plan_check(plan)), blocks_(plan.blocks()), size_(file.size()) {}
 
   [[nodiscard]] JournalState state() const {
     if (size_ < sizeof(JournalHeader)) return {};
@@ -32,7 +29,7 @@ class JournalReader {
     if (owner == JournalOwner::nobody && size_ > 0) ++scan.torn;
     if (owner == JournalOwner::another || (owner == JournalOwner::plan && !has_header())) ++scan.corrupt;
     if (owner != JournalOwner::plan) return;
-    for (std::uint64_t at = sizeof(JournalHeader); at < size_;) {
+    for (std::uint64_t at = sizeof(JournalHeader); at < size_ && file_.failed() == 0;) {
       const Piece piece = piece_at(at);
       if (piece.kind == Piece::torn)
         ++scan.torn;
@@ -47,7 +44,7 @@ class JournalReader {
  private:
   [[nodiscard]] bool has_header() const {
     const JournalHeader wanted = journal_header(plan_check_);
-    const std::string bytes = read_at(descriptor_, 0, sizeof wanted);
+    const std::string bytes = file_.read(0, sizeof wanted);
     return bytes.size() == sizeof wanted && std::memcmp(bytes.data(), &wanted, sizeof wanted) == 0;
   }
 
@@ -80,12 +77,12 @@ class JournalReader {
   [[nodiscard]] bool is_sound(std::uint64_t at) const {
     const auto header = header_at(at);
     if (!header) return false;
-    const std::string rows = read_at(descriptor_, at + sizeof(RecordHeader), header->size);
+    const std::string rows = file_.read(at + sizeof(RecordHeader), header->size);
     return rows.size() == header->size && checksum(rows) == header->rows_check;
   }
 
   [[nodiscard]] std::optional<RecordHeader> header_at(std::uint64_t at) const {
-    const std::string bytes = read_at(descriptor_, at, sizeof(RecordHeader));
+    const std::string bytes = file_.read(at, sizeof(RecordHeader));
     if (bytes.size() < sizeof(RecordHeader)) return std::nullopt;
     RecordHeader header{};
     std::memcpy(&header, bytes.data(), sizeof header);
@@ -98,45 +95,40 @@ class JournalReader {
     constexpr std::uint64_t piece = 1 << 20;
     const RecordHeader pattern = record_header(0, 0, "");
     const std::string_view magic(reinterpret_cast<const char*>(&pattern.magic), sizeof pattern.magic);
-    for (std::uint64_t start = from; start < size_; start += piece) {
-      const std::string bytes = read_at(descriptor_, start, piece + magic.size() - 1);
+    for (std::uint64_t start = from; start < size_ && file_.failed() == 0; start += piece) {
+      const std::string bytes = file_.read(start, piece + magic.size() - 1);
       for (std::size_t k = bytes.find(magic); k != std::string::npos; k = bytes.find(magic, k + 1))
         if (header_at(start + k)) return start + k;
     }
     return size_;
   }
 
-  int descriptor_;
+  JournalFile& file_;
   std::uint32_t plan_check_;
   std::int64_t blocks_;
-  std::uint64_t size_ = 0;
+  std::uint64_t size_;
 };
-
-Error unreadable(const std::filesystem::path& path, int error_number) {
-  return {"unreadable_journal",
-          "",
-          path.string() + " cannot be read: " + std::strerror(error_number),
-          {{"reason", std::strerror(error_number)}}};
-}
 
 std::optional<Error> read_journal(std::uint32_t journal, const SweepPlan& plan, JournalScan& scan) {
   const std::filesystem::path& path = scan.journals[journal];
-  const OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.descriptor() < 0) return unreadable(path, errno);
-  JournalReader(file.descriptor(), plan).read(journal, scan);
+  const OpenFile open_file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (open_file.descriptor() < 0) return unreadable_journal(path, errno);
+  JournalFile file(open_file.descriptor());
+  if (file.failed() == 0) JournalReader(file, plan).read(journal, scan);
+  if (file.failed() != 0) return unreadable_journal(path, file.failed());
   return std::nullopt;
 }
 
 }  // namespace
 
-JournalState journal_state(int descriptor, const SweepPlan& plan) { return JournalReader(descriptor, plan).state(); }
+JournalState journal_state(JournalFile& file, const SweepPlan& plan) { return JournalReader(file, plan).state(); }
 
 Result<JournalScan> scan_journals(const std::filesystem::path& folder, const SweepPlan& plan) {
   JournalScan scan;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (entry.path().extension() == ".journal") scan.journals.push_back(entry.path());
-  if (error) return unreadable(folder, error.value());
+    if (is_journal(entry.path())) scan.journals.push_back(entry.path());
+  if (error) return unreadable_journal(folder, error.value());
   std::sort(scan.journals.begin(), scan.journals.end());
   for (std::uint32_t k = 0; k < scan.journals.size(); ++k)
     if (const auto failure = read_journal(k, plan, scan)) return *failure;
@@ -158,20 +150,23 @@ int StoredBlocks::descriptor_of(std::uint32_t journal) {
     ::close(std::exchange(descriptors_[opened_.front()], -1));
     opened_.pop_front();
   }
-  descriptor = ::open(journals_[journal].c_str(), O_RDONLY | O_CLOEXEC);
+  descriptor = ::open(journals_[journal].c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor >= 0) opened_.push_back(journal);
   return descriptor;
 }
 
 Result<std::string> StoredBlocks::read(const StoredBlock& block) {
   const int descriptor = descriptor_of(block.journal);
-  if (descriptor < 0) return unreadable(journals_[block.journal], errno);
-  const std::string bytes = read_at(descriptor, block.offset, sizeof(RecordHeader));
+  if (descriptor < 0) return unreadable_journal(journals_[block.journal], errno);
+  JournalFile file(descriptor);
+  const std::string bytes = file.read(block.offset, sizeof(RecordHeader));
+  if (file.failed() != 0) return unreadable_journal(journals_[block.journal], file.failed());
   if (bytes.size() < sizeof(RecordHeader)) return missing_block(block.block);
   RecordHeader header{};
   std::memcpy(&header, bytes.data(), sizeof header);
   if (header.block != block.block || !is_whole(header)) return missing_block(block.block);
-  std::string rows = read_at(descriptor, block.offset + sizeof(RecordHeader), header.size);
+  std::string rows = file.read(block.offset + sizeof(RecordHeader), header.size);
+  if (file.failed() != 0) return unreadable_journal(journals_[block.journal], file.failed());
   if (rows.size() != header.size || checksum(rows) != header.rows_check) return missing_block(block.block);
   return rows;
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -121,7 +122,11 @@ std::optional<Error> run_sweep(const SweepPlan& plan, BlockSource& source, Block
   const int threads = options.threads > 0 ? options.threads : available_threads();
   {
     std::vector<std::jthread> helpers;
-    for (int helper = 1; helper < threads; ++helper) helpers.emplace_back([&run] { run.work(); });
+    try {
+      for (int helper = 1; helper < threads; ++helper) helpers.emplace_back([&run] { run.work(); });
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those that there are do the work.
+    }
     run.work();
   }
   return run.outcome();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "files/json/json_document.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view plan_file = "sweep.json", lock_file = "lock", replaces = "replaces_output";
+constexpr std::string_view plan_file = "sweep.json", lock_file = "sweep.lock", replaces = "replaces_output";
 // A problem and a sweep, each as large and as deep as its file may be; numbers written anew can be some times as long.
 constexpr JsonLimits plan_limits = {.max_bytes = 256u << 20, .deepest_nesting = 128, .kept = {}};
 
@@ -78,11 +79,62 @@ std::optional<Error> refuse_output(const std::filesystem::path& output, SweepSta
   return Error{"output_exists", "", "this file exists; --overwrite replaces it"};
 }
 
-void remove_journals(const std::filesystem::path& folder) {
+/// A plan that was on its way to its name when the program was killed.
+bool is_unfinished_plan(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  return name.starts_with("." + std::string(plan_file)) && name.ends_with(".tmp");
+}
+
+/// What a sweep has put there but its lock, the plan first; nothing else.
+void remove_own(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::remove(folder / plan_file, error);
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (entry.path().extension() == ".journal") std::filesystem::remove(entry.path(), error);
+    if (is_journal(entry.path()) || is_unfinished_plan(entry.path())) std::filesystem::remove(entry.path(), error);
+}
+
+Error journals_without_plan(const std::filesystem::path& folder, std::string_view way_out) {
+  return {"journals_without_plan", "",
+          fmt::format("{} has journals, but not the plan that they are of; {}", folder.string(), way_out)};
+}
+
+/// Journals whose plan is gone: where this is it they are as good as ever.
+std::optional<Error> refuse_orphans(const std::filesystem::path& folder, const SweepPlan& plan, SweepStart start) {
+  if (start == SweepStart::overwrite) return std::nullopt;
+  const auto scan = scan_journals(folder, plan);
+  if (!scan) return scan.errors().front();
+  if (scan->journals.empty()) return std::nullopt;
+  if (start == SweepStart::fresh)
+    return journals_without_plan(folder, "--resume goes on where it was this one, --overwrite begins anew");
+  if (scan->blocks.empty() && scan->corrupt > 0)
+    return journals_without_plan(folder, "it was another than this; --overwrite begins anew");
+  return std::nullopt;
+}
+
+/// The lock of a folder, which is made where it is missing; no descriptor where another run has it. A run that ends
+/// removes folder and lock: what is locked must still be what has the name.
+Result<int> locked(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / lock_file;
+  constexpr int most_ends = 100;  // of other runs meanwhile
+  for (int round = 0; round < most_ends; ++round) {
+    std::error_code error;
+    std::filesystem::create_directory(folder, error);
+    if (error) return unwritable("cannot be made", folder, error.value());
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (descriptor < 0 && errno == ENOENT) continue;
+    if (descriptor < 0) return unwritable("cannot be written", path, errno);
+    struct stat own {
+    }, named{};
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+      ::close(descriptor);
+      return sweep_in_use();
+    }
+    if (::fstat(descriptor, &own) == 0 && ::stat(path.c_str(), &named) == 0 && own.st_ino == named.st_ino &&
+        own.st_dev == named.st_dev)
+      return descriptor;
+    ::close(descriptor);
+  }
+  return sweep_in_use();
 }
 
 }  // namespace
@@ -102,13 +154,10 @@ Result<SweepFolder> SweepFolder::open(const std::filesystem::path& output, const
   if (const auto refusal = refuse_output(output, start)) return *refusal;
   SweepFolder folder;
   folder.path_ = beside(output);
-  std::error_code error;
-  std::filesystem::create_directory(folder.path_, error);
-  if (error) return unwritable("cannot be made", folder.path_, error.value());
-  const std::filesystem::path lock = folder.path_ / lock_file;
-  folder.lock_ = std::make_shared<Lock>(::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-  if (folder.lock_->descriptor() < 0) return unwritable("cannot be written", lock, errno);
-  if (::flock(folder.lock_->descriptor(), LOCK_EX | LOCK_NB) != 0) return sweep_in_use();
+  const auto lock = locked(folder.path_);
+  if (!lock) return lock.errors();
+  folder.lock_ = std::make_shared<Lock>(*lock);
+  if (const auto refusal = refuse_output(output, start)) return *refusal;  // another run may have ended meanwhile
   const bool begun = is_begun(output);
   if (begun && start == SweepStart::fresh)
     return Error{"sweep_begun", "",
@@ -120,18 +169,30 @@ Result<SweepFolder> SweepFolder::open(const std::filesystem::path& output, const
     if (const auto refusal = difference(folder.path_, *stored, plan)) return *refusal;
     return folder;
   }
+  if (const auto refusal = begun ? std::nullopt : refuse_orphans(folder.path_, plan, start)) return *refusal;
   folder.replaces_output_ = start == SweepStart::overwrite;
-  remove_journals(folder.path_);
+  if (start == SweepStart::overwrite) remove_own(folder.path_);
   Json tree = plan_tree(plan);
   if (folder.replaces_output_) tree[replaces] = true;
   if (auto failure = write_atomically(folder.path_ / plan_file, tree.dump() + "\n")) return *failure;
   return folder;
 }
 
+void SweepFolder::tidy_up(const std::filesystem::path& output) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(beside(output), error) || is_begun(output)) return;
+  const auto lock = locked(beside(output));
+  if (!lock) return;
+  SweepFolder folder;
+  folder.path_ = beside(output);
+  folder.lock_ = std::make_shared<Lock>(*lock);
+  if (!is_begun(output)) folder.remove();
+}
+
 Result<JournalScan> SweepFolder::scan(const SweepPlan& plan) const { return scan_journals(path_, plan); }
 
 void SweepFolder::remove() {
-  remove_journals(path_);
+  remove_own(path_);
   std::error_code error;
   std::filesystem::remove(path_ / lock_file, error);
   std::filesystem::remove(path_, error);
@@ -141,6 +202,10 @@ void SweepFolder::remove() {
 Result<SweepPlan> read_begun_sweep(const std::filesystem::path& folder) {
   const auto stored = stored_plan(folder);
   if (!stored) return stored.errors();
+  if (stored->at("version") != LINKWRIGHT_VERSION)
+    return Error{"another_version", "",
+                 fmt::format("what is done in {} was begun by version {}, this is {}; that version goes on with it",
+                             folder.string(), stored->at("version").dump(), LINKWRIGHT_VERSION)};
   Json sweep = stored->at("sweep");
   sweep["problem"] = stored->at("problem");
   return read_sweep_tree(sweep, {});

@@ -163,7 +163,7 @@ class Sweeps(SweepTest):
         self.assertEqual(status, 1)
         self.assertIn("File too large", error)
         self.assertNotIn("HDF5", error)
-        self.assertEqual({path.name for path in self.partial.iterdir()}, {"000000.journal", "lock", "sweep.json"})
+        self.assertEqual({path.name for path in self.partial.iterdir()}, {"000000.journal", "sweep.json", "sweep.lock"})
         self.done(content, "--resume")
         self.assertEqual(self.output.read_bytes(), whole)
 
@@ -211,6 +211,7 @@ class Sweeps(SweepTest):
         self.partial.mkdir()
         (self.partial / "000000.journal").write_bytes(journal)
         self.assertIn("is complete", self.done(content, "--resume"))
+        self.assertFalse(self.partial.exists())
         self.done(sweep_of(20), "--overwrite")
         self.assertFalse(self.partial.exists())
         self.assertNotEqual(self.output.read_bytes(), whole)
@@ -277,6 +278,26 @@ class Sweeps(SweepTest):
             self.assertEqual(status == 0, error == "")
             told.add(error.removeprefix(f"{self.output}: "))
         self.assertIn("this table is damaged: HDF5 fails when it is read\n", told)
+
+    def test_a_reader_that_has_heard_enough_is_no_damage(self):
+        self.done(sweep_of(40))
+        for command in (["--inspect", str(self.output)], [str(self.folder / "sweep.json"), "-o", str(self.output), "--resume"]):
+            read, write = os.pipe()
+            os.close(read)
+            done = subprocess.run([CLI, "sweep", *command], stdout=write, stderr=subprocess.PIPE, text=True, check=False)
+            os.close(write)
+            self.assertEqual((done.returncode, done.stderr), (-signal.SIGPIPE, ""))
+
+    @unittest.skipUnless(h5py, "python3-h5py is not there")
+    def test_tables_that_no_sweep_has_written_are_refused(self):
+        self.done(sweep_of(40))
+        table = self.output.read_bytes()
+        for wrong in ({"chunks": (1 << 26,), "maxshape": (None,)}, {"external": [(str(self.folder / "raw"), 0, 8 << 20)]}):
+            self.output.write_bytes(table)
+            with h5py.File(self.output, "r+") as file:
+                file["samples"].create_dataset("wrong", shape=(1 << 20,), dtype="f8", **wrong)
+            status, _, error = run("sweep", "--inspect", self.output)
+            self.assertEqual((status, error), (2, f"{self.output}: this is no table of a sweep: its column samples/wrong cannot be read\n"))
 
     def test_another_sweep_is_not_resumed(self):
         content = sweep_of(1500)

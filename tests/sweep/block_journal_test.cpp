@@ -1,8 +1,15 @@
 #include "linkwright/sweep/block_journal.hpp"
 
+#include <atomic>
+#include <cerrno>
+#include <fcntl.h>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
 
+#include "sweep/journal_records.hpp"
 #include "sweep_support.hpp"
 
 namespace linkwright {
@@ -134,6 +141,91 @@ TEST_F(BlockJournals, OfAnotherPlanAreNeitherTakenNorTouched) {
   EXPECT_EQ(fs::file_size(journal), size);
 }
 
+// What the system does not read for a moment must not be taken for the end of the file, and cut off.
+TEST_F(BlockJournals, ThatCannotBeReadAreTold) {
+  const int unreadable = ::open(journal.c_str(), O_WRONLY);
+  JournalFile file(unreadable);
+  EXPECT_GT(file.size(), 0u);
+  (void)journal_state(file, plan);
+  EXPECT_EQ(file.failed(), EBADF);
+  ::close(unreadable);
+}
+
+TEST_F(BlockJournals, AreFilesAndNothingElse) {
+  const fs::path folder = journal.parent_path();
+  fs::create_directory(folder / "000001.journal");
+  ASSERT_EQ(::mkfifo((folder / "000002.journal").c_str(), 0666), 0);
+  fs::create_symlink(journal, folder / "000003.journal");
+  for (const int process : {1, 2, 3}) EXPECT_FALSE(BlockJournal::open(folder, plan, process).ok()) << process;
+  for (const char* name : {"000001.journal", "000002.journal"}) {
+    const auto refused = scan_journals(folder, plan);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.errors()[0].code, "unreadable_journal");
+    fs::remove(folder / name);
+  }
+  EXPECT_EQ(scan().blocks.size(), 10u);
+}
+
+TEST_F(BlockJournals, OutliveTheirPlan) {
+  const fs::path output = scratch.path() / "out.h5";
+  fs::remove(journal.parent_path() / "sweep.json");
+  const auto other = sweep_support::plan_of(sweep_support::sweep_text(
+      R"({"method": "random", "samples": 41})", R"([{"at": "/requirements/max_length", "from": 1, "to": 2}])"));
+  EXPECT_EQ(SweepFolder::open(output, plan, SweepStart::fresh).errors()[0].code, "journals_without_plan");
+  EXPECT_EQ(SweepFolder::open(output, other, SweepStart::resume).errors()[0].code, "journals_without_plan");
+  ASSERT_TRUE(SweepFolder::open(output, plan, SweepStart::resume).ok());
+  EXPECT_EQ(scan().blocks.size(), 10u);
+  EXPECT_TRUE(SweepFolder::is_begun(output));
+}
+
+TEST_F(BlockJournals, LeaveOtherFilesAlone) {
+  const fs::path output = scratch.path() / "out.h5", folder = journal.parent_path();
+  const std::vector<std::string> others = {"diary.journal", "12.journal", "lock", "merged.h5", ".notes.tmp"};
+  for (const std::string& name : others) std::ofstream(folder / name) << name;
+  std::ofstream(folder / ".sweep.json.17-0.tmp") << "half";
+  {
+    auto begun = SweepFolder::open(output, plan, SweepStart::overwrite);
+    ASSERT_TRUE(begun.ok());
+    EXPECT_FALSE(fs::exists(journal));
+    begun->remove();
+  }
+  EXPECT_EQ(static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator())),
+            others.size());
+}
+
+TEST_F(BlockJournals, OfACompleteTableAreTidiedUp) {
+  const fs::path output = scratch.path() / "out.h5";
+  SweepFolder::tidy_up(output);
+  EXPECT_TRUE(fs::exists(journal));  // its sweep is begun
+  fs::remove(journal.parent_path() / "sweep.json");
+  SweepFolder::tidy_up(output);
+  EXPECT_FALSE(fs::exists(journal.parent_path()));
+}
+
+// A run that ends takes the lock's name away from those that have just opened it.
+TEST(SweepFolders, AreOneRunsAtATimeWhenRunsBeginAndEnd) {
+  const ScratchFolder scratch;
+  const SweepPlan plan = small_plan();
+  std::atomic<int> inside = 0, most = 0, runs = 0;
+  const auto begin_and_end = [&] {
+    for (int round = 0; round < 100; ++round) {
+      auto folder = SweepFolder::open(scratch.path() / "out.h5", plan, SweepStart::overwrite);
+      if (!folder) continue;
+      ++runs;
+      if (++inside > most) most = inside.load();
+      std::this_thread::yield();
+      --inside;
+      folder->remove();
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int k = 0; k < 4; ++k) threads.emplace_back(begin_and_end);
+  }
+  EXPECT_EQ(most, 1);
+  EXPECT_GT(runs, 0);
+}
+
 TEST_F(BlockJournals, CanBeMoreThanAProcessMayOpen) {
   constexpr int processes = StoredBlocks::most_open + 40;
   for (int process = 1; process < processes; ++process)
@@ -189,6 +281,17 @@ TEST_F(BlockJournals, SayWhatTheyWereBegunWith) {
   const auto begun = read_begun_sweep(journal.parent_path());
   ASSERT_TRUE(begun.ok());
   EXPECT_EQ(begun->sweep_text(), plan.sweep_text());
+}
+
+TEST_F(BlockJournals, OfAnotherVersionAreLeftToIt) {
+  const fs::path stored = journal.parent_path() / "sweep.json";
+  std::ifstream file(stored);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string version = "\"version\":\"";
+  ASSERT_NE(text.find(version), std::string::npos);
+  text.insert(text.find(version) + version.size(), "0.");
+  std::ofstream(stored) << text;
+  EXPECT_EQ(read_begun_sweep(journal.parent_path()).errors()[0].code, "another_version");
 }
 
 TEST_F(BlockJournals, AreNotResumedWhereThePlanIsDamaged) {

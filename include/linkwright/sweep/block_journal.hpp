@@ -37,7 +37,7 @@ enum class SweepStart { fresh, resume, overwrite };
 class SweepFolder {
  public:
   /// The caller's mistakes: a folder or output that exists where `fresh` is asked for, another sweep's where `resume`
-  /// is, one in use, one that cannot be written.
+  /// is, one in use, one that cannot be written, journals whose plan is gone.
   [[nodiscard]] static Result<SweepFolder> open(const std::filesystem::path& output, const SweepPlan& plan,
                                                 SweepStart start);
   /// OUT.h5.partial of OUT.h5.
@@ -53,6 +53,8 @@ class SweepFolder {
   /// Removes what the sweep has put there, the plan first, and the folder where nothing else is in it; gives up the
   /// lock. Stopped on the way it leaves no sweep that is begun.
   void remove();
+  /// Removes what a run has left there that was killed after its table was complete.
+  static void tidy_up(const std::filesystem::path& output);
 
  private:
   struct Lock;
@@ -64,7 +66,7 @@ class SweepFolder {
 /// The same without its lock, for the other processes of a run and for looking on: what the journals in a folder hold.
 [[nodiscard]] Result<JournalScan> scan_journals(const std::filesystem::path& folder, const SweepPlan& plan);
 
-/// The plan that a folder was begun with. Mistakes: no_sweep_begun, damaged_plan.
+/// The plan that a folder was begun with. Mistakes: no_sweep_begun, damaged_plan, another_version.
 [[nodiscard]] Result<SweepPlan> read_begun_sweep(const std::filesystem::path& folder);
 
 /// Keeps blocks of one process, one after another, each with its checksum: a block is there whole or not at all.
