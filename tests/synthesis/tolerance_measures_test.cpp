@@ -1,10 +1,12 @@
 #include "linkwright/synthesis/tolerance_measures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/synthesis/solve.hpp"
+#include "support/draws.hpp"
 #include "support/file_support.hpp"
 
 namespace linkwright::tolerance_measures_test {
@@ -224,7 +226,7 @@ TEST(ToleranceMeasures, AStrokeNeedNotHoldThePlaceWhereTheLinkageLies) {
     problem.requirements = {};
     problem.options.line = {.stroke = stroke};
     problem.options.tolerances->limit = ToleranceLimit{ToleranceLimit::Kind::deviation, 0.05};
-    problem.options.region_samples = 40;
+    problem.options.region_samples = std::min(40, testing::draws(150));
     const Answer answer = solved(problem);
     const auto& lines = std::get<StraightLineAnswer>(answer);
     ASSERT_FALSE(lines.linkages.empty());
