@@ -111,8 +111,8 @@ std::optional<Error> refuse_orphans(const std::filesystem::path& folder, const S
   return std::nullopt;
 }
 
-/// The lock of a folder, which is made where it is missing; no descriptor where another run has it. A run that ends
-/// removes folder and lock: what is locked must still be what has the name.
+/// The descriptor of a folder's lock; the folder is made where it is missing. A mistake where another run has it. A run
+/// that ends removes folder and lock: what is locked must still be what has the name.
 Result<int> locked(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / lock_file;
   constexpr int most_ends = 100;  // of other runs meanwhile
@@ -123,8 +123,8 @@ Result<int> locked(const std::filesystem::path& folder) {
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor < 0 && errno == ENOENT) continue;
     if (descriptor < 0) return unwritable("cannot be written", path, errno);
-    struct stat own {
-    }, named{};
+    struct stat own {};
+    struct stat named {};
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       ::close(descriptor);
       return sweep_in_use();
