@@ -360,7 +360,7 @@ describe("files that are no use", () => {
     expect(await refusal(svg(zigzag), "a.svg")).toBe("huge");
     const long = await found(svg(zigzag.replace(/(L[^L]*){50000}/, "")), "a.svg");
     expect(simplified(long.shapes[0]!.points).length).toBeLessThanOrEqual(200);
-    expect(performance.now() - start).toBeLessThan(10_000);
+    expect(performance.now() - start).toBeLessThan(60_000); // seconds, not minutes, on any machine
   });
 });
 
