@@ -12,7 +12,6 @@
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
-#include "linkwright/planar/chosen_length.hpp"
 #include "pair_report.hpp"
 #include "requirement_report.hpp"
 #include "six_bar_report.hpp"
@@ -222,7 +221,8 @@ std::string nothing_words(const Problem& problem, const FourBarAnswer& answer) {
 bool is_chosen_length(const Notice& notice) { return notice.code == "chosen_length"; }
 
 std::string warnings_words(const Findings& answer) {
-  std::string text;
+  const std::string inside = found_inside_text(answer);
+  std::string text = inside.empty() ? "" : wrapped("Note: " + inside, 6);
   for (const Notice& warning : answer.warnings)
     if (!is_chosen_length(warning)) text += wrapped("Note: " + warning.message, 6);
   return text;
@@ -232,13 +232,14 @@ std::string warnings_words(const Findings& answer) {
 std::string chosen_words(const FourBarAnswer& answer) {
   const auto& warnings = answer.warnings;
   const auto found = std::find_if(warnings.begin(), warnings.end(), is_chosen_length);
-  if (found == warnings.end() || found->values.size() < 2) return "";
+  if (found == warnings.end() || found->values.size() < 3) return "";
   const auto* side = std::get_if<std::string>(&found->values[0].value);
   const auto* length = std::get_if<double>(&found->values[1].value);
-  if (side == nullptr || length == nullptr) return "";
+  const auto* tried = std::get_if<double>(&found->values[2].value);
+  if (side == nullptr || length == nullptr || tried == nullptr) return "";
   return fmt::format(
-      "; the length {1} of the {0} link was chosen, the best of {2} tried (give a length to get another)", *side,
-      significant_text(*length, 4), ChosenLength::trials);
+      "; the length {1} of the {0} link was chosen, the best of {2:g} tried (give a length to get another)", *side,
+      significant_text(*length, 4), *tried);
 }
 
 /// What the task leaves open: of three positions and of functions, where it depends on what is given.

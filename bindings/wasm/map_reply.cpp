@@ -56,9 +56,18 @@ void EvaluatedMap::evaluate(const RequirementFilter& filter) {
   fails_.resize(map_.rows() * map_.columns());
   filter.failures_of_all(fails_);
   census_ = filter.census(fails_);
-  relax_ = census_.meeting == 0 ? filter.relaxations(census_) : std::vector<Relaxation>{};
-  relax_together_ = relax_.empty() ? census_.joint_relaxation() : std::nullopt;
+  relax_.clear();
+  relax_together_.reset();
   missed_boxes_.clear();
+  inside_ = {};
+}
+
+void EvaluatedMap::note_nothing_left(std::vector<MissedBox> missed, const InsideWindows& inside,
+                                     std::vector<Relaxation> relax) {
+  missed_boxes_ = std::move(missed);
+  inside_ = inside;
+  relax_ = std::move(relax);
+  relax_together_ = relax_.empty() && inside.meeting == 0 ? census_.joint_relaxation() : std::nullopt;
 }
 
 void EvaluatedMap::measure(std::string_view key) {
@@ -100,6 +109,12 @@ std::string EvaluatedMap::census_json() const {
     json.begin_list();
     for (const MissedBox& missed : missed_boxes_) write_missed_box(json, missed);
     json.end_list();
+    json.key("inside");
+    json.begin_object(JsonWriter::Layout::one_line);
+    json.member("looked_at", inside_.looked_at);
+    json.member("meeting", inside_.meeting);
+    json.member("is_empty", inside_.is_empty);
+    json.end_object();
     json.end_object();
   });
 }

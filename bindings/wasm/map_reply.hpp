@@ -11,6 +11,7 @@
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/region/ridge.hpp"
+#include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright::wasm {
 
@@ -23,8 +24,9 @@ class EvaluatedMap {
   void add(const CellMeasure& measure) { map_.add(measure); }
   /// `filter` of map().
   void evaluate(const RequirementFilter& filter);
-  /// Told where nothing is left.
-  void note_missed_boxes(std::vector<MissedBox> missed) { missed_boxes_ = std::move(missed); }
+  /// Told where nothing is left: boxes that the curve misses, what was looked at inside the windows, and what would
+  /// leave something there or on the map.
+  void note_nothing_left(std::vector<MissedBox> missed, const InsideWindows& inside, std::vector<Relaxation> relax);
   /// One of the map's measures, or the first where it has no such.
   void measure(std::string_view key);
   /// What `fill` writes of the cells; 0: not defined.
@@ -49,6 +51,7 @@ class EvaluatedMap {
   std::vector<Relaxation> relax_;
   std::optional<JointRelaxation> relax_together_;
   std::vector<MissedBox> missed_boxes_;
+  InsideWindows inside_;
   Ridges ridges_;
 };
 

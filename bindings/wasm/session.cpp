@@ -14,6 +14,7 @@
 #include "linkwright/synthesis/solve.hpp"
 #include "linkwright/synthesis/tolerance_measures.hpp"
 #include "machine_reply.hpp"
+#include "region/window_look.hpp"
 #include "reply_json.hpp"
 #include "six_bar_session.hpp"
 #include "spherical_function_session.hpp"
@@ -138,14 +139,34 @@ void Session::compute_map(const ExploreRequest& request) {
     mapped_ = wanted;
   }
   measure_tolerances(is_new);
-  map_.evaluate(filter(map_.map()));
-  if (map_.census().meeting == 0) map_.note_missed_boxes(task().missed_boxes(requirements_));
+  const RequirementFilter passing = filter(map_.map());
+  map_.evaluate(passing);
+  if (map_.census().meeting == 0) look_closer(passing);
   if (yields_ && request.property == measures::yield.key) {
     const std::vector<float> shown = yields_->shown();
     map_.show([&](std::span<float> values) { std::copy(shown.begin(), shown.end(), values.begin()); }, true);
   } else if (!task().measure(map_, request.property)) {
     map_.measure(request.property);
   }
+}
+
+// Nothing of the map is left: there may be something between its cells, where windows are small.
+void Session::look_closer(const RequirementFilter& passing) {
+  const RegionMap& map = map_.map();
+  const MapMaking making{[&](RegionMap& part, std::span<const double> input, std::span<const double> output) {
+                           classify(part, input, output);
+                         },
+                         static_cast<int>(std::max(map.rows(), map.columns())), std::nullopt};
+  const auto apart = [&](Side side, std::size_t count) {
+    return family()->axis(side).coordinate_length() / static_cast<double>(std::max<std::size_t>(count, 1));
+  };
+  const SearchMap seen{&map, &passing, {apart(Side::input, map.rows()), apart(Side::output, map.columns())}};
+  const WindowLook look = look_into_windows(*family(), seen, requirements_, making);
+  std::vector<SearchMap> maps = {seen};
+  for (const auto& closer : look.maps) maps.push_back(closer->view());
+  map_.note_nothing_left(
+      task().missed_boxes(requirements_), {look.looked_at, look.meeting, look.is_empty},
+      look.meeting == 0 ? relaxations(*family(), maps, requirements_, making) : std::vector<Relaxation>{});
 }
 
 ExploreReply Session::explore(const ExploreRequest& request) {

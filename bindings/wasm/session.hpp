@@ -83,6 +83,7 @@ class Session {
   void classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const;
   [[nodiscard]] RequirementFilter filter(const RegionMap& map) const;
   void compute_map(const ExploreRequest& request);
+  void look_closer(const RequirementFilter& passing);
   [[nodiscard]] const Drawn& drawn();
   /// Requirements failed by each cell of a map.
   [[nodiscard]] std::vector<FailureBits> failures(RegionMap& map, std::span<const double> input,

@@ -77,6 +77,15 @@ void write_axis(JsonWriter& json, const Problem& problem, const KindAnswer& answ
   json.end_object();
 }
 
+void write_inside(JsonWriter& json, const InsideWindows& inside) {
+  json.key("inside_windows");
+  json.begin_object(Layout::one_line);
+  json.member("looked_at", inside.looked_at);
+  json.member("meeting_requirements", inside.meeting);
+  json.member("proved_empty", inside.is_empty);
+  json.end_object();
+}
+
 template <class KindAnswer>
 void write_region(JsonWriter& json, const Problem& problem, const KindAnswer& answer, bool with_arrays) {
   const RegionMap& region = answer.region;
@@ -92,6 +101,7 @@ void write_region(JsonWriter& json, const Problem& problem, const KindAnswer& an
   json.key("counts");
   write_counts(json, answer.counts, linkages(problem.task).types);
   json.member("meeting_requirements", answer.meeting_requirements);
+  if (answer.inside) write_inside(json, *answer.inside);
   if (with_arrays) write_region_arrays(json, region);
   json.end_object();
 }

@@ -55,6 +55,8 @@ class GeneratorSearch {
     std::vector<RankedGenerator> found;
     for (const RankedCell& cell : hill_tops(rows, columns, tops, score, same_type))
       found.push_back(*cell_at(cell.row, cell.column));
+    for (const MapPoint start : options_.starts)
+      if (const auto known = at(start, options_.error_samples)) found.push_back(*known);
     return found;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/binary_form.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -81,8 +82,10 @@ double run_between(const Dyad& a, const Dyad& b) {
 
 BurmesterCurve::SolvingFrame::SolvingFrame(const PoseConditions& asked, const std::vector<HomogeneousMatrix>& rows)
     : conditions(first_three(rows)),
-      circle_curve(cubic_of(asked, rows, false)),
-      center_curve(cubic_of(asked, rows, true)) {}
+      circle_cubic(cubic_of(asked, rows, false)),
+      center_cubic(cubic_of(asked, rows, true)),
+      circle_curve(circle_cubic),
+      center_curve(center_cubic) {}
 
 BurmesterCurve::BurmesterCurve(const PoseConditions& conditions)
     : pole_frame_(conditions.near_pole ? std::optional(conditions.near_pole->frame) : std::nullopt),
@@ -127,6 +130,59 @@ Homogeneous BurmesterCurve::center_of(Homogeneous circle) const {
 
 Homogeneous BurmesterCurve::circle_of(Homogeneous center) const {
   return to_working(null_vector(dyad_system(transposed(solving_.conditions), to_solving_frame(center))));
+}
+
+// Two points of a line, orthonormal vectors in the solving frame.
+std::array<Homogeneous, 2> BurmesterCurve::solving_points_of(Homogeneous line) const {
+  const Homogeneous l = normalized(line);
+  const Homogeneous aside = std::abs(l.w) < 0.5 ? Homogeneous{1, 0, 0} : Homogeneous{0, 1, 0};
+  const Homogeneous p = cross(l, aside);
+  const Homogeneous first = to_solving_frame(normalized(p)), other = to_solving_frame(normalized(cross(l, p)));
+  return {first, normalized(without_component(other, first))};
+}
+
+namespace {
+
+// Points of a cubic on the line through two orthonormal vectors; none where it holds the whole line.
+std::vector<Homogeneous> points_on(const PlaneCubic& cubic, const std::array<Homogeneous, 2>& line) {
+  const auto [p, q] = line;
+  const double at_p = cubic(p), at_q = cubic(q), at_sum = cubic(p + q), at_difference = cubic(p - q);
+  const std::array<double, 4> form = {at_p, (at_sum - at_difference) / 2 - at_q, (at_sum + at_difference) / 2 - at_p,
+                                      at_q};
+  double largest = 0;
+  for (const double a : form) largest = std::max(largest, std::abs(a));
+  std::vector<Homogeneous> points;
+  if (!(largest > tolerance::vanishing_coefficient * cubic.largest_coefficient())) return points;
+  for (const FormRoot& root : real_roots(form, tolerance::touching_line))
+    points.push_back(std::cos(root.angle) * p + std::sin(root.angle) * q);
+  return points;
+}
+
+}  // namespace
+
+std::vector<double> BurmesterCurve::coordinates_of_circles_on(Homogeneous line) const {
+  std::vector<double> coordinates;
+  if (branches_.empty()) return coordinates;
+  for (const Homogeneous circle : points_on(solving_.circle_cubic, solving_points_of(line)))
+    if (const auto tau = solving_.circle_curve.coordinate_of(circle)) coordinates.push_back(*tau);
+  return coordinates;
+}
+
+std::vector<double> BurmesterCurve::coordinates_of_centers_on(Homogeneous line) const {
+  std::vector<double> coordinates;
+  if (branches_.empty()) return coordinates;
+  const std::array<Homogeneous, 2> points = solving_points_of(line);
+  for (const Homogeneous center : points_on(solving_.center_cubic, points)) {
+    const Homogeneous circle = null_vector(dyad_system(transposed(solving_.conditions), center));
+    if (const auto tau = solving_.circle_curve.coordinate_of(circle)) coordinates.push_back(*tau);
+  }
+  const Homogeneous seen_line = cross(points[0], points[1]);
+  const double own_length = coordinate_length() - static_cast<double>(partner_lines_.size());
+  for (std::size_t i = 0; i < partner_lines_.size(); ++i) {
+    const double t = std::atan2(-dot(seen_line, partner_lines_[i].from), dot(seen_line, partner_lines_[i].to)) / pi;
+    coordinates.push_back(own_length + static_cast<double>(i) + wrap_period(t, 1));
+  }
+  return coordinates;
 }
 
 std::optional<double> BurmesterCurve::coordinate_of(Homogeneous circle) const {

@@ -1,65 +1,158 @@
 #include "linkwright/planar/chosen_length.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <tuple>
 #include <vector>
 
+#include "linkwright/algebra/line_search.hpp"
 #include "linkwright/core/precondition.hpp"
+#include "region/window_look.hpp"
 
 namespace linkwright {
 namespace {
 
-// How much a map has to offer; the larger is the better one.
-struct MapSummary {
-  double best_score = -std::numeric_limits<double>::infinity();
-  std::int64_t meeting = 0, defect_free = 0, whole = 0;
+// How much the linkages of a length have to offer; the larger is the better one.
+struct LengthSummary {
+  double best_score = no_score;
+  std::int64_t meeting = 0, failing_one = 0, defect_free = 0, whole = 0;
 
-  [[nodiscard]] bool beats(const MapSummary& other) const {
-    return std::tie(best_score, meeting, defect_free, whole) >
-           std::tie(other.best_score, other.meeting, other.defect_free, other.whole);
+  [[nodiscard]] bool beats(const LengthSummary& other) const {
+    const auto rank = [](const LengthSummary& s) {
+      return std::tie(s.best_score, s.meeting, s.failing_one, s.defect_free, s.whole);
+    };
+    return rank(*this) > rank(other);
   }
 };
 
-MapSummary summary_of(const FourBarFamily& family, const Requirements& requirements, Objective objective,
-                      RegionMap& map) {
-  const std::vector<double> input = family.samples(Side::input, ChosenLength::samples, Spacing::coordinate),
-                            output = family.samples(Side::output, ChosenLength::samples, Spacing::coordinate);
-  if (input.empty() || output.empty()) return {};
-  family.classify(map, input, output, requirements.respect_direction);
-  const RequirementFilter filter = filter_of(family, map, requirements);
-  const RegionCounts counts = map.counts();
-  MapSummary summary;
-  summary.meeting = filter.census().meeting;
-  summary.defect_free = counts.defect_free;
-  summary.whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
-  // Tolerances are measured of one map, that of the length chosen.
-  const Objective ranked = is_of_tolerances(objective) ? Objective::min_transmission_angle : objective;
-  if (const auto best = tile_bests(map, filter, ranked, 1); !best.empty()) summary.best_score = best.front().score;
-  return summary;
+/// Tries lengths, the best so far in hand.
+class LengthTrials {
+ public:
+  LengthTrials(const FamilyOfLength& family_of, const Requirements& requirements, Objective objective)
+      : family_of_(family_of),
+        requirements_(requirements),
+        // Tolerances are measured of one map, that of the length chosen.
+        objective_(is_of_tolerances(objective) ? Objective::min_transmission_angle : objective) {}
+
+  /// Score of its best linkage; nothing where none meets the requirements.
+  std::optional<double> try_length(double length) {
+    ++tried_;
+    const LengthSummary summary = summary_of(*family_of_(length));
+    if (tried_ == 1 || summary.beats(best_)) {
+      best_ = summary;
+      length_ = length;
+    }
+    return summary.best_score > no_score ? std::optional(summary.best_score) : std::nullopt;
+  }
+
+  [[nodiscard]] bool has_linkage() const { return best_.best_score > no_score; }
+  [[nodiscard]] double best_score() const { return best_.best_score; }
+  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] int tried() const { return tried_; }
+  [[nodiscard]] std::int64_t meeting() const { return best_.meeting; }
+
+ private:
+  static constexpr std::size_t followed = 6;  // of many lengths each is looked at less closely
+
+  [[nodiscard]] LengthSummary summary_of(const FourBarFamily& family) {
+    const std::vector<double> input = family.samples(Side::input, ChosenLength::samples, Spacing::coordinate),
+                              output = family.samples(Side::output, ChosenLength::samples, Spacing::coordinate);
+    if (input.empty() || output.empty()) return {};
+    const MapMaking making{[&](RegionMap& map, std::span<const double> rows, std::span<const double> columns) {
+                             family.classify(map, rows, columns, requirements_.respect_direction);
+                           },
+                           ChosenLength::samples,
+                           {},
+                           followed};
+    making.fill(map_, input, output);
+    const RequirementFilter filter = filter_of(family, map_, requirements_);
+    LengthSummary summary;
+    const RegionCounts counts = map_.counts();
+    summary.defect_free = counts.defect_free;
+    summary.whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+    const MapPoint step = {family.axis(Side::input).coordinate_length() / static_cast<double>(input.size()),
+                           family.axis(Side::output).coordinate_length() / static_cast<double>(output.size())};
+    add({&map_, &filter, step}, summary);
+    if (summary.meeting == 0)
+      for (const auto& closer : look_into_windows(family, {&map_, &filter, step}, requirements_, making).maps)
+        add(closer->view(), summary);
+    return summary;
+  }
+
+  void add(const SearchMap& of, LengthSummary& summary) const {
+    const RequirementCensus census = of.filter->census();
+    summary.meeting += census.meeting;
+    for (std::size_t set = 0; set < census.failing.size(); ++set)
+      if (std::has_single_bit(set)) summary.failing_one += census.failing[set];
+    if (const auto best = tile_bests(*of.map, *of.filter, objective_, 1); !best.empty())
+      summary.best_score = std::max(summary.best_score, best.front().score);
+  }
+
+  const FamilyOfLength& family_of_;
+  const Requirements& requirements_;
+  Objective objective_;
+  RegionMap map_;
+  LengthSummary best_;
+  double length_ = 0;
+  int tried_ = 0;
+};
+
+// What the requirements leave of a length, shortest and longest, user's unit.
+std::array<double, 2> allowed_lengths(const WorkingFrame& frame, const Requirements& requirements, double partner) {
+  // A grounded link longer than the longest link allowed is of no use: with small turns L is far larger than the
+  // machine.
+  double longest = std::min(ChosenLength::longest * frame.scale, *requirements.max_length);
+  double shortest = longest / ChosenLength::range;
+  if (partner > 0 && std::isfinite(requirements.max_link_ratio)) {
+    const double least = std::max(partner / requirements.max_link_ratio, requirements.min_length.value_or(0)),
+                 most = std::min(partner * requirements.max_link_ratio, *requirements.max_length);
+    if (least < most) {
+      longest = std::min(longest, most);
+      shortest = std::min(std::max(shortest, least), longest);
+    }
+  }
+  return {shortest, longest};
 }
 
 }  // namespace
 
 ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& frame, const Requirements& requirements,
-                           Objective objective) {
+                           Objective objective, double partner) {
   require(requirements.max_length.has_value(), "max_length is set");
-  ChosenLength chosen;
-  MapSummary best;
-  RegionMap map;
-  // A grounded link longer than the longest link allowed is of no use: with small turns L is far larger than the
-  // machine.
-  const double longest = std::min(ChosenLength::longest * frame.scale, *requirements.max_length);
-  for (int trial = 0; trial < ChosenLength::trials; ++trial) {
-    const double share = 1 - static_cast<double>(trial) / (ChosenLength::trials - 1);
-    const double length = longest * std::pow(ChosenLength::range, -share);
-    const MapSummary summary = summary_of(*family_of(length), requirements, objective, map);
-    if (trial > 0 && !summary.beats(best)) continue;
-    best = summary;
-    chosen = {length, summary.meeting};
+  const auto [shortest, longest] = allowed_lengths(frame, requirements, partner);
+  const double whole = std::log(longest / shortest);
+  // The longest itself, not what rounding makes of it: there may be linkages at the limit.
+  const auto length_at = [&, shortest = shortest, longest = longest](double share) {
+    return share >= 1 ? longest : std::min(longest, shortest * std::exp(whole * share));
+  };
+  LengthTrials trials(family_of, requirements, objective);
+  int count = ChosenLength::first_trials;
+  for (int i = 0; i < count; ++i) trials.try_length(length_at(static_cast<double>(i) / (count - 1)));
+  double step = 1.0 / (count - 1);
+  for (int doubling = 0; doubling < ChosenLength::doublings && !trials.has_linkage(); ++doubling, step /= 2) {
+    count = static_cast<int>(std::lround(1 / step));
+    for (int i = 0; i < count; ++i) trials.try_length(length_at((i + 0.5) * step));
   }
-  return chosen;
+  if (trials.has_linkage()) {
+    constexpr int turns = 16;
+    constexpr double resolution =
+        0.02;  // of a step: lengths that near have the same best linkage to a part in a hundred
+    struct Score {
+      double score;
+    };
+    const double share = std::log(trials.length() / shortest) / whole;
+    const auto at = [&](double there, const LinePlace<Score>& /*best*/) -> std::optional<Score> {
+      if (!(there >= 0 && there <= 1)) return std::nullopt;
+      const auto score = trials.try_length(length_at(there));
+      return score ? std::optional(Score{*score}) : std::nullopt;
+    };
+    if (whole > 0)
+      static_cast<void>(
+          climb_line(LinePlace<Score>{share, {trials.best_score()}}, {step / 4, resolution * step, turns}, at));
+  }
+  return {trials.length(), trials.meeting(), trials.tried(), {shortest, longest}};
 }
 
 }  // namespace linkwright

@@ -20,6 +20,14 @@ MapAxis point_axis(std::size_t count) {
   return axis;
 }
 
+GroundedLinkPivots user_pivots(const WorkingFrame& frame, const Dyad& link) {
+  const auto user = [&](Homogeneous point) {
+    const auto p = finite_point(point);
+    return p ? std::optional(in_space(frame.to_user(*p))) : std::nullopt;
+  };
+  return {user(link.center), user(link.circle)};
+}
+
 }  // namespace
 
 std::optional<FourBar> four_bar_of(const DyadPair& links) {
@@ -52,6 +60,22 @@ MotionFamily::MotionFamily(WorkingFrame frame, std::vector<PrescribedPose> poses
       user_poses_(std::move(poses)),
       working_poses_(frame.to_working(user_poses_)) {}
 
+// Beside the corners of the curve places all along the axis: where it has no dyads, the stretches end.
+std::vector<AxisArc> FourBarFamily::arcs_of_dyads(Side side, const PivotWindows& windows,
+                                                  const std::function<std::optional<Dyad>(double tau)>& dyad_at) const {
+  constexpr int knots_of_a_branch = 256;
+  std::vector<double> knots;
+  for (const Dyad& corner : polygon(side)) knots.push_back(corner.coordinate);
+  for (const CurveBranch& branch : axis(side).branches)
+    for (int i = 0; i < knots_of_a_branch; ++i)
+      knots.push_back(branch.from + (branch.to - branch.from) * i / knots_of_a_branch);
+  std::sort(knots.begin(), knots.end());
+  return linkwright::arcs_within(axis(side), knots, windows, [&](double tau) {
+    const auto link = dyad_at(tau);
+    return link ? user_pivots(frame(), *link) : GroundedLinkPivots{};
+  });
+}
+
 std::optional<DyadPair> ProductFamily::dyad_pair(MapPoint place) const {
   const auto input = dyad(Side::input, place.input), output = dyad(Side::output, place.output);
   if (!input || !output) return std::nullopt;
@@ -70,15 +94,20 @@ MapPivots ProductFamily::pivots(const RegionMap& map) const {
   return {map.row_pivots(), map.column_pivots(), {}};
 }
 
+GroundedLinkPivots ProductFamily::pivots_at(Side side, double tau) const {
+  const auto link = dyad(side, tau);
+  return link ? user_pivots(frame(), *link) : GroundedLinkPivots{};
+}
+
 std::vector<GroundedLinkPivots> ProductFamily::pivots_of(const std::vector<Dyad>& links) const {
-  const auto user = [&](Homogeneous point) {
-    const auto p = finite_point(point);
-    return p ? std::optional(in_space(frame().to_user(*p))) : std::nullopt;
-  };
   std::vector<GroundedLinkPivots> found;
   found.reserve(links.size());
-  for (const Dyad& link : links) found.push_back({user(link.center), user(link.circle)});
+  for (const Dyad& link : links) found.push_back(user_pivots(frame(), link));
   return found;
+}
+
+std::optional<std::vector<AxisArc>> ProductFamily::arcs_within(Side side, const PivotWindows& windows) const {
+  return arcs_of_dyads(side, windows, [&](double tau) { return dyad(side, tau); });
 }
 
 std::vector<Dyad> ProductFamily::polygon(Side side) const {
@@ -133,6 +162,25 @@ std::optional<Dyad> CurveFamily::dyad(Side /*side*/, double tau) const {
 
 std::vector<double> CurveFamily::samples(Side /*side*/, int count, Spacing spacing) const {
   return curve_->samples(count, spacing);
+}
+
+std::optional<std::vector<AxisArc>> CurveFamily::arcs_within(Side side, const PivotWindows& windows) const {
+  std::vector<double> borders;
+  const auto append = [&](const std::vector<double>& more) { borders.insert(borders.end(), more.begin(), more.end()); };
+  const auto meet = [&](const std::optional<PivotWindow>& window, auto coordinates_on) {
+    if (!window) return;
+    const Box& box = std::get<Box>(*window);
+    const auto side_line = [&](Point p, Point q) {
+      return cross(frame().to_working(Homogeneous::of(p)), frame().to_working(Homogeneous::of(q)));
+    };
+    const Point low{box.x_low, box.y_low}, high{box.x_high, box.y_high};
+    for (const Point corner : {low, high})
+      for (const Point along : {Point{frame().scale, 0}, Point{0, frame().scale}})
+        append(coordinates_on(side_line(corner, corner + along)));
+  };
+  meet(windows.ground, [&](Homogeneous line) { return curve_->coordinates_of_centers_on(line); });
+  meet(windows.moving, [&](Homogeneous line) { return curve_->coordinates_of_circles_on(line); });
+  return arcs_where(axis(side), std::move(borders), [&](double tau) { return windows.hold(pivots_at(side, tau)); });
 }
 
 std::vector<Dyad> CurveFamily::polygon(Side /*side*/) const {

@@ -29,10 +29,8 @@ class CurveBesideBox {
   CurveBesideBox(const ProductFamily& family, std::span<const Dyad> corners, Homogeneous Dyad::*end, const Box& box)
       : family_(family), corners_(corners), end_(end), box_(box) {}
 
-  /// The closest point; nothing where the family has none. Any one inside will do.
+  /// The closest point; nothing where the family has none.
   [[nodiscard]] std::optional<Point> nearest() const {
-    for (const Dyad& corner : corners_)
-      if (const auto p = point_of(corner); p && box_.contains(*p)) return p;
     std::optional<Point> best;
     for (const Stretch& stretch : closest_stretches())
       if (const auto p = nearest_on(stretch); p && (!best || distance_to(box_, *p) < distance_to(box_, *best)))
@@ -124,8 +122,13 @@ std::vector<MissedBox> missed_boxes(const FourBarFamily& family, const Requireme
   const std::vector<Dyad> corners = product->polygon(input);
   std::vector<MissedBox> found;
   const auto look = [&](const std::optional<Box>& box, RequirementKind kind, Homogeneous Dyad::*end) {
-    const auto nearest = box ? CurveBesideBox(*product, corners, end, *box).nearest() : std::nullopt;
-    if (nearest && !box->contains(*nearest)) found.push_back({kind, *nearest, *nearest - nearest_in(*box, *nearest)});
+    if (!box) return;
+    const bool of_ground = kind == RequirementKind::ground_pivots_within;
+    const PivotWindows window = of_ground ? PivotWindows{*box, std::nullopt} : PivotWindows{std::nullopt, *box};
+    const auto arcs = product->arcs_within(input, window);
+    if (!arcs || !arcs->empty()) return;
+    if (const auto nearest = CurveBesideBox(*product, corners, end, *box).nearest())
+      found.push_back({kind, *nearest, *nearest - nearest_in(*box, *nearest)});
   };
   look(wanted.ground_pivots_within, RequirementKind::ground_pivots_within, &Dyad::center);
   look(wanted.moving_pivots_within, RequirementKind::moving_pivots_within, &Dyad::circle);

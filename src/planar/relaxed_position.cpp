@@ -10,6 +10,7 @@
 #include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "planar/candidate.hpp"
+#include "region/window_look.hpp"
 
 namespace linkwright {
 namespace {
@@ -49,7 +50,7 @@ class PoseErrorSearch {
       const auto error = error_of(candidate);
       return error ? std::optional(-*error) : std::nullopt;
     };
-    const Candidate end = climbed(evaluator_, from.candidate, {first_step, resolution, score}, progress_);
+    const Candidate end = climbed(evaluator_, from.candidate, {{first_step, first_step}, resolution, score}, progress_);
     return {end, error_of(end).value_or(from.error)};
   }
 
@@ -87,11 +88,12 @@ Notice nothing_meets(const RegionMap& map, const Requirements& requirements) {
   if (whole == 0) return {"no_pair", "No pair of dyads of the other poses makes a four-bar with four pivots.", {}};
   if (counts.defect_free == 0 && requirements.no_defects)
     return {"none_defect_free",
-            fmt::format("None of the four-bars through the other poses ({}) is free of defects.", grouped_text(whole)),
+            fmt::format("None of the four-bars through the other poses that were looked at ({}) is free of defects.",
+                        grouped_text(whole)),
             counted(whole)};
   return {"none_left",
-          fmt::format("None of the four-bars through the other poses that are free of defects ({}) meets all "
-                      "requirements.",
+          fmt::format("None of the four-bars through the other poses that were looked at and are free of defects ({}) "
+                      "meets all requirements.",
                       grouped_text(counts.defect_free)),
           counted(counts.defect_free)};
 }
@@ -133,16 +135,15 @@ class DroppedPositionSearch {
     };
     given.family->classify(map_, samples(Side::input), samples(Side::output), respect_direction, options.region,
                            progress);
-    failures_.resize(map_.rows() * map_.columns());
-    errors_.resize(failures_.size());
   }
 
   /// False where nothing meets these requirements.
   [[nodiscard]] bool find(const Requirements& requirements, RelaxedPosition& found) {
-    filter_of(*given_.family, map_, requirements).failures_of_all(failures_);
-    if (std::count(failures_.begin(), failures_.end(), 0) == 0) return false;
-    pose_errors(*given_.family, map_, failures_, relaxed_.relaxed, errors_, options_.region.threads, progress_);
-    const auto nearest = least(requirements);
+    const RequirementFilter filter = filter_of(*given_.family, map_, requirements);
+    std::vector<MapPoint> starts = low_cells_of({&map_, &filter, {step(), step()}});
+    if (starts.empty()) starts = starts_in_windows(filter, requirements);
+    if (starts.empty()) return false;
+    const auto nearest = least(requirements, std::move(starts));
     if (!nearest) return false;
     found.place = nearest->candidate.place;
     found.linkage = make_four_bar(given_, nearest->candidate.place, respect_direction_, true);
@@ -161,13 +162,44 @@ class DroppedPositionSearch {
   [[nodiscard]] const RegionMap& map() const { return map_; }
 
  private:
-  [[nodiscard]] std::optional<RatedCandidate> least(const Requirements& requirements) const {
+  [[nodiscard]] double step() const {
+    return given_.family->axis(Side::input).coordinate_length() / options_.region_samples;
+  }
+
+  /// Of what passes; none where nothing does.
+  [[nodiscard]] std::vector<MapPoint> low_cells_of(const SearchMap& judged) const {
+    std::vector<FailureBits> failures(judged.map->rows() * judged.map->columns());
+    judged.filter->failures_of_all(failures);
+    if (std::count(failures.begin(), failures.end(), 0) == 0) return {};
+    std::vector<float> errors(failures.size());
+    pose_errors(*given_.family, *judged.map, failures, relaxed_.relaxed, errors, options_.region.threads, progress_);
+    return low_cells(*judged.map, errors, options_);
+  }
+
+  [[nodiscard]] std::vector<MapPoint> starts_in_windows(const RequirementFilter& filter,
+                                                        const Requirements& requirements) const {
+    const MapMaking making{[&](RegionMap& map, std::span<const double> input, std::span<const double> output) {
+                             given_.family->classify(map, input, output, respect_direction_, options_.region,
+                                                     progress_);
+                           },
+                           options_.region_samples,
+                           {}};
+    const WindowLook look = look_into_windows(*given_.family, {&map_, &filter, {step(), step()}}, requirements, making);
+    std::vector<MapPoint> starts;
+    for (const auto& closer : look.maps) {
+      const std::vector<MapPoint> more = low_cells_of(closer->view());
+      starts.insert(starts.end(), more.begin(), more.end());
+    }
+    return starts;
+  }
+
+  [[nodiscard]] std::optional<RatedCandidate> least(const Requirements& requirements,
+                                                    std::vector<MapPoint> starts) const {
     // Of climbs that tell which cell leads lowest, and of the one whose miss is the answer.
     constexpr double coarse = 1e-2, fine = 1e-9;
     const PoseErrorSearch error_search(*given_.family, requirements, relaxed_.relaxed, progress_);
-    const double first_step = given_.family->axis(Side::input).coordinate_length() / options_.region_samples;
+    const double first_step = step();
     std::optional<RatedCandidate> best;
-    std::vector<MapPoint> starts = low_cells(map_, errors_, options_);
     starts.insert(starts.end(), exact_.begin(), exact_.end());
     for (const MapPoint place : starts) {
       // The map's numbers are single: a cell on the very edge of a requirement may fail here.
@@ -186,8 +218,6 @@ class DroppedPositionSearch {
   bool respect_direction_;
   const Progress& progress_;
   RegionMap map_;
-  std::vector<FailureBits> failures_;
-  std::vector<float> errors_;
 };
 
 // What is nearest of all lies at an edge of what is allowed: where nothing keeps the transmission angle up, at a dead

@@ -100,33 +100,29 @@ class ChainEvaluator {
 
 }  // namespace
 
-std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ChainFamily& family, const RegionMap& map,
-                                          const Requirements& requirements, const SixBarChoice& choice,
-                                          const Progress& progress) {
+std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ChainFamily& family,
+                                          std::span<const SearchMap> maps, const Requirements& requirements,
+                                          const SixBarChoice& choice, const Progress& progress) {
   const auto row = six_bar_row(task.added);
-  if (!row || choice.best <= 0 || map.rows() == 0 || map.columns() == 0) return {};
+  if (!row || choice.best <= 0) return {};
   const ChainEvaluator evaluator(family, requirements, choice.objective, choice.added, choice.window);
-  const auto spread = [&](Side side) {
-    if (!choice.window) return family.axis(side).coordinate_length();
-    const auto [low, high] = side == Side::input ? choice.window->input : choice.window->output;
-    return high - low;
-  };
-  const std::array<double, 2> step = {spread(Side::input) / static_cast<double>(map.rows()),
-                                      spread(Side::output) / static_cast<double>(map.columns())};
   const auto wanted = static_cast<std::size_t>(choice.best);
-  const RequirementFilter filter = filter_of(family, map, requirements);
   std::vector<SixBarProspect> tops;
   std::mutex adding;
-  const std::vector<RankedCell> feet = hill_tops(map, filter, choice.objective, 3 * wanted);
-  parallel_for(feet.size(), choice.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end && !progress.is_cancelled(); ++i) {
-      const auto foot = evaluator.at({map.input_coordinates()[feet[i].row], map.output_coordinates()[feet[i].column]});
-      if (!foot) continue;
-      const SixBarProspect top = evaluator.climbed(*foot, step, progress).prospect;
-      const std::lock_guard lock(adding);
-      tops.push_back(top);
-    }
-  });
+  for (const auto& [map, filter, step] : maps) {
+    if (map->rows() == 0 || map->columns() == 0) continue;
+    const std::vector<RankedCell> feet = hill_tops(*map, *filter, choice.objective, 3 * wanted);
+    parallel_for(feet.size(), choice.threads, [&, map = map, step = step](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && !progress.is_cancelled(); ++i) {
+        const auto foot =
+            evaluator.at({map->input_coordinates()[feet[i].row], map->output_coordinates()[feet[i].column]});
+        if (!foot) continue;
+        const SixBarProspect top = evaluator.climbed(*foot, {step.input, step.output}, progress).prospect;
+        const std::lock_guard lock(adding);
+        tops.push_back(top);
+      }
+    });
+  }
   std::sort(tops.begin(), tops.end(), is_better);
   return driven_exactly(distinct(tops, wanted, different_links * family.chain().size()), task, *row, requirements,
                         choice);

@@ -191,6 +191,17 @@ std::vector<Dyad> SideAngleFamily::polygon(Side side) const {
   return side == Side::input ? input_.polygon() : std::vector<Dyad>{};
 }
 
+std::optional<std::vector<AxisArc>> SideAngleFamily::arcs_within(Side side, const PivotWindows& windows) const {
+  if (side == Side::output) return std::nullopt;
+  return arcs_of_dyads(side, windows, [&](double tau) { return input_.dyad(tau); });
+}
+
+std::optional<std::vector<AxisArc>> SideAngleFamily::output_arcs_within(double input,
+                                                                        const PivotWindows& windows) const {
+  const double beta = input_.side_direction(input);
+  return arcs_of_dyads(Side::output, windows, [&](double tau) { return output_at(beta, tau); });
+}
+
 void SideAngleFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                            bool respect_direction, const RegionOptions& options, const Progress& progress) const {
   const auto row_at = [&](std::size_t row) {

@@ -68,12 +68,27 @@ std::optional<Notice> no_side_link(const Start& start, double length, std::strin
   return notice;
 }
 
-Notice chosen_notice(std::string_view side, double length) {
-  return {"chosen_length",
-          fmt::format("The length of the {} link was left open. Of {} lengths tried, {:.6g} gives the best linkage; "
-                      "give a length to get another solution region.",
-                      side, ChosenLength::trials, length),
-          {{"side", std::string(side)}, {"length", length}}};
+Notice chosen_notice(std::string_view side, const ChosenLength& chosen) {
+  const auto [shortest, longest] = chosen.within;
+  const std::string tried = fmt::format(
+      "The length of the {} link was left open. Of {} lengths tried from {:.6g} to "
+      "{:.6g}, ",
+      side, chosen.tried, shortest, longest);
+  const Values values = {{"side", std::string(side)},
+                         {"length", chosen.length},
+                         {"tried", static_cast<double>(chosen.tried)},
+                         {"shortest", shortest},
+                         {"longest", longest}};
+  if (chosen.meeting > 0)
+    return {"chosen_length",
+            tried + fmt::format("{:.6g} gives the best linkage; give a length to get another solution region.",
+                                chosen.length),
+            values};
+  return {"no_length_meets",
+          tried + fmt::format("none has a linkage that meets the requirements. The solution region is that of {:.6g}, "
+                              "with most linkages that fail one requirement only, and so is the advice.",
+                              chosen.length),
+          values};
 }
 
 Notice fixed_direction_notice(const ThreePoseDyads& dyads) {
@@ -132,8 +147,8 @@ ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vec
     if (auto reason = no_side_link(start, *given.output, "output")) return closed(std::move(reason));
     return opened(start, family_of(*given.output));
   }
-  const double output = chosen_length(family_of, start.frame, start.requirements, objective).length;
-  ThreePoseSetup setup = opened(start, family_of(output));
+  const ChosenLength output = chosen_length(family_of, start.frame, start.requirements, objective, given.input);
+  ThreePoseSetup setup = opened(start, family_of(output.length));
   setup.notices.push_back(chosen_notice("output", output));
   return setup;
 }
@@ -145,12 +160,13 @@ ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vec
   const auto family_of = [&](double input) {
     return std::make_unique<const SideAngleFamily>(start.frame, poses, start.dyads, given.angle, given.directed, input);
   };
-  const double input = given.input_length ? *given.input_length
-                                          : chosen_length(family_of, start.frame, start.requirements, objective).length;
+  std::optional<ChosenLength> chosen;
+  if (!given.input_length) chosen = chosen_length(family_of, start.frame, start.requirements, objective);
+  const double input = chosen ? chosen->length : *given.input_length;
   if (auto reason = no_side_link(start, input, "input")) return closed(std::move(reason));
   if (!has_output(*start.dyads, given, input / start.frame.scale)) return closed(no_side_link_at_angle(input));
   ThreePoseSetup setup = opened(start, family_of(input));
-  if (!given.input_length) setup.notices.push_back(chosen_notice("input", input));
+  if (chosen) setup.notices.push_back(chosen_notice("input", *chosen));
   return setup;
 }
 

@@ -38,7 +38,7 @@ inline constexpr double buildable_margin = 1e-3;
 /// What a climb goes by.
 template <class Candidate>
 struct Ascent {
-  double first_step = 0;                              ///< in the coordinate, along both axes
+  MapPoint first_step;                                ///< in the coordinates
   double resolution = HillClimbOptions{}.resolution;  ///< shares of the first step
   /// Larger is better; nothing where a candidate is not allowed.
   std::function<std::optional<double>(const Candidate&)> score = [](const Candidate& c) { return c.score; };
@@ -66,7 +66,10 @@ template <CandidateEvaluator Evaluator, class Candidate = typename Evaluator::Ca
   };
   const auto score = ascent.score(start);
   if (!score) return start;
-  const auto step = [&](Side side) { return family.axis(side).is_discrete() ? 0.0 : ascent.first_step; };
+  const auto step = [&](Side side) {
+    if (family.axis(side).is_discrete()) return 0.0;
+    return side == Side::input ? ascent.first_step.input : ascent.first_step.output;
+  };
   constexpr int turns = HillClimbOptions{}.max_evaluations;
   const HillTop top =
       climb_hill(axes.hill(score_at, start.place), axes.coordinates(start.place), *score,
@@ -94,7 +97,8 @@ template <CandidateEvaluator Evaluator>
   constexpr double fine = 1e-8;  // the numbers are an answer: nothing finer is told apart at a level top
   const auto foot = evaluator.candidate(start);
   if (!foot) return std::nullopt;
-  const auto top = climbed(evaluator, *foot, {first_step_share * longest_axis(evaluator.family()), fine});
+  const double step = first_step_share * longest_axis(evaluator.family());
+  const auto top = climbed(evaluator, *foot, {{step, step}, fine});
   return top.score > foot->score ? std::optional<MapPoint>(top.place) : std::nullopt;
 }
 

@@ -25,11 +25,7 @@ double rounded(double exact, bool upwards) {
   return (upwards ? std::ceil(steps) : std::floor(steps)) * larger / smaller;
 }
 
-bool contains(const std::variant<Box, Cone>& place, Vector3 hinge) {
-  return std::visit([&](const auto& of_shape) { return of_shape.contains(hinge); }, place);
-}
-
-bool holds(const std::variant<Box, Cone>& place, const std::vector<Vector3>& hinges) {
+bool holds(const PivotWindow& place, const std::vector<Vector3>& hinges) {
   return std::all_of(hinges.begin(), hinges.end(), [&](Vector3 hinge) { return contains(place, hinge); });
 }
 
@@ -125,6 +121,19 @@ FailureBits RequirementFilter::place_failures(const GroundedLinkPivots& link) co
     if (!hinge || !contains(place.within, *hinge)) failed |= place.bit;
   }
   return static_cast<FailureBits>(failed);
+}
+
+double RequirementFilter::distance_to_windows(std::size_t row, std::size_t column) const {
+  const std::size_t cell = map_->index(row, column);
+  if (map_->type(cell) == LinkageType::degenerate) return Requirements::unlimited;
+  if (places_.empty()) return 0;
+  const auto found = pivots(cell);
+  if (!found) return Requirements::unlimited;
+  double farthest = 0;
+  for (const Place& place : places_)
+    for (const Vector3 hinge : (*found).*place.of_linkage)
+      farthest = std::max(farthest, distance_to(place.within, hinge));
+  return farthest;
 }
 
 RequirementFilter filter_of(const LinkageFamily& family, const RegionMap& map, const Requirements& requirements) {

@@ -11,6 +11,7 @@
 #include "linkwright/region/hill_tops.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/spherical/spherical_position.hpp"
+#include "region/window_look.hpp"
 #include "spherical/spherical_candidate.hpp"
 
 namespace linkwright {
@@ -75,14 +76,27 @@ bool find_nearest(const Remainder& left, const Requirements& wanted, const Regio
   found.meeting = filter.census(progress).meeting;
   const SphericalEvaluator evaluator(family, wanted, Objective::min_transmission_angle);
   Ascent<SphericalCandidate> ascent;
-  ascent.first_step = longest_axis(family) / samples_of_a_map;
+  const double step = longest_axis(family) / samples_of_a_map;
+  ascent.first_step = {step, step};
   ascent.resolution = 1e-6;
   ascent.score = [&](const SphericalCandidate& candidate) -> std::optional<double> {
     const auto error = left.error_of(candidate.bars);
     return error ? std::optional(-*error) : std::nullopt;
   };
   double least = pi;
-  for (const SphericalCandidate& foot : nearest_cells(left, map, filter, evaluator, options)) {
+  std::vector<SphericalCandidate> feet = nearest_cells(left, map, filter, evaluator, options);
+  if (feet.empty()) {
+    const MapMaking making{[&](RegionMap& part, std::span<const double> input, std::span<const double> output) {
+                             family.classify(part, input, output, wanted.respect_direction, options, progress);
+                           },
+                           samples_of_a_map,
+                           {}};
+    for (const auto& closer : look_into_windows(family, {&map, &filter, {step, step}}, wanted, making).maps) {
+      const auto more = nearest_cells(left, closer->map, *closer->filter, evaluator, options);
+      feet.insert(feet.end(), more.begin(), more.end());
+    }
+  }
+  for (const SphericalCandidate& foot : feet) {
     const SphericalCandidate end = climbed(evaluator, foot, ascent, progress);
     const auto error = orientation_error(end.bars, left.task.orientations.front().orientation, left.wanted);
     if (!error || error->angle >= least) continue;

@@ -47,16 +47,24 @@ std::vector<SphericalDyad> SphericalProductFamily::dyads(std::span<const double>
   return found;
 }
 
+GroundedLinkPivots SphericalProductFamily::pivots_at(double coordinate) const {
+  const auto found = dyad(coordinate);
+  return found ? GroundedLinkPivots{found->fixed_axis, found->moving_axis} : GroundedLinkPivots{};
+}
+
 MapPivots SphericalProductFamily::pivots(const RegionMap& map) const {
   const auto hinges_at = [&](std::span<const double> coordinates) {
     std::vector<GroundedLinkPivots> hinges;
-    for (const double coordinate : coordinates) {
-      const auto found = dyad(coordinate);
-      hinges.push_back(found ? GroundedLinkPivots{found->fixed_axis, found->moving_axis} : GroundedLinkPivots{});
-    }
+    for (const double coordinate : coordinates) hinges.push_back(pivots_at(coordinate));
     return hinges;
   };
   return {hinges_at(map.input_coordinates()), hinges_at(map.output_coordinates()), {}};
+}
+
+std::optional<std::vector<AxisArc>> SphericalProductFamily::arcs_within(Side side, const PivotWindows& windows) const {
+  std::vector<double> knots;
+  for (const SphericalDyad& corner : polygon(side)) knots.push_back(corner.coordinate);
+  return linkwright::arcs_within(axis(side), knots, windows, [&](double coordinate) { return pivots_at(coordinate); });
 }
 
 void SphericalProductFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,

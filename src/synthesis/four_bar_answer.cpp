@@ -57,12 +57,12 @@ bool find_four_bars(KindAnswer& answer, const Progress& progress, const TaskWord
     answer.reason = given.degeneracy.value_or(Notice{});
     return true;
   }
-  const RequirementFilter filter = count_region(answer, answer.task, *given.family,
-                                                {answer.options.region_samples, answer.options.window}, progress);
+  const CountedRegion counted = count_region(answer, answer.task, *given.family,
+                                             {answer.options.region_samples, answer.options.window}, progress);
   warn_of_map(answer);
-  if (answer.meeting_requirements == 0) answer.missed_boxes = missed_boxes(*given.family, answer.requirements);
+  if (nothing_meets_requirements(answer)) answer.missed_boxes = missed_boxes(*given.family, answer.requirements);
   if (!answer.options.at) {
-    BestLinkages best = best_linkages(SearchedFourBars(answer), answer, filter, progress);
+    BestLinkages best = best_linkages(SearchedFourBars(answer), answer, counted.maps(answer.region), progress);
     answer.linkages = std::move(best.linkages);
     answer.left_out = best.left_out;
   }

@@ -40,6 +40,8 @@ template <class KindAnswer, class Family, class Make>
   search.window = answer.options.window;
   search.threads = answer.options.region.threads;
   search.added = answer.added;
+  if (answer.inside)
+    for (const auto& known : answer.linkages) search.starts.push_back(answer.point_of(known));
   decltype(answer.linkages) found;
   for (const RankedGenerator& ranked : best_generators(family, answer.requirements, search, progress))
     if (auto made = make(ranked.place)) {

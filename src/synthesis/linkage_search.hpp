@@ -12,6 +12,7 @@
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/synthesis/answer.hpp"
 #include "region/climb.hpp"
+#include "region/window_look.hpp"
 
 namespace linkwright {
 
@@ -46,28 +47,21 @@ class LinkageSearch {
   using Candidate = typename Kind::Candidate;
   using Solution = typename Kind::Solution;
 
-  /// Refers to all of them.
-  LinkageSearch(const Kind& kind, const Findings& findings, const RequirementFilter& filter, const Progress& progress)
-      : kind_(kind),
-        map_(findings.region),
-        options_(findings.options),
-        filter_(filter),
-        progress_(progress),
-        first_step_(longest_axis(kind.family()) / static_cast<double>(std::max(map_.rows(), map_.columns()))) {}
+  /// Refers to all of them. `maps`: where it begins, that of the findings first.
+  LinkageSearch(const Kind& kind, const Findings& findings, std::vector<SearchMap> maps, const Progress& progress)
+      : kind_(kind), maps_(std::move(maps)), options_(findings.options), progress_(progress) {}
 
   /// The tops of the hills, then the best that differ clearly from all before.
   [[nodiscard]] BestLinkages<Solution> best() && {
     const auto wanted = static_cast<std::size_t>(options_.best);
-    const std::vector<Candidate> feet =
-        candidates_at(hill_tops(map_, filter_, options_.objective, std::max(3 * wanted, least_feet)));
-    const std::vector<Candidate> hills = climbed_from(feet, coarse);
-    size_ = design_size(hills);
-    const std::vector<Candidate> tops = distinct(hills);
+    const std::vector<Climber> hills = climbed_from(feet(std::max(3 * wanted, least_feet)), coarse);
+    size_ = design_size(candidates_of(hills));
+    const std::vector<Climber> tops = distinct(hills);
     // Another batch for those that driving did not confirm.
     for (auto next = tops.begin(); next != tops.end() && goes_on(wanted);) {
       const auto last =
           next + std::min<std::ptrdiff_t>(tops.end() - next, static_cast<std::ptrdiff_t>(wanted - held_.size()));
-      hold(distinct(climbed_from({next, last}, fine)));
+      hold(candidates_of(distinct(climbed_from({next, last}, fine))));
       next = last;
     }
     add_clearly_different(wanted);
@@ -82,7 +76,8 @@ class LinkageSearch {
   [[nodiscard]] BestLinkages<Solution> along(const std::vector<ParetoCell>& front) && {
     std::vector<Candidate> candidates;
     for (const ParetoCell& cell : spread_over(front, static_cast<std::size_t>(options_.best)))
-      if (const auto candidate = kind_.candidate(place_of({cell.row, cell.column}))) candidates.push_back(*candidate);
+      if (const auto candidate = kind_.candidate(place_of(*maps_.front().map, {cell.row, cell.column})))
+        candidates.push_back(*candidate);
     hold(candidates);  // no two are the same design: it is left at 0 what they differ by
     BestLinkages<Solution> found{{}, std::ssize(left_out_)};
     for (Found& each : found_) found.linkages.push_back(std::move(each.linkage));
@@ -111,16 +106,41 @@ class LinkageSearch {
   [[nodiscard]] bool goes_on(std::size_t wanted) const {
     return held_.size() < wanted && left_out_.size() < max_left_out && !progress_.is_cancelled();
   }
-  // The map's numbers are single: a cell on the very edge of a requirement may fail here.
-  [[nodiscard]] std::vector<Candidate> candidates_at(const std::vector<RankedCell>& cells) const {
-    std::vector<Candidate> found;
-    for (const RankedCell& cell : cells)
-      if (const auto candidate = kind_.candidate(place_of(cell))) found.push_back(*candidate);
+
+  /// A candidate, and how far apart the coordinates of the map are on which it was found.
+  struct Climber {
+    Candidate candidate;
+    MapPoint step;
+  };
+  [[nodiscard]] static std::vector<Candidate> candidates_of(const std::vector<Climber>& climbers) {
+    std::vector<Candidate> candidates;
+    for (const Climber& climber : climbers) candidates.push_back(climber.candidate);
+    return candidates;
+  }
+
+  /// Of the map of the findings up to `most`, of all that look closer together as many again.
+  [[nodiscard]] std::vector<Climber> feet(std::size_t most) const {
+    std::vector<Climber> found = feet_of(maps_.front(), most), closer;
+    for (std::size_t i = 1; i < maps_.size(); ++i) {
+      const std::vector<Climber> of_map = feet_of(maps_[i], most);
+      closer.insert(closer.end(), of_map.begin(), of_map.end());
+    }
+    std::sort(closer.begin(), closer.end(), ranks_first);
+    if (closer.size() > most) closer.resize(most);
+    found.insert(found.end(), closer.begin(), closer.end());
     return found;
   }
-  [[nodiscard]] MapPoint place_of(const RankedCell& cell) const {
-    return {map_.input_coordinates()[cell.row], map_.output_coordinates()[cell.column]};
+  // The map's numbers are single: a cell on the very edge of a requirement may fail here.
+  [[nodiscard]] std::vector<Climber> feet_of(const SearchMap& map, std::size_t most) const {
+    std::vector<Climber> found;
+    for (const RankedCell& cell : hill_tops(*map.map, *map.filter, options_.objective, most))
+      if (const auto candidate = kind_.candidate(place_of(*map.map, cell))) found.push_back({*candidate, map.step});
+    return found;
   }
+  [[nodiscard]] static MapPoint place_of(const RegionMap& map, const RankedCell& cell) {
+    return {map.input_coordinates()[cell.row], map.output_coordinates()[cell.column]};
+  }
+  [[nodiscard]] static bool ranks_first(const Climber& a, const Climber& b) { return better(a.candidate, b.candidate); }
 
   /// The middle one: a measure of designs that depends on neither the body's frame nor the map.
   [[nodiscard]] double design_size(const std::vector<Candidate>& candidates) const {
@@ -135,36 +155,43 @@ class LinkageSearch {
                        [&](const Candidate& other) { return kind_.distance(candidate, other) >= least; });
   }
 
-  [[nodiscard]] Ascent<Candidate> ascent_of(const Pace& pace) const {
+  [[nodiscard]] static Ascent<Candidate> ascent_of(const Pace& pace, MapPoint step) {
     Ascent<Candidate> ascent;
-    ascent.first_step = pace.step * first_step_;
+    ascent.first_step = {pace.step * step.input, pace.step * step.output};
     ascent.resolution = pace.resolution;
     ascent.across = pace.across;
     return ascent;
   }
-  template <class Score>
-  [[nodiscard]] Ascent<Candidate> ascent_of(const Pace& pace, const Score& score) const {
-    Ascent<Candidate> ascent = ascent_of(pace);
-    ascent.score = score;
-    return ascent;
+
+  /// The top of its hill, driven from the better side.
+  [[nodiscard]] Climber climbed_to_top(const Climber& foot, const Ascent<Candidate>& ascent) const {
+    const Candidate top = climbed(kind_, foot.candidate, ascent, progress_);
+    Climber end{kind_.from_better_side(top), foot.step};
+    const bool swapped = end.candidate.place.input != top.place.input;
+    if (swapped) std::swap(end.step.input, end.step.output);
+    return end;
   }
 
-  /// The tops of their hills, driven from the better side, best first.
-  [[nodiscard]] std::vector<Candidate> climbed_from(std::vector<Candidate> feet, const Pace& pace) const {
+  /// The tops of their hills, best first.
+  [[nodiscard]] std::vector<Climber> climbed_from(std::vector<Climber> feet, const Pace& pace) const {
     parallel_for(feet.size(), options_.region.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && !progress_.is_cancelled(); ++i)
-        feet[i] = kind_.from_better_side(climbed(kind_, feet[i], ascent_of(pace), progress_));
+        feet[i] = climbed_to_top(feet[i], ascent_of(pace, feet[i].step));
     });
-    std::sort(feet.begin(), feet.end(), better);
+    std::sort(feet.begin(), feet.end(), ranks_first);
     return feet;
   }
 
-  /// Sorted candidates without those that are the same design as a better one.
-  [[nodiscard]] std::vector<Candidate> distinct(const std::vector<Candidate>& sorted) const {
+  /// Sorted, without those that are the same design as a better one.
+  [[nodiscard]] std::vector<Climber> distinct(const std::vector<Climber>& sorted) const {
+    std::vector<Climber> kept;
     std::vector<Candidate> held;
-    for (const Candidate& candidate : sorted)
-      if (differs(candidate, held, different_design * size_)) held.push_back(candidate);
-    return held;
+    for (const Climber& climber : sorted) {
+      if (!differs(climber.candidate, held, different_design * size_)) continue;
+      held.push_back(climber.candidate);
+      kept.push_back(climber);
+    }
+    return kept;
   }
 
   [[nodiscard]] bool is_new(const Candidate& candidate) const {
@@ -196,17 +223,20 @@ class LinkageSearch {
     if (held_.size() >= wanted) return;
     constexpr std::size_t tiles = 48;
     const double least = clearly_different_design * (held_.empty() ? size_ : design_size(held_));
-    for (const RankedCell& cell : tile_bests(map_, filter_, options_.objective, tiles)) {
-      if (!goes_on(wanted)) return;
-      const auto foot = kind_.candidate(place_of(cell));
-      if (!foot || !differs(*foot, held_, least) || !is_new(*foot)) continue;
-      const auto score = [&](const Candidate& c) {
-        return differs(c, held_, least) ? std::optional<double>(c.score) : std::nullopt;
-      };
-      Candidate end = kind_.from_better_side(climbed(kind_, *foot, ascent_of(coarse, score), progress_));
-      end.local_optimum = false;
-      hold({end});
-    }
+    const auto score = [&](const Candidate& c) {
+      return differs(c, held_, least) ? std::optional<double>(c.score) : std::nullopt;
+    };
+    for (const SearchMap& map : maps_)
+      for (const RankedCell& cell : tile_bests(*map.map, *map.filter, options_.objective, tiles)) {
+        if (!goes_on(wanted)) return;
+        const auto foot = kind_.candidate(place_of(*map.map, cell));
+        if (!foot || !differs(*foot, held_, least) || !is_new(*foot)) continue;
+        Ascent<Candidate> ascent = ascent_of(coarse, map.step);
+        ascent.score = score;
+        Candidate end = climbed_to_top({*foot, map.step}, ascent).candidate;
+        end.local_optimum = false;
+        hold({end});
+      }
   }
 
   struct Found {
@@ -215,27 +245,27 @@ class LinkageSearch {
   };
 
   const Kind& kind_;
-  const RegionMap& map_;
+  std::vector<SearchMap> maps_;
   const SynthesisOptions& options_;
-  const RequirementFilter& filter_;
   const Progress& progress_;
-  double first_step_;
   double size_ = 0;              ///< design_size of the hills
   std::vector<Candidate> held_;  ///< as in found_
   std::vector<Found> found_;
   std::vector<Candidate> left_out_;  ///< driving did not confirm them
 };
 
-/// The best linkages of a solved region: its hill tops, climbed continuously in the two coordinates, then, while there
-/// are fewer than wanted, the best of those that differ clearly from all before. Distinct, best first, each analysed
-/// and driven through in user coordinates.
+/// The best linkages of a solved region: its hill tops, and those of maps that look closer (`maps`, its own first),
+/// climbed continuously in the two coordinates, then, while there are fewer than wanted, the best of those that differ
+/// clearly from all before. Distinct, best first, each analysed and driven through in user coordinates.
 template <SearchedKind Kind>
 [[nodiscard]] BestLinkages<typename Kind::Solution> best_linkages(const Kind& kind, const Findings& findings,
-                                                                  const RequirementFilter& filter,
+                                                                  std::vector<SearchMap> maps,
                                                                   const Progress& progress) {
-  if (findings.options.best == 0 || findings.meeting_requirements == 0) return {};
-  LinkageSearch<Kind> search(kind, findings, filter, progress);
-  return findings.options.pareto ? std::move(search).along(findings.pareto) : std::move(search).best();
+  if (findings.options.best == 0) return {};
+  const bool found_between = findings.meeting_requirements == 0;  // the map's own front is empty
+  LinkageSearch<Kind> search(kind, findings, std::move(maps), progress);
+  return findings.options.pareto && !found_between ? std::move(search).along(findings.pareto)
+                                                   : std::move(search).best();
 }
 
 }  // namespace linkwright

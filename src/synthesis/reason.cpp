@@ -15,9 +15,12 @@ std::string percent(std::int64_t part, std::int64_t whole) {
   return share < 1 ? "under 1 %" : fmt::format("{:.0f} %", share);
 }
 
-Notice nothing_defect_free(const Findings& answer, const TaskWords& words, bool has_directions) {
+// Of a map that is a sample it says so.
+std::string_view looked_at(const ReasonFacts& facts) { return facts.is_complete ? "" : " looked at"; }
+
+Notice nothing_defect_free(const Findings& answer, const TaskWords& words, const ReasonFacts& facts) {
   const RegionCounts& counts = answer.counts;
-  const bool directed = answer.requirements.respect_direction && has_directions;
+  const bool directed = answer.requirements.respect_direction && facts.has_directions;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   std::vector<std::string> causes;
   const auto blame = [&](std::int64_t cells, std::string_view what) {
@@ -27,19 +30,31 @@ Notice nothing_defect_free(const Findings& answer, const TaskWords& words, bool 
   blame(counts.branch - counts.circuit, words.lock);
   blame(counts.order, directed ? "reach them in another order, or against a direction" : "reach them in another order");
   return {"none_defect_free",
-          fmt::format("None of the {} ({}) is free of defects: {}. ", words.four_bars, grouped_text(whole),
-                      fmt::join(causes, ", ")) +
+          fmt::format("None of the {}{} ({}) is free of defects: {}. ", words.four_bars, looked_at(facts),
+                      grouped_text(whole), fmt::join(causes, ", ")) +
               fmt::format(fmt::runtime(words.ways_out),
                           directed ? "turn a direction round or let none count (respect_direction: false), " : ""),
           {{"count", static_cast<double>(whole)}}};
 }
 
-Notice nothing_left(const Findings& answer, const std::string& missed) {
-  const std::int64_t free = answer.counts.defect_free;
-  Notice notice{"none_left",
-                fmt::format("None of the four-bars free of defects ({}) meets all requirements.", grouped_text(free)),
-                {{"count", static_cast<double>(free)}}};
-  notice.message += missed;
+// Why no linkage is left, by what is known of the places of its hinges.
+std::string nothing_left_text(const Findings& answer, const TaskWords& words, const ReasonFacts& facts) {
+  if (const std::string inside = inside_text(answer, words.linkages); !inside.empty())
+    return inside.substr(1) + facts.missed;
+  return fmt::format("None of the {}{} that are free of defects ({}) meets all requirements.", words.linkages,
+                     looked_at(facts), grouped_text(answer.counts.defect_free)) +
+         facts.missed;
+}
+
+Notice nothing_left(const Findings& answer, const TaskWords& words, const ReasonFacts& facts) {
+  const bool is_empty = answer.inside && answer.inside->is_empty;
+  const bool is_inside = answer.inside && answer.inside->looked_at > 0;
+  const std::int64_t count = is_inside ? answer.inside->looked_at : answer.counts.defect_free;
+  Notice notice{is_empty    ? "windows_empty"
+                : is_inside ? "none_inside"
+                            : "none_left",
+                nothing_left_text(answer, words, facts),
+                {{"count", static_cast<double>(count)}}};
   if (!answer.relax.empty()) {
     const Relaxation& dearest = answer.relax.front();
     notice.message += fmt::format(" {} is the most restrictive: without it {} would be left.", key(dearest.requirement),
@@ -51,6 +66,36 @@ Notice nothing_left(const Findings& answer, const std::string& missed) {
 }
 
 }  // namespace
+
+bool is_complete(const LinkageFamily& family) {
+  return family.axis(Side::input).is_discrete() && family.axis(Side::output).is_discrete();
+}
+
+std::string after_a_sentence(const std::string& text) { return text.empty() ? "" : " " + text; }
+
+std::string inside_text(const Findings& found, std::string_view linkages) {
+  if (!found.inside || found.inside->meeting > 0) return "";
+  if (found.inside->is_empty)
+    return fmt::format(
+        " None of the {} has all its hinges inside the windows for them: no grounded link on the curves "
+        "has both of its own there.",
+        linkages);
+  return fmt::format(" None of the {} {} looked at inside the windows for hinges meets the other requirements.",
+                     grouped_text(found.inside->looked_at), linkages);
+}
+
+std::string found_inside_text(const Findings& found) {
+  if (!found.inside || found.inside->meeting == 0 || found.meeting_requirements > 0) return "";
+  return fmt::format(
+      "Between the cells of the map, {} were looked at inside the windows for hinges, of which {} meet{} "
+      "all requirements.",
+      grouped_text(found.inside->looked_at), grouped_text(found.inside->meeting),
+      found.inside->meeting == 1 ? "s" : "");
+}
+
+bool nothing_meets_requirements(const Findings& found) {
+  return found.meeting_requirements == 0 && !(found.inside && found.inside->meeting > 0);
+}
 
 void explain_empty_list(Findings& found, bool nothing_listed) {
   if (found.options.best == 0 || !nothing_listed) return;
@@ -82,7 +127,7 @@ ReasonFacts reason_facts(const FourBarAnswer& answer) {
                     fmt::format("No pair of dyads makes a four-bar: in every pair a pivot is at infinity{} or a link "
                                 "has no length.",
                                 answer.dyads_left_out > 0 ? ", a dyad was discarded" : ""),
-                    ""};
+                    "", is_complete(*answer.family())};
   for (const MissedBox& missed : answer.missed_boxes) facts.missed += " " + missed_box_text(missed);
   return facts;
 }
@@ -93,15 +138,17 @@ void state_reason(Findings& answer, const TaskWords& words, const ReasonFacts& f
   if (whole == 0) {
     answer.status = SolutionStatus::no_solution;
     answer.reason = {"no_pair", facts.no_pair, {}};
-  } else if (counts.defect_free == 0 && answer.requirements.no_defects) {
-    answer.reason = nothing_defect_free(answer, words, facts.has_directions);
-  } else if (answer.meeting_requirements == 0) {
-    answer.reason = nothing_left(answer, facts.missed);
+  } else if (nothing_meets_requirements(answer) && counts.defect_free == 0 && answer.requirements.no_defects &&
+             !(answer.inside && answer.inside->is_empty)) {
+    answer.reason = nothing_defect_free(answer, words, facts);
+  } else if (nothing_meets_requirements(answer)) {
+    answer.reason = nothing_left(answer, words, facts);
   } else {
     answer.reason = {
         "solved",
         fmt::format("All {}: {}; free of defects: {}; meeting all requirements: {}.", words.four_bars,
-                    grouped_text(whole), grouped_text(counts.defect_free), grouped_text(answer.meeting_requirements)),
+                    grouped_text(whole), grouped_text(counts.defect_free), grouped_text(answer.meeting_requirements)) +
+            after_a_sentence(found_inside_text(answer)),
         {{"count", static_cast<double>(whole)},
          {"defect_free", static_cast<double>(counts.defect_free)},
          {"meeting", static_cast<double>(answer.meeting_requirements)}}};

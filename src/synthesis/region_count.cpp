@@ -1,6 +1,9 @@
 #include "region_count.hpp"
 
+#include <algorithm>
+
 #include "linkwright/synthesis/tolerance_measures.hpp"
+#include "region/ordered_axes.hpp"
 
 namespace linkwright {
 void measure_added(RegionMap& map, const LinkageFamily& family, const Findings& found, const Progress& progress) {
@@ -12,30 +15,43 @@ void measure_added(RegionMap& map, const LinkageFamily& family, const Findings& 
   found.added.add_to(map, family, found.requirements, yields, progress);
 }
 
-RequirementFilter count_region(Findings& found, const Task& task, const LinkageFamily& family, const MapExtent& extent,
-                               const Progress& progress) {
+std::vector<SearchMap> CountedRegion::maps(const RegionMap& region) const {
+  std::vector<SearchMap> maps = {{&region, &filter, step}};
+  for (const auto& closer : within.maps) maps.push_back(closer->view());
+  return maps;
+}
+
+CountedRegion count_region(Findings& found, const Task& task, const LinkageFamily& family, const MapExtent& extent,
+                           const Progress& progress) {
   const auto samples = [&](Side side) {
     return samples_within(family, side, extent.window, extent.samples, found.options.spacing);
   };
+  if (found.options.tolerances) found.added = tolerance_measures(task, family, *found.options.tolerances);
+  const MapMaking making{[&](RegionMap& map, std::span<const double> input, std::span<const double> output) {
+                           family.classify(map, input, output, found.requirements.respect_direction,
+                                           found.options.region, progress);
+                           if (found.options.tolerances) measure_added(map, family, found, progress);
+                         },
+                         extent.samples, extent.window};
   progress(0.1);
-  family.classify(found.region, samples(Side::input), samples(Side::output), found.requirements.respect_direction,
-                  found.options.region, progress);
+  making.fill(found.region, samples(Side::input), samples(Side::output));
   found.counts = found.region.counts();
-  if (found.options.tolerances) {
-    found.added = tolerance_measures(task, family, *found.options.tolerances);
-    measure_added(found.region, family, found, progress);
-  }
   progress(0.6);
-  RequirementFilter filter = filter_of(family, found.region, found.requirements);
-  const RequirementCensus census = filter.census(progress);
+  const double step = longest_axis(family) / static_cast<double>(std::max(found.region.rows(), found.region.columns()));
+  CountedRegion counted{filter_of(family, found.region, found.requirements), {step, step}, {}};
+  const RequirementCensus census = counted.filter.census(progress);
   found.meeting_requirements = census.meeting;
-  if (found.options.pareto) found.pareto = pareto_front(found.region, filter, *found.options.pareto);
-  if (census.meeting == 0) {
-    found.relax = filter.relaxations(census, progress);
+  if (found.options.pareto) found.pareto = pareto_front(found.region, counted.filter, *found.options.pareto);
+  counted.within =
+      look_into_windows(family, {&found.region, &counted.filter, counted.step}, found.requirements, making, progress);
+  const WindowLook& within = counted.within;
+  if (within.looked_at > 0 || within.is_empty) found.inside = {within.looked_at, within.meeting, within.is_empty};
+  if (census.meeting == 0 && within.meeting == 0) {
+    found.relax = relaxations(family, counted.maps(found.region), found.requirements, making, progress);
     if (found.relax.empty()) found.relax_together = census.joint_relaxation();
   }
   progress(0.7);
-  return filter;
+  return counted;
 }
 
 }  // namespace linkwright

@@ -6,6 +6,7 @@
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "picked_place.hpp"
+#include "reason.hpp"
 #include "region_count.hpp"
 
 namespace linkwright {
@@ -26,14 +27,16 @@ Notice nothing_found(const SixBarAnswer& answer) {
             "length.",
             {}};
   if (answer.counts.defect_free == 0)
-    return {"none_defect_free",
-            fmt::format("None of the six-bars that guide the body through all poses ({}) is free of defects. Move a "
-                        "hinge of the chain, join other bodies, or leave the chain out and let it be searched for.",
-                        grouped_text(whole)),
-            {{"count", static_cast<double>(whole)}}};
+    return {
+        "none_defect_free",
+        fmt::format(
+            "None of the six-bars looked at ({}), which guide the body through all poses, is free of defects. Move a "
+            "hinge of the chain, join other bodies, or leave the chain out and let it be searched for.",
+            grouped_text(whole)),
+        {{"count", static_cast<double>(whole)}}};
   return {"none_left",
-          fmt::format("None of the six-bars free of defects ({}) meets all requirements.{}",
-                      grouped_text(answer.counts.defect_free),
+          fmt::format("None of the six-bars looked at that are free of defects ({}) meets all requirements.{}{}",
+                      grouped_text(answer.counts.defect_free), inside_text(answer, "six-bars"),
                       answer.relax_together ? " " + joint_relaxation_text(*answer.relax_together) : ""),
           {{"count", static_cast<double>(answer.counts.defect_free)}}};
 }
@@ -42,7 +45,7 @@ void evaluate(SixBarAnswer& answer) {
   const std::int64_t whole =
       answer.counts.pairs - answer.counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
   if (whole == 0) answer.status = SolutionStatus::no_solution;
-  const bool none = answer.options.best > 0 ? answer.linkages.empty() : answer.meeting_requirements == 0;
+  const bool none = answer.options.best > 0 ? answer.linkages.empty() : nothing_meets_requirements(answer);
   if (none) {
     answer.reason = nothing_found(answer);
     return;
@@ -52,7 +55,8 @@ void evaluate(SixBarAnswer& answer) {
       fmt::format("All six-bars that guide the body through all poses: {}; free of defects: {}; meeting all "
                   "requirements: {}.",
                   grouped_text(whole), grouped_text(answer.counts.defect_free),
-                  grouped_text(answer.meeting_requirements)),
+                  grouped_text(answer.meeting_requirements)) +
+          after_a_sentence(found_inside_text(answer)),
       {{"count", static_cast<double>(whole)},
        {"defect_free", static_cast<double>(answer.counts.defect_free)},
        {"meeting", static_cast<double>(answer.meeting_requirements)}}};
@@ -87,10 +91,20 @@ std::vector<SixBarSolution> along_the_front(const SixBarAnswer& answer, const Pr
   return found;
 }
 
+MapPoint cell_size(const ChainFamily& family, const RegionMap& map, const std::optional<MapWindow>& window) {
+  const auto length = [&](Side side) {
+    if (!window) return family.axis(side).coordinate_length();
+    const auto [low, high] = side == Side::input ? window->input : window->output;
+    return high - low;
+  };
+  return {length(Side::input) / static_cast<double>(map.rows()),
+          length(Side::output) / static_cast<double>(map.columns())};
+}
+
 Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
   answer.chain = ChainFamily::of(answer.task);
   if (!answer.chain) return Error{"out_of_reach", "task.chain", "the chain does not reach all poses"};
-  const RequirementFilter filter =
+  const CountedRegion counted =
       count_region(answer, answer.task, *answer.chain, {samples_of(answer.options), answer.options.window}, progress);
   const SynthesisOptions& options = answer.options;
   if (options.at) {
@@ -99,10 +113,13 @@ Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
     });
     return progress.is_cancelled() ? Result<Answer>(cancelled_map()) : Result<Answer>(Answer(std::move(answer)));
   }
+  // Unlike four-bars' the two axes may have different lengths.
+  std::vector<SearchMap> maps = counted.maps(answer.region);
+  maps.front().step = cell_size(*answer.chain, answer.region, options.window);
   answer.linkages =
-      options.pareto
+      options.pareto && answer.meeting_requirements > 0
           ? along_the_front(answer, progress)
-          : best_six_bars(answer.task, *answer.chain, answer.region, answer.requirements,
+          : best_six_bars(answer.task, *answer.chain, maps, answer.requirements,
                           {options.objective, options.best, options.region.threads, answer.added, options.window},
                           progress);
   if (progress.is_cancelled()) return cancelled_map();

@@ -29,7 +29,8 @@ std::vector<SphericalSolution> pairs_of_points(const SphericalAnswer& answer) {
 }
 
 ReasonFacts reason_facts(const SphericalAnswer& answer) {
-  return {answer.given.has_directions, "No pair of dyads makes a four-bar: in every pair a link has no length.", ""};
+  return {answer.given.has_directions, "No pair of dyads makes a four-bar: in every pair a link has no length.", "",
+          is_complete(*answer.given.family)};
 }
 
 // What is found of a family; false where it was cancelled.
@@ -44,15 +45,15 @@ bool find_spherical(KindAnswer& answer, const TaskWords& words, const Progress& 
     answer.reason = given.degeneracy.value_or(Notice{});
     return true;
   }
-  const RequirementFilter filter = count_region(answer, answer.task, *given.family,
-                                                {answer.options.region_samples, answer.options.window}, progress);
+  const CountedRegion counted = count_region(answer, answer.task, *given.family,
+                                             {answer.options.region_samples, answer.options.window}, progress);
   if (!given.points.empty()) answer.pairs = pairs_of_points(answer);
   const SearchedSphericalFourBars search(answer);
   if (answer.options.at) {
     list_what_is_there(answer, *given.family,
                        [&](MapPoint place, const auto& /*failed*/) { return search.make(place); });
   } else {
-    auto best = best_linkages(search, answer, filter, progress);
+    auto best = best_linkages(search, answer, counted.maps(answer.region), progress);
     answer.linkages = std::move(best.linkages);
     answer.left_out = best.left_out;
     state_reason(answer, words, reason_facts(answer));

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "linkwright/core/count_text.hpp"
+#include "reason.hpp"
 #include "region_count.hpp"
 #include "searched_lines.hpp"
 
@@ -35,9 +36,11 @@ bool none_goes_so_far(const StraightLineAnswer& answer) {
 
 Notice nothing_meets(const StraightLineAnswer& answer) {
   const std::int64_t whole = whole_linkages(answer);
-  Notice notice{"none_left_straight",
-                fmt::format("None of the linkages of this case ({}) meets all requirements.", grouped_text(whole)),
-                {{"count", static_cast<double>(whole)}}};
+  Notice notice{
+      "none_left_straight",
+      fmt::format("None of the linkages of this case{} ({}) meets all requirements.{}",
+                  is_complete(*answer.lines) ? "" : " looked at", grouped_text(whole), inside_text(answer, "linkages")),
+      {{"count", static_cast<double>(whole)}}};
   if (!answer.relax.empty())
     notice.message += fmt::format(" {} is the most restrictive: without it {} would be left.",
                                   key(answer.relax.front().requirement), grouped_text(answer.relax.front().only_this));
@@ -53,14 +56,15 @@ void state_what_was_found(StraightLineAnswer& answer) {
   if (whole == 0) {
     answer.status = SolutionStatus::no_solution;
     answer.reason = nothing_on_map(answer);
-  } else if (answer.meeting_requirements == 0) {
+  } else if (nothing_meets_requirements(answer)) {
     answer.status = SolutionStatus::no_solution;
     answer.reason = nothing_meets(answer);
   } else {
     answer.reason = {
         "solved",
         fmt::format("All four-bars of the map: {}; meeting all requirements: {}.", grouped_text(whole),
-                    grouped_text(answer.meeting_requirements)),
+                    grouped_text(answer.meeting_requirements)) +
+            after_a_sentence(found_inside_text(answer)),
         {{"count", static_cast<double>(whole)}, {"meeting", static_cast<double>(answer.meeting_requirements)}}};
   }
 }
@@ -221,14 +225,14 @@ Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& r
     return search_all_cases(std::move(answer), *wanted, progress);
   answer.lines = std::make_shared<StraightLineFamily>(task, options.line, options.window);
   const StraightLineFamily& family = *answer.lines;
-  const RequirementFilter filter = count_region(answer, task, family, {options.region_samples, std::nullopt}, progress);
+  const CountedRegion counted = count_region(answer, task, family, {options.region_samples, std::nullopt}, progress);
   if (options.at) {
     list_layers(answer);
   } else if (family.axis(Side::input).is_discrete()) {
     list_all(answer);
   } else {
     auto best = best_linkages(SearchedLines(family, answer.requirements, options.objective, answer.added), answer,
-                              filter, progress);
+                              counted.maps(answer.region), progress);
     answer.linkages = std::move(best.linkages);
     if (!is_of_tolerances(options.objective) && !options.pareto)
       std::stable_sort(answer.linkages.begin(), answer.linkages.end(),

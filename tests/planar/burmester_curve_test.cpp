@@ -314,5 +314,52 @@ TEST(BurmesterCurve, ItsRunGrowsWithTheCoordinate) {
   EXPECT_GT(run.length.back(), pi) << "both points go once round, at least";
 }
 
+// Against 20 000 samples: between two of them on different sides of a line lies one of the places, and no others.
+TEST(BurmesterCurve, MeetsALineWhereItsSamplesChangeSides) {
+  std::mt19937_64 random(31);
+  int met = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const BurmesterCurve curve(pose_conditions(testing::random_poses(random)));
+    for (const bool of_centers : {true, false}) {
+      const Homogeneous line =
+          cross(Homogeneous::of({testing::uniform(random, -2, 2), testing::uniform(random, -2, 2)}),
+                Homogeneous::of({testing::uniform(random, -2, 2), testing::uniform(random, -2, 2)}));
+      const auto places = of_centers ? curve.coordinates_of_centers_on(line) : curve.coordinates_of_circles_on(line);
+      EXPECT_LE(places.size(), 3u);
+      const auto point_at = [&](double tau) {
+        const Dyad dyad = curve.dyad(tau);
+        return normalized(of_centers ? dyad.center : dyad.circle);
+      };
+      for (const double tau : places) EXPECT_NEAR(dot(normalized(line), point_at(tau)), 0, 1e-9);
+      const auto samples = curve.samples(20'000, Spacing::arc_length);
+      for (std::size_t i = 1; i < samples.size(); ++i) {
+        if (std::floor(samples[i - 1]) != std::floor(samples[i])) continue;
+        const auto p = finite_point(point_at(samples[i - 1])), q = finite_point(point_at(samples[i]));
+        if (!p || !q || std::abs(*p - *q) > 0.1) continue;
+        const double at_p = dot(line, Homogeneous::of(*p)), at_q = dot(line, Homogeneous::of(*q));
+        if ((at_p < 0) == (at_q < 0)) continue;
+        ++met;
+        EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](double tau) {
+          return tau >= samples[i - 1] - 1e-9 && tau <= samples[i] + 1e-9;
+        })) << trial;
+      }
+    }
+  }
+  EXPECT_GT(met, 20);
+}
+
+TEST(BurmesterCurve, AComponentOfCentersMeetsALineOnce) {
+  const auto c = planar_case("two_translation_pairs");
+  const BurmesterCurve curve(pose_conditions(c.poses));
+  for (const CurveBranch& branch : curve.branches()) {
+    if (branch.name != "center_line") continue;
+    const Homogeneous line = cross(Homogeneous::of({0.3, -0.2}), Homogeneous::of({0.1, 1.4}));
+    const auto places = curve.coordinates_of_centers_on(line);
+    EXPECT_EQ(
+        std::count_if(places.begin(), places.end(), [&](double tau) { return tau >= branch.from && tau <= branch.to; }),
+        1);
+  }
+}
+
 }  // namespace
 }  // namespace linkwright::burmester_curve_test

@@ -1,5 +1,6 @@
 #include "linkwright/planar/six_bar_synthesis.hpp"
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -34,6 +35,12 @@ struct Mapped {
   }
   [[nodiscard]] Requirements with_defaults() const {
     return linkwright::with_defaults(Requirements{}, family->chain());
+  }
+  [[nodiscard]] std::vector<SixBarSolution> best(const Requirements& wanted, int most) const {
+    const RequirementFilter filter = filter_of(*family, map, wanted);
+    const MapPoint step = {family->axis(Side::input).coordinate_length() / static_cast<double>(map.rows()),
+                           family->axis(Side::output).coordinate_length() / static_cast<double>(map.columns())};
+    return best_six_bars(task, *family, std::array{SearchMap{&map, &filter, step}}, wanted, {.best = most});
   }
 };
 
@@ -92,7 +99,7 @@ TEST(SixBarSynthesis, RefinesTheBest) {
       if (mapped.map.values(measures::link_ratio)[cell] < 20)
         best_cell = std::max(best_cell, mapped.map.values(measures::min_transmission_angle)[cell]);
     const Requirements wanted = mapped.with_defaults();
-    const auto found = best_six_bars(mapped.task, *mapped.family, mapped.map, wanted, {.best = 2});
+    const auto found = mapped.best(wanted, 2);
     ASSERT_FALSE(found.empty());
     EXPECT_LE(found.size(), 2u);
     EXPECT_GE(found[0].rating.versine(), 0.99 * best_cell);
@@ -146,7 +153,7 @@ TEST(SixBarSynthesis, FindsWhatPassesBesideATopThatDoesNot) {
       Requirements wanted = mapped.with_defaults();
       wanted.max_link_ratio = ratio;
       const RequirementFilter filter = filter_of(*mapped.family, mapped.map, wanted);
-      const auto found = best_six_bars(mapped.task, *mapped.family, mapped.map, wanted, {.best = 1});
+      const auto found = mapped.best(wanted, 1);
       EXPECT_EQ(found.empty(), filter.census().meeting == 0) << row << " " << ratio;
       tried += found.empty() ? 0 : 1;
     }

@@ -61,6 +61,11 @@ class Tasks {
     std::ifstream file(arguments_->files[number]);
     return {std::istreambuf_iterator<char>(file), {}};
   }
+  /// Every other task is solved once more in small windows.
+  [[nodiscard]] std::optional<Draw> windows(std::size_t number) const {
+    Draw draw(arguments_->seed ^ 0xA5A5U, number);
+    return draw.chance(0.5) ? std::optional(draw) : std::nullopt;
+  }
   /// One task in twenty is also cancelled at some moment.
   [[nodiscard]] std::optional<double> cancelled_after(std::size_t number) const {
     Draw draw(~arguments_->seed, number);
@@ -88,7 +93,9 @@ std::vector<Finished> finished_tasks(const Arguments& arguments, const Tasks& ta
   const ProcessLimits limits{arguments.at_once, arguments.limit, 20 + 10 * arguments.limit};
   run_apart(
       tasks.numbers(), limits,
-      [&](std::size_t number) { return written(tried(tasks.text(number), tasks.cancelled_after(number))); },
+      [&](std::size_t number) {
+        return written(tried(tasks.text(number), tasks.cancelled_after(number), tasks.windows(number)));
+      },
       [&](std::size_t number, const Ended& ended) {
         finished.push_back({number, tasks.kind(number), tasks.name(number), trial_of(ended), ended.seconds});
       });

@@ -12,6 +12,7 @@
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
+#include "window_trial.hpp"
 
 namespace linkwright::soak {
 namespace {
@@ -66,7 +67,7 @@ void check_drawing(const Problem& problem, const Answer& answer, Trial& trial) {
 
 }  // namespace
 
-Trial tried(std::string_view problem_text, std::optional<double> cancel_after) {
+Trial tried(std::string_view problem_text, std::optional<double> cancel_after, std::optional<Draw> windows) {
   auto problem = read_problem(problem_text);
   if (!problem) return {"refused", 0, 0, {}};
   Trial trial;
@@ -84,6 +85,10 @@ Trial tried(std::string_view problem_text, std::optional<double> cancel_after) {
   const auto wrongs = wrongs_of(*problem, *solution, write_result(*problem, *solution, with_region));
   trial.findings.insert(trial.findings.end(), wrongs.begin(), wrongs.end());
   check_drawing(*problem, *solution, trial);
+  if (windows) {
+    const auto missed = wrongs_in_windows(*problem, *solution, *windows);
+    trial.findings.insert(trial.findings.end(), missed.begin(), missed.end());
+  }
   trial.outcome = name(findings(*solution).status);
   trial.linkages = static_cast<int>(linkage_count(*solution));
   return trial;

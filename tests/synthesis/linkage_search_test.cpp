@@ -87,7 +87,7 @@ class LinkageSearchTest : public ::testing::Test {
     findings.options.best = most;
     const RequirementFilter filter = filter_of(family, findings.region, findings.requirements);
     findings.meeting_requirements = filter.census().meeting;
-    return best_linkages(kind, findings, filter, {});
+    return best_linkages(kind, findings, {{&findings.region, &filter, {1.0 / 60, 1.0 / 60}}}, {});
   }
   HillFamily family;
   SearchedHills kind{family};

@@ -240,4 +240,16 @@ inline constexpr double dependent_minors = 1e-13;
 /// together: eigenvalues part lines that coincide by the root of their rounding, 1e-7, three of them by 1e-5.
 inline constexpr double nearly_double_line = 1e-4;
 
+/// How far outside a window for pivots, over its longer side (of a cone: radians), a pivot counts as on its border: a
+/// border met by solving for it carries 1e-12, and nobody measures the ninth digit of a place.
+inline constexpr double on_border = 1e-9;
+
+/// Share of a coordinate that a pivot's carries in rounding: two rotations and the way back from the working frame
+/// leave some 1e-14, with two digits of room.
+inline constexpr double rounded_coordinate = 1e-12;
+
+/// Distance (radians) of two meets of a line with a cubic, or imaginary part of one, below which the line touches it:
+/// a double root carries the root of rounding, 1e-8.
+inline constexpr double touching_line = 1e-7;
+
 }  // namespace linkwright::tolerance

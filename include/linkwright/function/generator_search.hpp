@@ -39,6 +39,7 @@ struct GeneratorSearchOptions {
   std::optional<MapWindow> window;  ///< nothing: the whole map
   int threads = 0;                  ///< 0: as many as the machine has
   AddedMeasures added{};            ///< which requirements may be on
+  std::vector<MapPoint> starts{};   ///< places known to hold generators, beside the grid: inside small windows
 };
 
 /// The linkages whose largest structural error is least: hills of a grid over the map, climbed continuously in both

@@ -68,6 +68,12 @@ class BurmesterCurve {
   [[nodiscard]] Homogeneous center_of(Homogeneous circle) const;
   [[nodiscard]] Homogeneous circle_of(Homogeneous center) const;
 
+  /// τ of all dyads whose centre point (or circle point) lies on a line of the working frame, given by its coordinates:
+  /// at most three on an irreducible curve, a touching one included. A component that lies in the line, or to which one
+  /// such point belongs as a whole, adds none, but for the place where it meets the rest.
+  [[nodiscard]] std::vector<double> coordinates_of_centers_on(Homogeneous line) const;
+  [[nodiscard]] std::vector<double> coordinates_of_circles_on(Homogeneous line) const;
+
   /// Largest |Zᵀ M C| over the conditions for unit Z and C; where the poses nearly share a pole, in the pole-centred
   /// frame.
   [[nodiscard]] double residual(const Dyad& dyad) const;
@@ -80,12 +86,14 @@ class BurmesterCurve {
   struct SolvingFrame {
     SolvingFrame(const PoseConditions& asked, const std::vector<HomogeneousMatrix>& rows);
     std::array<HomogeneousMatrix, 3> conditions;
+    PlaneCubic circle_cubic, center_cubic;
     CircularCubic circle_curve, center_curve;
   };
   [[nodiscard]] Homogeneous to_solving_frame(Homogeneous working) const;
   [[nodiscard]] Homogeneous to_working(Homogeneous seen) const;
   [[nodiscard]] std::vector<Dyad> dyads_at_infinity() const;
   void find_partner_lines();
+  [[nodiscard]] std::array<Homogeneous, 2> solving_points_of(Homogeneous line) const;
   [[nodiscard]] std::vector<double> evenly_by_length(int count) const;
   template <class Visit>
   void walk(int first_sides, double longest_side, const Visit& visit) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -10,24 +11,29 @@
 
 namespace linkwright {
 
-/// A length that the task leaves open, chosen so that the map over the rest has something to show.
+/// A length that the task leaves open, searched where linkages are.
 struct ChosenLength {
-  static constexpr int trials = 25;      ///< lengths that are tried, in equal ratios
-  static constexpr double longest = 10;  ///< in characteristic lengths; max_length where that is less
-  static constexpr double range = 100;   ///< longest over shortest
-  static constexpr int samples = 100;    ///< a side of the map that is made for each
+  static constexpr int first_trials = 25;  ///< lengths that are tried at first, in equal ratios
+  static constexpr int doublings = 2;      ///< where none has a linkage that meets the requirements: lengths between
+  static constexpr double longest = 10;    ///< in characteristic lengths; max_length where that is less
+  static constexpr double range = 100;     ///< longest over shortest
+  static constexpr int samples = 100;      ///< a side of the map that is made for each
 
-  double length = 0;         ///< user's unit
-  std::int64_t meeting = 0;  ///< cells of that map that meet the requirements
+  double length = 0;               ///< user's unit
+  std::int64_t meeting = 0;        ///< linkages looked at of this length that meet the requirements
+  int tried = 0;                   ///< lengths
+  std::array<double, 2> within{};  ///< shortest and longest tried
 };
 
 /// The family that goes with a length (user's unit).
 using FamilyOfLength = std::function<std::unique_ptr<const FourBarFamily>(double length)>;
 
-/// Of all rungs the one whose best cell is best by the objective; among equals the one with most cells that meet the
-/// requirements, then the shortest. Where nothing meets them: most cells free of defects, then most four-bars.
-/// `requirements` with both lengths set; `frame`: that of the families.
+/// The length whose best linkage is best by the objective: of lengths in equal ratios between those that the
+/// requirements leave, windows for pivots looked into for themselves, then climbed. Where none has a linkage that meets
+/// the requirements, the one with most that fail a single one, so that what is advised of its map holds of all lengths
+/// tried. `requirements` with both lengths set; `frame`: that of the families; `partner`: the other grounded link's
+/// length, 0 where it is open.
 [[nodiscard]] ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& frame,
-                                         const Requirements& requirements, Objective objective);
+                                         const Requirements& requirements, Objective objective, double partner = 0);
 
 }  // namespace linkwright

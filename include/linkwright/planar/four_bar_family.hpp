@@ -64,6 +64,11 @@ class FourBarFamily : public LinkageFamily {
 
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
 
+ protected:
+  /// arcs_within() of grounded links that depend on their own coordinate alone.
+  [[nodiscard]] std::vector<AxisArc> arcs_of_dyads(Side side, const PivotWindows& windows,
+                                                   const std::function<std::optional<Dyad>(double tau)>& dyad_at) const;
+
  private:
   WorkingFrame frame_;
 };
@@ -105,8 +110,13 @@ class ProductFamily : public MotionFamily {
   [[nodiscard]] DyadPairsOfCells dyad_pairs_of_cells(std::span<const double> input,
                                                      std::span<const double> output) const override;
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
+  [[nodiscard]] std::optional<std::vector<AxisArc>> arcs_within(Side side, const PivotWindows& windows) const override;
   /// Evenly in τ; a place without a dyad is left out.
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
+
+ protected:
+  /// User's frame; nothing at infinity, and where there is no dyad.
+  [[nodiscard]] GroundedLinkPivots pivots_at(Side side, double tau) const;
 
  private:
   [[nodiscard]] std::vector<GroundedLinkPivots> pivots_of(const std::vector<Dyad>& links) const;
@@ -125,6 +135,8 @@ class CurveFamily : public ProductFamily {
   [[nodiscard]] std::optional<Dyad> dyad(Side side, double tau) const override;
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
+  /// In closed form: where a curve meets the sides of a box.
+  [[nodiscard]] std::optional<std::vector<AxisArc>> arcs_within(Side side, const PivotWindows& windows) const override;
 
  private:
   std::shared_ptr<const BurmesterCurve> curve_;

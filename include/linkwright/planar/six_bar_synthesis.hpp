@@ -26,12 +26,13 @@ struct SixBarChoice {
   std::optional<MapWindow> window{};  ///< of a map, which nothing is refined out of
 };
 
-/// The best six-bars of a map that meet requirements whose lengths are set, refined along both coordinates to the
+/// The best six-bars of maps that meet requirements whose lengths are set, refined along both coordinates to the
 /// tops of their hills, checked and driven, best first, no two alike. What was found by then where `progress` is
 /// cancelled.
 [[nodiscard]] std::vector<SixBarSolution> best_six_bars(const SixBarTask& task, const ChainFamily& family,
-                                                        const RegionMap& map, const Requirements& requirements,
-                                                        const SixBarChoice& choice, const Progress& progress = {});
+                                                        std::span<const SearchMap> maps,
+                                                        const Requirements& requirements, const SixBarChoice& choice,
+                                                        const Progress& progress = {});
 
 /// The top of the hill of that map on which a six-bar stands, as improved_linkage(). Nothing where the six-bar does not
 /// meet the requirements or is at the top already.

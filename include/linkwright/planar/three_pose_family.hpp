@@ -79,6 +79,10 @@ class SideAngleFamily : public MotionFamily {
   [[nodiscard]] double axis_value(Side side, double tau) const override;
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
+  /// Of the input; the output depends on it.
+  [[nodiscard]] std::optional<std::vector<AxisArc>> arcs_within(Side side, const PivotWindows& windows) const override;
+  [[nodiscard]] std::optional<std::vector<AxisArc>> output_arcs_within(double input,
+                                                                       const PivotWindows& windows) const override;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 

@@ -9,6 +9,13 @@
 
 namespace linkwright {
 
+/// A map that a search for the best begins at, what of it passes, and how far apart its coordinates are.
+struct SearchMap {
+  const RegionMap* map = nullptr;
+  const RequirementFilter* filter = nullptr;
+  MapPoint step;
+};
+
 /// Cells that pass and that no neighbour of the same type, up to a hundredth of the map away, betters, best first, at
 /// most `most`. Neighbours on another branch of the curve do not count. From each a hill can be climbed in the two
 /// curve coordinates.

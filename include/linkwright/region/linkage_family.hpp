@@ -9,6 +9,7 @@
 #include "linkwright/core/progress.hpp"
 #include "linkwright/region/linkage_class.hpp"
 #include "linkwright/region/map_axis.hpp"
+#include "linkwright/region/pivot_windows.hpp"
 #include "linkwright/region/region_map.hpp"
 
 namespace linkwright {
@@ -59,6 +60,20 @@ class LinkageFamily {
   void classify(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
                 const RegionOptions& options = {}, const Progress& progress = {}) const {
     fill(map, input, output, respect_direction, options, progress);
+  }
+
+  /// The stretches of an axis on which the grounded link has its hinges in the windows, all of them. Nothing where that
+  /// depends on the other coordinate, too.
+  [[nodiscard]] virtual std::optional<std::vector<AxisArc>> arcs_within(Side /*side*/,
+                                                                        const PivotWindows& /*windows*/) const {
+    return std::nullopt;
+  }
+
+  /// The same of the output axis at an input coordinate, where the output link depends on it; nothing where that is not
+  /// known.
+  [[nodiscard]] virtual std::optional<std::vector<AxisArc>> output_arcs_within(double /*input*/,
+                                                                               const PivotWindows& /*windows*/) const {
+    return std::nullopt;
   }
 
   /// Where the hinges of a map of this family lie. Refers to the family and the map, which must outlive it.

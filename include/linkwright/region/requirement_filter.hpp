@@ -12,6 +12,7 @@
 
 #include "linkwright/core/progress.hpp"
 #include "linkwright/region/linkage_family.hpp"
+#include "linkwright/region/pivot_windows.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_kind.hpp"
 #include "linkwright/region/requirements.hpp"
@@ -73,6 +74,10 @@ class RequirementFilter {
   /// The cell meets all requirements; a degenerate one never does.
   [[nodiscard]] bool passes(std::size_t row, std::size_t column) const { return failures(row, column) == 0; }
 
+  /// How far the hinge of a cell that lies farthest outside its window lies from it, user's unit or radians; 0 where
+  /// all are inside, or without windows; infinite where a hinge is at infinity and of a degenerate cell.
+  [[nodiscard]] double distance_to_windows(std::size_t row, std::size_t column) const;
+
   /// The same of each cell, row-major. `failures` has a place for each cell; cancelled, all bits for those left out.
   void failures_of_all(std::span<FailureBits> failures, const Progress& progress = {}) const;
 
@@ -110,7 +115,7 @@ class RequirementFilter {
     FailureBits bit;
     std::optional<Vector3> GroundedLinkPivots::*of_link;
     std::vector<Vector3> Pivots::*of_linkage;
-    std::variant<Box, Cone> within;
+    PivotWindow within;
   };
 
   void add_bound(RequirementKind kind, const Measure& measure, double limit, const Measure* per = nullptr);

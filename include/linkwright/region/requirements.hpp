@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -9,15 +10,22 @@
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 
 /// Axis-parallel rectangle, borders included, user's unit.
 struct Box {
   double x_low = 0, x_high = 0, y_low = 0, y_high = 0;
-  /// Borders included.
+  /// Borders included, to tolerance::on_border of its longer side: a point computed to lie on one is inside, and so a
+  /// box may be without width or height. Far from the origin rounding of the coordinates counts.
   [[nodiscard]] bool contains(Point p) const {
-    return p.real() >= x_low && p.real() <= x_high && p.imag() >= y_low && p.imag() <= y_high;
+    const double farthest =
+        std::max(std::max(std::abs(x_low), std::abs(x_high)), std::max(std::abs(y_low), std::abs(y_high)));
+    const double slack =
+        tolerance::on_border * std::max(x_high - x_low, y_high - y_low) + tolerance::rounded_coordinate * farthest;
+    return p.real() >= x_low - slack && p.real() <= x_high + slack && p.imag() >= y_low - slack &&
+           p.imag() <= y_high + slack;
   }
 
   /// Its projection on the plane z = 0 does.
@@ -35,8 +43,8 @@ struct Cone {
   [[nodiscard]] double angle_to(Vector3 line) const {
     return std::atan2(norm(cross(normalized(axis), line)), std::fabs(dot(normalized(axis), line)));
   }
-  /// Borders included.
-  [[nodiscard]] bool contains(Vector3 line) const { return angle_to(line) <= half_angle; }
+  /// Borders included, to tolerance::on_border.
+  [[nodiscard]] bool contains(Vector3 line) const { return angle_to(line) <= half_angle + tolerance::on_border; }
 
   friend bool operator==(const Cone&, const Cone&) = default;
 };

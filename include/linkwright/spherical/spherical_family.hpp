@@ -60,8 +60,11 @@ class SphericalProductFamily : public SphericalFamily {
     return orientations_;
   }
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
+  [[nodiscard]] std::optional<std::vector<AxisArc>> arcs_within(Side side, const PivotWindows& windows) const override;
 
  private:
+  /// None where there is no dyad.
+  [[nodiscard]] GroundedLinkPivots pivots_at(double coordinate) const;
   [[nodiscard]] std::vector<SphericalDyad> dyads(std::span<const double> coordinates) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;

@@ -33,6 +33,15 @@ namespace linkwright {
 enum class SolutionStatus { solved, no_solution, degenerate };
 [[nodiscard]] std::string_view name(SolutionStatus status);
 
+/// What was looked at inside the windows required of hinges, more closely than the map shows it.
+struct InsideWindows {
+  std::int64_t looked_at = 0;  ///< linkages with all hinges inside
+  std::int64_t meeting = 0;    ///< of these: meet all requirements
+  bool is_empty = false;       ///< proved: no linkage has all hinges inside
+
+  friend bool operator==(const InsideWindows&, const InsideWindows&) = default;
+};
+
 /// What is found for a task, whatever the kind of linkage.
 struct Findings {
   SolutionStatus status = SolutionStatus::solved;
@@ -46,6 +55,7 @@ struct Findings {
   Requirements requirements;                        ///< as used: defaults filled in
   SynthesisOptions options;                         ///< as used
   std::int64_t meeting_requirements = 0;            ///< cells
+  std::optional<InsideWindows> inside;              ///< where windows are required; nothing: the map is complete
   std::int64_t left_out = 0;                        ///< of the best: driving does not confirm them; a warning says so
   std::vector<std::vector<RequirementKind>> fails;  ///< options.at: by linkages, the requirements that each fails
   std::vector<ParetoCell> pareto;                   ///< options.pareto: the whole front of the map
@@ -55,6 +65,10 @@ struct Findings {
   std::vector<Relaxation> relax;                  ///< when no linkage meets the requirements, dearest first
   std::optional<JointRelaxation> relax_together;  ///< when relaxing one requirement alone would leave nothing either
 };
+
+/// Where linkages were found inside windows for hinges and none by the cells of the map: how many, in a sentence;
+/// otherwise nothing.
+[[nodiscard]] std::string found_inside_text(const Findings& found);
 
 struct FourBarAnswer : Findings {
   TaskFamily given;

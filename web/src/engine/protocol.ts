@@ -198,6 +198,8 @@ export interface Census {
   relax_together: {requirements: RequirementKey[]; leaves: number} | null;
   /** Boxes that the curve does not enter, its nearest point, and the way to it from the border; only if meeting = 0. */
   missed_boxes: MissedBox[];
+  /** Linkages looked at inside the windows for hinges, between the cells of the map; only if meeting = 0. */
+  inside: {looked_at: number; meeting: number; is_empty: boolean};
 }
 export interface MapAnswer {
   samples: number; // as asked; an axis of a few places has one row or column to each

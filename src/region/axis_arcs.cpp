@@ -1,0 +1,162 @@
+#include "linkwright/region/axis_arcs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace linkwright {
+namespace {
+
+bool are_on_one_branch(double from, double to) { return to <= std::floor(from) + 1; }
+
+// Where a function with values of different signs at both ends changes its sign, to the last digit.
+template <class Function>
+double sign_change(double low, double high, double at_low, const Function& value_at) {
+  constexpr int halvings = 60;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (low + high) / 2;
+    const auto value = value_at(middle);
+    if (middle <= low || middle >= high || !value) break;
+    ((*value < 0) == (at_low < 0) ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+// Of a function with one extremum between two places, on one side of zero at both, where it comes nearest to zero or
+// goes farthest beyond; golden section. `sign`: of the function at the places.
+template <class Function>
+double turning_point(double low, double high, double sign, const Function& value_at) {
+  constexpr int turns = 40;
+  constexpr double golden = 0.6180339887498949;
+  const auto size_at = [&](double x) {
+    const auto value = value_at(x);
+    return value ? sign * *value : std::numeric_limits<double>::infinity();
+  };
+  double one = high - golden * (high - low), other = low + golden * (high - low);
+  double at_one = size_at(one), at_other = size_at(other);
+  for (int i = 0; i < turns; ++i) {
+    const bool first = at_one <= at_other;
+    (first ? high : low) = first ? other : one;
+    (first ? other : one) = first ? one : other;
+    (first ? at_other : at_one) = first ? at_one : at_other;
+    const double next = first ? high - golden * (high - low) : low + golden * (high - low);
+    (first ? one : other) = next;
+    (first ? at_one : at_other) = size_at(next);
+  }
+  return (low + high) / 2;
+}
+
+/// One of the functions over the knots of a branch.
+class BorderSearch {
+ public:
+  BorderSearch(const BorderValues& values_at, std::size_t which) : values_at_(values_at), which_(which) {}
+
+  [[nodiscard]] std::optional<double> at(double coordinate) const {
+    const auto values = values_at_(coordinate);
+    return values && std::isfinite((*values)[which_]) ? std::optional((*values)[which_]) : std::nullopt;
+  }
+
+  void add_between(double from, double to, double value, double next, std::vector<double>& borders) const {
+    if ((value < 0) != (next < 0)) borders.push_back(sign_change(from, to, value, [&](double x) { return at(x); }));
+  }
+
+  /// An extremum toward zero near the middle of three places on one side of it, which it may reach between them.
+  void add_touching(const std::array<double, 3>& places, const std::array<double, 3>& values,
+                    std::vector<double>& borders) const {
+    const auto [a, b, c] = values;
+    if ((a < 0) != (b < 0) || (b < 0) != (c < 0)) return;
+    if (std::abs(b) > std::abs(a) || std::abs(b) > std::abs(c)) return;
+    // A parabola through the three that stays well away from zero has no root that a smooth function could hide.
+    if (std::abs(b) > 2 * std::max(std::abs(a - b), std::abs(c - b))) return;
+    const auto value_at = [&](double x) { return at(x); };
+    const double top = turning_point(places[0], places[2], b < 0 ? -1 : 1, value_at);
+    const auto there = value_at(top);
+    if (!there) return;
+    borders.push_back(top);
+    add_between(places[0], top, a, *there, borders);
+    add_between(top, places[2], *there, c, borders);
+  }
+
+ private:
+  const BorderValues& values_at_;
+  std::size_t which_;
+};
+
+}  // namespace
+
+std::vector<AxisArc> arcs_where(const MapAxis& axis, std::vector<double> borders,
+                                const std::function<bool(double)>& holds) {
+  std::sort(borders.begin(), borders.end());
+  std::vector<AxisArc> arcs;
+  const auto add = [&](double from, double to, double begin) {
+    if (!arcs.empty() && arcs.back().to == from && arcs.back().from >= begin)
+      arcs.back().to = to;
+    else
+      arcs.push_back({from, to});
+  };
+  for (const CurveBranch& branch : axis.branches) {
+    // The end of a branch is the beginning of the next one.
+    const double last = branch.to > branch.from ? std::nextafter(branch.to, branch.from) : branch.to;
+    std::vector<double> places = {branch.from};
+    for (const double border : borders)
+      if (border > branch.from && border < last) places.push_back(border);
+    if (last > branch.from) places.push_back(last);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (holds(places[i])) add(places[i], places[i], branch.from);
+      // A border that rounding leaves outside ends the arc all the same.
+      if (i + 1 < places.size() && holds((places[i] + places[i + 1]) / 2)) add(places[i], places[i + 1], branch.from);
+    }
+  }
+  return arcs;
+}
+
+std::vector<double> borders_between(std::span<const double> knots, const BorderValues& values_at) {
+  std::vector<std::optional<std::vector<double>>> values;
+  values.reserve(knots.size());
+  for (const double knot : knots) values.push_back(values_at(knot));
+  std::vector<double> borders;
+  const auto function_count = [&] {
+    for (const auto& of_knot : values)
+      if (of_knot) return of_knot->size();
+    return std::size_t{0};
+  }();
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    if (!are_on_one_branch(knots[i], knots[i + 1])) continue;
+    if (values[i].has_value() != values[i + 1].has_value()) {  // real on one side only: where it ends
+      double with = values[i] ? knots[i] : knots[i + 1], without = values[i] ? knots[i + 1] : knots[i];
+      for (int halving = 0; halving < 50; ++halving) {
+        const double middle = (with + without) / 2;
+        (values_at(middle) ? with : without) = middle;
+      }
+      borders.push_back(with);
+    }
+  }
+  for (std::size_t which = 0; which < function_count; ++which) {
+    const BorderSearch search(values_at, which);
+    const auto value = [&](std::size_t knot) { return (*values[knot])[which]; };
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+      if (!are_on_one_branch(knots[i], knots[i + 1]) || !values[i] || !values[i + 1]) continue;
+      search.add_between(knots[i], knots[i + 1], value(i), value(i + 1), borders);
+      if (i + 2 < knots.size() && are_on_one_branch(knots[i], knots[i + 2]) && values[i + 2])
+        search.add_touching({knots[i], knots[i + 1], knots[i + 2]}, {value(i), value(i + 1), value(i + 2)}, borders);
+    }
+  }
+  return borders;
+}
+
+std::vector<AxisArc> clipped(const std::vector<AxisArc>& arcs, double low, double high) {
+  std::vector<AxisArc> kept;
+  for (const AxisArc& arc : arcs)
+    if (arc.to >= low && arc.from <= high) kept.push_back({std::max(arc.from, low), std::min(arc.to, high)});
+  return kept;
+}
+
+std::vector<double> samples_over(const AxisArc& arc, int count) {
+  if (!(arc.to > arc.from)) return {arc.from};
+  std::vector<double> coordinates;
+  for (int i = 0; i < count; ++i) coordinates.push_back(arc.from + (arc.to - arc.from) * (i + 0.5) / count);
+  return coordinates;
+}
+
+}  // namespace linkwright

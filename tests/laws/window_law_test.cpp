@@ -1,0 +1,146 @@
+// However small the windows are in which a linkage is known to have its hinges, it is found; and where the stretches of
+// the curves say that there is none, no sample says otherwise.
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/synthesis/solve.hpp"
+#include "support/draws.hpp"
+#include "support/random_task.hpp"
+#include "support/solved.hpp"
+
+namespace linkwright::window_law_test {
+namespace {
+
+Box box_round(Point p, Point q, double margin) {
+  return {std::min(p.real(), q.real()) - margin, std::max(p.real(), q.real()) + margin,
+          std::min(p.imag(), q.imag()) - margin, std::max(p.imag(), q.imag()) + margin};
+}
+
+SynthesisOptions usual() {
+  SynthesisOptions options;
+  options.region_samples = 100;
+  options.best = 3;
+  return options;
+}
+
+// Windows round the pivots of a linkage of the map that meets the requirements.
+void expect_found_in_windows(const MotionTask& task, std::mt19937_64& random, int& tried) {
+  const MotionAnswer whole = testing::solved(task, {}, usual());
+  if (!whole.family()) return;
+  const RequirementFilter filter = filter_of(*whole.family(), whole.region, whole.requirements);
+  std::vector<MapPoint> passing;
+  for (std::size_t row = 0; row < whole.region.rows(); ++row)
+    for (std::size_t column = 0; column < whole.region.columns(); ++column)
+      if (filter.passes(row, column))
+        passing.push_back({whole.region.input_coordinates()[row], whole.region.output_coordinates()[column]});
+  if (passing.empty()) return;
+  const auto links = whole.family()->dyad_pair(passing[random() % passing.size()]);
+  const auto bars = four_bar_of(*links);
+  const auto user = [&](Point p) { return whole.given.frame().to_user(p); };
+  const double size = whole.characteristic_length;
+  for (const double share : {0.05, 0.002, 1e-5}) {
+    Requirements wanted;
+    wanted.ground_pivots_within = box_round(user(bars->input_center), user(bars->output_center), share * size);
+    if (random() % 2 == 0)
+      wanted.moving_pivots_within = box_round(user(bars->input_circle), user(bars->output_circle), share * size);
+    const MotionAnswer found = testing::solved(task, wanted, usual());
+    ++tried;
+    if (found.left_out > 0) continue;
+    EXPECT_FALSE(found.linkages.empty()) << share << ": " << found.reason.message;
+    for (const FourBarSolution& linkage : found.linkages) {
+      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.input_center));
+      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.output_center));
+    }
+  }
+}
+
+TEST(WindowLaw, LinkagesOfFourPositionsAreFoundInTheirWindows) {
+  std::mt19937_64 random(2011);
+  int tried = 0;
+  for (int trial = 0; trial < testing::draws(120); ++trial)
+    expect_found_in_windows({testing::random_poses(random), {}}, random, tried);
+  EXPECT_GT(tried, testing::draws(40));
+}
+
+TEST(WindowLaw, LinkagesOfThreePositionsAreFoundInTheirWindows) {
+  std::mt19937_64 random(2012);
+  int tried = 0;
+  for (int trial = 0; trial < testing::draws(20); ++trial) {
+    const auto poses = testing::random_poses(random, 3);
+    const double length = testing::uniform(random, 0.5, 4);
+    expect_found_in_windows({poses, SideLengths{length, testing::uniform(random, 0.5, 4)}}, random, tried);
+    expect_found_in_windows({poses, SideAngle{testing::uniform(random, -2, 2), true, length}}, random, tried);
+  }
+  EXPECT_GT(tried, testing::draws(40));
+}
+
+TEST(WindowLaw, AnEmptyWindowHoldsNoSampleOfTheCurve) {
+  std::mt19937_64 random(2013);
+  int empty = 0, entered = 0;
+  for (int trial = 0; trial < testing::draws(150); ++trial) {
+    const auto task = MotionTask{testing::random_poses(random), {}};
+    const TaskFamily given = task_family(task, {}, {});
+    if (!given.family) continue;
+    const Point corner{testing::uniform(random, -4, 4), testing::uniform(random, -4, 4)};
+    const Box box{corner.real(), corner.real() + testing::uniform(random, 0, 1), corner.imag(),
+                  corner.imag() + testing::uniform(random, 0, 0.3)};
+    const auto arcs = given.family->arcs_within(Side::input, {box, std::nullopt});
+    ASSERT_TRUE(arcs);
+    bool holds = false;
+    for (const double tau : given.family->samples(Side::input, 3000, Spacing::arc_length)) {
+      const auto links = given.family->dyad_pair({tau, tau});
+      const auto center = links ? finite_point(links->input.center) : std::nullopt;
+      if (!center || !box.contains(given.frame().to_user(*center))) continue;
+      holds = true;
+      EXPECT_TRUE(std::any_of(arcs->begin(), arcs->end(), [&](const AxisArc& arc) {
+        return tau >= arc.from - 1e-9 && tau <= arc.to + 1e-9;
+      })) << trial;
+    }
+    for (const AxisArc& arc : *arcs) {
+      const auto links = given.family->dyad_pair({(arc.from + arc.to) / 2, (arc.from + arc.to) / 2});
+      ASSERT_TRUE(links);
+      EXPECT_TRUE(box.contains(given.frame().to_user(*finite_point(links->input.center))));
+    }
+    (arcs->empty() ? empty : entered) += 1;
+    if (arcs->empty()) {
+      EXPECT_FALSE(holds);
+    }
+  }
+  EXPECT_GT(empty, testing::draws(10));
+  EXPECT_GT(entered, testing::draws(5));
+}
+
+TEST(WindowLaw, AProvedNoneSaysSo) {
+  Requirements wanted;
+  wanted.ground_pivots_within = Box{1e4, 1e4 + 1, 1e4, 1e4 + 1};
+  std::mt19937_64 random(2014);
+  const MotionAnswer answer = testing::solved(MotionTask{testing::random_poses(random), {}}, wanted, usual());
+  ASSERT_TRUE(answer.inside);
+  EXPECT_TRUE(answer.inside->is_empty);
+  EXPECT_EQ(answer.reason.code, "windows_empty");
+  EXPECT_EQ(answer.missed_boxes.size(), 1u);
+}
+
+// Public report: "none", where the curve passes through a window 0.03 high.
+TEST(WindowLaw, AThinWindowIsMet) {
+  const std::vector<PrescribedPose> poses = {
+      {{{8.4, 10.4}, 0}, {}},
+      {{{15.75307999925125, 6.635448633158675}, radians(1.6616734751610893)}, {}},
+      {{{22.17995730186216, 14.34686035802784}, radians(43.4681702286939)}, {}},
+      {{{12.61818756779844, 15.25966971714668}, radians(-270.3228804174674)}, {}}};
+  Requirements wanted;
+  SynthesisOptions options;
+  for (const double half : {0.015, 1e-4, 0.0}) {
+    wanted.ground_pivots_within = Box{8.5, 24, 4.5 - half, 4.5 + half};
+    const MotionAnswer answer = testing::solved(MotionTask{poses, {}}, wanted, options);
+    ASSERT_FALSE(answer.linkages.empty()) << half;
+    EXPECT_NEAR(degrees(answer.linkages[0].report.min_transmission_angle), 15.07, 0.2) << half;
+    EXPECT_TRUE(answer.linkages[0].verified_by_driving);
+  }
+}
+
+}  // namespace
+}  // namespace linkwright::window_law_test
