@@ -33,7 +33,8 @@ export class HaloFollower {
 
   constructor(private readonly held: Held) {}
 
-  private async ask(part: number, mode: Halo["mode"], reach: number, steps: number): Promise<Halo | null> {
+  /** Null where there is no answer, or a newer one is wanted. */
+  async ask(part: number, mode: Halo["mode"], reach: number, steps = first_steps): Promise<Halo | null> {
     const problem = engine_text(this.held.document.problem);
     const reply = await this.held.driver_client
       ?.follow("halo", {problem, part, mode, reach, steps, samples})
