@@ -58,7 +58,7 @@ export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_b
 /** What stands below the map. */
 export type Below = "numbers" | "best" | "tolerances" | "front";
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
-export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "kind" | "print";
+export type Dialog = "examples" | "tasks" | "export" | "keys" | "compare" | "new" | "kind" | "print";
 
 /** A task is shown between the last two positions. */
 const before_last = 1.55;
@@ -420,10 +420,7 @@ export class Workbench extends Editing {
     const toast = {id: ++this.toast_id, key, values, action};
     this.toasts = with_toast(this.toasts, toast);
     const long = action !== undefined || /bad|huge|newer|storage|hung|state\.is_/.test(key);
-    setTimeout(
-      () => this.dismiss(toast.id),
-      long ? 10_000 : key === "state.curve_split" || key === "state.curve_joined" ? 2000 : 5000,
-    );
+    setTimeout(() => this.dismiss(toast.id), long ? 10_000 : 5000);
   }
   dismiss(id: number): void {
     this.toasts = this.toasts.filter((toast) => toast.id !== id);
