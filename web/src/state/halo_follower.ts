@@ -33,8 +33,7 @@ export class HaloFollower {
 
   constructor(private readonly held: Held) {}
 
-  /** Null where there is no answer, or a newer one is wanted. */
-  async ask(part: number, mode: Halo["mode"], reach: number, steps = first_steps): Promise<Halo | null> {
+  private async ask(part: number, mode: Halo["mode"], reach: number, steps: number): Promise<Halo | null> {
     const problem = engine_text(this.held.document.problem);
     const reply = await this.held.driver_client
       ?.follow("halo", {problem, part, mode, reach, steps, samples})

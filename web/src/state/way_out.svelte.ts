@@ -20,20 +20,22 @@ interface Stuck {
   readonly problem: Problem;
   readonly property: Property;
   readonly gesture: boolean;
-  readonly halos: {ask(part: number, mode: Halo["mode"], reach: number): Promise<Halo | null>};
 }
 interface Move {
   by: Point;
   halo: Halo;
 }
 const reaches = [0.2, 1, 5], // of the usual halo: near first
-  enough = 5, // of the 60² cells behind a square: fewer may be a chance
+  steps = 13,
+  halo_samples = 60, // of the map behind each square
+  enough = 5, // of its cells: fewer may be a chance
   samples = 400;
 
 export class WayOutSeeker {
   found = $state.raw<WayOut | null>(null);
   private sought_for: Problem | null = null;
   private shown: Halo | null = null;
+  private search = new AbortController();
 
   /** `moved`: the problem with a pose of its own elsewhere. */
   constructor(
@@ -47,10 +49,12 @@ export class WayOutSeeker {
     if (this.sought_for === problem) return;
     this.forget();
     this.sought_for = problem;
+    this.search = new AbortController();
     void this.look(problem);
   }
   /** There is something left, or the user is at work himself. */
   forget(): void {
+    this.search.abort();
     this.sought_for = this.found = null;
     if (this.shown && this.stuck.answers.halo === this.shown) this.stuck.answers.halo = null;
     this.shown = null;
@@ -74,17 +78,21 @@ export class WayOutSeeker {
   private async moves(problem: Problem, poses: readonly Pose[], reach: number): Promise<Move[]> {
     const found: Move[] = [];
     for (let pose = 0; pose < poses.length && this.is_wanted(problem); ++pose) {
-      const halo = await this.stuck.halos.ask(pose, "move", reach),
+      const halo = await this.halo_of(problem, pose, reach),
         by = halo && (nearest(halo, enough) ?? nearest(halo, 1));
       if (by) found.push({by, halo});
     }
     return found.sort((a, b) => Math.hypot(...a.by) - Math.hypot(...b.by));
   }
+  private async halo_of(problem: Problem, part: number, reach: number): Promise<Halo | null> {
+    const asked = {kind: "halo", problem: engine_text(problem), part, mode: "move", reach, steps} as const;
+    const reply = await this.stuck.driver_client?.run({...asked, samples: halo_samples}, this.search).catch(() => null);
+    return reply ? {...reply, part, mode: "move"} : null;
+  }
   private async count(problem: Problem): Promise<number> {
     const {driver_client, property} = this.stuck;
-    const reply = await driver_client
-      ?.run({kind: "explore", problem: engine_text(problem), samples, window: whole, property, order: "fresh"})
-      .catch(() => null);
+    const asked = {kind: "explore", problem: engine_text(problem), samples, window: whole, property} as const;
+    const reply = await driver_client?.run({...asked, order: "fresh"}, this.search).catch(() => null);
     return reply?.map?.census.meeting ?? 0;
   }
 }

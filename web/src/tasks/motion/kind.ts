@@ -105,11 +105,12 @@ const beginnings: Beginning[] = [
     through: through(5),
   },
 ];
+/** On a crank-rocker's way, in whole numbers. */
 const five_poses: Pose[] = [
   {x: 0, y: 0, theta_deg: 0},
-  {x: -20, y: 70, theta_deg: 15},
-  {x: -60, y: 140, theta_deg: 32},
-  {x: -80, y: 220, theta_deg: 54},
+  {x: -51, y: 53, theta_deg: 12},
+  {x: -77, y: 160, theta_deg: 42},
+  {x: -75, y: 253, theta_deg: 67},
   {x: -40, y: 300, theta_deg: 85},
 ];
 
