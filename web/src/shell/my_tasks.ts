@@ -29,7 +29,7 @@ const start = "linkwright.task.",
 type Packed = Omit<Thumbnail, "type" | "fails" | "title"> & {type: string; fails: string};
 
 function packed(bytes: Uint8Array): string {
-  return btoa(String.fromCharCode(...deflateSync(bytes, {level: 9})));
+  return btoa(Array.from(deflateSync(bytes, {level: 9}), (byte) => String.fromCharCode(byte)).join(""));
 }
 function unpacked(text: unknown): Uint8Array<ArrayBuffer> {
   return inflateSync(Uint8Array.from(atob(String(text)), (c) => c.charCodeAt(0))) as Uint8Array<ArrayBuffer>;

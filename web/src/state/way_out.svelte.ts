@@ -82,7 +82,7 @@ export class WayOutSeeker {
         by = halo && (nearest(halo, enough) ?? nearest(halo, 1));
       if (by) found.push({by, halo});
     }
-    return found.sort((a, b) => Math.hypot(...a.by) - Math.hypot(...b.by));
+    return found.sort((a, b) => size_of(a.by) - size_of(b.by));
   }
   private async halo_of(problem: Problem, part: number, reach: number): Promise<Halo | null> {
     const asked = {kind: "halo", problem: engine_text(problem), part, mode: "move", reach, steps} as const;
@@ -97,13 +97,16 @@ export class WayOutSeeker {
   }
 }
 
+export function size_of([x, y]: Point): number {
+  return Math.hypot(x, y);
+}
 /** The nearest offset of a halo of squares with so many cells left. */
 export function nearest({counts, steps, reach}: Pick<Halo, "counts" | "steps" | "reach">, least: number): Point | null {
   const at = (k: number) => Number((-reach + (k * 2 * reach) / (steps - 1)).toPrecision(10));
   let best: Point | null = null;
   for (const [i, count] of counts.entries()) {
     const offset: Point = [at(i % steps), at(Math.floor(i / steps))];
-    if (count >= least && (!best || Math.hypot(...offset) < Math.hypot(...best))) best = offset;
+    if (count >= least && (!best || size_of(offset) < size_of(best))) best = offset;
   }
   return best;
 }
