@@ -25,8 +25,8 @@ interface Mapped {
 }
 /** What goes on from a map. */
 interface Next {
-  /** The linkage in hand is to be asked for anew. */
-  follow(): void;
+  /** The linkage in hand is to be asked for anew, of the task that a map shows now. */
+  follow(of?: Problem): void;
   /** Nothing is in hand yet. */
   start(): void;
 }
@@ -134,8 +134,9 @@ export class MapFollower {
     mapped.accept(document);
     if (reply.map && window === whole && samples !== fine_samples)
       answers.take_census(reply.map.census, document.problem);
-    if (gesture || mapped.problem === document.problem) this.settle(reply.task.axes);
-    this.next.follow();
+    if (!gesture && !same_question(mapped.problem, document.problem)) return; // another map is on its way
+    this.settle(reply.task.axes);
+    this.next.follow(document.problem);
   }
   private settle(axes: Axes): void {
     const {document} = this.mapped;

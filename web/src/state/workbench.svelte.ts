@@ -114,7 +114,7 @@ export class Workbench extends Editing {
   kept_since: number | null = null; // when a visit before left it there; null: it did not
 
   readonly maps = new MapFollower(this, {
-    follow: () => this.linkages.follow(),
+    follow: (of) => this.linkages.follow(of),
     start: () => this.seeker.start(),
   });
   readonly linkages = new LinkageFollower(this, (linkage) => this.seeker.weigh(linkage));
