@@ -118,7 +118,8 @@ test("15 · two tabs keep their work apart", async ({page, context}) => {
   await expect(page).toHaveTitle(/This tab/);
   await other.reload();
   await expect(other).toHaveTitle(/The other tab/);
-  await file_menu(other, "file.other_tab.0");
+  await file_menu(other, "tasks.title");
+  await other.getByTestId("tasks.tab.0").click();
   await expect(other).toHaveTitle(/This tab/);
 });
 

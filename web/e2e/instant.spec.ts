@@ -60,6 +60,7 @@ test("six-bars have none", async ({page}) => {
 });
 
 test("what is shown of it is in the picture, in the drawing as a file, and on paper", async ({page}) => {
+  await page.evaluate(() => (window.print = () => {}));
   const svg = async () => {
     await page.getByTestId("export.title").click();
     const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId("export.svg").click()]);
@@ -75,6 +76,7 @@ test("what is shown of it is in the picture, in the drawing as a file, and on pa
       "naturalWidth" in picture ? picture.naturalWidth : picture.clientWidth,
     on_screen = await page.locator("svg.drawing").evaluate(width),
     printed = page.getByTestId("export.sheet").locator(".drawing img");
+  await page.keyboard.press("Control+p");
   await expect.poll(() => printed.evaluate(width).catch(() => 0)).toBe(on_screen);
   await page.keyboard.press("i");
   expect(await svg()).toBe(without);

@@ -218,6 +218,9 @@ test("what a first visit loads", async ({page}) => {
     `first load: ${files.length} files, ${(bytes / 1e6).toFixed(2)} MB compressed; first paint after ${first_paint.toFixed(0)} ms, engine ready after ${ready} ms`,
   );
   expect(files.some((name) => name.endsWith(".wasm"))).toBe(true);
+  const scripts = files.filter((name) => name.endsWith(".js")).map((name) => readFileSync(join(served, name), "utf8"));
+  expect(scripts.length).toBeGreaterThan(1);
+  expect(scripts.filter((text) => text.includes("WebGLRenderer"))).toHaveLength(0); // what draws in space comes when it is wanted
   // The goal is 1.5e6: straight lines, tolerances and plates have made the engine a quarter larger. Compiled for size it would be
   // 0.08e6 smaller, and wrong: with -Os this compiler (clang 14) clamps to 0 what is beyond the upper end.
   expect(bytes).toBeLessThan(1.85e6);

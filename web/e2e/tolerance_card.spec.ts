@@ -42,7 +42,7 @@ test.beforeEach(async ({page}) => {
 test("the card tells what tolerances do, and nothing of it without them", async ({page}) => {
   await page.getByTestId("tolerances.tab").click();
   await until_sampled(page);
-  await expect(page.getByTestId("study.error")).toContainText("± 2.02 mm");
+  await expect(page.getByTestId("study.error")).toContainText("2.02 mm RMS");
   await expect(page.getByTestId("study.yield")).toContainText("83 %");
   await expect(page.getByTestId("study.sentence")).toContainText(/of 100.000 linkages made keep within 2 mm/);
   await expect(page.getByTestId("study.histograms").getByRole("img")).toHaveCount(4);

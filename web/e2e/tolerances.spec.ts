@@ -82,7 +82,9 @@ test.describe("on a wide screen", () => {
     const {tau, place} = await read_state(page, ({picked}) => ({tau: picked!.tau, place: picked!.place!}));
     const at = await map_pixel(page, place);
     await page.mouse.move(at.x + 12, at.y + 12);
-    await expect(page.getByTestId("region.card_tolerance")).toHaveText(/^± [\d.]+ mm · yield [\d.]+\u00a0%$/);
+    await expect(page.getByTestId("region.card_tolerance")).toHaveText(
+      /^[\d.]+ mm RMS, [\d.]+ mm at worst · yield [\d.]+\u00a0%$/,
+    );
     expect(await read_state(page, (workbench) => workbench.hand!.tau)).not.toEqual(tau);
     await page.mouse.move(5, 5);
 

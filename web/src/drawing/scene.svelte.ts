@@ -194,13 +194,16 @@ export class Scene implements Surface {
     );
   }
 
-  /** Pivots to be shown with what lies around; where one asks for all, or there are no poses, wherever they get to. */
+  /** What of a linkage is to be shown with what lies around: its joints in the positions, and where there are no poses, or
+   *  one asks for all, wherever they get to. */
   pivots(linkage: Linkage | null, around: readonly Point[], sizes = near): Point[] {
     if (!linkage) return [];
     const {drive} = linkage,
+      {mechanism, served} = this,
       rows = this.poses.length === 0 || sizes > near ? reached_rows(linkage) : [];
-    const visited = drive ? rows.flatMap((row) => at_row(this.mechanism, linkage, drive, row).joints) : [];
-    return useful_pivots([...this.mechanism.pivots(linkage), ...visited], around, sizes);
+    const visited = drive ? rows.flatMap((row) => at_row(mechanism, linkage, drive, row).joints) : [],
+      visits = mechanism.visits(linkage, served).flatMap((bodies) => bodies.flatMap(({corners}) => corners));
+    return useful_pivots([...mechanism.pivots(linkage), ...visits, ...visited], around, sizes);
   }
 
   // ---- gestures -----------------------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 // A figure on a canvas, for films.
 import type {Point} from "../engine/protocol";
-import {is_plate, is_slender, placed_outline, type Figure, type Joint, type Role} from "./figure";
+import {is_plate, is_slender, placed_outline, web_of, type Figure, type Joint, type Role} from "./figure";
 import type {Projection} from "./paths";
 
 export const figure_colors = ["paper", "ink", "ink3", "line", "accent", "input", "output", "body"] as const;
@@ -83,7 +83,14 @@ class Painter {
       context.fillText(String(number), x, y + 0.5);
     }
   }
-  private guided({guided}: Figure): void {
+  private guided(figure: Figure): void {
+    const {guided} = figure,
+      web = web_of(figure);
+    if (web) {
+      this.trace(web, true);
+      this.fill(this.colors.accent, 0.09);
+      this.stroke(this.colors.body, 1.2);
+    }
     if (!guided) return;
     this.trace(placed_outline(guided), true);
     this.fill(this.colors.accent, 0.13);

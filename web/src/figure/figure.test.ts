@@ -1,7 +1,8 @@
 import {describe, expect, it} from "vitest";
 import type {Linkage, Point} from "../engine/protocol";
 import {six_bar} from "../tasks/six_bar/figure";
-import {bar_of, is_slender, middle_of, points_of, type Figure} from "./figure";
+import {paint_figure} from "./canvas";
+import {bar_of, is_slender, middle_of, points_of, web_of, type Figure} from "./figure";
 import {four_bar} from "./four_bar";
 
 const linkage = {
@@ -34,6 +35,27 @@ describe("the figure of a four-bar", () => {
     expect(figure.sliders).toEqual([]);
     expect(is_slender(figure)).toBe(false);
     expect(points_of(figure)).toContainEqual([4, 2]);
+  });
+  it("joins the body to the coupler, wherever both are, and in films too", () => {
+    for (const stage of [0, 1]) {
+      const figure = four_bar.figure(linkage, four_bar.still(linkage, poses, stage), outline),
+        web = web_of(figure)!;
+      for (const pivot of bar_of(figure, "coupler")!) expect(web).toContainEqual(pivot);
+      expect(web.length).toBeGreaterThan(2); // and a corner of the body, or two
+    }
+    expect(web_of(four_bar.figure(linkage, four_bar.still(linkage, poses, 0)))).toBeNull();
+    const figure = four_bar.figure(linkage, four_bar.still(linkage, poses, 0), outline),
+      lines: string[] = [];
+    const context = new Proxy({} as Record<string, unknown>, {
+      get: (_, name) => (name === "lineTo" ? (...at: number[]) => lines.push(at.join()) : () => {}),
+      set: () => true,
+    });
+    paint_figure(context as unknown as CanvasRenderingContext2D, figure, (point) => point, {} as never);
+    expect(lines.join(" ")).toContain(
+      web_of(figure)!
+        .map((point) => point.join())
+        .join(" "),
+    );
   });
   it("stands at the position nearest to the stage, its moving pivots carried along", () => {
     const figure = four_bar.figure(linkage, four_bar.still(linkage, poses, 0.8));
@@ -111,6 +133,12 @@ describe("the figure of a six-bar", () => {
       "output circle",
     ]);
     expect(figure.guided?.on).toBe("3");
+    expect(web_of(figure)).toEqual(
+      expect.arrayContaining([
+        [20, 4],
+        [40, 16],
+      ]),
+    );
     expect(is_slender(figure)).toBe(true);
     expect(middle_of(figure.bodies[2]!)).toEqual([30, 10]);
   });

@@ -2,6 +2,7 @@
 // (canvas), in 3-D (solid/scene). Places lie in the fixed frame, in the user's unit; painters give roles their looks.
 import type {Point, Side} from "../engine/protocol";
 import {placed} from "../state/problem";
+import {convex_hull} from "./hull";
 
 /** A frame on a body. */
 export interface Place {
@@ -99,6 +100,18 @@ export const empty_figure: Figure = {
 export function placed_outline({outline, pose}: Pick<GuidedBody, "outline" | "pose">): Point[] {
   return outline.map((point) => placed(point, pose));
 }
+/** What joins the guided body to the link that carries it: from the link's joints to the two corners of the body nearest to
+ *  their middle. In the frame in which both are told. */
+export function web_corners(outline: readonly Point[], joints: readonly Point[]): Point[] {
+  const middle = middle_of({corners: joints}),
+    away = (p: Point) => Math.hypot(p[0] - middle[0], p[1] - middle[1]);
+  return convex_hull([...joints, ...[...outline].sort((p, q) => away(p) - away(q)).slice(0, 2)]);
+}
+/** The same in the fixed frame; null where nothing is guided, or all joints of the link that carries it lie at infinity. */
+export function web_of({guided, joints}: Pick<Figure, "guided" | "joints">): Point[] | null {
+  const places = guided ? joints.filter(({joins}) => joins.includes(guided.on)).map(({at}) => at) : [];
+  return places.length ? web_corners(placed_outline(guided!), places) : null;
+}
 export function positions_of(poses: readonly Place[], outline: readonly Point[]): Position[] {
   return poses.map((pose, i) => ({
     number: i + 1,
@@ -125,7 +138,7 @@ export function is_slender({bodies}: Figure): boolean {
   return bodies.length > 3;
 }
 /** The middle of a body's joints. */
-export function middle_of({corners}: Body): Point {
+export function middle_of({corners}: Pick<Body, "corners">): Point {
   const sum = (axis: 0 | 1) => corners.reduce((total, corner) => total + corner[axis], 0);
   return [sum(0) / corners.length, sum(1) / corners.length];
 }

@@ -6,9 +6,13 @@ import {save_problem} from "../exports/save";
 import {read_problem} from "../state/problem_shape";
 import type {Problem} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
-import {has_linkages, kind_of} from "../tasks/kinds";
+import {poses_of} from "../state/task";
+import {block_of} from "../task/paste";
+import {filled_in} from "../task/poses";
+import {has_linkages, kind_of, with_poses} from "../tasks/kinds";
 import {mistakes_text} from "../texts/mistakes";
 import {t} from "../texts/texts.svelte";
+import {keep_task} from "./my_tasks";
 import {told} from "./own_files";
 import {other_work, read_before, write_before, type Kept} from "./storage";
 
@@ -59,6 +63,7 @@ export async function read_text(workbench: Workbench, text: string): Promise<Pro
 /** Another task takes the place of the one on screen, which can be had back: by undo, and from the menu. */
 export function replace_work(workbench: Workbench, problem: Problem, file_name: string | null = null): void {
   void write_before(workbench.slot, workbench.whole_problem);
+  void keep_task(workbench);
   workbench.open(problem, file_name);
 }
 export function can_restore({slot}: Workbench): boolean {
@@ -102,7 +107,10 @@ export async function open_file(workbench: Workbench, file: File): Promise<void>
     text = decoded(bytes),
     start = new TextDecoder("latin1").decode(bytes.slice(0, looked_at));
   const found = told(name, start, text);
-  if (!("text" in found)) return workbench.say(`state.is_${found.kind}`, {name});
+  if (!("text" in found)) {
+    if (found.kind === "table" && text !== null && take_table(workbench, name, text)) return;
+    return workbench.say(`state.is_${found.kind}`, {name});
+  }
   const read =
     text === null ? [page_mistake("not_utf8", "", t("mistake.not_utf8"))] : await read_text(workbench, found.text);
   if (read === null) return;
@@ -110,6 +118,16 @@ export async function open_file(workbench: Workbench, file: File): Promise<void>
   const words = {problem: "file.opened", result: "file.opened_result", linkage: "file.opened_linkage"} as const;
   replace_work(workbench, read, found.kind === "problem" ? name : null); // saving it must not write over what it came from
   workbench.say(words[found.kind], {name}, {key: "edit.undo", run: () => workbench.undo()});
+}
+/** Rows of positions take the place of those of the task in hand. Whether they were such. */
+function take_table(workbench: Workbench, name: string, text: string): boolean {
+  const block = block_of(text, 0, workbench.unit);
+  if (!("rows" in block) || !block.rows.length || block.rows.some(({length}) => length !== 3)) return false;
+  const {task} = workbench.problem;
+  if (!poses_of(task).length || !kind_of(task).with_poses) return false;
+  workbench.edit((problem) => with_poses(problem, filled_in([], 0, 0, block.rows)));
+  workbench.say("state.table_taken", {name, n: block.rows.length}, {key: "edit.undo", run: () => workbench.undo()});
+  return true;
 }
 /** Browsers show their file chooser only shortly after a click or a key of the page's own, not after Ctrl-O alone. */
 export function pick_file(workbench: Workbench): void {

@@ -4,18 +4,23 @@ import type {Workbench} from "../state/workbench.svelte";
 import {grouped} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 import {read_text, replace_work, save_file, say_refused} from "./files";
-import {link_of, read_fragment, type LinkMistake} from "./share";
+import {is_local, link_of, read_fragment, type LinkMistake} from "./share";
 
 /** Copies the link, or leaves it in the address to be copied from there. */
 export async function copy_link(workbench: Workbench): Promise<void> {
   const link = link_of(workbench.whole_problem, location.href);
   if (!link) return workbench.say("state.link_too_long", {}, {key: "file.save", run: () => save_file(workbench)});
-  const values = {n: grouped(link.length)};
-  const picture = workbench.problem.view?.background != null;
-  if (await copy_text(link))
-    return workbench.say(picture ? "state.link_copied_no_picture" : "state.link_copied", values);
-  history.replaceState(null, "", link);
-  workbench.say("state.link_in_address");
+  const values = {n: grouped(link.length), host: location.host || location.protocol};
+  const picture = workbench.problem.view?.background != null,
+    copied = await copy_text(link);
+  if (!copied) history.replaceState(null, "", link);
+  if (is_local(location))
+    return workbench.say(copied ? "state.local_link_copied" : "state.local_link", values, {
+      key: "file.save",
+      run: () => save_file(workbench),
+    });
+  if (!copied) return workbench.say("state.link_in_address");
+  workbench.say(picture ? "state.link_copied_no_picture" : "state.link_copied", values);
 }
 
 function link_refused(workbench: Workbench, mistake: LinkMistake): void {

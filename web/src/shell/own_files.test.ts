@@ -80,6 +80,10 @@ describe("an export that is opened", () => {
     }
     expect(told("motion.csv", "phi,x", "phi,x")).toEqual({kind: "table"});
     expect(told("a", "\x89PNG\r\n", null)).toEqual({kind: "drawing"});
+    expect(told("hinge.txt", "ISO-10303-21;\nHEADER;", "ISO-10303-21;\nHEADER;")).toEqual({kind: "solid"});
+    expect(told("part.STL", "\0\0", null)).toEqual({kind: "solid"});
+    expect(told("sheet", "%PDF-1.7", null)).toEqual({kind: "other"});
+    expect(told("poses.xlsx", "PK", null)).toEqual({kind: "other"});
     expect(told("a", "GIF89a", null)).toEqual({kind: "film"});
     expect(told("a.webm", "\x1a\x45\xdf\xa3", null)).toEqual({kind: "film"});
     expect(told("a", "\0\0\n\x20ftypisom", null)).toEqual({kind: "film"});

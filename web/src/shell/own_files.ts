@@ -10,22 +10,30 @@ import {filed_pivots, read_task, task_of_poses} from "../tasks/kinds";
 
 export type Told =
   | {kind: "problem" | "result" | "linkage"; text: string} // of the problem in it
-  | {kind: "lone_linkage" | "drawing" | "table" | "film"};
+  | {kind: "lone_linkage" | "drawing" | "table" | "film" | "solid" | "other"};
 
-const starts: readonly (readonly [RegExp, "drawing" | "film"])[] = [
+const starts: readonly (readonly [RegExp, "drawing" | "film" | "solid" | "other"])[] = [
   [
     /^\x89PNG|^\xff\xd8\xff|^RIFF....WEBP|^(\s*999\s.*)?\s*0\r?\n\s*SECTION|^(\ufeff?\s*<\?xml[^>]*>\s*(<!--[^]*?-->\s*)*)?<svg/,
     "drawing",
   ],
   [/^GIF8|^\x1a\x45\xdf\xa3|^....ftyp/s, "film"],
+  [/^\s*ISO-10303-21|^solid\s/, "solid"],
+  [/^%PDF-|^\xd0\xcf\x11\xe0/, "other"], // PDF, and the office's files of old
 ];
-const endings = {drawing: /\.(dxf|svg|png|jpe?g|webp)$/i, table: /\.csv$/i, film: /\.(gif|mp4|webm)$/i} as const;
+const endings = {
+  drawing: /\.(dxf|svg|png|jpe?g|webp)$/i,
+  table: /\.(csv|tsv)$/i,
+  film: /\.(gif|mp4|webm)$/i,
+  solid: /\.(step|stp|stl|3mf|igs|iges)$/i,
+  other: /\.(pdf|xlsx?|ods|docx?|zip)$/i,
+} as const;
 
 /** What a file is. `bytes` are the first of it, one character each; `text` is null where it is no text. */
 export function told(name: string, bytes: string, text: string | null): Told {
   const start = starts.find(([pattern]) => pattern.test(bytes));
   if (start) return {kind: start[1]};
-  for (const kind of ["drawing", "table", "film"] as const)
+  for (const kind of ["drawing", "table", "film", "solid", "other"] as const)
     if (endings[kind].test(name) && !/^\s*\{/.test(bytes)) return {kind};
   return of_text(text ?? "");
 }

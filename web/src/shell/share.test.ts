@@ -2,7 +2,7 @@ import {deflateSync, strToU8} from "fflate";
 import {describe, expect, it} from "vitest";
 import {type Problem} from "../state/problem";
 import {new_problem} from "../tasks/motion/kind";
-import {check_sum, fragment_of, link_of, longest_link, read_fragment} from "./share";
+import {check_sum, fragment_of, is_local, link_of, longest_link, read_fragment} from "./share";
 
 const page = "https://example.org/linkwright/";
 const problem: Problem = {
@@ -31,6 +31,18 @@ describe("a link", () => {
   it("is short for an ordinary task", () => {
     expect(link_of(problem, page)!.length).toBeLessThan(600);
     expect(link_of(problem, page + "#old")).toBe(link_of(problem, page));
+  });
+  it("to this computer opens nowhere else", () => {
+    for (const address of [
+      "http://127.0.0.1:4179/",
+      "http://localhost/",
+      "http://a.localhost:8/",
+      "http://[::1]:80/",
+      "file:///x.html",
+    ])
+      expect(is_local(new URL(address)), address).toBe(true);
+    for (const address of [page, "https://localhost.example.org/", "http://10.0.0.7/", "https://127.example.org/"])
+      expect(is_local(new URL(address)), address).toBe(false);
   });
   it("has CRC-32 as its check sum", () => {
     expect(check_sum("123456789")).toBe("cbf43926");

@@ -55,6 +55,11 @@ export function link_of(problem: Problem, page: string): string | null {
   return link.length <= longest_link ? link : null;
 }
 
+/** Whether an address is one of this computer's: a link to it opens nowhere else. */
+export function is_local({protocol, hostname}: Pick<URL, "protocol" | "hostname">): boolean {
+  return protocol === "file:" || /^(localhost|.*\.localhost|127(\.\d+){3}|\[::1\]|0\.0\.0\.0)$/.test(hostname);
+}
+
 /** Unpacks, and stops where more comes out than a file may have. */
 function inflated(bytes: Uint8Array): Link {
   const parts: Uint8Array[] = [];

@@ -13,7 +13,7 @@ export interface Store extends Pick<Storage, "getItem" | "removeItem" | "key" | 
   readonly most_characters?: number;
 }
 const patience_ms = 3000,
-  is_work = /^linkwright\.(work|before|damaged)(\.|$)/;
+  is_work = /^linkwright\.(work|before|damaged|task)(\.|$)/;
 
 let opened: Store | null | undefined;
 /** As `open_work_store` found it. */

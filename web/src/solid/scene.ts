@@ -30,11 +30,20 @@ import {
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Viewport} from "../drawing/viewport";
 import type {Point, Side} from "../engine/protocol";
-import {bar_of, edge_of, is_plate, type Body, type End, type Figure, type Joint, type Role} from "../figure/figure";
+import {
+  bar_of,
+  edge_of,
+  is_plate,
+  web_corners,
+  type Body,
+  type End,
+  type Figure,
+  type Joint,
+  type Role,
+} from "../figure/figure";
 import type {PlateOrder} from "../figure/mechanism";
 import {body_point} from "../state/problem";
 import {same_value} from "../state/task";
-import {convex_hull} from "./hull";
 import {pin_diameter, pin_layers, plate_thickness, plate_width} from "./layers";
 
 export type SolidColors = Record<"paper" | "ink2" | "input" | "output" | "body" | "accent" | "curve", string>;
@@ -391,7 +400,7 @@ export class SolidScene {
       body.scale.set(unit / this.unit, unit / this.unit, 1);
       if (!bar || !pose) return;
       web.geometry.dispose();
-      web.geometry = flat(web_corners(outline, body_point(bar[0], pose), body_point(bar[1], pose)));
+      web.geometry = flat(web_corners(outline, [body_point(bar[0], pose), body_point(bar[1], pose)]));
     });
     for (const object of [body, web]) {
       object.name = "body";
@@ -451,12 +460,6 @@ export function stretching(geometry: BufferGeometry): (length: number) => void {
     geometry.computeBoundingBox();
     geometry.computeBoundingSphere();
   };
-}
-/** From the coupler's ends a and b to the two corners of the body that are nearest to their middle. */
-function web_corners(outline: readonly Point[], a: Point, b: Point): Point[] {
-  const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-  const away = (p: Point) => Math.hypot(p[0] - middle[0], p[1] - middle[1]);
-  return convex_hull([a, b, ...[...outline].sort((p, q) => away(p) - away(q)).slice(0, 2)]);
 }
 function layer_z(layer: number): number {
   return plate_thickness / 2 + layer * pitch;

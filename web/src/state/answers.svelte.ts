@@ -1,6 +1,7 @@
 // What the engine has answered, each answer with the problem that it answers. Nothing is shown of a task that has no
 // linkage; what belongs to an earlier problem than the one in force is outdated once it has been so for a moment.
 import type {Census, Linkage, MapAnswer, Replies, TaskAnswer, TauPair} from "../engine/protocol";
+import {kind_of} from "../tasks/kinds";
 import {same_tau} from "./document";
 import {same_question, type Problem} from "./problem";
 
@@ -83,10 +84,15 @@ export class Answers {
     return this.map && this.counted ? this.counted.is : null;
   }
   get hand(): Linkage | null {
-    return this.has_linkages && this.held ? this.held.is : null;
+    return this.shown(this.held);
   }
   get picked_linkage(): Linkage | null {
-    return this.has_linkages && this.picked ? this.picked.is : null;
+    return this.shown(this.picked);
+  }
+  /** A linkage of another kind is put together otherwise: it cannot stand for the one that is to come. */
+  private shown(linkage: Answer<Linkage> | null): Linkage | null {
+    const fits = linkage && this.has_linkages && kind_of(linkage.of.task) === kind_of(this.asked().problem.task);
+    return fits ? linkage.is : null;
   }
   get live(): Replies["live"] | null {
     return this.hand ? this.along : null;

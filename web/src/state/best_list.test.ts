@@ -1,7 +1,7 @@
 import {expect, it, vi} from "vitest";
 import {Cancelled, Crashed, type EngineClient, type Job, type Run} from "../engine/client";
 import type {Replies} from "../engine/protocol";
-import {first_example} from "../gallery/gallery";
+import {examples, first_example} from "../gallery/gallery";
 import {Workbench} from "./workbench.svelte";
 
 const list = (type: string) => ({linkages: [{type}]}) as unknown as Replies["best"];
@@ -52,5 +52,26 @@ it("lets the list of an earlier task go for that of the present one", async () =
   best_list.let_go(); // this one is for what is on screen
   expect(best_list.busy).toBe(true);
   expect(stopped).toEqual([true]);
+  expect(best_list.found).toBeNull();
+});
+
+it("does not keep the list of another task, while that of the same task stays until the next is there", async () => {
+  const workbench = new Workbench(first_example.problem),
+    {best_list} = workbench;
+  const follow = () => new Promise(() => {}),
+    run = () => Promise.resolve(list("crank_rocker"));
+  workbench.engine = {run, follow} as unknown as EngineClient;
+  await best_list.fetch();
+  workbench.edit((problem) => ({...problem, requirements: {max_length: 300}}));
+  expect(best_list.is_current).toBe(false);
+  expect(best_list.found).not.toBeNull();
+  const search = examples.find(({name}) => name === "straight_search")!.problem;
+  workbench.open(search);
+  expect(best_list.found).toBeNull();
+  workbench.undo();
+  expect(best_list.found).toBeNull();
+  await best_list.fetch();
+  expect(best_list.found).not.toBeNull();
+  workbench.open({...first_example.problem, title: "another of the same kind"});
   expect(best_list.found).toBeNull();
 });

@@ -3,7 +3,7 @@ import {Crashed, Refusal, type EngineClient} from "../engine/client";
 import type {Linkage, TauPair} from "../engine/protocol";
 import type {Answers} from "./answers.svelte";
 import {same_tau, type Picked} from "./document";
-import {engine_text, type Problem} from "./problem";
+import {engine_text, same_question, type Problem} from "./problem";
 
 interface Followed {
   readonly driver_client: EngineClient | null;
@@ -39,30 +39,34 @@ export class LinkageFollower {
       void this.fetch_live();
     } else this.follow();
   }
-  /** Fetches what the linkage in hand is now. */
-  follow(): void {
+  /** Fetches what the linkage in hand is now; in a drag, of the task whose map is on screen: τ is a place on that. */
+  follow(of = this.followed.problem): void {
     const {answers} = this.followed;
     answers.asked_anew();
-    if (answers.task?.status === "solved") void this.fetch_hand();
+    if (answers.task?.status === "solved") void this.fetch_hand(of);
   }
-  private async fetch_hand(): Promise<void> {
+  private async fetch_hand(problem = this.followed.problem): Promise<void> {
     const {followed} = this,
-      {tau_in_hand: tau, problem, answers, driver_client} = followed;
+      {tau_in_hand: tau, answers, driver_client} = followed;
     if (!tau || !driver_client) return answers.take_hand(null, problem);
     try {
       const {linkage} = await driver_client.follow("linkage", {problem: engine_text(problem), tau});
       if (followed.incomplete || !same_tau(followed.tau_in_hand, tau)) return;
       answers.take_hand(linkage, problem);
-      void this.fetch_live();
+      void this.fetch_live(problem);
       if (same_tau(tau, followed.picked?.tau)) this.take_picked(linkage, problem);
     } catch (error) {
       if (error instanceof Crashed) setTimeout(() => this.follow(), 50);
-      else if (error instanceof Refusal && followed.problem === problem && same_tau(followed.tau_in_hand, tau))
+      else if (
+        error instanceof Refusal &&
+        same_question(followed.problem, problem) &&
+        same_tau(followed.tau_in_hand, tau)
+      )
         answers.take_hand(null, problem);
     }
   }
-  private async fetch_live(): Promise<void> {
-    const {tau_in_hand: tau, problem, hovered, gesture, answers, driver_client} = this.followed;
+  private async fetch_live(problem = this.followed.problem): Promise<void> {
+    const {tau_in_hand: tau, hovered, gesture, answers, driver_client} = this.followed;
     if (!tau || !driver_client) return;
     if (this.live_ms > slow_ms && (hovered || gesture)) return answers.take_live(null); // the next linkage would wait for it
     const start = performance.now(),
@@ -75,7 +79,7 @@ export class LinkageFollower {
     followed.answers.take_picked(linkage, problem);
     if (followed.gesture) return;
     void this.fetch_verified(linkage.tau, problem);
-    if (followed.problem === problem) this.weigh(linkage); // else the change was made meanwhile: this is of before
+    if (same_question(followed.problem, problem)) this.weigh(linkage); // else the change was made meanwhile: this is of before
   }
   private async fetch_verified(tau: TauPair, problem: Problem): Promise<void> {
     const {answers, driver_client} = this.followed,

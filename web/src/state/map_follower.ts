@@ -22,12 +22,11 @@ interface Mapped {
   accept(document: Document): void;
   refuse(problem: Problem, mistakes: Mistake[]): boolean;
   amend(change: Partial<Document>): void;
-  say(key: "state.curve_split" | "state.curve_joined"): void;
 }
 /** What goes on from a map. */
 interface Next {
-  /** The linkage in hand is to be asked for anew. */
-  follow(): void;
+  /** The linkage in hand is to be asked for anew, of the task that a map shows now. */
+  follow(of?: Problem): void;
   /** Nothing is in hand yet. */
   start(): void;
 }
@@ -126,9 +125,7 @@ export class MapFollower {
   }
   private take(reply: Replies["explore"], document: Document, samples: number, window: Window): void {
     const {mapped} = this,
-      {gesture, answers} = mapped,
-      {task} = answers,
-      {input: axis} = reply.task.axes;
+      {gesture, answers} = mapped;
     if (mapped.incomplete) return; // positions were removed meanwhile
     if (answers.map_is_of_present && !same_question(document.problem, mapped.problem)) return; // a drag was taken back meanwhile
     answers.take_map(reply.task, reply.map, document.problem);
@@ -137,14 +134,9 @@ export class MapFollower {
     mapped.accept(document);
     if (reply.map && window === whole && samples !== fine_samples)
       answers.take_census(reply.map.census, document.problem);
-    const split =
-      task !== null &&
-      gesture &&
-      axis.quantity === "curve_coordinate" &&
-      task.axes.input.branches.length !== axis.branches.length;
-    if (split) mapped.say(axis.branches.length > 1 ? "state.curve_split" : "state.curve_joined");
-    if (gesture || mapped.problem === document.problem) this.settle(reply.task.axes);
-    this.next.follow();
+    if (!gesture && !same_question(mapped.problem, document.problem)) return; // another map is on its way
+    this.settle(reply.task.axes);
+    this.next.follow(document.problem);
   }
   private settle(axes: Axes): void {
     const {document} = this.mapped;

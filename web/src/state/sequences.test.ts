@@ -269,7 +269,7 @@ const doings: Record<string, Doing> = {
   },
 };
 function set_to_work({workbench}: Page, by: number): void {
-  workbench.best_list.found = null;
+  (workbench.best_list as unknown as {last: null}).last = null;
   void workbench.best_list.fetch();
   void workbench.linkages.fetch([by / 1000, 0.3]);
 }

@@ -37,9 +37,11 @@ export function told_position(task: Task): number {
 export function position_count(poses: readonly {derivatives?: readonly unknown[]}[]): number {
   return poses.reduce((sum, pose) => sum + 1 + (pose.derivatives?.length ?? 0), 0);
 }
-/** "PP-P-P": positions, those infinitely close together written without a stroke. */
+const most_written = 8;
+/** "PP-P-P": positions, those infinitely close together written without a stroke; "P-P-…-P" of more than any task takes. */
 export function pattern_of(poses: readonly {derivatives?: readonly unknown[]}[]): string {
-  return poses.map((pose) => "P".repeat(1 + (pose.derivatives?.length ?? 0))).join("-");
+  const written = poses.map((pose) => "P".repeat(1 + (pose.derivatives?.length ?? 0)));
+  return (written.length > most_written ? [...written.slice(0, 2), "…", written.at(-1)] : written).join("-");
 }
 
 /** Equal in value, in whatever order the keys come. */

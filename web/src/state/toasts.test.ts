@@ -14,14 +14,14 @@ const said = (...keys: TextKey[]) =>
 describe("toasts", () => {
   it("do not contradict each other", () => {
     expect(said("state.went_to_best", "state.nothing_to_go_to")).toEqual(["state.nothing_to_go_to"]);
-    expect(said("state.curve_split", "state.curve_joined")).toEqual(["state.curve_joined"]);
+    expect(said("state.link_copied", "state.local_link")).toEqual(["state.local_link"]);
     expect(said("state.engine_stopped", "state.pinned", "state.engine_gave_up")).toEqual([
       "state.pinned",
       "state.engine_gave_up",
     ]);
   });
   it("are three at most, of different things", () => {
-    expect(said("state.curve_split", "state.pinned", "state.exported", "file.opened")).toEqual([
+    expect(said("state.link_copied", "state.pinned", "state.exported", "file.opened")).toEqual([
       "state.pinned",
       "state.exported",
       "file.opened",

@@ -8,7 +8,7 @@ export interface Toast {
   values: Values;
   action?: {key: TextKey; run: () => void};
 }
-type Subject = "linkage" | "curve" | "engine" | "link" | "file" | "saved";
+type Subject = "linkage" | "engine" | "link" | "file" | "saved";
 
 const subjects: Partial<Record<TextKey, Subject>> = {
   "state.went_to_best": "linkage",
@@ -16,13 +16,13 @@ const subjects: Partial<Record<TextKey, Subject>> = {
   "state.cannot_improve": "linkage",
   "state.pinned": "linkage",
   "state.already_pinned": "linkage",
-  "state.curve_split": "curve",
-  "state.curve_joined": "curve",
   "state.engine_stopped": "engine",
   "state.engine_gave_up": "engine",
   "state.link_copied": "link",
   "state.link_copied_no_picture": "link",
   "state.link_in_address": "link",
+  "state.local_link": "link",
+  "state.local_link_copied": "link",
   "state.link_too_long": "link",
   "file.opened": "file",
   "state.bad_file": "file",

@@ -26,6 +26,7 @@ import {
   measure_of,
   properties_of,
   with_other_task,
+  with_pose_moved,
 } from "../tasks/kinds";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {Answers, type Halo} from "./answers.svelte";
@@ -46,6 +47,7 @@ import type {Steps} from "./steps";
 import {same_task} from "./task";
 import {tolerances_of} from "./tolerances";
 import {ToleranceStudy} from "./tolerance_study.svelte";
+import {WayOutSeeker} from "./way_out.svelte";
 import {after_change, with_toast, type Toast} from "./toasts";
 
 /** The pivots of a four-bar, as files name them. */
@@ -56,7 +58,7 @@ export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_b
 /** What stands below the map. */
 export type Below = "numbers" | "best" | "tolerances" | "front";
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
-export type Dialog = "examples" | "export" | "keys" | "compare" | "new" | "print";
+export type Dialog = "examples" | "tasks" | "export" | "keys" | "compare" | "new" | "kind" | "print";
 
 /** A task is shown between the last two positions. */
 const before_last = 1.55;
@@ -112,12 +114,13 @@ export class Workbench extends Editing {
   kept_since: number | null = null; // when a visit before left it there; null: it did not
 
   readonly maps = new MapFollower(this, {
-    follow: () => this.linkages.follow(),
+    follow: (of) => this.linkages.follow(of),
     start: () => this.seeker.start(),
   });
   readonly linkages = new LinkageFollower(this, (linkage) => this.seeker.weigh(linkage));
   readonly seeker = new BestSeeker(this);
   readonly halos = new HaloFollower(this);
+  readonly way_out = new WayOutSeeker(this, with_pose_moved);
   readonly best_list = new BestList(this);
   readonly tolerance_study = new ToleranceStudy(this);
   readonly front_study = new FrontStudy(this);
@@ -258,7 +261,7 @@ export class Workbench extends Editing {
     } else {
       this.answers.asked_anew();
       this.maps.refresh();
-      this.linkages.follow();
+      if (this.answers.map_is_of_present) this.linkages.follow(); // else the map's answer says what is in hand
     }
   }
   /** A part of one map is no part of another. */
@@ -417,10 +420,7 @@ export class Workbench extends Editing {
     const toast = {id: ++this.toast_id, key, values, action};
     this.toasts = with_toast(this.toasts, toast);
     const long = action !== undefined || /bad|huge|newer|storage|hung|state\.is_/.test(key);
-    setTimeout(
-      () => this.dismiss(toast.id),
-      long ? 10_000 : key === "state.curve_split" || key === "state.curve_joined" ? 2000 : 5000,
-    );
+    setTimeout(() => this.dismiss(toast.id), long ? 10_000 : 5000);
   }
   dismiss(id: number): void {
     this.toasts = this.toasts.filter((toast) => toast.id !== id);

@@ -3,9 +3,10 @@ import {describe, expect, it} from "vitest";
 import {examples, first_example} from "../gallery/gallery";
 import {engine_text, with_requirements, type Problem} from "./problem";
 import {poses_of} from "./task";
-import {with_pose, with_poses} from "../tasks/kinds";
+import {task_kinds, with_pose, with_poses} from "../tasks/kinds";
 import {bench, settled, until} from "./workbench_bench";
 
+const beginnings = task_kinds.flatMap((kind) => kind.beginnings);
 const tailgate = first_example.problem,
   footrest = examples.find(({name}) => name === "footrest")!.problem;
 
@@ -87,6 +88,40 @@ describe("the answers on the workbench", () => {
       });
     expect([pin!.task, pin!.lengths]).toEqual([workbench.problem.task, linkage.lengths]);
     expect(pin!.lengths).not.toEqual(before.lengths);
+  });
+
+  it("asks for the linkage once to a frame of a drag, where the new map has it, and never for the one before", async () => {
+    const b = bench(tailgate),
+      {workbench, asked} = b;
+    await settled(b);
+    workbench.begin_gesture();
+    for (const x of [-219, -224, -230]) {
+      const before = asked.length;
+      workbench.drag((problem) => with_pose(problem, 2, {x}));
+      const text = engine_text(workbench.problem);
+      await until(() => workbench.is_current && workbench.answers.hand_is_of_present);
+      const linkages = asked.slice(before).filter((message) => message.kind === "linkage");
+      expect(linkages).toHaveLength(1);
+      expect(linkages[0]).toMatchObject({problem: text, tau: workbench.picked!.tau});
+      expect(workbench.hand!.tau).toEqual(workbench.picked!.tau);
+    }
+    workbench.end_gesture();
+    await settled(b);
+  });
+
+  it("has no linkage of another kind in hand, which would be put together otherwise", async () => {
+    const b = bench(tailgate),
+      {workbench} = b;
+    await settled(b);
+    const six_bar = beginnings.find(({id}) => id === "six_bar")!.make();
+    workbench.open(six_bar);
+    expect([workbench.hand, workbench.picked_linkage]).toEqual([null, null]);
+    await settled(b);
+    expect(workbench.hand!.six_bar).toBeDefined();
+    workbench.undo();
+    expect(workbench.hand).toBeNull();
+    await settled(b);
+    expect(workbench.hand!.six_bar).toBeUndefined();
   });
 
   it("marks what is shown as outdated where no answer comes", async () => {

@@ -1,9 +1,10 @@
 import {describe, expect, it} from "vitest";
-import {block_of, is_block} from "./paste";
+import {block_of, is_block, most_pasted_rows} from "./paste";
+import {block_fault} from "./paste_fault";
 
 const rows = (text: string, from = 0) => {
   const block = block_of(text, from, "mm");
-  return "rows" in block ? block.rows : block.fault;
+  return "rows" in block ? block.rows : "fault" in block ? block.fault : block;
 };
 
 describe("paste", () => {
@@ -49,6 +50,13 @@ describe("paste", () => {
     expect(rows("0\t0\t0\n1\tabc\t2")).toEqual({row: 2, column: 2, text: "abc"});
     expect(rows("x\ty\tθ\n1\t\t2")).toEqual({row: 2, column: 2, text: ""});
     expect(rows("1e99\t0\t0")).toEqual({row: 1, column: 1, text: "1e99"});
+  });
+  it("takes no more than so many rows, and says so instead of keeping some", () => {
+    const block = (n: number) => block_of(Array.from({length: n}, (_, i) => `${i}\t${2 * i}\t3`).join("\n"));
+    expect(block(most_pasted_rows)).toMatchObject({rows: {length: most_pasted_rows}});
+    expect(block(5000)).toEqual({too_many: 5000});
+    expect(block_fault(block(5000))).toContain("5\u202f000 rows");
+    expect(block_fault(block(3))).toBeNull();
   });
   it("knows a block from a number", () => {
     for (const text of ["410", "1,5", "1 234,5", "=410 / 2", "95 deg", "", "1.5\n"])

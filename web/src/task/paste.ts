@@ -1,7 +1,7 @@
 // A block of numbers from a spreadsheet or a text file, as it comes from the clipboard.
 import {evaluated, type Quantity} from "./arithmetic";
 
-export type Block = {rows: number[][]} | {fault: {row: number; column: number; text: string}};
+export type Block = {rows: number[][]} | {fault: {row: number; column: number; text: string}} | {too_many: number}; // rows
 
 export const most_pasted_rows = 100;
 
@@ -35,10 +35,11 @@ export function is_block(text: string): boolean {
 /** Numbers of the block whose first column is column `from` of x, y, θ. A heading and a counting first column are left
  *  out. */
 export function block_of(text: string, from = 0, unit = ""): Block {
-  let cells = cells_of(text).slice(0, most_pasted_rows + 1);
+  let cells = cells_of(text);
   const [head, ...body] = cells;
   const skipped = head && body.length > 0 && head.every((cell) => !("value" in evaluated(cell, "angle", unit))) ? 1 : 0;
-  cells = without_numbering(cells.slice(skipped, skipped + most_pasted_rows), 3 - from);
+  cells = without_numbering(cells.slice(skipped), 3 - from);
+  if (cells.length > most_pasted_rows) return {too_many: cells.length};
   const rows: number[][] = [];
   for (const [r, row] of cells.entries()) {
     const numbers: number[] = [];

@@ -13,6 +13,17 @@ export function moved(poses: readonly Pose[], from: number, to: number): Pose[] 
   list.splice(to, 0, ...pose);
   return list;
 }
+export const pose_keys = ["x", "y", "theta_deg"] as const;
+/** With a block of numbers from this row and column on; rows that are new begin as the last one. */
+export function filled_in(old: readonly Pose[], first: number, column: number, rows: readonly number[][]): Pose[] {
+  const list = [...old];
+  rows.forEach((numbers, r) => {
+    const {derivatives: _, ...last} = list.at(-1) ?? {x: 0, y: 0, theta_deg: 0};
+    const change = Object.fromEntries(numbers.map((value, c) => [pose_keys[column + c], value]));
+    list[first + r] = {...(list[first + r] ?? last), ...change};
+  });
+  return list;
+}
 /** A copy beside it: a step further, since equal positions are refused. */
 export function duplicated(poses: readonly Pose[], index: number, step: number): Pose[] {
   const pose = poses[index];

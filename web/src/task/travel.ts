@@ -1,6 +1,7 @@
 // Direction and curvature of travel: the derivatives of a pose as a person thinks of them. They are by path length of
 // the moving frame's origin, wherever it moves; other parameters are brought to it and keep their geometry.
 import type {Pose} from "../state/task";
+import type {TextKey} from "../texts/texts.svelte";
 import {by_parameter, product, quotient, square_root} from "./derivatives";
 
 type Derivative = {x: number; y: number; theta: number};
@@ -100,6 +101,11 @@ export function with_bend(pose: Pose, change: Partial<Bend>, order = 2): Pose {
 export function without_derivative(pose: Pose, order: number): Pose {
   const {derivatives = [], ...rest} = pose;
   return order > 1 ? {...rest, derivatives: derivatives.slice(0, order - 1)} : rest;
+}
+/** What it is called to take the derivative of an order away. */
+export function removal_text({derivatives = []}: Pose, order: number): TextKey {
+  if (order < derivatives.length) return "task.remove_derivatives";
+  return order === 1 ? "task.remove_tangent" : order === 2 ? "task.remove_curvature" : "task.remove_derivative";
 }
 
 /** A pose with one derivative more, as a smooth motion through its neighbours has it there. */

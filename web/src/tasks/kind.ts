@@ -1,6 +1,7 @@
 // What a kind of task brings: the frame asks it through kinds.ts, its views through views.ts, and knows none by name.
 import type {Linkage, LinkageType, Pivot, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
 import type {End} from "../figure/figure";
+import type {Orientation} from "../orientation/orientation";
 import type {Objective, Pin, Problem} from "../state/problem";
 import type {Object} from "../state/shape";
 import type {Pose, Task} from "../state/task";
@@ -20,6 +21,10 @@ export interface Beginning {
   name: TextKey;
   about: TextKey;
   make(): Problem;
+  /** Of a guided body: its task through so many positions that there are already. */
+  through?: {count: number; task(poses: readonly Pose[]): Task};
+  /** Likewise through orientations: of at most so many. */
+  turned?: {count: number; task(orientations: readonly Orientation[]): Task};
 }
 /** A distance between two joints of a body, in words; `color` is that of a part of the drawing (app.css). */
 export interface NamedLength {
@@ -116,6 +121,8 @@ export interface TaskKind<T extends Task = Task> {
   of_poses?(poses: unknown): T | null;
   /** With other poses, of a body that is guided; what does not go with them is left out. */
   with_poses?(task: T, poses: readonly Pose[]): T;
+  /** Of a body that is turned: what another kind may take over. */
+  orientations?(task: T): readonly Orientation[];
   incompleteness(task: T): Incomplete | null;
   /** Where the drive is to stop: positions that lie apart. */
   stops(task: T): number;

@@ -243,6 +243,11 @@ export function with_pose(problem: Problem, index: number, change: Partial<Pose>
   const poses = poses_of(problem.task).map((pose, i) => (i === index ? {...pose, ...change} : pose));
   return with_poses(problem, poses);
 }
+export function with_pose_moved(problem: Problem, index: number, [dx, dy]: Point): Problem {
+  const {x, y} = poses_of(problem.task)[index]!,
+    tidy = (value: number) => Number(value.toPrecision(12));
+  return with_pose(problem, index, {x: tidy(x + dx), y: tidy(y + dy)});
+}
 export function with_poses(problem: Problem, poses: readonly Pose[]): Problem {
   return with_task(problem, with_task_poses(problem.task, poses));
 }

@@ -1,5 +1,5 @@
 // A rigid body is turned: no linkage is sought, its attitude is shown in every representation.
-import {is_sequence, read_orientation, read_vector} from "../../orientation/orientation";
+import {is_sequence, read_orientation, read_vector, type Orientation} from "../../orientation/orientation";
 import type {Vec3} from "../../sphere/vectors";
 import type {Problem} from "../../state/problem";
 import {is_object, type Object} from "../../state/shape";
@@ -41,6 +41,11 @@ function read(value: Object): AttitudeTask | null {
     rates_deg: vector("rates_deg"),
   };
 }
+/** From the first of them to the last. */
+function between(orientations: readonly Orientation[]): AttitudeTask {
+  const from = {...first.from, orientation: orientations[0] ?? upright};
+  return {...first, from, orientation: orientations.at(-1) ?? first.orientation};
+}
 function new_problem(): Problem {
   return {linkwright: 1, title: "", length_unit: "mm", task: first};
 }
@@ -50,6 +55,7 @@ export const attitude_kind: TaskKind<AttitudeTask> = {
   without_linkages: true,
   is: is_attitude,
   read,
+  orientations: ({from, orientation}) => [from.orientation, orientation],
   incompleteness: () => null,
   stops: () => 1,
   pattern: () => "",
@@ -67,5 +73,13 @@ export const attitude_kind: TaskKind<AttitudeTask> = {
     rows: [rates_deg.map((rate) => significant(rate, 7))],
   }),
   texts: {"tab.map": "attitude.title"},
-  beginnings: [{id: "attitude", name: "new.attitude", about: "new.attitude_about", make: new_problem}],
+  beginnings: [
+    {
+      id: "attitude",
+      name: "new.attitude",
+      about: "new.attitude_about",
+      make: new_problem,
+      turned: {count: 2, task: between},
+    },
+  ],
 };

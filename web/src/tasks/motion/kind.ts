@@ -59,9 +59,11 @@ function with_poses(task: MotionTask, poses: readonly Pose[]): MotionTask {
   return changed;
 }
 
+function motion_task(poses: readonly Pose[], given?: Given): MotionTask {
+  return {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})};
+}
 function motion_problem(poses: readonly Pose[], given?: Given): Problem {
-  const task: MotionTask = {kind: "motion", mechanism: "four_bar", poses, ...(given ? {given} : {})};
-  const problem: Problem = {linkwright: 1, title: "", length_unit: "mm", task};
+  const problem: Problem = {linkwright: 1, title: "", length_unit: "mm", task: motion_task(poses, given)};
   return with_requirements(problem, {min_transmission_angle_deg: 30, max_length: default_max_length(problem)});
 }
 export function default_max_length(problem: Problem): number {
@@ -79,26 +81,36 @@ const some_poses = [
 export function new_problem(): Problem {
   return motion_problem(some_poses);
 }
+const through = (count: number) => ({count, task: (poses: readonly Pose[]) => motion_task(poses)});
 const beginnings: Beginning[] = [
-  {id: "four_positions", name: "new.four_positions", about: "new.four_positions_about", make: new_problem},
+  {
+    id: "four_positions",
+    name: "new.four_positions",
+    about: "new.four_positions_about",
+    make: new_problem,
+    through: through(4),
+  },
   {
     id: "three_positions",
     name: "new.three_positions",
     about: "new.three_positions_about",
     make: () => motion_problem([some_poses[0], some_poses[1], some_poses[3]], {side_lengths: [200, 250]}),
+    through: through(3), // what is given beside them is chosen then
   },
   {
     id: "five_positions",
     name: "new.five_positions",
     about: "new.five_positions_about",
     make: () => motion_problem(five_poses),
+    through: through(5),
   },
 ];
+/** On a crank-rocker's way, in whole numbers. */
 const five_poses: Pose[] = [
   {x: 0, y: 0, theta_deg: 0},
-  {x: -20, y: 70, theta_deg: 15},
-  {x: -60, y: 140, theta_deg: 32},
-  {x: -80, y: 220, theta_deg: 54},
+  {x: -51, y: 53, theta_deg: 12},
+  {x: -77, y: 160, theta_deg: 42},
+  {x: -75, y: 253, theta_deg: 67},
   {x: -40, y: 300, theta_deg: 85},
 ];
 

@@ -4,7 +4,7 @@ import {body_color, joint_color, joint_words, length_words} from "./names";
 import {is_six_bar, type Chain, type SixBarTask} from "./task";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, read_list, type Object} from "../../state/shape";
-import {pattern_of, poses_of, position_count} from "../../state/task";
+import {pattern_of, poses_of, position_count, type Pose} from "../../state/task";
 import type {TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
 import {chain_making, tolerance_objectives, tolerance_properties, tolerance_requirements} from "../tolerances";
@@ -29,16 +29,14 @@ function read(value: Object): SixBarTask | null {
 function points_of(chain: Chain | undefined): Point[] {
   return chain ? [chain.a, chain.b, chain.d] : [];
 }
+/** Its chain is to be sought. */
+function six_bar_task(poses: readonly Pose[]): SixBarTask {
+  return {kind: "motion", mechanism: "six_bar", poses, added: ["0-2", "0-3"]};
+}
 function new_problem(): Problem {
-  const motion = new_motion();
-  const task: SixBarTask = {
-    kind: "motion",
-    mechanism: "six_bar",
-    poses: poses_of(motion.task),
-    chain: {a: [-145, 268], b: [16, 205], d: [75, -71]},
-    added: ["0-2", "0-3"],
-  };
-  return {...motion, task};
+  const motion = new_motion(),
+    chain: Chain = {a: [-145, 268], b: [16, 205], d: [75, -71]};
+  return {...motion, task: {...six_bar_task(poses_of(motion.task)), chain} as SixBarTask};
 }
 
 export const six_bar_kind: TaskKind<SixBarTask> = {
@@ -67,7 +65,15 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
       ? {...task, chain: {...task.chain, a: point(task.chain.a), b: point(task.chain.b), d: point(task.chain.d)}}
       : task,
   table: ({poses}, unit) => pose_table(poses, unit),
-  beginnings: [{id: "six_bar", name: "new.six_bar", about: "new.six_bar_about", make: new_problem}],
+  beginnings: [
+    {
+      id: "six_bar",
+      name: "new.six_bar",
+      about: "new.six_bar_about",
+      make: new_problem,
+      through: {count: 4, task: six_bar_task},
+    },
+  ],
   make_up({added}) {
     const row = row_of(added);
     return row && `six_bar.${row.topology}`;

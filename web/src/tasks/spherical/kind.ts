@@ -2,7 +2,7 @@
 import type {LinkageType} from "../../engine/protocol";
 import {form_names, form_of, read_orientation, read_vector} from "../../orientation/orientation";
 import type {Vec3} from "../../sphere/vectors";
-import {with_requirements, type Pin, type Problem} from "../../state/problem";
+import {with_requirements, type Pin} from "../../state/problem";
 import {is_number, is_object, present, read_list, type Object} from "../../state/shape";
 import {pattern_of} from "../../state/task";
 import {significant} from "../../texts/numbers";
@@ -69,23 +69,31 @@ export function is_cone(value: unknown): value is Cone {
 
 // ---- beginnings -----------------------------------------------------------------------------------------------------
 
-function problem_of(orientations: readonly PrescribedOrientation[]): Problem {
-  const task: SphericalTask = {kind: "motion", mechanism: "spherical_four_bar", orientations};
-  return with_requirements({linkwright: 1, title: "", task}, {min_transmission_angle_deg: 30});
-}
 const zyx = (...angles: Vec3[]) => angles.map((euler_deg) => ({euler_deg, sequence: "zyx"}));
+/** Those that are there already, and on to as many as it takes. */
+function turning(own: readonly PrescribedOrientation[]): Pick<Beginning, "make" | "turned"> {
+  const task = (kept: readonly PrescribedOrientation[]): SphericalTask => ({
+    kind: "motion",
+    mechanism: "spherical_four_bar",
+    orientations: [...kept, ...own.slice(kept.length)],
+  });
+  return {
+    make: () => with_requirements({linkwright: 1, title: "", task: task([])}, {min_transmission_angle_deg: 30}),
+    turned: {count: own.length, task},
+  };
+}
 const beginnings: Beginning[] = [
   {
     id: "four_orientations",
     name: "new.four_orientations",
     about: "new.four_orientations_about",
-    make: () => problem_of(zyx([0, 0, 5], [-22.7, -3.4, 24.8], [-50.2, -16.3, 53.3], [-88.2, -42, 87.3])),
+    ...turning(zyx([0, 0, 5], [-22.7, -3.4, 24.8], [-50.2, -16.3, 53.3], [-88.2, -42, 87.3])),
   },
   {
     id: "five_orientations",
     name: "new.five_orientations",
     about: "new.five_orientations_about",
-    make: () => problem_of(zyx([-4, -25, 5.5], [-2.5, -12, 4], [0, 0, 0], [3.5, 11, -4], [8, 20, -6])),
+    ...turning(zyx([-4, -25, 5.5], [-2.5, -12, 4], [0, 0, 0], [3.5, 11, -4], [8, 20, -6])),
   },
 ];
 
@@ -146,6 +154,7 @@ export const spherical_kind: TaskKind<SphericalTask> = {
   keeps_form: true,
   is: is_spherical,
   read,
+  orientations: ({orientations}) => orientations.map(without_rates),
   incompleteness(task) {
     const n = position_count(task);
     if (n === 0) return {state: "empty", text: "spherical.empty", n};
