@@ -19,6 +19,7 @@ import {
 import type {Incomplete} from "../tasks/kind";
 import {
   has_lengths,
+  gives_linkage,
   has_linkages,
   incompleteness,
   kind_of,
@@ -185,6 +186,7 @@ export class Workbench extends Editing {
   }
   /** What was asked for below the map, where there is that. */
   get below_map(): Below {
+    if (gives_linkage(this.problem.task)) return "numbers";
     const about_tolerances = this.below === "tolerances" || this.below === "front";
     return about_tolerances && !tolerances_of(this.problem) ? "numbers" : this.below;
   }
@@ -257,9 +259,18 @@ export class Workbench extends Editing {
       if (this.incomplete) this.accept_unread(); // else its kind asks the engine itself
     } else {
       this.answers.asked_anew();
+      if (gives_linkage(this.problem.task)) return this.take_given();
       this.maps.refresh();
       this.linkages.follow();
     }
+  }
+  /** The task is the linkage in hand. */
+  private take_given(): void {
+    this.maps.stop();
+    this.maps.forget();
+    this.answers.forget_map();
+    if (!this.picked) this.amend({picked: {tau: [0, 0], place: null}});
+    this.linkages.follow();
   }
   /** A part of one map is no part of another. */
   private show_whole_map(): void {
