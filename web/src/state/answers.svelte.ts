@@ -1,6 +1,6 @@
 // What the engine has answered, each answer with the problem that it answers. Nothing is shown of a task that has no
 // linkage; what belongs to an earlier problem than the one in force is outdated once it has been so for a moment.
-import {gives_linkage} from "../tasks/kinds";
+import {gives_linkage, kind_of} from "../tasks/kinds";
 import type {Census, Linkage, MapAnswer, Replies, TaskAnswer, TauPair} from "../engine/protocol";
 import {same_tau} from "./document";
 import {same_question, type Problem} from "./problem";
@@ -119,7 +119,9 @@ export class Answers {
     return this.picked !== null && same_question(this.picked.of, problem);
   }
   private get has_linkages(): boolean {
-    return this.explored?.is.task.status === "solved" || gives_linkage(this.asked().problem.task);
+    const {task} = this.asked().problem;
+    if (!gives_linkage(task)) return this.explored?.is.task.status === "solved";
+    return this.held !== null && kind_of(this.held.of.task) === kind_of(task); // not that of the task before
   }
   private answers({of}: Answer<unknown>): boolean {
     return same_question(of, this.asked().problem);

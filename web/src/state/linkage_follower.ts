@@ -69,7 +69,7 @@ export class LinkageFollower {
     } catch (error) {
       if (error instanceof Crashed) setTimeout(() => this.follow(), 50);
       else if (error instanceof Refusal && is_given) {
-        if (followed.refuse(problem, error.mistakes)) followed.refresh(); // back to what was good
+        if (followed.refuse(problem, error.mistakes) && followed.problem !== problem) followed.refresh(); // to what was good
       } else if (error instanceof Refusal && followed.problem === problem && same_tau(followed.tau_in_hand, tau))
         answers.take_hand(null, problem);
     }

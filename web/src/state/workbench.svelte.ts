@@ -301,7 +301,9 @@ export class Workbench extends Editing {
     this.hovered = null;
     this.selected_pose = null;
     this.mode = "point";
-    this.stage = Math.max(kind_of(problem.task).stops(problem.task) - before_last, 0.45);
+    this.stage = gives_linkage(problem.task)
+      ? 0 // as it lies in its file
+      : Math.max(kind_of(problem.task).stops(problem.task) - before_last, 0.45);
     this.just_changed = false;
     this.commit(from_problem(problem));
     ++this.opened;

@@ -92,6 +92,10 @@ export function with_number(task: LinkageTask, {path, values}: Line, k: number, 
   const changed = values.map((old, i) => (i === k ? value : old));
   return {...task, file: replaced(task.file, path, changed.length === 1 ? changed[0] : changed) as Object};
 }
+/** With both coordinates of a line's point. */
+export function with_point(task: LinkageTask, {path}: Line, point: Point): LinkageTask {
+  return {...task, file: replaced(task.file, path, point) as Object};
+}
 function replaced(in_value: unknown, [step, ...rest]: Path, value: unknown): unknown {
   if (step === undefined) return value;
   if (Array.isArray(in_value)) return in_value.map((item, i) => (i === step ? replaced(item, rest, value) : item));

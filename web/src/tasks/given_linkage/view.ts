@@ -7,6 +7,7 @@ import {spherical_four_bar} from "../spherical/figure";
 import SphericalStage from "../spherical/Stage.svelte";
 import type {TaskView} from "../view";
 import Editor from "./Editor.svelte";
+import {given_handles} from "./handles";
 import Numbers from "./Numbers.svelte";
 import Picture from "./Picture.svelte";
 import {point_plots} from "./rates";
@@ -32,11 +33,13 @@ const pointed_four_bar: Mechanism = {
 };
 export const four_bar_view: TaskView = {
   ...common,
+  handles: given_handles,
   mechanism: pointed_four_bar,
   plots: () => ["transmission", "output", ...point_plots, "velocity", "advantage", "path"],
 };
 export const six_bar_view: TaskView = {
   ...common,
+  handles: given_handles,
   mechanism: {...six_bar, guides_a_point: true},
   plots: () => ["transmission", "coupler", ...point_plots, "path"],
 };
