@@ -85,7 +85,9 @@ void write_rates(JsonWriter& json, const RatedLinkage& linkage, const std::vecto
 
 // ---- four-bars ----------------------------------------------------------------------------------------------------
 
-Dyad dyad_of(Point fixed, Point moving) { return {{1, fixed.real(), fixed.imag()}, {1, moving.real(), moving.imag()}, 0}; }
+Dyad dyad_of(Point fixed, Point moving) {
+  return {{1, fixed.real(), fixed.imag()}, {1, moving.real(), moving.imag()}, 0};
+}
 
 /// The poses, or where the file has none a frame in the point that is traced.
 std::vector<PrescribedPose> poses_of(const StoredLinkage& linkage) {
@@ -152,13 +154,14 @@ SixBarDriveTable driven(const SixBarMotion& motion, std::size_t poses) {
 }
 
 /// Over the poses where there are several, else over all that it can do.
-SixBarDriveReport report_of(const SixBar& six_bar, const std::vector<PrescribedPose>& poses,
-                            const SixBarMotion& motion, const SixBarDriveTable& drive) {
+SixBarDriveReport report_of(const SixBar& six_bar, const std::vector<PrescribedPose>& poses, const SixBarMotion& motion,
+                            const SixBarDriveTable& drive) {
   const SixBarMotion over = poses.size() > 1 ? travel_through(six_bar, poses, six_bar_step) : motion;
   SixBarDriveReport report;
   report.completed = true;
   if (over.states.empty()) {
-    const bool meets_all = std::none_of(drive.row_of_pose.begin(), drive.row_of_pose.end(), [](int r) { return r < 0; });
+    const bool meets_all =
+        std::none_of(drive.row_of_pose.begin(), drive.row_of_pose.end(), [](int r) { return r < 0; });
     report.defects.bits = meets_all ? Defects::order_bit : Defects::branch_bit;
     return report;
   }

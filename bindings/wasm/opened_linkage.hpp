@@ -9,8 +9,8 @@
 
 namespace linkwright::wasm {
 
-/// The linkage of a problem of the page whose task is one, `{"kind": "linkage", "mechanism", "file": what a linkage file
-/// has}`, or its mistakes; nothing where the task is another.
+/// The linkage of a problem of the page whose task is one, `{"kind": "linkage", "mechanism", "file": what a linkage
+/// file has}`, or its mistakes; nothing where the task is another.
 [[nodiscard]] std::optional<Result<AnyStoredLinkage>> opened_linkage(std::string_view text);
 
 /// The Linkage of the protocol that its kind has, with the drive over the whole travel, and `rates`: by state how its

@@ -31,9 +31,9 @@ struct LiveReply {
   std::vector<FailureBits> input, output;
 };
 /// The engine of the page: one problem at a time, kept with all that was computed from it, so that what follows a
-/// dragged pose, a changed requirement or the pointer costs only what is new. Where its task is a linkage (opened_linkage())
-/// only read(), linkage(), trace(), exported() and the machine are to be asked, at any place. The requests of
-/// web/src/engine/protocol.ts, without the browser.
+/// dragged pose, a changed requirement or the pointer costs only what is new. Where its task is a linkage
+/// (opened_linkage()) only read(), linkage(), trace(), exported() and the machine are to be asked, at any place. The
+/// requests of web/src/engine/protocol.ts, without the browser.
 class Session {
  public:
   /// Reads a problem file; false where it has mistakes, and then the last good problem stays.
@@ -92,8 +92,8 @@ class Session {
 
   std::string text_, mistakes_ = "[]";
   Problem problem_;
-  Requirements requirements_;          ///< the problem's, defaults filled in
-  std::unique_ptr<TaskSession> task_;  ///< none before the first problem
+  Requirements requirements_;               ///< the problem's, defaults filled in
+  std::unique_ptr<TaskSession> task_;       ///< none before the first problem
   std::optional<AnyStoredLinkage> opened_;  ///< the problem's task is this linkage; then nothing is asked of task_
   std::optional<Drawn> drawn_;
   std::optional<ShownAxes> axes_;

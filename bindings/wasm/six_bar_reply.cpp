@@ -57,8 +57,7 @@ std::vector<int> rows_of_poses(const SixBarCheck& check, const std::vector<Presc
   return rows;
 }
 
-SixBarDriveTable drive_table_of(const std::optional<SixBarSolution>& found,
-                                const std::vector<PrescribedPose>& poses) {
+SixBarDriveTable drive_table_of(const std::optional<SixBarSolution>& found, const std::vector<PrescribedPose>& poses) {
   if (!found) return {};
   SixBarCheck check = driven(*found, poses);
   SixBarDriveTable drive;

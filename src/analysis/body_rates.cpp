@@ -52,13 +52,11 @@ class Equations {
   [[nodiscard]] std::optional<std::vector<BodyRates>> rates() const {
     std::vector<BodyRates> found(static_cast<std::size_t>(linkage_.bodies));
     found[1].turning = linkage_.spherical ? at_[driver_hinge()] : Vector3{0, 0, 1};
-    if (!put_unknowns(found, &BodyRates::drift, &BodyRates::turning, [&](const BodyRates& body, Vector3 point) {
-          return body.velocity(point);
-        }))
+    if (!put_unknowns(found, &BodyRates::drift, &BodyRates::turning,
+                      [&](const BodyRates& body, Vector3 point) { return body.velocity(point); }))
       return std::nullopt;
-    if (!put_unknowns(found, &BodyRates::drift_up, &BodyRates::turning_up, [&](const BodyRates& body, Vector3 point) {
-          return body.acceleration(point);
-        }))
+    if (!put_unknowns(found, &BodyRates::drift_up, &BodyRates::turning_up,
+                      [&](const BodyRates& body, Vector3 point) { return body.acceleration(point); }))
       return std::nullopt;
     for (BodyRates& body : found) to_user(body);
     return found;
@@ -85,14 +83,14 @@ class Equations {
   }
   /// What is unknown of `found` is 0 yet: `told` says what all else does to a hinge, and both bodies do the same.
   template <class Told>
-  [[nodiscard]] bool put_unknowns(std::vector<BodyRates>& found, Vector3 BodyRates::* drift,
-                                  Vector3 BodyRates::* turning, const Told& told) const {
+  [[nodiscard]] bool put_unknowns(std::vector<BodyRates>& found, Vector3 BodyRates::*drift, Vector3 BodyRates::*turning,
+                                  const Told& told) const {
     Rows rows;
     for (std::size_t hinge = 0; hinge < at_.size(); ++hinge) {
       if (hinge == driver_hinge()) continue;
       const auto [a, b] = linkage_.hinges[hinge];
-      const Vector3 apart = told(found[static_cast<std::size_t>(b)], at_[hinge]) -
-                            told(found[static_cast<std::size_t>(a)], at_[hinge]);
+      const Vector3 apart =
+          told(found[static_cast<std::size_t>(b)], at_[hinge]) - told(found[static_cast<std::size_t>(a)], at_[hinge]);
       for (const Vector3 along : directions(at_[hinge])) {
         std::vector<double>& row = rows.emplace_back(unknowns_ + 1);
         const auto by_number = effect(at_[hinge], along);

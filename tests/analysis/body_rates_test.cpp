@@ -48,7 +48,7 @@ TEST(BodyRates, OfFourBarsAreTheRatesOfTheirAngles) {
 }
 
 TEST(BodyRates, AreUnboundedAtADeadPoint) {
-  const LinkLengths lengths{4, 3, 1.5, 2.5};  // the coupler and the output in one line
+  // Ground 4, input 3, coupler 1.5, output 2.5: coupler and output in one line.
   const double angle = std::acos((16.0 + 9.0 - 16.0) / 24.0);
   const Point a = std::polar(3.0, angle), b = 4.0 + 2.5 * (a - 4.0) / std::abs(a - 4.0);
   EXPECT_FALSE(body_rates(four_bar, std::array{Vector3{}, in_space(a), in_space(b), Vector3{4, 0, 0}}).has_value());

@@ -59,9 +59,10 @@ TEST(OpenedLinkages, TellTheRatesOfTheirOwnTable) {
     const auto state = [&](std::size_t row, std::size_t column) { return reply.states[row * width + column]; };
     for (std::size_t row = 1; row + 1 < rows.size(); row += 10) {
       if (rows[row].is_null() || rows[row - 1].is_null() || rows[row + 1].is_null()) continue;
-      const double before = radians(state(row, 0) - state(row - 1, 0)), after = radians(state(row + 1, 0) - state(row, 0));
+      const double before = radians(state(row, 0) - state(row - 1, 0)),
+                   after = radians(state(row + 1, 0) - state(row, 0));
       const double vx = rows[row][2 * bodies], ax = rows[row][2 * bodies + 2];
-      const double steepest = std::abs(double(rows[row][2]) + std::abs(double(rows[row][2 * bodies - 2])));
+      const double steepest = std::abs(double{rows[row][2]}) + std::abs(double{rows[row][2 * bodies - 2]});
       if (std::abs(after - before) > 1e-9 || steepest > 3) continue;
       const double size = 1 + std::abs(state(row, 5)) + std::abs(vx) + std::abs(ax);
       EXPECT_NEAR(vx, (state(row + 1, 5) - state(row - 1, 5)) / (2 * after), 0.02 * size);
@@ -80,7 +81,7 @@ TEST(OpenedLinkages, OfFourBarsHaveTheVelocityRatioForTheOutput) {
   const LinkageReply reply = session.linkage(0, 0);
   const json linkage = json::parse(reply.linkage);
   EXPECT_EQ(linkage["type"], "crank_rocker");
-  EXPECT_TRUE(linkage["drive"]["full_turn"]);
+  EXPECT_TRUE(linkage["drive"]["full_turn"].get<bool>());
   EXPECT_NEAR(linkage["driver_sweep_deg"], 360, 1e-9);
   EXPECT_EQ(linkage["min_transmission_angle_deg"], linkage["min_transmission_angle_full_turn_deg"]);
   for (std::size_t row = 0; row < linkage["rates"]["rows"].size(); row += 15)

@@ -33,6 +33,7 @@ struct BodyRates {
 /// By body, with each hinge where `at` has it (about a centre unit vectors). Both bodies of a hinge have its velocity
 /// and its acceleration, which is as many linear equations as there are unknowns (Uicker, Pennock, Shigley: Theory of
 /// Machines and Mechanisms, 2003, chapters 3 and 4). Nothing at a dead point, where they are unbounded.
-[[nodiscard]] std::optional<std::vector<BodyRates>> body_rates(const HingedBodies& linkage, std::span<const Vector3> at);
+[[nodiscard]] std::optional<std::vector<BodyRates>> body_rates(const HingedBodies& linkage,
+                                                               std::span<const Vector3> at);
 
 }  // namespace linkwright
