@@ -7,14 +7,15 @@
 #include "halo.hpp"
 #include "linkwright/drawing/linkage_export.hpp"
 #include "linkwright/files/result_file.hpp"
-#include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/machine/machine.hpp"
 #include "linkwright/machine/print_file.hpp"
+#include "linkwright/machine/simulator_file.hpp"
 #include "linkwright/region/pareto_front.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "linkwright/synthesis/tolerance_measures.hpp"
 #include "machine_reply.hpp"
 #include "region/window_look.hpp"
+#include "opened_linkage.hpp"
 #include "reply_json.hpp"
 #include "six_bar_session.hpp"
 #include "spherical_function_session.hpp"
@@ -53,11 +54,19 @@ std::unique_ptr<TaskSession> task_session(const Problem& problem) {
 }
 
 bool Session::set_problem(std::string_view text) {
-  if (task_ && text == text_) return true;
+  if ((task_ || opened_) && text == text_) return true;
+  if (auto opened = opened_linkage(text)) {
+    mistakes_ = *opened ? "[]" : mistakes_json(opened->errors());
+    if (!*opened) return false;
+    text_ = text;
+    opened_ = std::move(**opened);
+    return true;
+  }
   auto read = read_problem(text);
   mistakes_ = read ? "[]" : mistakes_json(read.errors());
   if (!read) return false;
   text_ = text;
+  opened_.reset();
   const bool unchanged = task_ && task_->serves(*read);
   problem_ = std::move(*read);
   if (!unchanged) {
@@ -83,6 +92,10 @@ void Session::set_tolerances(bool task_is_new) {
 }
 
 std::string Session::read(std::string_view text) {
+  if (const auto opened = opened_linkage(text)) {
+    mistakes_ = *opened ? "[]" : mistakes_json(opened->errors());
+    return *opened ? std::string(text) : "";
+  }
   const auto problem = read_problem(text);
   mistakes_ = problem ? "[]" : mistakes_json(problem.errors());
   return problem ? write_problem(*problem) : "";
@@ -198,6 +211,7 @@ ExploreReply Session::explore(const ExploreRequest& request) {
 }
 
 LinkageReply Session::linkage(double input_tau, double output_tau) {
+  if (opened_) return opened_reply(*opened_);
   if (!family()) return {};
   // By the map's own kernel, so that the card and the cell agree to the last bit.
   FailureBits fails = failures(cell_, std::array{input_tau}, std::array{output_tau}).front();
@@ -353,10 +367,12 @@ std::string Session::verify(double input_tau, double output_tau) {
 }
 
 std::vector<double> Session::trace(double input_tau, double output_tau, Point traced) {
+  if (opened_) return opened_trace(*opened_, traced);
   return task().trace({input_tau, output_tau}, traced, requirements_.respect_direction);
 }
 
 std::string Session::exported(double input_tau, double output_tau, std::string_view format) const {
+  if (opened_) return linkwright::exported(*opened_, format);
   auto answer = task().answer_at({input_tau, output_tau}, requirements_.respect_direction);
   if (!answer) return "";
   Findings& found = findings(*answer);
@@ -372,6 +388,7 @@ std::string Session::exported(double input_tau, double output_tau, std::string_v
 }
 
 Result<Machine> Session::machine_at(MapPoint place, const WantedSizes& sizes) const {
+  if (opened_) return linkwright::machine(moving_linkage(*opened_), sizes);
   const auto answer = task().answer_at(place, requirements_.respect_direction);
   if (!answer) return Error{"no_four_bar", "", "a slider or zero link cannot be written as a four-bar", {}};
   return linkwright::machine(moving_linkage(stored_linkages(problem_, *answer).front()), sizes);
@@ -384,7 +401,9 @@ std::string Session::machine(double input_tau, double output_tau, const WantedSi
 Result<std::string> Session::machine_file(double input_tau, double output_tau, std::string_view format,
                                           const WantedSizes& sizes) const {
   const auto made = machine_at({input_tau, output_tau}, sizes);
-  return made ? write_parts(*made, format) : Result<std::string>(made.errors());
+  if (!made) return made.errors();
+  const bool is_of_parts = format == "stl" || format == "3mf" || format == "plates";
+  return is_of_parts ? write_parts(*made, format) : simulator_text(*made, format);
 }
 
 }  // namespace linkwright::wasm

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "linkwright/files/problem_file.hpp"
+#include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/machine/machine.hpp"
 #include "map_reply.hpp"
 #include "task_session.hpp"
@@ -30,8 +31,9 @@ struct LiveReply {
   std::vector<FailureBits> input, output;
 };
 /// The engine of the page: one problem at a time, kept with all that was computed from it, so that what follows a
-/// dragged pose, a changed requirement or the pointer costs only what is new. The requests of
-/// web/src/engine/protocol.ts, without the browser.
+/// dragged pose, a changed requirement or the pointer costs only what is new. Where its task is a linkage
+/// (opened_linkage()) only read(), linkage(), trace(), exported() and the machine are to be asked, at any place. The
+/// requests of web/src/engine/protocol.ts, without the browser.
 class Session {
  public:
   /// Reads a problem file; false where it has mistakes, and then the last good problem stays.
@@ -64,8 +66,8 @@ class Session {
   [[nodiscard]] std::string exported(double input_tau, double output_tau, std::string_view format) const;
   /// A linkage as plates and pins, to be looked at before it is made. JSON text: that of machine_reply().
   [[nodiscard]] std::string machine(double input_tau, double output_tau, const WantedSizes& sizes) const;
-  /// The bytes of a file to make it from: stl, 3mf or plates. Errors: `no_four_bar`, those of machine() and
-  /// write_parts().
+  /// The bytes of a file to make it from: stl, 3mf or plates, or for a simulator: urdf, sdf or mjcf. Errors:
+  /// `no_four_bar`, those of machine(), write_parts() and simulator_text().
   [[nodiscard]] Result<std::string> machine_file(double input_tau, double output_tau, std::string_view format,
                                                  const WantedSizes& sizes) const;
 
@@ -79,7 +81,7 @@ class Session {
   void measure_tolerances(bool map_is_new);
   [[nodiscard]] bool fails_yield(MapPoint place) const;
   /// Null where there is no map.
-  [[nodiscard]] const LinkageFamily* family() const { return task().family(); }
+  [[nodiscard]] const LinkageFamily* family() const { return opened_ ? nullptr : task().family(); }
   void classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const;
   [[nodiscard]] RequirementFilter filter(const RegionMap& map) const;
   void compute_map(const ExploreRequest& request);
@@ -91,8 +93,9 @@ class Session {
 
   std::string text_, mistakes_ = "[]";
   Problem problem_;
-  Requirements requirements_;          ///< the problem's, defaults filled in
-  std::unique_ptr<TaskSession> task_;  ///< none before the first problem
+  Requirements requirements_;               ///< the problem's, defaults filled in
+  std::unique_ptr<TaskSession> task_;       ///< none before the first problem
+  std::optional<AnyStoredLinkage> opened_;  ///< the problem's task is this linkage; then nothing is asked of task_
   std::optional<Drawn> drawn_;
   std::optional<ShownAxes> axes_;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "files/problem_writer.hpp"
-#include "linkwright/analysis/six_bar_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "reply_json.hpp"
 
@@ -14,9 +13,9 @@ namespace {
 using Layout = JsonWriter::Layout;
 
 /// The six-bar driven from position 1 through the others, or as far as it comes.
+int sense_of(const SixBarSolution& found) { return found.rating.drive.sense == DriveSense::cw ? -1 : 1; }
 SixBarCheck driven(const SixBarSolution& found, const std::vector<PrescribedPose>& poses) {
-  const int sense = found.rating.drive.sense == DriveSense::cw ? -1 : 1;
-  return check_by_driving(found.member.six_bar, poses, sense);
+  return check_by_driving(found.member.six_bar, poses, sense_of(found));
 }
 
 /// Turns of all bodies from where their hinges are.
@@ -32,11 +31,11 @@ SixBarTurns turns_of(const SixBar& six_bar, const SixBarState& state) {
   return turns;
 }
 
-void append(const SixBar& six_bar, const SixBarState& state, std::vector<double>& states) {
+void append(const SixBar& six_bar, const SixBarState& state, int sense, std::vector<double>& states) {
   const SixBarTurns turns = turns_of(six_bar, state);
   const double gamma = std::asin(std::clamp(six_bar_transmission(six_bar, turns).sine, 0.0, 1.0));
   const Point b = state.joints[SixBar::b], d = state.joints[SixBar::d];
-  states.insert(states.end(), {degrees(std::abs(state.turn)), b.real(), b.imag(), d.real(), d.imag(),
+  states.insert(states.end(), {degrees(sense * state.turn), b.real(), b.imag(), d.real(), d.imag(),
                                state.body.origin.real(), state.body.origin.imag(), degrees(state.body.angle),
                                degrees(gamma), degrees(std::arg(turns[2])), degrees(std::arg(turns[3])), 0, 0});
   for (const Point joint : state.joints) states.insert(states.end(), {joint.real(), joint.imag()});
@@ -58,8 +57,19 @@ std::vector<int> rows_of_poses(const SixBarCheck& check, const std::vector<Presc
   return rows;
 }
 
-void write_drive(JsonWriter& json, const SixBarCheck& check, const std::vector<PrescribedPose>& poses) {
-  const std::vector<int> rows = rows_of_poses(check, poses);
+SixBarDriveTable drive_table_of(const std::optional<SixBarSolution>& found, const std::vector<PrescribedPose>& poses) {
+  if (!found) return {};
+  SixBarCheck check = driven(*found, poses);
+  SixBarDriveTable drive;
+  drive.row_of_pose = rows_of_poses(check, poses);
+  drive.states = std::move(check.states);
+  drive.sense = sense_of(*found);
+  drive.dead_at_end = check.stopped;
+  return drive;
+}
+
+void write_drive(JsonWriter& json, const SixBarDriveTable& drive) {
+  const std::vector<int>& rows = drive.row_of_pose;
   const bool all = std::none_of(rows.begin(), rows.end(), [](int row) { return row < 0; });
   json.begin_object();
   json.member("width", static_cast<int>(six_bar_state_width));
@@ -73,12 +83,12 @@ void write_drive(JsonWriter& json, const SixBarCheck& check, const std::vector<P
     json.end_object();
   }
   json.end_list();
-  json.member("full_turn", false);
+  json.member("full_turn", drive.full_turn);
   json.key("limits");
   json.begin_object(Layout::one_line);
-  for (const char* end : {"low", "high"}) {
+  for (const auto& [end, is_dead] : {std::pair("low", drive.dead_at_start), std::pair("high", drive.dead_at_end)}) {
     json.key(end);
-    check.stopped&& end == std::string_view("high") ? json.value("dead_point") : json.null();
+    is_dead ? json.value("dead_point") : json.null();
   }
   json.end_object();
   json.key("task");
@@ -224,8 +234,12 @@ std::vector<double> six_bar_trace(const std::vector<PrescribedPose>& poses, cons
 
 LinkageReply six_bar_reply(const std::vector<PrescribedPose>& poses, const std::optional<SixBarSolution>& found,
                            MapPoint point, FailureBits fails) {
+  return six_bar_reply(drive_table_of(found, poses), found, point, fails);
+}
+
+LinkageReply six_bar_reply(const SixBarDriveTable& drive, const std::optional<SixBarSolution>& found, MapPoint point,
+                           FailureBits fails, const std::function<void(JsonWriter&)>& write_more) {
   LinkageReply reply;
-  const SixBarCheck check = found ? driven(*found, poses) : SixBarCheck{};
   reply.linkage = json_of([&](JsonWriter& json) {
     json.begin_object();
     json.member("mechanism", "six_bar");
@@ -241,12 +255,13 @@ LinkageReply six_bar_reply(const std::vector<PrescribedPose>& poses, const std::
     } else {
       write_no_six_bar(json);
     }
+    if (write_more) write_more(json);
     json.key("drive");
-    check.states.empty() ? json.null() : write_drive(json, check, poses);
+    drive.states.empty() ? json.null() : write_drive(json, drive);
     json.end_object();
   });
   if (found)
-    for (const SixBarState& state : check.states) append(found->member.six_bar, state, reply.states);
+    for (const SixBarState& state : drive.states) append(found->member.six_bar, state, drive.sense, reply.states);
   return reply;
 }
 

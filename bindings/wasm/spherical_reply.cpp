@@ -8,7 +8,6 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_analysis.hpp"
 #include "reply_json.hpp"
-#include "spherical_travel.hpp"
 
 namespace linkwright::wasm {
 namespace {
@@ -162,6 +161,34 @@ SphericalDyadPair dyads_at(const SphericalTaskFamily& known, MapPoint point) {
   return found.value_or(SphericalDyadPair{no_spherical_dyad(point.input), no_spherical_dyad(point.output)});
 }
 
+LinkageReply reply_of(const SphericalDyadPair& dyads, MapPoint point, FailureBits fails,
+                      const std::optional<SphericalSolution>& found, const SphericalAnalysis& analysis,
+                      const SphericalTravel& travel, const std::function<void(JsonWriter&)>& write_more) {
+  LinkageReply reply;
+  reply.linkage = json_of([&](JsonWriter& json) {
+    json.begin_object();
+    json.member("mechanism", "spherical_four_bar");
+    json.key("tau");
+    write_numbers(json, std::array{point.input, point.output});
+    json.member("fails", int{fails});
+    write_side(json, "input", dyads.input);
+    write_side(json, "output", dyads.output);
+    write_nulls(json, {"lengths", "link_ratio", "longest"});
+    write_more(json);
+    if (found) {
+      write_spherical_verdict(json, *found, travel);
+      write_bars(json, *found, analysis);
+    } else {
+      write_no_linkage(json);
+    }
+    json.key("drive");
+    travel.passages.empty() ? json.null() : write_spherical_drive(json, travel);
+    json.end_object();
+  });
+  for (const SphericalPassage& passage : travel.passages) append(passage, reply.states);
+  return reply;
+}
+
 }  // namespace
 
 const Notice& no_spherical_map(const SphericalTaskFamily& known) {
@@ -192,33 +219,18 @@ TaskReply about_spherical(const SphericalTaskFamily& known) {
 LinkageReply spherical_reply(const SphericalTaskFamily& known, const std::optional<SphericalSolution>& found,
                              const std::vector<PrescribedOrientation>& orientations, MapPoint point, FailureBits fails,
                              const WantedFunction* wanted) {
-  LinkageReply reply;
-  const SphericalDyadPair dyads = dyads_at(known, point);
   const SphericalAnalysis analysis = found ? analyze(found->four_bar, orientations) : SphericalAnalysis{};
   const SphericalTravel travel = spherical_travel(analysis, orientations.size());
-  reply.linkage = json_of([&](JsonWriter& json) {
-    json.begin_object();
-    json.member("mechanism", "spherical_four_bar");
-    json.key("tau");
-    write_numbers(json, std::array{point.input, point.output});
-    json.member("fails", int{fails});
-    write_side(json, "input", dyads.input);
-    write_side(json, "output", dyads.output);
-    write_nulls(json, {"lengths", "link_ratio", "longest"});
+  const bool has_function = wanted && found && found->function;
+  return reply_of(dyads_at(known, point), point, fails, found, analysis, travel, [&](JsonWriter& json) {
     json.key("function");
-    wanted&& found && found->function ? write_generated_function(json, *wanted, *found->function) : json.null();
-    if (found) {
-      write_spherical_verdict(json, *found, travel);
-      write_bars(json, *found, analysis);
-    } else {
-      write_no_linkage(json);
-    }
-    json.key("drive");
-    travel.passages.empty() ? json.null() : write_spherical_drive(json, travel);
-    json.end_object();
+    has_function ? write_generated_function(json, *wanted, *found->function) : json.null();
   });
-  for (const SphericalPassage& passage : travel.passages) append(passage, reply.states);
-  return reply;
+}
+
+LinkageReply spherical_reply(const SphericalSolution& found, const SphericalAnalysis& analysis,
+                             const SphericalTravel& travel, const std::function<void(JsonWriter&)>& write_more) {
+  return reply_of({found.input, found.output}, {}, 0, found, analysis, travel, write_more);
 }
 
 }  // namespace linkwright::wasm

@@ -7,6 +7,7 @@
 #include "linkwright/function/wanted_function.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
 #include "linkwright/spherical/spherical_task_family.hpp"
+#include "spherical_travel.hpp"
 #include "task_session.hpp"
 
 namespace linkwright::wasm {
@@ -26,5 +27,9 @@ inline constexpr std::size_t spherical_state_width = state_width + 10;
                                            const std::optional<SphericalSolution>& found,
                                            const std::vector<PrescribedOrientation>& orientations, MapPoint point,
                                            FailureBits fails, const WantedFunction* wanted = nullptr);
+/// The same of a linkage that is no task's. `travel`: that of its drive. `write_more`: members of its own.
+[[nodiscard]] LinkageReply spherical_reply(const SphericalSolution& found, const SphericalAnalysis& analysis,
+                                           const SphericalTravel& travel,
+                                           const std::function<void(JsonWriter&)>& write_more);
 
 }  // namespace linkwright::wasm

@@ -89,7 +89,7 @@ test("an empty task is clicked together", async ({page}) => {
   await read_state(page, (workbench) =>
     workbench.open({linkwright: 1, length_unit: "mm", task: {kind: "motion", mechanism: "four_bar", poses: []}}),
   );
-  await expect(page.getByTestId("drawing.missing")).toBeVisible();
+  await expect(page.getByTestId("task.missing")).toBeVisible();
   const area = await canvas(page);
   for (const [x, y] of [
     [0.4, 0.8],
@@ -104,7 +104,7 @@ test("an empty task is clicked together", async ({page}) => {
     for (let i = 0; i < k; ++i) await page.keyboard.press("Shift+ArrowLeft");
   }
   await page.waitForFunction(() => (globalThis as any).__linkwright.workbench.task?.status === "solved");
-  await expect(page.getByTestId("drawing.missing")).toBeHidden();
+  await expect(page.getByTestId("task.missing")).toBeHidden();
   await page.mouse.wheel(0, 0);
   await page.getByTestId("view.fit").click();
 });

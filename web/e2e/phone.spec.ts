@@ -111,3 +111,30 @@ test("on its side, drawing and map stand beside each other", async ({page}) => {
   expect(await sideways(page)).toBe(0);
   await keep_screenshot(page, "phone-landscape");
 });
+
+test.describe("on the smallest phone", () => {
+  test.use({viewport: {width: 320, height: 568}});
+
+  test("drawing, drive and map lie below each other, and the title is whole", async ({page}) => {
+    await open_workbench(page);
+    await shown(page);
+    const box = async (name: string) => (await page.getByTestId(name).first().boundingBox())!;
+    const [drawing, drive, play, map] = await Promise.all(
+      ["drawing.canvas", "drive.title", "drive.play", "region.map"].map(box),
+    );
+    expect(drawing!.height).toBeGreaterThan(100);
+    expect(drawing!.y + drawing!.height).toBeLessThanOrEqual(drive!.y + 1);
+    expect(play!.y + play!.height).toBeLessThanOrEqual(drive!.y + drive!.height + 1);
+    expect(drive!.y + drive!.height).toBeLessThanOrEqual(map!.y);
+    const top = await page
+      .locator("h2, header h1")
+      .evaluateAll((all) =>
+        all
+          .filter((one) => one.checkVisibility() && one.scrollWidth > one.clientWidth + 1 && !one.matches(".unseen"))
+          .map((one) => one.textContent),
+      );
+    expect(top).toEqual([]);
+    expect(await sideways(page)).toBe(0);
+    await keep_screenshot(page, "phone-320");
+  });
+});

@@ -207,3 +207,24 @@ test("are put back by Reset, and limits take nothing for an answer", async ({pag
   expect(await read_state(page, (workbench) => workbench.problem.requirements!)).toMatchObject({no_defects: false});
   await expect(page.getByTestId("req.min_transmission")).toBeDisabled();
 });
+
+test("what a box made larger would leave fits its button, and what is wrong is tied to its field", async ({page}) => {
+  await read_state(page, (workbench) =>
+    workbench.edit((problem) => ({
+      ...problem,
+      requirements: {...problem.requirements, ground_pivots_within: {x: [-45, -44.5], y: [175, 175.5]}},
+    })),
+  );
+  const hint = page.getByTestId("req.relax.ground_pivots_within");
+  await expect(hint).toBeVisible();
+  const box = (await hint.boundingBox())!,
+    card = (await page.getByTestId("req.title").boundingBox())!;
+  expect(box.x + box.width).toBeLessThanOrEqual(card.x + card.width);
+  expect(await hint.evaluate((one) => one.scrollWidth - one.clientWidth)).toBeLessThanOrEqual(0);
+
+  const field = page.getByTestId("req.max_ratio");
+  await field.fill("0.5");
+  await field.press("Enter");
+  const described = await field.getAttribute("aria-describedby");
+  await expect(page.locator(`#${described}`)).toContainText("at least 1");
+});

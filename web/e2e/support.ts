@@ -275,9 +275,12 @@ export async function file_menu(page: Page, item: string): Promise<void> {
   await page.getByTestId("file.menu").click();
   await page.getByTestId(item).click();
 }
-export async function open_files(page: Page, path: string): Promise<void> {
+export async function open_files(
+  page: Page,
+  file: string | {name: string; mimeType: string; buffer: Buffer},
+): Promise<void> {
   const [chooser] = await Promise.all([page.waitForEvent("filechooser"), file_menu(page, "file.open")]);
-  await chooser.setFiles(path);
+  await chooser.setFiles(file);
 }
 export const toasts = (page: Page) => page.getByTestId("toast.title");
 

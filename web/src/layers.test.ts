@@ -61,6 +61,7 @@ describe("the frame", () => {
     expect(kinds).toEqual([
       "attitude",
       "function",
+      "given_linkage",
       "motion",
       "six_bar",
       "spherical",

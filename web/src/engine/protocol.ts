@@ -382,8 +382,9 @@ export interface ToleranceAnswer {
 // ---- messages -------------------------------------------------------------------------------------------------
 
 export type ExportFormat = "svg" | "dxf" | "csv" | "json" | "result";
-/** Files to make a linkage from, as plates on pins: parts to print, or a drawing (DXF) to cut the plates from. */
-export type MachineFormat = "3mf" | "stl" | "plates";
+/** Files to make a linkage from, as plates on pins: parts to print, or a drawing (DXF) to cut the plates from; and the
+ *  same for simulators of rigid bodies. */
+export type MachineFormat = "3mf" | "stl" | "plates" | "urdf" | "sdf" | "mjcf";
 /** User's unit. About a centre plates are pieces of spherical shells. */
 export interface PlateSizes {
   width: number;

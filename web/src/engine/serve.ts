@@ -29,7 +29,7 @@ const no_dyads: Mistake = {
   message: "these positions have no grounded links to pair; move one of them",
 };
 const extensions = {svg: ".svg", dxf: ".dxf", csv: ".csv", json: ".json", result: ".json"};
-const machine_extensions = {stl: ".stl", "3mf": ".3mf", plates: ".dxf"};
+const machine_extensions = {stl: ".stl", "3mf": ".3mf", plates: ".dxf", urdf: ".urdf", sdf: ".sdf", mjcf: ".xml"};
 const chosen_sizes: PlateSizes = {width: 0, thickness: 0, gap: 0, pin: 0, clearance: -1, radius: 0};
 
 const now = () => performance.now();

@@ -44,19 +44,26 @@ const expect_same: Record<MachineFormat, (one: Uint8Array, other: Uint8Array) =>
         apart = Math.max(apart, Math.abs(a!.getFloat32(at + k, true) - b!.getFloat32(at + k, true)));
     expect(apart).toBeLessThan(2e-4); // of a metre, as floats
   },
-  plates(one, other) {
-    const [a, b] = [text_of(one), text_of(other)];
-    expect(a.replace(number, "#")).toBe(b.replace(number, "#"));
-    const numbers = b.match(number)!.map(Number);
-    a.match(number)!.forEach((value, i) => expect(Math.abs(Number(value) - numbers[i]!)).toBeLessThan(1e-6));
-  },
+  plates: expect_same_numbers,
+  urdf: expect_same_numbers,
+  sdf: expect_same_numbers,
+  mjcf: expect_same_numbers,
 };
+function expect_same_numbers(one: Uint8Array, other: Uint8Array): void {
+  const [a, b] = [text_of(one), text_of(other)];
+  expect(a.replace(number, "#")).toBe(b.replace(number, "#"));
+  const numbers = b.match(number)!.map(Number);
+  a.match(number)!.forEach((value, i) => expect(Math.abs(Number(value) - numbers[i]!)).toBeLessThan(1e-6));
+}
 
 describe("a linkage as plates on pins", () => {
   it.each([
     ["stl", []],
     ["3mf", []],
     ["plates", []],
+    ["urdf", []],
+    ["sdf", []],
+    ["mjcf", []],
     ["3mf", ["--clearance", "0.4", "--width", "30"]],
   ] as [MachineFormat, string[]][])("is the program's: %s %j", (format, options) => {
     expect(existsSync(program), "build/release is built first").toBe(true);

@@ -1,4 +1,4 @@
-import {problem_text} from "../state/problem";
+import {filed} from "../tasks/kinds";
 import type {Workbench} from "../state/workbench.svelte";
 import {slug} from "./names";
 
@@ -16,9 +16,9 @@ export function save_text(name: string, text: string, type: string): void {
   save_blob(name, new Blob([text], {type}));
 }
 
-/** The problem file, with what is picked and pinned: what `linkwright solve` reads. */
+/** The problem file, with what is picked and pinned: what `linkwright solve` reads, of a linkage `linkwright analyze`. */
 export function save_problem(workbench: Workbench): string {
   const name = workbench.file_name ?? `${slug(workbench.problem.title ?? "")}.json`;
-  save_text(name, `${problem_text(workbench.whole_problem, 2)}\n`, "application/json");
+  save_text(name, `${JSON.stringify(filed(workbench.whole_problem), null, 2)}\n`, "application/json");
   return name;
 }

@@ -7,7 +7,7 @@ import {preferences} from "../state/preferences.svelte";
 import {poses_of} from "../state/task";
 import {tolerances_of} from "../state/tolerances";
 import type {Workbench} from "../state/workbench.svelte";
-import {with_other_task} from "../tasks/kinds";
+import {gives_linkage, with_other_task} from "../tasks/kinds";
 import {task_view} from "../tasks/views";
 import {animated_gif, type Progress} from "./animation";
 import {containers, film, film_angles, type Container} from "./film";
@@ -26,7 +26,14 @@ export interface Target {
   /** The task in which it does its work. */
   problem: Problem;
 }
-export const machine_formats = ["3mf", "stl", "plates"] as const satisfies readonly MachineFormat[];
+export const machine_formats = [
+  "3mf",
+  "stl",
+  "plates",
+  "urdf",
+  "sdf",
+  "mjcf",
+] as const satisfies readonly MachineFormat[];
 export const formats = [
   "dxf",
   ...machine_formats,
@@ -52,7 +59,16 @@ const machine_types: Record<MachineFormat, string> = {
   "3mf": "model/3mf",
   stl: "model/stl",
   plates: engine_types.dxf,
+  urdf: "application/xml",
+  sdf: "application/xml",
+  mjcf: "application/xml",
 };
+/** What the program takes for what the page cannot make: its name there, and the command. */
+export function step_command(workbench: Workbench, target: Target): {file: string; command: string} {
+  const stem = file_stem(target.problem, target, workbench.pins),
+    file = `${stem}${gives_linkage(target.problem.task) ? "" : "-result"}.json`;
+  return {file, command: `linkwright export ${file} --format step -o ${stem}.step`};
+}
 const gif_size = {width: 640, height: 480};
 
 export function targets(workbench: Workbench): Target[] {
@@ -125,6 +141,21 @@ export async function svg_of(workbench: Workbench, target: Target): Promise<stri
   const shown = is_more && target.pin === null ? drawing_with_more() : null;
   if (shown) return drawing_svg(shown)!;
   return (await from_engine(workbench, target, "svg")).text;
+}
+/** The engine's sheet without its title and its numbers: for a sheet that has its own. */
+export function card_of(sheet: string): string {
+  const card = [...sheet.matchAll(/<rect x="([\d.]+)" y="([\d.]+)" width="([\d.]+)" height="([\d.]+)"/g)][1]; // the first is the page
+  if (!card) return sheet;
+  const [, x, y, width, height] = card;
+  return sheet.replace(
+    /width="[\d.]+" height="[\d.]+" viewBox="[^"]*"/,
+    `width="${width}" height="${height}" viewBox="${x} ${y} ${width} ${height}"`,
+  );
+}
+/** What is printed beside title and numbers. */
+export async function printed_svg(workbench: Workbench, target: Target): Promise<string> {
+  const svg = await svg_of(workbench, target);
+  return svg.startsWith("<?xml") ? card_of(svg) : svg; // the page's own drawing has neither
 }
 async function png(workbench: Workbench, target: Target): Promise<Blob> {
   if (target.pin === null && has_stage_picture()) return stage_picture();

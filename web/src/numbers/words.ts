@@ -1,15 +1,26 @@
 // How the numbers of a linkage are said.
 import type {Linkage, LinkageType, Pivot, RequirementKey, Requirements, TaskAnswer} from "../engine/protocol";
 import {value_text, type Units} from "../requirements/requirements";
+import {preferences} from "../state/preferences.svelte";
+import {screen_size} from "../state/screen.svelte";
 import type {Task} from "../state/task";
 import {called, made_up, name_of, requirement_descriptions} from "../tasks/kinds";
 import en from "../texts/en.json";
-import {degrees_text, length_text, significant} from "../texts/numbers";
+import {degrees_text, fixed, length_text, significant} from "../texts/numbers";
 import {t, type TextKey} from "../texts/texts.svelte";
 
 /** What stands where no linkage is in hand. */
-export function no_linkage_text(task: TaskAnswer | null, otherwise: TextKey): string {
-  return t(task && task.status !== "solved" ? "num.no_linkage" : otherwise);
+export function no_linkage_text(
+  {incomplete, task}: {incomplete: object | null; task: Pick<TaskAnswer, "status"> | null},
+  otherwise: TextKey,
+): string {
+  if (incomplete) return t("num.not_yet");
+  return t(task && task.status !== "solved" ? "num.no_linkage" : by_hand(otherwise));
+}
+/** On a phone no key can be pressed. */
+export function by_hand(key: TextKey): TextKey {
+  const touched = `${key}_touch`;
+  return screen_size.kind === "phone" && touched in en ? (touched as TextKey) : key;
 }
 /** A name that fits a table. */
 export function short_type(type: LinkageType): string {
@@ -30,12 +41,17 @@ export function short_linkage_name(linkage: Pick<Linkage, "type">): string {
   const name = made_up(linkage);
   return name ? t(name) : short_type(linkage.type);
 }
+/** With the decimals that the user has chosen, else as many as linkages of this size are told with. */
+function shown_length(value: number, typical: number): string {
+  const {decimals} = preferences;
+  return decimals === null ? length_text(value, typical) : fixed(value, decimals);
+}
 /** Lengths of a linkage, two decimals for links of some hundred millimetres. */
 export function link_text(length: number, longest: number): string {
-  return length_text(length, longest / 10);
+  return shown_length(length, longest / 10);
 }
 export function point_text(point: Pivot | null, longest: number): string {
-  return point ? point.map((value) => length_text(value, longest)).join(", ") : "∞";
+  return point ? point.map((value) => shown_length(value, longest)).join(", ") : "∞";
 }
 /** For a spreadsheet: all digits, set apart by tabs. */
 export function row_text(numbers: readonly number[]): string {

@@ -8,7 +8,8 @@ export interface MapSizes {
 }
 const ridge = 18;
 const chrome = {wide: 48 + 26 + 24 + 46 + 60, laptop: 48 + 26 + 24 + 46 + 60}; // bars, gaps, card head and legend
-const phone_share = 0.4; // of the height: the rest is the drawing's and the legend's
+const phone_share = 0.4, // of the height: the rest is the drawing's and the legend's
+  phone_rest = 396; // which needs so much: bars, heads, drive and a drawing that one can see
 const numbers = {wide: 236, laptop: 196}; // what the numbers card needs below
 
 export function map_sizes(
@@ -29,10 +30,12 @@ export function map_sizes(
         Math.floor(
           Math.min(
             card_width - strip - 16,
-            (on_its_side ? screen_height - bars : phone_share * screen_height) - foot - 10,
+            (on_its_side ? screen_height - bars : Math.min(phone_share * screen_height, screen_height - phone_rest)) -
+              foot -
+              10,
           ),
         ),
-        160,
+        on_its_side ? 160 : 110,
       ),
       strip,
       foot,

@@ -13,7 +13,7 @@ import {has_linkages, kind_of, with_poses} from "../tasks/kinds";
 import {mistakes_text} from "../texts/mistakes";
 import {t} from "../texts/texts.svelte";
 import {keep_task} from "./my_tasks";
-import {told} from "./own_files";
+import {told, without_comments} from "./own_files";
 import {other_work, read_before, write_before, type Kept} from "./storage";
 
 const most_bytes = 16 * 1024 * 1024;
@@ -35,7 +35,7 @@ function own_problem(text: string): Problem | null {
 function as_typed(read: Problem | null, text: string): Problem | null {
   if (!read || !kind_of(read.task).keeps_form) return read;
   try {
-    const typed = read_problem(JSON.parse(text.replace(/^\s*\/\/.*$/gm, ""))); // comments stand on lines of their own
+    const typed = read_problem(JSON.parse(without_comments(text)));
     return typed && kind_of(typed.task) === kind_of(read.task) ? {...read, task: typed.task} : read;
   } catch {
     return read;
@@ -115,8 +115,14 @@ export async function open_file(workbench: Workbench, file: File): Promise<void>
     text === null ? [page_mistake("not_utf8", "", t("mistake.not_utf8"))] : await read_text(workbench, found.text);
   if (read === null) return;
   if (Array.isArray(read)) return say_refused(workbench, read, name);
-  const words = {problem: "file.opened", result: "file.opened_result", linkage: "file.opened_linkage"} as const;
-  replace_work(workbench, read, found.kind === "problem" ? name : null); // saving it must not write over what it came from
+  const words = {
+    problem: "file.opened",
+    result: "file.opened_result",
+    linkage: "file.opened_linkage",
+    lone_linkage: "file.opened",
+  } as const;
+  const is_saved_as_it_is = found.kind === "problem" || found.kind === "lone_linkage";
+  replace_work(workbench, read, is_saved_as_it_is ? name : null); // saving it must not write over what it came from
   workbench.say(words[found.kind], {name}, {key: "edit.undo", run: () => workbench.undo()});
 }
 /** Rows of positions take the place of those of the task in hand. Whether they were such. */

@@ -65,10 +65,32 @@ describe("an export that is opened", () => {
     expect([kind, problem!.view!.picked, problem!.length_unit]).toEqual(["linkage", tau, "mm"]);
     expect(problem!.task).toEqual(first_example.problem.task);
   });
-  it("as a linkage that does not hold its task is said to be one", () => {
-    const of_pairs = exported(examples.find(({name}) => name === "log_generator")!.problem, "json").text;
-    expect(opened(of_pairs).kind).toBe("lone_linkage");
-    expect(opened('{"linkwright":1,"linkage":{"mechanism":"six_bar"},"poses":[]}').kind).toBe("lone_linkage");
+  it("as a linkage that does not hold its task is opened as one", () => {
+    for (const name of ["log_generator", "loader_bucket_chain", "wrist_orthosis"]) {
+      const {problem: sought} = examples.find((example) => example.name === name)!,
+        {kind, problem} = opened(exported(sought, "json").text);
+      expect([kind, problem?.task.kind, problem?.task.mechanism]).toEqual([
+        "lone_linkage",
+        "linkage",
+        sought.task.mechanism,
+      ]);
+      expect(session.set_problem(engine_text(problem!))).toBe(true);
+      const found = session.linkage(0, 0),
+        linkage = JSON.parse(found.linkage);
+      expect(found.states.length, name).toBeGreaterThan(100 * (linkage.drive.width ?? 13));
+      expect(linkage.rates.rows.length).toBe(found.states.length / (linkage.drive.width ?? 13));
+    }
+  });
+  it("is a linkage with comments, by its lengths, pivots, axes or angles", () => {
+    const files = [
+      '// of a book\n{"lengths": {"ground": 3.5, "input": 1, "coupler": 3, "output": 2.5}}',
+      '{"pivots": {"input_center": [0, 0], "input_circle": [0, 1], "output_center": [4, 0], "output_circle": [5, 3]}}',
+      '{"mechanism": "spherical_four_bar", "angles_deg": {"ground": 90, "input": 30, "coupler": 80, "output": 70}}',
+    ];
+    for (const file of files) expect(opened(file).problem?.task.kind, file).toBe("linkage");
+    const found = told("x.json", "", '{"lengths": {"ground": 9, "input": 1, "coupler": 1, "output": 1}}');
+    expect("text" in found && session.read(found.text)).toBe("");
+    expect(JSON.parse(session.mistakes())[0]).toMatchObject({code: "cannot_be_assembled", place: "task.file.lengths"});
   });
   it("as a drawing or a table is said to be one, by what is in it or by its name", () => {
     for (const [format, kind] of [

@@ -1,16 +1,16 @@
-// What the page and the program write, told apart when it comes back: results and linkages hold a task, drawings and
-// tables none.
+// What the page and the program write, told apart when it comes back: results and some linkages hold a task, other
+// linkages are one themselves, drawings and tables hold none.
 import {linkage_types} from "../engine/protocol";
 import {unused_name} from "../state/pins";
 import type {Pin} from "../state/problem";
 import {read_view} from "../state/problem_shape";
-import {is_finite, is_object, is_pair, type Object} from "../state/shape";
+import {is_finite, is_object, is_pair, present, type Object} from "../state/shape";
 import {poses_of, position_count} from "../state/task";
-import {filed_pivots, read_task, task_of_poses} from "../tasks/kinds";
+import {filed_pivots, read_task, task_of_file, task_of_poses} from "../tasks/kinds";
 
 export type Told =
-  | {kind: "problem" | "result" | "linkage"; text: string} // of the problem in it
-  | {kind: "lone_linkage" | "drawing" | "table" | "film" | "solid" | "other"};
+  | {kind: "problem" | "result" | "linkage" | "lone_linkage"; text: string} // of the problem in it
+  | {kind: "drawing" | "table" | "film" | "solid" | "other"};
 
 const starts: readonly (readonly [RegExp, "drawing" | "film" | "solid" | "other"])[] = [
   [
@@ -38,15 +38,17 @@ export function told(name: string, bytes: string, text: string | null): Told {
   return of_text(text ?? "");
 }
 function of_text(text: string): Told {
-  const file = /"linkages?"\s*:/.test(text) ? parsed(text) : null;
-  if (!file) return {kind: "problem", text};
+  const file = /"(linkages?|lengths|pivots|axes|angles_deg|chain|input)"\s*:/.test(text) ? parsed(text) : null;
+  if (!file || (file.task !== undefined && file.linkage === undefined)) return {kind: "problem", text};
   if (is_object(file.problem) && Array.isArray(file.linkages))
     return {kind: "result", text: JSON.stringify(problem_of_result(file.problem, file.linkages))};
-  return is_object(file.linkage) ? of_linkage(file, file.linkage) : {kind: "problem", text};
+  return (
+    (is_object(file.linkage) && of_linkage(file, file.linkage)) || of_lone_linkage(file) || {kind: "problem", text}
+  );
 }
 function parsed(text: string): Object | null {
   try {
-    const value: unknown = JSON.parse(text);
+    const value: unknown = JSON.parse(without_comments(text));
     return is_object(value) ? value : null;
   } catch {
     return null;
@@ -103,20 +105,33 @@ function pin_of(linkage: Object, of: unknown): Pin | null {
   };
 }
 
+/** Comments stand on lines of their own. */
+export function without_comments(text: string): string {
+  return text.replace(/^\s*\/\/.*$/gm, "");
+}
+
+function text_of(value: unknown): string {
+  return typeof value === "string" ? value : "";
+}
+function of_lone_linkage(file: Object): Told | null {
+  const task = task_of_file(file),
+    {linkwright = 1, title, length_unit, view} = file;
+  const problem = {linkwright, title: text_of(title), length_unit: text_of(length_unit), task, ...present({view})};
+  return task && {kind: "lone_linkage", text: JSON.stringify(problem)};
+}
 /** A four-bar's positions are a task where they are all that was asked: four or five poses. */
-function of_linkage({title, length_unit, poses}: Object, linkage: Object): Told {
+function of_linkage({title, length_unit, poses}: Object, linkage: Object): Told | null {
   const task = task_of_poses(poses),
     tau = tau_of(linkage);
   const count = task ? position_count(poses_of(task)) : 0;
   if (linkage.mechanism !== task?.mechanism || linkage.poses !== undefined || !tau || count < 4 || count > 5)
-    return {kind: "lone_linkage"};
-  const text = (value: unknown) => (typeof value === "string" ? value : "");
+    return null;
   return {
     kind: "linkage",
     text: JSON.stringify({
       linkwright: 1,
-      title: text(title),
-      length_unit: text(length_unit),
+      title: text_of(title),
+      length_unit: text_of(length_unit),
       task,
       view: {picked: tau},
     }),

@@ -1,5 +1,6 @@
 // What the engine has answered, each answer with the problem that it answers. Nothing is shown of a task that has no
 // linkage; what belongs to an earlier problem than the one in force is outdated once it has been so for a moment.
+import {gives_linkage, kind_of} from "../tasks/kinds";
 import type {Census, Linkage, MapAnswer, Replies, TaskAnswer, TauPair} from "../engine/protocol";
 import {kind_of} from "../tasks/kinds";
 import {same_tau} from "./document";
@@ -124,7 +125,9 @@ export class Answers {
     return this.picked !== null && same_question(this.picked.of, problem);
   }
   private get has_linkages(): boolean {
-    return this.explored?.is.task.status === "solved";
+    const {task} = this.asked().problem;
+    if (!gives_linkage(task)) return this.explored?.is.task.status === "solved";
+    return this.held !== null && kind_of(this.held.of.task) === kind_of(task); // not that of the task before
   }
   private answers({of}: Answer<unknown>): boolean {
     return same_question(of, this.asked().problem);
@@ -158,6 +161,10 @@ export class Answers {
   }
   take_verdict(verdict: Verdict, tau: TauPair, of: Problem): void {
     this.driven = {is: {...verdict, tau}, of};
+  }
+  /** The problem has no map. */
+  forget_map(): void {
+    this.explored = this.counted = this.along = this.driven = null;
   }
   /** The problem is not one that can be asked. */
   forget(): void {

@@ -27,7 +27,7 @@ export function row_joints(drive: Drive, row: number): Point[] {
 }
 
 /** The last row before a driver angle (degrees from position 1), and the share of the way to the next. */
-function row_at(drive: Drive, angle_deg: number): {row: number; share: number} {
+export function row_at(drive: Drive, angle_deg: number): {row: number; share: number} {
   const last = row_count(drive) - 1;
   let low = 0,
     high = last;

@@ -1,14 +1,20 @@
 // Keeps the linkage in hand and the picked one up to the document and the pointer.
 import {Crashed, Refusal, type EngineClient} from "../engine/client";
-import type {Linkage, TauPair} from "../engine/protocol";
+import type {Linkage, Mistake, TauPair} from "../engine/protocol";
 import type {Answers} from "./answers.svelte";
-import {same_tau, type Picked} from "./document";
+import {gives_linkage} from "../tasks/kinds";
+import {same_tau, type Document, type Picked} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
 
 interface Followed {
   readonly driver_client: EngineClient | null;
   readonly answers: Answers;
   readonly problem: Problem;
+  readonly document: Document;
+  /** What the engine says of the problem where that is a linkage: nothing else asks it then. */
+  accept(document: Document): void;
+  refuse(problem: Problem, mistakes: Mistake[]): boolean;
+  refresh(): void;
   /** Why the engine is not asked, where it is not. */
   readonly incomplete: object | null;
   readonly gesture: boolean;
@@ -43,21 +49,28 @@ export class LinkageFollower {
   follow(of = this.followed.problem): void {
     const {answers} = this.followed;
     answers.asked_anew();
-    if (answers.task?.status === "solved") void this.fetch_hand(of);
+    if (answers.task?.status === "solved" || gives_linkage(of.task)) void this.fetch_hand(of);
   }
   private async fetch_hand(problem = this.followed.problem): Promise<void> {
     const {followed} = this,
-      {tau_in_hand: tau, answers, driver_client} = followed;
+      {tau_in_hand: tau, document, answers, driver_client} = followed,
+      is_given = gives_linkage(problem.task);
     if (!tau || !driver_client) return answers.take_hand(null, problem);
     try {
       const {linkage} = await driver_client.follow("linkage", {problem: engine_text(problem), tau});
       if (followed.incomplete || !same_tau(followed.tau_in_hand, tau)) return;
       answers.take_hand(linkage, problem);
+      if (is_given) {
+        answers.take_picked(linkage, problem);
+        return followed.accept(document);
+      }
       void this.fetch_live(problem);
       if (same_tau(tau, followed.picked?.tau)) this.take_picked(linkage, problem);
     } catch (error) {
       if (error instanceof Crashed) setTimeout(() => this.follow(), 50);
-      else if (
+      else if (error instanceof Refusal && is_given) {
+        if (followed.refuse(problem, error.mistakes) && followed.problem !== problem) followed.refresh(); // to what was good
+      } else if (
         error instanceof Refusal &&
         same_question(followed.problem, problem) &&
         same_tau(followed.tau_in_hand, tau)

@@ -5,6 +5,7 @@ import {is_number, is_object} from "./shape";
 
 const key = "linkwright.preferences";
 export const speeds: readonly number[] = [0.5, 1, 2, 4];
+export const decimal_choices: readonly number[] = [0, 1, 2, 3, 4, 6];
 
 export class Preferences {
   language = $state<"en" | "zh">("en");
@@ -24,6 +25,7 @@ export class Preferences {
   left_width = $state(268);
   right_width = $state(548);
   toured = $state(false);
+  decimals = $state<number | null>(null); // of lengths and pivots; null: as their size has it
 
   /** Letters and digits act as commands wherever no text is being typed; off: only in the drawing and on the map. */
   single_keys = $state(true);
@@ -94,6 +96,7 @@ const checks = {
   left_width: width,
   right_width: width,
   toured: flag,
+  decimals: one_of(null, ...decimal_choices),
   single_keys: flag,
 } satisfies Record<string, (value: unknown) => boolean>;
 const names = Object.keys(checks) as Name[];

@@ -19,6 +19,7 @@ import {
 import type {Incomplete} from "../tasks/kind";
 import {
   has_lengths,
+  gives_linkage,
   has_linkages,
   incompleteness,
   kind_of,
@@ -188,6 +189,7 @@ export class Workbench extends Editing {
   }
   /** What was asked for below the map, where there is that. */
   get below_map(): Below {
+    if (gives_linkage(this.problem.task)) return "numbers";
     const about_tolerances = this.below === "tolerances" || this.below === "front";
     return about_tolerances && !tolerances_of(this.problem) ? "numbers" : this.below;
   }
@@ -260,9 +262,18 @@ export class Workbench extends Editing {
       if (this.incomplete) this.accept_unread(); // else its kind asks the engine itself
     } else {
       this.answers.asked_anew();
+      if (gives_linkage(this.problem.task)) return this.take_given();
       this.maps.refresh();
       if (this.answers.map_is_of_present) this.linkages.follow(); // else the map's answer says what is in hand
     }
+  }
+  /** The task is the linkage in hand. */
+  private take_given(): void {
+    this.maps.stop();
+    this.maps.forget();
+    this.answers.forget_map();
+    if (!this.picked) this.amend({picked: {tau: [0, 0], place: null}});
+    this.linkages.follow();
   }
   /** A part of one map is no part of another. */
   private show_whole_map(): void {
@@ -293,7 +304,9 @@ export class Workbench extends Editing {
     this.hovered = null;
     this.selected_pose = null;
     this.mode = "point";
-    this.stage = Math.max(kind_of(problem.task).stops(problem.task) - before_last, 0.45);
+    this.stage = gives_linkage(problem.task)
+      ? 0 // as it lies in its file
+      : Math.max(kind_of(problem.task).stops(problem.task) - before_last, 0.45);
     this.just_changed = false;
     this.commit(from_problem(problem));
     ++this.opened;

@@ -26,6 +26,11 @@ describe("arithmetic", () => {
     expect(value("1,234")).toBe(1.234);
     expect(value("1,234,567.25")).toBe(1234567.25);
   });
+  it("reads full-width digits and signs, as they are typed in Chinese", () => {
+    expect(value("１２．５")).toBe(12.5);
+    expect(value("－３　＊（１＋１）")).toBe(-6);
+    expect(value("９０°", "angle")).toBe(90);
+  });
   it("calculates", () => {
     expect(value("=410/2")).toBe(205);
     expect(value("1+2*3")).toBe(7);

@@ -26,11 +26,17 @@ function calculated(source: string, quantity: Quantity, unit: string): number | 
   const tokens = tokens_of(source);
   return tokens && new Expression(tokens, quantity, unit.trim().toLowerCase()).value();
 }
+/** As Chinese input methods write digits and signs: the same of ASCII. */
+function half_width(wide: string): string {
+  return String.fromCharCode(wide.charCodeAt(0) - 0xfee0);
+}
 function normalised(text: string): string {
   return text
+    .replace(/[\uff01-\uff5e]/g, half_width)
+    .replaceAll("\u3000", " ")
     .trim()
     .replace(/^=/, "")
-    .replace(/[\u2212\u2013\uff0d]/g, "-")
+    .replace(/[\u2212\u2013]/g, "-")
     .replace(/[×·∙]/g, "*")
     .replace(/[÷∶]/g, "/")
     .replace(/(\d)[ \u00a0\u2009\u202f'’](?=\d{3}(?!\d))/g, "$1")

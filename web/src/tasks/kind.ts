@@ -110,6 +110,8 @@ export interface TaskKind<T extends Task = Task> {
   name: TextKey;
   /** Nothing is sought: no linkage in hand, no map, nothing required, pinned or driven. */
   without_linkages?: true;
+  /** The task is one linkage: it is in hand, there is no map, and nothing is required of it. */
+  gives_linkage?: true;
   /** Its links are angles: there is no unit, no size and no ratio of them. */
   without_lengths?: true;
   /** The engine's normal form is another than what was typed, which the page keeps. */
@@ -119,6 +121,10 @@ export interface TaskKind<T extends Task = Task> {
   read(value: Object): T | null;
   /** A body's poses and nothing else, as old pins and files of single linkages have them. */
   of_poses?(poses: unknown): T | null;
+  /** Of another file of the program's, which holds what is one of its tasks. */
+  of_file?(file: Object): T | null;
+  /** What the program reads, where that is not a problem file. */
+  filed?(problem: Problem): object;
   /** With other poses, of a body that is guided; what does not go with them is left out. */
   with_poses?(task: T, poses: readonly Pose[]): T;
   /** Of a body that is turned: what another kind may take over. */

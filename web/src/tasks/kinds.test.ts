@@ -9,7 +9,7 @@ import {
   anchors_of,
   extent_of,
   first_requirements,
-  has_linkages,
+  seeks_linkages,
   incompleteness,
   kind_of,
   made_to,
@@ -50,7 +50,7 @@ describe("kinds of tasks", () => {
     expect(kind_of(problem.task)).toBe(kind);
     expect(read_problem(JSON.parse(JSON.stringify(problem)))).toEqual(problem);
     expect(["not_available", "to_be_sought", undefined]).toContain(incompleteness(problem)?.state);
-    if (has_linkages(problem.task)) {
+    if (seeks_linkages(problem.task)) {
       expect(anchors_of(problem.task).length).toBeGreaterThanOrEqual(2);
       expect(extent_of(problem.task)).toBeGreaterThan(1);
       expect(first_requirements(problem)).toEqual(problem.requirements);

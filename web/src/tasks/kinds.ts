@@ -59,6 +59,14 @@ const read_before = new WeakMap<object, Task | null>();
 export function task_of_poses(poses: unknown): Task | null {
   return first_told((kind) => kind.of_poses?.(poses));
 }
+/** What a file of the program's holds that is no problem file. */
+export function task_of_file(file: Object): Task | null {
+  return first_told((kind) => kind.of_file?.(file));
+}
+/** As it is saved for the program. */
+export function filed(problem: Problem): object {
+  return kind_of(problem.task).filed?.(problem) ?? problem;
+}
 function first_told<T>(ask: (kind: TaskKind) => T | null | undefined): T | null {
   for (const kind of task_kinds) {
     const told = ask(kind);
@@ -79,6 +87,14 @@ export function first_requirements(problem: Problem): Requirements {
 /** Whether linkages are sought. */
 export function has_linkages(task: Task): boolean {
   return !kind_of(task).without_linkages;
+}
+/** Whether the task is a linkage itself. */
+export function gives_linkage(task: Task): boolean {
+  return kind_of(task).gives_linkage === true;
+}
+/** Whether linkages are looked for: then there is a map, and something to require of them. */
+export function seeks_linkages(task: Task): boolean {
+  return has_linkages(task) && !gives_linkage(task);
 }
 
 // ---- of a task ------------------------------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 // The kinds of tasks there are: a folder and a line to each.
 import {attitude} from "./attitude/index";
 import {function_generation} from "./function/index";
+import {linkage_modules} from "./given_linkage/index";
 import {motion} from "./motion/index";
 import {six_bar} from "./six_bar/index";
 import {spherical} from "./spherical/index";
@@ -15,4 +16,7 @@ export const task_modules = [
   spherical,
   spherical_function,
   attitude,
+  linkage_modules.four_bar,
+  linkage_modules.six_bar,
+  linkage_modules.spherical,
 ] as const;

@@ -7,7 +7,7 @@ import type {Mechanism} from "../figure/mechanism";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import type {TextKey} from "../texts/texts.svelte";
-import type {PlotChoice} from "../transport/plot";
+import type {Dial, PlotChoice} from "../transport/plot";
 
 export interface EditorProperties {
   /** A sentence about a field, or that there is nothing to say about it any more. */
@@ -55,6 +55,8 @@ export interface TaskView {
   Offer?: Component;
   /** Beside the numbers of the linkage in hand. */
   Numbers?: Component<{hand: Linkage}>;
+  /** How plots count the driver's angle of a linkage, where not from position 1. */
+  dial?(linkage: Linkage): Dial | null;
   /** The first one is shown first. */
   plots(task: Task): readonly [PlotChoice, ...PlotChoice[]];
   /** Files that there are not of its linkages, with the reason. */

@@ -4,6 +4,10 @@
 export function grouped(count: number): string {
   return String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 }
+/** Groups of three that the engine has set apart by spaces, so that no line ends between them. */
+export function unbroken(text: string): string {
+  return text.replace(/(\d) (?=\d{3}(?!\d))/g, "$1\u202f");
+}
 /** 9712 → "9.7k" for small places. */
 export function short_count(count: number): string {
   if (count < 1000) return String(count);

@@ -3,16 +3,21 @@ import UPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import {css_values} from "../state/css_values";
 import {fixed, significant} from "../texts/numbers";
-import {is_path, type Plot} from "./plot";
+import {dial_splits, is_path, round_between, type Dial, type Plot} from "./plot";
 
 type Colors = Record<"ink" | "ink3" | "line" | "grid" | "paper" | "bad" | "good" | "curve", string>;
 const color_names = ["ink", "ink3", "line", "grid", "paper", "bad", "good", "curve"] as const;
-const dot_radius = 3.5;
+const dot_radius = 3.5,
+  title_height = 14;
 
 export interface ChartInput {
   plot: Plot;
   /** The least value that is allowed, where the plot has one. */
   least: number | null;
+  /** What stands at the axes. */
+  titles: readonly [x: string, y: string];
+  /** How the driver's angle is counted along x, where not from position 1. */
+  dial: Dial | null;
   width: number;
   height: number;
 }
@@ -104,18 +109,19 @@ export class Chart {
     };
     return {
       width: 300,
-      height: 112,
+      height: 124,
       legend: {show: false},
       cursor: {show: false},
-      padding: [8, 12, 0, 0],
+      padding: [title_height, 12, 0, 0],
       scales: {x: {time: false, auto: false}, y: {auto: false}},
       axes: [
         {
           ...axis,
-          size: 18,
+          size: 17 + title_height,
           gap: 3,
           space: 56,
           grid: {show: false},
+          splits: (u, _, min, max) => this.x_splits(min, max, u.width),
           values: (_, splits) => splits.map((v) => this.x_label(v)),
         },
         {
@@ -127,27 +133,46 @@ export class Chart {
           values: (_, splits) => splits.map((v) => this.y_label(v)),
         },
       ],
-      series: [{}, {stroke: () => this.colors.ink, width: 2, points: {show: false}}],
+      series: [{}, {stroke: () => this.colors.ink, width: 2, pxAlign: 0, points: {show: false}}], // no steps of a pixel
       hooks: {
         drawAxes: [() => this.draw_forbidden(), () => this.draw_band()],
-        draw: [() => this.draw_path(), () => this.draw_dots()],
+        draw: [() => this.draw_path(), () => this.draw_dots(), () => this.draw_titles()],
       },
     };
   }
   private x_label(value: number): string {
-    return this.input && is_path(this.input.plot) ? significant(value, 4) : `${significant(value, 4)}°`;
+    if (this.input && is_path(this.input.plot)) return significant(value, 4);
+    const {zero_deg, sense} = this.input?.dial ?? {zero_deg: 0, sense: 1};
+    return `${significant(zero_deg + sense * value, 4)}°`;
   }
   private y_label(value: number): string {
     const kind = this.input?.plot.kind;
     if (kind === "own" || kind === "output") return `${significant(value, 2)}${this.input?.plot.unit ?? "°"}`;
     return kind === "transmission" || kind === "coupler" ? `${fixed(value, 0)}°` : significant(value, 4);
   }
+  private x_splits(min: number, max: number, width: number): number[] {
+    const most = Math.max(Math.floor(width / 80), 2),
+      dial = this.input && !is_path(this.input.plot) ? this.input.dial : null;
+    return dial ? dial_splits(dial, min, max, most) : round_between(min, max, most);
+  }
   private y_splits(min: number, max: number): number[] {
-    if (this.input?.plot.kind === "transmission") return [0, 30, 60, 90];
-    const power = 10 ** Math.floor(Math.log10((max - min) / 3));
-    const step = [1, 2, 5, 10].map((digit) => digit * power).find((s) => (max - min) / s <= 4) ?? 10 * power;
-    const first = Math.ceil(min / step);
-    return Array.from({length: Math.floor(max / step) - first + 1}, (_, i) => (first + i) * step);
+    return this.input?.plot.kind === "transmission" ? [0, 30, 60, 90] : round_between(min, max, 4);
+  }
+
+  private draw_titles(): void {
+    const {u, input} = this;
+    if (!input) return;
+    const {ctx, bbox} = u,
+      ratio = UPlot.pxRatio,
+      [x, y] = input.titles;
+    ctx.save();
+    ctx.font = `${11 * ratio}px ${getComputedStyle(this.host).fontFamily}`;
+    ctx.fillStyle = this.colors.ink3;
+    [ctx.textAlign, ctx.textBaseline] = ["left", "top"];
+    ctx.fillText(y, 2 * ratio, 0);
+    [ctx.textAlign, ctx.textBaseline] = ["right", "bottom"];
+    ctx.fillText(x, bbox.left + bbox.width, u.height * ratio - ratio);
+    ctx.restore();
   }
 
   private draw_forbidden(): void {

@@ -1,5 +1,5 @@
 import {expect, it} from "vitest";
-import {nearest_on_path, plot_csv, plot_of} from "./plot";
+import {dial_splits, nearest_on_path, plot_csv, plot_of, round_between} from "./plot";
 import {sample_drive} from "./sample_drive";
 
 const drive = sample_drive(
@@ -35,6 +35,11 @@ it("writes what is shown as CSV", () => {
 });
 it("finds the path under the pointer", () => {
   expect(nearest_on_path(plot_of(drive, "path", false), 31, 8)).toBe(20);
+});
+it("stands at round angles of the task's dial, whichever way that runs", () => {
+  expect(round_between(-3, 21, 4)).toEqual([0, 10, 20]);
+  expect(dial_splits({zero_deg: 2.5, sense: 1}, -2.5, 60, 4)).toEqual([-2.5, 17.5, 37.5, 57.5]); // 0°, 20°, 40°, 60°
+  expect(dial_splits({zero_deg: 2.5, sense: -1}, -20, 2.5, 3)).toEqual([-17.5, -7.5, 2.5]); // 20°, 10°, 0°
 });
 it("gives a path the room of both axes", () => {
   const plot = plot_of(drive, "path", false);

@@ -16,6 +16,26 @@ export interface OwnPlot {
   /** One to each of the plot's columns. */
   values_at(linkage: Linkage, angle_deg: number): (number | null)[];
   text(values: (number | null)[], unit: string): string;
+  /** What stands at its axes; otherwise the driver angle, and its name. `unit`: of lengths. */
+  axes?(unit: string): [x: string, y: string];
+}
+/** How the task counts the driver's angle, where not from position 1. */
+export interface Dial {
+  zero_deg: number; // in position 1
+  sense: 1 | -1;
+}
+/** Round values between two ends, at most so many and one more. */
+export function round_between(low: number, high: number, most: number): number[] {
+  const power = 10 ** Math.floor(Math.log10((high - low) / most));
+  const step = [1, 2, 5, 10].map((digit) => digit * power).find((s) => (high - low) / s <= most) ?? 10 * power;
+  const first = Math.ceil(low / step - 1e-9);
+  return Array.from({length: Math.floor(high / step + 1e-9) - first + 1}, (_, i) => (first + i) * step);
+}
+/** Driver angles from position 1 at round angles of the dial. */
+export function dial_splits({zero_deg, sense}: Dial, low: number, high: number, most: number): number[] {
+  const [from, to] = sense > 0 ? [low, high] : [high, low],
+    round = round_between(zero_deg + sense * from, zero_deg + sense * to, most);
+  return round.map((angle) => sense * (angle - zero_deg)).sort((a, b) => a - b);
 }
 export type PlotChoice = DriveKind | OwnPlot;
 type Column = (typeof state_columns)[number];

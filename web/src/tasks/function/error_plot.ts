@@ -1,13 +1,21 @@
 // What a generator makes wrong, over the driver angle as the other plots have it.
 import type {Linkage} from "../../engine/protocol";
 import {significant} from "../../texts/numbers";
-import {extent, type OwnPlot, type Plot} from "../../transport/plot";
+import {t} from "../../texts/texts.svelte";
+import {extent, type Dial, type OwnPlot, type Plot} from "../../transport/plot";
 
 type Generator = Pick<Linkage, "function" | "drive_sense">;
 
 /** Driver angle from position 1 at an input angle of the task's dial. */
-export function driver_angle({function: made, drive_sense}: Generator, input_deg: number): number {
-  return (drive_sense === "cw" ? -1 : 1) * (input_deg - (made?.pairs[0]?.[0] ?? 0)) + 0;
+export function driver_angle(generator: Generator, input_deg: number): number {
+  const {zero_deg, sense} = function_dial(generator) ?? {zero_deg: 0, sense: 1};
+  return sense * (input_deg - zero_deg) + 0;
+}
+
+/** The same the other way round. */
+export function function_dial({function: made, drive_sense}: Generator): Dial | null {
+  const zero_deg = made?.pairs[0]?.[0];
+  return zero_deg === undefined ? null : {zero_deg, sense: drive_sense === "cw" ? -1 : 1};
 }
 
 /** Over the whole range of the named function, with the precision points; nothing where only pairs are given. */
@@ -53,5 +61,6 @@ export const structural_error: OwnPlot = {
   short_name: "plot.short_error",
   plot: error_plot,
   values_at: (linkage, angle) => [error_at(linkage, angle)],
+  axes: () => [t("plot.axis_input"), t("plot.axis_error")],
   text: ([error = null]) => (error === null ? "–" : `${significant(error, 2)}°`),
 };

@@ -4,7 +4,7 @@ import type {FunctionTask} from "./task";
 import type {TaskView} from "../view";
 import DialLayer from "./DialLayer.svelte";
 import {angle_scale_handles} from "./dial_handles";
-import {structural_error} from "./error_plot";
+import {function_dial, structural_error} from "./error_plot";
 import Editor from "./Editor.svelte";
 import FunctionNumbers from "./FunctionNumbers.svelte";
 import Picture from "./Picture.svelte";
@@ -16,6 +16,7 @@ export const function_view: TaskView = {
   handles: angle_scale_handles,
   Numbers: FunctionNumbers,
   Picture: Picture as Component<{id: string}>,
+  dial: function_dial,
   plots: (task) =>
     (task as FunctionTask).function
       ? [structural_error, "transmission", "output", "velocity", "advantage"]

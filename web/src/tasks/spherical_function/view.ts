@@ -13,5 +13,6 @@ export const spherical_function_view: TaskView = {
   Editor,
   Numbers,
   Picture: Picture as Component<{id: string}>,
+  dial: function_view.dial,
   plots: function_view.plots,
 };

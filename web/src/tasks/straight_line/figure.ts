@@ -10,7 +10,7 @@ import type {StraightLine} from "./replies";
 const coupler = "coupler",
   name = "point";
 
-function with_point(figure: Figure, point: Point | null): Figure {
+export function with_point(figure: Figure, point: Point | null): Figure {
   if (!point) return figure;
   const joint: Joint = {name, kind: "moving_pivot", role: "driver", at: point, joins: [coupler, ""]};
   return {

@@ -3,6 +3,7 @@ import type {Drive, Linkage} from "../../engine/protocol";
 import {state_at} from "../../state/drive";
 import type {Problem} from "../../state/problem";
 import {significant} from "../../texts/numbers";
+import {t} from "../../texts/texts.svelte";
 import {extent, type OwnPlot, type Plot} from "../../transport/plot";
 import {along_line} from "./cases";
 import type {StraightLine, Usable} from "./replies";
@@ -92,6 +93,10 @@ export const profile: OwnPlot = {
   name: "straight.plot_profile",
   short_name: "straight.short_plot_profile",
   plot: profile_plot,
+  axes: (unit) => [
+    t("plot.axis_of", {name: "s", unit: unit || "1"}),
+    t("plot.axis_of", {name: "e", unit: unit || "1"}),
+  ],
   values_at: ({straight_line: line}, angle) => [...((line && place_at(line, angle)) ?? [null, null])],
   text: ([s = null, e = null], unit) =>
     s === null || e === null ? "–" : `s ${significant(s, 4)}  e ${significant(e, 2)} ${unit}`.trim(),
@@ -101,6 +106,7 @@ export const speed: OwnPlot = {
   name: "straight.plot_speed",
   short_name: "straight.short_plot_speed",
   plot: speed_plot,
+  axes: (unit) => [t("plot.axis_driver"), t("plot.axis_of", {name: "ds/dφ", unit: `${unit || "1"}/rad`})],
   values_at: ({straight_line: line}, angle) => [line ? speed_at(line, angle) : null],
   text: ([velocity = null], unit) =>
     velocity === null ? "∞" : `${significant(velocity, 3)} ${unit}${unit ? "/" : "1/"}rad`.trim(),
