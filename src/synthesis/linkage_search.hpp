@@ -37,6 +37,7 @@ template <class Solution>
 struct BestLinkages {
   std::vector<Solution> linkages;
   std::int64_t left_out = 0;  ///< driving did not confirm them
+  std::int64_t beyond = 0;    ///< of a few dyads: pairs that meet the requirements, beyond as many as are listed
 };
 
 /// Looks for the best linkages of a map.
@@ -53,27 +54,30 @@ class LinkageSearch {
         options_(findings.options),
         filter_(filter),
         progress_(progress),
+        is_discrete_(kind.family().axis(Side::input).is_discrete() && kind.family().axis(Side::output).is_discrete()),
         first_step_(longest_axis(kind.family()) / static_cast<double>(std::max(map_.rows(), map_.columns()))) {}
 
   /// The tops of the hills, then the best that differ clearly from all before.
   [[nodiscard]] BestLinkages<Solution> best() && {
     const auto wanted = static_cast<std::size_t>(options_.best);
     const std::vector<Candidate> feet =
-        candidates_at(hill_tops(map_, filter_, options_.objective, std::max(3 * wanted, least_feet)));
+        candidates_at(hill_tops(map_, filter_, options_.objective, is_discrete_ ? map_.rows() * map_.columns() : std::max(3 * wanted, least_feet)));
     const std::vector<Candidate> hills = climbed_from(feet, coarse);
     size_ = design_size(hills);
     const std::vector<Candidate> tops = distinct(hills);
     // Another batch for those that driving did not confirm.
-    for (auto next = tops.begin(); next != tops.end() && goes_on(wanted);) {
+    auto next = tops.begin();
+    while (next != tops.end() && goes_on(wanted)) {
       const auto last =
           next + std::min<std::ptrdiff_t>(tops.end() - next, static_cast<std::ptrdiff_t>(wanted - held_.size()));
       hold(distinct(climbed_from({next, last}, fine)));
       next = last;
     }
-    add_clearly_different(wanted);
+    if (!is_discrete_) add_clearly_different(wanted);
     std::sort(found_.begin(), found_.end(),
               [](const Found& a, const Found& b) { return better(a.candidate, b.candidate); });
     BestLinkages<Solution> best{{}, std::ssize(left_out_)};
+    if (is_discrete_) best.beyond = tops.end() - next;
     for (Found& found : found_) best.linkages.push_back(std::move(found.linkage));
     return best;
   }
@@ -159,17 +163,23 @@ class LinkageSearch {
     return feet;
   }
 
+  /// What a design differs from others by at least. Pairs of a few dyads are each a design, however alike they are
+  /// beside the largest of them.
+  [[nodiscard]] double same_within(const Candidate& candidate) const {
+    constexpr double rounding = 1e-9;
+    return is_discrete_ ? rounding * kind_.size(candidate) : different_design * size_;
+  }
+
   /// Sorted candidates without those that are the same design as a better one.
   [[nodiscard]] std::vector<Candidate> distinct(const std::vector<Candidate>& sorted) const {
     std::vector<Candidate> held;
     for (const Candidate& candidate : sorted)
-      if (differs(candidate, held, different_design * size_)) held.push_back(candidate);
+      if (differs(candidate, held, same_within(candidate))) held.push_back(candidate);
     return held;
   }
 
   [[nodiscard]] bool is_new(const Candidate& candidate) const {
-    return differs(candidate, held_, different_design * size_) &&
-           differs(candidate, left_out_, different_design * size_);
+    return differs(candidate, held_, same_within(candidate)) && differs(candidate, left_out_, same_within(candidate));
   }
 
   /// Made, driven through the task, and held where driving confirms what they do.
@@ -219,6 +229,7 @@ class LinkageSearch {
   const SynthesisOptions& options_;
   const RequirementFilter& filter_;
   const Progress& progress_;
+  bool is_discrete_;  ///< few dyads: every pair is listed
   double first_step_;
   double size_ = 0;              ///< design_size of the hills
   std::vector<Candidate> held_;  ///< as in found_
