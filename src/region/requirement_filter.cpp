@@ -161,7 +161,7 @@ std::string joint_relaxation_text(const JointRelaxation& joint) {
                          : i + 1 == joint.requirements.size() ? " and "
                                                               : ", ",
                          key(joint.requirements[i]));
-  return fmt::format("Relaxing a single requirement does not help: without {} together {} would be left.", names,
+  return fmt::format("No linkage looked at fails a single requirement alone: without {} together {} would be left.", names,
                      grouped_text(joint.leaves));
 }
 
