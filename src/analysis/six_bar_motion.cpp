@@ -180,9 +180,8 @@ SixBarMotion with_nearest_states(const SixBar& six_bar, std::span<const Prescrib
   constexpr double near = 0.1;  // of the longest link: what is farther off is no position of this motion
   const std::vector<SixBarMotionState> states = motion.states;
   for (std::size_t pose = 0; pose < poses.size() && !states.empty(); ++pose) {
-    if (std::any_of(states.begin(), states.end(), [&](const SixBarMotionState& state) {
-          return state.place.pose == static_cast<int>(pose);
-        }))
+    if (std::any_of(states.begin(), states.end(),
+                    [&](const SixBarMotionState& state) { return state.place.pose == static_cast<int>(pose); }))
       continue;
     const NearestState wanted(six_bar, poses.front().pose, poses[pose].pose);
     const auto nearest = std::min_element(states.begin(), states.end(), [&](const auto& a, const auto& b) {

@@ -76,8 +76,8 @@ class Cycle {
     if (const auto rates = angle_rates(lengths_, *found)) {
       const Point input_way = Point{0, 1} * (bars.input_circle - bars.input_center),
                   output_way = Point{0, rates->output} * (bars.output_circle - bars.output_center);
-      here.step = (dot(input_way, input_gap) + dot(output_way, output_gap)) /
-                  (std::norm(input_way) + std::norm(output_way));
+      here.step =
+          (dot(input_way, input_gap) + dot(output_way, output_gap)) / (std::norm(input_way) + std::norm(output_way));
     }
     return here;
   }

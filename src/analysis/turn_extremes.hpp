@@ -10,8 +10,8 @@
 
 namespace linkwright {
 
-/// A quantity of a crank's turn is looked at a degree apart, and ever more closely where the links come nearest to lying
-/// in one line, with the input along the ground link: there it may rise and fall within a degree.
+/// A quantity of a crank's turn is looked at a degree apart, and ever more closely where the links come nearest to
+/// lying in one line, with the input along the ground link: there it may rise and fall within a degree.
 [[nodiscard]] inline std::vector<double> places_of_a_turn() {
   constexpr double nearest = 1e-8, wider = 1.5;
   std::vector<double> places;

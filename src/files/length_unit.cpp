@@ -16,7 +16,7 @@ struct NamedUnit {
   std::string_view names;  ///< in small letters, each between two blanks
 };
 
-constexpr std::array<NamedUnit, 12> known = {
+constexpr std::array<NamedUnit, 12> known_units = {
     {{{1e-3, 13}, " µm μm um micron microns micrometre micrometres micrometer micrometers 微米 "},
      {{1, 4}, " mm millimetre millimetres millimeter millimeters 毫米 "},
      {{10, 5}, " cm centimetre centimetres centimeter centimeters 厘米 "},
@@ -32,8 +32,8 @@ constexpr std::array<NamedUnit, 12> known = {
 
 template <class IsMeant>
 std::optional<LengthUnit> first_unit(const IsMeant& is_meant) {
-  const auto found = std::find_if(known.begin(), known.end(), is_meant);
-  return found == known.end() ? std::nullopt : std::optional(found->unit);
+  const auto found = std::find_if(known_units.begin(), known_units.end(), is_meant);
+  return found == known_units.end() ? std::nullopt : std::optional(found->unit);
 }
 
 }  // namespace
@@ -59,10 +59,10 @@ std::string spoken_unit(std::string_view unit) { return unit == "in" ? "inches" 
 
 std::string unit_warning(std::string_view unit, std::string_view consequence) {
   if (length_unit(unit)) return "";
-  return fmt::format("{}, so that {}",
-                     unit.empty() ? "no unit of length is given"
-                                  : "the unit of length " + in_quotes(unit) + " is not known",
-                     consequence);
+  return fmt::format(
+      "{}, so that {}",
+      unit.empty() ? "no unit of length is given" : "the unit of length " + in_quotes(unit) + " is not known",
+      consequence);
 }
 
 }  // namespace linkwright

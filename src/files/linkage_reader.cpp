@@ -358,12 +358,12 @@ Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view 
 }
 
 Result<LinkagesOfFile> read_linkages_of_file(std::string_view text) {
-  const auto tree = parse_json(text, {.max_bytes = max_result_bytes,
-                                      .deepest_nesting = deepest_nesting,
-                                      .kept = {"linkwright", "problem", "linkages", "task", "title", "length_unit",
-                                               "poses", "orientations", "linkage", "mechanism", "case", "pivots",
-                                               "lengths", "input", "output", "point", "chain", "added", "axes",
-                                               "angles_deg"}});
+  const auto tree =
+      parse_json(text, {.max_bytes = max_result_bytes,
+                        .deepest_nesting = deepest_nesting,
+                        .kept = {"linkwright",   "problem", "linkages",  "task",  "title",  "length_unit", "poses",
+                                 "orientations", "linkage", "mechanism", "case",  "pivots", "lengths",     "input",
+                                 "output",       "point",   "chain",     "added", "axes",   "angles_deg"}});
   if (!tree) return tree.errors();
   Mistakes mistakes;
   const JsonValue root(*tree, "", mistakes);

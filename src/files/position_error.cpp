@@ -41,7 +41,9 @@ std::vector<PositionError> errors_of(const StoredSphericalFourBar& linkage) {
   return errors_in(
       analyze(linkage).motion, linkage.orientations.size(),
       [](const SphericalState& state) { return state.position.value_or(0) - 1; },
-      [](const SphericalState& state) { return BodyError{0, state.orientation_error}; });
+      [](const SphericalState& state) {
+        return BodyError{0, state.orientation_error};
+      });
 }
 
 double longest_link(const StoredLinkage& linkage) { return linkage.four_bar.lengths().longest(); }

@@ -24,9 +24,8 @@ SixBarAnalysis analyze(const SixBar& six_bar, std::span<const PrescribedPose> po
 SixBarMotion tabulated_motion(const SixBar& six_bar, std::span<const PrescribedPose> poses) {
   SixBarMotion travel;
   if (poses.size() > 1) travel = travel_through(six_bar, poses, six_bar_row_step);
-  return travel.states.empty()
-             ? with_nearest_states(six_bar, poses, six_bar_motion(six_bar, poses, six_bar_row_step))
-             : travel;
+  return travel.states.empty() ? with_nearest_states(six_bar, poses, six_bar_motion(six_bar, poses, six_bar_row_step))
+                               : travel;
 }
 
 }  // namespace linkwright

@@ -99,8 +99,8 @@ class NearestInput {
   SphericalFourBar wanted_;
 };
 
-// π/2 where coupler and output stand at right angles: the diagonal's cosine is then the product of theirs. Else where the
-// diagonal has an extreme or the range ends.
+// π/2 where coupler and output stand at right angles: the diagonal's cosine is then the product of theirs. Else where
+// the diagonal has an extreme or the range ends.
 TransmissionPeak largest_transmission(const SphericalFourBar& bars, const SphericalAnalysis& analysis) {
   const LinkAngles& l = analysis.angles;
   const AngleRange& range = analysis.input_range;

@@ -61,7 +61,8 @@ class LinkageSearch {
   [[nodiscard]] BestLinkages<Solution> best() && {
     const auto wanted = static_cast<std::size_t>(options_.best);
     const std::vector<Candidate> feet =
-        candidates_at(hill_tops(map_, filter_, options_.objective, is_discrete_ ? map_.rows() * map_.columns() : std::max(3 * wanted, least_feet)));
+        candidates_at(hill_tops(map_, filter_, options_.objective,
+                                is_discrete_ ? map_.rows() * map_.columns() : std::max(3 * wanted, least_feet)));
     const std::vector<Candidate> hills = climbed_from(feet, coarse);
     size_ = design_size(hills);
     const std::vector<Candidate> tops = distinct(hills);

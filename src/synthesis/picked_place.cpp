@@ -21,8 +21,8 @@ bool is_on_axes(const LinkageFamily& family, MapPoint place) {
   return is_on_axis(family, Side::input, place.input) && is_on_axis(family, Side::output, place.output);
 }
 
-/// How many places of the other axis were looked at, where none of them has a linkage with this coordinate. A place of a
-/// curve has its grounded link: there it is not the axis that has a gap.
+/// How many places of the other axis were looked at, where none of them has a linkage with this coordinate. A place of
+/// a curve has its grounded link: there it is not the axis that has a gap.
 std::optional<std::size_t> gap_at(const LinkageFamily& family, const Findings& found, Side side, double coordinate) {
   constexpr int looked_at = 256;
   const MapAxis& axis = family.axis(side);

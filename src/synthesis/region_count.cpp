@@ -26,8 +26,8 @@ void set_yield_margin(Findings& found, const LinkageFamily& family) {
   if (margin > 0 && filter_of(family, found.region, sure).census().meeting > 0) found.added.yield_margin = margin;
 }
 
-/// What a map of half the step would have of linkages that fail one requirement alone: advice that relaxing one does not
-/// help is not to hang on where the samples lie. Six-bars and yields take too long for it.
+/// What a map of half the step would have of linkages that fail one requirement alone: advice that relaxing one does
+/// not help is not to hang on where the samples lie. Six-bars and yields take too long for it.
 std::vector<Relaxation> relaxations_between(const Findings& found, const LinkageFamily& family, const MapExtent& extent,
                                             const Progress& progress) {
   constexpr int most_samples = 1000;

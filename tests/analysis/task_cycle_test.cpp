@@ -103,10 +103,8 @@ TEST(TaskCycle, OfALinkageThatMissesItsPosesIsItsOwnMotion) {
       }
       // It comes no nearer in any of the rows, by the distances of its moving pivots.
       const auto off = [&](const CycleState& there) {
-        return std::norm(there.four_bar.input_circle -
-                         displaced(bars.input_circle, poses[0].pose, poses[pose].pose)) +
-               std::norm(there.four_bar.output_circle -
-                         displaced(bars.output_circle, poses[0].pose, poses[pose].pose));
+        return std::norm(there.four_bar.input_circle - displaced(bars.input_circle, poses[0].pose, poses[pose].pose)) +
+               std::norm(there.four_bar.output_circle - displaced(bars.output_circle, poses[0].pose, poses[pose].pose));
       };
       for (const CycleState& other : cycle) EXPECT_GE(off(other), off(state) - 1e-12);
     }

@@ -16,10 +16,11 @@ TEST(LengthUnit, IsKnownByName) {
 
 TEST(LengthUnit, IsKnownHoweverItIsSpelled) {
   const std::pair<const char*, LengthUnit> spellings[] = {
-      {"inch", {25.4, 1}},      {"Inches", {25.4, 1}},   {"in.", {25.4, 1}},  {"\"", {25.4, 1}},  {"英寸", {25.4, 1}},
-      {"feet", {304.8, 2}},     {"foot", {304.8, 2}},    {"'", {304.8, 2}},   {"MM", {1, 4}},     {"millimeter", {1, 4}},
-      {"millimetres", {1, 4}},  {"毫米", {1, 4}},        {"metre", {1000, 6}}, {"meters", {1000, 6}},
-      {"Centimetre", {10, 5}}, {"yards", {914.4, 10}}, {"thou", {0.0254, 9}}, {"km", {1e6, 7}}};
+      {"inch", {25.4, 1}},   {"Inches", {25.4, 1}},  {"in.", {25.4, 1}},      {"\"", {25.4, 1}},
+      {"英寸", {25.4, 1}},   {"feet", {304.8, 2}},   {"foot", {304.8, 2}},    {"'", {304.8, 2}},
+      {"MM", {1, 4}},        {"millimeter", {1, 4}}, {"millimetres", {1, 4}}, {"毫米", {1, 4}},
+      {"metre", {1000, 6}},  {"meters", {1000, 6}},  {"Centimetre", {10, 5}}, {"yards", {914.4, 10}},
+      {"thou", {0.0254, 9}}, {"km", {1e6, 7}}};
   for (const auto& [name, unit] : spellings) {
     const auto found = length_unit(name);
     ASSERT_TRUE(found) << name;

@@ -23,7 +23,8 @@ TEST(NearestName, IsTheFirstOfEquals) {
 TEST(NearestName, IsNotOfferedWhereItIsFarFetched) {
   constexpr std::array<std::string_view, 5> known = {"side_lengths", "side_length", "side_angle_deg", "instant_center",
                                                      "at_infinity"};
-  for (const char* far : {"moving_pivots", "z", "directed", "", "pivots_on_line"}) EXPECT_EQ(nearest_name(far, known), "") << far;
+  for (const char* far : {"moving_pivots", "z", "directed", "", "pivots_on_line"})
+    EXPECT_EQ(nearest_name(far, known), "") << far;
   EXPECT_EQ(nearest_name(std::string(1 << 20, 'q'), known), "");
 }
 

@@ -123,7 +123,8 @@ TEST(SphericalAnalysis, MovesAsItIsWhereItMissesAnOrientation) {
   const SphericalAnalysis analysis = analyze(bars, missed);
   int positions = 0;
   for (const SphericalState& state : analysis.motion) {
-    EXPECT_NEAR(angle_between(state.four_bar.input_moving, state.four_bar.output_moving), analysis.angles.coupler, 1e-9);
+    EXPECT_NEAR(angle_between(state.four_bar.input_moving, state.four_bar.output_moving), analysis.angles.coupler,
+                1e-9);
     if (!state.position) continue;
     ++positions;
     if (*state.position == 2) {

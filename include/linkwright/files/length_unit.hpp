@@ -12,8 +12,8 @@ struct LengthUnit {
   int insunits;  ///< its number in DXF drawings, $INSUNITS
 };
 
-/// The unit that is meant by a name, whatever its capitals: its symbol (µm, mm, cm, dm, m, km, mil, in, ", ft, ', yd) or
-/// its name in English, singular or plural, or in Chinese.
+/// The unit that is meant by a name, whatever its capitals: its symbol (µm, mm, cm, dm, m, km, mil, in, ", ft, ', yd)
+/// or its name in English, singular or plural, or in Chinese.
 [[nodiscard]] std::optional<LengthUnit> length_unit(std::string_view name);
 
 /// The unit of this number in DXF drawings.

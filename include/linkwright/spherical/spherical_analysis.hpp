@@ -31,8 +31,8 @@ struct SphericalAnalysis {
   SphericalConfiguration configuration;  ///< as given
   AngleRange input_range;                ///< around the configuration given
   std::vector<SphericalDeadPoint> dead_points;
-  double transmission_angle = 0;      ///< as given
-  double min_transmission_angle = 0;  ///< over the range of the input: 0 unless it is a crank
+  double transmission_angle = 0;          ///< as given
+  double min_transmission_angle = 0;      ///< over the range of the input: 0 unless it is a crank
   TransmissionPeak largest_transmission;  ///< over the range of the input
   std::optional<double> velocity_ratio;
   std::optional<RatioRange> velocity_ratios;  ///< over the turn of a crank; nothing for other types

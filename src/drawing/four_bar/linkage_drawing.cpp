@@ -22,7 +22,8 @@ constexpr PixelBox strip{linkage_sheet::border, 672, linkage_sheet::width - 2 * 
 std::vector<Point> points_of_interest(const StoredLinkage& linkage) {
   const FourBar& bars = linkage.four_bar;
   std::vector<Point> points = {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle};
-  for (const FourBar& there : in_positions(linkage)) points.insert(points.end(), {there.input_circle, there.output_circle});
+  for (const FourBar& there : in_positions(linkage))
+    points.insert(points.end(), {there.input_circle, there.output_circle});
   for (const PrescribedPose& pose : linkage.poses) points.push_back(pose.pose.origin);
   if (linkage.poses.empty()) {
     for (const Point p : path_of_cycle(bars, traced_point(linkage))) points.push_back(p);

@@ -216,9 +216,10 @@ bool read_pairs_or_function(const JsonObject& object, const JsonValue& value, Mi
                             WantedFunction& wanted) {
   const auto pairs = object.find("pairs"), function = object.find("function");
   if (!pairs && !function) {
-    value.mistake("missing_pairs",
-                  "neither pairs nor a function are given; add \"pairs\": [{\"input_deg\": …, \"output_deg\": …}, …] or "
-                  "\"function\": {\"expression\": …}");
+    value.mistake(
+        "missing_pairs",
+        "neither pairs nor a function are given; add \"pairs\": [{\"input_deg\": …, \"output_deg\": …}, …] or "
+        "\"function\": {\"expression\": …}");
     return false;
   }
   if (pairs && function) {

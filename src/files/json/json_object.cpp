@@ -128,8 +128,7 @@ JsonObject::JsonObject(const JsonValue& value, Mistakes& mistakes, std::span<con
                    fmt::format("this key is not known here; the nearest known one is {}", in_quotes(near)),
                    {{"name", in_quotes(near)}});
     else
-      mistakes.add("foreign_key", place,
-                   fmt::format("this key is not known here; known are {}", all_in_quotes(known)),
+      mistakes.add("foreign_key", place, fmt::format("this key is not known here; known are {}", all_in_quotes(known)),
                    {{"names", all_in_quotes(known)}});
   }
 }

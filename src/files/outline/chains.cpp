@@ -10,7 +10,7 @@
 namespace linkwright {
 namespace {
 
-constexpr double meeting = 1e-5;  // of the drawing's size
+constexpr double meeting = 1e-5;     // of the drawing's size
 constexpr std::size_t two_ends = 2;  // where a chain goes on
 
 bool meet(Point a, Point b, double reach) { return std::abs(a - b) <= reach; }

@@ -69,8 +69,7 @@ class ChainGraph {
       const std::vector<std::size_t> face = face_left_of(way);
       for (const std::size_t walked : face) is_walked[walked] = true;
       if (area_of(points_of(face)) >= 0) continue;  // a face within
-      for (const std::vector<std::size_t>& loop : simple_loops(face))
-        contours.push_back({points_of(loop), true});
+      for (const std::vector<std::size_t>& loop : simple_loops(face)) contours.push_back({points_of(loop), true});
     }
     return contours;
   }

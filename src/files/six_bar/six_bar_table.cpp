@@ -14,7 +14,7 @@ std::vector<std::string> six_bar_columns() {
   for (std::size_t joint = 0; joint < SixBar::joint_count; ++joint)
     for (const char* axis : {"x", "y"}) columns.push_back(fmt::format("{}_{}", joint_name(joint), axis));
   columns.insert(columns.end(), {"body_x", "body_y", "body_theta_deg", "transmission_angle_deg", "position",
-                                  "position_error", "orientation_error_deg"});
+                                 "position_error", "orientation_error_deg"});
   return columns;
 }
 

@@ -7,11 +7,22 @@
 namespace linkwright {
 namespace {
 
-const std::array spherical_columns = {
-    "input_deg",       "output_deg",      "input_moving_x",         "input_moving_y", "input_moving_z",
-    "output_moving_x", "output_moving_y", "output_moving_z",        "quaternion_w",   "quaternion_x",
-    "quaternion_y",    "quaternion_z",    "transmission_angle_deg", "velocity_ratio", "position",
-    "orientation_error_deg"};
+const std::array spherical_columns = {"input_deg",
+                                      "output_deg",
+                                      "input_moving_x",
+                                      "input_moving_y",
+                                      "input_moving_z",
+                                      "output_moving_x",
+                                      "output_moving_y",
+                                      "output_moving_z",
+                                      "quaternion_w",
+                                      "quaternion_x",
+                                      "quaternion_y",
+                                      "quaternion_z",
+                                      "transmission_angle_deg",
+                                      "velocity_ratio",
+                                      "position",
+                                      "orientation_error_deg"};
 
 void put_row(std::vector<double>& values, const SphericalState& state, const UnitQuaternion& first) {
   constexpr double undefined = std::numeric_limits<double>::quiet_NaN();

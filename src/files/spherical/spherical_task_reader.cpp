@@ -81,7 +81,8 @@ std::optional<GivenAxes> read_given_axes(const JsonValue& value, Mistakes& mista
   if (!value.is_object()) return std::nullopt;
   const auto fixed = object.find("fixed_axes"), moving = object.find("moving_axes");
   if (!fixed && !moving) {
-    value.mistake("given_axes", "no axes are given; add \"fixed_axes\": [[x, y, z], [x, y, z]] or \"moving_axes\": […, …]");
+    value.mistake("given_axes",
+                  "no axes are given; add \"fixed_axes\": [[x, y, z], [x, y, z]] or \"moving_axes\": […, …]");
     return std::nullopt;
   }
   if (fixed && moving) {

@@ -95,7 +95,8 @@ class SdfWriter {
     const std::string hinge = model_.hinge_names[loop.hinge], pin = hinge + "_pin";
     xml_.comment(fmt::format(
         "The hinge {} closes a loop. A link has one parent joint at most: so the pin {} turns in {}, and Gazebo (from "
-        "Harmonic on) welds it to {} by the constraint of the plugin below. Other programs have to close it themselves.",
+        "Harmonic on) welds it to {} by the constraint of the plugin below. Other programs have to close it "
+        "themselves.",
         hinge, pin, other.name, one.name));
     xml_.open("link", {{"name", pin}});
     write_pose(Displacement::translated(model_.hinge_points[loop.hinge]));
