@@ -21,6 +21,9 @@ struct SphericalState {
   std::optional<double> velocity_ratio;  ///< dψ/dθ; nothing at a dead point
   std::optional<int> position;           ///< number of the orientation that it comes nearest to there, from 1
   double orientation_error = 0;          ///< how far it is from that orientation, radians in [0, π]
+
+  /// The number of the orientation that it passes there, to rounding.
+  [[nodiscard]] std::optional<int> met() const { return orientation_error <= 1e-6 ? position : std::nullopt; }
 };
 
 /// What a spherical four-bar does when its input drives it, in the assembly in which it is given.
