@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "text_table.hpp"
 
@@ -374,7 +375,7 @@ std::string link_chain_words(const LinkChainReport& report) {
   const std::string& unit = report.task.length_unit;
   std::string text = wrapped(fmt::format("Chain of {} {}, {} form{}:", report.frames.size(),
                                          report.frames.size() == 1 ? "link" : "links", name(report.task.form),
-                                         unit.empty() ? "" : ", lengths in " + printable(unit)));
+                                         unit.empty() ? "" : ", lengths in " + spoken_unit(printable(unit))));
   text += link_table(report);
   text += "Displacement of the last frame:\n" + displacement_matrix(report.frames.back());
   text += screw_words(report.tip, unit);

@@ -33,8 +33,10 @@ std::optional<std::string> unknown_command(const CLI::App& app) {
   const auto rest = app.remaining(true);
   if (names.empty() || rest.empty() || rest.front().starts_with('-')) return std::nullopt;
   const std::vector<std::string_view> known(names.begin(), names.end());
-  return fmt::format("there is no command {}; did you mean {}?", in_quotes(rest.front()),
-                     nearest_name(rest.front(), known));
+  const std::string_view near = nearest_name(rest.front(), known);
+  return fmt::format(
+      "there is no command {}; {}", in_quotes(rest.front()),
+      near.empty() ? fmt::format("there are {}", fmt::join(known, ", ")) : fmt::format("did you mean {}?", near));
 }
 
 /// One line that says what is wrong with the command line.

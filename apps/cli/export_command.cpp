@@ -3,6 +3,8 @@
 
 #include "commands.hpp"
 #include "linkwright/drawing/linkage_export.hpp"
+#include "linkwright/files/length_unit.hpp"
+#include "linkwright/files/position_error.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/text_file.hpp"
 #include "linkwright/machine/machine_export.hpp"
@@ -10,21 +12,23 @@
 namespace linkwright::cli {
 namespace {
 
-Result<std::vector<AnyStoredLinkage>> read_linkages(const std::string& path) {
+Result<LinkagesOfFile> read_linkages(const std::string& path) {
   const auto text = read_text_file(path, max_result_bytes);
-  return text ? read_any_result_linkages(*text) : Result<std::vector<AnyStoredLinkage>>(text.errors());
+  return text ? read_linkages_of_file(*text) : Result<LinkagesOfFile>(text.errors());
 }
 
-/// The linkage with this number, from 1, its title saying which one it is.
+/// The linkage with this number, from 1; of a result its title says which one it is.
 Result<AnyStoredLinkage> read_linkage(const std::string& path, int number) {
-  auto linkages = read_linkages(path);
-  if (!linkages) return linkages.errors();
-  const auto count = static_cast<int>(linkages->size());
+  auto file = read_linkages(path);
+  if (!file) return file.errors();
+  const auto count = static_cast<int>(file->linkages.size());
   if (number < 1 || number > count)
     return Error{"no_such_linkage", "--linkage",
-                 count == 0 ? "this result holds no linkages; its \"reason\" says why"
-                            : fmt::format("there is no linkage {}; this result holds 1 to {}", number, count)};
-  AnyStoredLinkage linkage = std::move((*linkages)[static_cast<std::size_t>(number - 1)]);
+                 !file->is_result ? fmt::format("there is no linkage {}; this file holds one", number)
+                 : count == 0     ? "this result holds no linkages; its \"reason\" says why"
+                                  : fmt::format("there is no linkage {}; this result holds 1 to {}", number, count)};
+  AnyStoredLinkage linkage = std::move(file->linkages[static_cast<std::size_t>(number - 1)]);
+  if (!file->is_result) return linkage;
   std::string& title = std::visit([](auto& stored) -> std::string& { return stored.title; }, linkage);
   title += fmt::format("{}linkage {}", title.empty() ? "" : ", ", number);
   return linkage;
@@ -40,6 +44,13 @@ bool is_given(const MachineWishes& wishes) {
          wishes.position || wishes.density;
 }
 
+/// A drawing without a unit says nothing of one; a unit that DXF does not know is said.
+std::string warning_of_drawing(const AnyStoredLinkage& linkage, std::string_view format) {
+  const std::string& unit =
+      std::visit([](const auto& stored) -> const std::string& { return stored.length_unit; }, linkage);
+  return format != "dxf" || unit.empty() ? "" : unit_warning(unit, "the drawing has none");
+}
+
 Result<MachineFile> exported_file(const AnyStoredLinkage& linkage, const ExportArguments& arguments) {
   if (is_of_a_machine(arguments.format)) return exported_machine(linkage, arguments.format, arguments.machine);
   if (is_given(arguments.machine))
@@ -47,7 +58,7 @@ Result<MachineFile> exported_file(const AnyStoredLinkage& linkage, const ExportA
                  fmt::format("sizes, position and density are those of {}; {} has none",
                              fmt::join(machine_formats(), ", "), arguments.format)};
   std::string text = exported(linkage, arguments.format);
-  if (!text.empty()) return MachineFile{std::move(text), ""};
+  if (!text.empty()) return MachineFile{std::move(text), warning_of_drawing(linkage, arguments.format)};
   return Error{
       "format_of_a_sphere", "--format",
       "the links of a spherical four-bar are arcs on a sphere, which no drawing in a plane shows at true size; "
@@ -65,7 +76,8 @@ int export_linkage(const ExportArguments& arguments) {
     const std::string& code = file.errors().front().code;
     return code == "no_step_component" || code == "step_failed" ? failure : mistake;
   }
-  if (!file->warning.empty()) print_failure("warning: " + file->warning);
+  for (const std::string& warning : {file->warning, position_error_words(*linkage)})
+    if (!warning.empty()) print_failure("warning: " + warning);
   const bool written = write_output(arguments.output, [&](const TextSink& sink) { sink(file->content); });
   return written ? 0 : failure;
 }

@@ -6,10 +6,12 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
+#include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/infinitesimal/instant_analysis.hpp"
 #include "linkwright/straight_line/line_measuring.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
+#include "missed_words.hpp"
 #include "text_table.hpp"
 #include "transmission_words.hpp"
 
@@ -24,7 +26,7 @@ std::string lengths_words(const LinkageAnalysis& analysis) {
   table.add_row({rounded_text(lengths.ground, decimals), rounded_text(lengths.input, decimals),
                  rounded_text(lengths.coupler, decimals), rounded_text(lengths.output, decimals),
                  rounded_text(lengths.longest() / lengths.shortest(), 3)});
-  return (unit.empty() ? std::string("Lengths:\n") : fmt::format("Lengths in {}:\n", unit)) + table.text();
+  return (unit.empty() ? std::string("Lengths:\n") : fmt::format("Lengths in {}:\n", spoken_unit(unit))) + table.text();
 }
 
 std::string type_words(const LinkageAnalysis& analysis) {
@@ -61,17 +63,10 @@ std::string dead_point_words(const LinkageAnalysis& analysis) {
 }
 
 std::string rate_words(const LinkageAnalysis& analysis) {
-  double least = 0, most = 0;
-  bool is_first = true;
-  for (const MotionState& state : analysis.motion) {
-    if (!state.rates) continue;
-    least = is_first ? state.rates->output : std::min(least, state.rates->output);
-    most = is_first ? state.rates->output : std::max(most, state.rates->output);
-    is_first = false;
-  }
-  if (is_first || !input_is_crank(analysis.type)) return "";  // unbounded next to dead points
-  return wrapped(fmt::format("The output turns {} to {} times as fast as the input.", rounded_text(least, 3),
-                             rounded_text(most, 3)));
+  if (!analysis.output_rates) return "";  // unbounded next to dead points
+  return wrapped(fmt::format("The output turns {} to {} times as fast as the input.",
+                             rounded_text(analysis.output_rates->least, 3),
+                             rounded_text(analysis.output_rates->most, 3)));
 }
 
 std::string straight_words(const TracingFourBar& linkage, Point along) {
@@ -80,7 +75,7 @@ std::string straight_words(const TracingFourBar& linkage, Point along) {
   limits.max_deviation = deviation;
   const auto path = StraightPath::of(linkage, along, limits);
   if (!path) return "";
-  return fmt::format(", from which it stays within ±{} (1/10 000 of the longest link) over {}",
+  return fmt::format(", from which it stays within ±{} (1/10 000 of the longest link or arm) over {}",
                      significant_text(deviation, 3), significant_text(path->usable(deviation).length(), 4));
 }
 
@@ -106,7 +101,7 @@ std::string linkage_words(const LinkageAnalysis& analysis, std::string_view driv
       drive == "output" ? " driven by the file's output link (called input here)" : " driven by its input link";
   return wrapped(title + "," + driven) + lengths_words(analysis) + type_words(analysis) + range_words(analysis) +
          dead_point_words(analysis) + transmission_words(analysis, analysis.min_transmission_angle_full_turn) +
-         rate_words(analysis) + point_words(analysis.linkage);
+         rate_words(analysis) + point_words(analysis.linkage) + missed_words(analysis.linkage);
 }
 
 }  // namespace linkwright::cli

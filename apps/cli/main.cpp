@@ -94,8 +94,8 @@ void add_machine(CLI::App& command, MachineWishes& wishes) {
 }
 
 void add_export(CLI::App& app, ExportArguments& arguments) {
-  CLI::App* command = app.add_subcommand("export", "Export one linkage of a result as a drawing or a table");
-  command->add_option("RESULT", arguments.result, "Result file written by solve -o")->required();
+  CLI::App* command = app.add_subcommand("export", "Export one linkage as a drawing, a table or a model");
+  command->add_option("FILE", arguments.result, "Result file written by solve -o, or file of one linkage")->required();
   command->add_option("--linkage", arguments.linkage, "Which linkage of the result, from 1 (default 1, the best)");
   std::vector<std::string> formats = {"svg", "dxf", "csv", "json"};
   formats.insert(formats.end(), machine_formats().begin(), machine_formats().end());
@@ -122,7 +122,7 @@ void add_outline(CLI::App& app, OutlineArguments& arguments) {
   command->add_option("--shape", arguments.shape,
                       "Which of the drawing's shapes, from 1 (default 1, the largest part)");
   CLI::Option* unit = command->add_option("--unit", arguments.unit,
-                                          "Unit of the drawing: µm, mm, cm, dm, m, in, ft (default: as it says)");
+                                          "Unit of the drawing, as mm, cm, m, in or ft (default: as it says)");
   command
       ->add_option(
           "--scale", arguments.scale,

@@ -10,6 +10,7 @@
 #include "function_report.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
+#include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
 #include "pair_report.hpp"
@@ -34,7 +35,7 @@ std::string point_count(const FourBarAnswer& answer) {
 std::string heading(const Problem& problem, const std::string& points) {
   const std::string title = problem.title.empty() ? "Untitled task" : printable(problem.title);
   std::string text = fmt::format("{}: {}{}", title, task_label(problem.task), points);
-  if (!problem.length_unit.empty()) text += ", lengths in " + printable(problem.length_unit);
+  if (!problem.length_unit.empty()) text += ", lengths in " + spoken_unit(printable(problem.length_unit));
   return wrapped(text);
 }
 

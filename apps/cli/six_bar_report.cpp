@@ -9,8 +9,10 @@
 #include "four_bar_columns.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
+#include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
+#include "missed_words.hpp"
 #include "requirement_report.hpp"
 #include "text_table.hpp"
 #include "tolerance_report.hpp"
@@ -224,11 +226,12 @@ std::string six_bar_words(const StoredSixBarAnalysis& analysis) {
   const std::string unit = printable(linkage.length_unit);
   const int decimals = std::min(length_decimals(analysis.shape.longest) + 1, 12);
   return wrapped(fmt::format("{}: {}, driven by body 1 at hinge a", title, row_label(linkage.row))) +
-         (unit.empty() ? std::string("Lengths:\n") : fmt::format("Lengths in {}:\n", unit)) +
+         (unit.empty() ? std::string("Lengths:\n") : fmt::format("Lengths in {}:\n", spoken_unit(unit))) +
          length_table(analysis, decimals) +
          wrapped(fmt::format("Longest over shortest: {}. Its four-bar loop: {}.",
                              rounded_text(analysis.shape.link_ratio, 3), label(analysis.shape.type))) +
-         range_words(analysis.motion) + travel_words(analysis) + transmission_words(analysis) + wrapped(body_words);
+         range_words(analysis.motion) + travel_words(analysis) + missed_words(linkage) + transmission_words(analysis) +
+         wrapped(body_words);
 }
 
 }  // namespace linkwright::cli

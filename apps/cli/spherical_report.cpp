@@ -10,6 +10,7 @@
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
+#include "missed_words.hpp"
 #include "requirement_report.hpp"
 #include "text_table.hpp"
 #include "tolerance_report.hpp"
@@ -240,28 +241,16 @@ std::string ratio_words(const StoredSphericalAnalysis& analysis) {
   if (!analysis.velocity_ratio) return "The position given is a dead point: the velocity ratio is undefined there.\n";
   std::string text = fmt::format("The output turns {} times as fast as the input in the position given",
                                  rounded_text(*analysis.velocity_ratio, 3));
-  if (!input_is_crank(analysis.type)) return wrapped(text + ".");  // unbounded next to dead points
-  double least = *analysis.velocity_ratio, most = least;
-  for (const SphericalState& state : analysis.motion) {
-    if (!state.velocity_ratio) continue;
-    least = std::min(least, *state.velocity_ratio);
-    most = std::max(most, *state.velocity_ratio);
-  }
-  return wrapped(fmt::format("{}, {} to {} over the turn.", text, rounded_text(least, 3), rounded_text(most, 3)));
+  if (!analysis.velocity_ratios) return wrapped(text + ".");  // unbounded next to dead points
+  return wrapped(fmt::format("{}, {} to {} over the turn.", text, rounded_text(analysis.velocity_ratios->least, 3),
+                             rounded_text(analysis.velocity_ratios->most, 3)));
 }
 
 std::string met_words(const StoredSphericalAnalysis& analysis) {
   const std::size_t given = analysis.linkage.orientations.size();
   if (given < 2) return "";
-  std::vector<int> met;
-  for (const SphericalState& state : analysis.motion)
-    if (state.position) met.push_back(*state.position);
-  std::sort(met.begin(), met.end());
-  met.erase(std::unique(met.begin(), met.end()), met.end());
-  if (met.size() == given) return wrapped(fmt::format("It meets all {} orientations of the file.", given));
-  return wrapped(met.empty()
-                     ? std::string("It meets none of the orientations of the file.")
-                     : fmt::format("Of the {} orientations of the file it meets {}.", given, fmt::join(met, ", ")));
+  const std::string missed = missed_words(analysis.linkage);
+  return missed.empty() ? wrapped(fmt::format("It meets all {} orientations of the file.", given)) : missed;
 }
 
 std::string own_axes(const SphericalFourBar& bars) {

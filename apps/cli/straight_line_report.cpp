@@ -105,7 +105,7 @@ std::string column_words(const StraightLineAnswer& answer) {
   const bool by_strip = answer.options.line.measure == LineMeasure::strip;
   const std::string share = answer.options.line.deviation
                                 ? significant_text(*answer.options.line.deviation, line_digits)
-                                : std::string("1/10 000 of the longest link");
+                                : std::string("1/10 000 of the longest link or arm");
   return wrapped(fmt::format(
       "points: of path and line in common; tangent, strip: usable length within ±{} of the line, or of the best line "
       "parallel to it; ÷ longest: {} over the longest link or arm; γ: least transmission angle and uneven: (fastest − "

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <string>
 
+#include "linkwright/analysis/drive_extremes.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
@@ -20,11 +20,9 @@ template <class Analysis>
   if (input_is_crank(analysis.type)) {
     text += fmt::format("; minimum over a full turn: {}", angle_text(least));
   } else if (!analysis.motion.empty()) {
-    const auto best =
-        std::max_element(analysis.motion.begin(), analysis.motion.end(),
-                         [](const auto& a, const auto& b) { return a.transmission_angle < b.transmission_angle; });
-    text += fmt::format("; it is 0 at the dead points and largest, {}, at input angle {}",
-                        angle_text(best->transmission_angle), angle_text(wrap_signed(best->configuration.input_angle)));
+    const TransmissionPeak& peak = analysis.largest_transmission;
+    text += fmt::format("; it is 0 at the dead points and largest, {}, at input angle {}", angle_text(peak.angle),
+                        angle_text(wrap_signed(peak.input_angle)));
   }
   return wrapped(text + ".");
 }

@@ -23,7 +23,7 @@ double turn_of(const SphericalAnalysis& analysis, const SphericalState& state, d
 Visits visits_in(const SphericalAnalysis& analysis, double sense) {
   Visits visits;
   for (const SphericalState& state : analysis.motion)
-    if (state.position) visits.emplace_back(turn_of(analysis, state, sense), *state.position);
+    if (const auto met = state.met()) visits.emplace_back(turn_of(analysis, state, sense), *met);
   std::sort(visits.begin(), visits.end());
   return visits;
 }
@@ -74,7 +74,7 @@ SphericalTravel spherical_travel(const SphericalAnalysis& analysis, std::size_t 
   const double before = travel.full_turn ? (two_pi - (visits.empty() ? 0 : visits.back().first)) / 2 : 0;
 
   for (const SphericalState& state : analysis.motion) {
-    if (travel.full_turn && &state == &analysis.motion.back() && !state.position) continue;  // the first once more
+    if (travel.full_turn && &state == &analysis.motion.back() && !state.met()) continue;  // the first once more
     const double turn = turn_of(analysis, state, sense);
     travel.passages.push_back({state, travel.full_turn ? moved_before(turn, before) : turn, 0});
   }
@@ -82,7 +82,7 @@ SphericalTravel spherical_travel(const SphericalAnalysis& analysis, std::size_t 
                    [](const auto& a, const auto& b) { return a.input_turn < b.input_turn; });
   if (travel.full_turn) close_turn(travel.passages);
   for (std::size_t row = 0; row < travel.passages.size(); ++row)
-    if (const auto position = travel.passages[row].state.position)
+    if (const auto position = travel.passages[row].state.met())
       travel.row_of_position[static_cast<std::size_t>(*position) - 1] = static_cast<int>(row);
   run_on_without_jumps(travel.passages, static_cast<std::size_t>(std::max(travel.row_of_position.front(), 0)));
   for (const SphericalDeadPoint& dead : analysis.dead_points)

@@ -1,5 +1,6 @@
 #include "linkwright/analysis/four_bar_analysis.hpp"
 
+#include "analysis/range_around.hpp"
 #include "linkwright/analysis/transmission_angle.hpp"
 
 namespace linkwright {
@@ -14,6 +15,10 @@ FourBarAnalysis analyze(const FourBar& four_bar, Point traced) {
   analysis.dead_points = dead_points(lengths);
   analysis.transmission_angle = transmission_angle(lengths, configuration_of(four_bar));
   analysis.min_transmission_angle_full_turn = least_transmission_angle_full_turn(lengths);
+  if (!analysis.input_ranges.empty())
+    analysis.largest_transmission = largest_transmission_angle(
+        lengths, range_around(analysis.input_ranges, configuration_of(four_bar).input_angle));
+  if (input_is_crank(analysis.type)) analysis.output_rates = output_rates_full_turn(lengths, assembly_of(four_bar));
   analysis.motion = tabulated_motion(four_bar, traced);
   return analysis;
 }

@@ -294,7 +294,9 @@ class Drive {
     double body_turn = first.angle + angle;
     if (!check_.states.empty()) body_turn = body_turn_ + wrap_signed(body_turn - body_turn_);
     body_turn_ = body_turn;
-    check_.states.push_back({turn, joints, {origin, body_turn}, pose});
+    const Pose body{origin, body_turn};
+    const BodyError error = pose < 0 ? BodyError{} : body_error(body, poses_[static_cast<std::size_t>(pose)].pose);
+    check_.states.push_back({turn, joints, body, pose, error});
   }
 
   SixBar six_bar_;

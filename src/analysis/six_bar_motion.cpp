@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "linkwright/core/angle.hpp"
 
 namespace linkwright {
 namespace {
@@ -15,32 +18,47 @@ void sort_by_travel(std::vector<SixBarState>& states) {
     for (std::size_t k = i; k > 0 && by_turn(states[k], states[k - 1]); --k) std::swap(states[k], states[k - 1]);
 }
 
-/// The least sine as the driver turns by `low` … `high` radians from a configuration; by golden sections, which end
-/// where it has one minimum there.
-double least_sine_near(const SixBar& six_bar, const SixBarTurns& turns, double low, double high) {
+/// Where a function of one minimum between `low` and `high` is least, by golden sections, to 6e-6 of the interval.
+struct Least {
+  double at, value;
+};
+template <class Function>
+Least least_of(const Function& function, double low, double high) {
   constexpr double golden = 0.6180339887498949;
-  constexpr int sections = 25;  // to 6e-6 of the interval
-  const auto sine_at = [&](double turn) {
-    SixBarTurns guess = turns;
-    guess[SixBar::driver] *= std::polar(1.0, turn);
-    const auto there = closed(six_bar, guess);
-    return there ? six_bar_transmission(six_bar, *there).sine : 1.0;
-  };
-  double one = high - golden * (high - low), other = low + golden * (high - low);
-  double sine_one = sine_at(one), sine_other = sine_at(other), least = std::min(sine_one, sine_other);
+  constexpr int sections = 25;
+  Least one{high - golden * (high - low), 0}, other{low + golden * (high - low), 0};
+  one.value = function(one.at);
+  other.value = function(other.at);
+  Least least = one.value <= other.value ? one : other;
   for (int section = 0; section < sections; ++section) {
-    if (sine_one < sine_other) {
-      high = std::exchange(other, one);
-      one = high - golden * (high - low);
-      sine_other = std::exchange(sine_one, sine_at(one));
+    if (one.value < other.value) {
+      high = std::exchange(other, one).at;
+      one.at = high - golden * (high - low);
+      one.value = function(one.at);
     } else {
-      low = std::exchange(one, other);
-      other = low + golden * (high - low);
-      sine_one = std::exchange(sine_other, sine_at(other));
+      low = std::exchange(one, other).at;
+      other.at = low + golden * (high - low);
+      other.value = function(other.at);
     }
-    least = std::min({least, sine_one, sine_other});
+    for (const Least& tried : {one, other})
+      if (tried.value < least.value) least = tried;
   }
   return least;
+}
+
+/// The configuration with the driver turned on from another one; nothing where it cannot go there.
+std::optional<SixBarTurns> turned_on(const SixBar& six_bar, SixBarTurns turns, double turn) {
+  turns[SixBar::driver] *= std::polar(1.0, turn);
+  return closed(six_bar, turns);
+}
+
+/// The least sine as the driver turns by `low` … `high` radians from a configuration.
+double least_sine_near(const SixBar& six_bar, const SixBarTurns& turns, double low, double high) {
+  const auto sine_at = [&](double turn) {
+    const auto there = turned_on(six_bar, turns, turn);
+    return there ? six_bar_transmission(six_bar, *there).sine : 1.0;
+  };
+  return least_of(sine_at, low, high).value;
 }
 
 /// Between states a degree apart it can be a tenth of a degree less than at any of them.
@@ -61,6 +79,51 @@ double least_sine(const SixBar& six_bar, const std::vector<SixBarMotionState>& s
   return least;
 }
 
+/// The guided body's hinges in a configuration, and where a pose wants them: the sum of their squared distances.
+class NearestState {
+ public:
+  NearestState(const SixBar& six_bar, const Pose& first, const Pose& wanted)
+      : six_bar_(six_bar), first_(first), wanted_(wanted) {
+    const std::vector<std::size_t> own = six_bar.joints_of(SixBar::guided);
+    guided_ = {own.front(), own.back()};
+    for (std::size_t i = 0; i < guided_.size(); ++i)
+      targets_[i] = displaced(six_bar.joints[guided_[i]].point, first, wanted);
+  }
+
+  [[nodiscard]] double squared(const std::array<Point, SixBar::joint_count>& joints) const {
+    return std::norm(joints[guided_[0]] - targets_[0]) + std::norm(joints[guided_[1]] - targets_[1]);
+  }
+
+  /// Where the body comes nearest between the states beside `at`.
+  [[nodiscard]] std::optional<SixBarMotionState> beside(const std::vector<SixBarMotionState>& states,
+                                                        std::size_t at) const {
+    const SixBarState& here = states[at].place;
+    const SixBarTurns turns = turns_of(six_bar_, here.joints);
+    const double before = states[at > 0 ? at - 1 : at].place.turn - here.turn,
+                 after = states[std::min(at + 1, states.size() - 1)].place.turn - here.turn;
+    const auto squared_at = [&](double turn) {
+      const auto there = turned_on(six_bar_, turns, turn);
+      return there ? squared(joints_at(six_bar_, *there)) : std::numeric_limits<double>::infinity();
+    };
+    const double turn = least_of(squared_at, std::min(before, after), std::max(before, after)).at;
+    const auto found = turned_on(six_bar_, turns, turn);
+    if (!found) return std::nullopt;
+    SixBarMotionState state{here, six_bar_transmission(six_bar_, *found).sine};
+    state.place.turn += turn;
+    state.place.joints = joints_at(six_bar_, *found);
+    state.place.body = guided_pose(six_bar_, *found, first_);
+    state.place.body.angle = here.body.angle + wrap_signed(state.place.body.angle - here.body.angle);
+    state.place.error = body_error(state.place.body, wanted_);
+    return state;
+  }
+
+ private:
+  const SixBar& six_bar_;
+  Pose first_, wanted_;
+  std::array<std::size_t, 2> guided_{};
+  std::array<Point, 2> targets_{};
+};
+
 SixBarMotion rated(const SixBar& six_bar, const std::vector<SixBarState>& states, bool full_turn = false) {
   SixBarMotion motion;
   motion.full_turn = full_turn && !states.empty();
@@ -71,6 +134,12 @@ SixBarMotion rated(const SixBar& six_bar, const std::vector<SixBarState>& states
   }
   motion.min_sine = least_sine(six_bar, motion.states, motion.full_turn);
   return motion;
+}
+
+double longest_link(const SixBar& six_bar) {
+  double longest = 0;
+  for (const SixBarLength& length : six_bar.lengths()) longest = std::max(longest, length.length);
+  return longest;
 }
 
 bool passes_in_order(const SixBarCheck& check, std::size_t poses) {
@@ -105,6 +174,29 @@ SixBarMotion six_bar_motion(const SixBar& six_bar, std::span<const PrescribedPos
   if (!states.empty()) states.pop_back();  // position 1 again
   states.insert(states.end(), ccw.states.begin(), ccw.states.end());
   return rated(six_bar, states);
+}
+
+SixBarMotion with_nearest_states(const SixBar& six_bar, std::span<const PrescribedPose> poses, SixBarMotion motion) {
+  constexpr double near = 0.1;  // of the longest link: what is farther off is no position of this motion
+  const std::vector<SixBarMotionState> states = motion.states;
+  for (std::size_t pose = 0; pose < poses.size() && !states.empty(); ++pose) {
+    if (std::any_of(states.begin(), states.end(),
+                    [&](const SixBarMotionState& state) { return state.place.pose == static_cast<int>(pose); }))
+      continue;
+    const NearestState wanted(six_bar, poses.front().pose, poses[pose].pose);
+    const auto nearest = std::min_element(states.begin(), states.end(), [&](const auto& a, const auto& b) {
+      return wanted.squared(a.place.joints) < wanted.squared(b.place.joints);
+    });
+    auto state = wanted.beside(states, static_cast<std::size_t>(nearest - states.begin()));
+    if (!state || !(std::sqrt(wanted.squared(state->place.joints)) <= near * longest_link(six_bar))) continue;
+    state->place.pose = static_cast<int>(pose);
+    const bool rises = states.back().place.turn >= states.front().place.turn;
+    const auto after = std::find_if(motion.states.begin(), motion.states.end(), [&](const auto& other) {
+      return rises ? other.place.turn > state->place.turn : other.place.turn < state->place.turn;
+    });
+    motion.states.insert(after, *state);
+  }
+  return motion;
 }
 
 SixBarMotion travel_through(const SixBar& six_bar, std::span<const PrescribedPose> poses, double step) {

@@ -11,7 +11,7 @@
 namespace linkwright {
 namespace {
 
-/// A place of the cycle: a pose, or any other.
+/// A place of the cycle: where it comes nearest to a pose, or any other.
 struct CycleStop {
   double turn = 0;
   int pose = -1;
@@ -53,12 +53,49 @@ class Cycle {
     return {{0, ahead, here}, {ahead, behind, opposite(here)}, {behind, 0, here}};
   }
 
-  /// The turn at a pose, within the reach of a leg.
-  [[nodiscard]] double turn_at(std::size_t pose, const Leg& leg) const {
+  /// The turn at which a pose wants the input to be, within its reach.
+  [[nodiscard]] double wanted_turn(std::size_t pose) const {
     const double turn = configuration_of(visits_.four_bars[pose]).input_angle - start_.input_angle;
     if (visits_.full_turn) return visits_.counter_clockwise ? wrap_positive(turn) : -wrap_positive(-turn);
     const double middle = (range_.from + range_.to) / 2;
-    return std::clamp(middle + wrap_signed(turn - middle), std::min(leg.from, leg.to), std::max(leg.from, leg.to));
+    return std::clamp(middle + wrap_signed(turn - middle), range_.from, range_.to);
+  }
+
+  /// How far the moving pivots are from where a pose wants them, and by how much further the input ought to turn
+  /// (Gauss–Newton); not at all at a dead point.
+  struct Approach {
+    double squared = 0, step = 0;
+  };
+  [[nodiscard]] std::optional<Approach> approach(std::size_t pose, Assembly assembly, double turn) const {
+    const auto found = assemble(lengths_, start_.input_angle + turn, assembly);
+    if (!found) return std::nullopt;
+    const FourBar bars = placed(visits_.four_bars.front(), *found);
+    const Point input_gap = visits_.four_bars[pose].input_circle - bars.input_circle,
+                output_gap = visits_.four_bars[pose].output_circle - bars.output_circle;
+    Approach here{std::norm(input_gap) + std::norm(output_gap), 0};
+    if (const auto rates = angle_rates(lengths_, *found)) {
+      const Point input_way = Point{0, 1} * (bars.input_circle - bars.input_center),
+                  output_way = Point{0, rates->output} * (bars.output_circle - bars.output_center);
+      here.step =
+          (dot(input_way, input_gap) + dot(output_way, output_gap)) / (std::norm(input_way) + std::norm(output_way));
+    }
+    return here;
+  }
+
+  /// Where the linkage comes nearest to a pose, from where that wants the input on.
+  [[nodiscard]] double nearest_turn(std::size_t pose, Assembly assembly) const {
+    constexpr int most_trials = 60;
+    double turn = wanted_turn(pose), share = 1;
+    auto here = approach(pose, assembly, turn);
+    for (int trial = 0; trial < most_trials && here; ++trial) {
+      const double next = turn + share * here->step;
+      const bool in_reach = visits_.full_turn || (next >= range_.from && next <= range_.to);
+      const auto there = in_reach ? approach(pose, assembly, next) : std::nullopt;
+      const bool is_nearer = there && there->squared < here->squared;
+      if (is_nearer) turn = next, here = there;
+      share = is_nearer ? 1 : share / 2;
+    }
+    return turn;
   }
 
   /// Where the leg begins is told by the leg before.
@@ -85,7 +122,7 @@ class Cycle {
     std::vector<CycleStop> stops;
     for (std::size_t pose = 1; pose < poses_.size(); ++pose) {
       if (!visits_.on_circuit[pose] || visits_.assembly[pose] != leg.assembly) continue;
-      const double turn = turn_at(pose, {range_.from, range_.to, leg.assembly});
+      const double turn = nearest_turn(pose, leg.assembly);
       if (turn >= std::min(leg.from, leg.to) && turn <= std::max(leg.from, leg.to))
         stops.push_back({turn, static_cast<int>(pose)});
     }
@@ -93,10 +130,7 @@ class Cycle {
   }
 
   void record(const CycleStop& stop, Assembly assembly) {
-    if (stop.pose >= 0) {
-      const FourBar& here = visits_.four_bars[static_cast<std::size_t>(stop.pose)];
-      return record(stop, configuration_of(here), here);
-    }
+    if (stop.pose == 0) return record(stop, start_, visits_.four_bars.front());
     if (const auto found = assemble(lengths_, start_.input_angle + stop.turn, assembly))
       record(stop, *found, placed(visits_.four_bars.front(), *found));
   }
@@ -105,21 +139,18 @@ class Cycle {
     c.coupler_angle = last_.coupler_angle + wrap_signed(c.coupler_angle - last_.coupler_angle);
     c.output_angle = last_.output_angle + wrap_signed(c.output_angle - last_.output_angle);
     last_ = c;
-    const double coupler_turn = c.coupler_angle - start_.coupler_angle;
+    const Pose body = body_at(bars, c.coupler_angle - start_.coupler_angle);
+    const BodyError error =
+        stop.pose < 0 ? BodyError{} : body_error(body, poses_[static_cast<std::size_t>(stop.pose)].pose);
     states_.push_back({stop.turn, bars, ground_ + start_.input_angle + stop.turn, ground_ + c.coupler_angle,
-                       ground_ + c.output_angle, body_at(stop, bars, coupler_turn), transmission_angle(lengths_, c),
-                       angle_rates(lengths_, c), stop.pose});
+                       ground_ + c.output_angle, body, transmission_angle(lengths_, c), angle_rates(lengths_, c),
+                       stop.pose, error});
   }
 
-  [[nodiscard]] Pose body_at(const CycleStop& stop, const FourBar& bars, double coupler_turn) const {
+  [[nodiscard]] Pose body_at(const FourBar& bars, double coupler_turn) const {
     const Pose& first = poses_.front().pose;
-    const double angle = first.angle + coupler_turn;
-    if (stop.pose >= 0) {
-      const Pose& pose = poses_[static_cast<std::size_t>(stop.pose)].pose;
-      return {pose.origin, pose.angle + two_pi * std::round((angle - pose.angle) / two_pi)};
-    }
     const Point arm = first.origin - visits_.four_bars.front().input_circle;
-    return {bars.input_circle + direction(coupler_turn) * arm, angle};
+    return {bars.input_circle + direction(coupler_turn) * arm, first.angle + coupler_turn};
   }
 
   std::span<const PrescribedPose> poses_;

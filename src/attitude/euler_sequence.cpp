@@ -9,12 +9,15 @@ namespace {
 std::optional<Axis> axis_of(char letter) {
   switch (letter) {
     case 'x':
+    case 'X':
     case '1':
       return Axis::x;
     case 'y':
+    case 'Y':
     case '2':
       return Axis::y;
     case 'z':
+    case 'Z':
     case '3':
       return Axis::z;
     default:
@@ -22,7 +25,7 @@ std::optional<Axis> axis_of(char letter) {
   }
 }
 
-/// Three letters or digits; hyphens only as in 3-1-3.
+/// Three letters or digits; two hyphens, as in 3-1-3, or none.
 std::string without_hyphens(std::string_view name) {
   if (name.size() != 5 || name[1] != '-' || name[3] != '-') return std::string(name);
   return {name[0], name[2], name[4]};

@@ -8,6 +8,7 @@
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/problem_file.hpp"
+#include "position_error_writer.hpp"
 #include "problem_writer.hpp"
 
 namespace linkwright {
@@ -101,6 +102,7 @@ void write_members(JsonWriter& json, const LinkageAnalysis& analysis) {
   input_is_crank(analysis.type) ? json.value(degrees(analysis.min_transmission_angle_full_turn)) : json.null();
   json.key("motion");
   write_motion(json, analysis.motion);
+  write_position_errors(json, analysis.linkage);
   if (analysis.instant) write_instant_members(json, *analysis.instant);
 }
 

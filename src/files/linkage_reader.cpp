@@ -38,8 +38,23 @@ struct TracedBars {
   FourBar bars;
   std::optional<Point> point;
 };
-std::optional<TracedBars> without_point(const std::optional<FourBar>& bars) {
-  return bars ? std::optional(TracedBars{*bars, std::nullopt}) : std::nullopt;
+/// With the point that stands beside the links, if any.
+std::optional<TracedBars> with_point(const std::optional<FourBar>& bars, const JsonObject& element) {
+  std::optional<Point> point;
+  if (const auto given = element.find("point")) point = given->as_pair({"[x, y]"});
+  return bars ? std::optional(TracedBars{*bars, point}) : std::nullopt;
+}
+
+/// Only a planar four-bar carries a point of its own: of others the body's frame is told.
+void refuse_point(const JsonValue& value, Mistakes& mistakes) {
+  const auto point = JsonObject(value, mistakes, {}).find("point");
+  if (!point) return;
+  const bool is_planar = says_six_bar(value);
+  point->mistake(is_planar ? "point_of_a_six_bar" : "point_of_a_sphere",
+                 is_planar ? "no point of a six-bar is traced, but the origin of its guided body is: give it as "
+                             "\"poses\": [{\"x\": …, \"y\": …, \"theta_deg\": 0}], and leave \"point\" out"
+                           : "no point of a spherical four-bar is traced, but the orientation of its body is told; "
+                             "leave \"point\" out");
 }
 
 bool has_tracing_pivots(const nlohmann::json& element) {
@@ -163,9 +178,9 @@ std::optional<TracedBars> read_four_bar(const JsonValue& value, Mistakes& mistak
   }
   if (const auto pivots = element.find("pivots"))
     return has_tracing_pivots(value.json()) ? read_tracing_pivots(*pivots, mistakes)
-                                            : without_point(read_pivots(*pivots, mistakes));
-  if (element.find("input") || element.find("output")) return without_point(read_dyads(element, value, mistakes));
-  if (const auto lengths = element.find("lengths")) return without_point(read_lengths(*lengths, mistakes));
+                                            : with_point(read_pivots(*pivots, mistakes), element);
+  if (element.find("input") || element.find("output")) return with_point(read_dyads(element, value, mistakes), element);
+  if (const auto lengths = element.find("lengths")) return with_point(read_lengths(*lengths, mistakes), element);
   value.mistake("no_linkage", "no linkage is given here; add \"pivots\", \"lengths\", or the linkage of a result file");
   return std::nullopt;
 }
@@ -246,6 +261,7 @@ std::optional<AnyStoredLinkage> read_stored_spherical(const JsonValue& element, 
 
 /// What `element` holds, with what stands around it.
 std::optional<AnyStoredLinkage> read_element(const JsonValue& element, const Surroundings& around, Mistakes& mistakes) {
+  if (says_six_bar(element) || says_spherical_four_bar(element)) refuse_point(element, mistakes);
   if (says_six_bar(element)) return read_stored_six_bar(element, around, mistakes);
   if (says_spherical_four_bar(element)) return read_stored_spherical(element, around, mistakes);
   const auto traced = read_four_bar(element, mistakes);
@@ -253,6 +269,36 @@ std::optional<AnyStoredLinkage> read_element(const JsonValue& element, const Sur
   const bool is_bare = element.json().contains("pivots") && !element.json().contains("case");
   const std::string record = is_bare ? "" : element.json().dump();
   return StoredLinkage{traced->bars, around.title, around.length_unit, around.poses, record, traced->point};
+}
+
+/// The one linkage of a file that is no result, with what stands beside it.
+std::optional<AnyStoredLinkage> read_lone_linkage(const JsonValue& root, const JsonObject& file, Mistakes& mistakes) {
+  if (!root.is_object()) return std::nullopt;
+  Surroundings surroundings = read_surroundings(file, mistakes);
+  const auto held = file.find("linkage");
+  if (held) read_own_poses(*held, mistakes, surroundings);
+  auto linkage = read_element(held.value_or(root), surroundings, mistakes);
+  if (linkage && !held) std::visit([](auto& of_kind) { of_kind.record.clear(); }, *linkage);
+  return linkage;
+}
+
+std::vector<AnyStoredLinkage> read_listed_linkages(const JsonValue& list, const JsonObject& file, Mistakes& mistakes) {
+  std::vector<AnyStoredLinkage> linkages;
+  const Surroundings of_the_problem = read_problem_echo(file, mistakes);
+  list.for_each({"linkages", "a list of linkages"}, [&](const JsonValue& item) {
+    Surroundings surroundings = of_the_problem;
+    read_own_poses(item, mistakes, surroundings);
+    auto linkage = read_element(item, surroundings, mistakes);
+    if (!linkage) return;
+    std::visit([&](auto& of_kind) { of_kind.record = item.json().dump(); }, *linkage);
+    linkages.push_back(*std::move(linkage));
+  });
+  return linkages;
+}
+
+Error problem_for_a_result() {
+  return {"problem_file", "task",
+          "this is a problem file, not a result; solve it first: linkwright solve PROBLEM.json -o RESULT.json"};
 }
 
 /// The four-bar among all linkages; nothing where it is another one.
@@ -272,7 +318,7 @@ Result<AnyStoredLinkage> read_any_linkage(std::string_view text) {
   const JsonValue root(*tree, "", mistakes);
   if (const auto refusal = refuse_version(root)) return *refusal;
   const JsonObject file(root, mistakes, {});
-  AnyStoredLinkage linkage;
+  std::optional<AnyStoredLinkage> linkage;
   if (const auto list = file.find("linkages")) {
     list->mistake("result_file",
                   "this is a result file with many linkages; take one out with: linkwright export RESULT.json "
@@ -282,15 +328,11 @@ Result<AnyStoredLinkage> read_any_linkage(std::string_view text) {
         "problem_without_linkage", "task",
         "this is a problem file, which has no linkage yet; solve it: linkwright solve PROBLEM.json -o RESULT.json, "
         "then take one out: linkwright export RESULT.json --format json -o LINKAGE.json"};
-  } else if (root.is_object()) {
-    Surroundings surroundings = read_surroundings(file, mistakes);
-    const auto held = file.find("linkage");
-    if (held) read_own_poses(*held, mistakes, surroundings);
-    if (auto found = read_element(held.value_or(root), surroundings, mistakes)) linkage = *std::move(found);
-    if (!held) std::visit([](auto& of_kind) { of_kind.record.clear(); }, linkage);
+  } else {
+    linkage = read_lone_linkage(root, file, mistakes);
   }
   if (!mistakes.empty()) return mistakes.take();
-  return linkage;
+  return *std::move(linkage);
 }
 
 Result<StoredLinkage> read_linkage(std::string_view text) {
@@ -301,31 +343,42 @@ Result<StoredLinkage> read_linkage(std::string_view text) {
 Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view text) {
   const auto tree = parse_json(text, {.max_bytes = max_result_bytes,
                                       .deepest_nesting = deepest_nesting,
-                                      .kept = {"linkwright", "problem", "linkages", "task", "lengths", "pivots"}});
+                                      .kept = {"linkwright", "problem", "linkages", "task"}});
   if (!tree) return tree.errors();
   Mistakes mistakes;
   const JsonValue root(*tree, "", mistakes);
   if (const auto refusal = refuse_version(root)) return *refusal;
   const JsonObject file(root, mistakes, {});
-  if (file.find("task")) {
-    return Error{"problem_file", "task",
-                 "this is a problem file, not a result; solve it first: linkwright solve PROBLEM.json -o RESULT.json"};
-  }
+  if (file.find("task")) return problem_for_a_result();
   std::vector<AnyStoredLinkage> linkages;
-  const auto list = file.require("linkages", {"linkages_of_result", "the list of linkages of a result file"});
-  if (list) {
-    const Surroundings of_the_problem = read_problem_echo(file, mistakes);
-    list->for_each({"linkages", "a list of linkages"}, [&](const JsonValue& item) {
-      Surroundings surroundings = of_the_problem;
-      read_own_poses(item, mistakes, surroundings);
-      auto linkage = read_element(item, surroundings, mistakes);
-      if (!linkage) return;
-      std::visit([&](auto& of_kind) { of_kind.record = item.json().dump(); }, *linkage);
-      linkages.push_back(*std::move(linkage));
-    });
-  }
+  if (const auto list = file.require("linkages", {"linkages_of_result", "the list of linkages of a result file"}))
+    linkages = read_listed_linkages(*list, file, mistakes);
   if (!mistakes.empty()) return mistakes.take();
   return linkages;
+}
+
+Result<LinkagesOfFile> read_linkages_of_file(std::string_view text) {
+  const auto tree =
+      parse_json(text, {.max_bytes = max_result_bytes,
+                        .deepest_nesting = deepest_nesting,
+                        .kept = {"linkwright",   "problem", "linkages",  "task",  "title",  "length_unit", "poses",
+                                 "orientations", "linkage", "mechanism", "case",  "pivots", "lengths",     "input",
+                                 "output",       "point",   "chain",     "added", "axes",   "angles_deg"}});
+  if (!tree) return tree.errors();
+  Mistakes mistakes;
+  const JsonValue root(*tree, "", mistakes);
+  if (const auto refusal = refuse_version(root)) return *refusal;
+  const JsonObject file(root, mistakes, {});
+  if (file.find("task")) return problem_for_a_result();
+  LinkagesOfFile found;
+  if (const auto list = file.find("linkages")) {
+    found.is_result = true;
+    found.linkages = read_listed_linkages(*list, file, mistakes);
+  } else if (auto lone = read_lone_linkage(root, file, mistakes)) {
+    found.linkages.push_back(*std::move(lone));
+  }
+  if (!mistakes.empty()) return mistakes.take();
+  return found;
 }
 
 Result<std::vector<StoredLinkage>> read_result_linkages(std::string_view text) {

@@ -262,6 +262,7 @@ void read_seed(const JsonObject& object, std::uint64_t& seed) {
 
 void read_tolerances(const JsonValue& value, Mistakes& mistakes, std::optional<Tolerances>& tolerances) {
   if (value.is_null()) return;
+  if (!value.is_object()) return value.wrong_type({"object_in_braces", "an object { … }"});
   const std::size_t before = mistakes.size();
   const JsonObject object(value, mistakes,
                           {"length", "clearance", "driver_deg", "link_angle_deg", "distribution", "turning_length",

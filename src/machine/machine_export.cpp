@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "linkwright/files/length_unit.hpp"
-#include "linkwright/files/nearest_name.hpp"
 #include "linkwright/machine/print_file.hpp"
 #include "linkwright/machine/simulator_file.hpp"
 #include "linkwright/machine/step_file.hpp"
@@ -39,11 +38,9 @@ std::string warning_of(const Machine& made) {
   if (words.empty() && made.layers.over == PlateLayers::Over::task)
     words = "the plates are free of collisions from the first position to the last, but not over the whole travel";
   const std::string& unit = made.linkage.length_unit;
-  if (millimetres(unit) || (unit.empty() && made.linkage.spherical)) return words;
-  return words + (words.empty() ? "" : "; ") +
-         (unit.empty() ? std::string("no unit of length is given")
-                       : "the unit of length " + in_quotes(unit) + " is not known") +
-         ", so that lengths are taken for millimetres";
+  if (unit.empty() && made.linkage.spherical) return words;
+  const std::string of_unit = unit_warning(unit, "lengths are taken for millimetres");
+  return words + (words.empty() || of_unit.empty() ? "" : "; ") + of_unit;
 }
 
 }  // namespace

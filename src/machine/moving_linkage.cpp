@@ -114,7 +114,7 @@ MovingLinkage moving(const StoredSphericalFourBar& stored) {
   for (const SphericalState& state : analysis.motion) {
     MovingState& moved = linkage.travel.emplace_back();
     moved.driver_turn = state.configuration.input_angle - analysis.configuration.input_angle;
-    if (state.position) moved.position = *state.position - 1;
+    if (const auto met = state.met()) moved.position = *met - 1;
     moved.bodies = {Displacement(), turned(bars.input_fixed, bars.input_moving, state.four_bar.input_moving),
                     Displacement{Rotation(state.turn), {}},
                     turned(bars.output_fixed, bars.output_moving, state.four_bar.output_moving)};

@@ -67,7 +67,8 @@ std::optional<double> AddedMeasures::score(MapPoint place, const Requirements& w
   }
   if (yield && (by_yield || wanted.min_yield > 0)) {
     good = yield->at(place);
-    if (!good || *good < wanted.min_yield) return std::nullopt;
+    const double least = wanted.min_yield > 0 ? wanted.min_yield + yield_margin : 0;
+    if (!good || *good < least) return std::nullopt;
   }
   if (by_error && error) return -*error;
   if (by_yield && good) return *good - tie * error.value_or(0) / (1 + error.value_or(0));

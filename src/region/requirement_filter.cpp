@@ -170,8 +170,8 @@ std::string joint_relaxation_text(const JointRelaxation& joint) {
                          : i + 1 == joint.requirements.size() ? " and "
                                                               : ", ",
                          key(joint.requirements[i]));
-  return fmt::format("Relaxing a single requirement does not help: without {} together {} would be left.", names,
-                     grouped_text(joint.leaves));
+  return fmt::format("No linkage looked at fails a single requirement alone: without {} together {} would be left.",
+                     names, grouped_text(joint.leaves));
 }
 
 std::optional<JointRelaxation> RequirementCensus::joint_relaxation() const {

@@ -428,7 +428,8 @@ void SweepReader::keep_named(const JsonValue& written, const std::vector<KeptCol
   if (found == names.end()) {
     const std::string_view near = nearest_name(*name, names);
     written.mistake("unknown_column",
-                    fmt::format("linkages of this problem have no {}; did you mean {}?", in_quotes(*name), near),
+                    fmt::format("linkages of this problem have no {}{}", in_quotes(*name),
+                                near.empty() ? "" : fmt::format("; did you mean {}?", near)),
                     {{"given", in_quotes(*name)}, {"nearest", near}});
   } else if (std::any_of(kept.begin(), kept.end(), [&](const SweepColumn& known) { return known.name == *name; })) {
     written.mistake("repeated_column", fmt::format("{} is kept already", in_quotes(*name)),

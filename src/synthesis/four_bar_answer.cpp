@@ -65,6 +65,7 @@ bool find_four_bars(KindAnswer& answer, const Progress& progress, const TaskWord
     BestLinkages best = best_linkages(SearchedFourBars(answer), answer, counted.maps(answer.region), progress);
     answer.linkages = std::move(best.linkages);
     answer.left_out = best.left_out;
+    warn_of_more(answer, best.beyond);
   }
   if (!given.points.empty() && !given.curve) answer.pairs = all_pairs(answer);
   if (progress.is_cancelled()) return false;

@@ -38,6 +38,7 @@ template <class Solution>
 struct BestLinkages {
   std::vector<Solution> linkages;
   std::int64_t left_out = 0;  ///< driving did not confirm them
+  std::int64_t beyond = 0;    ///< of a few dyads: pairs that meet the requirements, beyond as many as are listed
 };
 
 /// Looks for the best linkages of a map.
@@ -49,25 +50,34 @@ class LinkageSearch {
 
   /// Refers to all of them. `maps`: where it begins, that of the findings first.
   LinkageSearch(const Kind& kind, const Findings& findings, std::vector<SearchMap> maps, const Progress& progress)
-      : kind_(kind), maps_(std::move(maps)), options_(findings.options), progress_(progress) {}
+      : kind_(kind),
+        maps_(std::move(maps)),
+        options_(findings.options),
+        progress_(progress),
+        is_discrete_(kind.family().axis(Side::input).is_discrete() && kind.family().axis(Side::output).is_discrete()) {
+  }
 
   /// The tops of the hills, then the best that differ clearly from all before.
   [[nodiscard]] BestLinkages<Solution> best() && {
     const auto wanted = static_cast<std::size_t>(options_.best);
-    const std::vector<Climber> hills = climbed_from(feet(std::max(3 * wanted, least_feet)), coarse);
+    const RegionMap& map = *maps_.front().map;
+    const std::size_t most = is_discrete_ ? map.rows() * map.columns() : std::max(3 * wanted, least_feet);
+    const std::vector<Climber> hills = climbed_from(feet(most), coarse);
     size_ = design_size(candidates_of(hills));
     const std::vector<Climber> tops = distinct(hills);
     // Another batch for those that driving did not confirm.
-    for (auto next = tops.begin(); next != tops.end() && goes_on(wanted);) {
+    auto next = tops.begin();
+    while (next != tops.end() && goes_on(wanted)) {
       const auto last =
           next + std::min<std::ptrdiff_t>(tops.end() - next, static_cast<std::ptrdiff_t>(wanted - held_.size()));
       hold(candidates_of(distinct(climbed_from({next, last}, fine))));
       next = last;
     }
-    add_clearly_different(wanted);
+    if (!is_discrete_) add_clearly_different(wanted);
     std::sort(found_.begin(), found_.end(),
               [](const Found& a, const Found& b) { return better(a.candidate, b.candidate); });
     BestLinkages<Solution> best{{}, std::ssize(left_out_)};
+    if (is_discrete_) best.beyond = tops.end() - next;
     for (Found& found : found_) best.linkages.push_back(std::move(found.linkage));
     return best;
   }
@@ -182,12 +192,19 @@ class LinkageSearch {
     return feet;
   }
 
+  /// What a design differs from others by at least. Pairs of a few dyads are each a design, however alike they are
+  /// beside the largest of them.
+  [[nodiscard]] double same_within(const Candidate& candidate) const {
+    constexpr double rounding = 1e-9;
+    return is_discrete_ ? rounding * kind_.size(candidate) : different_design * size_;
+  }
+
   /// Sorted, without those that are the same design as a better one.
   [[nodiscard]] std::vector<Climber> distinct(const std::vector<Climber>& sorted) const {
     std::vector<Climber> kept;
     std::vector<Candidate> held;
     for (const Climber& climber : sorted) {
-      if (!differs(climber.candidate, held, different_design * size_)) continue;
+      if (!differs(climber.candidate, held, same_within(climber.candidate))) continue;
       held.push_back(climber.candidate);
       kept.push_back(climber);
     }
@@ -195,8 +212,7 @@ class LinkageSearch {
   }
 
   [[nodiscard]] bool is_new(const Candidate& candidate) const {
-    return differs(candidate, held_, different_design * size_) &&
-           differs(candidate, left_out_, different_design * size_);
+    return differs(candidate, held_, same_within(candidate)) && differs(candidate, left_out_, same_within(candidate));
   }
 
   /// Made, driven through the task, and held where driving confirms what they do.
@@ -248,6 +264,7 @@ class LinkageSearch {
   std::vector<SearchMap> maps_;
   const SynthesisOptions& options_;
   const Progress& progress_;
+  bool is_discrete_;  ///< few dyads: every pair is listed
   double size_ = 0;              ///< design_size of the hills
   std::vector<Candidate> held_;  ///< as in found_
   std::vector<Found> found_;

@@ -6,6 +6,7 @@
 #include "region/ordered_axes.hpp"
 
 namespace linkwright {
+
 void measure_added(RegionMap& map, const LinkageFamily& family, const Findings& found, const Progress& progress) {
   const SynthesisOptions& options = found.options;
   const bool ranks =
@@ -20,6 +21,33 @@ std::vector<SearchMap> CountedRegion::maps(const RegionMap& region) const {
   for (const auto& closer : within.maps) maps.push_back(closer->view());
   return maps;
 }
+
+namespace {
+
+/// A search keeps to yields that more samples will not take back, where the map has such.
+void set_yield_margin(Findings& found, const LinkageFamily& family) {
+  Requirements sure = found.requirements;
+  const double margin = margin_of_yield(sure.min_yield, *found.options.tolerances);
+  sure.min_yield += margin;
+  if (margin > 0 && filter_of(family, found.region, sure).census().meeting > 0) found.added.yield_margin = margin;
+}
+
+/// What a map of half the step would have of linkages that fail one requirement alone: advice that relaxing one does
+/// not help is not to depend on where the samples lie. Yields take too long for it.
+std::vector<Relaxation> relaxations_between(const Findings& found, const LinkageFamily& family, const MapExtent& extent,
+                                            const Progress& progress) {
+  constexpr int most_samples = 1000;
+  const int samples = std::min(2 * extent.samples, most_samples);
+  if (found.options.tolerances || samples <= extent.samples) return {};
+  RegionMap map;
+  family.classify(map, samples_within(family, Side::input, extent.window, samples, found.options.spacing),
+                  samples_within(family, Side::output, extent.window, samples, found.options.spacing),
+                  found.requirements.respect_direction, found.options.region, {{}, progress.cancelled});
+  const RequirementFilter filter = filter_of(family, map, found.requirements);
+  return filter.relaxations(filter.census());
+}
+
+}  // namespace
 
 CountedRegion count_region(Findings& found, const Task& task, const LinkageFamily& family, const MapExtent& extent,
                            const Progress& progress) {
@@ -41,6 +69,7 @@ CountedRegion count_region(Findings& found, const Task& task, const LinkageFamil
   CountedRegion counted{filter_of(family, found.region, found.requirements), {step, step}, {}};
   const RequirementCensus census = counted.filter.census(progress);
   found.meeting_requirements = census.meeting;
+  if (found.options.tolerances && census.meeting > 0) set_yield_margin(found, family);
   if (found.options.pareto) found.pareto = pareto_front(found.region, counted.filter, *found.options.pareto);
   counted.within =
       look_into_windows(family, {&found.region, &counted.filter, counted.step}, found.requirements, making, progress);
@@ -48,6 +77,7 @@ CountedRegion count_region(Findings& found, const Task& task, const LinkageFamil
   if (within.looked_at > 0 || within.is_empty) found.inside = {within.looked_at, within.meeting, within.is_empty};
   if (census.meeting == 0 && within.meeting == 0) {
     found.relax = relaxations(family, counted.maps(found.region), found.requirements, making, progress);
+    if (found.relax.empty()) found.relax = relaxations_between(found, family, extent, progress);
     if (found.relax.empty()) found.relax_together = census.joint_relaxation();
   }
   progress(0.7);

@@ -35,15 +35,18 @@ Result<Answer> solve(const Task& task, const Requirements& requirements, const S
   Result<Answer> solved =
       std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
   if (!solved) return solved;
+  if (options.at) {  // what is there is told as it is
+    report_tolerances(*solved, progress);
+    return solved;
+  }
+  std::visit([](auto& answer) { leave_out_unconfirmed(answer); }, *solved);
+  report_tolerances(*solved, progress);
   std::visit(
       [&](auto& answer) {
-        if (options.at) return;  // what is there is told as it is
-        leave_out_unconfirmed(answer);
         explain_empty_list(answer, answer.linkages.empty());
         warn_of_locking(answer, progress);
       },
       *solved);
-  report_tolerances(*solved, progress);
   return solved;
 }
 

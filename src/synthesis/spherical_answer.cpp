@@ -10,6 +10,7 @@
 #include "reason.hpp"
 #include "region_count.hpp"
 #include "searched_spherical.hpp"
+#include "warnings.hpp"
 
 namespace linkwright {
 namespace {
@@ -56,6 +57,7 @@ bool find_spherical(KindAnswer& answer, const TaskWords& words, const Progress& 
     auto best = best_linkages(search, answer, counted.maps(answer.region), progress);
     answer.linkages = std::move(best.linkages);
     answer.left_out = best.left_out;
+    warn_of_more(answer, best.beyond);
     state_reason(answer, words, reason_facts(answer));
   }
   progress(1);

@@ -107,6 +107,15 @@ void warn_of_left_out(Findings& found, bool near_pole) {
 
 }  // namespace
 
+void warn_of_more(Findings& found, std::int64_t count) {
+  if (count <= 0) return;
+  found.warnings.push_back({"more_than_best",
+                            fmt::format("{} more {} the requirements and {} not listed; a larger \"best\" lists {}.",
+                                        count, count == 1 ? "linkage meets" : "linkages meet",
+                                        count == 1 ? "is" : "are", count == 1 ? "it" : "them"),
+                            {{"count", static_cast<double>(count)}}});
+}
+
 void warn_of_map(FourBarAnswer& answer) {
   for (const auto& found : {left_out_warning(answer), skipped_stretch_warning(answer)})
     answer.warnings.insert(answer.warnings.end(), found.begin(), found.end());

@@ -8,6 +8,9 @@ namespace linkwright {
 /// Of the map: dyads that rounding keeps from being any, stretches of the curve between its samples.
 void warn_of_map(FourBarAnswer& answer);
 
+/// That so many meet the requirements beyond those that `best` lets be listed.
+void warn_of_more(Findings& found, std::int64_t count);
+
 /// Takes out of the lists what rounding decides (is_unconfirmed), counts it and says so.
 void leave_out_unconfirmed(FourBarAnswer& answer);
 void leave_out_unconfirmed(SphericalAnswer& answer);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/body_error.hpp"
 
 namespace linkwright::task_cycle_test {
 namespace {
@@ -79,6 +80,35 @@ TEST(TaskCycle, TellsNoPoseOfAnotherCircuit) {
   ASSERT_EQ(assembly_of(crank_rocker), Assembly::positive);
   poses.push_back({{placed(crank_rocker, *other).input_circle, other->coupler_angle - start.coupler_angle}, {}});
   EXPECT_EQ(met(task_cycle(crank_rocker, poses, step)), (std::vector{0, 1}));
+}
+
+TEST(TaskCycle, OfALinkageThatMissesItsPosesIsItsOwnMotion) {
+  for (const FourBar& bars : {crank_rocker, triple_rocker}) {
+    auto poses = bars.input_circle == crank_rocker.input_circle ? poses_at(bars, {0, 0.31, 1.7})
+                                                                : poses_at(bars, {0, -0.1, -0.2});
+    poses[1].pose.origin += Point{0.02, -0.01};
+    poses[2].pose.angle += 0.01;
+    const auto cycle = task_cycle(bars, poses, step);
+    expect_linkage_holds(bars, cycle);
+    EXPECT_EQ(met(cycle), (std::vector{0, 1, 2}));
+    for (const CycleState& state : cycle) {
+      if (state.pose < 0) continue;
+      const auto pose = static_cast<std::size_t>(state.pose);
+      EXPECT_EQ(state.error, body_error(state.body, poses[pose].pose));
+      if (state.pose == 0) {
+        EXPECT_EQ(state.error, (BodyError{0, 0}));
+      } else {
+        EXPECT_GT(state.error.distance + state.error.angle, 1e-4);
+        EXPECT_LT(state.error.distance + state.error.angle, 0.1);
+      }
+      // It comes no nearer in any of the rows, by the distances of its moving pivots.
+      const auto off = [&](const CycleState& there) {
+        return std::norm(there.four_bar.input_circle - displaced(bars.input_circle, poses[0].pose, poses[pose].pose)) +
+               std::norm(there.four_bar.output_circle - displaced(bars.output_circle, poses[0].pose, poses[pose].pose));
+      };
+      for (const CycleState& other : cycle) EXPECT_GE(off(other), off(state) - 1e-12);
+    }
+  }
 }
 
 TEST(TaskCycle, OfALinkWithoutLengthIsEmpty) {

@@ -43,8 +43,9 @@ std::string value_after(const std::vector<Pair>& pairs, const std::string& varia
 }
 
 TEST(DxfDrawing, TellsItsUnit) {
-  const std::pair<std::string, std::string> units[] = {{"mm", "4"}, {"cm", "5"}, {"m", "6"},     {"in", "1"},
-                                                       {"ft", "2"}, {"", "0"},   {"parsec", "0"}};
+  const std::pair<std::string, std::string> units[] = {{"mm", "4"},     {"cm", "5"},     {"m", "6"},
+                                                       {"in", "1"},     {"ft", "2"},     {"", "0"},
+                                                       {"parsec", "0"}, {"inches", "1"}, {"Millimeter", "4"}};
   for (const auto& [unit, code] : units) {
     EXPECT_EQ(value_after(pairs_of(draw_dxf(best_tailgate(unit))), "$INSUNITS"), code) << unit;
   }

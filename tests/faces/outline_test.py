@@ -42,6 +42,17 @@ class Outline(FaceTest):
         self.assertIn("* shape 1: 300 × 100 mm, closed", said)
         self.assertEqual(self.outline(dxf(rectangle(0, 0, 30, 20), rectangle(0, 0, 300, 100)), "--shape", 2)[0][2], [30, 20])
 
+    def test_fold_lines_that_meet_the_contour_do_not_cut_it(self):
+        corners = [(19, 16), (20, 17), (150, 17), (151, 16), (150, 15), (150, 0), (170, 0), (170, 15), (169, 16), (170, 17),
+                   (170, 104), (0, 104), (0, 17), (1, 16), (0, 15), (0, 0), (20, 0), (20, 15)]
+        folds = [((1, 16), (19, 16)), ((151, 16), (169, 16))]
+        lines = folds + list(zip(corners, corners[1:] + corners[:1]))
+        for order in (lines, lines[::-1], lines[7:] + lines[:7], lines[::2] + lines[1::2]):
+            drawn = [groups(0, "LINE", 8, "0", 10, a, 20, b, 11, c, 21, d) for (a, b), (c, d) in order]
+            outline, said = self.outline(dxf(*drawn))
+            self.assertIn("* shape 1: 170 × 104 mm, closed", said)
+            self.assertEqual(len(outline), len(corners))
+
     def test_units_and_scale(self):
         inches = dxf(rectangle(0, 0, 10, 4), header=groups(9, "$INSUNITS", 70, 1))
         self.assertEqual(self.outline(inches)[0][2], [254, 101.6])

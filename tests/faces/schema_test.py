@@ -25,7 +25,7 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "lengths_on_a_sphere", "boxes_on_a_sphere", "planar_type_on_a_sphere", "planar_objective_on_a_sphere",
                  "axis_of_zeros", "cone_about_nothing", "given_axis_of_zeros", "given_axes_the_same", "quaternion_of_zeros",
                  "velocity_zero", "link_angles_crossed", "matrix_that_mirrors", "matrix_that_stretches",
-                 "sequence_of_one_axis_twice", "line_pivots_coincide", "line_ball_pivot_at_point", "line_pole_on_line",
+                 "line_pivots_coincide", "line_ball_pivot_at_point", "line_pole_on_line",
                  "line_parallel_offsets_equal", "line_mixed_of_three_points", "line_mixed_of_five_points",
                  "line_mixed_out_of_order", "line_mixed_at_one_place", "line_search_deviation_wide",
                  "line_option_objective_link_ratio", "line_requirement_no_defects", "line_requirement_min_length",
@@ -258,6 +258,27 @@ class Schemas(FaceTest):
                 ran = run("solve", self.write("problem.json", problem))
                 self.assertEqual((ran[0], ran[2]), (0, ""))
 
+    def test_every_bound_is_the_programs(self):
+        """Each number and each list of tasks of all kinds, on, just within and just beyond what the schema says of it."""
+        bounds, met = set(pointers_of_bounds(self.problem.schema)), set()
+        for name, problem in problems_with_everything():
+            self.problem.validate(problem)
+            for path, pointer, node in applied(self.problem, problem):
+                if pointer in met or not BOUNDS & set(node):
+                    continue
+                met.add(pointer)
+                for changed in around_bounds(problem, path, node):
+                    self.check_alike(changed, (name, path, changed_at(changed, path)))
+        self.assertEqual(bounds - met - UNBOUNDED_PLACES, set())
+
+    def check_alike(self, problem, of):
+        valid = self.problem.is_valid(problem)
+        status, _, error = run("solve", self.write("problem.json", problem))
+        with self.subTest(of):
+            self.assertIn(status, (0, 2), error)
+            beyond = valid and any(words in error for words in BEYOND_STRUCTURE)
+            self.assertTrue(beyond or valid == (status == 0), (of, valid, error))
+
     def check_changes_of(self, problem, below=(), best=2):
         problem = problem | {"options": {"region_samples": 8, "spacing": "coordinate", "best": best}}
         for path in list(paths(problem)):
@@ -274,6 +295,150 @@ class Schemas(FaceTest):
                         self.assertEqual(status, 2)
                     elif status == 2:  # more than structure
                         self.assertTrue(any(words in error for words in BEYOND_STRUCTURE), error)
+
+
+BOUNDS = {"minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum", "minItems", "maxItems", "minProperties", "maxProperties"}
+
+# Parts of the schema that say what a place is not, or how many positions there are: lists of those are tried elsewhere.
+UNBOUNDED_PLACES = set()
+
+
+def pointers_of_bounds(schema, pointer="#"):
+    if isinstance(schema, dict):
+        if BOUNDS & set(schema) and not isinstance(schema.get("minimum"), dict):
+            yield pointer
+        for key, part in schema.items():
+            yield from pointers_of_bounds(part, f"{pointer}/{key}")
+    elif isinstance(schema, list):
+        for i, part in enumerate(schema):
+            yield from pointers_of_bounds(part, f"{pointer}/{i}")
+
+
+def applied(validator, instance):
+    """Each part of the schema that a value has to keep: the value's path, the part's pointer, the part."""
+    root = validator.schema
+    is_valid = lambda part, value: validator.evolve(schema=part).is_valid(value)  # noqa: E731
+
+    def walk(part, pointer, value, path):
+        if not isinstance(part, dict):
+            return
+        yield path, pointer, part
+        if "$ref" in part:
+            name = part["$ref"].rsplit("/", 1)[1]
+            yield from walk(root["$defs"][name], f"#/$defs/{name}", value, path)
+        for key in ("allOf", "anyOf", "oneOf"):
+            for i, choice in enumerate(part.get(key, [])):
+                if is_valid(choice, value):
+                    yield from walk(choice, f"{pointer}/{key}/{i}", value, path)
+        if "if" in part:
+            then = "then" if is_valid(part["if"], value) else "else"
+            yield from walk(part.get(then), f"{pointer}/{then}", value, path)
+        if isinstance(value, dict):
+            for key, member in value.items():
+                yield from walk(part.get("properties", {}).get(key), f"{pointer}/properties/{key}", member, (*path, key))
+        if isinstance(value, list):
+            first = part.get("prefixItems", [])
+            for i, item in enumerate(value):
+                if i < len(first):
+                    yield from walk(first[i], f"{pointer}/prefixItems/{i}", item, (*path, i))
+                else:
+                    yield from walk(part.get("items"), f"{pointer}/items", item, (*path, i))
+
+    yield from walk(root, "#", instance, ())
+
+
+def changed_at(problem, path):
+    for key in path:
+        problem = problem[key]
+    return problem
+
+
+def around_bounds(problem, path, node):
+    """The problem with the value at the path on each bound of the schema's node, and to either side of it."""
+    value = changed_at(problem, path)
+    values = []
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        step = 1 if node.get("type") == "integer" else 1e-6
+        for key in ("minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum"):
+            if key in node:
+                room = max(step, 1e-6 * abs(node[key])) if step != 1 else 1
+                values += [node[key] - room, node[key], node[key] + room]
+    elif isinstance(value, list):
+        for key in ("minItems", "maxItems"):
+            if key in node:
+                values += [(value * (count + 1))[:count] for count in range(max(node[key] - 1, 0), node[key] + 2) if value]
+    for changed_value in values:
+        changed = copy.deepcopy(problem)
+        *way, last = path
+        changed_at(changed, way)[last] = changed_value
+        yield changed
+
+
+def problems_with_everything():
+    """Tasks of all kinds that between them have every bounded member of the schema."""
+    quick = {"region_samples": 8, "best": 0}
+
+    def task_of(example):
+        return load(ROOT / f"examples/{example}.json")["task"]
+
+    def problem(task, options=None, **members):
+        return {"linkwright": 1, "task": task, "options": quick | (options or {})} | members
+
+    box = {"x": [-1000, 1000], "y": [-1000, 1000]}
+    cone = {"axis": [0, 0, 1], "half_angle_deg": 90}
+    tailgate = task_of("tailgate")
+    yield "motion", problem(tailgate, {"window": [[0, 1], [0.5, 1]], "seed": 1, "effort": 1}, requirements={
+        "types": ["crank_rocker"], "min_transmission_angle_deg": 1, "max_link_ratio": 20, "max_length": 450, "min_length": 1,
+        "ground_pivots_within": box, "moving_pivots_within": box})
+    tolerances = {"length": 0.1, "clearance": 0.1, "driver_deg": 0.1, "turning_length": 10, "samples": 1000, "seed": 1,
+                  "cost": {"exponent": 1}}
+    yield "tolerances", problem(tailgate, tolerances=tolerances | {"limit": {"position": 1}},
+                                requirements={"max_tolerance_error": 5, "min_yield": 0.5})
+    yield "angles", problem(tailgate, tolerances=tolerances | {
+        "length": {key: 0.1 for key in ("input", "coupler", "output", "ground_pivots", "point")}, "limit": {"angle_deg": 1}})
+    yield "pareto", problem(tailgate, {"pareto": ["link_ratio", "size"], "best": 2})
+    yield "place", problem(tailgate, {"at": [0.25, 0.75]})
+    yield "sphere", problem(task_of("folding_wing"), tolerances={"link_angle_deg": 0.1, "samples": 1000, "limit": {"angle_deg": 1}},
+                            requirements={"min_link_angle_deg": 5, "max_link_angle_deg": 85, "fixed_axes_within": cone,
+                                          "moving_axes_within": cone})
+    hood = task_of("hood_hinge")
+    yield "mixed", problem(hood)
+    poses = tailgate["poses"][:3]
+    for given in ({"side_lengths": [180, 240]}, {"side_length": 180}, {"side_angle_deg": 30, "input_length": 180},
+                  {"instant_center": [200, 0]}):
+        yield "three", problem({"kind": "motion", "mechanism": "four_bar", "poses": poses, "given": given})
+    yield "freed", problem(task_of("five_hatch") | {"freed_pose": 2} if (ROOT / "examples/five_hatch.json").exists() else
+                           {"kind": "motion", "mechanism": "four_bar", "freed_pose": 2, "poses": tailgate["poses"] + [
+                               {"x": 900, "y": 300, "theta_deg": 95}]})
+    rates = [{"input": 1, "output": 0.8}, {"input": 0, "output": 0.1}]
+    pairs = [{"input_deg": 0, "output_deg": 0, "derivatives": rates}, {"input_deg": 50, "output_deg": 30}]
+    yield "pairs", problem({"kind": "function", "mechanism": "four_bar", "pairs": pairs})
+    dials = {"input_range_deg": [0, 60], "output_range_deg": [0, 90]}
+    function = dials | {"table": [[0, 0], [1, 2], [2, 3], [4, 3.5]], "x": [0, 3], "y": [0, 3.5], "spacing": [0, 1, 2, 3]}
+    yield "function", problem({"kind": "function", "mechanism": "four_bar", "function": function,
+                               "free": {"number": "output_scale", "range": [0.5, 2]}})
+    yield "free", problem({"kind": "function", "mechanism": "four_bar", "function": dials | {"expression": "x^2", "x": [0, 1]},
+                           "free": {"number": "pair_output", "pair": 2, "range": [10, 20]}})
+    yield "about a centre", problem({"kind": "function", "mechanism": "spherical_four_bar", "ground_angle_deg": 60,
+                                     "function": dials | {"expression": "x^2", "x": [0, 1]}})
+    chain = task_of("loader_bucket_chain")
+    yield "chain", problem(chain | {"chain": chain["chain"] | {"elbow": [0, 0, 0, 0]}})
+    turns = [{"matrix": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]}, {"axis": [0, 1, 1], "angle_deg": 30}, {"quaternion": [1, 0.1, 0, 0]},
+             {"rotation_vector": [0.1, 0.2, 0]}, {"euler_deg": [40, 50, 20], "sequence": "zyx"}]
+    sphere = {"kind": "motion", "mechanism": "spherical_four_bar"}
+    yield "turns", problem(sphere | {"orientations": turns[:4]})
+    yield "turns", problem(sphere | {"orientations": turns[1:]})
+    yield "axes", problem(sphere | {"orientations": turns[:3], "given": {"fixed_axes": [[0, 0, 2], [1, 0, 0]]}})
+    yield "rates", problem(sphere | {"orientations": [turns[0] | {"angular_velocity": [0.3, 0.1, 0.2]}, turns[1], turns[3]]})
+    for name, task in TASKS.items():
+        given = {"min_stroke": 1, "max_deviation": 1}
+        yield name, problem(task, {"stroke": 5, "deviation": 0.05, "effort": 1}, requirements=given)
+    yield "mixed contacts", problem(TASKS["mixed"] | {"contacts": [
+        {"s": 0, "multiplicity": 1}, {"s": 1, "multiplicity": 2, "side": -1}, {"s": 2.5, "side": 1, "multiplicity": 1}],
+        "coupler_angle_deg": 0})
+    yield "cubic", problem(TASKS["four_point_cubic"] | {"cubic_n": 5})
+    yield "search", problem({"kind": "motion", "mechanism": "six_bar", "poses": chain["poses"], "added": chain["added"]},
+                            {"box": {"x": [0, 500], "y": [0, 500]}, "effort": 1, "seed": 1})
 
 
 def paths(value, path=()):

@@ -159,14 +159,33 @@ class SimulatorTest(FaceTest):
             self.assertEqual(line[2], "1", line)
         return ({line[1]: line for line in lines if line[0] == "link"}, {line[1]: line for line in lines if line[0] == "joint"})
 
+    def assert_tree(self, links, found):
+        """Gazebo refuses a link that is the child of two joints."""
+        children = [joint[5] for joint in found.values()]
+        self.assertEqual(sorted(children), sorted(links))
+
+    def assert_loops_closed(self, path, found):
+        """A pin that turns in one of the two links is welded to the other."""
+        welds = re.findall(r"<plugin [^>]*DetachableJoint\">\s*<parent_link>(\w+)</parent_link>\s*"
+                           r"<child_model>__model__</child_model>\s*<child_link>(\w+)_pin</child_link>", path.read_text())
+        for link, hinge in welds:
+            self.assertEqual(found[hinge][5], f"{hinge}_pin")
+            self.assertNotIn(link, found[hinge][4:6])
+        return len(welds)
+
     def test_sdformat_reads_all_hinges(self):
         chain = self.result_of(ROOT / "examples/loader_bucket_chain.json")
         joints = load(chain)["linkages"][0]["joints"]
-        for kind in ("sdf", "urdf"):
-            links, found = self.read_by_sdformat(self.export(chain, kind))
-            self.assertEqual(len(links), 6)
-            self.assertEqual(set(found), {*joints, "ground_to_world"})
-            for name, (x, y) in joints.items():
+        for kind, loops in (("sdf", 2), ("urdf", 0)):
+            path = self.export(chain, kind)
+            links, found = self.read_by_sdformat(path)
+            self.assertEqual(len(links), 6 + loops)
+            self.assert_tree(links, found)
+            self.assertEqual(self.assert_loops_closed(path, found), loops)
+            self.assertEqual(len(found), 6 + loops)
+            self.assertLessEqual(set(found), {*joints, "ground_to_world"})
+            for name in set(found) - {"ground_to_world"}:
+                x, y = joints[name]
                 self.assertLess(distance(map(float, found[name][6:9]), (x / 1000, y / 1000, 0)), 2e-5, name)
                 self.assertEqual(found[name][9:12], ["0", "0", "1"])
             for link in links.values():
@@ -174,9 +193,10 @@ class SimulatorTest(FaceTest):
 
     def test_axes_of_a_sphere_pass_through_its_centre(self):
         wing = self.result_of(ROOT / "examples/folding_wing.json")
-        for kind in ("sdf", "urdf"):
-            _, found = self.read_by_sdformat(self.export(wing, kind))
-            self.assertEqual(len(found), 5)
+        for kind, hinges in (("sdf", 4), ("urdf", 3)):
+            links, found = self.read_by_sdformat(self.export(wing, kind))
+            self.assert_tree(links, found)
+            self.assertEqual(len(found), hinges + 1)
             for name in set(found) - {"ground_to_world"}:
                 at, axis = [[float(x) for x in found[name][k:k + 3]] for k in (6, 9)]
                 self.assertLess(distance(at, [0.1 * x for x in axis]), 1e-5, name)
@@ -197,7 +217,7 @@ class SimulatorTest(FaceTest):
         for density in (7850, 2700):
             text = self.export(self.result_with(DOUBLE_CRANK), "sdf", "--density", density).read_text()
             masses.append([float(mass) / density for mass in re.findall("<mass>(.*)</mass>", text)])
-        self.assertEqual(len(masses[0]), 4)
+        self.assertEqual(len(masses[0]), 5)  # with the pin of the loop
         for one, other in zip(*masses):
             self.assertAlmostEqual(one, other, delta=1e-8 * one)
 

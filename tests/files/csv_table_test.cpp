@@ -50,7 +50,7 @@ TEST(CsvTable, SaysAgainstWhatEachAngleIsMeasured) {
   const FourBar turned{crank_rocker.input_center * turn, crank_rocker.input_circle * turn,
                        crank_rocker.output_center * turn, crank_rocker.output_circle * turn};
   auto columns = columns_of(stored(turned));
-  EXPECT_EQ(columns.size(), 17u);
+  EXPECT_EQ(columns.size(), 19u);
   const auto direction_of = [](Point from, Point to) { return degrees(std::arg(to - from)); };
   EXPECT_EQ(columns["driver_turn_from_position_1_deg"].front(), "0");
   EXPECT_NEAR(number(columns["input_angle_from_x_deg"].front()), direction_of(turned.input_center, turned.input_circle),
@@ -94,9 +94,11 @@ TEST(CsvTable, BeginsAtPositionOneAndHasARowAtEachPosition) {
     if (columns["position"][i].empty()) continue;
     met.push_back(columns["position"][i]);
     const Pose& pose = linkage.poses[met.size() - 1].pose;
-    EXPECT_EQ(number(columns["body_x"][i]), pose.origin.real());
-    EXPECT_EQ(number(columns["body_y"][i]), pose.origin.imag());
-    EXPECT_NEAR(number(columns["body_theta_deg"][i]), degrees(pose.angle), 1e-12);
+    EXPECT_NEAR(number(columns["body_x"][i]), pose.origin.real(), 1e-6);
+    EXPECT_NEAR(number(columns["body_y"][i]), pose.origin.imag(), 1e-6);
+    EXPECT_NEAR(number(columns["body_theta_deg"][i]), degrees(pose.angle), 1e-6);
+    EXPECT_LT(number(columns["position_error"][i]), 1e-6);
+    EXPECT_LT(number(columns["orientation_error_deg"][i]), 1e-6);
   }
   EXPECT_EQ(met, (std::vector<std::string>{"1", "2", "3", "4"}));
   EXPECT_EQ(columns["position"].front(), "1");
@@ -106,7 +108,7 @@ TEST(CsvTable, OfALinkageWithAPointTellsWhereThatIs) {
   StoredLinkage linkage = stored(crank_rocker);
   linkage.point = Point{2, 5};
   auto columns = columns_of(linkage);
-  ASSERT_EQ(columns.size(), 19u);
+  ASSERT_EQ(columns.size(), 21u);
   EXPECT_EQ(columns["point_x"].front(), "2");
   EXPECT_EQ(columns["point_y"].front(), "5");
   const auto at = [&](const std::string& name, std::size_t row) {

@@ -15,10 +15,17 @@ TEST(NearestName, EditDistanceCountsEditsAndExchanges) {
 }
 
 TEST(NearestName, IsTheFirstOfEquals) {
-  constexpr std::array<std::string_view, 3> known = {"x", "y", "theta_deg"};
+  constexpr std::array<std::string_view, 4> known = {"xa", "ya", "theta_deg", "at_infinity"};
   EXPECT_EQ(nearest_name("thetadeg", known), "theta_deg");
-  EXPECT_EQ(nearest_name("z", known), "x");
-  EXPECT_EQ(nearest_name(std::string(1 << 20, 'q'), known), "x");
+  EXPECT_EQ(nearest_name("za", known), "xa");
+}
+
+TEST(NearestName, IsNotOfferedWhereItIsFarFetched) {
+  constexpr std::array<std::string_view, 5> known = {"side_lengths", "side_length", "side_angle_deg", "instant_center",
+                                                     "at_infinity"};
+  for (const char* far : {"moving_pivots", "z", "directed", "", "pivots_on_line"})
+    EXPECT_EQ(nearest_name(far, known), "") << far;
+  EXPECT_EQ(nearest_name(std::string(1 << 20, 'q'), known), "");
 }
 
 TEST(NearestName, StrangeNamesArePresentable) {

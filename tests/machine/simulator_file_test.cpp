@@ -39,7 +39,10 @@ TEST(SimulatorFile, CutsEachLoopOnce) {
     EXPECT_EQ(count(mjcf, "<connect "), loops);
     EXPECT_EQ(count(mjcf, "<inertial "), bodies);
     EXPECT_EQ(count(sdf, "type=\"revolute\""), hinges);
-    EXPECT_EQ(count(urdf, "<gazebo>"), loops);
+    EXPECT_EQ(count(sdf, "<child>"), hinges + 1);
+    EXPECT_EQ(count(sdf, "gz::sim::systems::DetachableJoint"), loops);
+    EXPECT_EQ(count(sdf, "<link "), bodies + loops);
+    EXPECT_EQ(count(urdf, "<gazebo>"), 0);
     EXPECT_EQ(count(urdf, "closes a loop"), loops);
     EXPECT_EQ(count(mjcf, "<key "), made.linkage.task.empty() ? count(mjcf, "<key ") : made.linkage.positions);
     for (const std::string& file : {mjcf, sdf, urdf})

@@ -210,7 +210,8 @@ TEST_F(LandingGearFilter, NamesTheRequirementsThatLeaveNothingTogether) {
   ASSERT_TRUE(joint);
   EXPECT_EQ(joint->requirements, (std::vector{RequirementKind::max_length, RequirementKind::ground_pivots_within}));
   EXPECT_EQ(joint_relaxation_text({joint->requirements, 1234}),
-            "Relaxing a single requirement does not help: without max_length and ground_pivots_within together 1 234 "
+            "No linkage looked at fails a single requirement alone: without max_length and ground_pivots_within "
+            "together 1 234 "
             "would be "
             "left.");
   wanted.max_length = Requirements::unlimited;

@@ -1,8 +1,10 @@
 #include "linkwright/spherical/spherical_analysis.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
+#include <utility>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/axis_curve.hpp"
@@ -76,6 +78,63 @@ TEST(SphericalAnalysis, MeetsTheOrientationsOfItsTask) {
       EXPECT_EQ(met.size(), 4u);
     }
   EXPECT_GT(looked_at, 20);
+}
+
+TEST(SphericalAnalysis, ExtremesAreThoseOfManySteps) {
+  constexpr int steps = 20'000;
+  std::mt19937_64 random(7);
+  int cranks = 0;
+  for (int i = 0; i < 40; ++i) {
+    const SphericalFourBar bars = random_bars(random);
+    const SphericalAnalysis analysis = analyze(bars), dense = analyze(bars, {}, steps);
+    double peak = 0, least = 1e300, most = -1e300;
+    for (const SphericalState& state : dense.motion) {
+      peak = std::max(peak, state.transmission_angle);
+      if (!state.velocity_ratio) continue;
+      least = std::min(least, *state.velocity_ratio);
+      most = std::max(most, *state.velocity_ratio);
+    }
+    EXPECT_GE(analysis.largest_transmission.angle, peak - 1e-9) << i;
+    EXPECT_NEAR(analysis.largest_transmission.angle, peak, 5e-3) << i;
+    EXPECT_EQ(analysis.velocity_ratios.has_value(), input_is_crank(analysis.type)) << i;
+    if (!analysis.velocity_ratios) continue;
+    ++cranks;
+    EXPECT_LE(analysis.velocity_ratios->least, least + 1e-9 * (most - least)) << i;
+    EXPECT_GE(analysis.velocity_ratios->most, most - 1e-9 * (most - least)) << i;
+    EXPECT_NEAR(analysis.velocity_ratios->least, least, 1e-3 * (most - least)) << i;
+    EXPECT_NEAR(analysis.velocity_ratios->most, most, 1e-3 * (most - least)) << i;
+  }
+  EXPECT_GT(cranks, 2);
+}
+
+TEST(SphericalAnalysis, MovesAsItIsWhereItMissesAnOrientation) {
+  const auto [bars, orientations] = [] {
+    std::mt19937_64 random(3);
+    const SphericalFourBar drawn = random_bars(random);
+    const SphericalAnalysis drive = analyze(drawn);
+    std::vector<PrescribedOrientation> wanted;
+    for (const std::size_t row : {std::size_t{180}, std::size_t{200}, std::size_t{230}})
+      wanted.push_back({drive.motion[row].turn, {}});
+    return std::pair(drive.motion[180].four_bar, wanted);
+  }();
+  constexpr double off = 0.01;
+  std::vector<PrescribedOrientation> missed = orientations;
+  missed[1].orientation = UnitQuaternion::about({0, 0, 1}, off) * missed[1].orientation;
+  const SphericalAnalysis analysis = analyze(bars, missed);
+  int positions = 0;
+  for (const SphericalState& state : analysis.motion) {
+    EXPECT_NEAR(angle_between(state.four_bar.input_moving, state.four_bar.output_moving), analysis.angles.coupler,
+                1e-9);
+    if (!state.position) continue;
+    ++positions;
+    if (*state.position == 2) {
+      EXPECT_GT(state.orientation_error, 1e-4);
+      EXPECT_LE(state.orientation_error, off + 1e-9);
+    } else {
+      EXPECT_LT(state.orientation_error, 1e-7);
+    }
+  }
+  EXPECT_EQ(positions, 3);
 }
 
 TEST(SphericalAnalysis, PathBelongsToAnAxisOfTheCoupler) {

@@ -257,7 +257,7 @@ test.describe("exports", () => {
 
     const csv = (await exported(page, "csv")).bytes.toString().trimEnd().split("\n");
     expect(csv[0]).toMatch(
-      /^driver_turn_from_position_1_deg,input_angle_from_x_deg,.*,body_x,body_y,body_theta_deg,.*,position$/,
+      /^driver_turn_from_position_1_deg,input_angle_from_x_deg,.*,body_x,body_y,body_theta_deg,.*,position,position_error,orientation_error_deg$/,
     );
     expect(
       csv

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "linkwright/analysis/coupler_curve.hpp"
+#include "linkwright/analysis/drive_extremes.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
@@ -19,6 +21,8 @@ struct FourBarAnalysis {
   std::vector<DeadPoint> dead_points;
   double transmission_angle = 0;                ///< as the linkage lies
   double min_transmission_angle_full_turn = 0;  ///< of a crank; 0 for other types
+  TransmissionPeak largest_transmission;        ///< over the range of the input in which the linkage lies
+  std::optional<RatioRange> output_rates;       ///< dψ/dφ over the turn of a crank; nothing for other types
   std::vector<MotionState> motion;              ///< tabulated_motion()
 };
 

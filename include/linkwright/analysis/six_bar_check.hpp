@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "linkwright/mechanism/body_error.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 
@@ -12,8 +13,9 @@ namespace linkwright {
 struct SixBarState {
   double turn = 0;  ///< of the driver from position 1, radians, counter-clockwise
   std::array<Point, SixBar::joint_count> joints{};
-  Pose body;      ///< the moving frame, its angle without jumps from state to state
-  int pose = -1;  ///< the pose that is met there; −1: none
+  Pose body;        ///< the moving frame, its angle without jumps from state to state
+  int pose = -1;    ///< the pose that is met there, or that the body comes nearest to; −1: none
+  BodyError error;  ///< how far it is from that pose
 };
 
 struct SixBarCheckOptions {

@@ -28,6 +28,11 @@ struct SixBarMotion {
 /// the guided body meets one of `poses` (the first being that of position 1) are among them, and marked.
 [[nodiscard]] SixBarMotion six_bar_motion(const SixBar& six_bar, std::span<const PrescribedPose> poses, double step);
 
+/// The same motion with a state for each pose that it does not meet but passes by no more than a tenth of the longest
+/// link from, in the distances of the guided body's hinges: where it comes nearest.
+[[nodiscard]] SixBarMotion with_nearest_states(const SixBar& six_bar, std::span<const PrescribedPose> poses,
+                                               SixBarMotion motion);
+
 /// The part of the motion that meets all poses in their order, from the first to the last, by the shorter way where
 /// both senses do; as the driver travels, so that its turn may fall. Empty where there is no such part.
 [[nodiscard]] SixBarMotion travel_through(const SixBar& six_bar, std::span<const PrescribedPose> poses, double step);

@@ -13,8 +13,8 @@ namespace linkwright {
 /// links, from fixed to moving pivot and from the input's to the output's, against the x axis of the fixed frame;
 /// moving pivots; the body, which is the moving frame, in the fixed one; transmission angle; first and second
 /// derivatives of the coupler and output angles by the input angle, not defined at dead points; the number of the
-/// position, from 1, not defined between positions; of a linkage with a point that point. Degrees, all angles
-/// counter-clockwise.
+/// position that the body comes nearest to, from 1, and how far it is from it, not defined between; of a linkage with a
+/// point that point. Degrees, all angles counter-clockwise.
 [[nodiscard]] MotionTable motion_columns(const StoredLinkage& linkage);
 /// The same as csv_text().
 [[nodiscard]] std::string motion_table(const StoredLinkage& linkage);

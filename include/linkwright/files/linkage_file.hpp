@@ -24,9 +24,10 @@ struct StoredLinkage {
 /// …}}`, or
 /// `{"pivots": {"input_center": [x, y], "input_circle": …, "output_center": …, "output_circle": …}}`, or
 /// `{"pivots": {"input_fixed": …, "input_moving": …, "output_moving": …, "output_fixed": …, "point": …}}` with a point
-/// of the coupler, or what write_linkage() wrote. Links given by their lengths are laid with the ground link from (0,
-/// 0) along x, the input in the middle of what it can reach (at right angles to the ground link when it can reach all),
-/// the output's joint sign positive. A problem file is the mistake `problem_without_linkage`.
+/// of the coupler (beside links given otherwise: `"point": [x, y]`), or what write_linkage() wrote. Links given by
+/// their lengths are laid with the ground link from (0, 0) along x, the input in the middle of what it can reach (at
+/// right angles to the ground link when it can reach all), the output's joint sign positive. A problem file is the
+/// mistake `problem_without_linkage`.
 [[nodiscard]] Result<StoredLinkage> read_linkage(std::string_view text);
 
 /// One linkage as JSON text that read_linkage() reads back bit-identical.

@@ -11,7 +11,8 @@ namespace linkwright {
 /// (V. Levenshtein 1966, with F. Damerau's exchange of 1964).
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The known name nearest to what was written; the first of equals. `known` is not empty.
+/// The known name nearest to what was written; the first of equals. `known` is not empty. A name that is not like it –
+/// more than half of its letters differ – is not offered: empty.
 [[nodiscard]] std::string_view nearest_name(std::string_view written, std::span<const std::string_view> known);
 
 /// The text in which bytes that are not UTF-8 have become U+FFFD.

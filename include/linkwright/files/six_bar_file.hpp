@@ -44,6 +44,13 @@ using AnyStoredLinkage = std::variant<StoredLinkage, StoredSixBar, StoredSpheric
 /// As read_result_linkages(), other linkages among them.
 [[nodiscard]] Result<std::vector<AnyStoredLinkage>> read_any_result_linkages(std::string_view text);
 
+/// What can be taken out of a file.
+struct LinkagesOfFile {
+  std::vector<AnyStoredLinkage> linkages;
+  bool is_result = false;  ///< as read_any_result_linkages(); else one linkage, as read_any_linkage()
+};
+[[nodiscard]] Result<LinkagesOfFile> read_linkages_of_file(std::string_view text);
+
 /// The linkages of an answer, best first, as the result file carries them.
 [[nodiscard]] std::vector<AnyStoredLinkage> stored_linkages(const Problem& problem, const Answer& answer);
 
@@ -52,7 +59,7 @@ using AnyStoredLinkage = std::variant<StoredLinkage, StoredSixBar, StoredSpheric
 
 /// A motion, a row a state: the driver's turn from position 1 in degrees, counter-clockwise positive; the seven hinges
 /// and the moving frame in the fixed frame; the transmission angle (asin of SixBarTransmission::sine) in degrees; the
-/// number of the pose that is met there, from 1, not defined between.
+/// number of the pose that the body comes nearest to there, from 1, and how far it is from it, not defined between.
 [[nodiscard]] MotionTable motion_columns(const SixBarMotion& motion);
 /// The same as csv_text().
 [[nodiscard]] std::string motion_table(const SixBarMotion& motion);

@@ -33,8 +33,8 @@ struct StoredSphericalAnalysis : SphericalAnalysis {
 
 /// A motion, a row a state: input and output angle in degrees, both moving axes, the coupler's orientation against
 /// position 1 as a quaternion [w, x, y, z] (against the task's reference attitude where orientations are known),
-/// transmission angle in degrees, velocity ratio, the number of the orientation that is met there, from 1, not defined
-/// between.
+/// transmission angle in degrees, velocity ratio, the number of the orientation that it comes nearest to there, from 1,
+/// and how far it is from it, not defined between.
 [[nodiscard]] MotionTable motion_columns(const StoredSphericalAnalysis& analysis);
 /// The same as csv_text().
 [[nodiscard]] std::string motion_table(const StoredSphericalAnalysis& analysis);

@@ -20,12 +20,13 @@ namespace linkwright {
 /// the drive reaches. Without gravity, as the file says.
 [[nodiscard]] std::string write_mjcf(const Machine& machine, double density = steel_density);
 
-/// SDFormat 1.9, for Gazebo and others: one model, every hinge a revolute joint, those that close loops too.
+/// SDFormat 1.9, for Gazebo and others: one model, every hinge a revolute joint. No link has two parent joints, which
+/// Gazebo refuses: the hinge that closes a loop turns a pin with a thousandth of its link's mass, and Gazebo welds that
+/// to the other link by the constraint of its system DetachableJoint.
 [[nodiscard]] std::string write_sdf(const Machine& machine, double density = steel_density);
 
-/// URDF, which knows trees only: the hinge that closes a loop is told in a comment, and to what reads URDF through
-/// libsdformat in a `<gazebo>` element. Joints whose angle is proportional to the driver's mimic it: those of
-/// parallelograms, up to where their links lie in one line and the linkage may flip.
+/// URDF, which knows trees only: the hinge that closes a loop is told in a comment. Joints whose angle is proportional
+/// to the driver's mimic it: those of parallelograms, up to where their links lie in one line and the linkage may flip.
 [[nodiscard]] std::string write_urdf(const Machine& machine, double density = steel_density);
 
 /// One of them by its name: mjcf, sdf, urdf. Errors: `unknown_simulator`, `density_out_of_range` (not between 1e-3 and

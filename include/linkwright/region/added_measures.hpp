@@ -18,6 +18,8 @@ class LinkageFamily;
 /// not asked.
 struct AddedMeasures {
   std::shared_ptr<const CellMeasure> tolerance_error, yield;
+  /// By how much a yield by few samples has to be above what is required, so that it is met by many, too.
+  double yield_margin = 0;
   bool of_passing = false;  ///< errors take so long that only cells that meet all else are worth it
 
   /// Columns of a map of the family: errors, and `yields` of the cells that meet all else; NaN where a cell is passed

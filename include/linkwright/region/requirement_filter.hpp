@@ -35,8 +35,8 @@ struct JointRelaxation {
   std::int64_t leaves = 0;  ///< cells that dropping all of them would leave
 };
 
-/// "Relaxing a single requirement does not help: without max_length and ground_pivots_within together 12 would be
-/// left."
+/// "No linkage looked at fails a single requirement alone: without max_length and ground_pivots_within together 12
+/// would be left."
 [[nodiscard]] std::string joint_relaxation_text(const JointRelaxation& joint);
 
 /// How the cells of a region fare under the requirements.

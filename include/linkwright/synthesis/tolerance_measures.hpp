@@ -27,13 +27,18 @@ using OutputAt = std::function<std::optional<LinkageOutput>(MapPoint place)>;
 /// Samples of a linkage of a map: those listed are sampled as often as the tolerances say.
 inline constexpr int map_samples = 1000;
 
+/// By how much a yield by map_samples has to be above the one that is required, so that nearly all that do are met by
+/// as many samples as the tolerances say; 0 where these are no more.
+[[nodiscard]] double margin_of_yield(double required, const Tolerances& tolerances);
+
 /// The error to first order, and where there is a limit the yield by map_samples, of a family's linkages. The turning
 /// length is set, and so is the limit where yields are wanted. The family must outlive them.
 [[nodiscard]] AddedMeasures tolerance_measures(const Task& task, const LinkageFamily& family,
                                                const Tolerances& tolerances);
 
-/// Findings::tolerance of the linkages listed; where these rank them, the list is put in their order. Cancelled: of
-/// those that were reached.
+/// Findings::tolerance of the linkages listed; those that do not meet by it what is required are left out, and a
+/// warning says so, but not what is at a place that was asked for; where these rank them, the list is put in their
+/// order. Cancelled: of those that were reached.
 void report_tolerances(Answer& answer, const Progress& progress = {});
 
 /// One linkage listed, how it lies in the positions of its task, and what tolerances do to it.

@@ -37,10 +37,11 @@ void draw_coupler(DxfWriter& dxf, const StoredLinkage& linkage, double radius) {
 }
 
 void draw_positions(DxfWriter& dxf, const StoredLinkage& linkage, double frame_size) {
+  const std::vector<FourBar> as_it_moves = in_positions(linkage);
   for (std::size_t pose = 0; pose < linkage.poses.size(); ++pose) {
     draw_frame(dxf, positions, linkage.poses[pose].pose, pose + 1, frame_size);
     if (pose == 0) continue;
-    const FourBar bars = in_pose(linkage.four_bar, linkage.poses, pose);
+    const FourBar& bars = as_it_moves[pose];
     const std::array<Point, 4> links = {bars.input_center, bars.input_circle, bars.output_circle, bars.output_center};
     dxf.polyline(positions, links, false);
   }

@@ -1,19 +1,16 @@
 #include "dxf_parts.hpp"
 
-#include <algorithm>
-#include <array>
 #include <fmt/format.h>
-#include <utility>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/length_unit.hpp"
 
 namespace linkwright {
 
 int insert_units(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, int>, 9> known = {
-      {{"mm", 4}, {"cm", 5}, {"m", 6}, {"in", 1}, {"inch", 1}, {"\"", 1}, {"ft", 2}, {"dm", 14}, {"km", 7}}};
-  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& entry) { return entry.first == unit; });
-  return found == known.end() ? 0 : found->second;
+  constexpr int unitless = 0;
+  const auto known = length_unit(unit);
+  return known ? known->insunits : unitless;
 }
 
 void draw_link(DxfWriter& dxf, std::string_view layer, Point from, Point to, double radius) {

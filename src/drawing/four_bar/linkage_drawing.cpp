@@ -22,10 +22,9 @@ constexpr PixelBox strip{linkage_sheet::border, 672, linkage_sheet::width - 2 * 
 std::vector<Point> points_of_interest(const StoredLinkage& linkage) {
   const FourBar& bars = linkage.four_bar;
   std::vector<Point> points = {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle};
-  for (std::size_t pose = 0; pose < linkage.poses.size(); ++pose) {
-    const FourBar there = in_pose(bars, linkage.poses, pose);
-    points.insert(points.end(), {there.input_circle, there.output_circle, linkage.poses[pose].pose.origin});
-  }
+  for (const FourBar& there : in_positions(linkage))
+    points.insert(points.end(), {there.input_circle, there.output_circle});
+  for (const PrescribedPose& pose : linkage.poses) points.push_back(pose.pose.origin);
   if (linkage.poses.empty()) {
     for (const Point p : path_of_cycle(bars, traced_point(linkage))) points.push_back(p);
   }
@@ -39,9 +38,8 @@ void draw_ground_line(SvgCanvas& svg, const PlaneWindow& window, const FourBar& 
 void draw_positions(SvgCanvas& svg, const PlaneWindow& window, const StoredLinkage& linkage) {
   const Point traced = traced_point(linkage);
   draw_traced_path(svg, window, path_of_cycle(linkage.four_bar, traced), linkage.poses.empty());
-  for (std::size_t pose = linkage.poses.size(); pose-- > 1;) {
-    draw_ghost(svg, window, in_pose(linkage.four_bar, linkage.poses, pose));
-  }
+  const std::vector<FourBar> positions = in_positions(linkage);
+  for (std::size_t pose = positions.size(); pose-- > 1;) draw_ghost(svg, window, positions[pose]);
   if (linkage.poses.empty()) return;
   draw_traced_path(svg, window, path_of_task(linkage.four_bar, linkage.poses, traced), true);
   draw_body(svg, window, linkage.four_bar, traced);

@@ -4,6 +4,7 @@
 
 #include "linkwright/analysis/coupler_curve.hpp"
 #include "linkwright/analysis/defects.hpp"
+#include "linkwright/files/csv_table.hpp"
 
 namespace linkwright {
 namespace {
@@ -37,6 +38,15 @@ FourBar in_pose(const FourBar& four_bar, std::span<const PrescribedPose> poses, 
   const Pose &from = poses.front().pose, &to = poses[pose].pose;
   bars.input_circle = displaced(bars.input_circle, from, to);
   bars.output_circle = displaced(bars.output_circle, from, to);
+  return bars;
+}
+
+std::vector<FourBar> in_positions(const StoredLinkage& linkage) {
+  std::vector<FourBar> bars;
+  for (std::size_t pose = 0; pose < linkage.poses.size(); ++pose)
+    bars.push_back(in_pose(linkage.four_bar, linkage.poses, pose));
+  for (const CycleState& state : tabulated_cycle(linkage))
+    if (state.pose > 0) bars[static_cast<std::size_t>(state.pose)] = state.four_bar;
   return bars;
 }
 

@@ -96,10 +96,14 @@ bool read_table(const JsonValue& value, std::vector<std::array<double, 2>>& tabl
 
 bool read_what_it_is(const JsonObject& object, const JsonValue& value, NamedFunction& function) {
   const auto expression = object.find("expression"), table = object.find("table");
-  if (expression.has_value() == table.has_value()) {
+  if (!expression && !table) {
     value.mistake("missing_function",
-                  "either \"expression\" (\"x^2\", \"sqrt\", \"log\", \"sin\", …) or \"table\": [[x, y], …] belongs "
-                  "here, not both");
+                  "no function is given; add \"expression\" (\"x^2\", \"sqrt\", \"log\", \"sin\", …) or \"table\": "
+                  "[[x, y], …]");
+    return false;
+  }
+  if (expression && table) {
+    value.mistake("two_functions", "give an expression or a table, not both");
     return false;
   }
   if (table) return read_table(*table, function.table);
@@ -211,10 +215,15 @@ std::optional<FreeParameter> read_free(const JsonValue& value, Mistakes& mistake
 bool read_pairs_or_function(const JsonObject& object, const JsonValue& value, Mistakes& mistakes,
                             WantedFunction& wanted) {
   const auto pairs = object.find("pairs"), function = object.find("function");
-  if (pairs.has_value() == function.has_value()) {
-    value.mistake("missing_pairs",
-                  "either \"pairs\": [{\"input_deg\": …, \"output_deg\": …}, …] or \"function\": {\"expression\": …} "
-                  "belongs here, not both");
+  if (!pairs && !function) {
+    value.mistake(
+        "missing_pairs",
+        "neither pairs nor a function are given; add \"pairs\": [{\"input_deg\": …, \"output_deg\": …}, …] or "
+        "\"function\": {\"expression\": …}");
+    return false;
+  }
+  if (pairs && function) {
+    value.mistake("pairs_and_function", "\"pairs\" and \"function\" are two ways to say what is wanted; keep one");
     return false;
   }
   if (pairs) return read_pairs(*pairs, mistakes, wanted.pairs);

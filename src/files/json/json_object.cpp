@@ -23,6 +23,12 @@ std::string member_place(const std::string& place, std::string_view key) {
   return place.empty() ? presentable(key) : place + "." + presentable(key);
 }
 
+std::string all_in_quotes(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
+  return text;
+}
+
 }  // namespace
 
 bool JsonValue::is_null() const { return value_->is_null(); }
@@ -73,9 +79,13 @@ std::optional<std::string_view> JsonValue::as_one_of(std::span<const std::string
   if (!text) return std::nullopt;
   const auto found = std::find(names.begin(), names.end(), *text);
   if (found != names.end()) return *found;
-  const std::string given = in_quotes(*text), nearest = in_quotes(nearest_name(*text, names));
-  mistake("unknown_name", fmt::format("{} is not known here; the nearest known name is {}", given, nearest),
-          {{"given", given}, {"name", nearest}});
+  const std::string given = in_quotes(*text);
+  if (const std::string_view near = nearest_name(*text, names); !near.empty())
+    mistake("unknown_name", fmt::format("{} is not known here; the nearest known name is {}", given, in_quotes(near)),
+            {{"given", given}, {"name", in_quotes(near)}});
+  else
+    mistake("foreign_name", fmt::format("{} is not known here; known are {}", given, all_in_quotes(names)),
+            {{"given", given}, {"names", all_in_quotes(names)}});
   return std::nullopt;
 }
 
@@ -90,7 +100,8 @@ bool JsonValue::for_each(Wanted what, const std::function<void(const JsonValue&)
 }
 
 std::optional<Point> JsonValue::as_pair(Wanted form) const {
-  if (!value_->is_array() || value_->size() != 2) {
+  const auto is_number = [](const nlohmann::json& item) { return item.is_number(); };
+  if (!value_->is_array() || value_->size() != 2 || std::none_of(value_->begin(), value_->end(), is_number)) {
     mistake("two_numbers", fmt::format("two numbers {} belong here", form.words), {{"form", form.name}});
     return std::nullopt;
   }
@@ -111,9 +122,14 @@ JsonObject::JsonObject(const JsonValue& value, Mistakes& mistakes, std::span<con
   if (known.size() == 0) return;
   for (const auto& member : value.json().items()) {
     if (std::find(known.begin(), known.end(), member.key()) != known.end()) continue;
-    const std::string nearest = in_quotes(nearest_name(member.key(), known));
-    mistakes.add("unknown_key", member_place(value.place(), member.key()),
-                 fmt::format("this key is not known here; the nearest known one is {}", nearest), {{"name", nearest}});
+    const std::string place = member_place(value.place(), member.key());
+    if (const std::string_view near = nearest_name(member.key(), known); !near.empty())
+      mistakes.add("unknown_key", place,
+                   fmt::format("this key is not known here; the nearest known one is {}", in_quotes(near)),
+                   {{"name", in_quotes(near)}});
+    else
+      mistakes.add("foreign_key", place, fmt::format("this key is not known here; known are {}", all_in_quotes(known)),
+                   {{"names", all_in_quotes(known)}});
   }
 }
 

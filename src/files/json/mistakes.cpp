@@ -6,6 +6,8 @@
 namespace linkwright {
 
 void Mistakes::add(Error error) {
+  const auto is_told = [&](const Error& known) { return known.place == error.place && known.message == error.message; };
+  if (std::any_of(errors_.begin(), errors_.end(), is_told)) return;
   if (errors_.size() < max_listed) {
     errors_.push_back(std::move(error));
   } else {

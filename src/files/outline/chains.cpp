@@ -5,11 +5,13 @@
 #include <iterator>
 #include <unordered_map>
 
+#include "outer_contours.hpp"
+
 namespace linkwright {
 namespace {
 
-constexpr double meeting = 1e-5;  // of the drawing's size
-constexpr std::size_t any_number = static_cast<std::size_t>(-1);
+constexpr double meeting = 1e-5;     // of the drawing's size
+constexpr std::size_t two_ends = 2;  // where a chain goes on
 
 bool meet(Point a, Point b, double reach) { return std::abs(a - b) <= reach; }
 
@@ -17,6 +19,8 @@ struct End {
   std::size_t stroke;
   bool last;
 };
+
+Point end_point(const Stroke& stroke, bool last) { return last ? stroke.points.back() : stroke.points.front(); }
 
 /// A square as wide as ends may be apart.
 struct Cell {
@@ -30,11 +34,11 @@ struct CellHash {
   }
 };
 
-/// The ends of open strokes by the cell that they lie in. `most`: ends that may meet where a chain goes on.
+/// The ends of open strokes by the cell that they lie in.
 class Ends {
  public:
-  Ends(const std::vector<Stroke>& strokes, double reach, std::size_t most)
-      : strokes_(strokes), reach_(reach), most_(most), is_free_(strokes.size(), true) {
+  Ends(const std::vector<Stroke>& strokes, double reach)
+      : strokes_(strokes), reach_(reach), is_free_(strokes.size(), true) {
     for (std::size_t i = 0; i < strokes.size(); ++i)
       for (const bool last : {false, true}) cells_[cell_of(point({i, last}))].push_back({i, last});
   }
@@ -62,10 +66,7 @@ class Ends {
   }
 
  private:
-  [[nodiscard]] Point point(const End& end) const {
-    const std::vector<Point>& points = strokes_[end.stroke].points;
-    return end.last ? points.back() : points.front();
-  }
+  [[nodiscard]] Point point(const End& end) const { return end_point(strokes_[end.stroke], end.last); }
   [[nodiscard]] Cell cell_of(Point p) const {
     const double width = reach_ > 0 ? reach_ : 1;
     return {std::floor(p.real() / width), std::floor(p.imag() / width)};
@@ -80,25 +81,19 @@ class Ends {
           if (visit(cell->second)) return;
   }
   [[nodiscard]] bool is_crowded(Point at) {
-    if (most_ == any_number) return false;
     std::size_t count = 0;
     near(at, [&](const std::vector<End>& cell) {
       for (const End& end : cell)
-        if (meet(point(end), at, reach_) && ++count > most_) return true;
+        if (meet(point(end), at, reach_) && ++count > two_ends) return true;
       return false;
     });
-    return count > most_;
+    return count > two_ends;
   }
   [[nodiscard]] std::optional<End> free_end(Point at) {
     std::optional<End> found;
-    near(at, [&](std::vector<End>& cell) {
-      for (std::size_t i = cell.size(); i-- > 0 && !found;) {
-        if (is_free_[cell[i].stroke]) {
-          if (meet(point(cell[i]), at, reach_)) found = cell[i];
-        } else if (most_ == any_number) {
-          cell.erase(cell.begin() + static_cast<std::ptrdiff_t>(i));  // never looked at again
-        }
-      }
+    near(at, [&](const std::vector<End>& cell) {
+      for (std::size_t i = cell.size(); i-- > 0 && !found;)
+        if (is_free_[cell[i].stroke] && meet(point(cell[i]), at, reach_)) found = cell[i];
       return found.has_value();
     });
     return found;
@@ -106,13 +101,13 @@ class Ends {
 
   const std::vector<Stroke>& strokes_;
   double reach_;
-  std::size_t most_;
   std::vector<bool> is_free_;
   std::unordered_map<Cell, std::vector<End>, CellHash> cells_;
 };
 
-std::vector<Stroke> joined(const std::vector<Stroke>& strokes, double reach, std::size_t most) {
-  Ends ends(strokes, reach, most);
+/// Strokes joined where just two ends meet.
+std::vector<Stroke> joined(const std::vector<Stroke>& strokes, double reach) {
+  Ends ends(strokes, reach);
   std::vector<Stroke> chains;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     if (!ends.take(i)) continue;
@@ -140,12 +135,11 @@ std::vector<Stroke> chained(std::vector<Stroke> strokes) {
   std::vector<Point> points;
   for (const Stroke& stroke : to_join) points.insert(points.end(), stroke.points.begin(), stroke.points.end());
   const double reach = meeting * size_of(points);
-  std::vector<Stroke> sure = joined(to_join, reach, 2), left;
-  std::copy_if(sure.begin(), sure.end(), std::back_inserter(left), std::not_fn(is_closed));
-  std::vector<Stroke> loops = joined(left, reach, any_number);
-  std::move(sure.begin(), sure.end(), std::back_inserter(strokes));
-  std::copy_if(std::make_move_iterator(loops.begin()), std::make_move_iterator(loops.end()),
-               std::back_inserter(strokes), is_closed);
+  std::vector<Stroke> chains = joined(to_join, reach), open_chains;
+  std::copy_if(chains.begin(), chains.end(), std::back_inserter(open_chains), std::not_fn(is_closed));
+  std::vector<Stroke> outer = outer_contours(open_chains, reach);
+  std::move(chains.begin(), chains.end(), std::back_inserter(strokes));
+  std::move(outer.begin(), outer.end(), std::back_inserter(strokes));
   return strokes;
 }
 

@@ -8,6 +8,7 @@
 #include "dxf_groups.hpp"
 #include "dxf_spline.hpp"
 #include "files/text/plain_text.hpp"
+#include "linkwright/files/length_unit.hpp"
 #include "strokes.hpp"
 
 namespace linkwright {
@@ -16,34 +17,6 @@ namespace {
 using Place = std::function<Point(Point)>;
 constexpr int deepest_insert = 16;
 constexpr double whole_turn = 2 * std::numbers::pi, degree = std::numbers::pi / 180;
-
-/// Millimetres to a unit of $INSUNITS.
-std::optional<double> mm_of_insunits(int unit) {
-  switch (unit) {
-    case 1:
-      return 25.4;
-    case 2:
-      return 304.8;
-    case 4:
-      return 1;
-    case 5:
-      return 10;
-    case 6:
-      return 1000;
-    case 8:
-      return 25.4e-6;
-    case 9:
-      return 0.0254;
-    case 10:
-      return 914.4;
-    case 13:
-      return 1e-3;
-    case 14:
-      return 100;
-    default:
-      return std::nullopt;
-  }
-}
 
 /// Mirrored things are drawn with their normal downwards: then x counts the other way.
 double side_of(const DxfEntity& entity) { return entity.number(230, 1) < 0 ? -1 : 1; }
@@ -111,7 +84,8 @@ class DxfPainter {
     draw(
         file_.entities, [](Point p) { return p; }, 0);
     if (collector_.is_full()) return drawing_of_too_much();
-    return Strokes{collector_.take(), mm_of_insunits(file_.unit), std::nullopt};
+    const auto unit = length_unit(file_.unit);
+    return Strokes{collector_.take(), unit ? std::optional(unit->mm) : std::nullopt, std::nullopt};
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "files/json/json_writer.hpp"
+#include "files/position_error_writer.hpp"
 #include "files/six_bar/six_bar_kind.hpp"
 #include "files/task_writer.hpp"
 #include "linkwright/core/angle.hpp"
@@ -79,6 +80,7 @@ std::string write_analysis(const StoredSixBarAnalysis& analysis) {
     json.member("min_transmission_angle_whole_motion_deg", angle_of_sine_deg(analysis.motion.min_sine));
     json.key("motion");
     write_motion(json, analysis.motion);
+    write_position_errors(json, linkage);
     json.end_object();
   }
   return text;

@@ -13,7 +13,8 @@ std::vector<std::string> six_bar_columns() {
   std::vector<std::string> columns{"driver_turn_from_position_1_deg"};
   for (std::size_t joint = 0; joint < SixBar::joint_count; ++joint)
     for (const char* axis : {"x", "y"}) columns.push_back(fmt::format("{}_{}", joint_name(joint), axis));
-  columns.insert(columns.end(), {"body_x", "body_y", "body_theta_deg", "transmission_angle_deg", "position"});
+  columns.insert(columns.end(), {"body_x", "body_y", "body_theta_deg", "transmission_angle_deg", "position",
+                                 "position_error", "orientation_error_deg"});
   return columns;
 }
 
@@ -22,8 +23,12 @@ void put_row(std::vector<double>& values, const SixBarMotionState& state) {
   values.push_back(degrees(place.turn));
   for (const Point joint : place.joints) values.insert(values.end(), {joint.real(), joint.imag()});
   values.insert(values.end(), {place.body.origin.real(), place.body.origin.imag(), degrees(place.body.angle),
-                               degrees(std::asin(std::min(state.sine, 1.0))),
-                               place.pose < 0 ? std::numeric_limits<double>::quiet_NaN() : place.pose + 1});
+                               degrees(std::asin(std::min(state.sine, 1.0)))});
+  if (place.pose < 0)
+    values.insert(values.end(), 3, std::numeric_limits<double>::quiet_NaN());
+  else
+    values.insert(values.end(),
+                  {static_cast<double>(place.pose + 1), place.error.distance, degrees(place.error.angle)});
 }
 
 }  // namespace

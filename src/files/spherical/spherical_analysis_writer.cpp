@@ -2,6 +2,7 @@
 
 #include "files/attitude/space_writer.hpp"
 #include "files/json/json_writer.hpp"
+#include "files/position_error_writer.hpp"
 #include "files/spherical/spherical_writer.hpp"
 #include "files/task_writer.hpp"
 #include "linkwright/core/angle.hpp"
@@ -100,6 +101,7 @@ std::string write_analysis(const StoredSphericalAnalysis& analysis) {
     analysis.velocity_ratio ? json.value(*analysis.velocity_ratio) : json.null();
     json.key("motion");
     write_states(json, analysis.motion);
+    write_position_errors(json, analysis.linkage);
     json.end_object();
   });
 }

@@ -7,10 +7,22 @@
 namespace linkwright {
 namespace {
 
-const std::array spherical_columns = {
-    "input_deg",       "output_deg",      "input_moving_x",         "input_moving_y", "input_moving_z",
-    "output_moving_x", "output_moving_y", "output_moving_z",        "quaternion_w",   "quaternion_x",
-    "quaternion_y",    "quaternion_z",    "transmission_angle_deg", "velocity_ratio", "position"};
+const std::array spherical_columns = {"input_deg",
+                                      "output_deg",
+                                      "input_moving_x",
+                                      "input_moving_y",
+                                      "input_moving_z",
+                                      "output_moving_x",
+                                      "output_moving_y",
+                                      "output_moving_z",
+                                      "quaternion_w",
+                                      "quaternion_x",
+                                      "quaternion_y",
+                                      "quaternion_z",
+                                      "transmission_angle_deg",
+                                      "velocity_ratio",
+                                      "position",
+                                      "orientation_error_deg"};
 
 void put_row(std::vector<double>& values, const SphericalState& state, const UnitQuaternion& first) {
   constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
@@ -19,7 +31,8 @@ void put_row(std::vector<double>& values, const SphericalState& state, const Uni
   values.insert(values.end(), {degrees(state.configuration.input_angle), degrees(state.configuration.output_angle),
                                input.x, input.y, input.z, output.x, output.y, output.z, orientation.w(), v.x, v.y, v.z,
                                degrees(state.transmission_angle), state.velocity_ratio.value_or(undefined),
-                               state.position ? static_cast<double>(*state.position) : undefined});
+                               state.position ? static_cast<double>(*state.position) : undefined,
+                               state.position ? degrees(state.orientation_error) : undefined});
 }
 
 }  // namespace

@@ -80,9 +80,13 @@ std::optional<GivenAxes> read_given_axes(const JsonValue& value, Mistakes& mista
   const JsonObject object(value, mistakes, {"fixed_axes", "moving_axes"});
   if (!value.is_object()) return std::nullopt;
   const auto fixed = object.find("fixed_axes"), moving = object.find("moving_axes");
-  if (fixed.has_value() == moving.has_value()) {
+  if (!fixed && !moving) {
     value.mistake("given_axes",
-                  "either \"fixed_axes\": [[x, y, z], [x, y, z]] or \"moving_axes\": […, …] belongs here, not both");
+                  "no axes are given; add \"fixed_axes\": [[x, y, z], [x, y, z]] or \"moving_axes\": […, …]");
+    return std::nullopt;
+  }
+  if (fixed && moving) {
+    value.mistake("fixed_and_moving_axes", "give the fixed axes or the moving axes, not both");
     return std::nullopt;
   }
   const JsonValue& list = fixed ? *fixed : *moving;

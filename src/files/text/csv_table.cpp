@@ -26,7 +26,9 @@ const std::array four_bar_columns = {"driver_turn_from_position_1_deg",
                                      "output_rate",
                                      "coupler_acceleration",
                                      "output_acceleration",
-                                     "position"};
+                                     "position",
+                                     "position_error",
+                                     "orientation_error_deg"};
 
 constexpr double row_step = radians(1), undefined = std::numeric_limits<double>::quiet_NaN();
 
@@ -41,7 +43,11 @@ void put_row(std::vector<double>& values, const CycleState& state) {
                                  state.rates->output_acceleration});
   else
     values.insert(values.end(), 4, undefined);
-  values.push_back(state.pose < 0 ? undefined : state.pose + 1);
+  if (state.pose < 0)
+    values.insert(values.end(), 3, undefined);
+  else
+    values.insert(values.end(),
+                  {static_cast<double>(state.pose + 1), state.error.distance, degrees(state.error.angle)});
 }
 
 }  // namespace

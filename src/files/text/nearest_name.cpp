@@ -33,9 +33,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string_view nearest_name(std::string_view written, std::span<const std::string_view> known) {
   const std::string_view compared = written.substr(0, longest_compared);
-  return *std::min_element(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {
+  const auto nearest = *std::min_element(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {
     return edit_distance(compared, a) < edit_distance(compared, b);
   });
+  return 2 * edit_distance(compared, nearest) <= std::max(compared.size(), nearest.size()) ? nearest : "";
 }
 
 std::string well_formed(std::string_view text) {

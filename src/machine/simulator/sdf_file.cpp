@@ -25,10 +25,7 @@ class SdfWriter {
       const SimulatorLink& link = model_.links[static_cast<std::size_t>(place)];
       write_joint(link.hinge, link.parent, place);
     }
-    for (const auto& [hinge, first, second] : model_.loops) {
-      xml_.comment("Closes a loop.");
-      write_joint(hinge, first, second);
-    }
+    for (const SimulatorLoop& loop : model_.loops) write_loop(loop);
     xml_.close();
     xml_.close();
     return xml_.file();
@@ -39,10 +36,23 @@ class SdfWriter {
     xml_.text("pose", numbers(place.translation, model_.size) + ' ' + numbers(roll_pitch_yaw(place.rotation)));
   }
 
+  /// Of a link's matter that a pin of its takes, by which a loop is closed.
+  static constexpr double share_of_pin = 1e-3;
+
+  [[nodiscard]] double share_left(const SimulatorLink& link) const {
+    double left = 1;
+    for (const SimulatorLoop& loop : model_.loops)
+      if (&link == &model_.links[static_cast<std::size_t>(loop.second)]) left -= share_of_pin;
+    return left;
+  }
+
   void write_link(const SimulatorLink& link) {
     xml_.open("link", {{"name", link.name}});
     write_pose(Displacement::translated(link.origin));
-    const auto& [mass, centre, inertia] = link.matter;
+    const double left = share_left(link);
+    const double mass = left * link.matter.mass;
+    const Vector3 centre = link.matter.centre;
+    const Matrix3x3 inertia = left * link.matter.inertia;
     const double size = trace(inertia);
     xml_.open("inertial");
     write_pose(Displacement::translated(centre - link.origin));
@@ -75,6 +85,42 @@ class SdfWriter {
     xml_.text("ambient", colour);
     xml_.text("diffuse", colour);
     xml_.close();
+    xml_.close();
+  }
+
+  /// Gazebo lets a link have one parent joint: a pin turns in the second link, and is welded to the first.
+  void write_loop(const SimulatorLoop& loop) {
+    const SimulatorLink &one = model_.links[static_cast<std::size_t>(loop.first)],
+                        &other = model_.links[static_cast<std::size_t>(loop.second)];
+    const std::string hinge = model_.hinge_names[loop.hinge], pin = hinge + "_pin";
+    xml_.comment(fmt::format(
+        "The hinge {} closes a loop. A link has one parent joint at most: so the pin {} turns in {}, and Gazebo (from "
+        "Harmonic on) welds it to {} by the constraint of the plugin below. Other programs have to close it "
+        "themselves.",
+        hinge, pin, other.name, one.name));
+    xml_.open("link", {{"name", pin}});
+    write_pose(Displacement::translated(model_.hinge_points[loop.hinge]));
+    xml_.open("inertial");
+    xml_.text("mass", number(share_of_pin * other.matter.mass, other.matter.mass));
+    xml_.open("inertia");
+    const double moment = share_of_pin * trace(other.matter.inertia) / 3;
+    for (const auto& [name, row, column] : inertia_elements)
+      xml_.text(name, row == column ? number(moment, moment) : "0");
+    xml_.close();
+    xml_.close();
+    xml_.close();
+    xml_.open("joint", {{"name", hinge}, {"type", "revolute"}});
+    xml_.text("parent", other.name);
+    xml_.text("child", pin);
+    xml_.open("axis");
+    xml_.text("xyz", numbers(model_.hinge_axes[loop.hinge]), {{"expressed_in", "__model__"}});
+    xml_.close();
+    xml_.close();
+    xml_.open("plugin",
+              {{"filename", "gz-sim-detachable-joint-system"}, {"name", "gz::sim::systems::DetachableJoint"}});
+    xml_.text("parent_link", one.name);
+    xml_.text("child_model", "__model__");
+    xml_.text("child_link", pin);
     xml_.close();
   }
 

@@ -249,7 +249,7 @@ class ModelBuilder {
     const std::string& unit = linkage_.length_unit;
     const bool known = millimetres(unit).has_value();
     const std::string of_unit =
-        known ? "lengths in " + unit
+        known ? "lengths in " + spoken_unit(unit)
               : (unit.empty() ? "no unit of length" : "the unit of length " + unit) + ", taken for millimetres";
     return fmt::format("{}{}: a linkage with {}; here in m, kg, rad, its density {} kg/m³", linkage_.title,
                        linkage_.title.empty() ? "Linkwright" : ", by Linkwright", of_unit,

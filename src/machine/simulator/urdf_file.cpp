@@ -103,19 +103,9 @@ class UrdfWriter {
                   in_other = model_.hinge_points[loop.hinge] - other.origin;
     xml_.comment(fmt::format(
         "URDF knows trees only. The hinge {} closes a loop: it joins {} at ({}) and {} at ({}), in their frames, "
-        "about the axis ({}). What reads this file through libsdformat makes the joint below of it.",
+        "about the axis ({}).",
         name, one.name, numbers(in_one, model_.size), other.name, numbers(in_other, model_.size),
         numbers(model_.hinge_axes[loop.hinge])));
-    xml_.open("gazebo");
-    xml_.open("joint", {{"name", name}, {"type", "revolute"}});
-    xml_.text("pose", numbers(in_other, model_.size) + " 0 0 0");
-    xml_.text("parent", one.name);
-    xml_.text("child", other.name);
-    xml_.open("axis");
-    xml_.text("xyz", numbers(model_.hinge_axes[loop.hinge]));
-    xml_.close();
-    xml_.close();
-    xml_.close();
   }
 
   SimulatorModel model_;

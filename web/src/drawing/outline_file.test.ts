@@ -153,9 +153,23 @@ describe("DXF", () => {
   it("finds loops beyond places where more than two lines meet, and leaves polylines that meet there apart", async () => {
     const with_rib = [line([0, 0], [10, 0]), line([10, 0], [10, 8]), line([10, 8], [0, 8]), line([0, 8], [0, 0])];
     const {shapes} = await found(drawing(...with_rib.flat(), ...line([0, 0], [10, 8])));
-    expect(shapes.some(({closed}) => closed)).toBe(true);
+    expect(shapes.filter(({closed}) => closed).map(box)).toEqual([[0, 10, 0, 8]]);
     const three = [1, 2, 3].flatMap((y) => lwpolyline([[0, 0], [5, y], [10, 0]], false)); // prettier-ignore
     expect((await found(drawing(...three))).shapes.filter(({closed}) => !closed)).toHaveLength(3);
+  });
+  it("keeps the contour of a flat pattern whole where fold lines meet it, whatever the order", async () => {
+    const corners: Point[] = [
+      ...([[19, 16], [20, 17], [150, 17], [151, 16], [150, 15], [150, 0], [170, 0], [170, 15], [169, 16]] as Point[]), // prettier-ignore
+      ...([[170, 17], [170, 104], [0, 104], [0, 17], [1, 16], [0, 15], [0, 0], [20, 0], [20, 15]] as Point[]), // prettier-ignore
+    ];
+    const cuts = corners.map((corner, i) => line(corner, corners[(i + 1) % corners.length]!)),
+      folds = [line([1, 16], [19, 16]), line([151, 16], [169, 16])],
+      lines = [...folds, ...cuts];
+    for (const order of [lines, lines.toReversed(), [...lines.slice(7), ...lines.slice(0, 7)]]) {
+      const {shapes} = await found(drawing(...order.flat()));
+      expect([shapes[0]!.closed, box(shapes[0]!)]).toEqual([true, [0, 170, 0, 104]]);
+      expect(shapes[0]!.points).toHaveLength(corners.length);
+    }
   });
   it("places blocks: base point, scale, rotation, rows, blocks in blocks, mirrored ones", async () => {
     const block = (name: string, x: number, y: number, ...entities: Groups): Groups => [
@@ -179,7 +193,8 @@ describe("DXF", () => {
     const inches = file(...section("HEADER", 9, "$INSUNITS", 70, 1), ...section("ENTITIES", ...rectangle(0, 0, 4, 2)));
     const {unit_mm, shapes} = await found(inches);
     expect(unit_factor(unit_mm, "mm")).toBe(25.4);
-    expect(unit_factor(unit_mm, "in")).toBe(1);
+    for (const name of ["in", "Inches", '"', "in.", "英寸"]) expect(unit_factor(unit_mm, name), name).toBe(1);
+    for (const name of ["MM", "millimeter", "millimetres"]) expect(unit_factor(unit_mm, name), name).toBe(25.4);
     expect(unit_factor(unit_mm, "furlong")).toBe(1);
     expect(body_of(shapes[0]!, unit_factor(unit_mm, "cm"), 10)[2]).toEqual([10.16, 5.08]);
   });

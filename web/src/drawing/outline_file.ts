@@ -35,21 +35,29 @@ async function drawn_in(name: string, text: string): Promise<Drawn> {
   return (await import("./outlines/svg")).read_svg(text);
 }
 
-const mm_of_unit: Record<string, number> = {
-  µm: 1e-3,
-  um: 1e-3,
-  mm: 1,
-  cm: 10,
-  dm: 100,
-  m: 1000,
-  in: 25.4,
-  inch: 25.4,
-  '"': 25.4,
-  ft: 304.8,
-};
+/** The names that the program knows, in small letters (length_unit.cpp). */
+const unit_names: readonly [number, string][] = [
+  [1e-3, "µm μm um micron microns micrometre micrometres micrometer micrometers 微米"],
+  [1, "mm millimetre millimetres millimeter millimeters 毫米"],
+  [10, "cm centimetre centimetres centimeter centimeters 厘米"],
+  [100, "dm decimetre decimetres decimeter decimeters 分米"],
+  [1000, "m metre metres meter meters 米"],
+  [1e6, "km kilometre kilometres kilometer kilometers 千米"],
+  [25.4e-6, "µin μin uin microinch microinches"],
+  [0.0254, "mil mils thou"],
+  [25.4, "in inch inches \" ″ ” 英寸"],
+  [304.8, "ft foot feet ' ′ ’ 英尺"],
+  [914.4, "yd yard yards 码"],
+  [1609344, "mi mile miles 英里"],
+];
+/** Millimetres to a unit by its name; nothing where it is not known. */
+export function mm_of_unit(unit: string): number | undefined {
+  const name = unit.trim().toLowerCase().replace(/\.$/, "");
+  return unit_names.find(([, names]) => names.split(" ").includes(name))?.[0];
+}
 /** Units of the task to a unit of the file; 1 where one of the two is not known. */
 export function unit_factor(unit_mm: number | null, unit: string): number {
-  const task_mm = mm_of_unit[unit.trim().toLowerCase()];
+  const task_mm = mm_of_unit(unit);
   return unit_mm === null || task_mm === undefined ? 1 : unit_mm / task_mm;
 }
 

@@ -80,7 +80,7 @@ describe("requirements", () => {
   it("names the requirements that only together leave something, and drops them all", () => {
     const requirements = ["no_defects", "max_length", "ground_pivots_within"] as const;
     expect(together_text({requirements: [...requirements], leaves: 1234})).toBe(
-      "Relaxing a single requirement does not help: without no-defects requirement, longest link and box for fixed pivots together, 1\u202f234 are left.",
+      "No linkage looked at fails a single requirement alone: without no-defects requirement, longest link and box for fixed pivots together, 1\u202f234 are left.",
     );
     expect(all_dropped(requirements)).toEqual({
       no_defects: false,

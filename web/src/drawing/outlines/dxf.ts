@@ -10,9 +10,11 @@ const most_nested = 16;
 const mm_of_insunits: Record<number, number> = {
   1: 25.4,
   2: 304.8,
+  3: 1609344,
   4: 1,
   5: 10,
   6: 1000,
+  7: 1e6,
   8: 25.4e-6,
   9: 0.0254,
   10: 914.4,

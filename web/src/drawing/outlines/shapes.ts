@@ -1,5 +1,6 @@
 // The shapes of a drawing that can be a body: its strokes joined end to end, the sheet's frame told from the parts.
 import type {Point} from "../../engine/protocol";
+import {outer_contours} from "./contours";
 import {off_chord, size_of, type Drawn, type Stroke} from "./strokes";
 
 export interface Shape {
@@ -76,21 +77,20 @@ interface End {
   stroke: Stroke;
   last: boolean;
 }
-/** Open strokes joined where just two ends meet; and the loops that are closed beyond places where more do. */
+/** Open strokes joined where just two ends meet; and the outer contours of what hangs together at places where more do. */
 export function chained(strokes: readonly Stroke[]): Stroke[] {
   const open = strokes.filter(({closed}) => !closed),
     reach = meeting * size_of(open.flatMap(({points}) => points));
-  const sure = joined(open, reach, 2),
-    loops = joined(
-      sure.filter(({closed}) => !closed),
-      reach,
-      Infinity,
-    );
-  return [...strokes.filter(({closed}) => closed), ...sure, ...loops.filter(({closed}) => closed)];
+  const chains = joined(open, reach);
+  const outer = outer_contours(
+    chains.filter(({closed}) => !closed),
+    reach,
+  );
+  return [...strokes.filter(({closed}) => closed), ...chains, ...outer];
 }
-/** `most`: ends that may meet where the chain goes on. */
-function joined(strokes: readonly Stroke[], reach: number, most: number): Stroke[] {
-  const ends = new Ends(strokes, reach, most);
+/** Strokes joined where just two ends meet. */
+function joined(strokes: readonly Stroke[], reach: number): Stroke[] {
+  const ends = new Ends(strokes, reach);
   return strokes.flatMap((stroke) => {
     if (!ends.take(stroke)) return [];
     const points = [...stroke.points];
@@ -115,7 +115,6 @@ class Ends {
   constructor(
     strokes: readonly Stroke[],
     private readonly reach: number,
-    private readonly most: number,
   ) {
     this.free = new Set(strokes);
     for (const stroke of strokes)
@@ -153,19 +152,16 @@ class Ends {
       }
   }
   private is_crowded(at: Point): boolean {
-    if (this.most === Infinity) return false;
     let count = 0;
     for (const cell of this.near(at))
-      for (const end of cell) if (meet(end_point(end), at, this.reach) && ++count > this.most) return true;
+      for (const end of cell) if (meet(end_point(end), at, this.reach) && ++count > 2) return true;
     return false;
   }
   private free_end(at: Point): End | null {
-    for (const cell of this.near(at))
-      for (let i = cell.length - 1; i >= 0; --i) {
-        const end = cell[i];
-        if (end && this.free.has(end.stroke) && meet(end_point(end), at, this.reach)) return end;
-        if (this.most === Infinity && end && !this.free.has(end.stroke)) cell.splice(i, 1); // never looked at again
-      }
+    for (const cell of this.near(at)) {
+      const end = cell.findLast((each) => this.free.has(each.stroke) && meet(end_point(each), at, this.reach));
+      if (end) return end;
+    }
     return null;
   }
 }
