@@ -21,12 +21,24 @@ void write_derivatives(JsonWriter& json, const std::vector<PoseDerivative>& deri
   json.end_list();
 }
 
+void write_by_points(JsonWriter& json, const BodyPoints& points, const std::vector<PoseDerivative>& derivatives) {
+  json.begin_object(Layout::one_line);
+  json.key("points");
+  json.begin_list(Layout::one_line);
+  write_point(json, points.first);
+  write_point(json, points.second);
+  json.end_list();
+  if (!derivatives.empty()) write_derivatives(json, derivatives);
+  json.end_object();
+}
+
 }  // namespace
 
-void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses) {
+void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses, std::span<const BodyPoints> points) {
   json.key("poses");
   json.begin_list();
-  for (const PrescribedPose& pose : poses) write_pose(json, pose);
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    points.empty() ? write_pose(json, poses[i]) : write_by_points(json, points[i], poses[i].derivatives);
   json.end_list();
 }
 
@@ -42,6 +54,14 @@ void write_pose(JsonWriter& json, const PrescribedPose& pose) {
   json.member("y", pose.pose.origin.imag());
   json.member("theta_deg", degrees_for_files(pose.pose.angle));
   if (!pose.derivatives.empty()) write_derivatives(json, pose.derivatives);
+  json.end_object();
+}
+
+void write_line(JsonWriter& json, const LineAtAngle& line) {
+  json.begin_object(Layout::one_line);
+  json.key("point");
+  write_point(json, line.point);
+  json.member("direction_deg", degrees_for_files(line.angle));
   json.end_object();
 }
 
