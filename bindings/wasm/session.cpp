@@ -45,6 +45,13 @@ std::unique_ptr<TaskSession> session_of(const StraightLineTask& task, const Prob
   return std::make_unique<StraightLineSession>(task, problem.options);
 }
 
+// The points by which a body's poses were given.
+std::vector<BodyPoints>* points_of(Task& task) {
+  if (auto* motion = std::get_if<MotionTask>(&task)) return &motion->points;
+  if (auto* six_bar = std::get_if<SixBarTask>(&task)) return &six_bar->points;
+  return nullptr;
+}
+
 }  // namespace
 
 std::unique_ptr<TaskSession> task_session(const Problem& problem) {
@@ -82,9 +89,20 @@ void Session::set_tolerances(bool task_is_new) {
 }
 
 std::string Session::read(std::string_view text) {
-  const auto problem = read_problem(text);
+  auto problem = read_problem(text);
   mistakes_ = problem ? "[]" : mistakes_json(problem.errors());
-  return problem ? write_problem(*problem) : "";
+  notices_ = "[]";
+  if (!problem) return "";
+  if (auto* points = points_of(problem->task)) {
+    if (const auto notice = points_notice(*points))
+      notices_ = json_text_of([&](JsonWriter& json) {
+        json.begin_list();
+        write_notice(json, *notice);
+        json.end_list();
+      });
+    points->clear();
+  }
+  return write_problem(*problem);
 }
 
 const TaskSession& Session::task() const {

@@ -1,14 +1,14 @@
 // Problem files come in: by the picker, dropped anywhere on the page, or out of a link. The engine reads every one
 // before anything on screen changes.
 import {Crashed, Refusal, Superseded} from "../engine/client";
-import type {Mistake} from "../engine/protocol";
+import type {Mistake, Notice} from "../engine/protocol";
 import {save_problem} from "../exports/save";
 import {read_problem} from "../state/problem_shape";
 import type {Problem} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
 import {has_linkages, kind_of} from "../tasks/kinds";
 import {mistakes_text} from "../texts/mistakes";
-import {t} from "../texts/texts.svelte";
+import {notice_text, t} from "../texts/texts.svelte";
 import {told} from "./own_files";
 import {other_work, read_before, write_before, type Kept} from "./storage";
 
@@ -37,14 +37,20 @@ function as_typed(read: Problem | null, text: string): Problem | null {
     return read;
   }
 }
-/** The problem in a file's text, or the engine's mistakes; nothing when another file came meanwhile. */
-export async function read_text(workbench: Workbench, text: string): Promise<Problem | Mistake[] | null> {
+/** The problem in a file's text, or the engine's mistakes; nothing when another file came meanwhile. What there is to
+ *  know of the file goes to `notices`. */
+export async function read_text(
+  workbench: Workbench,
+  text: string,
+  notices: Notice[] = [],
+): Promise<Problem | Mistake[] | null> {
   const own = own_problem(text);
   if (own) return own;
   const engine = workbench.driver_client;
   if (!engine) return [page_mistake("no_engine", "", t("state.engine_missing"))];
   try {
-    const {problem} = await engine.follow("read", {text});
+    const {problem, notices: of_file} = await engine.follow("read", {text});
+    notices.push(...of_file);
     return (
       as_typed(read_problem(JSON.parse(problem)), text) ?? [page_mistake("not_on_page", "task", t("file.not_on_page"))]
     );
@@ -101,15 +107,21 @@ export async function open_file(workbench: Workbench, file: File): Promise<void>
   const bytes = await file.arrayBuffer(),
     text = decoded(bytes),
     start = new TextDecoder("latin1").decode(bytes.slice(0, looked_at));
-  const found = told(name, start, text);
+  const found = told(name, start, text),
+    notices: Notice[] = [];
   if (!("text" in found)) return workbench.say(`state.is_${found.kind}`, {name});
   const read =
-    text === null ? [page_mistake("not_utf8", "", t("mistake.not_utf8"))] : await read_text(workbench, found.text);
+    text === null
+      ? [page_mistake("not_utf8", "", t("mistake.not_utf8"))]
+      : await read_text(workbench, found.text, notices);
   if (read === null) return;
   if (Array.isArray(read)) return say_refused(workbench, read, name);
   const words = {problem: "file.opened", result: "file.opened_result", linkage: "file.opened_linkage"} as const;
   replace_work(workbench, read, found.kind === "problem" ? name : null); // saving it must not write over what it came from
-  workbench.say(words[found.kind], {name}, {key: "edit.undo", run: () => workbench.undo()});
+  const undo = {key: "edit.undo", run: () => workbench.undo()} as const,
+    [notice] = notices;
+  if (notice) workbench.say("file.opened_but", {name, what: notice_text(notice)}, undo);
+  else workbench.say(words[found.kind], {name}, undo);
 }
 /** Browsers show their file chooser only shortly after a click or a key of the page's own, not after Ctrl-O alone. */
 export function pick_file(workbench: Workbench): void {
