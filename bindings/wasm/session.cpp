@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 
 #include "four_bar_session.hpp"
 #include "halo.hpp"
@@ -46,10 +47,10 @@ std::unique_ptr<TaskSession> session_of(const StraightLineTask& task, const Prob
 }
 
 // The points by which a body's poses were given.
-std::vector<BodyPoints>* points_of(Task& task) {
-  if (auto* motion = std::get_if<MotionTask>(&task)) return &motion->points;
-  if (auto* six_bar = std::get_if<SixBarTask>(&task)) return &six_bar->points;
-  return nullptr;
+std::span<const BodyPoints> points_of(const Task& task) {
+  if (const auto* motion = std::get_if<MotionTask>(&task)) return motion->points;
+  if (const auto* six_bar = std::get_if<SixBarTask>(&task)) return six_bar->points;
+  return {};
 }
 
 }  // namespace
@@ -89,19 +90,17 @@ void Session::set_tolerances(bool task_is_new) {
 }
 
 std::string Session::read(std::string_view text) {
-  auto problem = read_problem(text);
+  const auto problem = read_problem(text);
   mistakes_ = problem ? "[]" : mistakes_json(problem.errors());
   notices_ = "[]";
   if (!problem) return "";
-  if (auto* points = points_of(problem->task)) {
-    if (const auto notice = points_notice(*points))
-      notices_ = json_text_of([&](JsonWriter& json) {
-        json.begin_list();
-        write_notice(json, *notice);
-        json.end_list();
-      });
-    points->clear();
-  }
+  const auto notice = points_notice(points_of(problem->task));
+  if (notice)
+    notices_ = json_text_of([&](JsonWriter& json) {
+      json.begin_list();
+      write_notice(json, *notice);
+      json.end_list();
+    });
   return write_problem(*problem);
 }
 

@@ -21,24 +21,12 @@ void write_derivatives(JsonWriter& json, const std::vector<PoseDerivative>& deri
   json.end_list();
 }
 
-void write_by_points(JsonWriter& json, const BodyPoints& points, const std::vector<PoseDerivative>& derivatives) {
-  json.begin_object(Layout::one_line);
-  json.key("points");
-  json.begin_list(Layout::one_line);
-  write_point(json, points.first);
-  write_point(json, points.second);
-  json.end_list();
-  if (!derivatives.empty()) write_derivatives(json, derivatives);
-  json.end_object();
-}
-
 }  // namespace
 
-void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses, std::span<const BodyPoints> points) {
+void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses) {
   json.key("poses");
   json.begin_list();
-  for (std::size_t i = 0; i < poses.size(); ++i)
-    points.empty() ? write_pose(json, poses[i]) : write_by_points(json, points[i], poses[i].derivatives);
+  for (const PrescribedPose& pose : poses) write_pose(json, pose);
   json.end_list();
 }
 

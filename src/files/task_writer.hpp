@@ -1,12 +1,10 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "files/json/json_writer.hpp"
 #include "linkwright/algebra/directed_line.hpp"
 #include "linkwright/mechanism/pose.hpp"
-#include "linkwright/planar/body_points.hpp"
 #include "linkwright/synthesis/task.hpp"
 
 namespace linkwright {
@@ -15,8 +13,8 @@ namespace linkwright {
 void write_task(JsonWriter& json, const Task& task);
 /// A pose as problem files hold it.
 void write_pose(JsonWriter& json, const PrescribedPose& pose);
-/// The member `poses`; by the points that they were given by, where there are any.
-void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses, std::span<const BodyPoints> points = {});
+/// The member `poses`, in numbers even where they were given by points of the body.
+void write_poses(JsonWriter& json, const std::vector<PrescribedPose>& poses);
 /// The object `{"point": [x, y], "direction_deg": …}`.
 void write_line(JsonWriter& json, const LineAtAngle& line);
 /// `[x, y]`, on one line.

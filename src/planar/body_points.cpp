@@ -32,8 +32,9 @@ std::vector<Pose> poses_of_points(std::span<const BodyPoints> given) {
 
 std::optional<Notice> points_notice(std::span<const BodyPoints> given) {
   if (given.empty()) return std::nullopt;
-  const auto [least, greatest] = std::minmax_element(
-      given.begin(), given.end(), [](const BodyPoints& a, const BodyPoints& b) { return distance_of(a) < distance_of(b); });
+  const auto [least, greatest] =
+      std::minmax_element(given.begin(), given.end(),
+                          [](const BodyPoints& a, const BodyPoints& b) { return distance_of(a) < distance_of(b); });
   const double low = distance_of(*least), high = distance_of(*greatest), kept = mean_distance(given);
   if (high - low <= tolerance::equal_distances * high) return std::nullopt;
   const double miss = std::max(high - kept, kept - low) / 2;

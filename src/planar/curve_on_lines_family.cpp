@@ -36,8 +36,8 @@ std::optional<std::vector<Dyad>> dyads_on_line(const PoseConditions& conditions,
   std::vector<Dyad> found;
   for (const FormRoot& root : real_roots(form, tolerance::double_point)) {
     const Homogeneous pivot = std::cos(root.angle) * p + std::sin(root.angle) * q;
-    const Dyad dyad = kind == PivotKind::ground ? Dyad{pivot, curve.circle_of(pivot), 0}
-                                                : Dyad{curve.center_of(pivot), pivot, 0};
+    const Dyad dyad =
+        kind == PivotKind::ground ? Dyad{pivot, curve.circle_of(pivot), 0} : Dyad{curve.center_of(pivot), pivot, 0};
     if (!is_at_infinity(dyad.center) && !is_at_infinity(dyad.circle)) found.push_back(dyad);
   }
   const auto place = [&](const Dyad& dyad) {

@@ -17,9 +17,10 @@ namespace {
 Notice about_line(std::string_view code, const PivotOnLine& asked, std::string_view message) {
   const std::string_view side = name(asked.side), pivot = name(asked.pivot),
                          curve = asked.pivot == PivotKind::ground ? "centre-point" : "circle-point";
-  return {std::string(code),
-          fmt::format(fmt::runtime(message), fmt::arg("side", side), fmt::arg("pivot", pivot), fmt::arg("curve", curve)),
-          {{"side", std::string(side)}, {"pivot", std::string(pivot)}}};
+  return {
+      std::string(code),
+      fmt::format(fmt::runtime(message), fmt::arg("side", side), fmt::arg("pivot", pivot), fmt::arg("curve", curve)),
+      {{"side", std::string(side)}, {"pivot", std::string(pivot)}}};
 }
 
 // Few dyads have a pivot on a line: those links are one of them.

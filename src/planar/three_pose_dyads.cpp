@@ -274,8 +274,7 @@ std::optional<std::vector<Dyad>> ThreePoseDyads::dyads_on_lines(const DirectedLi
   std::vector<Dyad> found;
   for (const auto& [w, s] : projective_roots(a, b, c)) {
     const auto by_one = one.center(w, s), by_other = other.center(w, s);
-    const auto [v, t] =
-        std::hypot(by_one[0], by_one[1]) > std::hypot(by_other[0], by_other[1]) ? by_one : by_other;
+    const auto [v, t] = std::hypot(by_one[0], by_one[1]) > std::hypot(by_other[0], by_other[1]) ? by_one : by_other;
     const Homogeneous circle = w * p + s * e, center = v * q + t * f;
     if (is_at_infinity(circle) || is_at_infinity(center)) continue;
     found.push_back({normalized(center), normalized(circle), 0});

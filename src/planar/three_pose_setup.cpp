@@ -171,23 +171,23 @@ Notice about_pivot(std::string_view code, Side side, const GivenPivot& pivot, st
 
 // A rotation about the given pivot takes the body from one position to another: that condition holds for any partner.
 Notice pivot_at_pole(Side side, const GivenPivot& pivot) {
-  return about_pivot("pivot_at_pole", side, pivot,
-                     fmt::format("The given {} pivot of the {} link, ({:.6g}, {:.6g}), is a pole of two of the "
-                                 "positions{}: any point of a line is a {} pivot to it, and no single linkage is "
-                                 "left. Move the pivot.",
-                                 name(pivot.kind), name(side), pivot.point.real(), pivot.point.imag(),
-                                 pivot.kind == PivotKind::moving ? ", seen from the body" : "",
-                                 name(partner_of(pivot.kind))));
+  return about_pivot(
+      "pivot_at_pole", side, pivot,
+      fmt::format("The given {} pivot of the {} link, ({:.6g}, {:.6g}), is a pole of two of the "
+                  "positions{}: any point of a line is a {} pivot to it, and no single linkage is "
+                  "left. Move the pivot.",
+                  name(pivot.kind), name(side), pivot.point.real(), pivot.point.imag(),
+                  pivot.kind == PivotKind::moving ? ", seen from the body" : "", name(partner_of(pivot.kind))));
 }
 
 Notice pivot_of_slider(Side side, const GivenPivot& pivot) {
-  return about_pivot("pivot_of_slider", side, pivot,
-                     fmt::format("The {} pivot that belongs to the given {} pivot of the {} link, ({:.6g}, {:.6g}), is "
-                                 "at infinity: instead of a link with two pivots it takes a {}. Move the pivot.",
-                                 name(partner_of(pivot.kind)), name(pivot.kind), name(side), pivot.point.real(),
-                                 pivot.point.imag(),
-                                 pivot.kind == PivotKind::moving ? "straight guide, on which it slides"
-                                                                 : "guide of the body, which slides through it"));
+  return about_pivot(
+      "pivot_of_slider", side, pivot,
+      fmt::format("The {} pivot that belongs to the given {} pivot of the {} link, ({:.6g}, {:.6g}), is "
+                  "at infinity: instead of a link with two pivots it takes a {}. Move the pivot.",
+                  name(partner_of(pivot.kind)), name(pivot.kind), name(side), pivot.point.real(), pivot.point.imag(),
+                  pivot.kind == PivotKind::moving ? "straight guide, on which it slides"
+                                                  : "guide of the body, which slides through it"));
 }
 
 // The link with a given pivot, or why there is none.
@@ -216,7 +216,9 @@ Notice pivots_of_one_link() {
           {}};
 }
 
-Notice lines_notice(std::string_view code, std::string_view message) { return {std::string(code), std::string(message), {}}; }
+Notice lines_notice(std::string_view code, std::string_view message) {
+  return {std::string(code), std::string(message), {}};
+}
 
 ThreePoseSetup setup_between(const Start& start, const std::vector<PrescribedPose>& poses, const PivotLines& given) {
   const auto working = [&](const DirectedLine& line) {
@@ -224,8 +226,8 @@ ThreePoseSetup setup_between(const Start& start, const std::vector<PrescribedPos
   };
   const auto dyads = start.dyads->dyads_on_lines(working(*given.ground), working(*given.moving));
   if (!dyads)
-    return closed(lines_notice("lines_of_dyads",
-                               "Infinitely many dyads have their pivots on these two lines. Turn or move one of them."));
+    return closed(lines_notice(
+        "lines_of_dyads", "Infinitely many dyads have their pivots on these two lines. Turn or move one of them."));
   if (dyads->empty())
     return closed(lines_notice("no_dyad_on_lines",
                                "No dyad of these positions has its ground pivot on one of the lines and its moving "
@@ -248,7 +250,8 @@ ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vec
     const GivenPivot& pivot = given.input ? *given.input : *given.output;
     FoundLink link = link_with(start, side, pivot);
     if (link.missing) return closed(std::move(link.missing));
-    return {std::make_shared<const PivotPlaceFamily>(start.frame, poses, start.dyads, side, link.dyad, pivot.kind), {}, {}};
+    return {
+        std::make_shared<const PivotPlaceFamily>(start.frame, poses, start.dyads, side, link.dyad, pivot.kind), {}, {}};
   }
   FoundLink input = link_with(start, Side::input, *given.input), output = link_with(start, Side::output, *given.output);
   for (FoundLink* link : {&input, &output})

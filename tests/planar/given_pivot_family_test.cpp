@@ -44,10 +44,10 @@ TEST(DyadWith, IsWhatNewtonsMethodFindsOnTheCircles) {
     const Dyad by_center = task.with(PivotKind::ground, pivot), by_circle = task.with(PivotKind::moving, pivot);
     EXPECT_LT(std::abs(task.user(by_center.center) - pivot), 1e-12);
     EXPECT_LT(std::abs(task.user(by_circle.circle) - pivot), 1e-12);
-    const auto circle = testing::newton(
-        [&](Point z) { return testing::length_changes(task.poses, pivot, z); }, drawn_point(random));
-    const auto center = testing::newton(
-        [&](Point c) { return testing::length_changes(task.poses, c, pivot); }, drawn_point(random));
+    const auto circle =
+        testing::newton([&](Point z) { return testing::length_changes(task.poses, pivot, z); }, drawn_point(random));
+    const auto center =
+        testing::newton([&](Point c) { return testing::length_changes(task.poses, c, pivot); }, drawn_point(random));
     if (!circle || !center) continue;
     EXPECT_LT(std::abs(task.user(by_center.circle) - *circle), 1e-8 * (1 + std::abs(*circle)));
     EXPECT_LT(std::abs(task.user(by_circle.center) - *center), 1e-8 * (1 + std::abs(*center)));

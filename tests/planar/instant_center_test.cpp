@@ -70,10 +70,9 @@ TEST(InstantCenter, LinesThroughItCarryTheDyadsOfTheCurve) {
 
     const Point at = three.frame.to_working(center.point), e = direction(uniform(random, 0, pi));
     const Point aside = Point{0, 1} * center.point / std::abs(center.point);
-    const DirectedLine line =
-        center.at_infinity
-            ? DirectedLine{uniform(random, -2, 2) * aside, center.point / std::abs(center.point)}
-            : DirectedLine{at, e};
+    const DirectedLine line = center.at_infinity
+                                  ? DirectedLine{uniform(random, -2, 2) * aside, center.point / std::abs(center.point)}
+                                  : DirectedLine{at, e};
     for (const Dyad& dyad : dyads.dyads_on_lines(line, line).value()) {
       EXPECT_LT(curve.residual({in_four(dyad.center), in_four(dyad.circle), 0}), 1e-12);
       ++on_lines;

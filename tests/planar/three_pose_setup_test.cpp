@@ -102,7 +102,6 @@ TEST(ThreePoseSetup, IsTheSameEveryTime) {
   EXPECT_EQ(number(once.notices[0], "length"), number(again.notices[0], "length"));
 }
 
-
 ThreePoseSetup pivots_setup(const std::vector<PrescribedPose>& poses, const GivenPivots& given) {
   return three_pose_setup(pose_conditions(poses), poses, given);
 }
@@ -155,7 +154,8 @@ TEST(ThreePoseSetup, SaysThatAGivenPivotTakesASlider) {
 TEST(ThreePoseSetup, SaysThatBothPivotsAreOfOneLink) {
   const PoseConditions conditions = pose_conditions(general_poses);
   const ThreePoseDyads dyads(conditions);
-  const Dyad link = dyads.dyad_with(PivotKind::ground, Homogeneous::of(conditions.frame.to_working(Point{1, -1}))).value();
+  const Dyad link =
+      dyads.dyad_with(PivotKind::ground, Homogeneous::of(conditions.frame.to_working(Point{1, -1}))).value();
   const Point circle = conditions.frame.to_user(*finite_point(link.circle));
   const ThreePoseSetup found =
       pivots_setup(general_poses, {GivenPivot{PivotKind::ground, {1, -1}}, GivenPivot{PivotKind::moving, circle}});
@@ -165,9 +165,11 @@ TEST(ThreePoseSetup, SaysThatBothPivotsAreOfOneLink) {
 
 TEST(ThreePoseSetup, GivenPivotsOfTranslationsSayWhatTheTaskIs) {
   const std::vector<PrescribedPose> circle = {{{{2, 0}, 0}, {}}, {{{0, 2}, 0}, {}}, {{{-2, 0}, 0}, {}}};
-  EXPECT_EQ(pivots_setup(circle, {GivenPivot{PivotKind::ground, {1, -1}}, {}}).degeneracy->code, "translations_on_circle");
+  EXPECT_EQ(pivots_setup(circle, {GivenPivot{PivotKind::ground, {1, -1}}, {}}).degeneracy->code,
+            "translations_on_circle");
   // One translation: every finite pivot but those on a line has its partner.
-  const ThreePoseSetup shifted = pivots_setup(shifted_poses, {GivenPivot{PivotKind::ground, {1, -1}}, GivenPivot{PivotKind::ground, {3, 0}}});
+  const ThreePoseSetup shifted =
+      pivots_setup(shifted_poses, {GivenPivot{PivotKind::ground, {1, -1}}, GivenPivot{PivotKind::ground, {3, 0}}});
   EXPECT_TRUE(shifted.family);
 }
 

@@ -158,9 +158,8 @@ Json drawn_four_positions(Draw& draw, const Sheet& sheet, std::string_view kind)
   if (kind != "four_lines") return task;
   for (const char* side : {"input", "output"})
     if (draw.chance(0.6))
-      task["pivot_on"].push_back({{"which", side},
-                                  {"pivot", draw.chance(0.5) ? "ground" : "moving"},
-                                  {"line", drawn_line(draw, sheet)}});
+      task["pivot_on"].push_back(
+          {{"which", side}, {"pivot", draw.chance(0.5) ? "ground" : "moving"}, {"line", drawn_line(draw, sheet)}});
   return task;
 }
 

@@ -29,9 +29,9 @@ Point length_changes(const std::vector<PrescribedPose>& poses, Point center, Poi
 double length_change(const std::vector<PrescribedPose>& poses, Point center, Point circle) {
   double worst = 0;
   for (const PrescribedPose& pose : poses)
-    worst = std::max(worst, std::abs(std::abs(displaced(circle, poses[0].pose, pose.pose) - center) /
-                                         std::abs(circle - center) -
-                                     1));
+    worst = std::max(
+        worst,
+        std::abs(std::abs(displaced(circle, poses[0].pose, pose.pose) - center) / std::abs(circle - center) - 1));
   return worst;
 }
 
@@ -43,13 +43,13 @@ double drift_along(const std::vector<PrescribedPose>& poses, Point center, Point
     const auto square = [&](double t) { return std::norm(displaced(circle, poses[0].pose, taylor(pose, t)) - center); };
     // Differences of fourth order: what they leave is h⁴.
     if (!pose.derivatives.empty())
-      worst = std::max(
-          worst, std::abs((8 * (square(h) - square(-h)) - (square(2 * h) - square(-2 * h))) / (12 * h)) / size);
+      worst = std::max(worst,
+                       std::abs((8 * (square(h) - square(-h)) - (square(2 * h) - square(-2 * h))) / (12 * h)) / size);
     if (pose.derivatives.size() > 1)
       worst = std::max(
-          worst, std::abs((16 * (square(h) + square(-h)) - (square(2 * h) + square(-2 * h)) - 30 * square(0)) /
-                          (12 * h * h)) /
-                     size);
+          worst,
+          std::abs((16 * (square(h) + square(-h)) - (square(2 * h) + square(-2 * h)) - 30 * square(0)) / (12 * h * h)) /
+              size);
   }
   return worst;
 }

@@ -42,7 +42,7 @@ struct SixBarTask {
   std::vector<PrescribedPose> poses;
   std::optional<ThreeLinkChain> chain;
   std::array<BodyPair, 2> added = {BodyPair{0, 2}, BodyPair{0, 3}};  ///< bodies joined by link 4 and by link 5
-  std::optional<Box> box;  ///< for all pivots in position 1; must be given where there is no chain
+  std::optional<Box> box;          ///< for all pivots in position 1; must be given where there is no chain
   std::vector<BodyPoints> points;  ///< what the poses were given by, in their order; empty: by themselves
 
   friend bool operator==(const SixBarTask&, const SixBarTask&) = default;

@@ -41,8 +41,8 @@ struct GivenPivot {
   friend bool operator==(const GivenPivot&, const GivenPivot&) = default;
 };
 
-/// One pivot of each grounded link, which makes one linkage, or of one of them alone: the other link's pivot of the same
-/// kind is left open. At least one is given.
+/// One pivot of each grounded link, which makes one linkage, or of one of them alone: the other link's pivot of the
+/// same kind is left open. At least one is given.
 struct GivenPivots {
   std::optional<GivenPivot> input, output;
   friend bool operator==(const GivenPivots&, const GivenPivots&) = default;

@@ -39,8 +39,8 @@ std::string given_words(const GivenPivots& given) {
   std::string text;
   for (const Side side : {Side::input, Side::output})
     if (const auto& pivot = side == Side::input ? given.input : given.output)
-      text += fmt::format("{}{} pivot of the {} link {}", text.empty() ? "" : ", ", name(pivot->kind),
-                          name(side), point_words(pivot->point));
+      text += fmt::format("{}{} pivot of the {} link {}", text.empty() ? "" : ", ", name(pivot->kind), name(side),
+                          point_words(pivot->point));
   return text;
 }
 
@@ -77,8 +77,8 @@ Words pivot_words(const MotionTask& task, AxisQuantity quantity, std::string_vie
   const bool across = quantity == AxisQuantity::center_x || quantity == AxisQuantity::circle_x;
   const auto* given = task.given ? std::get_if<GivenPivots>(&*task.given) : nullptr;
   const std::string_view link = name(given && given->input ? Side::output : Side::input);
-  const std::string words = fmt::format("{} of the {} link's {} pivot", across ? "x" : "y", link,
-                                        ground ? "ground" : "moving");
+  const std::string words =
+      fmt::format("{} of the {} link's {} pivot", across ? "x" : "y", link, ground ? "ground" : "moving");
   return {words, titled(words, length_unit), std::string(length_unit)};
 }
 
@@ -134,8 +134,7 @@ std::string label_of(const MotionTask& task) {
   if (task.relaxed) text += fmt::format(", position {} relaxed", *task.relaxed + 1);
   if (task.given) text += ", " + std::visit([](const auto& given) { return given_words(given); }, *task.given);
   for (const PivotOnLine& asked : task.pivots_on)
-    text += fmt::format(", {} pivot of the {} link {}", name(asked.pivot), name(asked.side),
-                        line_words(asked.line));
+    text += fmt::format(", {} pivot of the {} link {}", name(asked.pivot), name(asked.side), line_words(asked.line));
   return text;
 }
 

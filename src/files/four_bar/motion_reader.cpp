@@ -49,7 +49,6 @@ std::optional<ThreePoseGiven> read_instant_center(const JsonObject& object) {
   return given;
 }
 
-
 constexpr std::array both_sides = {Side::input, Side::output};
 constexpr std::array both_kinds = {PivotKind::ground, PivotKind::moving};
 
@@ -182,10 +181,11 @@ std::optional<ThreePoseGiven> read_given(const JsonValue& value, Mistakes& mista
     for (const std::string_view key : known_keys(form)) all.push_back(key);
   const JsonObject misspelled(value, mistakes, all);
   if (mistakes.size() == before)
-    value.mistake("no_given",
-                  "one of \"side_lengths\": [input, output], \"side_length\", \"side_angle_deg\", "
-                  "\"instant_center\": [x, y], \"ground_pivots\", \"moving_pivots\", \"input_ground_pivot\" (or another "
-                  "pivot) and \"ground_pivot_on\", \"moving_pivot_on\" belongs here");
+    value.mistake(
+        "no_given",
+        "one of \"side_lengths\": [input, output], \"side_length\", \"side_angle_deg\", "
+        "\"instant_center\": [x, y], \"ground_pivots\", \"moving_pivots\", \"input_ground_pivot\" (or another "
+        "pivot) and \"ground_pivot_on\", \"moving_pivot_on\" belongs here");
   return std::nullopt;
 }
 
@@ -207,12 +207,13 @@ bool read_pivots_on(const JsonObject& task, Mistakes& mistakes, std::vector<Pivo
   const auto found = task.find("pivot_on");
   if (!found || found->is_null()) return true;
   bool complete = true;
-  const bool is_list = found->for_each(
-      {"pivots_on", "a list of pivots on lines [{\"which\": …, \"pivot\": …, \"line\": …}]"}, [&](const JsonValue& item) {
-        const auto asked = read_pivot_on(item, mistakes);
-        if (asked) lines.push_back(*asked);
-        complete = complete && asked;
-      });
+  const bool is_list =
+      found->for_each({"pivots_on", "a list of pivots on lines [{\"which\": …, \"pivot\": …, \"line\": …}]"},
+                      [&](const JsonValue& item) {
+                        const auto asked = read_pivot_on(item, mistakes);
+                        if (asked) lines.push_back(*asked);
+                        complete = complete && asked;
+                      });
   return is_list && complete;
 }
 

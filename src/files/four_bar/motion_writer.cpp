@@ -27,7 +27,6 @@ void write_given(JsonWriter& json, const InstantCenter& given) {
   if (given.at_infinity) json.member("at_infinity", true);
 }
 
-
 void write_given(JsonWriter& json, const GivenPivots& given) {
   const bool are_alike = given.input && given.output && given.input->kind == given.output->kind;
   if (are_alike) {
@@ -71,7 +70,7 @@ void write_pivots_on(JsonWriter& json, const std::vector<PivotOnLine>& lines) {
 void write_of_kind(JsonWriter& json, const MotionTask& task) {
   json.member("kind", "motion");
   json.member("mechanism", "four_bar");
-  write_poses(json, task.poses, task.points);
+  write_poses(json, task.poses);
   if (task.relaxed) json.member("freed_pose", static_cast<int>(*task.relaxed) + 1);
   if (!task.pivots_on.empty()) write_pivots_on(json, task.pivots_on);
   if (!task.given) return;

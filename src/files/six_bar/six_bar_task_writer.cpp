@@ -6,7 +6,7 @@ namespace linkwright {
 void write_of_kind(JsonWriter& json, const SixBarTask& task) {
   json.member("kind", "motion");
   json.member("mechanism", "six_bar");
-  write_poses(json, task.poses, task.points);
+  write_poses(json, task.poses);
   if (task.chain) {
     json.key("chain");
     write_chain(json, *task.chain);
