@@ -60,7 +60,7 @@ Json drawn_pivot(Draw& draw, const Sheet& sheet) {
   return written_point(sheet, sheet.shift + sheet.scale * draw.point(reach));
 }
 
-Json drawn_line(Draw& draw, const Sheet& sheet) {
+Json line_of_pivots(Draw& draw, const Sheet& sheet) {
   return {{"point", drawn_pivot(draw, sheet)},
           {"direction_deg", draw.chance(0.3) ? 90.0 * draw.whole(-2, 2) : draw.between(-200, 200)}};
 }
@@ -83,8 +83,8 @@ Json given_pivots(Draw& draw, const Sheet& sheet) {
 Json given_lines(Draw& draw, const Sheet& sheet) {
   Json given = Json::object();
   const int which = draw.whole(0, 2);
-  if (which != 0) given["ground_pivot_on"] = drawn_line(draw, sheet);
-  if (which != 1) given["moving_pivot_on"] = drawn_line(draw, sheet);
+  if (which != 0) given["ground_pivot_on"] = line_of_pivots(draw, sheet);
+  if (which != 1) given["moving_pivot_on"] = line_of_pivots(draw, sheet);
   return given;
 }
 
@@ -159,7 +159,7 @@ Json drawn_four_positions(Draw& draw, const Sheet& sheet, std::string_view kind)
   for (const char* side : {"input", "output"})
     if (draw.chance(0.6))
       task["pivot_on"].push_back(
-          {{"which", side}, {"pivot", draw.chance(0.5) ? "ground" : "moving"}, {"line", drawn_line(draw, sheet)}});
+          {{"which", side}, {"pivot", draw.chance(0.5) ? "ground" : "moving"}, {"line", line_of_pivots(draw, sheet)}});
   return task;
 }
 
