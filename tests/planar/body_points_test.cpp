@@ -25,7 +25,7 @@ TEST(BodyPoints, OfOneDistanceAreTheFramesOriginAndAPointOfItsXAxis) {
   EXPECT_FALSE(points_notice(given));
   for (std::size_t i = 0; i < given.size(); ++i) {
     EXPECT_LT(std::abs(poses[i].origin - given[i].first), 1e-14);
-    EXPECT_LT(std::abs(poses[i].origin + 5 * direction(poses[i].angle) - given[i].second), 1e-14);
+    EXPECT_LT(std::abs(poses[i].origin + 5.0 * direction(poses[i].angle) - given[i].second), 1e-14);
   }
 }
 

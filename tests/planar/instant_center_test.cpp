@@ -73,7 +73,9 @@ TEST(InstantCenter, LinesThroughItCarryTheDyadsOfTheCurve) {
     const DirectedLine line = center.at_infinity
                                   ? DirectedLine{uniform(random, -2, 2) * aside, center.point / std::abs(center.point)}
                                   : DirectedLine{at, e};
-    for (const Dyad& dyad : dyads.dyads_on_lines(line, line).value()) {
+    const auto found = dyads.dyads_on_lines(line, line);
+    ASSERT_TRUE(found);
+    for (const Dyad& dyad : *found) {
       EXPECT_LT(curve.residual({in_four(dyad.center), in_four(dyad.circle), 0}), 1e-12);
       ++on_lines;
     }
@@ -83,7 +85,9 @@ TEST(InstantCenter, LinesThroughItCarryTheDyadsOfTheCurve) {
       if (!circle || !fixed || std::abs(*circle - *fixed) < 1e-3) continue;
       double nearest = 1;
       const DirectedLine along{*fixed, (*circle - *fixed) / std::abs(*circle - *fixed)};
-      for (const Dyad& other : dyads.dyads_on_lines(along, along).value())
+      const auto beside = dyads.dyads_on_lines(along, along);
+      ASSERT_TRUE(beside);
+      for (const Dyad& other : *beside)
         nearest = std::min(nearest, norm(cross(normalized(other.circle), normalized(in_three(dyad.circle)))));
       EXPECT_LT(nearest, 1e-6);
       ++on_curves;

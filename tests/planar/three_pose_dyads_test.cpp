@@ -89,7 +89,9 @@ TEST_P(ThreePoseCase, HasTheDyadsOfEachGivenLengthAndInstantCentre) {
   for (const Json& row : json["given_instant_centre"]) {
     std::vector<Links> found;
     const DirectedLine line{frame.to_working(point_of(row["I"])), direction(row["beta"].get<double>())};
-    for (const Dyad& dyad : task.dyads.dyads_on_lines(line, line).value()) found.push_back(task.user(dyad));
+    const auto on_line = task.dyads.dyads_on_lines(line, line);
+    ASSERT_TRUE(on_line);
+    for (const Dyad& dyad : *on_line) found.push_back(task.user(dyad));
     expect_same(found, row["dyads"], "through the centre " + row["beta"].dump());
   }
 }
