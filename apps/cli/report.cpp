@@ -58,9 +58,12 @@ std::string curve_words(const FourBarAnswer& answer, const CurveNames& names) {
 
 /// Where the four-bars lie that are counted.
 std::string map_words(const MotionAnswer& answer) {
-  const std::string_view map = answer.family()->axis(Side::output).is_discrete()
-                                   ? "The solution region of {} × {} dyads"
-                                   : "The solution region of {} × {} pairs of dyads";
+  const MapAxis& axis = answer.family()->axis(Side::output);
+  if (axis.quantity == AxisQuantity::nothing) return "What is given";
+  const bool is_plane = axis.quantity == AxisQuantity::center_x || axis.quantity == AxisQuantity::circle_x;
+  const std::string_view map = is_plane             ? "The solution region of {} × {} places of the pivot"
+                               : axis.is_discrete() ? "The solution region of {} × {} dyads"
+                                                    : "The solution region of {} × {} pairs of dyads";
   return fmt::format(fmt::runtime(map), answer.region.rows(), answer.region.columns());
 }
 

@@ -105,6 +105,7 @@ class BoundSession : public Session {
     return result;
   }
   std::string mistakes_text() { return mistakes(); }
+  std::string notices_text() { return notices(); }
   std::string best_text(int most) { return best(most); }
   std::string improve_text(double input_tau, double output_tau) { return improve(input_tau, output_tau); }
   std::string verify_text(double input_tau, double output_tau) { return verify(input_tau, output_tau); }
@@ -138,6 +139,7 @@ EMSCRIPTEN_BINDINGS(linkwright) {
       .function("set_problem", &BoundSession::set_problem_text)
       .function("mistakes", &BoundSession::mistakes_text)
       .function("read", &BoundSession::read_text)
+      .function("notices", &BoundSession::notices_text)
       .function("explore", &BoundSession::explore_reply)
       .function("linkage", &BoundSession::linkage_reply)
       .function("live", &BoundSession::live_reply)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 
 #include "four_bar_session.hpp"
 #include "halo.hpp"
@@ -45,6 +46,13 @@ std::unique_ptr<TaskSession> session_of(const SphericalFunctionTask& task, const
 }
 std::unique_ptr<TaskSession> session_of(const StraightLineTask& task, const Problem& problem) {
   return std::make_unique<StraightLineSession>(task, problem.options);
+}
+
+// The points by which a body's poses were given.
+std::span<const BodyPoints> points_of(const Task& task) {
+  if (const auto* motion = std::get_if<MotionTask>(&task)) return motion->points;
+  if (const auto* six_bar = std::get_if<SixBarTask>(&task)) return six_bar->points;
+  return {};
 }
 
 }  // namespace
@@ -98,7 +106,16 @@ std::string Session::read(std::string_view text) {
   }
   const auto problem = read_problem(text);
   mistakes_ = problem ? "[]" : mistakes_json(problem.errors());
-  return problem ? write_problem(*problem) : "";
+  notices_ = "[]";
+  if (!problem) return "";
+  const auto notice = points_notice(points_of(problem->task));
+  if (notice)
+    notices_ = json_text_of([&](JsonWriter& json) {
+      json.begin_list();
+      write_notice(json, *notice);
+      json.end_list();
+    });
+  return write_problem(*problem);
 }
 
 const TaskSession& Session::task() const {

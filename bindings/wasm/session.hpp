@@ -40,8 +40,10 @@ class Session {
   bool set_problem(std::string_view text);
   /// Those of the last set_problem() or read(): JSON text of a list.
   [[nodiscard]] const std::string& mistakes() const { return mistakes_; }
-  /// The normal form of a problem file; empty where it has mistakes.
+  /// The normal form of a problem file, poses in numbers; empty where it has mistakes.
   [[nodiscard]] std::string read(std::string_view text);
+  /// What to know of the file read last, as JSON text.
+  [[nodiscard]] const std::string& notices() const { return notices_; }
 
   [[nodiscard]] ExploreReply explore(const ExploreRequest& request);
   [[nodiscard]] LinkageReply linkage(double input_tau, double output_tau);
@@ -91,7 +93,7 @@ class Session {
   [[nodiscard]] std::vector<FailureBits> failures(RegionMap& map, std::span<const double> input,
                                                   std::span<const double> output) const;
 
-  std::string text_, mistakes_ = "[]";
+  std::string text_, mistakes_ = "[]", notices_ = "[]";
   Problem problem_;
   Requirements requirements_;               ///< the problem's, defaults filled in
   std::unique_ptr<TaskSession> task_;       ///< none before the first problem

@@ -66,6 +66,7 @@ Requirements SixBarSession::with_defaults(Requirements wanted) const {
 TaskReply SixBarSession::about() const {
   const PoseConditions conditions = pose_conditions(task_.poses);
   TaskReply reply{pattern(task_.poses), conditions.condition(), conditions.frame.scale, {}, {}, {}};
+  if (auto notice = points_notice(task_.points)) reply.warnings.push_back(*std::move(notice));
   reply.write_curves = [](JsonWriter& json) { write_no_curves(json); };
   return reply;
 }

@@ -1,5 +1,7 @@
 #include "task_reply.hpp"
 
+#include <cmath>
+
 #include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
 #include "reply_json.hpp"
@@ -128,7 +130,8 @@ std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, Side 
   for (const CurveBranch& branch : axis.branches)
     for (int i = 0; i < ticks_of_a_branch; ++i) {
       const double tau = branch.from + (branch.to - branch.from) * i / ticks_of_a_branch;
-      ticks.push_back({tau, family.axis_value(side, tau)});
+      const double value = family.axis_value(side, tau);
+      if (std::isfinite(value)) ticks.push_back({tau, value});
     }
   return ticks;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "files/axis_label.hpp"
@@ -59,6 +60,18 @@ std::vector<double> scattered_values(double low, double high, bool fine) {
   constexpr std::array<double, 3> coarse_steps = {1, 2, 5};
   constexpr std::array<double, 10> fine_steps = {1, 1.2, 1.4, 1.6, 1.8, 2, 3, 4, 6, 8};
   std::vector<double> values;
+  if (!(low < high)) return values;
+  if (low < 0) {  // the same on both sides of 0, down to a thousandth of what is left at the smaller side
+    const double least = 1e-3 * (high > 0 ? std::min(-low, high) : -high);
+    values = scattered_values(high < 0 ? -high : least, -low, fine);
+    std::transform(values.begin(), values.end(), values.begin(), std::negate<>());
+    std::reverse(values.begin(), values.end());
+    if (high < 0) return values;
+    values.push_back(0);
+    const std::vector<double> above = scattered_values(least, high, fine);
+    values.insert(values.end(), above.begin(), above.end());
+    return values;
+  }
   if (!(low > 0)) return values;
   const auto magnitude = [](double value) { return static_cast<int>(std::floor(std::log10(value))); };
   for (int exponent = magnitude(low); exponent <= magnitude(high); ++exponent) {
@@ -72,9 +85,21 @@ std::vector<double> scattered_values(double low, double high, bool fine) {
   return values;
 }
 
-// Lengths of grounded links without bound and factors are not.
+// Lengths of grounded links without bound, factors and places of pivots all over the plane are not.
 bool is_even(AxisQuantity quantity) {
-  return quantity != AxisQuantity::side_length && quantity != AxisQuantity::output_scale;
+  switch (quantity) {
+    case AxisQuantity::side_length:
+    case AxisQuantity::output_scale:
+    case AxisQuantity::center_x:
+    case AxisQuantity::center_y:
+    case AxisQuantity::circle_x:
+    case AxisQuantity::circle_y:
+    case AxisQuantity::center_on_line:
+    case AxisQuantity::circle_on_line:
+      return false;
+    default:
+      return true;
+  }
 }
 
 std::vector<double> candidates(const Readings& readings, AxisQuantity quantity, double length) {

@@ -297,7 +297,9 @@ bool is_ribbon(const LinkageFamily* family) {
   return family && family->axis(Side::output).quantity == AxisQuantity::nothing;
 }
 
-bool is_board(const LinkageFamily* family) { return family && family->axis(Side::input).is_discrete(); }
+bool is_board(const LinkageFamily* family) {
+  return family && family->axis(Side::input).is_discrete() && family->axis(Side::output).is_discrete();
+}
 
 void draw_region(SvgCanvas& svg, const DrawnRegion& region, const PixelBox& map) {
   if (region.found.region.rows() == 0) return;
@@ -307,7 +309,7 @@ void draw_region(SvgCanvas& svg, const DrawnRegion& region, const PixelBox& map)
           base64(region_picture(region.found, region.family, input, output, pixels_per_px).file()));
   draw_frames(svg, input, output, map);
   const bool is_discrete = is_board(&region.family);
-  draw_axis(svg, axis_of(region, input, Side::input), left_of(map), is_discrete);
+  draw_axis(svg, axis_of(region, input, Side::input), left_of(map), region.family.axis(Side::input).is_discrete());
   draw_axis(svg, axis_of(region, output, Side::output), below(map), region.family.axis(Side::output).is_discrete());
   if (is_discrete) draw_cell_texts(svg, region.found.region, input, output, map, false);
   draw_best(svg, region.best, [&, &up = input, &across = output](MapPoint place) -> std::optional<Point> {

@@ -49,7 +49,7 @@ PngImage region_picture(const Findings& found, const LinkageFamily& family, cons
   const std::vector<int> rows = samples_of_pixels(input, pixels_per_px);
   const std::vector<int> columns = samples_of_pixels(output, pixels_per_px);
   // Where each cell can be named its type is shown, defect or not.
-  const bool is_board = family.axis(Side::input).is_discrete();
+  const bool is_board = family.axis(Side::input).is_discrete() && family.axis(Side::output).is_discrete();
   PngImage image{columns.size(), rows.size(), picture_colors(), {}};
   image.pixels.reserve(rows.size() * columns.size());
   const auto pixel = [&](std::size_t x, std::size_t y) -> std::uint8_t {

@@ -45,6 +45,14 @@ void write_pose(JsonWriter& json, const PrescribedPose& pose) {
   json.end_object();
 }
 
+void write_line(JsonWriter& json, const LineAtAngle& line) {
+  json.begin_object(Layout::one_line);
+  json.key("point");
+  write_point(json, line.point);
+  json.member("direction_deg", degrees_for_files(line.angle));
+  json.end_object();
+}
+
 void write_point(JsonWriter& json, Point point) { write_interval(json, point.real(), point.imag()); }
 
 void write_interval(JsonWriter& json, double low, double high) {

@@ -44,18 +44,32 @@ KernelCells kernel_cells(const RegionMap::Cells& cells) {
           cells.measures[2], cells.measures[3], cells.admissible_directions};
 }
 
-// The kernel's own way, for the one driver of a row.
-void classify_row(RegionMap& map, std::size_t row, const FourBarRow& sides, double unit, Simd simd) {
-  require(sides.input.size() == 1 && sides.output.size() == map.columns(),
-          "a row has one driver, and a partner a column");
+// How the drivers of a row travel, to its cells. `directions`: of the cells, where the kernel has not set them.
+void set_drivers(RegionMap& map, std::size_t row, const DyadAxis& drivers, AlongRow changes, std::uint8_t* directions) {
+  if (changes == AlongRow::driven_link) {
+    const DriverTravel travel = driver_travel(drivers, 0);
+    map.set_driver(row, travel);
+    if (directions != nullptr) std::fill_n(directions, map.columns(), travel.admissible_directions);
+    return;
+  }
+  for (std::size_t column = 0; column < map.columns(); ++column) {
+    const DriverTravel travel = driver_travel(drivers, column);
+    map.set_driver(row, column, travel);
+    if (directions != nullptr) directions[column] = travel.admissible_directions;
+  }
+}
+
+// The kernel's own way: its rows and columns are the row's input and output links, one of which there is one only.
+void classify_row(RegionMap& map, std::size_t row, const FourBarRow& links, double unit, Simd simd, AlongRow changes) {
+  const DyadAxis &input = links.input, &output = links.output;
+  const bool drivers_change = changes == AlongRow::driving_link;
+  require((drivers_change ? output : input).size() == 1 && (drivers_change ? input : output).size() == map.columns(),
+          "a row has one link of a side, and one a column of the other");
   const KernelCells cells = kernel_cells(map.cells(row));
-  four_bar_kernel.for_simd(simd)({plain_arrays(sides.input), plain_arrays(sides.output), 0, 1, map.columns(),
-                                  static_cast<int>(sides.input.pose_count()), unit, tolerance::change_point, cells});
-  for (std::size_t column = 0; column < sides.enlarge.size(); ++column) cells.longest[column] *= sides.enlarge[column];
-  const DriverTravel travel = driver_travel(sides.input, 0);
-  map.set_driver(row, travel);
-  if (sides.input.pose_count() != 2)
-    std::fill_n(cells.admissible_directions, map.columns(), travel.admissible_directions);
+  four_bar_kernel.for_simd(simd)({plain_arrays(input), plain_arrays(output), 0, input.size(), output.size(),
+                                  static_cast<int>(input.pose_count()), unit, tolerance::change_point, cells});
+  for (std::size_t column = 0; column < links.enlarge.size(); ++column) cells.longest[column] *= links.enlarge[column];
+  set_drivers(map, row, input, changes, input.pose_count() != 2 ? cells.admissible_directions : nullptr);
 }
 
 }  // namespace
@@ -110,15 +124,16 @@ void classify_pairs(RegionMap& map, const DyadAxis& input, const DyadAxis& outpu
 
 void classify_rows(RegionMap& map, std::span<const double> input, std::span<const double> output,
                    const std::function<FourBarRow(std::size_t row)>& row_at, double unit, const RegionOptions& options,
-                   const Progress& progress) {
+                   const Progress& progress, AlongRow changes) {
   constexpr bool of_pairs = true;
   map.lay(input, output, planar_measures, of_pairs, options);
+  if (changes == AlongRow::driving_link) map.give_each_cell_a_driver();
   parallel_for(map.rows(), options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       if (progress.is_cancelled())
         map.leave_empty(row, row + 1);
       else
-        classify_row(map, row, row_at(row), unit, options.simd);
+        classify_row(map, row, row_at(row), unit, options.simd, changes);
     }
   });
 }

@@ -8,6 +8,7 @@
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "planar/line_check.hpp"
 
 namespace linkwright {
 namespace {
@@ -33,12 +34,16 @@ void check_derivatives(const std::vector<PoseDerivative>& derivatives, const std
                      "or turns there, of any length, or leave derivatives out"});
 }
 
+void check_pose(const Pose& pose, const std::string& place, std::vector<Error>& found) {
+  check_number(pose.origin.real(), "x", place + ".x", found);
+  check_number(pose.origin.imag(), "y", place + ".y", found);
+  check_number(degrees(pose.angle), "theta_deg", place + ".theta_deg", found);
+}
+
 void check_numbers(const MotionTask& task, std::vector<Error>& found) {
+  check_points(task.points, found);
   for (std::size_t i = 0; i < task.poses.size(); ++i) {
-    const Pose& pose = task.poses[i].pose;
-    check_number(pose.origin.real(), "x", place_of_pose(i) + ".x", found);
-    check_number(pose.origin.imag(), "y", place_of_pose(i) + ".y", found);
-    check_number(degrees(pose.angle), "theta_deg", place_of_pose(i) + ".theta_deg", found);
+    if (task.points.empty()) check_pose(task.poses[i].pose, place_of_pose(i), found);
     check_derivatives(task.poses[i].derivatives, place_of_pose(i) + ".derivatives", found);
   }
 }
@@ -94,7 +99,9 @@ void check_given(const MotionTask& task, std::vector<Error>& found) {
         {"missing_given", "task.given",
          "three positions leave four numbers free; give the grounded links' lengths {\"side_lengths\": [input, "
          "output]}, the angle between them {\"side_angle_deg\": …} or the instant centre "
-         "{\"instant_center\": [x, y]}, or add a fourth position"});
+         "{\"instant_center\": [x, y]}, both ground pivots {\"ground_pivots\": {\"input\": [x, y], \"output\": "
+         "[x, y]}} or moving pivots, one pivot {\"input_ground_pivot\": [x, y]}, a line of pivots "
+         "{\"ground_pivot_on\": {\"point\": [x, y], \"direction_deg\": …}}, or add a fourth position"});
   if (!task.given) return;
   if (!three)
     found.push_back({"unneeded_given",
@@ -108,6 +115,27 @@ void check_given(const MotionTask& task, std::vector<Error>& found) {
     found.push_back({"unneeded_center", "task.given.instant_center",
                      "an instant centre goes with three poses without derivatives; a direction of travel in position 1 "
                      "says the same, so leave one of the two out"});
+}
+
+void check_pivots_on(const MotionTask& task, std::vector<Error>& found) {
+  if (task.pivots_on.empty()) return;
+  const int count = position_count(task.poses);
+  if (count != 4)
+    found.push_back(
+        {"unneeded_pivot_on",
+         "task.pivot_on",
+         fmt::format("\"pivot_on\" belongs to four positions, and {} are given; leave it out (three positions have "
+                     "\"ground_pivot_on\" and \"moving_pivot_on\" in \"given\")",
+                     count),
+         {{"count", count}}});
+  for (std::size_t i = 0; i < task.pivots_on.size(); ++i) {
+    const std::string place = fmt::format("task.pivot_on[{}]", i);
+    check_line(task.pivots_on[i].line, place + ".line", found);
+    for (std::size_t j = 0; j < i; ++j)
+      if (task.pivots_on[j].side == task.pivots_on[i].side)
+        found.push_back({"two_pivots_on", place,
+                         "there is a line for a pivot of this link already, and few dyads satisfy it; keep one"});
+  }
 }
 
 bool same_pose(const Pose& a, const Pose& b, double extent) {
@@ -157,6 +185,7 @@ std::vector<Error> mistakes_in(const MotionTask& task) {
   check_count(task, found);
   check_numbers(task, found);
   check_given(task, found);
+  check_pivots_on(task, found);
   check_freed(task, found);
   if (found.empty()) check_repetitions(task, found);
   return found;

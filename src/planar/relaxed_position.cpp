@@ -240,6 +240,7 @@ RelaxedTask relaxed_task(const MotionTask& task, std::size_t pose) {
   RelaxedTask result{task, {task.poses[pose].pose, pose, pose_conditions(task.poses).frame.scale}};
   result.task.poses.erase(result.task.poses.begin() + static_cast<std::ptrdiff_t>(pose));
   result.task.relaxed.reset();
+  result.task.points.clear();
   return result;
 }
 

@@ -1,8 +1,11 @@
 #include "linkwright/planar/task_family.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <string_view>
 
+#include "linkwright/planar/curve_on_lines_family.hpp"
 #include "linkwright/planar/instant_center.hpp"
 #include "linkwright/planar/relaxed_position.hpp"
 #include "linkwright/planar/task_curve.hpp"
@@ -10,6 +13,37 @@
 
 namespace linkwright {
 namespace {
+
+Notice about_line(std::string_view code, const PivotOnLine& asked, std::string_view message) {
+  const std::string_view side = name(asked.side), pivot = name(asked.pivot),
+                         curve = asked.pivot == PivotKind::ground ? "centre-point" : "circle-point";
+  return {
+      std::string(code),
+      fmt::format(fmt::runtime(message), fmt::arg("side", side), fmt::arg("pivot", pivot), fmt::arg("curve", curve)),
+      {{"side", std::string(side)}, {"pivot", std::string(pivot)}}};
+}
+
+// Few dyads have a pivot on a line: those links are one of them.
+void keep_to_lines(TaskFamily& given, const MotionTask& task, const std::shared_ptr<const CurveFamily>& whole) {
+  std::array<std::shared_ptr<const ProductFamily>, 2> families = {whole, whole};
+  for (const PivotOnLine& asked : task.pivots_on) {
+    const DirectedLine line{given.frame().to_working(asked.line.point), asked.line.direction};
+    const auto found = dyads_on_line(given.conditions, *given.curve, asked.pivot, line);
+    if (!found || found->empty()) {
+      given.degeneracy =
+          found ? about_line("no_dyad_on_line", asked,
+                             "No dyad of these positions has its {pivot} pivot on the line given for the {side} link: "
+                             "the {curve} curve meets it at infinity only. Move or turn the line.")
+                : about_line("line_of_dyads", asked,
+                             "The line given for the {pivot} pivot of the {side} link is part of the {curve} curve: "
+                             "every point of it will do. Leave it out, or move it.");
+      return;
+    }
+    families[asked.side == Side::input ? 0 : 1] =
+        std::make_shared<const PointFamily>(given.frame(), task.poses, *found);
+  }
+  given.family = std::make_shared<const CurveOnLinesFamily>(given.frame(), task.poses, families[0], families[1]);
+}
 
 // Four positions: both grounded links from one Burmester curve.
 TaskFamily family_of_curve(const MotionTask& task) {
@@ -21,7 +55,12 @@ TaskFamily family_of_curve(const MotionTask& task) {
   given.curve = std::move(found.curve);
   given.warnings = std::move(found.warnings);
   given.degeneracy = std::move(found.degeneracy);
-  if (!given.degeneracy) given.family = std::make_shared<CurveFamily>(given.frame(), task.poses, given.curve);
+  if (given.degeneracy) return given;
+  auto whole = std::make_shared<const CurveFamily>(given.frame(), task.poses, given.curve);
+  if (task.pivots_on.empty())
+    given.family = std::move(whole);
+  else
+    keep_to_lines(given, task, whole);
   return given;
 }
 
@@ -76,15 +115,14 @@ TaskFamily family_of_center(const MotionTask& task, const InstantCenter& center)
   return given;
 }
 
-// Three positions and lengths, or an angle and a length.
-template <class Given>
-TaskFamily family_of_lengths(const MotionTask& task, const Given& of_grounded_links, const Requirements& requirements,
-                             Objective objective) {
+// Three positions and what else is given, with what that takes to be set up.
+template <class Given, class... Choosing>
+TaskFamily family_of_given(const MotionTask& task, const Given& beside_poses, const Choosing&... choosing) {
   TaskFamily given;
   given.pattern = pattern(task.poses);
   given.conditions = pose_conditions(task.poses);
   given.derivative_rows = derivative_conditions(task.poses, given.frame());
-  ThreePoseSetup setup = three_pose_setup(given.conditions, task.poses, of_grounded_links, requirements, objective);
+  ThreePoseSetup setup = three_pose_setup(given.conditions, task.poses, beside_poses, choosing...);
   given.family = std::move(setup.family);
   given.degeneracy = std::move(setup.degeneracy);
   given.warnings = std::move(setup.notices);
@@ -93,12 +131,17 @@ TaskFamily family_of_lengths(const MotionTask& task, const Given& of_grounded_li
   return given;
 }
 
+void warn_of_points(TaskFamily& given, const MotionTask& task) {
+  if (auto notice = points_notice(task.points)) given.warnings.push_back(*std::move(notice));
+}
+
 TaskFamily family_of_three(const MotionTask& task, const Requirements& requirements, Objective objective) {
   const ThreePoseGiven given = task.given.value_or(SideLengths{});
   if (const auto* center = std::get_if<InstantCenter>(&given)) return family_of_center(task, *center);
-  if (const auto* angle = std::get_if<SideAngle>(&given))
-    return family_of_lengths(task, *angle, requirements, objective);
-  return family_of_lengths(task, std::get<SideLengths>(given), requirements, objective);
+  if (const auto* angle = std::get_if<SideAngle>(&given)) return family_of_given(task, *angle, requirements, objective);
+  if (const auto* pivots = std::get_if<GivenPivots>(&given)) return family_of_given(task, *pivots);
+  if (const auto* lines = std::get_if<PivotLines>(&given)) return family_of_given(task, *lines);
+  return family_of_given(task, std::get<SideLengths>(given), requirements, objective);
 }
 
 }  // namespace
@@ -108,6 +151,7 @@ TaskFamily task_family(const MotionTask& task, const Requirements& requirements,
     const RelaxedTask left = relaxed_task(task, *task.relaxed);
     TaskFamily given = task_family(left.task, requirements, objective);
     given.relaxed = left.relaxed;
+    warn_of_points(given, task);
     return given;
   }
   const int positions = position_count(task.poses);
@@ -117,6 +161,7 @@ TaskFamily task_family(const MotionTask& task, const Requirements& requirements,
   given.has_directions = std::any_of(task.poses.begin(), task.poses.end(),
                                      [](const PrescribedPose& pose) { return !pose.derivatives.empty(); });
   given.size = given.frame().scale;
+  warn_of_points(given, task);
   return given;
 }
 

@@ -173,6 +173,13 @@ std::optional<Homogeneous> ThreePoseDyads::circle_of(Homogeneous center) const {
   return only_null_vector(rows_[0] * unit, rows_[1] * unit);
 }
 
+std::optional<Dyad> ThreePoseDyads::dyad_with(PivotKind kind, Homogeneous pivot) const {
+  const bool ground = kind == PivotKind::ground;
+  const auto partner = ground ? circle_of(pivot) : center_of(pivot);
+  if (!partner) return std::nullopt;
+  return ground ? Dyad{normalized(pivot), *partner, 0} : Dyad{*partner, normalized(pivot), 0};
+}
+
 // Multiplied by the square of the line's normal n, nothing has to be divided by: with C = (−m n + μ in)/|n|² on the
 // line n·C + m = 0 the circle is A μ² + (g·in) μ + A m² − m (g·n) + h |n|² = 0.
 ThreePoseDyads::Chord ThreePoseDyads::chord(Point arm) const {
@@ -244,25 +251,33 @@ std::optional<Dyad> ThreePoseDyads::dyad_round(Point arm, double turn) const {
   return finite_dyad(center + std::sqrt(square) * direction(two_pi * turn), arm);
 }
 
-// With z = P + s e and C = P + t e each condition is α st + β s + γ t + δ = 0; t eliminated, s is one of two roots.
-std::vector<Dyad> ThreePoseDyads::dyads_on_line(Point point, Point along) const {
-  const Homogeneous p = Homogeneous::of(point), e = Homogeneous::at_infinity(along / std::abs(along));
+// With z = P + s e and C = Q + t f each condition is α st + β s + γ t + δ = 0; t eliminated, s is one of two roots.
+std::optional<std::vector<Dyad>> ThreePoseDyads::dyads_on_lines(const DirectedLine& of_centers,
+                                                                const DirectedLine& of_circles) const {
+  const Homogeneous p = Homogeneous::of(of_circles.point), e = Homogeneous::at_infinity(of_circles.direction),
+                    q = Homogeneous::of(of_centers.point), f = Homogeneous::at_infinity(of_centers.direction);
   struct Bilinear {
     double alpha, beta, gamma, delta;
+    // The center that goes with the circle point w p + s e: w₂ q + t f with (w₂ : t) = (αs + γw : −βs − δw).
+    [[nodiscard]] std::array<double, 2> center(double w, double s) const {
+      return {alpha * s + gamma * w, -beta * s - delta * w};
+    }
   };
-  const auto on_line = [&](const HomogeneousMatrix& m) {
-    return Bilinear{dot(e, m * e), dot(e, m * p), dot(p, m * e), dot(p, m * p)};
+  const auto on_lines = [&](const HomogeneousMatrix& m) {
+    return Bilinear{dot(e, m * f), dot(e, m * q), dot(p, m * f), dot(p, m * q)};
   };
-  const Bilinear f = on_line(rows_[0]), g = on_line(rows_[1]);
-  const double a = f.beta * g.alpha - g.beta * f.alpha, c = f.delta * g.gamma - g.delta * f.gamma,
-               b = f.beta * g.gamma + f.delta * g.alpha - g.beta * f.gamma - g.delta * f.alpha;
-  if (std::max({std::abs(a), std::abs(b), std::abs(c)}) < tolerance::dependent_rows) return {};
+  const Bilinear one = on_lines(rows_[0]), other = on_lines(rows_[1]);
+  const double a = one.beta * other.alpha - other.beta * one.alpha,
+               c = one.delta * other.gamma - other.delta * one.gamma,
+               b = one.beta * other.gamma + one.delta * other.alpha - other.beta * one.gamma - other.delta * one.alpha;
+  if (std::max({std::abs(a), std::abs(b), std::abs(c)}) < tolerance::dependent_rows) return std::nullopt;
   std::vector<Dyad> found;
   for (const auto& [w, s] : projective_roots(a, b, c)) {
-    const Homogeneous circle = w * p + s * e;
-    const auto center = center_of(circle);
-    if (!center || is_at_infinity(circle) || is_at_infinity(*center)) continue;
-    found.push_back({*center, normalized(circle), 0});
+    const auto by_one = one.center(w, s), by_other = other.center(w, s);
+    const auto [v, t] = std::hypot(by_one[0], by_one[1]) > std::hypot(by_other[0], by_other[1]) ? by_one : by_other;
+    const Homogeneous circle = w * p + s * e, center = v * q + t * f;
+    if (is_at_infinity(circle) || is_at_infinity(center)) continue;
+    found.push_back({normalized(center), normalized(circle), 0});
   }
   return found;
 }

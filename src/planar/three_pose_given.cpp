@@ -3,12 +3,15 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
+#include <string_view>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/number_check.hpp"
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/motion_task.hpp"
+#include "planar/line_check.hpp"
 
 namespace linkwright {
 namespace {
@@ -53,7 +56,40 @@ void check(const InstantCenter& given, std::vector<Error>& found) {
                      "a centre at infinity needs a direction; give two numbers that are not both zero"});
 }
 
+void check_point(Point point, const std::string& place, std::vector<Error>& found) {
+  check_number(point.real(), "x", place + "[0]", found);
+  check_number(point.imag(), "y", place + "[1]", found);
+}
+
+void check(const GivenPivots& given, std::vector<Error>& found) {
+  require(given.input || given.output, "a pivot is given");
+  const bool are_alike = given.input && given.output && given.input->kind == given.output->kind;
+  const auto check_side = [&](const std::optional<GivenPivot>& pivot, std::string_view side) {
+    if (!pivot) return;
+    check_point(pivot->point,
+                are_alike ? fmt::format("task.given.{}_pivots.{}", name(pivot->kind), side)
+                          : fmt::format("task.given.{}_{}_pivot", side, name(pivot->kind)),
+                found);
+  };
+  check_side(given.input, "input");
+  check_side(given.output, "output");
+  if (are_alike && given.input->point == given.output->point)
+    found.push_back({"same_given_pivots", fmt::format("task.given.{}_pivots", name(given.input->kind)),
+                     "both pivots lie at one place, which makes a link of no length; move one of them"});
+}
+
+void check(const PivotLines& given, std::vector<Error>& found) {
+  require(given.ground || given.moving, "a line is given");
+  if (given.ground) check_line(*given.ground, "task.given.ground_pivot_on", found);
+  if (given.moving) check_line(*given.moving, "task.given.moving_pivot_on", found);
+}
+
 }  // namespace
+
+void check_line(const LineAtAngle& line, const std::string& place, std::vector<Error>& found) {
+  check_point(line.point, place + ".point", found);
+  check_number(degrees(line.angle), "direction_deg", place + ".direction_deg", found);
+}
 
 std::vector<Error> mistakes_in(const ThreePoseGiven& given) {
   std::vector<Error> found;

@@ -5,7 +5,9 @@
 #include <string_view>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/chosen_length.hpp"
+#include "linkwright/planar/given_pivot_family.hpp"
 #include "linkwright/planar/three_pose_family.hpp"
 #include "planar/degenerate_task.hpp"
 
@@ -16,7 +18,7 @@ using Dyads = std::shared_ptr<const ThreePoseDyads>;
 
 // What both kinds of task look at before they look at numbers.
 struct Start {
-  Start(const PoseConditions& conditions, const Requirements& wanted)
+  explicit Start(const PoseConditions& conditions, const Requirements& wanted = {})
       : frame(conditions.frame),
         dyads(std::make_shared<const ThreePoseDyads>(conditions)),
         degeneracy(shared_center(conditions)),
@@ -168,6 +170,122 @@ ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vec
   ThreePoseSetup setup = opened(start, family_of(input));
   if (chosen) setup.notices.push_back(chosen_notice("input", *chosen));
   return setup;
+}
+
+namespace {
+
+PivotKind partner_of(PivotKind kind) { return kind == PivotKind::ground ? PivotKind::moving : PivotKind::ground; }
+
+Notice about_pivot(std::string_view code, Side side, const GivenPivot& pivot, std::string message) {
+  return {std::string(code),
+          std::move(message),
+          {{"side", std::string(name(side))},
+           {"pivot", std::string(name(pivot.kind))},
+           {"x", pivot.point.real()},
+           {"y", pivot.point.imag()}}};
+}
+
+// A rotation about the given pivot takes the body from one position to another: that condition holds for any partner.
+Notice pivot_at_pole(Side side, const GivenPivot& pivot) {
+  return about_pivot(
+      "pivot_at_pole", side, pivot,
+      fmt::format("The given {} pivot of the {} link, ({:.6g}, {:.6g}), is a pole of two of the "
+                  "positions{}: any point of a line is a {} pivot to it, and no single linkage is "
+                  "left. Move the pivot.",
+                  name(pivot.kind), name(side), pivot.point.real(), pivot.point.imag(),
+                  pivot.kind == PivotKind::moving ? ", seen from the body" : "", name(partner_of(pivot.kind))));
+}
+
+Notice pivot_of_slider(Side side, const GivenPivot& pivot) {
+  return about_pivot(
+      "pivot_of_slider", side, pivot,
+      fmt::format("The {} pivot that belongs to the given {} pivot of the {} link, ({:.6g}, {:.6g}), is "
+                  "at infinity: instead of a link with two pivots it takes a {}. Move the pivot.",
+                  name(partner_of(pivot.kind)), name(pivot.kind), name(side), pivot.point.real(), pivot.point.imag(),
+                  pivot.kind == PivotKind::moving ? "straight guide, on which it slides"
+                                                  : "guide of the body, which slides through it"));
+}
+
+// The link with a given pivot, or why there is none.
+struct FoundLink {
+  Dyad dyad;
+  std::optional<Notice> missing;
+};
+
+FoundLink link_with(const Start& start, Side side, const GivenPivot& pivot) {
+  const auto found = start.dyads->dyad_with(pivot.kind, Homogeneous::of(start.frame.to_working(pivot.point)));
+  if (!found) return {{}, pivot_at_pole(side, pivot)};
+  if (is_at_infinity(found->center) || is_at_infinity(found->circle)) return {{}, pivot_of_slider(side, pivot)};
+  return {*found, std::nullopt};
+}
+
+bool are_one_link(const Dyad& a, const Dyad& b) {
+  const auto near = [](Homogeneous p, Homogeneous q) {
+    return std::abs(*finite_point(p) - *finite_point(q)) < tolerance::change_point;
+  };
+  return near(a.center, b.center) && near(a.circle, b.circle);
+}
+
+Notice pivots_of_one_link() {
+  return {"pivots_of_one_link",
+          "Both given pivots belong to one and the same link: it has its other pivot just there. Move one of them.",
+          {}};
+}
+
+Notice lines_notice(std::string_view code, std::string_view message) {
+  return {std::string(code), std::string(message), {}};
+}
+
+ThreePoseSetup setup_between(const Start& start, const std::vector<PrescribedPose>& poses, const PivotLines& given) {
+  const auto working = [&](const DirectedLine& line) {
+    return DirectedLine{start.frame.to_working(line.point), line.direction};
+  };
+  const auto dyads = start.dyads->dyads_on_lines(working(*given.ground), working(*given.moving));
+  if (!dyads)
+    return closed(lines_notice(
+        "lines_of_dyads", "Infinitely many dyads have their pivots on these two lines. Turn or move one of them."));
+  if (dyads->empty())
+    return closed(lines_notice("no_dyad_on_lines",
+                               "No dyad of these positions has its ground pivot on one of the lines and its moving "
+                               "pivot on the other. Move a line, or give one of them only."));
+  if (dyads->size() == 1)
+    return closed(lines_notice("one_dyad_on_lines",
+                               "Only one dyad has its ground pivot on one of the lines and its moving pivot on the "
+                               "other, and a four-bar needs two. Move a line, or give one of them only."));
+  return {std::make_shared<const PointFamily>(start.frame, poses, *dyads), {}, {}};
+}
+
+}  // namespace
+
+ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vector<PrescribedPose>& poses,
+                                const GivenPivots& given) {
+  const Start start(conditions);
+  if (start.degeneracy) return closed(start.degeneracy);
+  if (!given.input || !given.output) {
+    const Side side = given.input ? Side::input : Side::output;
+    const GivenPivot& pivot = given.input ? *given.input : *given.output;
+    FoundLink link = link_with(start, side, pivot);
+    if (link.missing) return closed(std::move(link.missing));
+    return {
+        std::make_shared<const PivotPlaceFamily>(start.frame, poses, start.dyads, side, link.dyad, pivot.kind), {}, {}};
+  }
+  FoundLink input = link_with(start, Side::input, *given.input), output = link_with(start, Side::output, *given.output);
+  for (FoundLink* link : {&input, &output})
+    if (link->missing) return closed(std::move(link->missing));
+  if (are_one_link(input.dyad, output.dyad)) return closed(pivots_of_one_link());
+  return {std::make_shared<const GivenPivotsFamily>(start.frame, poses, DyadPair{input.dyad, output.dyad}), {}, {}};
+}
+
+ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vector<PrescribedPose>& poses,
+                                const PivotLines& given) {
+  const Start start(conditions);
+  if (start.degeneracy) return closed(start.degeneracy);
+  if (given.ground && given.moving) return setup_between(start, poses, given);
+  const PivotKind kind = given.ground ? PivotKind::ground : PivotKind::moving;
+  return {std::make_shared<const PivotsOnLineFamily>(start.frame, poses, start.dyads, kind,
+                                                     given.ground ? *given.ground : *given.moving),
+          {},
+          {}};
 }
 
 }  // namespace linkwright

@@ -122,22 +122,23 @@ double RegionMap::min_transmission_angle(std::size_t cell) const {
   return angle_of_versine(values(measures::min_transmission_angle)[cell]);
 }
 
-bool RegionMap::pair_decides_sense(std::size_t row) const {
-  return drivers_[row].admissible_directions == (DriverTravel::ccw | DriverTravel::cw) && drivers_[row].sweep_ccw > 0;
+bool RegionMap::pair_decides_sense(const DriverTravel& driver) {
+  return driver.admissible_directions == (DriverTravel::ccw | DriverTravel::cw) && driver.sweep_ccw > 0;
 }
 
 DriveSense RegionMap::drive_sense(std::size_t row, std::size_t column) const {
   const std::size_t cell = index(row, column);
   if (drivers_.empty() || type(cell) == LinkageType::degenerate || !defects(cell).none()) return DriveSense::none;
-  const bool by_pair = pair_decides_sense(row) && !cell_directions_.view().empty();
-  const unsigned admissible_directions = by_pair ? cell_directions_[cell] : drivers_[row].admissible_directions;
+  const DriverTravel& own = driver(row, column);
+  const bool by_pair = pair_decides_sense(own) && !cell_directions_.view().empty();
+  const unsigned admissible_directions = by_pair ? cell_directions_[cell] : own.admissible_directions;
   return linkwright::drive_sense(admissible_directions & DriverTravel::ccw, admissible_directions & DriverTravel::cw);
 }
 
 double RegionMap::driver_sweep(std::size_t row, std::size_t column) const {
   const DriveSense sense = drive_sense(row, column);
   if (sense == DriveSense::none) return 0;
-  const double ccw = static_cast<double>(drivers_[row].sweep_ccw);
+  const double ccw = static_cast<double>(driver(row, column).sweep_ccw);
   return sense == DriveSense::cw && ccw > 0 ? two_pi - ccw : ccw;
 }
 

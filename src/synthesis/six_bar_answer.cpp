@@ -152,6 +152,7 @@ Result<Answer> solve_of_kind(const SixBarTask& task, const Requirements& require
   answer.characteristic_length = conditions.frame.scale;
   answer.requirements = task.chain ? with_defaults(requirements, *task.chain) : requirements;
   answer.options = with_turning_length(options, answer.characteristic_length);
+  if (auto notice = points_notice(task.points)) answer.warnings.push_back(*std::move(notice));
   return task.chain ? solve_chain(std::move(answer), progress) : search_chain(std::move(answer), progress);
 }
 

@@ -24,6 +24,7 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "spherical_function_same_input", "spherical_function_standing_output", "objective_of_the_sphere", "place_of_a_search",
                  "lengths_on_a_sphere", "boxes_on_a_sphere", "planar_type_on_a_sphere", "planar_objective_on_a_sphere",
                  "axis_of_zeros", "cone_about_nothing", "given_axis_of_zeros", "given_axes_the_same", "quaternion_of_zeros",
+                 "given_pivots_at_one_place", "points_at_one_place",
                  "velocity_zero", "link_angles_crossed", "matrix_that_mirrors", "matrix_that_stretches",
                  "line_pivots_coincide", "line_ball_pivot_at_point", "line_pole_on_line",
                  "line_parallel_offsets_equal", "line_mixed_of_three_points", "line_mixed_of_five_points",
@@ -231,7 +232,16 @@ class Schemas(FaceTest):
         tasks = [{"kind": "motion", "mechanism": "four_bar", "poses": poses, "given": given} for given in (
             {"side_lengths": [18, 24]}, {"side_length": 18}, {"side_angle_deg": 30}, {"instant_center": [20, 0]},
             {"side_angle_deg": -400, "directed": False, "input_length": 18}, {"side_angle_deg": 0, "input_length": None},
-            {"instant_center": [0, 1], "at_infinity": True})]
+            {"instant_center": [0, 1], "at_infinity": True}, {"ground_pivots": {"input": [20, -20], "output": [40, -20]}},
+            {"moving_pivots": [[5, -20], [10, -30]]}, {"output_moving_pivot": [5, -20]},
+            {"input_ground_pivot": [20, -20], "output_moving_pivot": [5, -20]},
+            {"ground_pivot_on": {"point": [0, -20], "direction_deg": 0}},
+            {"ground_pivot_on": {"point": [0, -20], "direction_deg": 0}, "moving_pivot_on": {"point": [5, 0], "direction_deg": 90}})]
+        by_points = [{"points": [[0, 0], [5, 0]]}, {"points": [[4, 10], [8, 7]]}, {"points": [[34, 14], [34, 9]], "derivatives": []}]
+        tasks.append({"kind": "motion", "mechanism": "four_bar", "poses": by_points, "given": {"side_lengths": [18, 24]}})
+        lines = [{"which": side, "pivot": "ground", "line": {"point": [0, -20], "direction_deg": 0}} for side in ("input", "output")]
+        four = [*poses, {"x": 50, "y": 30, "theta_deg": -100}]
+        tasks += [{"kind": "motion", "mechanism": "four_bar", "poses": four, "pivot_on": on} for on in (None, [], lines[:1], lines)]
         tasks += [named(expression=text, x=[0.5, 1]) for text in ("x", "x^2", "x^-1", "x^.5", "x^1e-1", "sqrt(x)", "ln", "log10",
                                                                   "tan", "cos_deg(x)")]
         table = [[0, 0], [1, 2], [2, 3], [4, 3.5]]

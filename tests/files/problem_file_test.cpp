@@ -306,6 +306,23 @@ std::string function(std::string_view members, std::string_view options = "{}") 
 constexpr std::string_view scale_of_sine = R"("function": {"expression": "sin_deg", "x": [0, 90.1],
   "y": [-0.1, 1.5], "input_range_deg": [0, -77.7], "output_range_deg": [10, 61.3], "points": 4, "spacing": "even"})";
 
+// Poses by two points of the body are written in numbers.
+TEST(ProblemFile, PosesByTwoPointsAreFitted) {
+  const auto read = read_problem(R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar", "poses": [
+    {"points": [[0, 0], [100, 0]]}, {"points": [[10, 20], [70, 100]]},
+    {"points": [[40, 60], [40, 162]], "derivatives": []}], "given": {"side_lengths": [80, 60]}}})");
+  ASSERT_TRUE(read.ok());
+  const MotionTask& task = testing::motion(*read);
+  ASSERT_EQ(task.points.size(), 3u);
+  EXPECT_NEAR(task.poses[1].pose.angle, std::atan2(4, 3), 1e-15);
+  EXPECT_LT(std::abs(task.poses[2].pose.origin - Point{40, 60 + (102 - 302.0 / 3) / 2}), 1e-12);
+  const auto again = read_problem(write_problem(*read));
+  ASSERT_TRUE(again.ok());
+  EXPECT_TRUE(testing::motion(*again).points.empty());
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_LT(std::abs(testing::motion(*again).poses[i].pose.origin - task.poses[i].pose.origin), 1e-12);
+}
+
 const std::vector<std::string>& one_of_each_kind() {
   static const std::vector<std::string> problems = {
       three(R"({"side_lengths": [80.1, 60]})"),
@@ -314,6 +331,13 @@ const std::vector<std::string>& one_of_each_kind() {
       three(R"({"side_angle_deg": -60, "directed": true, "input_length": 7.7})"),
       three(R"({"instant_center": [-20.2, 0.1]})"),
       three(R"({"instant_center": [1, 0.3], "at_infinity": true})"),
+      three(R"({"ground_pivots": {"input": [1, 0.3], "output": [0.1, 7.7]}})"),
+      three(R"({"moving_pivots": {"input": [1, 0.3], "output": [0.1, 7.7]}})"),
+      three(R"({"output_moving_pivot": [0.1, 7.7]})"),
+      three(R"({"input_ground_pivot": [0.1, 7.7], "output_moving_pivot": [3, 3]})"),
+      three(R"({"ground_pivot_on": {"point": [0.1, 7.7], "direction_deg": 33.3}})"),
+      three(R"({"ground_pivot_on": {"point": [0.1, 7.7], "direction_deg": 33.3},
+        "moving_pivot_on": {"point": [0, 0], "direction_deg": -90}})"),
       five(""),
       five(R"(, "freed_pose": 4)"),
       mixed(R"({"x": 1, "y": 2, "theta_deg": 30, "derivatives": [{"x": 1, "y": 0, "theta": 0.8}]},
@@ -368,6 +392,12 @@ std::vector<std::string> tasks_of_every_kind() {
       motion + R"({"side_angle_deg":33.3,"directed":false,"input_length":18}})",
       motion + R"({"instant_center":[20.1,-3]}})",
       motion + R"({"instant_center":[0,1],"at_infinity":true}})",
+      motion + R"({"ground_pivots":{"input":[0,1],"output":[2.5,-1]}}})",
+      motion + R"({"moving_pivots":{"input":[0,1],"output":[2.5,-1]}}})",
+      motion + R"({"input_moving_pivot":[0.1,1]}})",
+      motion + R"({"input_ground_pivot":[0.1,1],"output_moving_pivot":[3,1]}})",
+      motion + R"({"ground_pivot_on":{"point":[0.1,1],"direction_deg":33.3}}})",
+      motion + R"({"moving_pivot_on":{"point":[0.1,1],"direction_deg":-90}}})",
       function + pairs + pivots + "}",
       function + pairs + pivots + R"(,"free":{"number":"output_scale","range":[0.7,1.1]}})",
       function + pairs + pivots + R"(,"free":{"number":"pair_output","pair":2,"range":[20.1,30]}})",

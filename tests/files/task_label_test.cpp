@@ -25,6 +25,14 @@ TEST(TaskLabel, SaysWhatThreePositionsAreGiven) {
   EXPECT_EQ(task_label(three(InstantCenter{{3, -4}})), "three positions (P-P-P), instant centre (3, -4)");
   EXPECT_EQ(task_label(three(InstantCenter{{1, 0}, true})),
             "three positions (P-P-P), instant centre at infinity in direction (1, 0)");
+  const GivenPivot ground{PivotKind::ground, {3, -4}}, moving{PivotKind::moving, {0.5, 1}};
+  EXPECT_EQ(task_label(three(GivenPivots{ground, GivenPivot{PivotKind::ground, {0, 0}}})),
+            "three positions (P-P-P), ground pivots (3, -4) and (0, 0)");
+  EXPECT_EQ(
+      task_label(three(GivenPivots{ground, moving})),
+      "three positions (P-P-P), ground pivot of the input link (3, -4), moving pivot of the output link (0.5, 1)");
+  EXPECT_EQ(task_label(three(PivotLines{LineAtAngle({0, 340}, 0), {}})),
+            "three positions (P-P-P), ground pivots on the line through (0, 340) at 0°");
 }
 
 TEST(TaskLabel, CountsPositionsNotPoses) {

@@ -47,6 +47,56 @@ void expect_kept(const InstantCenter& given, const FourBarSolution& found) {
   }
 }
 
+void expect_at(const std::optional<GivenPivot>& given, Point center, Point circle) {
+  if (!given) return;
+  const Point found = given->kind == PivotKind::ground ? center : circle;
+  EXPECT_LT(std::abs(found - given->point), 1e-9 * (1 + std::abs(given->point)));
+}
+
+void expect_kept(const GivenPivots& given, const FourBarSolution& found) {
+  expect_at(given.input, found.four_bar.input_center, found.four_bar.input_circle);
+  expect_at(given.output, found.four_bar.output_center, found.four_bar.output_circle);
+}
+
+void expect_on(const std::optional<LineAtAngle>& line, Point pivot) {
+  if (line) EXPECT_NEAR(line->to_line(pivot).imag(), 0, 1e-9 * (1 + std::abs(pivot)));
+}
+
+void expect_kept(const PivotLines& given, const FourBarSolution& found) {
+  for (const Point pivot : {found.four_bar.input_center, found.four_bar.output_center}) expect_on(given.ground, pivot);
+  for (const Point pivot : {found.four_bar.input_circle, found.four_bar.output_circle}) expect_on(given.moving, pivot);
+}
+
+GivenPivot drawn_pivot(std::mt19937_64& random, PivotKind kind) {
+  return {kind, {uniform(random, -2, 2), uniform(random, -2, 2)}};
+}
+
+LineAtAngle drawn_line(std::mt19937_64& random) {
+  return {Point{uniform(random, -1, 1), uniform(random, -1, 1)}, uniform(random, -pi, pi)};
+}
+
+// One link's pivot of either kind, or one of each link.
+std::vector<ThreePoseGiven> given_pivots(std::mt19937_64& random) {
+  constexpr PivotKind ground = PivotKind::ground, moving = PivotKind::moving;
+  std::vector<ThreePoseGiven> all;
+  for (const PivotKind kind : {ground, moving}) {
+    all.emplace_back(GivenPivots{drawn_pivot(random, kind), {}});
+    all.emplace_back(GivenPivots{{}, drawn_pivot(random, kind)});
+  }
+  all.emplace_back(PivotLines{drawn_line(random), {}});
+  all.emplace_back(PivotLines{{}, drawn_line(random)});
+  return all;
+}
+
+// Of those each task has one linkage, or two dyads, if any.
+std::vector<ThreePoseGiven> given_all(std::mt19937_64& random) {
+  constexpr PivotKind ground = PivotKind::ground, moving = PivotKind::moving;
+  return {GivenPivots{drawn_pivot(random, ground), drawn_pivot(random, ground)},
+          GivenPivots{drawn_pivot(random, moving), drawn_pivot(random, moving)},
+          GivenPivots{drawn_pivot(random, moving), drawn_pivot(random, ground)},
+          PivotLines{drawn_line(random), drawn_line(random)}};
+}
+
 // Lengths as fit the poses of random_poses.
 std::vector<ThreePoseGiven> givens(std::mt19937_64& random) {
   const double length = uniform(random, 1, 3), other = uniform(random, 1, 3), angle = uniform(random, -pi, pi);
@@ -63,6 +113,17 @@ ThreePoseGiven moved(const ThreePoseGiven& given, double scale, double angle, Po
   if (const auto* side = std::get_if<SideAngle>(&given))
     return SideAngle{side->angle, side->directed,
                      side->input_length ? std::optional(scale * *side->input_length) : std::nullopt};
+  const auto place = [&](Point p) { return turn * p + shift; };
+  const auto line = [&](const std::optional<LineAtAngle>& of) {
+    return of ? std::optional(LineAtAngle(place(of->point), of->angle + angle)) : std::nullopt;
+  };
+  if (const auto* lines = std::get_if<PivotLines>(&given)) return PivotLines{line(lines->ground), line(lines->moving)};
+  if (const auto* pivots = std::get_if<GivenPivots>(&given)) {
+    GivenPivots there = *pivots;
+    for (auto* pivot : {&there.input, &there.output})
+      if (*pivot) (*pivot)->point = place((*pivot)->point);
+    return there;
+  }
   const auto& center = std::get<InstantCenter>(given);
   return InstantCenter{center.at_infinity ? turn * center.point : turn * center.point + shift, center.at_infinity};
 }
@@ -144,6 +205,78 @@ TEST(ThreePosesLaw, BothLengthsTheOtherWayRoundAreTheSameBarsDrivenFromTheOtherS
                                       std::pair{LinkageType::double_rocker, LinkageType::double_rocker}})
       EXPECT_EQ(of(here, type), of(there, other));
     EXPECT_EQ(here.counts.circuit, there.counts.circuit);
+  }
+}
+
+TEST(ThreePosesLaw, GivenPivotsAreKeptAndTheirLinkagesAreDrivenThroughThePositions) {
+  std::mt19937_64 random(21);
+  std::array<int, 6> found{};
+  int mixed = 0;
+  for (int trial = 0; trial < 6; ++trial)
+    for (const std::vector<int>& pattern : {std::vector<int>{1, 1, 1}, {2, 1}, {1, 2}, {3}}) {
+      const auto poses = testing::random_poses(random, pattern);
+      const auto all = given_pivots(random);
+      for (std::size_t kind = 0; kind < all.size(); ++kind)
+        for (const FourBarSolution& linkage : solved({poses, all[kind]}).linkages) {
+          EXPECT_TRUE(linkage.verified_by_driving);
+          EXPECT_LT(linkage.residual, 1e-9);
+          std::visit([&](const auto& given) { expect_kept(given, linkage); }, all[kind]);
+          ++found[kind];
+          mixed += pattern.size() < 3;
+          if (pattern.size() < 3) EXPECT_LT(linkage.residual_derivatives.value_or(1), 1e-9);
+        }
+    }
+  for (const int count : found) EXPECT_GT(count, 5);
+  EXPECT_GT(mixed, 40);
+}
+
+TEST(ThreePosesLaw, WhatIsWhollyGivenHasItsOneLinkage) {
+  std::mt19937_64 random(22);
+  std::array<int, 4> found{};
+  Requirements any;
+  any.no_defects = false;
+  any.max_link_ratio = Requirements::unlimited;
+  any.max_length = Requirements::unlimited;
+  any.min_length = any.min_link_angle = 0;
+  for (int trial = 0; trial < 10; ++trial)
+    for (const std::vector<int>& pattern : {std::vector<int>{1, 1, 1}, {2, 1}, {1, 2}, {3}}) {
+      const auto poses = testing::random_poses(random, pattern);
+      const auto all = given_all(random);
+      for (std::size_t kind = 0; kind < all.size(); ++kind) {
+        const MotionAnswer answer = testing::solved(MotionTask{poses, all[kind]}, any, small());
+        if (kind < 3) EXPECT_EQ(answer.counts.pairs, 1);
+        for (const FourBarSolution& linkage : answer.linkages) {
+          EXPECT_LT(linkage.residual, 1e-8);
+          if (linkage.report.defects.none()) EXPECT_TRUE(linkage.verified_by_driving);
+          std::visit([&](const auto& given) { expect_kept(given, linkage); }, all[kind]);
+          ++found[kind];
+        }
+      }
+    }
+  for (std::size_t kind = 0; kind < 3; ++kind) EXPECT_GT(found[kind], 35);
+  EXPECT_GT(found[3], 10);
+}
+
+TEST(ThreePosesLaw, NeitherUnitNorPlaceMattersToGivenPivots) {
+  std::mt19937_64 random(23);
+  for (int trial = 0; trial < 4; ++trial) {
+    const auto poses = testing::random_poses(random, 3);
+    const double scale = trial % 2 == 0 ? 1e-4 : 1e4, angle = trial < 2 ? 0 : uniform(random, -pi, pi);
+    const Point shift = scale * Point{30, -20};
+    auto all = given_pivots(random);
+    for (ThreePoseGiven& given : given_all(random)) all.push_back(given);
+    for (const ThreePoseGiven& given : all) {
+      const MotionAnswer before = solved({poses, given});
+      const MotionAnswer after =
+          solved({testing::moved(poses, scale, angle, shift), moved(given, scale, angle, shift)});
+      EXPECT_EQ(before.status, after.status);
+      // Maps of the plane have their axes along the drawing's, which a turn of it does not take with it.
+      const auto* pivots = std::get_if<GivenPivots>(&given);
+      if (angle != 0 && pivots && !(pivots->input && pivots->output)) continue;
+      for (std::size_t type = 0; type < before.counts.types.size(); ++type)
+        EXPECT_LE(std::abs(before.counts.types[type] - after.counts.types[type]), borderline_cells);
+      EXPECT_LE(std::abs(before.counts.defect_free - after.counts.defect_free), borderline_cells);
+    }
   }
 }
 

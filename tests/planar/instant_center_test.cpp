@@ -70,9 +70,12 @@ TEST(InstantCenter, LinesThroughItCarryTheDyadsOfTheCurve) {
 
     const Point at = three.frame.to_working(center.point), e = direction(uniform(random, 0, pi));
     const Point aside = Point{0, 1} * center.point / std::abs(center.point);
-    const auto on_line = center.at_infinity ? dyads.dyads_on_line(uniform(random, -2, 2) * aside, center.point)
-                                            : dyads.dyads_on_line(at, e);
-    for (const Dyad& dyad : on_line) {
+    const DirectedLine line = center.at_infinity
+                                  ? DirectedLine{uniform(random, -2, 2) * aside, center.point / std::abs(center.point)}
+                                  : DirectedLine{at, e};
+    const auto found = dyads.dyads_on_lines(line, line);
+    ASSERT_TRUE(found);
+    for (const Dyad& dyad : *found) {
       EXPECT_LT(curve.residual({in_four(dyad.center), in_four(dyad.circle), 0}), 1e-12);
       ++on_lines;
     }
@@ -81,7 +84,10 @@ TEST(InstantCenter, LinesThroughItCarryTheDyadsOfTheCurve) {
       const auto circle = finite_point(in_three(dyad.circle)), fixed = finite_point(in_three(dyad.center));
       if (!circle || !fixed || std::abs(*circle - *fixed) < 1e-3) continue;
       double nearest = 1;
-      for (const Dyad& other : dyads.dyads_on_line(*fixed, *circle - *fixed))
+      const DirectedLine along{*fixed, (*circle - *fixed) / std::abs(*circle - *fixed)};
+      const auto beside = dyads.dyads_on_lines(along, along);
+      ASSERT_TRUE(beside);
+      for (const Dyad& other : *beside)
         nearest = std::min(nearest, norm(cross(normalized(other.circle), normalized(in_three(dyad.circle)))));
       EXPECT_LT(nearest, 1e-6);
       ++on_curves;

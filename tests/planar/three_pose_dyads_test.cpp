@@ -88,9 +88,10 @@ TEST_P(ThreePoseCase, HasTheDyadsOfEachGivenLengthAndInstantCentre) {
   const WorkingFrame& frame = task.conditions.frame;
   for (const Json& row : json["given_instant_centre"]) {
     std::vector<Links> found;
-    for (const Dyad& dyad :
-         task.dyads.dyads_on_line(frame.to_working(point_of(row["I"])), direction(row["beta"].get<double>())))
-      found.push_back(task.user(dyad));
+    const DirectedLine line{frame.to_working(point_of(row["I"])), direction(row["beta"].get<double>())};
+    const auto on_line = task.dyads.dyads_on_lines(line, line);
+    ASSERT_TRUE(on_line);
+    for (const Dyad& dyad : *on_line) found.push_back(task.user(dyad));
     expect_same(found, row["dyads"], "through the centre " + row["beta"].dump());
   }
 }

@@ -15,7 +15,11 @@ TEST(ThreePoseGiven, TakesWhatIsInRange) {
   for (const ThreePoseGiven& given :
        {ThreePoseGiven{SideLengths{2, 3}}, ThreePoseGiven{SideLengths{1e9, {}}}, ThreePoseGiven{SideAngle{-7, true, 1}},
         ThreePoseGiven{SideAngle{0, false, {}}}, ThreePoseGiven{InstantCenter{{0, 0}}},
-        ThreePoseGiven{InstantCenter{{0, -1}, true}}})
+        ThreePoseGiven{InstantCenter{{0, -1}, true}},
+        ThreePoseGiven{GivenPivots{GivenPivot{PivotKind::ground, {1, 2}}, GivenPivot{PivotKind::ground, {1, 3}}}},
+        ThreePoseGiven{GivenPivots{GivenPivot{PivotKind::ground, {1, 2}}, GivenPivot{PivotKind::moving, {1, 2}}}},
+        ThreePoseGiven{GivenPivots{{}, GivenPivot{PivotKind::moving, {1, 2}}}},
+        ThreePoseGiven{PivotLines{LineAtAngle({0, 1}, 2), {}}}, ThreePoseGiven{PivotLines{{}, LineAtAngle({0, 1}, 2)}}})
     EXPECT_TRUE(mistakes_in(given).empty());
 }
 
@@ -31,6 +35,13 @@ TEST(ThreePoseGiven, NamesThePlaceOfEachMistake) {
       {InstantCenter{{nan, 0}}, "task.given.instant_center", "center_range"},
       {InstantCenter{{0, infinity}}, "task.given.instant_center", "center_range"},
       {InstantCenter{{0, 0}, true}, "task.given.instant_center", "center_direction"},
+      {GivenPivots{GivenPivot{PivotKind::ground, {nan, 2}}, GivenPivot{PivotKind::ground, {1, 3}}},
+       "task.given.ground_pivots.input[0]", "number_range"},
+      {GivenPivots{{}, GivenPivot{PivotKind::moving, {0, 2e9}}}, "task.given.output_moving_pivot[1]", "number_range"},
+      {GivenPivots{GivenPivot{PivotKind::moving, {1, 3}}, GivenPivot{PivotKind::moving, {1, 3}}},
+       "task.given.moving_pivots", "same_given_pivots"},
+      {PivotLines{LineAtAngle({0, infinity}, 2), {}}, "task.given.ground_pivot_on.point[1]", "number_range"},
+      {PivotLines{{}, LineAtAngle({0, 1}, nan)}, "task.given.moving_pivot_on.direction_deg", "number_range"},
   };
   for (const auto& [given, place, code] : cases) {
     const std::vector<Error> found = mistakes_in(given);

@@ -1,5 +1,6 @@
 #include "linkwright/planar/three_pose_setup.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
@@ -99,6 +100,98 @@ TEST(ThreePoseSetup, IsTheSameEveryTime) {
   const auto once = setup(general_poses, SideAngle{0.7, false, {}}),
              again = setup(general_poses, SideAngle{0.7, false, {}});
   EXPECT_EQ(number(once.notices[0], "length"), number(again.notices[0], "length"));
+}
+
+ThreePoseSetup pivots_setup(const std::vector<PrescribedPose>& poses, const GivenPivots& given) {
+  return three_pose_setup(pose_conditions(poses), poses, given);
+}
+
+// Of poses 1 and 2.
+Point pole(const std::vector<PrescribedPose>& poses) {
+  const Point turn = direction(poses[1].pose.angle - poses[0].pose.angle);
+  return (poses[1].pose.origin - turn * poses[0].pose.origin) / (1.0 - turn);
+}
+
+TEST(ThreePoseSetup, OfOnePivotIsAMapOfTheOtherLinksPivots) {
+  for (const Side side : {Side::input, Side::output})
+    for (const PivotKind kind : {PivotKind::ground, PivotKind::moving}) {
+      GivenPivots given;
+      (side == Side::input ? given.input : given.output) = GivenPivot{kind, {1, -1}};
+      const ThreePoseSetup found = pivots_setup(general_poses, given);
+      ASSERT_TRUE(found.family);
+      const bool ground = kind == PivotKind::ground;
+      EXPECT_EQ(found.family->axis(Side::output).quantity, ground ? AxisQuantity::center_x : AxisQuantity::circle_x);
+      EXPECT_EQ(found.family->axis(Side::input).quantity, ground ? AxisQuantity::center_y : AxisQuantity::circle_y);
+      EXPECT_FALSE(found.family->is_symmetric());
+    }
+}
+
+TEST(ThreePoseSetup, SaysThatAGivenPivotIsAPole) {
+  const Point at = pole(general_poses);
+  for (const PivotKind kind : {PivotKind::ground, PivotKind::moving}) {
+    const ThreePoseSetup alone = pivots_setup(general_poses, {{}, GivenPivot{kind, at}});
+    ASSERT_TRUE(alone.degeneracy);
+    EXPECT_EQ(alone.degeneracy->code, "pivot_at_pole");
+    EXPECT_EQ(std::get<std::string>(alone.degeneracy->values[0].value), "output");
+    const ThreePoseSetup both = pivots_setup(general_poses, {GivenPivot{kind, {3, 3}}, GivenPivot{kind, at}});
+    ASSERT_TRUE(both.degeneracy);
+    EXPECT_EQ(both.degeneracy->code, "pivot_at_pole");
+  }
+}
+
+// z(ν) = α + β̄ ν², a = αq + βq̄: the points whose three places lie on a line.
+TEST(ThreePoseSetup, SaysThatAGivenPivotTakesASlider) {
+  const Point r2 = direction(0.5), r3 = direction(1.2), q2 = 1.0 - r2, q3 = 1.0 - r3, a2{1.5, 0.6}, a3{2.6, 1.9};
+  const double d = std::imag(q2 * std::conj(q3));
+  const Point alpha = (a2 * std::conj(q3) - a3 * std::conj(q2)) / Point{0, 2 * d},
+              beta = (q2 * a3 - q3 * a2) / Point{0, 2 * d};
+  const Point slider = alpha + std::conj(beta) * direction(0.8);
+  const ThreePoseSetup found = pivots_setup(general_poses, {GivenPivot{PivotKind::moving, slider}, {}});
+  ASSERT_TRUE(found.degeneracy);
+  EXPECT_EQ(found.degeneracy->code, "pivot_of_slider");
+}
+
+TEST(ThreePoseSetup, SaysThatBothPivotsAreOfOneLink) {
+  const PoseConditions conditions = pose_conditions(general_poses);
+  const ThreePoseDyads dyads(conditions);
+  const Dyad link =
+      dyads.dyad_with(PivotKind::ground, Homogeneous::of(conditions.frame.to_working(Point{1, -1}))).value();
+  const Point circle = conditions.frame.to_user(*finite_point(link.circle));
+  const ThreePoseSetup found =
+      pivots_setup(general_poses, {GivenPivot{PivotKind::ground, {1, -1}}, GivenPivot{PivotKind::moving, circle}});
+  ASSERT_TRUE(found.degeneracy);
+  EXPECT_EQ(found.degeneracy->code, "pivots_of_one_link");
+}
+
+TEST(ThreePoseSetup, GivenPivotsOfTranslationsSayWhatTheTaskIs) {
+  const std::vector<PrescribedPose> circle = {{{{2, 0}, 0}, {}}, {{{0, 2}, 0}, {}}, {{{-2, 0}, 0}, {}}};
+  EXPECT_EQ(pivots_setup(circle, {GivenPivot{PivotKind::ground, {1, -1}}, {}}).degeneracy->code,
+            "translations_on_circle");
+  // One translation: every finite pivot but those on a line has its partner.
+  const ThreePoseSetup shifted =
+      pivots_setup(shifted_poses, {GivenPivot{PivotKind::ground, {1, -1}}, GivenPivot{PivotKind::ground, {3, 0}}});
+  EXPECT_TRUE(shifted.family);
+}
+
+TEST(ThreePoseSetup, OfTwoLinesHasTheFewDyadsBetweenThem) {
+  const LineAtAngle floor({0, -1}, 0), wall({0.5, 0}, pi / 2);
+  const auto lines = [&](const PivotLines& given) {
+    return three_pose_setup(pose_conditions(general_poses), general_poses, given);
+  };
+  EXPECT_EQ(lines({floor, {}}).family->axis(Side::input).quantity, AxisQuantity::center_on_line);
+  EXPECT_EQ(lines({{}, wall}).family->axis(Side::input).quantity, AxisQuantity::circle_on_line);
+  int families = 0, none = 0;
+  for (double x = -4; x < 4; x += 0.25) {
+    const ThreePoseSetup both = lines({floor, LineAtAngle({x, 0}, pi / 2)});
+    if (both.family) {
+      EXPECT_EQ(both.family->axis(Side::input).branches.size(), 2u);
+      ++families;
+    } else {
+      none += both.degeneracy->code == "no_dyad_on_lines";
+    }
+  }
+  EXPECT_GT(families, 3);
+  EXPECT_GT(none, 1);
 }
 
 }  // namespace

@@ -44,6 +44,19 @@ def test_poses_of_all_kinds_are_the_same_task() -> None:
     assert len(results) == 1
 
 
+def test_given_pivots_and_points_of_the_body() -> None:
+    pivots = {"input": [120, 340], "output": [200, 340]}
+    [made] = lw.solve(lw.MotionTask([POSES[0], POSES[1], POSES[3]], given={"ground_pivots": pivots})).linkages
+    for side, pivot in pivots.items():
+        assert made[side]["center_point"] == pytest.approx(pivot)
+    line = {"point": [0, 340], "direction_deg": 0}
+    on_line = lw.solve(lw.MotionTask(POSES, pivot_on=[{"which": "input", "pivot": "ground", "line": line}]), samples=60)
+    assert all(linkage["input"]["center_point"][1] == pytest.approx(340) for linkage in on_line.linkages)
+    by_points = [{"points": [[0, 0], [100, 0]]}, {"points": [[10, 20], [70, 100]]}, {"points": [[40, 60], [40, 162]]}]
+    answer = lw.solve(lw.MotionTask(by_points, given={"ground_pivots": pivots}))
+    assert any("apart in the poses given" in warning for warning in answer.warnings)
+
+
 def test_a_file_by_text_or_path() -> None:
     path = EXAMPLES / "nose_gear.json"
     assert lw.solve(path).export() == lw.solve(str(path)).export() == lw.solve(path.read_text()).export()

@@ -55,16 +55,55 @@ Json given_center(Draw& draw, const Sheet& sheet) {
   return Json::object({{"instant_center", written_point(sheet, sheet.shift + sheet.scale * draw.point(reach))}});
 }
 
+Json drawn_pivot(Draw& draw, const Sheet& sheet) {
+  const double reach = draw.chance(0.2) ? draw.power_of_ten(-3, 3) : 3;
+  return written_point(sheet, sheet.shift + sheet.scale * draw.point(reach));
+}
+
+Json line_of_pivots(Draw& draw, const Sheet& sheet) {
+  return {{"point", drawn_pivot(draw, sheet)},
+          {"direction_deg", draw.chance(0.3) ? 90.0 * draw.whole(-2, 2) : draw.between(-200, 200)}};
+}
+
+Json given_pivots(Draw& draw, const Sheet& sheet) {
+  Json given = Json::object();
+  const auto kind = [&] { return std::string(draw.chance(0.5) ? "ground" : "moving"); };
+  const int form = draw.whole(0, 2);
+  if (form == 0) {
+    Json& both = given[kind() + "_pivots"];
+    for (const char* side : {"input", "output"}) both[side] = drawn_pivot(draw, sheet);
+  } else if (form == 1) {
+    for (const char* side : {"input_", "output_"}) given[side + kind() + "_pivot"] = drawn_pivot(draw, sheet);
+  } else {
+    given[(draw.chance(0.5) ? "input_" : "output_") + kind() + "_pivot"] = drawn_pivot(draw, sheet);
+  }
+  return given;
+}
+
+Json given_lines(Draw& draw, const Sheet& sheet) {
+  Json given = Json::object();
+  const int which = draw.whole(0, 2);
+  if (which != 0) given["ground_pivot_on"] = line_of_pivots(draw, sheet);
+  if (which != 1) given["moving_pivot_on"] = line_of_pivots(draw, sheet);
+  return given;
+}
+
 Json drawn_given(Draw& draw, const Sheet& sheet, std::string_view kind) {
   if (kind == "three_lengths") return given_lengths(draw, sheet);
   if (kind == "three_length") return given_length(draw, sheet);
   if (kind == "three_angle") return given_angle(draw, sheet);
   if (kind == "three_center") return given_center(draw, sheet);
-  switch (draw.whole(0, 2)) {
+  if (kind == "three_pivots") return given_pivots(draw, sheet);
+  if (kind == "three_lines") return given_lines(draw, sheet);
+  switch (draw.whole(0, 4)) {
     case 0:
       return given_lengths(draw, sheet);
     case 1:
       return given_length(draw, sheet);
+    case 2:
+      return given_pivots(draw, sheet);
+    case 3:
+      return given_lines(draw, sheet);
     default:
       return given_angle(draw, sheet);
   }
@@ -115,7 +154,13 @@ Json drawn_four_positions(Draw& draw, const Sheet& sheet, std::string_view kind)
   const Pattern pattern = kind == "four_mixed"
                               ? draw.one_of<Pattern>({{2, 1, 1}, {1, 2, 1}, {1, 1, 2}, {2, 2}, {3, 1}, {1, 3}, {4}})
                               : Pattern{1, 1, 1, 1};
-  return four_bar_task(drawn_poses(draw, sheet, pattern));
+  Json task = four_bar_task(drawn_poses(draw, sheet, pattern));
+  if (kind != "four_lines") return task;
+  for (const char* side : {"input", "output"})
+    if (draw.chance(0.6))
+      task["pivot_on"].push_back(
+          {{"which", side}, {"pivot", draw.chance(0.5) ? "ground" : "moving"}, {"line", line_of_pivots(draw, sheet)}});
+  return task;
 }
 
 Json drawn_five_positions(Draw& draw, const Sheet& sheet, std::string_view kind) {

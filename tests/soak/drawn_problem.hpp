@@ -9,13 +9,16 @@
 namespace linkwright::soak {
 
 /// The kinds of problem that a file can state.
-inline constexpr std::array<std::string_view, 34> kinds = {"three_lengths",
+inline constexpr std::array<std::string_view, 37> kinds = {"three_lengths",
                                                            "three_length",
                                                            "three_angle",
                                                            "three_center",
+                                                           "three_pivots",
+                                                           "three_lines",
                                                            "three_mixed",
                                                            "four_finite",
                                                            "four_mixed",
+                                                           "four_lines",
                                                            "five_finite",
                                                            "five_mixed",
                                                            "five_freed",

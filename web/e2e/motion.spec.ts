@@ -267,3 +267,41 @@ test("three and five positions in Chinese, in the dark, on a phone", async ({pag
     expect(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)).toBe(true);
   }
 });
+
+test("three positions: given pivots are dragged, an open one is the map, a line carries both", async ({page}) => {
+  await open_workbench(page);
+  await open_example(page, "bracket_hatch");
+  const [best] = solve(example("bracket_hatch")).linkages;
+  expect_lengths(await hand(page), best.lengths);
+
+  // Dragged, the pivot given is where the linkage has it.
+  const pivot = await middle_of(handle(page, "pivot_input_center"));
+  await drag(page, pivot, {x: pivot.x + 14, y: pivot.y + 6});
+  await until_settled(page);
+  const {ground_pivots} = (await given(page)) as {ground_pivots: Record<"input" | "output", Point>};
+  expect(ground_pivots.input).not.toEqual([120, 340]);
+  expect(ground_pivots.output).toEqual([200, 340]);
+  const {center} = (await hand(page)).input;
+  for (const k of [0, 1] as const) expect(Math.abs(center![k] - ground_pivots.input[k])).toBeLessThan(1e-6);
+  await page.keyboard.press("Control+z");
+  await until_settled(page);
+  expect(await given(page)).toEqual({ground_pivots: {input: [120, 340], output: [200, 340]}});
+
+  // One pivot left open: the map is the plane in which it lies.
+  await page.getByTestId("given.pivot_output").selectOption("");
+  await until_settled(page);
+  expect(await given(page)).toEqual({input_ground_pivot: [120, 340]});
+  const quantities = () => read_state(page, ({task}) => [task!.axes.input.quantity, task!.axes.output.quantity]);
+  expect(await quantities()).toEqual(["center_y", "center_x"]);
+  const {input} = await hand(page);
+  expect(Math.hypot(input.center![0] - 120, input.center![1] - 340)).toBeLessThan(1e-6);
+
+  // A line for both ground pivots, turned by its knob.
+  await page.getByTestId("given.pivot_lines").click();
+  await until_settled(page);
+  expect(await quantities()).toEqual(["center_on_line", "center_on_line"]);
+  await handle(page, "line_ground_direction").focus();
+  await page.keyboard.press("ArrowUp");
+  await until_settled(page);
+  expect(((await given(page)) as {ground_pivot_on: {direction_deg: number}}).ground_pivot_on.direction_deg).toBe(1);
+});

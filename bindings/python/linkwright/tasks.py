@@ -46,16 +46,22 @@ class MotionTask:
     """A body guided through poses by planar four-bars.
 
     Args:
-        poses: three to five positions: :class:`Pose`, or (x, y, theta_deg).
-        given: for three positions what else is given, e.g. ``{"side_lengths": [80, 60]}``.
+        poses: three to five positions: :class:`Pose`, or (x, y, theta_deg); or all of them by where the same two points
+            of the body lie, ``{"points": [[x, y], [x, y]]}``.
+        given: for three positions what else is given, e.g. ``{"side_lengths": [80, 60]}`` or
+            ``{"ground_pivots": {"input": [0, 0], "output": [60, 0]}}``.
+        pivot_on: for four positions lines with a pivot of a link, e.g. ``[{"which": "input", "pivot": "ground", "line":
+            {"point": [0, 340], "direction_deg": 0}}]``.
     """
 
     poses: Sequence[Pose | Sequence[Number] | Mapping[str, Any]]
     given: Mapping[str, Any] | None = None
+    pivot_on: Sequence[Mapping[str, Any]] = ()
 
     def to_dict(self) -> dict[str, Any]:
         poses = [pose if isinstance(pose, (Pose, Mapping)) else Pose(pose[0], pose[1], pose[2]) for pose in self.poses]
-        return _without_empty({"kind": "motion", "mechanism": "four_bar", "poses": poses, "given": self.given})
+        members = {"kind": "motion", "mechanism": "four_bar", "poses": poses, "given": self.given}
+        return _without_empty({**members, "pivot_on": self.pivot_on})
 
 
 @dataclass(frozen=True)

@@ -18,4 +18,14 @@ struct DirectedLine {
   friend bool operator==(const DirectedLine&, const DirectedLine&) = default;
 };
 
+/// A line with the angle of its direction as it was given, radians.
+struct LineAtAngle : DirectedLine {
+  double angle = 0;
+
+  LineAtAngle() = default;
+  LineAtAngle(Point through, double its_angle)
+      : DirectedLine{through, linkwright::direction(its_angle)}, angle(its_angle) {}
+  friend bool operator==(const LineAtAngle&, const LineAtAngle&) = default;
+};
+
 }  // namespace linkwright

@@ -5,6 +5,10 @@
 /// All tolerances: pure numbers, each with the reason for its size.
 namespace linkwright::tolerance {
 
+/// Difference of the distances of two points of a body over the greatest of them below which they are equal: numbers
+/// written with nine digits pass.
+inline constexpr double equal_distances = 1e-8;
+
 /// |w| of a unit homogeneous vector in the working frame below which a point counts as at infinity:
 /// a pivot 1e9 task lengths away leaves 7 digits of a position.
 inline constexpr double infinity = 1e-9;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "linkwright/algebra/homogeneous.hpp"
 
 namespace linkwright {
@@ -12,6 +14,13 @@ struct Dyad {
   Homogeneous circle;
   double coordinate = 0;  ///< τ, the place on the curve of dyads (identity of the dyad)
 };
+
+/// One of the two pivots of a grounded link: the fixed one, or the one on the body as it lies in position 1.
+enum class PivotKind { ground, moving };
+/// "ground", "moving".
+[[nodiscard]] constexpr std::string_view name(PivotKind kind) {
+  return kind == PivotKind::ground ? "ground" : "moving";
+}
 
 /// What stands at a coordinate that has no dyad: neither point exists, so that every pair with it is degenerate.
 [[nodiscard]] inline Dyad no_dyad(double coordinate) { return {{}, {}, coordinate}; }

@@ -51,17 +51,21 @@ struct DyadAxis {
 void classify_pairs(RegionMap& map, const DyadAxis& input, const DyadAxis& output, double unit,
                     const RegionOptions& options = {}, const Progress& progress = {});
 
-/// A row of a map whose output links depend on the driving one.
+/// A row of a map whose output links depend on the driving one, or the reverse: one of both has one sample, the other
+/// one to each column.
 struct FourBarRow {
-  DyadAxis input;              ///< one sample: the driving link
-  DyadAxis output;             ///< one sample to each column
+  DyadAxis input;              ///< the driving link, or links
+  DyadAxis output;             ///< the others, or the other
   std::vector<float> enlarge;  ///< by column, factor on the longest link; empty: 1
 };
 
-/// The same by rows, each with output links of its own; `row_at` is called from several threads. No cell is on a
-/// diagonal.
+/// What changes along a row of a map.
+enum class AlongRow { driven_link, driving_link };
+
+/// The same by rows, each with links of its own; `row_at` is called from several threads. No cell is on a diagonal.
 void classify_rows(RegionMap& map, std::span<const double> input, std::span<const double> output,
                    const std::function<FourBarRow(std::size_t row)>& row_at, double unit,
-                   const RegionOptions& options = {}, const Progress& progress = {});
+                   const RegionOptions& options = {}, const Progress& progress = {},
+                   AlongRow changes = AlongRow::driven_link);
 
 }  // namespace linkwright

@@ -6,10 +6,20 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/pose.hpp"
+#include "linkwright/planar/body_points.hpp"
 #include "linkwright/planar/three_pose_given.hpp"
 #include "linkwright/region/linkage_class.hpp"
+#include "linkwright/region/map_axis.hpp"
 
 namespace linkwright {
+
+/// A line on which a grounded link is to have a pivot; a moving one as it lies in position 1.
+struct PivotOnLine {
+  Side side = Side::input;
+  PivotKind pivot = PivotKind::ground;
+  LineAtAngle line;  ///< user's unit
+  friend bool operator==(const PivotOnLine&, const PivotOnLine&) = default;
+};
 
 /// Motion generation: a body shall pass through these poses, in this order. A pose with m derivatives (its direction of
 /// travel, then its curvature, …) counts as m + 1 positions; there are three, four or five of them, in any pattern from
@@ -22,13 +32,15 @@ struct MotionTask {
   /// Of five positions, the pose (index) that need not be passed exactly: the others are a task of four, and the
   /// error of a linkage at this one is reported.
   std::optional<std::size_t> relaxed;
+  std::vector<PivotOnLine> pivots_on;  ///< four positions: at most one to each grounded link; otherwise none
+  std::vector<BodyPoints> points;      ///< what the poses were given by, in their order; empty: by themselves
 
   friend bool operator==(const MotionTask&, const MotionTask&) = default;
 };
 
 /// The caller's mistakes: number of positions, numbers that are not finite or too large, first derivatives that are
-/// zero, repeated poses, what three positions want given and more do not. Places are `task.poses[i]…` (i from 0) and
-/// `task.given…`. Empty when the task can be solved.
+/// zero, repeated poses, what three positions want given and more do not. Places are `task.poses[i]…` (i from 0),
+/// `task.given…` and `task.pivot_on[i]…`. Empty when the task can be solved.
 [[nodiscard]] std::vector<Error> mistakes_in(const MotionTask& task);
 
 }  // namespace linkwright

@@ -9,6 +9,7 @@
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
+#include "linkwright/planar/body_points.hpp"
 #include "linkwright/region/linkage_class.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -41,7 +42,8 @@ struct SixBarTask {
   std::vector<PrescribedPose> poses;
   std::optional<ThreeLinkChain> chain;
   std::array<BodyPair, 2> added = {BodyPair{0, 2}, BodyPair{0, 3}};  ///< bodies joined by link 4 and by link 5
-  std::optional<Box> box;  ///< for all pivots in position 1; must be given where there is no chain
+  std::optional<Box> box;          ///< for all pivots in position 1; must be given where there is no chain
+  std::vector<BodyPoints> points;  ///< what the poses were given by, in their order; empty: by themselves
 
   friend bool operator==(const SixBarTask&, const SixBarTask&) = default;
 };

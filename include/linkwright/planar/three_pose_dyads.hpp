@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "linkwright/algebra/directed_line.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 
@@ -41,6 +42,9 @@ class ThreePoseDyads {
   [[nodiscard]] std::optional<Homogeneous> center_of(Homogeneous circle) const;
   [[nodiscard]] std::optional<Homogeneous> circle_of(Homogeneous center) const;
 
+  /// The dyad with this pivot; nothing where its other pivot is any point of a line, or of the plane.
+  [[nodiscard]] std::optional<Dyad> dyad_with(PivotKind kind, Homogeneous pivot) const;
+
   /// DirectionFreedom::free: the dyad with this arm on sheet 0 or 1, the sign of a root. Each sheet is continuous in
   /// the arm where it is real, and both meet where the root vanishes. Nothing: not real, at infinity, or the
   /// directions are not free.
@@ -58,9 +62,10 @@ class ThreePoseDyads {
   /// end to end) of its centres. Nothing where the arm is none of the task's, or the circle is not real.
   [[nodiscard]] std::optional<Dyad> dyad_round(Point arm, double turn) const;
 
-  /// Dyads whose centre and circle point lie on the line through `point` along `along`, at most two; those at
-  /// infinity are left out, and all where more than two would do.
-  [[nodiscard]] std::vector<Dyad> dyads_on_line(Point point, Point along) const;
+  /// Dyads whose centre lies on one line and whose circle point lies on another (or the same), at most two, without
+  /// those at infinity. Nothing where more than two would do.
+  [[nodiscard]] std::optional<std::vector<Dyad>> dyads_on_lines(const DirectedLine& of_centers,
+                                                                const DirectedLine& of_circles) const;
 
   /// Largest |Zᵀ M C| over the conditions for unit Z and C.
   [[nodiscard]] double residual(const Dyad& dyad) const;

@@ -4,8 +4,10 @@
 #include <variant>
 #include <vector>
 
+#include "linkwright/algebra/directed_line.hpp"
 #include "linkwright/algebra/point.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/dyad.hpp"
 
 namespace linkwright {
 
@@ -32,11 +34,32 @@ struct InstantCenter {
   friend bool operator==(const InstantCenter&, const InstantCenter&) = default;
 };
 
-/// What a three-position task gives beside its poses (theory: docs/theory/three_poses.md).
-using ThreePoseGiven = std::variant<SideLengths, SideAngle, InstantCenter>;
+/// A pivot of a grounded link, fixed frame; a moving one as it lies in position 1. Its link has one dyad.
+struct GivenPivot {
+  PivotKind kind = PivotKind::ground;
+  Point point{};  ///< user's unit
+  friend bool operator==(const GivenPivot&, const GivenPivot&) = default;
+};
 
-/// The caller's mistakes: lengths that are not positive or too large, numbers that are not finite. Places are
-/// `task.given.…`.
+/// One pivot of each grounded link, which makes one linkage, or of one of them alone: the other link's pivot of the
+/// same kind is left open. At least one is given.
+struct GivenPivots {
+  std::optional<GivenPivot> input, output;
+  friend bool operator==(const GivenPivots&, const GivenPivots&) = default;
+};
+
+/// Lines on which both links have their ground pivots, their moving pivots (in position 1), or each its own of both.
+/// At least one is given.
+struct PivotLines {
+  std::optional<LineAtAngle> ground, moving;  ///< user's unit
+  friend bool operator==(const PivotLines&, const PivotLines&) = default;
+};
+
+/// What a three-position task gives beside its poses (theory: docs/theory/three_poses.md).
+using ThreePoseGiven = std::variant<SideLengths, SideAngle, InstantCenter, GivenPivots, PivotLines>;
+
+/// The caller's mistakes: lengths that are not positive or too large, numbers that are not finite, both pivots at one
+/// place. Places are `task.given.…`.
 [[nodiscard]] std::vector<Error> mistakes_in(const ThreePoseGiven& given);
 
 }  // namespace linkwright

@@ -10,6 +10,8 @@ namespace linkwright {
 
 /// The two grounded links of a linkage, and the axes of a map that they have.
 enum class Side { input, output };
+/// "input", "output".
+[[nodiscard]] constexpr std::string_view name(Side side) { return side == Side::input ? "input" : "output"; }
 
 /// A point of a map: the coordinates of one linkage.
 struct MapPoint {
@@ -43,6 +45,13 @@ enum class AxisQuantity {
   crank_length,    ///< of the input link
   point_arm,       ///< distance of the point from the input's moving pivot
   crank_range,     ///< angle that the crank turns over the stroke
+  // Of three positions with given pivots, user's unit; a centre is a ground pivot, a circle point a moving one.
+  center_x,        ///< of the grounded link that is looked for
+  center_y,        ///< the same
+  circle_x,        ///< the same, in position 1
+  circle_y,        ///< the same, in position 1
+  center_on_line,  ///< place on the line of ground pivots, from its point on
+  circle_on_line,  ///< the same of moving pivots
 };
 /// "curve_coordinate", "side_direction", …
 [[nodiscard]] std::string_view name(AxisQuantity quantity);

@@ -75,6 +75,9 @@ class RegionMap {
   [[nodiscard]] Cells cells(std::size_t row, std::size_t column = 0);
   /// How the driving link of a row travels through its positions.
   void set_driver(std::size_t row, DriverTravel travel) { drivers_[row] = travel; }
+  /// Of a map whose driving links change along a row, too, as after give_each_cell_a_driver().
+  void set_driver(std::size_t row, std::size_t column, DriverTravel travel) { drivers_[index(row, column)] = travel; }
+  void give_each_cell_a_driver() { drivers_.assign(rows_ * columns_, {}); }
   /// Its linkages have no positions to be driven through.
   void leave_out_drivers() { drivers_.clear(); }
   /// For each row, the column in which the same grounded link stands a second time; none: no such.
@@ -151,13 +154,16 @@ class RegionMap {
 
  private:
   /// The driver meets its positions in order whichever way it turns: which ways are open depends on its partner.
-  [[nodiscard]] bool pair_decides_sense(std::size_t row) const;
+  [[nodiscard]] static bool pair_decides_sense(const DriverTravel& driver);
+  [[nodiscard]] const DriverTravel& driver(std::size_t row, std::size_t column) const {
+    return drivers_[drivers_.size() == rows_ ? row : index(row, column)];
+  }
   void put(std::size_t row, std::size_t column, const MapCell& verdict);
 
   std::size_t rows_ = 0, columns_ = 0;
   int threads_ = 0;
   std::vector<double> input_, output_;
-  std::vector<DriverTravel> drivers_;
+  std::vector<DriverTravel> drivers_;  ///< by row, or by cell
   std::vector<std::uint32_t> diagonal_;
   std::vector<GroundedLinkPivots> row_pivots_, column_pivots_;
   Column<std::uint8_t> type_, defects_;

@@ -126,16 +126,6 @@ using StraightLineCase =
 /// Points that path and line have in common at least, where the linkage lies.
 [[nodiscard]] int promised_contact(const StraightLineCase& of);
 
-/// A line with the angle of its direction as it was given, radians.
-struct LineAtAngle : DirectedLine {
-  double angle = 0;
-
-  LineAtAngle() = default;
-  LineAtAngle(Point through, double its_angle)
-      : DirectedLine{through, linkwright::direction(its_angle)}, angle(its_angle) {}
-  friend bool operator==(const LineAtAngle&, const LineAtAngle&) = default;
-};
-
 /// A point of a four-bar's coupler that is to run along a line.
 struct StraightLineTask {
   static constexpr const LinkageClass& linkages = straight_line_linkages;

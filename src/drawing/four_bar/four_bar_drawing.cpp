@@ -56,6 +56,8 @@ void draw_map_and_plot(SvgCanvas& svg, const DrawnRegion& region, const TaskScen
 
 /// Why there is no map to see.
 std::string_view no_region_words(const MotionAnswer& answer) {
+  if (!answer.task.pivots_on.empty() && answer.given.curve)
+    return "There is no solution region: no dyad has its pivot on the line.";
   return position_count(answer.task.poses) == 4
              ? "There is no solution region: the dyads of this task do not form a curve."
              : "There is no solution region: no two dyads do this task.";
@@ -81,7 +83,8 @@ std::string with_curve(std::string text, const FourBarAnswer& answer, std::strin
 /// What the task is, where that is not four positions, whose curve tells.
 std::string kind_words(const MotionAnswer& answer) {
   const std::size_t points = answer.given.points.size();
-  std::string text = position_count(answer.task.poses) == 4 ? "" : sentence_case(task_label(answer.task));
+  const bool is_plain = position_count(answer.task.poses) == 4 && answer.task.pivots_on.empty();
+  std::string text = is_plain ? "" : sentence_case(task_label(answer.task));
   if (!answer.given.curve && points > 0) text += fmt::format(": {} Burmester point{}", points, points == 1 ? "" : "s");
   return with_curve(std::move(text), answer, "Burmester curve");
 }

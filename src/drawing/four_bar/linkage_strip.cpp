@@ -100,6 +100,12 @@ std::string place_text(const FourBarFamily& family, Side side, double tau) {
       return rounded_text(family.axis_value(side, tau), 2) + "°";
     case AxisQuantity::side_length:
     case AxisQuantity::output_scale:
+    case AxisQuantity::center_x:
+    case AxisQuantity::center_y:
+    case AxisQuantity::circle_x:
+    case AxisQuantity::circle_y:
+    case AxisQuantity::center_on_line:
+    case AxisQuantity::circle_on_line:
       return significant_text(family.axis_value(side, tau), 5);
     default:
       return rounded_text(tau, 4);
@@ -120,6 +126,13 @@ std::string_view place_name(const FourBarFamily& family) {
       return "coupler τ and free output angle";
     case AxisQuantity::nothing:
       return family.axis(Side::input).is_discrete() ? "which of the linkages" : "coupler τ";
+    case AxisQuantity::center_x:
+      return "ground pivot, x and y";
+    case AxisQuantity::circle_x:
+      return "moving pivot, x and y";
+    case AxisQuantity::center_on_line:
+    case AxisQuantity::circle_on_line:
+      return "places of the pivots on the line";
     default:
       return "coordinates on the curves, τ₁ and τ₂";
   }
@@ -128,9 +141,13 @@ std::string_view place_name(const FourBarFamily& family) {
 void add_place(NumberRows& checks, const FourBarAnswer& answer) {
   const FourBarFamily& family = *answer.given.family;
   const FourBarSolution& found = answer.linkages.front();
+  const AxisQuantity across = family.axis(Side::output).quantity;
   std::string text = place_text(family, Side::input, found.input.coordinate);
-  if (family.axis(Side::output).quantity != AxisQuantity::nothing)
-    text += ", " + place_text(family, Side::output, found.output.coordinate);
+  if (across != AxisQuantity::nothing) {
+    const std::string other = place_text(family, Side::output, found.output.coordinate);
+    const bool is_plane = across == AxisQuantity::center_x || across == AxisQuantity::circle_x;
+    text = is_plane ? other + ", " + text : text + ", " + other;
+  }
   checks.row(place_name(family), text);
 }
 

@@ -1,5 +1,6 @@
 #include "pose_reader.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -47,6 +48,12 @@ std::optional<std::vector<PoseDerivative>> read_derivatives(const JsonValue& val
   return derivatives;
 }
 
+std::optional<std::vector<PoseDerivative>> read_derivatives_of(const JsonObject& pose, Mistakes& mistakes,
+                                                               OtherMembers others) {
+  const auto found = pose.find("derivatives");
+  return found ? read_derivatives(*found, mistakes, others) : std::vector<PoseDerivative>{};
+}
+
 }  // namespace
 
 std::optional<PrescribedPose> read_pose(const JsonValue& value, Mistakes& mistakes, OtherMembers others) {
@@ -54,16 +61,46 @@ std::optional<PrescribedPose> read_pose(const JsonValue& value, Mistakes& mistak
   const auto x = object.require_number("x");
   const auto y = object.require_number("y");
   const auto theta = object.require_number("theta_deg");
-  std::optional<std::vector<PoseDerivative>> derivatives(std::in_place);
-  if (const auto found = object.find("derivatives")) derivatives = read_derivatives(*found, mistakes, others);
+  const auto derivatives = read_derivatives_of(object, mistakes, others);
   if (!x || !y || !theta || !derivatives) return std::nullopt;
-  return PrescribedPose{.pose = {{*x, *y}, radians(*theta)}, .derivatives = *std::move(derivatives)};
+  return PrescribedPose{.pose = {{*x, *y}, radians(*theta)}, .derivatives = *derivatives};
 }
 
 namespace {
 
+std::optional<BodyPoints> read_body_points(const JsonObject& pose) {
+  const Wanted two_points{"two_points", "two points of the body [[x, y], [x, y]]"};
+  const auto found = pose.require("points", two_points);
+  if (!found) return std::nullopt;
+  if (!found->json().is_array() || found->json().size() != 2) {
+    found->wrong_type(two_points);
+    return std::nullopt;
+  }
+  std::vector<Point> points;
+  found->for_each(two_points, [&](const JsonValue& item) {
+    if (const auto point = item.as_pair({"[x, y]"})) points.push_back(*point);
+  });
+  if (points.size() != 2) return std::nullopt;
+  return BodyPoints{points[0], points[1]};
+}
+
+/// A pose by two points, whose pose proper is not known yet; false where it cannot be read.
+bool read_by_points(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses,
+                    std::vector<BodyPoints>& points) {
+  const JsonObject object(value, mistakes, {"points", "derivatives"});
+  const auto pair = read_body_points(object);
+  auto derivatives = read_derivatives_of(object, mistakes, OtherMembers::refused);
+  if (!pair || !derivatives) return false;
+  points.push_back(*pair);
+  poses.push_back({{}, *std::move(derivatives)});
+  return true;
+}
+
+bool is_by_points(const JsonValue& value) { return value.is_object() && value.json().contains("points"); }
+
 /// The poses, and whether every one could be read.
-bool read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
+bool read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses,
+                std::vector<BodyPoints>& points) {
   if (value.json().is_array() && value.json().size() > most_positions_looked_at) {
     value.mistake("pose_count",
                   fmt::format("{} poses are given; five positions are the most that can be solved, remove the others",
@@ -72,21 +109,44 @@ bool read_poses(const JsonValue& value, Mistakes& mistakes, std::vector<Prescrib
     return false;
   }
   bool complete = true;
+  std::optional<bool> by_points;
   const bool is_list = value.for_each({"poses", "a list of poses"}, [&](const JsonValue& item) {
-    const auto pose = read_pose(item, mistakes, OtherMembers::refused);
-    if (pose) poses.push_back(*pose);
-    complete = complete && pose.has_value();
+    const bool here = is_by_points(item);
+    if (here != by_points.value_or(here)) {
+      item.mistake("mixed_poses",
+                   "some poses are given by \"points\" and others by \"x\", \"y\", \"theta_deg\"; give all of them "
+                   "in one way");
+      complete = false;
+      return;
+    }
+    by_points = here;
+    if (here) {
+      complete = read_by_points(item, mistakes, poses, points) && complete;
+    } else {
+      const auto pose = read_pose(item, mistakes, OtherMembers::refused);
+      if (pose) poses.push_back(*pose);
+      complete = complete && pose.has_value();
+    }
   });
   return is_list && complete;
 }
 
+bool have_directions(const std::vector<BodyPoints>& points) {
+  return std::none_of(points.begin(), points.end(), [](const BodyPoints& p) { return p.first == p.second; });
+}
+
 }  // namespace
 
-bool read_poses(const JsonObject& task, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
+bool read_poses(const JsonObject& task, Mistakes& mistakes, std::vector<PrescribedPose>& poses,
+                std::vector<BodyPoints>& points) {
   const auto found = task.require(
       "poses",
       {"poses_in_full", "a list of poses {\"x\": …, \"y\": …, \"theta_deg\": …}, some of them with \"derivatives\""});
-  return found && read_poses(*found, mistakes, poses);
+  if (!found || !read_poses(*found, mistakes, poses, points)) return false;
+  if (points.empty() || !have_directions(points)) return true;  // which the task's own mistakes say
+  const std::vector<Pose> proper = poses_of_points(points);
+  for (std::size_t i = 0; i < poses.size(); ++i) poses[i].pose = proper[i];
+  return true;
 }
 
 }  // namespace linkwright

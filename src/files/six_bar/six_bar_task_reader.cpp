@@ -61,7 +61,7 @@ Task read_six_bar_task(const JsonValue& value, const std::optional<Box>& options
   const JsonObject object(value, mistakes, {"kind", "mechanism", "poses", "chain", "added"});
   SixBarTask task;
   task.box = options_box;
-  bool complete = read_poses(object, mistakes, task.poses);
+  bool complete = read_poses(object, mistakes, task.poses, task.points);
   complete = read_added(object, task.added) && complete;
   if (const auto chain = object.find("chain"); chain && !chain->is_null()) {
     task.chain = read_chain(*chain, mistakes);

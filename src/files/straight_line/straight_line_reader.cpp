@@ -4,6 +4,7 @@
 #include <string>
 
 #include "files/json/json_object.hpp"
+#include "files/line_reader.hpp"
 #include "files/straight_line/straight_line_kind.hpp"
 #include "linkwright/core/angle.hpp"
 
@@ -199,21 +200,12 @@ class CaseReader {
   Mistakes& mistakes_;
 };
 
-std::optional<LineAtAngle> read_line(const JsonObject& task, Mistakes& mistakes) {
-  const auto found = task.require("line", {"line", "the line {\"point\": [x, y], \"direction_deg\": …}"});
-  if (!found) return std::nullopt;
-  const JsonObject line(*found, mistakes, {"point", "direction_deg"});
-  const auto point = line.require_point("point");
-  const auto turn = line.require_number("direction_deg");
-  if (!point || !turn) return std::nullopt;
-  return LineAtAngle(*point, radians(*turn));
-}
-
 }  // namespace
 
 Task read_straight_line(const JsonValue& value, const std::optional<Box>& /*options_box*/, Mistakes& mistakes) {
   const JsonObject object(value, mistakes, {});
-  const auto line = read_line(object, mistakes);
+  const auto line_there = object.require("line", {"line", "the line {\"point\": [x, y], \"direction_deg\": …}"});
+  const auto line = line_there ? read_line(*line_there, mistakes) : std::nullopt;
   const auto given_case = object.require("case", {"straight_line_case", "a case: \"case\": \"four_point_pivots\""});
   const auto name = given_case ? given_case->as_one_of(case_names) : std::nullopt;
   StraightLineTask task;

@@ -224,11 +224,7 @@ void write_of_kind(JsonWriter& json, const StraightLineTask& task) {
   json.member("mechanism", "four_bar");
   json.member("case", name(task.given));
   json.key("line");
-  json.begin_object(Layout::one_line);
-  json.key("point");
-  write_point(json, task.line.point);
-  json.member("direction_deg", degrees_for_files(task.line.angle));
-  json.end_object();
+  write_line(json, task.line);
   std::visit(GivenWriter{json}, task.given);
 }
 

@@ -21,6 +21,8 @@ export interface Session {
   set_problem(text: string): boolean;
   mistakes(): string;
   read(text: string): string;
+  /** Of what was read last. */
+  notices(): string;
   explore(
     samples: number,
     input_from: number,

@@ -96,6 +96,13 @@ export const axis_quantities = [
   "crank_length",
   "point_arm",
   "crank_range",
+  // Of three positions with given pivots, lengths; a centre is a ground pivot, a circle point a moving one.
+  "center_x", // of the link that is looked for
+  "center_y",
+  "circle_x",
+  "circle_y",
+  "center_on_line", // along the line, from its point on
+  "circle_on_line",
 ] as const;
 export type AxisQuantity = (typeof axis_quantities)[number];
 
@@ -445,7 +452,7 @@ export interface Requests {
   machine_file: {problem: string; tau: TauPair; sizes: Partial<PlateSizes>; format: MachineFormat};
   /** What is no linkage's: JSON text that the engine's report of this name reads. */
   report: {of: string; text: string};
-  /** Reads a problem file: its normal form or its mistakes. */
+  /** Reads a problem file: its normal form, poses in numbers, and what to know of it; or its mistakes. */
   read: {text: string};
 }
 /** One of the best, with what it is on the map by name. */
@@ -475,7 +482,7 @@ export interface Replies {
   machine: MachinePlan;
   machine_file: {bytes: Uint8Array<ArrayBuffer>; extension: string};
   report: {report: object};
-  read: {problem: string};
+  read: {problem: string; notices: Notice[]};
 }
 export type Kind = keyof Requests;
 

@@ -10,6 +10,7 @@ import type {
   MachinePlan,
   MapAnswer,
   Mistake,
+  Notice,
   PlateSizes,
   Replies,
   ReplyMessage,
@@ -185,7 +186,7 @@ export class Engine {
   private read({text}: Requests["read"]): Replies["read"] {
     const problem = this.session.read(text);
     if (!problem) throw new Refusal(JSON.parse(this.session.mistakes()));
-    return {problem};
+    return {problem, notices: JSON.parse(this.session.notices()) as Notice[]};
   }
 }
 

@@ -33,8 +33,19 @@ export function place_text(axis: Axis, side: Side, tau: number, digits = 4): str
       )}`;
     case "side_length":
       return ""; // another number says it
+    case "center_x":
+    case "center_y":
+    case "circle_x":
+    case "circle_y":
+    case "center_on_line":
+    case "circle_on_line":
+      return number_place_text(axis, side, pivot_place(axis, tau));
     default:
-      return line_place_text(axis, side, tau);
+      return number_place_text(
+        axis,
+        side,
+        value_at(axis, tau, (a, b, share) => a + share * (b - a)),
+      );
   }
 }
 const symbols: Partial<Record<AxisQuantity, string>> = {
@@ -50,13 +61,24 @@ const symbols: Partial<Record<AxisQuantity, string>> = {
   crank_length: "r",
   point_arm: "p",
   crank_range: "β",
+  center_x: "x",
+  center_y: "y",
+  circle_x: "x",
+  circle_y: "y",
+  center_on_line: "s",
+  circle_on_line: "s",
 };
-/** Of straight lines, numbers along even axes. */
-function line_place_text(axis: Axis, side: Side, tau: number): string {
-  const value = value_at(axis, tau, (a, b, share) => a + share * (b - a)),
-    symbol = symbols[axis.quantity] ?? "",
-    of = axis.quantity.startsWith("link_") ? lower[side] : "";
+/** Of straight lines and given pivots. */
+function number_place_text(axis: Axis, side: Side, value: number): string {
+  const symbol = symbols[axis.quantity] ?? "",
+    of = axis.quantity.startsWith("link_") || axis.quantity.endsWith("_on_line") ? lower[side] : "";
   return `${symbol}${of} ${is_angle(axis.quantity) ? degrees_text(value) : significant(value, 4)}`;
+}
+/** Along a whole line, as the engine lays it out: middle + spread · tan π(τ − ½). */
+function pivot_place({ticks}: Axis, tau: number): number {
+  const at = (share: number) => (ticks ?? []).find(([place]) => Math.abs(place - share) < 1e-9)?.[1] ?? 0,
+    middle = at(0.5);
+  return middle + (at(0.75) - middle) * Math.tan(Math.PI * (tau - 0.5));
 }
 /** Between the engine's ticks, and beyond the last of a branch. */
 function value_at(

@@ -42,6 +42,12 @@ const quantity_texts: Partial<Record<AxisQuantity, TextKey>> = {
   crank_length: "axis.crank_length",
   point_arm: "axis.point_arm",
   crank_range: "axis.crank_range",
+  center_x: "axis.center_x",
+  center_y: "axis.center_y",
+  circle_x: "axis.circle_x",
+  circle_y: "axis.circle_y",
+  center_on_line: "axis.center_on_line",
+  circle_on_line: "axis.circle_on_line",
 };
 /** Of straight lines: what of several linkages at a place the layer's are. */
 const layers: Record<string, TextKey> = {

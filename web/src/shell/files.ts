@@ -1,7 +1,7 @@
 // Problem files come in: by the picker, dropped anywhere on the page, or out of a link. The engine reads every one
 // before anything on screen changes.
 import {Crashed, Refusal, Superseded} from "../engine/client";
-import type {Mistake} from "../engine/protocol";
+import type {Mistake, Notice} from "../engine/protocol";
 import {save_problem} from "../exports/save";
 import {read_problem} from "../state/problem_shape";
 import type {Problem} from "../state/problem";
@@ -11,7 +11,7 @@ import {block_of} from "../task/paste";
 import {filled_in} from "../task/poses";
 import {has_linkages, kind_of, with_poses} from "../tasks/kinds";
 import {mistakes_text} from "../texts/mistakes";
-import {t} from "../texts/texts.svelte";
+import {notice_text, t} from "../texts/texts.svelte";
 import {keep_task} from "./my_tasks";
 import {told, without_comments} from "./own_files";
 import {other_work, read_before, write_before, type Kept} from "./storage";
@@ -41,14 +41,20 @@ function as_typed(read: Problem | null, text: string): Problem | null {
     return read;
   }
 }
-/** The problem in a file's text, or the engine's mistakes; nothing when another file came meanwhile. */
-export async function read_text(workbench: Workbench, text: string): Promise<Problem | Mistake[] | null> {
+/** The problem in a file's text, or the engine's mistakes; nothing when another file came meanwhile. What there is to
+ *  know of the file goes to `notices`. */
+export async function read_text(
+  workbench: Workbench,
+  text: string,
+  notices: Notice[] = [],
+): Promise<Problem | Mistake[] | null> {
   const own = own_problem(text);
   if (own) return own;
   const engine = workbench.driver_client;
   if (!engine) return [page_mistake("no_engine", "", t("state.engine_missing"))];
   try {
-    const {problem} = await engine.follow("read", {text});
+    const {problem, notices: of_file} = await engine.follow("read", {text});
+    notices.push(...of_file);
     return (
       as_typed(read_problem(JSON.parse(problem)), text) ?? [page_mistake("not_on_page", "task", t("file.not_on_page"))]
     );
@@ -106,13 +112,16 @@ export async function open_file(workbench: Workbench, file: File): Promise<void>
   const bytes = await file.arrayBuffer(),
     text = decoded(bytes),
     start = new TextDecoder("latin1").decode(bytes.slice(0, looked_at));
-  const found = told(name, start, text);
+  const found = told(name, start, text),
+    notices: Notice[] = [];
   if (!("text" in found)) {
     if (found.kind === "table" && text !== null && take_table(workbench, name, text)) return;
     return workbench.say(`state.is_${found.kind}`, {name});
   }
   const read =
-    text === null ? [page_mistake("not_utf8", "", t("mistake.not_utf8"))] : await read_text(workbench, found.text);
+    text === null
+      ? [page_mistake("not_utf8", "", t("mistake.not_utf8"))]
+      : await read_text(workbench, found.text, notices);
   if (read === null) return;
   if (Array.isArray(read)) return say_refused(workbench, read, name);
   const words = {
@@ -123,7 +132,10 @@ export async function open_file(workbench: Workbench, file: File): Promise<void>
   } as const;
   const is_saved_as_it_is = found.kind === "problem" || found.kind === "lone_linkage";
   replace_work(workbench, read, is_saved_as_it_is ? name : null); // saving it must not write over what it came from
-  workbench.say(words[found.kind], {name}, {key: "edit.undo", run: () => workbench.undo()});
+  const undo = {key: "edit.undo", run: () => workbench.undo()} as const,
+    [notice] = notices;
+  if (notice) workbench.say("file.opened_but", {name, what: notice_text(notice)}, undo);
+  else workbench.say(words[found.kind], {name}, undo);
 }
 /** Rows of positions take the place of those of the task in hand. Whether they were such. */
 function take_table(workbench: Workbench, name: string, text: string): boolean {

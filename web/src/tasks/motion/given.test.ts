@@ -3,7 +3,8 @@ import type {Linkage} from "../../engine/protocol";
 import type {Problem} from "../../state/problem";
 import {poses_of} from "../../state/task";
 import {properties_of} from "../kinds";
-import type {Given, MotionTask} from "./task";
+import {given_lines, given_pivots, lines_of, moved_given, pivots_of, read_lines, read_pivots} from "./pivots";
+import type {Given, Line, MotionTask} from "./task";
 import {relaxable, relaxed_pose_of, with_relaxed_pose} from "./freed";
 import {
   form_of,
@@ -16,6 +17,7 @@ import {
   lengths_of,
   memory_of,
   takes_given,
+  takes_lines,
   with_given,
   with_length,
 } from "./given";
@@ -27,6 +29,7 @@ const four = new_problem(),
 const {problem: five} = motion_kind.beginnings
   .filter(({id}) => id === "five_positions")
   .map((beginning) => ({problem: beginning.make()}))[0]!;
+const floor: Line = {point: [0, -20], direction_deg: 0};
 const travel = [{x: 1, y: 0, theta: 0}];
 
 describe("what is given beside three positions", () => {
@@ -34,7 +37,13 @@ describe("what is given beside three positions", () => {
     expect([three, four, five].map(takes_given)).toEqual([true, false, false]);
     const mixed = with_poses(three, [{...poses_of(three.task)[0]!, derivatives: travel}, poses_of(three.task)[1]!]);
     expect(takes_given(mixed)).toBe(true);
-    expect(given_forms.filter((form) => has_form(mixed, form))).toEqual(["side_lengths", "side_length", "side_angle"]);
+    expect(given_forms.filter((form) => has_form(mixed, form))).toEqual([
+      "side_lengths",
+      "side_length",
+      "side_angle",
+      "pivots",
+      "pivot_lines",
+    ]);
   });
   it("begins in each form with numbers of the task's size, or those of the linkage in hand", () => {
     for (const form of given_forms) {
@@ -75,6 +84,11 @@ describe("what is given beside three positions", () => {
       [{side_angle_deg: 30}, 3, {side_angle_deg: 30}],
       [{side_angle_deg: 30, input_length: 4}, 2, {side_angle_deg: 30, input_length: 4}],
       [{instant_center: [0, 1]}, 2, {instant_center: [0, 1]}],
+      [{ground_pivots: {input: [0, 1], output: [2, 3]}}, 0, {side_length: 1}],
+      [{input_ground_pivot: [0, 1], output_moving_pivot: [2, 3]}, 0, {side_length: 1}],
+      [{output_moving_pivot: [2, 3]}, 2, {side_length: 1}],
+      [{ground_pivot_on: floor}, 2, {side_length: 1}],
+      [{ground_pivot_on: floor, moving_pivot_on: floor}, 0, {side_length: 1}],
     ];
     for (const [given, free, longer] of all) {
       expect(free_parameter_count(given)).toBe(free);
@@ -82,6 +96,54 @@ describe("what is given beside three positions", () => {
     }
     expect(lengths_of({side_length: 5})).toEqual({input: 5, output: null});
     expect(with_length({side_angle_deg: 30}, "input", 7)).toEqual({side_angle_deg: 30, input_length: 7});
+  });
+});
+
+describe("given pivots and lines of pivots", () => {
+  const both: Given = {moving_pivots: {input: [60, 223], output: [112, 223]}},
+    one: Given = {output_ground_pivot: [3, 4]},
+    mixed: Given = {input_ground_pivot: [1, 2], output_moving_pivot: [3, 4]},
+    lines: Given = {ground_pivot_on: floor, moving_pivot_on: {point: [1, 2], direction_deg: 90}};
+  it("are read in each form that files have, and written back", () => {
+    for (const given of [both, one, mixed]) {
+      expect(read_pivots({...given})).toEqual(given);
+      expect(given_pivots(pivots_of(given)!)).toEqual(given);
+      expect(lines_of(given)).toBeNull();
+      expect(form_of(given)).toBe("pivots");
+    }
+    expect(
+      read_pivots({
+        moving_pivots: [
+          [60, 223],
+          [112, 223],
+        ],
+      }),
+    ).toEqual(both);
+    expect(read_pivots({ground_pivots: [[1, 2]]})).toBeNull();
+    expect(read_lines({...lines})).toEqual(lines);
+    expect(given_lines(lines_of(lines)!)).toEqual(lines);
+    expect([pivots_of(lines), form_of(lines)]).toEqual([null, "pivot_lines"]);
+  });
+  it("move with the drawing, lines with their directions", () => {
+    const turned = ([x, y]: readonly [number, number]): [number, number] => [10 - y, x];
+    expect(moved_given(mixed, turned)).toEqual({input_ground_pivot: [8, 1], output_moving_pivot: [6, 3]});
+    expect(moved_given(lines, turned)).toEqual({
+      ground_pivot_on: {point: [30, 0], direction_deg: 90},
+      moving_pivot_on: {point: [8, 1], direction_deg: 180},
+    });
+  });
+  it("tell maps apart by what their axes are", () => {
+    const maps = [both, one, mixed, {input_ground_pivot: [3, 4]} as Given, lines, {ground_pivot_on: floor}].map(
+      (given) => motion_kind.map_of(with_given(three, given).task as MotionTask),
+    );
+    expect(new Set(maps).size).toBe(maps.length);
+  });
+  it("belong to three positions, a line for each link to four", () => {
+    const pivot_on = [{which: "input", pivot: "ground", line: floor}] as const,
+      lined = {...(four.task as MotionTask), pivot_on};
+    expect(motion_kind.read({...lined})).toEqual(lined);
+    expect(with_task_poses(lined, lined.poses.slice(1))).not.toHaveProperty("pivot_on");
+    expect([three, four, five].map(takes_lines)).toEqual([false, true, false]);
   });
 });
 

@@ -2,12 +2,22 @@
 import type {Linkage, Point, Side} from "../../engine/protocol";
 import {poses_extent, round_step, with_task, type Problem} from "../../state/problem";
 import {poses_of, position_count} from "../../state/task";
+import {given_lines, given_pivots, lines_of, pivot_of, pivots_of} from "./pivots";
 import {is_motion, type Given, type MotionTask} from "./task";
 
-export const given_forms = ["side_lengths", "side_length", "side_angle", "instant_center"] as const;
+export const given_forms = [
+  "side_lengths",
+  "side_length",
+  "side_angle",
+  "instant_center",
+  "pivots",
+  "pivot_lines",
+] as const;
 export type GivenForm = (typeof given_forms)[number];
 
 export function form_of(given: Given): GivenForm {
+  if (pivots_of(given)) return "pivots";
+  if (lines_of(given)) return "pivot_lines";
   return "side_lengths" in given
     ? "side_lengths"
     : "side_length" in given
@@ -25,6 +35,9 @@ export function with_given(problem: Problem, given: Given): Problem {
 export function takes_given({task}: Problem): boolean {
   return is_motion(task) && position_count(task.poses) === 3;
 }
+export function takes_lines({task}: Problem): boolean {
+  return is_motion(task) && position_count(task.poses) === 4;
+}
 /** A direction of travel says the same as an instant centre. */
 export function has_form({task}: Problem, form: GivenForm): boolean {
   return form !== "instant_center" || poses_of(task).every((pose) => !pose.derivatives?.length);
@@ -41,6 +54,14 @@ export function fresh_given(form: GivenForm, problem: Problem, hand: Linkage | n
   if (form === "side_lengths") return {side_lengths: [length("input"), length("output")]};
   if (form === "side_length") return {side_length: length("input")};
   if (form === "side_angle") return {side_angle_deg: 60, directed: true};
+  if (form === "pivots") {
+    const pivot = (side: Side, around: Point) =>
+      ({kind: "ground", point: pivot_of(hand, side, "ground", around)}) as const;
+    const aside = round_step(0.5 * size);
+    return given_pivots({input: pivot("input", [x + aside, y]), output: pivot("output", [x + 2 * aside, y])});
+  }
+  if (form === "pivot_lines")
+    return given_lines({ground: {point: pivot_of(hand, "input", "ground", [x, y]), direction_deg: 0}});
   return {instant_center: [Number((x + round_step(0.5 * size)).toPrecision(6)), y]};
 }
 
@@ -87,15 +108,12 @@ export function memory_of(workbench: {opened: number}): GivenMemory {
 
 /** Three positions leave four numbers free. */
 export function free_parameter_count(given: Given): number {
-  const taken =
-    "side_lengths" in given || "instant_center" in given
-      ? 2
-      : "side_length" in given
-        ? 1
-        : given.input_length === undefined
-          ? 1
-          : 2;
-  return 4 - taken;
+  const pivots = pivots_of(given),
+    lines = lines_of(given);
+  if (pivots) return pivots.input && pivots.output ? 0 : 2;
+  if (lines) return lines.ground && lines.moving ? 0 : 2;
+  if ("side_lengths" in given || "instant_center" in given) return 2;
+  return "input_length" in given && given.input_length !== undefined ? 2 : 3;
 }
 
 /** Direction of a grounded link in position 1, degrees. */

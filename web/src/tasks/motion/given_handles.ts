@@ -7,11 +7,14 @@ import {angle_note, length_note, point_note} from "../../drawing/notes";
 import {multiple, snapped_angle, wrapped_deg, type Keys} from "../../drawing/snapping";
 import {is_held, part_drag, type Surface} from "../../drawing/surface";
 import {t} from "../../texts/texts.svelte";
-import type {Given} from "./task";
-import {direction_deg, given_of, lengths_of, takes_given, with_given, with_length} from "./given";
+import {with_task, type Problem} from "../../state/problem";
+import type {Given, Line, MotionTask} from "./task";
+import {direction_deg, given_of, lengths_of, takes_given, takes_lines, with_given, with_length} from "./given";
+import {given_lines, given_pivots, lines_of, pivot_kinds, pivots_of, sides} from "./pivots";
 import {defaults} from "../../state/defaults";
 
 export const wedge_radius = 64;
+const line_knob_px = 70; // from a line's point
 const usual_turn_deg = 45,
   knob_turns_deg = [usual_turn_deg, -45, 90, -90, 135, -135, 180]; // from the grounded link; the first that is to be seen
 
@@ -89,6 +92,67 @@ export function instant_center_of(surface: Surface): Point | null {
   return given && "instant_center" in given && !given.at_infinity ? given.instant_center : null;
 }
 
+/** A pivot that is given, in the place of the linkage's own. */
+interface GivenPlace {
+  part: string;
+  side: Side;
+  at: Point;
+  moved(given: Given, to: Point): Given;
+}
+export function pivots_here(surface: Surface): GivenPlace[] {
+  const pivots = pivots_of(given_here(surface));
+  return sides.flatMap((side): GivenPlace[] => {
+    const pivot = pivots?.[side];
+    if (!pivot) return [];
+    return [
+      {
+        part: `pivot_${side}_${pivot.kind === "ground" ? "center" : "circle"}`,
+        side,
+        at: pivot.point,
+        moved: (given, point) => given_pivots({...pivots_of(given), [side]: {kind: pivot.kind, point}}),
+      },
+    ];
+  });
+}
+
+/** A line on which pivots lie, of three positions or of four. */
+interface LinePlace {
+  part: string;
+  /** Whose pivots: of one link, or of both. */
+  side: Side | null;
+  line: Line;
+  with_line(problem: Problem, line: Line): Problem;
+}
+export function lines_here(surface: Surface): LinePlace[] {
+  const {problem} = surface.workbench,
+    lines = lines_of(given_here(surface)) ?? {},
+    on = takes_lines(problem) ? ((problem.task as MotionTask).pivot_on ?? []) : [];
+  return [
+    ...pivot_kinds.flatMap((kind): LinePlace[] => {
+      const line = lines[kind];
+      const with_line = (now: Problem, to: Line) =>
+        with_given(now, given_lines({...lines_of(given_of(now)), [kind]: to}));
+      return line ? [{part: `line_${kind}`, side: null, line, with_line}] : [];
+    }),
+    ...on.map(({which, line}): LinePlace => ({
+      part: `line_${which}`,
+      side: which,
+      line,
+      with_line(now, to) {
+        const task = now.task as MotionTask,
+          pivot_on = (task.pivot_on ?? []).map((one) => (one.which === which ? {...one, line: to} : one));
+        return with_task(now, {...task, pivot_on});
+      },
+    })),
+  ];
+}
+/** On the screen. */
+export function line_knob({space}: Surface, {point, direction_deg}: Line): Point {
+  const [x, y] = space.project(point),
+    angle = (direction_deg * Math.PI) / 180;
+  return [x + line_knob_px * Math.cos(angle), y - line_knob_px * Math.sin(angle)];
+}
+
 // ---- taking hold --------------------------------------------------------------------------------------------------
 
 export function given_handles(surface: Surface): Handle[] {
@@ -100,7 +164,11 @@ export function given_handles(surface: Surface): Handle[] {
     center = instant_center_of(surface);
   if (wedge) handles.push(angle_handle(surface, wedge) as (typeof handles)[number]);
   if (center) handles.push(center_handle(surface, center) as (typeof handles)[number]);
-  return handles;
+  return [
+    ...handles,
+    ...pivots_here(surface).map((place) => pivot_handle(surface, place)),
+    ...lines_here(surface).flatMap((place) => [line_point_handle(surface, place), line_turn_handle(surface, place)]),
+  ];
 }
 /** A ring can be taken anywhere. */
 function off_ring(surface: Surface, {center, radius, knob}: Ring, at: Point): number {
@@ -188,33 +256,122 @@ function angle_handle(surface: Surface, {apex, from_deg, knob}: Wedge): Handle {
   );
 }
 
-function center_handle(surface: Surface, [x, y]: Point): Handle {
-  const {workbench} = surface,
-    part = "instant_center";
+/** What a point is dragged to, and by the arrow keys. */
+function point_handle(
+  surface: Surface,
+  part: string,
+  label: () => string,
+  here: () => Point,
+  set: (to: Point, at: Point | null) => void,
+): Handle {
   return task_handle(
     {
       part,
-      label: () => t("given.center", {place: point_note([x, y], surface.space.step, workbench.unit)}),
+      label,
       drag(from) {
-        const way = new Way(surface, from);
+        const start = here(),
+          way = new Way(surface, from);
         return part_drag(surface, part, {
           move(at, keys) {
             const {space, origins} = surface,
-              {point, guides} = space.snapped([x, y], way.to(at, keys).from([x, y]), keys, origins);
+              {point, guides} = space.snapped(start, way.to(at, keys).from(start), keys, origins);
             surface.guides = guides;
-            change(surface, {instant_center: point}, at, point_note(point, space.step, workbench.unit));
+            set(point, at);
           },
         });
       },
       nudge(dx, dy, step) {
-        const add = (value: number, by: number) => Number((value + by).toPrecision(12));
-        workbench.edit(
-          (problem) => with_given(problem, {instant_center: [add(x, dx * step), add(y, dy * step)]}),
-          `nudge ${part}`,
-        );
+        const add = (value: number, by: number) => Number((value + by).toPrecision(12)),
+          [x, y] = here();
+        set([add(x, dx * step), add(y, dy * step)], null);
       },
     },
-    surface.space.project([x, y]),
+    surface.space.project(here()),
     "move",
+  );
+}
+
+function pivot_handle(surface: Surface, place: GivenPlace): Handle {
+  const {workbench} = surface,
+    {part, side} = place;
+  const now = () => pivots_of(given_of(workbench.problem))?.[side]?.point ?? place.at;
+  return point_handle(
+    surface,
+    part,
+    () => t(`given.${part as "pivot_input_center"}`, {place: point_note(now(), surface.space.step, workbench.unit)}),
+    now,
+    (point, at) => {
+      const given = given_of(workbench.problem);
+      if (!given) return;
+      const to = place.moved(given, point);
+      if (at) change(surface, to, at, point_note(point, surface.space.step, workbench.unit));
+      else workbench.edit((problem) => with_given(problem, to), `nudge ${part}`);
+    },
+  );
+}
+
+function line_point_handle(surface: Surface, place: LinePlace): Handle {
+  const {workbench} = surface,
+    part = `${place.part}_point`;
+  const now = () => lines_here(surface).find((line) => line.part === place.part)?.line ?? place.line;
+  return point_handle(
+    surface,
+    part,
+    () => `${t("straight.line_point")}: ${point_note(now().point, surface.space.step, workbench.unit)}`,
+    () => now().point,
+    (point, at) => {
+      const moved = (problem: Problem) => place.with_line(problem, {...now(), point});
+      if (!at) return workbench.edit(moved, `nudge ${part}`);
+      workbench.drag(moved);
+      surface.tell(at, point_note(point, surface.space.step, workbench.unit));
+    },
+  );
+}
+
+function line_turn_handle(surface: Surface, place: LinePlace): Handle {
+  const {workbench} = surface,
+    part = `${place.part}_direction`;
+  const now = () => lines_here(surface).find((line) => line.part === place.part)?.line ?? place.line;
+  const turned = (direction: number) => (problem: Problem) =>
+    place.with_line(problem, {...now(), direction_deg: direction});
+  return task_handle(
+    {
+      part,
+      label: () => t("straight.line_direction", {angle: angle_note(now().direction_deg)}),
+      drag: () =>
+        part_drag(surface, part, {
+          move(at, keys) {
+            const [x, y] = surface.space.project(now().point),
+              raw = (Math.atan2(y - at[1], at[0] - x) * 180) / Math.PI;
+            const {angle} = snapped_angle(raw, [], 0, surface.space.snaps, keys);
+            workbench.drag(turned(angle));
+            surface.tell(at, `λ ${angle_note(angle)}`);
+          },
+        }),
+      nudge(dx, dy, step) {
+        const by = ((dy || -dx) * step) / surface.space.step;
+        workbench.edit(turned(wrapped_deg(Number((now().direction_deg + by).toPrecision(12)))), `nudge ${part}`);
+      },
+    },
+    line_knob(surface, place.line),
+  );
+}
+
+function center_handle(surface: Surface, at_first: Point): Handle {
+  const {workbench} = surface;
+  const now = () => {
+    const given = given_of(workbench.problem);
+    return given && "instant_center" in given ? given.instant_center : at_first;
+  };
+  return point_handle(
+    surface,
+    "instant_center",
+    () => t("given.center", {place: point_note(now(), surface.space.step, workbench.unit)}),
+    now,
+    (point, at) => {
+      const given: Given = {instant_center: point};
+      if (at) change(surface, given, at, point_note(point, surface.space.step, workbench.unit));
+      else workbench.edit((problem) => with_given(problem, given), "nudge instant_center");
+    },
   );
 }

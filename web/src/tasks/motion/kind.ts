@@ -9,6 +9,7 @@ import type {Beginning, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
 import {body_making, tolerance_objectives, tolerance_properties, tolerance_requirements} from "../tolerances";
 import {form_of} from "./given";
+import {lines_of, moved_given, pivots_of, read_lines, read_pivot_on, read_pivots, turned_line} from "./pivots";
 
 const most_poses = 10_000; // the engine takes five; what was typed is kept until it is set right
 
@@ -41,13 +42,14 @@ function read_given(value: unknown): Given | null {
   }
   if (is_pair(value.instant_center))
     return {instant_center: value.instant_center, ...(value.at_infinity === true ? {at_infinity: true} : {})};
-  return null;
+  return read_pivots(value) ?? read_lines(value);
 }
 function read(value: Object): MotionTask | null {
   const poses = read_poses(value.poses);
   if (value.kind !== "motion" || value.mechanism !== "four_bar" || !poses) return null;
   const freed_pose = Number.isInteger(value.freed_pose) ? (value.freed_pose as number) : null;
-  return {kind: "motion", mechanism: "four_bar", poses, ...present({given: read_given(value.given), freed_pose})};
+  const beside = {given: read_given(value.given), pivot_on: read_pivot_on(value.pivot_on), freed_pose};
+  return {kind: "motion", mechanism: "four_bar", poses, ...present(beside)};
 }
 
 /** What is given beside the poses belongs to three positions, a freed pose to five. */
@@ -55,8 +57,20 @@ function with_poses(task: MotionTask, poses: readonly Pose[]): MotionTask {
   const changed = {...task, poses},
     count = position_count(poses);
   if (count !== 3) delete changed.given;
+  if (count !== 4) delete changed.pivot_on;
   if (count !== 5 || poses[(changed.freed_pose ?? 1) - 1]?.derivatives?.length) delete changed.freed_pose;
   return changed;
+}
+
+/** What the axes of the map are over. */
+function map_of_given(given: Given): string {
+  const of = Object.entries(pivots_of(given) ?? {}).map(([side, {kind}]) => side + kind);
+  return [
+    form_of(given),
+    "directed" in given ? String(given.directed) : "",
+    ...of,
+    ...Object.keys(lines_of(given) ?? {}),
+  ].join(" ");
 }
 
 function motion_task(poses: readonly Pose[], given?: Given): MotionTask {
@@ -132,8 +146,8 @@ export const motion_kind: TaskKind<MotionTask> = {
   is_mixed: ({poses}) => poses.some((pose) => pose.derivatives?.length),
   anchors: ({poses}) => poses.map((pose): Point => [pose.x, pose.y]),
   default_max_length,
-  map_of: ({poses, given, freed_pose}) =>
-    `motion ${freed_pose === undefined ? position_count(poses) : "freed"} ${given ? form_of(given) + ("directed" in given ? given.directed : "") : ""}`,
+  map_of: ({poses, given, pivot_on, freed_pose}) =>
+    `motion ${freed_pose === undefined ? position_count(poses) : "freed"} ${given ? map_of_given(given) : ""}${(pivot_on ?? []).map(({which}) => which).join()}`,
   properties: {
     ...planar_properties,
     pose_miss: {
@@ -154,10 +168,11 @@ export const motion_kind: TaskKind<MotionTask> = {
   requirements: {...planar_requirements, ...tolerance_requirements},
   objectives: {...planar_objectives, ...tolerance_objectives},
   making: body_making,
-  moved: (task, point) =>
-    task.given && "instant_center" in task.given
-      ? {...task, given: {...task.given, instant_center: point(task.given.instant_center)}}
-      : task,
+  moved: (task, point) => ({
+    ...task,
+    ...(task.given ? {given: moved_given(task.given, point)} : {}),
+    ...(task.pivot_on ? {pivot_on: task.pivot_on.map((on) => ({...on, line: turned_line(on.line, point)}))} : {}),
+  }),
   table: ({poses}, unit) => pose_table(poses, unit),
   beginnings,
 };

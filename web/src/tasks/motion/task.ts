@@ -1,18 +1,40 @@
 // As the problem file has it.
-import type {Point} from "../../engine/protocol";
+import type {Point, Side} from "../../engine/protocol";
 import type {Pose, Task} from "../../state/task";
 
-/** What three positions give beside the poses; lengths in the user's unit, instant centre in the fixed frame. */
+export type PivotKind = "ground" | "moving";
+export interface Line {
+  point: Point;
+  direction_deg: number;
+}
+/** One pivot of each link, or of one of them. */
+export type SinglePivots = Partial<Record<`${Side}_${PivotKind}_pivot`, Point>>;
+/** On which both links have their ground pivots, their moving ones, or both. */
+export type PivotLines = Partial<Record<`${PivotKind}_pivot_on`, Line>>;
+
+/** What three positions give beside the poses; lengths in the user's unit, instant centre and pivots in the fixed frame,
+ *  moving ones as they lie in position 1. */
 export type Given =
   | {side_lengths: readonly [input: number, output: number]}
   | {side_length: number} // the input's; the output's is left open
   | {side_angle_deg: number; directed?: boolean; input_length?: number}
-  | {instant_center: Point; at_infinity?: boolean};
+  | {instant_center: Point; at_infinity?: boolean}
+  | {ground_pivots: Record<Side, Point>}
+  | {moving_pivots: Record<Side, Point>}
+  | SinglePivots
+  | PivotLines;
+/** Of four positions: a line on which a link has a pivot. */
+export interface PivotOnLine {
+  which: Side;
+  pivot: PivotKind;
+  line: Line;
+}
 export interface MotionTask extends Task {
   kind: "motion";
   mechanism: "four_bar";
   poses: readonly Pose[];
   given?: Given;
+  pivot_on?: readonly PivotOnLine[];
   freed_pose?: number; // from 1: of five positions, the one that need not be passed exactly
 }
 
