@@ -21,8 +21,9 @@ export default defineConfig({
   workers: 2,
   // Browsers on a busy machine: what passes the second time is reported as flaky.
   retries: 1,
-  timeout: 60_000,
-  expect: {timeout: 10_000},
+  // Against hanging alone: ten times what the slowest took on a busy machine.
+  timeout: 600_000,
+  expect: {timeout: 100_000},
   reporter: [["list"]],
   use: {
     baseURL: `http://127.0.0.1:${port}/`,
@@ -43,9 +44,10 @@ export default defineConfig({
     {name: "speed", testMatch: "speed.spec.ts", dependencies: ["page"], fullyParallel: false},
   ],
   webServer: {
+    timeout: 600_000,
     command: `${program} studio --port ${port} --folder ${process.env.LINKWRIGHT_WEB ?? "../build/web"}`,
     url: `http://127.0.0.1:${port}/`,
     reuseExistingServer: false,
-    gracefulShutdown: {signal: "SIGTERM", timeout: 5000},
+    gracefulShutdown: {signal: "SIGTERM", timeout: 50_000},
   },
 });

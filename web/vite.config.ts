@@ -22,8 +22,9 @@ export default defineConfig({
   worker: {format: "es"},
   test: {
     include: ["src/**/*.test.ts", "tests/**/*.test.ts"],
-    testTimeout: 30_000,
-    hookTimeout: 60_000,
+    // Against hanging alone: ten times what the slowest took on a busy machine.
+    testTimeout: 300_000,
+    hookTimeout: 600_000,
     // One place for all files: starting one for each would take as long as the tests.
     pool: "threads",
     isolate: false,

@@ -67,7 +67,7 @@ class AtlasTest(FaceTest):
                 (self.folder / folder / output).parent.mkdir(parents=True, exist_ok=True)
             paths = [word for option, output in outputs.items() for word in (option, str(self.folder / folder / output))]
             done = subprocess.run([sys.executable, SCRIPTS / script, "--program", CLI, "--work", self.folder / folder / "work", *paths,
-                                   *map(str, words)], capture_output=True, text=True, timeout=60, check=False)
+                                   *map(str, words)], capture_output=True, text=True, timeout=600, check=False)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             return {path.relative_to(self.folder / folder): path.read_bytes() for path in sorted((self.folder / folder).rglob("*"))
                     if path.is_file() and "work" not in path.parts}
@@ -170,7 +170,7 @@ class Learning(AtlasTest):
 class Mistakes(AtlasTest):
     def test_of_the_program_are_told(self):
         done = subprocess.run([sys.executable, SCRIPTS / "robust.py", "--program", CLI, "--work", self.folder / "work", "--tasks", "latch",
-                               "--samples", "1", "-o", self.folder / "robust.csv"], capture_output=True, text=True, timeout=60, check=False)
+                               "--samples", "1", "-o", self.folder / "robust.csv"], capture_output=True, text=True, timeout=600, check=False)
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("region_samples", done.stderr)
         self.assertFalse((self.folder / "robust.csv").exists())

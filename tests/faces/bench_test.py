@@ -16,7 +16,7 @@ BENCH = Path(CLI).with_name("linkwright_bench")
 
 class Peers(unittest.TestCase):
     def dump(self, *arguments):
-        return json.loads(subprocess.run([BENCH, *arguments], check=True, capture_output=True, text=True, timeout=60).stdout)
+        return json.loads(subprocess.run([BENCH, *arguments], check=True, capture_output=True, text=True, timeout=600).stdout)
 
     def test_numpy_counts_planar_linkages_alike(self):
         for task in ("landing_gear", "drawer_hinge", "tailgate"):

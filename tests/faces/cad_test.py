@@ -107,7 +107,7 @@ class CadExports(unittest.TestCase):
             f"shape = Part.read({str(step)!r})\n"
             "print('solids', len(shape.Solids), shape.isValid())\n"
         )
-        answer = subprocess.run(["freecadcmd", script], capture_output=True, text=True, timeout=120, check=False)
+        answer = subprocess.run(["freecadcmd", script], capture_output=True, text=True, timeout=1200, check=False)
         self.assertIn("solids 8 True", answer.stdout, answer.stderr)
 
     def test_mistakes(self):

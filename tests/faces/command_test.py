@@ -207,7 +207,7 @@ class Export(FaceTest):
         with subprocess.Popen([CLI, "export", str(self.solve_tailgate()), "--format", "dxf"], stdout=subprocess.PIPE) as process:
             process.stdout.read(10)
             process.stdout.close()
-            self.assertNotIn(process.wait(timeout=30), (-6, -11))
+            self.assertNotIn(process.wait(timeout=300), (-6, -11))
 
 
 if __name__ == "__main__":

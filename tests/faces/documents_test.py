@@ -151,7 +151,7 @@ class Documents(FaceTest):
         for snippet, document in all_blocks("python").items():
             with self.subTest(document=str(document), snippet=snippet):
                 ran = subprocess.run(["/usr/bin/python3", "-c", snippet], cwd=self.folder, capture_output=True, text=True, check=False,
-                                     env={**os.environ, "PYTHONPATH": str(PYTHON), "MPLBACKEND": "Agg"}, timeout=120)
+                                     env={**os.environ, "PYTHONPATH": str(PYTHON), "MPLBACKEND": "Agg"}, timeout=1200)
                 self.assertEqual(ran.returncode, 0, ran.stderr)
                 printed = iter(ran.stdout.splitlines())
                 for line in re.findall(r"# → (.+)$", snippet, re.MULTILINE):

@@ -15,7 +15,7 @@ TAILGATE = ROOT / "examples/tailgate.json"
 
 def run(*arguments, **options):
     """The program's exit status, standard output and standard error."""
-    options.setdefault("timeout", 120)
+    options.setdefault("timeout", 1200)
     if "input" in options:
         options["input"] = options["input"].encode()
     else:

@@ -47,7 +47,7 @@ class MpiTest(SweepTest):
     def ranks(self, *arguments, **options):
         """Exit status, standard output, the program's own lines of standard error."""
         process = self.begin(*arguments, **options)
-        output, error = (text.decode() for text in process.communicate(timeout=60))
+        output, error = (text.decode() for text in process.communicate(timeout=600))
         return process.returncode, output, self.own_lines(error)
 
     @staticmethod
@@ -66,7 +66,7 @@ class MpiTest(SweepTest):
 
     def await_kept(self, ranks):
         """Until each rank has kept something."""
-        for _ in range(2000):
+        for _ in range(20000):
             kept = self.kept()
             if len(kept) == ranks and min(kept.values()) > 2000:
                 return
@@ -85,7 +85,7 @@ class MpiTest(SweepTest):
         self.await_kept(ranks)
         for rank in victims:
             os.kill(pid_of_rank(process.pid, rank), signal.SIGKILL)
-        process.communicate(timeout=60)
+        process.communicate(timeout=600)
         self.await_quiet()
         self.assertNotEqual(process.returncode, 0)
         self.assertFalse(self.output.exists())
@@ -133,7 +133,7 @@ class Ranks(MpiTest):
         process = self.begin(2, content)
         self.await_kept(2)
         os.kill(pid_of_rank(process.pid, 0), signal.SIGTERM)
-        error = process.communicate(timeout=60)[1].decode()
+        error = process.communicate(timeout=600)[1].decode()
         self.await_quiet()
         self.assertEqual(process.returncode, 128 + signal.SIGTERM)
         self.assertEqual(error.count("--resume goes on"), 1, error)
@@ -149,7 +149,7 @@ class Mistakes(MpiTest):
             self.assertEqual(status, 2)
             self.assertIn("another run is writing this file", str(error))
         process.terminate()
-        process.communicate(timeout=60)
+        process.communicate(timeout=600)
 
     def test_a_full_disk_is_told_once(self):
         content = SWEEP
@@ -158,7 +158,7 @@ class Mistakes(MpiTest):
         self.await_kept(3)
         for rank in (1, 2):  # not from the start: what MPI shares in memory is a file, too
             resource.prlimit(pid_of_rank(process.pid, rank), resource.RLIMIT_FSIZE, (2500, 2500))
-        error = self.own_lines(process.communicate(timeout=60)[1].decode())
+        error = self.own_lines(process.communicate(timeout=600)[1].decode())
         self.assertEqual(process.returncode, 1)
         self.assertEqual(len(error), 1, error)
         self.assertRegex(error[0], r"00000\d\.journal cannot be written: File too large")

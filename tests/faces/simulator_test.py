@@ -66,7 +66,7 @@ class SimulatorTest(FaceTest):
         """What MuJoCo says of the linkage: driven through its positions, then by `sweep` radians more."""
         node = shutil.which("node", path=SEARCHED)
         done = subprocess.run([node, SIMULATORS / "drive.mjs", self.export(result, "mjcf"), str(sweep)], capture_output=True,
-                              text=True, check=False, timeout=120)
+                              text=True, check=False, timeout=1200)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         seen = json.loads(done.stdout)
         self.assertEqual(seen["complaints"], [])

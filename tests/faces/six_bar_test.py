@@ -215,7 +215,7 @@ class Interrupted(FaceTest):
         with subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
             time.sleep(after)
             process.send_signal(signal.SIGINT)
-            output, error = process.communicate(timeout=60)
+            output, error = process.communicate(timeout=600)
         self.assertEqual((process.returncode, error), (130, b""))
         xml.etree.ElementTree.parse(self.folder / "p.svg")
         return load(result), output.decode()
@@ -249,7 +249,7 @@ class Interrupted(FaceTest):
             except OSError:  # closed at the other end
                 pass
             os.close(terminal)
-            self.assertEqual(process.wait(timeout=60), 0)
+            self.assertEqual(process.wait(timeout=600), 0)
         percents = [int(text) for text in re.findall(rb"(\d+) %", shown)]
         self.assertGreater(len(percents), 10)
         self.assertEqual(percents, sorted(percents))

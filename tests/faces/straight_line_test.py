@@ -236,7 +236,7 @@ class StraightLines(FaceTest):
         with subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
             time.sleep(1.5)
             process.send_signal(signal.SIGINT)
-            output, error = process.communicate(timeout=60)
+            output, error = process.communicate(timeout=600)
         self.assertEqual((process.returncode, error), (130, b""))
         self.assertIn(b"best so far", output)
         self.assertTrue(picture.exists())

@@ -66,7 +66,7 @@ class SweepTest(FaceTest):
         """Begun, and stopped once something is kept."""
         process = self.start(content)
         journal = self.partial / "000000.journal"
-        for _ in range(1000):
+        for _ in range(20000):
             if journal.exists() and journal.stat().st_size > 20000:
                 break
             time.sleep(0.005)

@@ -24,7 +24,7 @@ fi
 
 linkwright studio --port 4180 >/dev/null &
 studio=$!
-for _ in {1..50}; do if { : >/dev/tcp/127.0.0.1/4180; } 2>/dev/null; then break; else sleep 0.1; fi; done
+for _ in {1..500}; do if { : >/dev/tcp/127.0.0.1/4180; } 2>/dev/null; then break; else sleep 0.1; fi; done
 get / >page.txt
 check "the studio serves the page" grep -q '<title>Linkwright' page.txt
 check "the studio serves the page's script" grep -q text/javascript <(get "/$(grep -oE 'assets/index-[^"]+\.js' page.txt)")

@@ -20,7 +20,7 @@ CLI = os.environ.get("LINKWRIGHT_CLI", str(TREE / "build/release/bin/linkwright"
 
 
 def run(*words: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([CLI, *map(str, words)], capture_output=True, text=True, check=False, timeout=120)
+    return subprocess.run([CLI, *map(str, words)], capture_output=True, text=True, check=False, timeout=1200)
 
 
 def problem_of(name: str) -> dict:

@@ -58,7 +58,7 @@ test.describe("drive", () => {
     expect(sweep).toBeCloseTo(best.driver_sweep_deg, 2);
     const bar = page.getByTestId("drive.angle");
     for (const pose of [0, 1, 2, 3]) {
-      const dot = (await bar.locator(".name", {hasText: String(pose + 1)}).boundingBox({timeout: 5000}))!;
+      const dot = (await bar.locator(".name", {hasText: String(pose + 1)}).boundingBox())!;
       const box = (await bar.boundingBox())!;
       await page.mouse.click(dot.x + dot.width / 2 + 4, box.y + 12); // four pixels beside it
       const body = await body_at(page, pose);

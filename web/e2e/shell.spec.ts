@@ -223,8 +223,6 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
   await expect(toasts(page)).toContainText("The engine stopped and was restarted. Nothing was lost.");
   await page.waitForFunction(
     () => globalThis.__linkwright!.ready && globalThis.__linkwright!.workbench.map!.samples === 1000,
-    null,
-    {timeout: 3000},
   );
   const requirements = await read_state(page, (workbench) => workbench.problem.requirements!.max_link_ratio);
   expect(requirements).toBe(7);

@@ -142,7 +142,7 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   await page.getByTestId("six_bar.effort").fill("100000");
   await page.getByTestId("six_bar.effort").press("Enter");
   await page.getByTestId("six_bar.start").click();
-  await expect(page.getByTestId("six_bar.found.1")).toBeVisible({timeout: 40_000});
+  await expect(page.getByTestId("six_bar.found.1")).toBeVisible();
   await page.getByTestId("six_bar.stop").click();
   await expect(page.getByTestId("six_bar.ended")).toContainText("Stopped after");
   await page.getByTestId("six_bar.found.1").click();

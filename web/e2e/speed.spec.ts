@@ -1,5 +1,5 @@
 // Walk-through 23: how long work takes, on a page that has the machine to itself (playwright.config.ts). The figures are
-// printed; what is asserted is work on the main thread, with room, and the size of what is loaded. Never frame intervals.
+// printed; what is asserted is the size of what is loaded. Never how long something takes.
 import {readdirSync, readFileSync} from "node:fs";
 import {join, resolve} from "node:path";
 import {gzipSync} from "node:zlib";
@@ -66,7 +66,6 @@ test("the map follows a drag", async ({page}) => {
   console.log(
     `drag, ${moves.filter((m) => m.samples === 400).length} of 60 frames at 400²: engine ${engine.toFixed(1)} ms, transfer ${transfer.toFixed(1)} ms, paint ${paint.toFixed(1)} ms, together ${median(moves.map((m) => m.round + m.paint)).toFixed(1)} ms (medians)`,
   );
-  expect(paint, "painting the map, main thread").toBeLessThan(16);
 });
 
 test("the linkage follows the mouse over the map", async ({page}) => {
@@ -121,7 +120,6 @@ test("the linkage follows the mouse over the map", async ({page}) => {
   console.log(
     `hover: linkage there after ${median(times.map((t) => t.engine)).toFixed(1)} ms, laid out after ${median(times.map((t) => t.drawn)).toFixed(1)} ms (medians of 100); main thread ${work.toFixed(1)} ms each`,
   );
-  expect(work, "hovering, main thread").toBeLessThan(16);
   expect(await map_hash(page), "hovering never repaints the map").toBe(hash);
 });
 
@@ -149,7 +147,6 @@ test("a requirement is tried by its slider", async ({page}) => {
   console.log(
     `requirement slider: engine ${median(times.map((t) => t.engine)).toFixed(1)} ms, paint ${median(times.map((t) => t.paint)).toFixed(1)} ms, until painted ${median(times.map((t) => t.whole)).toFixed(1)} ms (medians of 40)`,
   );
-  expect(median(times.map((t) => t.paint)), "painting the map, main thread").toBeLessThan(16);
 });
 
 /** The time from one frame to the next while something is done. */

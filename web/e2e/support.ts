@@ -142,7 +142,7 @@ export async function open_workbench(page: Page, address = "/"): Promise<void> {
   await until_ready(page);
 }
 export async function until_ready(page: Page): Promise<void> {
-  await page.waitForFunction(() => globalThis.__linkwright?.ready === true, null, {timeout: 20_000});
+  await page.waitForFunction(() => globalThis.__linkwright?.ready === true);
 }
 
 /** The map on screen is that of the problem as it is. */
@@ -365,7 +365,7 @@ export function run_program(command: string, content: unknown, ...flags: string[
     return execFileSync(program, [...command.split(" "), file, ...flags], {
       encoding: "utf8",
       maxBuffer: 1 << 28,
-      timeout: 60_000,
+      timeout: 600_000,
     });
   } finally {
     rmSync(folder, {recursive: true});

@@ -15,7 +15,7 @@ const port = Number(process.env.LINKWRIGHT_PORT ?? 4189),
   executablePath = process.env.FIREFOX ?? "/usr/bin/firefox-esr";
 const folder = mkdtempSync(join(tmpdir(), "linkwright-firefox-")),
   downloads = join(folder, "downloads"),
-  patience = {timeout: 60_000};
+  patience = {timeout: 600_000};
 let server, browser, page;
 const complaints = [];
 
@@ -25,7 +25,7 @@ before(async () => {
     browser: "firefox",
     executablePath,
     headless: true,
-    timeout: 120_000,
+    timeout: 1_200_000,
     extraPrefsFirefox: {
       "browser.download.folderList": 2,
       "browser.download.dir": downloads,
@@ -61,7 +61,7 @@ async function middle_of(selector) {
   return {x: x + width / 2, y: y + height / 2};
 }
 async function open() {
-  for (let left = 50; ; --left)
+  for (let left = 500; ; --left)
     try {
       await page.goto(`http://127.0.0.1:${port}/`);
       break;
@@ -73,7 +73,7 @@ async function open() {
 async function exported(format) {
   const known = new Set(files());
   await page.click(testid(`export.${format}`));
-  for (let left = 600; left > 0; --left) {
+  for (let left = 3000; left > 0; --left) {
     const name = files().find((file) => !known.has(file));
     if (name) return {name, bytes: readFileSync(join(downloads, name))};
     await new Promise((resolve) => setTimeout(resolve, 200));

@@ -75,7 +75,7 @@ test("the types are whole, as node and as bundlers resolve them", () => {
   run("node", compiler, "--module", "nodenext", ...common);
   run("node", compiler, "--module", "esnext", "--moduleResolution", "bundler", ...common);
 });
-test("Vite builds a page of it, whose worker answers in a browser", {timeout: 120_000}, async () => {
+test("Vite builds a page of it, whose worker answers in a browser", {timeout: 1_200_000}, async () => {
   await build({root: project, configFile: false, logLevel: "error", worker: {format: "es"}, build: {target: "es2022"}});
   const server = spawn(program, ["studio", "--port", "0", "--folder", join(project, "dist")], {
     stdio: ["ignore", "pipe", "ignore"],
@@ -91,7 +91,7 @@ test("Vite builds a page of it, whose worker answers in a browser", {timeout: 12
     page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
     page.on("pageerror", (error) => complaints.push(String(error)));
     await page.goto(/http:\S+/.exec(said)[0]);
-    await page.waitForFunction(() => document.title.includes("four-bars"), null, {timeout: 60_000}).catch(() => {});
+    await page.waitForFunction(() => document.title.includes("four-bars"), null, {timeout: 600_000}).catch(() => {});
     assert.deepEqual(complaints, []);
     assert.match(await page.title(), /^\d+ of 159600 four-bars; the best: [a-z_]+, 8\d\.\d\d°$/);
   } finally {

@@ -16,7 +16,7 @@ async function open(browser, language, example) {
     localStorage.setItem("linkwright.preferences", JSON.stringify({language: spoken, theme: "light", toured: true}));
   }, language);
   await page.goto(`http://127.0.0.1:${port}/`);
-  await page.waitForFunction(() => globalThis.__linkwright?.ready, null, {timeout: 60_000});
+  await page.waitForFunction(() => globalThis.__linkwright?.ready, null, {timeout: 600_000});
   const text = readFileSync(path(`examples/${example}.json`), "utf8").replace(/^\s*\/\/.*$/gm, "");
   await page.getByTestId("file.menu").click();
   const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByTestId("file.open").click()]);
@@ -28,7 +28,7 @@ async function open(browser, language, example) {
       return problem.title === title && settled && hand?.tau.join() === tau_in_hand?.join();
     },
     JSON.parse(text).title,
-    {timeout: 60_000},
+    {timeout: 600_000},
   );
   await page.locator(".toasts button").last().click(); // what it said of the file
   return page;
