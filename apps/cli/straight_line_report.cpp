@@ -71,7 +71,7 @@ std::string usable_text(const UsableLine& usable) { return significant_text(usab
 
 std::string deviation_text(const StraightLineSolution& found, LineMeasure measure) {
   if (found.asks_stroke && !found.stroke) return "–";
-  const StrokeReport& over = found.stroke ? *found.stroke : found.over_usable;
+  const StrokeReport& over = found.judged();
   return significant_text(measure == LineMeasure::strip ? over.parallel_line_deviation : over.max_deviation, 3);
 }
 
@@ -84,16 +84,17 @@ std::string line_table(const StraightLineAnswer& answer) {
   for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
     const StraightLineSolution& found = answer.linkages[i];
     const UsableLine& counted = found.counted(answer.options.line.measure);
-    const StrokeReport& over = found.over_usable;
-    std::vector<std::string> row = {fmt::format("{}", i + 1),
-                                    std::string(short_label(found.type)),
-                                    fmt::format("{}", found.contact.points),
-                                    usable_text(found.usable),
-                                    usable_text(found.usable_strip),
-                                    significant_text(counted.length() / found.linkage.longest(), 3),
-                                    angle_text(over.min_transmission_angle, 1),
-                                    over.drive ? significant_text(over.drive->nonuniformity(counted.length()), 2) : "–",
-                                    deviation_text(found, answer.options.line.measure)};
+    const StrokeReport& over = found.judged();
+    std::vector<std::string> row = {
+        fmt::format("{}", i + 1),
+        std::string(short_label(found.type)),
+        fmt::format("{}", found.contact.points),
+        usable_text(found.usable),
+        usable_text(found.usable_strip),
+        significant_text(counted.length() / found.linkage.longest(), 3),
+        angle_text(over.min_transmission_angle, 1),
+        over.drive ? significant_text(over.drive->nonuniformity(over.to - over.from), 2) : "–",
+        deviation_text(found, answer.options.line.measure)};
     if (has_layers) row.insert(row.begin() + 1, std::string(answer.lines->layer_name(found.place.layer)));
     if (has_cases) row.insert(row.begin() + 1, std::string(name(found.task.given)));
     table.add_row(std::move(row));
@@ -108,11 +109,11 @@ std::string column_words(const StraightLineAnswer& answer) {
                                 : std::string("1/10 000 of the longest link or arm");
   return wrapped(fmt::format(
       "points: of path and line in common; tangent, strip: usable length within ±{} of the line, or of the best line "
-      "parallel to it; ÷ longest: {} over the longest link or arm; γ: least transmission angle and uneven: (fastest − "
-      "slowest) / mean velocity over that length; ±e: largest deviation from that line {}.",
+      "parallel to it; ÷ longest: {} over the longest link or arm; γ: least transmission angle, uneven: (fastest − "
+      "slowest) / mean velocity and ±e: largest deviation from that line, over {}.",
       share, by_strip ? "strip" : "tangent",
-      !answer.lines || answer.lines->stroke() ? "over the stroke, – where the point turns back before its ends"
-                                              : "over it"));
+      !answer.lines || answer.lines->stroke() ? "the stroke, – where the point turns back before its ends"
+                                              : "that length"));
 }
 
 std::string line_dimensions(const Lines& all, int decimals) {

@@ -341,13 +341,7 @@ std::string Session::best(int most) const {
   options.measure_yields = false;
   constexpr int samples_of_the_best = 10'000;
   if (options.tolerances) options.tolerances->samples = std::min(options.tolerances->samples, samples_of_the_best);
-  // What is told at once is told without its tolerances.
-  const bool by_tolerances = is_of_tolerances(options.objective) || requirements_.min_yield > 0 ||
-                             requirements_.max_tolerance_error < Requirements::unlimited;
-  const auto at_once =
-      most == 1 && !by_tolerances ? task().best_at_once(requirements_, options.objective) : std::nullopt;
-  const auto answer = at_once ? Result<Answer>(*task().answer_at(*at_once, requirements_.respect_direction))
-                              : solve(problem_.task, problem_.requirements, options);
+  const auto answer = solve(problem_.task, problem_.requirements, options);
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("linkages");

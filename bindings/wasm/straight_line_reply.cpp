@@ -49,14 +49,17 @@ FourBar carried(const FourBar& bars, const Pose& from, const Pose& to) {
           displaced(bars.output_circle, from, to)};
 }
 
-DefectReport report_of(const StraightLineFamily& family, const TracingFourBar& linkage, const UsableLine& usable) {
+DefectReport report_of(const StraightLineFamily& family, const TracingFourBar& linkage, const StrokeFigures& judged) {
   DefectReport report;
   report.type = linkage_type(linkage.bars.lengths());
+  constexpr double a_hair = 1e-6;
+  const double beyond = a_hair * (judged.to - judged.from);
   PathLimits limits;
-  limits.from = usable.from;
-  limits.to = usable.to;
+  limits.from = std::min(judged.from, 0.0) - beyond;
+  limits.to = std::max(judged.to, 0.0) + beyond;
   const auto path = StraightPath::of(linkage, family.task().line.direction, limits);
-  const auto over = path ? path->stroke(path->from(), path->to()) : std::nullopt;
+  const auto over =
+      path ? path->stroke_figures(std::max(judged.from, path->from()), std::min(judged.to, path->to())) : std::nullopt;
   if (!over) return report;
   report.min_transmission_angle = over->min_transmission_angle;
   if (over->drive) {
@@ -76,15 +79,14 @@ PickedLinkage picked_line(const StraightLineFamily& family, const std::optional<
     return picked;
   }
   const FourBar& bars = found->linkage.bars;
-  const UsableLine& usable = found->counted(family.measuring().measure);
   picked.input = dyad_of(bars.input_center, bars.input_circle, place.input);
   picked.output = dyad_of(bars.output_center, bars.output_circle, place.output);
   picked.bars.emplace();
   picked.bars->four_bar = bars;
   picked.bars->lengths = found->lengths;
-  picked.bars->report = report_of(family, found->linkage, usable);
+  picked.bars->report = report_of(family, found->linkage, found->judged());
   picked.bars->report.defects = found->defects;
-  picked.bars->swapped = report_of(family, found->linkage.swapped(), usable);
+  picked.bars->swapped = report_of(family, found->linkage.swapped(), found->judged());
   const auto poses = poses_of(family, *found);
   if (poses.empty()) return picked;
   const bool from_contacts = std::holds_alternative<straight_cases::MixedContacts>(family.task().given);
@@ -164,6 +166,8 @@ void write_line(JsonWriter& json, const StraightLineFamily& family, const Straig
   json.member("longest", found.linkage.longest());
   write_contact(json, found.contact);
   json.member("deviation", found.deviation);
+  const bool by_strip = family.measuring().measure == LineMeasure::strip;
+  json.member("strip_middle", by_strip ? found.over_usable.middle_deviation : 0.0);
   write_usable_lengths(json, found, family.measuring().measure);
   write_cognates(json, found);
   write_profile(json, family, found, visits);

@@ -6,12 +6,9 @@
 
 #include "files/straight_line/straight_line_kind.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/region/best_cells.hpp"
-#include "linkwright/region/requirement_filter.hpp"
 #include "reply_json.hpp"
 #include "straight_line/line_candidate.hpp"
 #include "straight_line_reply.hpp"
-#include "synthesis/searched_lines.hpp"
 #include "synthesis/straight_line_answer.hpp"
 
 namespace linkwright::wasm {
@@ -156,28 +153,6 @@ std::optional<MapPoint> StraightLineSession::improved(MapPoint place, const Wish
 
 int StraightLineSession::samples_for_best() const { return samples_of_line_map; }
 
-std::optional<MapPoint> StraightLineSession::best_at_once(const Requirements& wanted, Objective objective) const {
-  if (!family_) return std::nullopt;
-  constexpr int samples = 150;
-  constexpr std::size_t tops = 8;
-  RegionMap map;
-  family_->classify(map, family_->samples(Side::input, samples, Spacing::coordinate),
-                    family_->samples(Side::output, samples, Spacing::coordinate), wanted.respect_direction);
-  const LineEvaluator evaluator(*family_, wanted, objective);
-  std::optional<LineCandidate> best;
-  for (const RankedCell& cell : hill_tops(map, filter_of(*family_, map, wanted), objective, tops)) {
-    const auto found = evaluator.candidate({map.input_coordinates()[cell.row], map.output_coordinates()[cell.column]});
-    if (found && (!best || found->score > best->score)) best = found;
-  }
-  if (!best) return std::nullopt;
-  const MapPoint top = improved_place(evaluator, best->place).value_or(best->place);
-  for (const MapPoint place : {top, best->place}) {
-    const auto made = make_straight_line(*family_, place);
-    if (made && is_confirmed(*made)) return place;
-  }
-  return std::nullopt;
-}
-
 std::optional<Answer> StraightLineSession::answer_at(MapPoint place, bool /*respect_direction*/) const {
   auto found = at(place);
   if (!found) return std::nullopt;
@@ -195,7 +170,7 @@ void write_best_linkages(JsonWriter& json, const StraightLineAnswer& answer) {
     const OnItsMap own = answer.search ? on_its_map(found, answer.options.line) : OnItsMap{answer.point_of(found), {}};
     const MapPoint place = own.place;
     const UsableLine& usable = found.counted(answer.options.line.measure);
-    const StrokeReport& over = found.over_usable;
+    const StrokeReport& over = found.judged();
     json.begin_object(JsonWriter::Layout::one_line);
     json.key("tau");
     write_numbers(json, std::array{place.input, place.output});
@@ -208,7 +183,7 @@ void write_best_linkages(JsonWriter& json, const StraightLineAnswer& answer) {
     json.member("stroke_over_longest", usable.length() / found.linkage.longest());
     json.member("deviation", found.worth().deviation);  // null where the point does not go as far as the stroke
     json.key("velocity_nonuniformity");
-    over.drive ? json.value(over.drive->nonuniformity(usable.length())) : json.null();
+    over.drive ? json.value(over.drive->nonuniformity(over.to - over.from)) : json.null();
     if (answer.search) write_its_map(json, found, own);
     json.key("pivots");
     const FourBar& bars = found.linkage.bars;

@@ -33,7 +33,6 @@ class StraightLineSession final : public TaskSession {
   [[nodiscard]] std::optional<MapPoint> improved(MapPoint place, const Wish& wish) const override;
   [[nodiscard]] int samples_for_best() const override;
   /// A climb from the best cell of a small map, confirmed.
-  [[nodiscard]] std::optional<MapPoint> best_at_once(const Requirements& wanted, Objective objective) const override;
   [[nodiscard]] bool window_sets_axes() const override { return true; }
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place, bool respect_direction) const override;
 

@@ -96,11 +96,6 @@ class TaskSession {
   [[nodiscard]] virtual std::optional<MapPoint> improved(MapPoint place, const Wish& wish) const = 0;
   /// SynthesisOptions::region_samples for solve() to find the best of the usual map.
   [[nodiscard]] virtual int samples_for_best() const = 0;
-  /// The best linkage, nearly, where solve() would keep the page waiting; nothing: solve() finds it.
-  [[nodiscard]] virtual std::optional<MapPoint> best_at_once(const Requirements& /*wanted*/,
-                                                             Objective /*objective*/) const {
-    return std::nullopt;
-  }
   /// SynthesisOptions::window says how far the axes run, rather than what of them is looked at.
   [[nodiscard]] virtual bool window_sets_axes() const { return false; }
   /// The answer that holds the linkage there alone; nothing where there is none.

@@ -92,13 +92,14 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> dimension
     {"point_across", "point, across the coupler"},
 }};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> cone_branch_labels = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> cone_branch_labels = {{
     {"odd", "odd branch"},
     {"oval", "oval"},
     {"nodal", "branch with a node"},
     {"point", "isolated axis"},
     {"great_circle", "plane"},
     {"cone", "quadratic cone"},
+    {"fixed_circle", "fixed axes of one moving axis"},
 }};
 
 template <std::size_t count>

@@ -52,7 +52,9 @@ RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& r
   add_bound(RequirementKind::min_link_angle, measures::min_link_angle, wanted.min_link_angle.value_or(0));
   add_bound(RequirementKind::max_link_angle, measures::max_link_angle, wanted.max_link_angle.value_or(pi));
   add_bound(RequirementKind::min_stroke, measures::usable_length, wanted.min_stroke);
-  add_bound(RequirementKind::max_deviation, measures::deviation, wanted.max_deviation);
+  // An infinite one, of a straight line that does not go as far as its stroke, no requirement lets pass.
+  constexpr double finite = std::numeric_limits<float>::max();
+  add_bound(RequirementKind::max_deviation, measures::deviation, std::min(wanted.max_deviation, finite));
   add_bound(RequirementKind::max_tolerance_error, measures::tolerance_error, wanted.max_tolerance_error);
   add_bound(RequirementKind::min_yield, measures::yield, wanted.min_yield);
   if (!pivots) return;
@@ -291,7 +293,7 @@ void RequirementFilter::put_value(Relaxation& relaxation, const Cells& cells, bo
   std::optional<double> nearest;
   for (const std::size_t cell : cells) {
     const auto value = value_of(cell);
-    // An infinite one cannot be asked for: of a straight line that does not go as far as its stroke.
+    // An infinite one cannot be asked for.
     if (value && std::isfinite(*value) && (!nearest || (is_least ? *value > *nearest : *value < *nearest)))
       nearest = value;
   }

@@ -1,11 +1,14 @@
 #include "linkwright/spherical/axis_curve.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
+#include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
@@ -45,19 +48,99 @@ void polish(const OrientationConditions& conditions, Vector3& fixed, Vector3& mo
   }
 }
 
+using Matrix3 = Eigen::Matrix3d;
+
+Matrix3 eigen(const Matrix3x3& m) {
+  Matrix3 same;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) same(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = m(i, j);
+  return same;
+}
+
+// A moving axis that all conditions send one way, and that way.
+struct OneWay {
+  Eigen::Vector3d moving, way;
+  double aside = 1;  // what they leave it by, as a share of how far they send it
+};
+
+OneWay one_way(const std::array<Matrix3, 3>& rows, Eigen::Vector3d moving) {
+  constexpr int turns = 4;
+  OneWay found;
+  for (int turn = 0; turn < turns; ++turn) {
+    Matrix3 sent;
+    for (int k = 0; k < 3; ++k) sent.col(k) = rows[static_cast<std::size_t>(k)] * moving;
+    const Eigen::JacobiSVD<Matrix3> ways(sent, Eigen::ComputeFullU);
+    const auto& lengths = ways.singularValues();
+    const double aside = lengths[0] > 0 ? lengths[1] / lengths[0] : 1;
+    if (aside < found.aside) found = {moving, ways.matrixU().col(0), aside};
+    // The axis that they send aside the least.
+    Eigen::Matrix<double, 9, 3> off;
+    const Matrix3 across = Matrix3::Identity() - ways.matrixU().col(0) * ways.matrixU().col(0).transpose();
+    for (int k = 0; k < 3; ++k) off.middleRows<3>(3 * k) = across * rows[static_cast<std::size_t>(k)];
+    moving = Eigen::JacobiSVD<Eigen::Matrix<double, 9, 3>>(off, Eigen::ComputeFullV).matrixV().col(2);
+  }
+  return found;
+}
+
+// Any two sums of the rows send such an axis one way: it is an eigenvector of the two.
+std::vector<OneWay> axes_sent_one_way(const std::vector<Matrix3x3>& rows) {
+  const std::array<Matrix3, 3> all = {eigen(rows[0]), eigen(rows[1]), eigen(rows[2])};
+  const Matrix3 one = 0.6180 * all[0] + 0.4142 * all[1] - 0.7321 * all[2],
+                other = 0.3028 * all[0] - 0.8284 * all[1] - 0.2361 * all[2];
+  const Eigen::GeneralizedEigenSolver<Matrix3> pencil(one, other);
+  std::vector<OneWay> found;
+  if (pencil.info() != Eigen::Success) return found;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Eigen::Vector3d moving = pencil.eigenvectors().col(i).real();
+    if (!(moving.norm() > 0) || !moving.allFinite()) continue;
+    const OneWay next = one_way(all, moving.normalized());
+    const bool is_new = std::none_of(found.begin(), found.end(), [&](const OneWay& known) {
+      return known.moving.cross(next.moving).norm() < tolerance::line_of_partners;
+    });
+    if (next.aside <= tolerance::line_of_partners && is_new) found.push_back(next);
+  }
+  return found;
+}
+
 }  // namespace
 
 AxisCurve::AxisCurve(OrientationConditions conditions)
-    : conditions_(std::move(conditions)), cone_(moving_axis_form(conditions_), conditions_.poles) {
+    : conditions_(std::move(conditions)),
+      cone_(moving_axis_form(conditions_), conditions_.poles),
+      branches_(cone_.branches()) {
   conditions_.rows.resize(3);
+  if (kind() != CubicConeKind::every_axis) find_fixed_circles();
+}
+
+void AxisCurve::find_fixed_circles() {
+  for (const OneWay& found : axes_sent_one_way(conditions_.rows)) {
+    const Vector3 way{found.way[0], found.way[1], found.way[2]},
+        moving{found.moving[0], found.moving[1], found.moving[2]};
+    // From the plane's axis nearest to the moving one on, which belongs to the task, not to its frame.
+    const Vector3 near = moving - dot(moving, way) * way;
+    constexpr double at_right_angles = 1e-6;
+    const Vector3 from =
+        norm(near) > at_right_angles ? normalized(near) : normalized(cross(way, conditions_.rows[0] * way));
+    fixed_circles_.push_back({moving, from, cross(way, from)});
+    const double begin = coordinate_length();
+    branches_.push_back({"fixed_circle", begin, begin + 1});
+  }
 }
 
 SphericalDyad AxisCurve::dyad(double coordinate) const {
   constexpr double enough = 4e-15;  // what rounding leaves of a condition
-  Vector3 moving = cone_.axis(coordinate), fixed = fixed_axis_of(moving, conditions_);
+  const double at = coordinate_length() > 0 ? wrap_period(coordinate, coordinate_length()) : coordinate;
+  const auto on_cone = static_cast<double>(cone_.branches().size());
+  if (at >= on_cone && !fixed_circles_.empty()) {
+    const auto which = std::min(static_cast<std::size_t>(at - on_cone), fixed_circles_.size() - 1);
+    const FixedCircle& circle = fixed_circles_[which];
+    const double turn = pi * (at - on_cone - static_cast<double>(which));
+    const Vector3 fixed = std::cos(turn) * circle.from + std::sin(turn) * circle.to;
+    return {dot(fixed, circle.moving) < 0 ? -fixed : fixed, circle.moving, at};
+  }
+  Vector3 moving = cone_.axis(at), fixed = fixed_axis_of(moving, conditions_);
   if (residual_of(fixed, moving, conditions_.rows) > enough) polish(conditions_, fixed, moving);
-  return {dot(fixed, moving) < 0 ? -fixed : fixed, moving,
-          coordinate_length() > 0 ? wrap_period(coordinate, coordinate_length()) : coordinate};
+  return {dot(fixed, moving) < 0 ? -fixed : fixed, moving, at};
 }
 
 std::vector<SphericalDyad> AxisCurve::polygon(double longest_side) const {

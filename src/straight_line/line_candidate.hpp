@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "linkwright/region/added_measures.hpp"
 #include "linkwright/straight_line/line_worth.hpp"
 #include "linkwright/straight_line/straight_line_family.hpp"
 #include "region/climb.hpp"
+#include "straight_line/line_estimate.hpp"
 
 namespace linkwright {
 
@@ -29,7 +29,11 @@ class LineEvaluator {
   /// `requirements` with defaults filled in.
   LineEvaluator(const StraightLineFamily& family, const Requirements& requirements, Objective objective,
                 AddedMeasures added = {})
-      : family_(family), requirements_(requirements), objective_(objective), added_(std::move(added)) {}
+      : family_(family),
+        line_(estimate_task(family)),
+        requirements_(requirements),
+        objective_(objective),
+        added_(std::move(added)) {}
 
   [[nodiscard]] const StraightLineFamily& family() const { return family_; }
   [[nodiscard]] const Requirements& requirements() const { return requirements_; }
@@ -43,13 +47,8 @@ class LineEvaluator {
   [[nodiscard]] Candidate from_better_side(const Candidate& here) const { return here; }
 
  private:
-  /// Nothing where it does not meet the requirements.
-  [[nodiscard]] std::optional<StrokeFigures> over_stroke(const TracingFourBar& linkage,
-                                                         const std::array<double, 2>& stroke) const;
-  [[nodiscard]] std::optional<LineWorth> measured(const TracingFourBar& linkage) const;
-  [[nodiscard]] std::optional<LineWorth> estimated(const TracingFourBar& linkage) const;
-
   const StraightLineFamily& family_;
+  LineEstimateTask line_;
   Requirements requirements_;
   Objective objective_;
   AddedMeasures added_;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "linkwright/core/precondition.hpp"
+#include "linkwright/straight_line/straight_path.hpp"
 #include "straight_line/line_trace_kernel.hpp"
 
 namespace linkwright {
@@ -28,37 +29,84 @@ struct Range {
 
 constexpr std::size_t at_index(int sample) { return static_cast<std::size_t>(sample); }
 
-// The samples of one linkage's path.
+// A way along the path by its samples, the cubic between two of them.
+class Cubic {
+ public:
+  Cubic(double from, double to, double slope_from, double slope_to, double step)
+      : from_(from), to_(to), slope_from_(step * slope_from), slope_to_(step * slope_to) {}
+
+  [[nodiscard]] double operator()(double share) const {
+    const double rest = 1 - share;
+    return rest * rest * ((1 + 2 * share) * from_ + share * slope_from_) +
+           share * share * ((1 + 2 * rest) * to_ - rest * slope_to_);
+  }
+  [[nodiscard]] double slope(double share) const {
+    const double rest = 1 - share;
+    return rest * (1 - 3 * share) * slope_from_ + share * (1 - 3 * rest) * slope_to_ + 6 * share * rest * (to_ - from_);
+  }
+  // Where it turns, if its slopes at both ends have different signs.
+  [[nodiscard]] double turn() const {
+    return root(0, 1, [&](double share) { return slope(share); });
+  }
+  // Where it crosses a level between two places, on different sides of it.
+  [[nodiscard]] double crossing(double level, double low, double high) const {
+    return root(low, high, [&](double share) { return (*this)(share)-level; });
+  }
+
+ private:
+  // By the Illinois method.
+  template <class Function>
+  static double root(double low, double high, const Function& of) {
+    constexpr double close = 1e-6;
+    constexpr int turns = 20;
+    double below = of(low), above = of(high);
+    if (!(below * above < 0)) return std::abs(below) < std::abs(above) ? low : high;
+    for (int turn = 0; turn < turns && std::abs(high - low) > close; ++turn) {
+      const double next = high - above * (high - low) / (above - below), there = of(next);
+      if (std::abs(next - high) < close) return next;
+      if (there * above < 0) {
+        low = high;
+        below = above;
+      } else {
+        below /= 2;
+      }
+      high = next;
+      above = there;
+    }
+    return high;
+  }
+
+  double from_, to_, slope_from_, slope_to_;
+};
+
+// One linkage's path: its samples, and the turns of e between them, so that e rises or falls between two knots.
 class TracedPath {
  public:
   TracedPath(const LineTraceBlock& block, std::size_t lane)
-      : block_(block), lane_(lane), first_(block.first[lane]), last_(block.last[lane]) {}
-
-  [[nodiscard]] double s(int i) const { return block_.s[i][lane_]; }
-  [[nodiscard]] double e(int i) const { return block_.e[i][lane_]; }
-  [[nodiscard]] int end(int sense) const { return sense > 0 ? last_ : first_; }
-
-  // s where e first leaves [low, high] on the way from sample i.
-  [[nodiscard]] double leaves(double low, double high, int i, int sense) const {
-    for (const int end = this->end(sense); i != end; i += sense) {
-      const double there = e(i + sense);
-      if (there >= low && there <= high) continue;
-      const double edge = there > high ? high : low;
-      return s(i) + (s(i + sense) - s(i)) * (edge - e(i)) / (there - e(i));
+      : block_(block), lane_(lane), first_(block.first[lane]), last_(block.last[lane]) {
+    for (int i = first_;; ++i) {
+      if (i == middle) middle_ = count_;
+      add({s(i), e(i), i, 0});
+      if (i == last_) break;
+      if (!(de(i) * de(i + 1) < 0)) continue;
+      const Cubic off = e_after(i);
+      const double share = off.turn();
+      if (share > 0 && share < 1) add({s_after(i)(share), off(share), i, share});
     }
-    return s(i);
-  }
-  [[nodiscard]] Stretch within(double low, double high) const {
-    return {leaves(low, high, middle, -1), leaves(low, high, middle, 1)};
   }
 
-  // The longest over which e, straight between samples, ranges over `width`. Either one end is at a sample, or a turn
-  // of e inside holds the edge of the strip: then an end at a sample is moved on to the other edge.
+  [[nodiscard]] Stretch within(double low, double high) const {
+    return {leaves(low, high, middle_, -1), leaves(low, high, middle_, 1)};
+  }
+
+  // The longest over which e ranges over `width`. Either one end is at a knot, or a turn of e inside holds the edge of
+  // the strip: then an end at a knot is moved on to the other edge.
   [[nodiscard]] Stretch strip(double width) const {
     const Ranges from_middle = ranges();
+    const auto s = [&](int k) { return knot(k).s; };
     Stretch longest;
     for (const int sense : {-1, 1}) {
-      int i = middle, far = middle;
+      int i = middle_, far = middle_;
       while (i != end(sense) && from_middle[at_index(i + sense)].width() <= width) i += sense;
       for (;; i -= sense) {  // the farther in, the farther the other end goes
         const Range here = from_middle[at_index(i)];
@@ -74,7 +122,7 @@ class TracedPath {
           const Stretch found = strip_between(i, far, sense, both, width);
           if (found.length() > longest.length()) longest = found;
         }
-        if (i == middle) break;
+        if (i == middle_) break;
       }
     }
     return longest;
@@ -82,77 +130,118 @@ class TracedPath {
 
   [[nodiscard]] double largest_deviation(Stretch over) const {
     double largest = 0;
-    for (int i = before(over); i < last_ && s(i) < over.to; ++i) {
-      const double from = std::max(s(i), over.from), to = std::min(s(i + 1), over.to);
-      largest = std::max({largest, std::abs(from == s(i) ? e(i) : e_between(i, from)),
-                          std::abs(to == s(i + 1) ? e(i + 1) : e_between(i, to))});
+    for (int k = 0; k < count_; ++k)
+      if (knot(k).s >= over.from && knot(k).s <= over.to) largest = std::max(largest, std::abs(knot(k).e));
+    for (const double end : {over.from, over.to}) {
+      const int i = before(end);
+      if (i < last_) largest = std::max(largest, std::abs(e_between(i, std::clamp(end, s(i), s(i + 1)))));
     }
     return largest;
   }
   [[nodiscard]] bool reaches(Stretch over) const { return s(first_) <= over.from && s(last_) >= over.to; }
 
   struct Drive {
-    double least_sine_square = 1, nonuniformity = 0;
+    double least_sine = 1, nonuniformity = infinity;
   };
   [[nodiscard]] Drive drive(Stretch over) const {
     Drive drive;
-    double slowest = infinity, fastest = -infinity, sweep = 0, way = 0, slowness = 0;
-    const auto look = [&](double s, double sine_square, double velocity) {
-      drive.least_sine_square = std::min(drive.least_sine_square, sine_square);
-      slowest = std::min(slowest, velocity);
-      fastest = std::max(fastest, velocity);
-      const double here = 1 / velocity;
-      if (s > over.from) sweep += (s - way) * 0.5 * (slowness + here);
-      way = s;
-      slowness = here;
+    if (!(over.length() > 0)) return drive;
+    double slowest = infinity, fastest = 0, low = infinity, high = -infinity, sine = 0, first_turn = 0, last_turn = 0;
+    const auto look = [&](double sine_there, double ds, double dturn) {
+      const bool passes_dead_point = sine * sine_there < 0;
+      drive.least_sine = passes_dead_point ? 0 : std::min(drive.least_sine, std::abs(sine_there));  // and stays 0
+      sine = sine_there;
+      slowest = std::min(slowest, std::abs(ds / dturn));
+      fastest = std::max(fastest, std::abs(ds / dturn));
+      low = std::min(low, dturn);
+      high = std::max(high, dturn);
     };
-    const auto look_between = [&](int i, double s) {
-      look(s, at(block_.sine_square, i, s), at(block_.velocity, i, s));
+    const auto look_between = [&](int i, double s, double& turn) {
+      const Cubic along = s_after(i);
+      const double share = along.crossing(s, 0, 1);
+      const Cubic turns(block_.turn[i][lane_], block_.turn[i + 1][lane_], block_.dturn[i][lane_],
+                        block_.dturn[i + 1][lane_], step_after(i));
+      turn = turns(share);
+      const double before = block_.sine[i][lane_];
+      look(before + share * (block_.sine[i + 1][lane_] - before), along.slope(share), turns.slope(share));
     };
-    if (!(over.length() > 0)) return {1, infinity};
-    int i = before(over);
-    look_between(i, over.from);
-    for (++i; i < last_ && s(i) < over.to; ++i) look(s(i), block_.sine_square[i][lane_], block_.velocity[i][lane_]);
-    look_between(i - 1, over.to);
-    const bool one_way = slowest > 0 || fastest < 0;
-    drive.nonuniformity = one_way ? (fastest - slowest) * std::abs(sweep) / over.length() : infinity;
+    int i = std::min(before(over.from), last_ - 1);
+    look_between(i, over.from, first_turn);
+    for (++i; i < last_ && s(i) < over.to; ++i)
+      look(block_.sine[i][lane_], block_.ds[i][lane_], block_.dturn[i][lane_]);
+    look_between(i - 1, over.to, last_turn);
+    if (low > 0 || high < 0)
+      drive.nonuniformity = (fastest - slowest) * std::abs(last_turn - first_turn) / over.length();
     return drive;
   }
 
  private:
-  using Ranges = std::array<Range, LineTraceBlock::samples>;
+  static constexpr std::size_t most_knots = 2 * static_cast<std::size_t>(LineTraceBlock::samples);
+  // A sample, or a place at a share of the way from one to the next.
+  struct Knot {
+    double s, e;
+    int sample;
+    double share;
+  };
+  using Ranges = std::array<Range, most_knots>;
 
-  // Of e from the middle to each sample.
+  void add(const Knot& next) { knots_[at_index(count_++)] = next; }
+  [[nodiscard]] const Knot& knot(int k) const { return knots_[at_index(k)]; }
+  [[nodiscard]] int end(int sense) const { return sense > 0 ? count_ - 1 : 0; }
+  [[nodiscard]] double s(int i) const { return block_.s[i][lane_]; }
+  [[nodiscard]] double e(int i) const { return block_.e[i][lane_]; }
+  [[nodiscard]] double de(int i) const { return block_.de[i][lane_]; }
+  [[nodiscard]] double step_after(int i) const { return block_.step[i < middle ? i : i + 1][lane_]; }
+  // Between samples i and i + 1.
+  [[nodiscard]] Cubic s_after(int i) const {
+    return {s(i), s(i + 1), block_.ds[i][lane_], block_.ds[i + 1][lane_], step_after(i)};
+  }
+  [[nodiscard]] Cubic e_after(int i) const { return {e(i), e(i + 1), de(i), de(i + 1), step_after(i)}; }
+
+  // Of e from the middle to each knot.
   [[nodiscard]] Ranges ranges() const {
     Ranges from_middle;
-    from_middle[middle] = {};
+    from_middle[at_index(middle_)] = {};
     for (const int sense : {-1, 1})
-      for (int i = middle; i != end(sense); i += sense)
-        from_middle[at_index(i + sense)] = from_middle[at_index(i)].with(e(i + sense));
+      for (int k = middle_; k != end(sense); k += sense)
+        from_middle[at_index(k + sense)] = from_middle[at_index(k)].with(knot(k + sense).e);
     return from_middle;
   }
 
-  // Both ends beyond samples between which e has a range, as far as the strip that the farther one leaves lets the
-  // other.
+  // s between knot k and the next, where e crosses a level.
+  [[nodiscard]] double crossing(int k, int sense, double level) const {
+    const Knot &low = knot(sense > 0 ? k : k - 1), &high = knot(sense > 0 ? k + 1 : k);
+    const double share = e_after(low.sample).crossing(level, low.share, high.sample == low.sample ? high.share : 1.0);
+    return s_after(low.sample)(share);
+  }
+  // s where e first leaves [low, high] on the way from knot k.
+  [[nodiscard]] double leaves(double low, double high, int k, int sense) const {
+    for (const int end = this->end(sense); k != end; k += sense) {
+      const double there = knot(k + sense).e;
+      if (there < low || there > high) return crossing(k, sense, there > high ? high : low);
+    }
+    return knot(k).s;
+  }
+
+  // Both ends beyond knots between which e has a range, as far as the strip that the farther one leaves lets the other.
   [[nodiscard]] Stretch strip_between(int near, int far, int sense, Range both, double width) const {
-    double to = s(far), from = s(near);
+    double to = knot(far).s, from = knot(near).s;
     if (far != end(-sense)) {
-      const double low = e(far - sense) < both.low ? both.high - width : both.low;
-      to = leaves(both, width, far, -sense);
+      const double low = knot(far - sense).e < both.low ? both.high - width : both.low;
+      to = leaves_wide(both, width, far, -sense);
       from = leaves(low, low + width, near, sense);
-    } else if (near != end(sense) && both.with(e(near + sense)).width() > width) {
-      from = leaves(both, width, near, sense);
+    } else if (near != end(sense) && both.with(knot(near + sense).e).width() > width) {
+      from = leaves_wide(both, width, near, sense);
     }
     return sense < 0 ? Stretch{from, to} : Stretch{to, from};
   }
-
-  // s between sample i, up to which e has a range, and the next, where that grows wider than `width`.
-  [[nodiscard]] double leaves(Range range, double width, int i, int sense) const {
-    const double there = e(i + sense), edge = there > range.high ? range.low + width : range.high - width;
-    return s(i) + (s(i + sense) - s(i)) * (edge - e(i)) / (there - e(i));
+  // s between knot k, up to which e has a range, and the next, where that grows wider than `width`.
+  [[nodiscard]] double leaves_wide(Range range, double width, int k, int sense) const {
+    return crossing(k, sense, knot(k + sense).e > range.high ? range.low + width : range.high - width);
   }
-  // By e / s^contact, which is all but straight where e is not.
+  // Next to the middle by e / s^contact, which is all but straight where e is not.
   [[nodiscard]] double e_between(int i, double s) const {
+    if (i != middle && i + 1 != middle) return e_after(i)(s_after(i).crossing(s, 0, 1));
     const auto power = [&](double base) {
       double value = 1;
       for (int k = 0; k < block_.contact; ++k) value *= base;
@@ -162,45 +251,42 @@ class TracedPath {
     const double way = (s - this->s(i)) / (this->s(i + 1) - this->s(i));
     return power(s) * (share(i) + way * (share(i + 1) - share(i)));
   }
-  // The last sample that does not lie in the stretch, or the first.
-  [[nodiscard]] int before(Stretch over) const {
-    int i = middle;
-    while (i > first_ && s(i) > over.from) --i;
+  // The last sample before s, or the first.
+  [[nodiscard]] int before(double s) const {
+    int i = s > 0 ? last_ : middle;
+    while (i > first_ && this->s(i) > s) --i;
     return i;
-  }
-  [[nodiscard]] double at(const double (&values)[LineTraceBlock::samples][LineTraceBlock::size], int i,
-                          double s) const {
-    const double share = (s - this->s(i)) / (this->s(i + 1) - this->s(i));
-    return values[i][lane_] + share * (values[i + 1][lane_] - values[i][lane_]);
   }
 
   const LineTraceBlock& block_;
   std::size_t lane_;
   int first_, last_;
+  std::array<Knot, most_knots> knots_;  // the first count_ of them
+  int count_ = 0, middle_ = 0;
 };
 
 LineEstimate estimate_of(const LineTraceBlock& block, std::size_t lane, const LineEstimateTask& task) {
-  const LineMeasuring& measuring = task.measuring;
   const TracedPath path(block, lane);
   const double deviation = block.deviation[lane];
   const Stretch tangent = path.within(-deviation, deviation), strip = path.strip(2 * deviation);
-  const bool by_strip = measuring.measure == LineMeasure::strip;
+  const bool by_strip = task.measuring.measure == LineMeasure::strip;
   const Stretch usable = by_strip ? strip : tangent;
   LineEstimate estimate{tangent.length(),
                         std::max(strip.length(), tangent.length()),
-                        0,
+                        infinity,
                         0,
                         0,
                         std::abs(block.coefficient[lane]),
                         (strip.from + strip.to) / 2};
-  if (task.stroke) {
-    const Stretch stroke{(*task.stroke)[0], (*task.stroke)[1]};
-    estimate.deviation = path.reaches(stroke) ? path.largest_deviation(stroke) : infinity;
-  } else {
-    estimate.deviation = std::min(deviation, path.largest_deviation(usable));
+  Stretch judged = usable;
+  if (!task.stroke) {
+    estimate.deviation = std::min(by_strip ? 2 * deviation : deviation, path.largest_deviation(usable));
+  } else if (const Stretch stroke{(*task.stroke)[0], (*task.stroke)[1]}; path.reaches(stroke)) {
+    estimate.deviation = path.largest_deviation(stroke);
+    judged = stroke;
   }
-  const auto drive = path.drive(usable);
-  estimate.min_transmission_sine = std::sqrt(drive.least_sine_square);
+  const auto drive = path.drive(judged);
+  estimate.min_transmission_sine = drive.least_sine;
   estimate.velocity_nonuniformity = drive.nonuniformity;
   return estimate;
 }
@@ -221,6 +307,18 @@ void fill(LineTraceBlock& block, std::span<const TracingFourBar> linkages, const
   }
 }
 
+// Over the stroke that is asked for; nothing where the path does not reach so far. Traced no farther than that.
+std::optional<StrokeFigures> figures_over(const TracingFourBar& linkage, const LineEstimateTask& task,
+                                          const StraightPath& near) {
+  const auto& [from, to] = *task.stroke;
+  if (near.reaches(from, to)) return near.stroke_figures(from, to);
+  constexpr double a_hair = 1e-6;
+  const double beyond = a_hair * (to - from);
+  const auto path = StraightPath::of(linkage, task.direction,
+                                     {.from = std::min(from, 0.0) - beyond, .to = std::max(to, 0.0) + beyond});
+  return path ? path->stroke_figures(from, to) : std::nullopt;
+}
+
 }  // namespace
 
 void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimateTask& task,
@@ -231,7 +329,6 @@ void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimate
   block.direction[0] = task.direction.real();
   block.direction[1] = task.direction.imag();
   block.contact = task.contact;
-  block.by_input = task.by_input;
   if (task.stroke) block.half_stroke = std::max(-(*task.stroke)[0], (*task.stroke)[1]);
   constexpr std::size_t size = LineTraceBlock::size;
   for (std::size_t begin = 0; begin < linkages.size(); begin += size) {
@@ -240,23 +337,44 @@ void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimate
     for (std::size_t lane = 0; lane < size && !deviations.empty(); ++lane)
       block.deviation[lane] = deviations[std::min(begin + lane, linkages.size() - 1)];
     kernel(block);
-    for (std::size_t lane = 0; lane < some.size(); ++lane) estimates[begin + lane] = estimate_of(block, lane, task);
+    for (std::size_t lane = 0; lane < some.size(); ++lane) {
+      LineEstimate& estimate = estimates[begin + lane];
+      if (!block.doubtful[lane]) {
+        estimate = estimate_of(block, lane, task);
+        continue;
+      }
+      estimate = exact_line(some[lane], task, block.deviation[lane], true).value_or(LineEstimate{});
+      estimate.contact_coefficient = std::abs(block.coefficient[lane]);
+    }
   }
 }
 
-LineEstimateTask estimate_task(const StraightLineFamily& family, Simd simd) {
-  return {family.task().line.direction,
-          family.contact(),
-          std::holds_alternative<straight_cases::ParallelSideLinks>(family.task().given),
-          family.measuring(),
-          family.stroke(),
-          simd};
+std::optional<LineEstimate> exact_line(const TracingFourBar& linkage, const LineEstimateTask& task, double deviation,
+                                       bool by_both) {
+  constexpr double a_hair = 1e-6;  // by which ends of deviation are told from those of the path
+  const bool by_strip = task.measuring.measure == LineMeasure::strip;
+  const double farthest = by_both || by_strip ? 2 * deviation : deviation;
+  const auto path = StraightPath::of(linkage, task.direction, {.max_deviation = (1 + a_hair) * farthest});
+  if (!path) return std::nullopt;
+  const UsableLine strip = by_both || by_strip ? path->usable_strip(deviation) : UsableLine{},
+                   tangent = by_both || !by_strip ? path->usable(deviation) : UsableLine{};
+  const UsableLine& usable = by_strip ? strip : tangent;
+  auto judged = path->stroke_figures(usable.from, usable.to);
+  if (!judged) return std::nullopt;
+  LineEstimate line{tangent.length(), strip.length(), infinity, 0, 0, 0, (strip.from + strip.to) / 2};
+  if (!task.stroke) {
+    line.deviation = judged->max_deviation;
+  } else if (const auto over = figures_over(linkage, task, *path)) {
+    line.deviation = over->max_deviation;
+    judged = over;
+  }
+  line.min_transmission_sine = std::sin(judged->min_transmission_angle);
+  line.velocity_nonuniformity = judged->drive ? judged->drive->nonuniformity(judged->to - judged->from) : infinity;
+  return line;
 }
 
-LineEstimate estimate_of(const StraightLineFamily& family, const TracingFourBar& linkage) {
-  LineEstimate estimate;
-  estimate_lines({&linkage, 1}, estimate_task(family), {&estimate, 1});
-  return estimate;
+LineEstimateTask estimate_task(const StraightLineFamily& family, Simd simd) {
+  return {family.task().line.direction, family.contact(), family.measuring(), family.stroke(), simd};
 }
 
 }  // namespace linkwright

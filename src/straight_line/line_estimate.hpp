@@ -13,11 +13,11 @@
 
 namespace linkwright {
 
-/// What a straight line is worth, quickly, as maps have it; StraightPath has it exactly.
+/// What a straight line is worth, quickly, as maps have it, or exactly.
 struct LineEstimate {
   double usable_stroke = 0, usable_strip = 0;
   double deviation = 0;              ///< over the stroke, or the usable length; infinite where it is not reached
-  double min_transmission_sine = 0;  ///< of the angle, over the usable length
+  double min_transmission_sine = 0;  ///< of the angle, over the same; where it is not reached over the usable length
   double velocity_nonuniformity = 0;
   double contact_coefficient = 0;  ///< |K| of s^contact
   double strip_middle = 0;         ///< s
@@ -33,19 +33,22 @@ struct LineEstimate {
 struct LineEstimateTask {
   Point direction{1, 0};  ///< of the line
   int contact = 4;
-  bool by_input = false;  ///< the pole is at infinity, and the coupler does not turn
   LineMeasuring measuring;
-  std::optional<std::array<double, 2>> stroke{};  ///< over which deviations are looked at
+  std::optional<std::array<double, 2>> stroke{};  ///< over which lines are judged
   Simd simd = Simd::automatic;
 };
 
 /// `estimates` has a place for each linkage. `deviations`: of each, instead of what the task measures by; none: as it
-/// does.
+/// does. Exact where steps along the path do not tell it: where it is longer than they lead, or bends too sharply.
 void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimateTask& task,
                     std::span<LineEstimate> estimates, std::span<const double> deviations = {});
 
+/// By StraightPath, but for the contact coefficient; the usable length by the task's measure or `by_both`. Nothing
+/// where the point rests or runs across the line.
+[[nodiscard]] std::optional<LineEstimate> exact_line(const TracingFourBar& linkage, const LineEstimateTask& task,
+                                                     double deviation, bool by_both = false);
+
 /// Of a family's maps.
 [[nodiscard]] LineEstimateTask estimate_task(const StraightLineFamily& family, Simd simd = Simd::automatic);
-[[nodiscard]] LineEstimate estimate_of(const StraightLineFamily& family, const TracingFourBar& linkage);
 
 }  // namespace linkwright

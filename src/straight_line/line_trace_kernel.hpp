@@ -8,12 +8,11 @@ namespace linkwright {
 /// step by step both ways, as it writes them.
 struct LineTraceBlock {
   static constexpr int size = 8;    ///< linkages
-  static constexpr int steps = 28;  ///< either way: 16 short ones, 6 twice as long, 6 four times
+  static constexpr int steps = 32;  ///< either way, longer and longer
   static constexpr int samples = 2 * steps + 1;
 
   double direction[2] = {1, 0};  ///< of the line, unit vector
   int contact = 4;               ///< points of contact: terms before s^contact are not there
-  bool by_input = false;         ///< the links move by the input's turn, otherwise by the coupler's
   double half_stroke = 0;        ///< that is traced at least, where the point goes as far
 
   alignas(64) double input_center[2][size], input_circle[2][size], output_center[2][size],
@@ -21,9 +20,13 @@ struct LineTraceBlock {
   double deviation[size];  ///< δ; the path is traced to 2 δ
 
   double coefficient[size];  ///< of s^contact
-  /// By rising s; sine² of the transmission angle, and ds/dφ by the input's angle.
-  double s[samples][size], e[samples][size], sine_square[samples][size], velocity[samples][size];
+  /// By rising s, with the turn of the input; derivatives by the way of the turns; the signed sine of the transmission
+  /// angle.
+  double s[samples][size], e[samples][size], turn[samples][size], ds[samples][size], de[samples][size],
+      dturn[samples][size], sine[samples][size];
+  double step[samples][size];             ///< way of the turns from the next sample towards the middle
   unsigned char first[size], last[size];  ///< samples from where to where the point goes on along the line
+  bool doubtful[size];                    ///< the path goes on, or a step did not close the loop
 };
 
 LINKWRIGHT_DECLARE_KERNELS(line_trace_kernel, LineTraceBlock&);

@@ -2,8 +2,8 @@
 
 // The path of a point beside its tangent, a linkage to each lane, for maps: quick, and good to rank. Included by the
 // line_trace_kernel_*.cpp files, one for each instruction set. First the series of the loop (as loop_series() has it,
-// to the seventh power), which says how far the first terms carry; then steps of one link's turn that long, the other
-// two links by the intersection of two circles.
+// to the seventh power), which says how far the first terms carry; then steps along the curve on which the loop stays
+// closed, by the turns of all three links: it runs on smoothly where any one of them is at its dead point.
 
 #include "core/pack_vector.hpp"
 #include "straight_line/line_trace_kernel.hpp"
@@ -15,11 +15,18 @@ using Real = typename Pack<Width>::Real;
 
 inline constexpr int order = 7;
 
-/// The links as they lie; input + coupler + output = ground, `arm` from the input's moving pivot to the point, which is
-/// coupler · arm_in_coupler.
+/// Input, coupler and output as they lie: input + coupler + output = ground.
+template <class R>
+struct Links {
+  Vector<R> link[3];
+};
+
+/// `arm` from the input's moving pivot to the point, which is coupler · arm_in_coupler.
 template <class R>
 struct Linkage {
-  Vector<R> input, coupler, output, ground, arm, arm_in_coupler, line;
+  Links<R> links;
+  Vector<R> ground, arm, arm_in_coupler, line;
+  R over_lengths;  ///< 1 / (coupler · output)
 };
 
 template <int Width>
@@ -30,43 +37,59 @@ LINKWRIGHT_INLINE Linkage<Real<Width>> linkage_in(const LineTraceBlock& block, i
   };
   const Vector<R> a0 = at(block.input_center), a = at(block.input_circle), b0 = at(block.output_center),
                   b = at(block.output_circle);
-  const Vector<R> coupler = b - a, arm = at(block.point) - a;
+  const Vector<R> coupler = b - a, output = b0 - b, arm = at(block.point) - a;
   const R square = dot(coupler, coupler);
-  return {a - a0,
-          coupler,
-          b0 - b,
+  return {{{a - a0, coupler, output}},
           b0 - a0,
           arm,
           {dot(arm, coupler) / square, cross(coupler, arm) / square},
-          {R{} + block.direction[0], R{} + block.direction[1]}};
+          {R{} + block.direction[0], R{} + block.direction[1]},
+          1.0 / square_root<Width>(square * dot(output, output))};
 }
 
-/// How the point leaves the line, and the turns of input and coupler by the way along it.
+/// How the links turn together: along `way`, of unit length, the loop stays closed; (−x, y) of what is missing times
+/// `by_x` and `by_y` are the shortest turns that close it.
+template <class R>
+struct Turning {
+  R way[3], by_x[3], by_y[3];
+
+  LINKWRIGHT_INLINE R correction(int j, Vector<R> gap) const { return gap.y * by_y[j] - gap.x * by_x[j]; }
+};
+
+template <int Width>
+LINKWRIGHT_INLINE Turning<Real<Width>> turning_of(const Links<Real<Width>>& of) {
+  using R = Real<Width>;
+  const auto& link = of.link;
+  R way[3];
+  for (int j = 0; j < 3; ++j) way[j] = cross(link[(j + 1) % 3], link[(j + 2) % 3]);
+  const R unit = 1.0 / square_root<Width>(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+  Turning<R> turning;
+  for (int j = 0; j < 3; ++j) turning.way[j] = way[j] * unit;
+  for (int j = 0; j < 3; ++j) {
+    const int next = (j + 1) % 3, last = (j + 2) % 3;
+    turning.by_y[j] = unit * (link[next].y * turning.way[last] - link[last].y * turning.way[next]);
+    turning.by_x[j] = unit * (turning.way[next] * link[last].x - turning.way[last] * link[next].x);
+  }
+  return turning;
+}
+
+/// How the point leaves the line, and how the links set out.
 template <class R>
 struct Beginning {
   R along[order + 1], off[order + 1];  ///< by the parameter of the loop
-  R input_turn, coupler_turn;          ///< first derivatives
+  R way[3], bend[3];                   ///< of the turns: first and second derivatives
 };
 
 template <int Width>
 LINKWRIGHT_INLINE Beginning<Real<Width>> beginning(const Linkage<Real<Width>>& linkage) {
   using R = Real<Width>;
-  const Vector<R> links[3] = {linkage.input, linkage.coupler, linkage.output};
-  const R way[3] = {cross(links[1], links[2]), cross(links[2], links[0]), cross(links[0], links[1])};
-  const R square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
-  const R unit = 1.0 / square_root<Width>(square);
-  // (−x_sum, y_sum) times these are the shortest corrections of the turns.
-  R by_x[3], by_y[3];
-  for (int j = 0; j < 3; ++j) {
-    const int next = (j + 1) % 3, last = (j + 2) % 3;
-    by_y[j] = (links[next].y * way[last] - links[last].y * way[next]) / square;
-    by_x[j] = (way[next] * links[last].x - way[last] * links[next].x) / square;
-  }
+  const auto& links = linkage.links.link;
+  const Turning<R> turning = turning_of<Width>(linkage.links);
   R turn[3][order + 1];
   Vector<R> rotation[3][order + 1];
   for (int j = 0; j < 3; ++j) {
     rotation[j][0] = {R{} + 1.0, R{}};
-    turn[j][1] = way[j] * unit;
+    turn[j][1] = turning.way[j];
     rotation[j][1] = {R{}, turn[j][1]};
   }
   for (int k = 2; k <= order; ++k) {
@@ -75,21 +98,23 @@ LINKWRIGHT_INLINE Beginning<Real<Width>> beginning(const Linkage<Real<Width>>& l
       Vector<R> terms = {R{}, R{}};
       for (int i = 1; i < k; ++i) terms = terms + (static_cast<double>(i) * turn[j][i]) * rotation[j][k - i];
       known[j] = {-terms.y / static_cast<double>(k), terms.x / static_cast<double>(k)};
-      sum = sum + product(links[j], known[j]);
+      sum = sum - product(links[j], known[j]);
     }
     for (int j = 0; j < 3; ++j) {
-      turn[j][k] = sum.x * by_x[j] - sum.y * by_y[j];
+      turn[j][k] = turning.correction(j, sum);
       rotation[j][k] = {known[j].x, known[j].y + turn[j][k]};
     }
   }
   Beginning<R> begins;
   for (int k = 1; k <= order; ++k) {
-    const Vector<R> path = product(linkage.input, rotation[0][k]) + product(linkage.arm, rotation[1][k]);
+    const Vector<R> path = product(links[0], rotation[0][k]) + product(linkage.arm, rotation[1][k]);
     begins.along[k] = dot(linkage.line, path);
     begins.off[k] = cross(linkage.line, path);
   }
-  begins.input_turn = turn[0][1];
-  begins.coupler_turn = turn[1][1];
+  for (int j = 0; j < 3; ++j) {
+    begins.way[j] = turn[j][1];
+    begins.bend[j] = 2.0 * turn[j][2];
+  }
   return begins;
 }
 
@@ -120,86 +145,154 @@ LINKWRIGHT_INLINE Real<Width> reach(const Beginning<Real<Width>>& begins, Real<W
   return least;
 }
 
+/// Turned by a small angle; beyond half a radian it is not unit any more.
+template <class R>
+LINKWRIGHT_INLINE Vector<R> turned(Vector<R> link, R angle) {
+  const R square = angle * angle;
+  const R cosine = 1.0 - square * (0.5 - square * (1.0 / 24 - square * (1.0 / 720 - square / 40320.0)));
+  const R sine = angle * (1.0 - square * (1.0 / 6 - square * (1.0 / 120 - square * (1.0 / 5040 - square / 362880.0))));
+  return product(link, Vector<R>{cosine, sine});
+}
+
 template <class R>
 struct Place {
-  R s, e, sine_square, velocity;
+  R s, e, turn;     ///< of the input
+  R ds, de, dturn;  ///< by the way of the turns
+  R sine;           ///< of the transmission angle, signed
 };
 
-/// The other two links where one, `drive`, is turned: first + second = ground − drive.
 template <int Width>
-struct Closure {
+LINKWRIGHT_INLINE Place<Real<Width>> place_of(const Linkage<Real<Width>>& start, const Links<Real<Width>>& links,
+                                              const Real<Width> (&way)[3], Real<Width> turn) {
   using R = Real<Width>;
-  R first_square, difference, side;
+  const auto& [input, coupler, output] = links.link;
+  const Vector<R> arm = product(coupler, start.arm_in_coupler);
+  const Vector<R> moved = input + arm - start.links.link[0] - start.arm;
+  const Vector<R> rate = way[0] * input + way[1] * arm;  // a quarter turn ahead of it the point moves
+  return {dot(start.line, moved),
+          cross(start.line, moved),
+          turn,
+          -cross(start.line, rate),
+          dot(start.line, rate),
+          way[0],
+          start.over_lengths * cross(coupler, output)};
+}
 
-  LINKWRIGHT_INLINE Closure(Vector<R> first, Vector<R> second)
-      : first_square(dot(first, first)),
-        difference(dot(first, first) - dot(second, second)),
-        side(with_sign_of<Width>(R{} + 1.0, cross(first + second, first))) {}
+/// Where the point turns back between two places a step apart: there ds vanishes.
+template <int Width>
+LINKWRIGHT_INLINE Place<Real<Width>> turning_place(const Place<Real<Width>>& a, const Place<Real<Width>>& b,
+                                                   Real<Width> step, Real<Width> share) {
+  using R = Real<Width>;
+  const R rest = 1.0 - share;
+  const auto cubic = [&](R from, R to, R slope_from, R slope_to) {
+    return rest * rest * ((1.0 + 2.0 * share) * from + share * step * slope_from) +
+           share * share * ((1.0 + 2.0 * rest) * to - rest * step * slope_to);
+  };
+  const auto between = [&](R from, R to) { return rest * from + share * to; };
+  return {cubic(a.s, b.s, a.ds, b.ds),
+          cubic(a.e, b.e, a.de, b.de),
+          cubic(a.turn, b.turn, a.dturn, b.dturn),
+          R{},
+          between(a.de, b.de),
+          between(a.dturn, b.dturn),
+          between(a.sine, b.sine)};
+}
 
-  /// `open`: lanes in which the links reach each other.
-  LINKWRIGHT_INLINE Vector<R> first_at(Vector<R> rest, Mask& open) const {
-    const R square = dot(rest, rest);
-    const R along = (square + difference) / (2.0 * square);
-    const R height = first_square / square - along * along;
-    open &= less<Width>(R{}, height);
-    const R across = side * square_root<Width>(larger<R>(height, R{}));
-    return {along * rest.x - across * rest.y, along * rest.y + across * rest.x};
+template <int Width>
+LINKWRIGHT_INLINE void put(LineTraceBlock& block, int row, int lane, const Place<Real<Width>>& place) {
+  store<Width>(place.s, block.s[row] + lane);
+  store<Width>(place.e, block.e[row] + lane);
+  store<Width>(place.turn, block.turn[row] + lane);
+  store<Width>(place.ds, block.ds[row] + lane);
+  store<Width>(place.de, block.de[row] + lane);
+  store<Width>(place.dturn, block.dturn[row] + lane);
+  store<Width>(place.sine, block.sine[row] + lane);
+}
+
+/// From a place on, by steps that grow. The way of the turns is known, how it bends from the step before: so the loop
+/// is closed but for the third power of the step, and two corrections leave nothing of that.
+template <int Width>
+struct Walk {
+  using R = Real<Width>;
+  const Linkage<R>& start;
+  Links<R> links;
+  R way[3], bend[3];  ///< of unit length
+  R onward;           ///< ±1: the sense in which the walk runs along turning_of()
+  R step, input_turn;
+
+  /// Lanes in which the loop is closed well enough for deviations of this size.
+  LINKWRIGHT_INLINE Mask go(R deviation) {
+    Links<R> next;
+    const auto ahead = [&](int j) { return step * (way[j] + 0.5 * step * bend[j]); };
+    for (int j = 0; j < 3; ++j) next.link[j] = turned<R>(links.link[j], ahead(j));
+    input_turn = input_turn + ahead(0);
+    const Turning<R> turning = turning_of<Width>(next);
+    Vector<R> gap;
+    for (int turn = 0; turn < 2; ++turn) {
+      gap = start.ground - next.link[0] - next.link[1] - next.link[2];
+      for (int j = 0; j < 3; ++j) next.link[j] = turned<R>(next.link[j], turning.correction(j, gap));
+      input_turn = input_turn + turning.correction(0, gap);
+    }
+    for (int j = 0; j < 3; ++j) {
+      const R there = onward * turning.way[j];
+      bend[j] = (there - way[j]) / step;
+      way[j] = there;
+    }
+    links = next;
+    constexpr double left = 0.1;  // of the deviation, before the last correction
+    return less<Width>(dot(gap, gap), left * left * deviation * deviation);
+  }
+  /// The longer the way behind, the longer the step; where it bends, none that turns it by much.
+  LINKWRIGHT_INLINE void lengthen() {
+    constexpr double growth = 1.1, longest = 0.08, most_turned = 0.1;
+    const R square = bend[0] * bend[0] + bend[1] * bend[1] + bend[2] * bend[2];
+    const R grown = smaller<R>(growth * step, R{} + longest);
+    step = select<Width>(less<Width>(R{} + most_turned * most_turned, step * step * square), 0.6 * step, grown);
   }
 };
 
 template <int Width>
-LINKWRIGHT_INLINE Place<Real<Width>> place_of(const Linkage<Real<Width>>& start, Vector<Real<Width>> input,
-                                              Vector<Real<Width>> coupler) {
-  using R = Real<Width>;
-  const Vector<R> output = start.ground - input - coupler, arm = product(coupler, start.arm_in_coupler);
-  const Vector<R> moved = input + arm - start.input - start.arm;
-  const R sine = cross(coupler, output), input_rate = -cross(output, coupler), coupler_rate = cross(output, input);
-  // i Σ zⱼ fⱼ = 0 crossed with the output: the rates of input and coupler but for a common factor.
-  const Vector<R> rate = input_rate * input + coupler_rate * arm;
-  return {dot(start.line, moved), cross(start.line, moved), sine * sine / (dot(coupler, coupler) * dot(output, output)),
-          -cross(start.line, rate) / input_rate};
-}
-
-template <int Width, bool by_input>
 LINKWRIGHT_INLINE void walk(LineTraceBlock& block, int lane, const Linkage<Real<Width>>& start,
-                            const Beginning<Real<Width>>& begins, Real<Width> step, Real<Width> deviation, int sense) {
+                            const Beginning<Real<Width>>& begins, Real<Width> step, Real<Width> deviation, int sense,
+                            const Place<Real<Width>>& here, Mask& doubtful) {
   using R = Real<Width>;
-  const Vector<R>& drive = by_input ? start.input : start.coupler;
-  const Vector<R>& first = by_input ? start.coupler : start.input;
-  const Closure<Width> closure(first, start.output);
-  // Towards rising or falling s.
-  const R turn = by_input ? begins.input_turn : begins.coupler_turn;
-  const R towards =
-      with_sign_of<Width>(R{} + static_cast<double>(sense), turn * begins.along[1] * static_cast<double>(sense));
-  const auto turned = sine_cosine<Width>(towards * step);
-  Vector<R> rotor = {turned.cosine, turned.sine}, driven = drive;
-  R before = R{};
+  const R onward = with_sign_of<Width>(R{} + static_cast<double>(sense), begins.along[1] * static_cast<double>(sense));
+  Walk<Width> along{start, start.links, {}, {}, onward, step, R{}};
+  for (int j = 0; j < 3; ++j) {
+    along.way[j] = onward * begins.way[j];
+    along.bend[j] = begins.bend[j];
+  }
+  Place<R> before = here;
   Mask on = all_lanes<Width>;
   int last[Width] = {};
   const R enough = R{} + block.half_stroke, off = 2.0 * deviation;
   for (int i = 1; i <= LineTraceBlock::steps && on != 0; ++i) {
-    if (i == 17 || i == 23) rotor = product(rotor, rotor);
-    driven = product(driven, rotor);
-    Mask open = on;
-    const Vector<R> other = closure.first_at(start.ground - driven, open);
-    const Place<R> place = by_input ? place_of<Width>(start, driven, other) : place_of<Width>(start, other, driven);
-    const R ahead = static_cast<double>(sense) * place.s;
-    on = open & less<Width>(before, ahead);
-    before = ahead;
+    const R length = along.step;
+    doubtful |= on & negated<Width>(along.go(deviation));
+    Place<R> place = place_of<Width>(start, along.links, along.way, along.input_turn);
+    for (R* slope : {&place.ds, &place.de, &place.dturn}) *slope = static_cast<double>(sense) * *slope;  // by rising s
+    const Mask ahead = less<Width>(R{}, place.ds);
+    const R share = select<Width>(ahead, R{} + 1.0, before.ds / (before.ds - place.ds));
+    const Place<R> turn = turning_place<Width>(before, place, static_cast<double>(sense) * length, share);
+    const auto chosen = [&](R goes_on, R turns) { return select<Width>(ahead, goes_on, turns); };
+    place = {chosen(place.s, turn.s),      chosen(place.e, turn.e),   chosen(place.turn, turn.turn),
+             chosen(place.ds, turn.ds),    chosen(place.de, turn.de), chosen(place.dturn, turn.dturn),
+             chosen(place.sine, turn.sine)};
     const int row = LineTraceBlock::steps + sense * i;
-    store<Width>(place.s, block.s[row] + lane);
-    store<Width>(place.e, block.e[row] + lane);
-    store<Width>(place.sine_square, block.sine_square[row] + lane);
-    store<Width>(place.velocity, block.velocity[row] + lane);
+    put<Width>(block, row, lane, place);
+    store<Width>(share * length, block.step[row] + lane);
     for (int k = 0; k < Width; ++k) last[k] += static_cast<int>(on >> k & 1);
-    on &= less<Width>(magnitude<Width>(place.e), off) | less<Width>(ahead, enough);
+    on &= ahead & (less<Width>(magnitude<Width>(place.e), off) | less<Width>(magnitude<Width>(place.s), enough));
+    before = place;
+    along.lengthen();
   }
+  doubtful |= on;  // the path goes on
   for (int k = 0; k < Width; ++k)
     (sense > 0 ? block.last : block.first)[lane + k] =
         static_cast<unsigned char>(LineTraceBlock::steps + sense * last[k]);
 }
 
-template <int Width, bool by_input>
+template <int Width>
 LINKWRIGHT_INLINE void trace(LineTraceBlock& block, int lane) {
   using R = Real<Width>;
   constexpr double longest_step = 0.05, steps_to_deviation = 12;
@@ -209,27 +302,22 @@ LINKWRIGHT_INLINE void trace(LineTraceBlock& block, int lane) {
   R power = begins.along[1];
   for (int k = 1; k < block.contact; ++k) power = power * begins.along[1];
   store<Width>(begins.off[block.contact] / power, block.coefficient + lane);
-  const R rate = magnitude<Width>(by_input ? begins.input_turn : begins.coupler_turn);
-  const R wanted =
-      smaller<R>(reach<Width>(begins, deviation, block.contact) * rate, R{} + steps_to_deviation * longest_step) /
-      steps_to_deviation;
-  // The stroke that is asked for takes half of the short steps at least.
-  const R stroke = block.half_stroke / magnitude<Width>(begins.along[1]) * rate / 16.0;
-  const R step = smaller<R>(larger<R>(wanted, stroke), R{} + longest_step);
-  constexpr int middle = LineTraceBlock::steps;
-  const Place<R> here = place_of<Width>(start, start.input, start.coupler);
-  store<Width>(R{}, block.s[middle] + lane);
-  store<Width>(R{}, block.e[middle] + lane);
-  store<Width>(here.sine_square, block.sine_square[middle] + lane);
-  store<Width>(here.velocity, block.velocity[middle] + lane);
-  walk<Width, by_input>(block, lane, start, begins, step, deviation, 1);
-  walk<Width, by_input>(block, lane, start, begins, step, deviation, -1);
+  const R step = smaller<R>(reach<Width>(begins, deviation, block.contact), R{} + steps_to_deviation * longest_step) /
+                 steps_to_deviation;
+  Place<R> here = place_of<Width>(start, start.links, begins.way, R{});
+  const R rises = with_sign_of<Width>(R{} + 1.0, here.ds);
+  for (R* slope : {&here.ds, &here.de, &here.dturn}) *slope = rises * *slope;
+  here.s = here.e = R{};
+  put<Width>(block, LineTraceBlock::steps, lane, here);
+  Mask doubtful = 0;
+  walk<Width>(block, lane, start, begins, step, deviation, 1, here, doubtful);
+  walk<Width>(block, lane, start, begins, step, deviation, -1, here, doubtful);
+  for (int k = 0; k < Width; ++k) block.doubtful[lane + k] = (doubtful >> k & 1) != 0;
 }
 
 template <int Width>
 LINKWRIGHT_INLINE void line_trace_kernel(LineTraceBlock& block) {
-  for (int lane = 0; lane < LineTraceBlock::size; lane += Width)
-    block.by_input ? trace<Width, true>(block, lane) : trace<Width, false>(block, lane);
+  for (int lane = 0; lane < LineTraceBlock::size; lane += Width) trace<Width>(block, lane);
 }
 
 }  // namespace linkwright::LINKWRIGHT_ISA::line_trace

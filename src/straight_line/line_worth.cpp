@@ -1,6 +1,7 @@
 #include "linkwright/straight_line/line_worth.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "linkwright/core/angle.hpp"
 
@@ -46,7 +47,7 @@ bool meets(RequirementKind kind, const LineWorth& worth, const Requirements& wan
     case RequirementKind::min_stroke:
       return worth.usable >= wanted.min_stroke;
     case RequirementKind::max_deviation:
-      return worth.deviation <= wanted.max_deviation;
+      return std::isfinite(worth.deviation) && worth.deviation <= wanted.max_deviation;
     default:
       return true;
   }

@@ -11,15 +11,18 @@ using namespace straight_cases;
 
 double ray(double share) { return pi * (share - 0.5); }
 double length(double share) { return 8 * share - 4; }
+double share_of_length(double length) { return (length + 4) / 8; }
 
 // The shortest and the longest crank range of a symmetric λ that is drawn; within the first two of these it is an axis
 // of the case's map, beyond them given.
 constexpr double least_range = radians(20), most_range = radians(265), axis_low = radians(60), axis_high = radians(180);
 
+constexpr double nearest_tangencies = 0.1, farther = 4;
+
 PlacedShape two_tangencies(const std::array<double, 4>& x, const LineAtAngle& line, double side, int dyad) {
   MixedContacts given;
   given.input_pivot = {0, side};
-  const double first = length(x[0]), last = first + 0.1 + 4 * x[1];
+  const double first = length(x[0]), last = first + nearest_tangencies + farther * x[1];
   given.contacts = {{first, 2, dyad}, {last, 2, dyad}};
   const StraightLineTask task{line, given};
   const double size = size_of(task);
@@ -99,6 +102,20 @@ PlacedShape placed(const LineShape& shape) {
       break;
   }
   return two_tangencies(x, line, side, (shape.turns & 4) != 0 ? -1 : 1);
+}
+
+LineShape shape_of_lengths(ShapeKind kind, double first, double second) {
+  return {kind, {share_of_length(first), share_of_length(second)}, 0};
+}
+
+LineShape shape_of_tangencies(double first, double last, double crank, double arm, int side) {
+  LineShape shape{ShapeKind::two_tangencies,
+                  {share_of_length(first), (last - first - nearest_tangencies) / farther},
+                  side > 0 ? 1u : 5u};
+  const double size = size_of(placed(shape).task);
+  shape.numbers[2] = crank / (2 * size);
+  shape.numbers[3] = arm / (2 * size);
+  return shape;
 }
 
 PlacedShape moved(const PlacedShape& shape, double scale, const DirectedLine& line, Point shift) {

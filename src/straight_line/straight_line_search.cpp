@@ -10,6 +10,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "straight_line/line_atlas.hpp"
+#include "straight_line/line_classics.hpp"
 #include "straight_line/line_estimate.hpp"
 #include "straight_line/placed_shape.hpp"
 
@@ -18,9 +19,10 @@ namespace {
 
 constexpr std::int64_t draws = 24'000;  // of each kind, effort 1
 constexpr std::size_t chunk = 1'000;    // drawn from one seed
-constexpr std::size_t starts = 10;      // of each kind, made better
+constexpr std::size_t starts = 10;      // of each kind, made better, effort 1; more of them where more is drawn
 constexpr std::size_t guesses = 5;      // of the atlas, of each kind
-constexpr double different = 0.03;      // share of the longest link by which designs differ
+// Shares of the longest link: by which designs differ, and by which starts do, so that they climb different hills.
+constexpr double different = 0.03, far_apart = 0.25;
 
 double share(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
@@ -164,10 +166,8 @@ class Estimator {
       widths.push_back(one.width);
     }
     std::vector<LineEstimate> estimates(some.size());
-    const LineEstimateTask asked{along,
-                                 promised_contact(task_.given),
-                                 std::holds_alternative<straight_cases::ParallelSideLinks>(task_.given),
-                                 {std::nullopt, std::nullopt, LineMeasure::strip}};
+    const LineEstimateTask asked{
+        along, promised_contact(task_.given), {std::nullopt, std::nullopt, LineMeasure::strip}};
     estimate_lines(linkages, asked, estimates, widths);
     for (std::size_t i = 0; i < some.size(); ++i) some[i].estimate = estimates[i];
   }
@@ -201,20 +201,80 @@ void add_designs(const LineShape& shape, const Wish& wish, std::vector<Drawn>& d
   }
 }
 
-// Those of the atlas that do what is asked for, best first.
-std::vector<Prospect> guessed(ShapeKind kind, const Wish& wish) {
-  std::vector<Drawn> known;
-  for (const auto& [shape, layer] : line_atlas(kind)) {
+// Those known that do what is asked for, best first.
+std::vector<Prospect> guessed(ShapeKind kind, const std::vector<AtlasLinkage>& known, const Wish& wish) {
+  std::vector<Drawn> linkages;
+  for (const auto& [shape, layer] : known) {
     const LineDesign design = designs_of_shape(placed(shape))[static_cast<std::size_t>(layer)];
     if (design.kind == DesignKind::four_bar && has_shape(design.linkage, wish.requirements()))
-      known.push_back({shape, layer, design.linkage});
+      linkages.push_back({shape, layer, design.linkage});
   }
-  auto prospects = Estimator(wish, kind).prospects(std::move(known));
+  auto prospects = Estimator(wish, kind).prospects(std::move(linkages));
   std::stable_sort(prospects.begin(), prospects.end(), better);
   return prospects;
 }
 
-// The best of `count` shapes drawn from one seed.
+std::vector<AtlasLinkage> classics(ShapeKind kind) {
+  std::vector<AtlasLinkage> known;
+  for (const LineShape& shape : line_classics(kind)) known.push_back({shape, 0});
+  return known;
+}
+
+TracingFourBar seen(const Wish& wish, const Prospect& of) {
+  const Point along = (of.shape.turns & 2) != 0 ? -1 : 1;
+  return at_its_place(wish, of.linkage, of.strip, of.linkage.point + of.middle * along);
+}
+
+bool alike(const TracingFourBar& a, const TracingFourBar& b, double share = different) {
+  return farthest_pivot(a.bars, b.bars) < share * std::max(a.longest(), b.longest());
+}
+
+// The best of all that came by, no two of them alike.
+class Collection {
+ public:
+  Collection(const Wish& wish, std::size_t most, double apart) : wish_(wish), most_(most), apart_(apart) {}
+
+  void add(const Prospect& next) {
+    if (kept_.size() == most_ && !better(next, kept_.back().prospect)) return;
+    const Kept one{next, seen(wish_, next)};
+    const auto place = std::upper_bound(kept_.begin(), kept_.end(), one,
+                                        [](const Kept& a, const Kept& b) { return better(a.prospect, b.prospect); });
+    const auto looks_alike = [&](const Kept& other) { return alike(one.place, other.place, apart_); };
+    if (std::any_of(kept_.begin(), place, looks_alike)) return;
+    const auto worse = kept_.insert(place, one) + 1;
+    kept_.erase(std::remove_if(worse, kept_.end(), looks_alike), kept_.end());
+    if (kept_.size() > most_) kept_.pop_back();
+  }
+  void add(const std::vector<Prospect>& some) {
+    for (const Prospect& next : some) add(next);
+  }
+  /// Best first.
+  [[nodiscard]] std::vector<Prospect> prospects() const {
+    std::vector<Prospect> found;
+    for (const Kept& one : kept_) found.push_back(one.prospect);
+    return found;
+  }
+
+ private:
+  struct Kept {
+    Prospect prospect;
+    TracingFourBar place;
+  };
+
+  const Wish& wish_;
+  std::size_t most_;
+  double apart_;
+  std::vector<Kept> kept_;
+};
+
+std::vector<Prospect> without_likes(const std::vector<Prospect>& some, std::size_t most, double apart,
+                                    const Wish& wish) {
+  Collection kept(wish, most, apart);
+  kept.add(some);
+  return kept.prospects();
+}
+
+// The best of `count` shapes drawn from one seed that are far apart.
 struct Harvest {
   std::vector<Prospect> best;
   std::int64_t drawn = 0;
@@ -228,36 +288,8 @@ Harvest draw(ShapeKind kind, std::uint64_t seed, std::size_t count, const Wish& 
     for (std::size_t k = 0; k < number_count(kind); ++k) shape.numbers[k] = share(random);
     add_designs(shape, wish, drawn);
   }
-  Harvest harvest;
-  harvest.best = Estimator(wish, kind).prospects(std::move(drawn));
-  harvest.drawn = static_cast<std::int64_t>(count);
-  std::stable_sort(harvest.best.begin(), harvest.best.end(), better);
-  if (harvest.best.size() > 4 * starts) harvest.best.resize(4 * starts);
-  return harvest;
-}
-
-bool alike(const TracingFourBar& a, const TracingFourBar& b) {
-  return farthest_pivot(a.bars, b.bars) < different * std::max(a.longest(), b.longest());
-}
-
-TracingFourBar seen(const Wish& wish, const Prospect& of) {
-  const Point along = (of.shape.turns & 2) != 0 ? -1 : 1;
-  return at_its_place(wish, of.linkage, of.strip, of.linkage.point + of.middle * along);
-}
-
-// Sorted ones, without what looks like a better one.
-std::vector<Prospect> without_likes(const std::vector<Prospect>& sorted, std::size_t most, const Wish& wish) {
-  std::vector<Prospect> kept;
-  std::vector<TracingFourBar> places;
-  for (const Prospect& next : sorted) {
-    if (kept.size() >= most) break;
-    const TracingFourBar place = seen(wish, next);
-    if (std::any_of(places.begin(), places.end(), [&](const TracingFourBar& other) { return alike(place, other); }))
-      continue;
-    kept.push_back(next);
-    places.push_back(place);
-  }
-  return kept;
+  const auto found = Estimator(wish, kind).prospects(std::move(drawn));
+  return {without_likes(found, 2 * starts, far_apart, wish), static_cast<std::int64_t>(count)};
 }
 
 // Tries places around the best so far, closer and closer.
@@ -367,17 +399,17 @@ std::vector<StraightLineSolution> listed(std::vector<Ranked> all, std::size_t mo
   return linkages;
 }
 
-// The best of all that is drawn, of each kind as many as a first list is made from, however long the search.
+// What is drawn of each kind: the starts of climbs, the more the longer the search.
 struct Gathered {
-  std::array<std::vector<Prospect>, shape_kind_count> best;
+  std::vector<Collection> best;
   std::int64_t drawn = 0;
 
+  Gathered(const Wish& wish, double effort)
+      : best(shape_kind_count,
+             {wish, std::max(starts, static_cast<std::size_t>(std::lround(starts * effort))), far_apart}) {}
+
   void add(std::size_t kind, const Harvest& harvest) {
-    constexpr std::size_t most = 1'000;
-    auto& held = best[kind];
-    held.insert(held.end(), harvest.best.begin(), harvest.best.end());
-    std::stable_sort(held.begin(), held.end(), better);
-    if (held.size() > most) held.resize(most);
+    best[kind].add(harvest.best);
     drawn += harvest.drawn;
   }
 };
@@ -386,7 +418,7 @@ Gathered gathered(const Wish& wish, const StraightLineSearchOptions& options, co
   constexpr std::size_t at_once = 32;  // chunks between two reports
   const auto of_kind = static_cast<std::size_t>(std::ceil(draws * options.effort / static_cast<double>(chunk)));
   const std::size_t chunks = shape_kind_count * of_kind;
-  Gathered all;
+  Gathered all(wish, options.effort);
   for (std::size_t begin = 0; begin < chunks && !progress.is_cancelled(); begin += at_once) {
     std::vector<Harvest> harvests(std::min(at_once, chunks - begin));
     const auto kind_of = [&](std::size_t i) { return (begin + i) % shape_kind_count; };
@@ -409,15 +441,17 @@ std::vector<Prospect> climbed_prospects(const Gathered& all, const Wish& wish, c
     prospects.insert(prospects.end(), some.begin(), some.end());
   };
   for (std::size_t kind = 0; kind < all.best.size(); ++kind) {
-    add(without_likes(all.best[kind], starts, wish));
-    add(without_likes(guessed(static_cast<ShapeKind>(kind), wish), guesses, wish));
+    const auto of = static_cast<ShapeKind>(kind);
+    add(all.best[kind].prospects());
+    add(without_likes(guessed(of, line_atlas(of), wish), guesses, far_apart, wish));
+    add(guessed(of, classics(of), wish));
   }
   parallel_for(prospects.size(), options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       prospects[i] = made_better(prospects[i], options.seed + i, wish, progress);
   });
-  std::stable_sort(prospects.begin(), prospects.end(), better);
-  return without_likes(prospects, std::max<std::size_t>(3 * static_cast<std::size_t>(options.best), 12), wish);
+  return without_likes(prospects, std::max<std::size_t>(3 * static_cast<std::size_t>(options.best), 12), different,
+                       wish);
 }
 
 std::vector<Ranked> measured_prospects(const std::vector<Prospect>& prospects, const Wish& wish, int threads) {

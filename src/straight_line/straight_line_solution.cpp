@@ -106,8 +106,11 @@ std::optional<StraightLineSolution> make_straight_line(const StraightLineFamily&
 }
 
 LineWorth StraightLineSolution::worth() const {
-  const double unreached = asks_stroke ? std::numeric_limits<double>::infinity() : over_usable.max_deviation;
-  return LineWorth::of(over_usable, stroke ? stroke->max_deviation : unreached);
+  const bool falls_short = asks_stroke && !stroke;
+  LineWorth worth =
+      LineWorth::of(judged(), falls_short ? std::numeric_limits<double>::infinity() : judged().max_deviation);
+  worth.usable = over_usable.to - over_usable.from;
+  return worth;
 }
 
 std::vector<RequirementKind> failures_of(const StraightLineSolution& found, const Requirements& wanted) {

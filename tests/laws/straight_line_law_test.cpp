@@ -1,6 +1,8 @@
 // What must not change a linkage whose point runs straight: where the drawing lies, how big it is, which way along the
 // line; and what follows from the path alone.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
@@ -8,6 +10,9 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/straight_line/straight_line_solution.hpp"
+#include "linkwright/synthesis/solve.hpp"
+#include "straight_line/line_candidate.hpp"
+#include "straight_line/line_estimate.hpp"
 #include "support/draws.hpp"
 #include "support/random_task.hpp"
 #include "support/straight_line_tasks.hpp"
@@ -186,6 +191,107 @@ TEST(StraightLineLaw, WiderStripsAreLongerAndHoldTheTangentsStretch) {
       strip = by_strip;
     }
   }
+}
+
+// How maps measure a task of this size, now one way and now the other.
+LineMeasuring drawn_measuring(std::mt19937_64& random, double size) {
+  LineMeasuring measuring;
+  if (uniform(random, 0, 1) < 0.5) measuring.deviation = size * std::pow(10, uniform(random, -6, -1.5));
+  if (uniform(random, 0, 1) < 0.3) measuring.stroke = size * uniform(random, 0.02, 2);
+  measuring.measure = uniform(random, 0, 1) < 0.5 ? LineMeasure::strip : LineMeasure::tangent;
+  return measuring;
+}
+
+// What of the figures of a cell is off.
+struct Off {
+  int seen = 0, stroke = 0, strip = 0, far = 0, reach = 0, deviation = 0, angle = 0;
+
+  void count(const LineEstimate& estimate, const LineEstimate& exact) {
+    const double by_stroke = std::abs(estimate.usable_stroke / exact.usable_stroke - 1),
+                 by_strip = std::abs(estimate.usable_strip / exact.usable_strip - 1);
+    ++seen;
+    stroke += !(by_stroke < 0.01);
+    strip += !(by_strip < 0.01);
+    far += !(by_stroke < 0.1 && by_strip < 0.1);
+    const bool reaches = std::isfinite(exact.deviation);
+    reach += reaches != std::isfinite(estimate.deviation);
+    deviation += reaches && !(std::abs(estimate.deviation - exact.deviation) < 0.02 * exact.deviation);
+    angle += !(std::abs(std::asin(std::min(estimate.min_transmission_sine, 1.0)) -
+                        std::asin(std::min(exact.min_transmission_sine, 1.0))) < radians(0.5));
+  }
+};
+
+TEST(StraightLineLaw, CellsOfMapsHaveTheFiguresOfTheExactPath) {
+  std::mt19937_64 random(25);
+  Off off;
+  const auto count = static_cast<int>(testing::straight_line_tasks().size());
+  for (int map = 0; map < testing::draws(30) * count; ++map) {
+    const StraightLineTask task = testing::random_straight_line(random, static_cast<std::size_t>(map % count));
+    if (std::holds_alternative<Search>(task.given)) continue;
+    const double size = size_of(task);
+    const StraightLineFamily family(task, drawn_measuring(random, size));
+    const LineEstimateTask asked = estimate_task(family);
+    for (int tries = 0, found = 0; tries < 400 && found < 10; ++tries) {
+      const double first = uniform(random, 0, family.layers());
+      const TracingFourBar linkage = family.design({first, uniform(random, 0, 1)}).linkage;
+      if (!(linkage.longest() < std::min(20 * linkage.shortest(), 10 * size))) continue;
+      LineEstimate estimate;
+      estimate_lines({&linkage, 1}, asked, {&estimate, 1});
+      const auto exact = exact_line(linkage, asked, family.measuring().deviation_of(linkage), true);
+      ASSERT_TRUE(exact) << name(task.given);
+      off.count(estimate, *exact);
+      ++found;
+    }
+  }
+  EXPECT_GT(off.seen, testing::draws(30) * 100);
+  EXPECT_LT(off.stroke, 0.003 * off.seen);
+  EXPECT_LT(off.strip, 0.005 * off.seen);
+  EXPECT_LT(off.far, 0.001 * off.seen);
+  EXPECT_LT(off.reach, 0.003 * off.seen);
+  EXPECT_LT(off.deviation, 0.01 * off.seen);
+  EXPECT_LT(off.angle, 0.01 * off.seen);
+}
+
+// By the exact figures of every cell.
+TEST(StraightLineLaw, NoCellIsBetterThanTheBestThatIsListed) {
+  std::mt19937_64 random(26);
+  constexpr std::array objectives = {Objective::stroke, Objective::velocity_uniformity, Objective::size,
+                                     Objective::min_transmission_angle};
+  const auto count = static_cast<int>(testing::straight_line_tasks().size());
+  int compared = 0, with_stroke = 0;
+  for (int map = 0; map < testing::draws(4) * count; ++map) {
+    Problem problem;
+    problem.task = testing::random_straight_line(random, static_cast<std::size_t>(map % count));
+    const auto& task = std::get<StraightLineTask>(problem.task);
+    if (std::holds_alternative<Search>(task.given)) continue;
+    problem.options.line = drawn_measuring(random, size_of(task));
+    problem.options.objective = objectives[static_cast<std::size_t>(uniform(random, 0, 4))];
+    problem.options.region_samples = 40;
+    problem.options.best = 3;
+    const auto solved = solve(problem.task, problem.requirements, problem.options);
+    ASSERT_TRUE(solved);
+    const auto& answer = std::get<StraightLineAnswer>(*solved);
+    for (const StraightLineSolution& found : answer.linkages) {
+      EXPECT_TRUE(failures_of(found, answer.requirements).empty());
+      EXPECT_EQ(found.stroke.has_value(), answer.lines->stroke().has_value()) << "what is listed reaches the stroke";
+      with_stroke += found.stroke.has_value();
+    }
+    if (answer.linkages.empty()) continue;
+    const StraightLineSolution& best = answer.linkages.front();
+    const double score = score_of(problem.options.objective, best.linkage, best.worth());
+    const LineEvaluator cells(*answer.lines, answer.requirements, problem.options.objective);
+    for (const double row : answer.region.input_coordinates())
+      for (const double column : answer.region.output_coordinates()) {
+        const auto cell = cells.candidate({row, column});
+        if (!cell || !(cell->score > score + 1e-6 * std::abs(score))) continue;
+        const auto made = make_straight_line(*answer.lines, {row, column});
+        EXPECT_FALSE(made && made->verified_by_driving && made->contact.points >= answer.lines->contact())
+            << name(task.given) << " " << row << " " << column << ": " << cell->score << " beats " << score;
+      }
+    ++compared;
+  }
+  EXPECT_GT(compared, testing::draws(4) * 8);
+  EXPECT_GT(with_stroke, 0);
 }
 
 TEST(StraightLineLaw, CognatesAreAsStraightOverAsLongAStroke) {

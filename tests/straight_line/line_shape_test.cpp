@@ -1,11 +1,14 @@
 #include "linkwright/straight_line/line_shape.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 
 #include "linkwright/straight_line/straight_line_search.hpp"
 #include "straight_line/line_atlas.hpp"
+#include "straight_line/line_classics.hpp"
 #include "straight_line/placed_shape.hpp"
 #include "support/draws.hpp"
 
@@ -51,6 +54,39 @@ TEST(LineShape, OfTheAtlasAreOfTheirKindAndHaveLinkages) {
     }
   }
   EXPECT_GT(count, 100u);
+}
+
+// Lengths as shares of the ground link.
+TEST(LineShape, OfTheClassicsHaveThePublishedProportions) {
+  const auto shares = [](const LineShape& shape) {
+    const LineDesign design = designs_of_shape(placed(shape)).front();
+    EXPECT_EQ(design.kind, DesignKind::four_bar);
+    const LinkLengths lengths = design.linkage.bars.lengths();
+    const auto share = [&](double length) { return length / lengths.ground; };
+    return std::array{share(lengths.input), share(lengths.coupler), share(lengths.output),
+                      share(std::abs(design.linkage.point - design.linkage.bars.input_circle)),
+                      share(std::abs(design.linkage.point - design.linkage.bars.output_circle))};
+  };
+  const auto expect = [&](const LineShape& shape, const std::array<double, 5>& published) {
+    for (const double number : shape.numbers) EXPECT_TRUE(number >= 0 && number <= 1);
+    const auto ours = shares(shape);
+    for (std::size_t i = 0; i < ours.size(); ++i) EXPECT_NEAR(ours[i], published[i], 1e-9) << i;
+  };
+  const auto tangent = line_classics(ShapeKind::two_tangencies);
+  ASSERT_EQ(tangent.size(), 2u);
+  expect(tangent[0], {0.5, 1.25, 1.25, 2.5, 1.25});   // Hoecken
+  expect(tangent[1], {1.25, 0.5, 1.25, 0.25, 0.25});  // Chebyshev
+  const double watts = std::hypot(4.0, 1.0);          // arms of 2 to either side of a coupler of 1
+  expect(line_classics(ShapeKind::parallel_side_links).front(),
+         {2 / watts, 1 / watts, 2 / watts, 0.5 / watts, 0.5 / watts});
+  const auto roberts = shares(line_classics(ShapeKind::isosceles_trapezoid).front());
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(roberts[i], 0.5, 1e-9);
+  for (const LineShape& evans : line_classics(ShapeKind::ball_point_on_frame)) {
+    const TracingFourBar linkage = designs_of_shape(placed(evans)).front().linkage;
+    const Point frame = linkage.bars.output_center - linkage.bars.input_center;
+    EXPECT_NEAR(dot(frame, linkage.bars.output_circle - linkage.bars.output_center), 0, 1e-12);
+    EXPECT_NEAR(cross(frame, linkage.point - linkage.bars.output_center), 0, 1e-12);
+  }
 }
 
 TEST(LineShape, OfALinkageThatIsFoundHasItOnItsMap) {

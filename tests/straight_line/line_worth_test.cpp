@@ -57,10 +57,11 @@ TEST(LineWorth, MeetsEachRequirementUpToItsLimit) {
   EXPECT_TRUE(fails_with(steeper, RequirementKind::min_transmission_angle));
 }
 
-TEST(LineWorth, OfAStrokeThatIsNotReachedMeetsNoLimitOfTheDeviation) {
+TEST(LineWorth, OfAStrokeThatIsNotReachedMeetsNoRequirements) {
   const LineWorth worth = LineWorth::of(figures(), infinity);
   Requirements wanted;
-  EXPECT_TRUE(meets(worth, wanted));
+  EXPECT_FALSE(meets(worth, wanted));
+  EXPECT_FALSE(meets(RequirementKind::max_deviation, worth, wanted));
   wanted.max_deviation = 1e300;
   EXPECT_FALSE(meets(worth, wanted));
 }

@@ -168,6 +168,7 @@ test("a search over all cases lists linkages, and each opens the map of its case
   await page.getByTestId("new.create").click();
   await page.getByTestId("straight.start").click();
   await expect(page.getByTestId("straight.ended")).toContainText("found");
+  await expect(page.getByTestId("region.notice").getByTestId("straight.found.2")).toBeVisible();
   await page.getByTestId("straight.found.2").click();
   await until_settled(page);
   const line = await line_of(page);

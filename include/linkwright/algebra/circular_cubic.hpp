@@ -43,7 +43,7 @@ enum class CubicKind {
 
 /// A connected piece of a curve: coordinates τ in [from, to), closed through its ends; a single point where from == to.
 struct CurveBranch {
-  std::string name;  ///< odd, oval, nodal, line, circle, conic, line_at_infinity, point, center_line
+  std::string name;  ///< odd, oval, nodal, line, circle, conic, line_at_infinity, point, center_line, fixed_circle
   double from = 0, to = 0;
 };
 

@@ -20,7 +20,7 @@ struct LineMeasuring {
 
   std::optional<double> deviation;  ///< δ, half the width of the strip, user's unit; nothing: 1e-4 of the longest link;
                                     ///< at least 1e-13 of it
-  std::optional<double> stroke;  ///< over which deviations are looked at, half of it either way; nothing: none
+  std::optional<double> stroke;  ///< over which linkages are judged, half of it either way; nothing: none
   LineMeasure measure = LineMeasure::tangent;
 
   [[nodiscard]] double deviation_of(const TracingFourBar& linkage) const {

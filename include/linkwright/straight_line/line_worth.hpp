@@ -11,9 +11,10 @@ namespace linkwright {
 struct LineWorth {
   double usable = 0;                  ///< the length that counts, user's unit
   double deviation = 0;               ///< off the line over the stroke or, where none is asked for, over that length,
-                                      ///< user's unit; infinite where the point does not go as far as the stroke
-  double min_transmission_angle = 0;  ///< over that length, radians
-  double velocity_nonuniformity = 0;  ///< over that length; infinite where the input turns back
+                                      ///< user's unit; infinite where the point does not go as far as the stroke, which
+                                      ///< no requirement lets pass
+  double min_transmission_angle = 0;  ///< over the same, radians; where the stroke is not reached over that length
+  double velocity_nonuniformity = 0;  ///< over the same; infinite where the input turns back
 
   /// `over`: the length that counts.
   [[nodiscard]] static LineWorth of(const StrokeFigures& over, double deviation);

@@ -36,7 +36,7 @@ class StraightLineFamily : public LinkageFamily {
   [[nodiscard]] int contact() const;
   [[nodiscard]] const StraightLineTask& task() const { return task_; }
   [[nodiscard]] const LineMeasuring& measuring() const { return measuring_; }
-  /// The stroke over which deviations are looked at, as the way from where the point is: the one that is asked for, of
+  /// The stroke over which linkages are judged, as the way from where the point is: the one that is asked for, of
   /// contacts at places from the first to the last, of a symmetric λ its own; nothing: none.
   [[nodiscard]] std::optional<std::array<double, 2>> stroke() const;
   /// What keeps a linkage from passing the contacts at places; none of other cases.

@@ -34,7 +34,7 @@ struct StraightLineSolution {
   double deviation = 0;   ///< δ by which it is measured
   UsableLine usable, usable_strip;
   StrokeReport over_usable;            ///< over the usable length that counts
-  bool asks_stroke = false;            ///< deviations are looked at over a stroke
+  bool asks_stroke = false;            ///< it is judged over a stroke
   std::optional<StrokeReport> stroke;  ///< over it; nothing where none is asked for, or the point does not go so far
   double residual = 0;                 ///< distance of the point from the task's line, as it lies
   /// Two; none where the point's path is a circle.
@@ -48,6 +48,8 @@ struct StraightLineSolution {
   [[nodiscard]] const UsableLine& counted(LineMeasure by) const {
     return by == LineMeasure::strip ? usable_strip : usable;
   }
+  /// The stretch by which it is judged: the stroke where one is asked for and reached, otherwise the usable length.
+  [[nodiscard]] const StrokeReport& judged() const { return stroke ? *stroke : over_usable; }
   [[nodiscard]] LineWorth worth() const;
   /// Distances of the point from the moving pivots.
   [[nodiscard]] double point_to_input() const { return std::abs(linkage.point - linkage.bars.input_circle); }

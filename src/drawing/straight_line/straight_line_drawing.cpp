@@ -182,13 +182,11 @@ std::string place_of_line(const StraightLineFamily& family, const MapNumbers& pl
 
 void draw_drive_rows(SvgCanvas& svg, Point corner, const StraightLineSolution& found,
                      const StraightLineAnswer& answer) {
-  const StrokeReport& over = found.over_usable;
+  const StrokeReport& over = found.judged();
   NumberRows rows(svg, corner, 286);
   rows.row("least transmission angle over it", rounded_text(degrees(over.min_transmission_angle), 1) + "°");
   rows.row("velocity, (max − min) / mean",
-           over.drive
-               ? significant_text(over.drive->nonuniformity(found.counted(answer.options.line.measure).length()), 2)
-               : "–");
+           over.drive ? significant_text(over.drive->nonuniformity(over.to - over.from), 2) : "–");
   rows.row("input rotation over it",
            over.drive ? rounded_text(degrees(std::abs(over.drive->sweep)), 1) + "°" : "turns back");
   const StraightLineFamily family(found.task, answer.options.line);

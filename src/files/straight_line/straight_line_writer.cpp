@@ -214,7 +214,7 @@ void write_usable_lengths(JsonWriter& json, const StraightLineSolution& found, L
   write_usable(json, "usable", found.usable);
   write_usable(json, "usable_strip", found.usable_strip);
   json.member("stroke_over_longest", found.counted(measure).length() / found.linkage.longest());
-  json.member("min_transmission_angle_deg", degrees(found.over_usable.min_transmission_angle));
+  json.member("min_transmission_angle_deg", degrees(found.judged().min_transmission_angle));
   write_stroke(json, "over_usable", found.over_usable);
   write_stroke(json, "stroke", found.stroke);
 }

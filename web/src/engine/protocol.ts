@@ -68,7 +68,7 @@ export interface AxisBlock {
   knots: [place: number, tau: number][]; // at least the two ends, rising places, tau strictly monotone
 }
 export interface Branch {
-  /** Of a curve: odd, oval, nodal, line, circle, conic, line_at_infinity, point, center_line. Of other axes: sheet_1,
+  /** Of a curve: odd, oval, nodal, line, circle, conic, line_at_infinity, point, center_line, fixed_circle. Of other axes: sheet_1,
    *  sheet_2, sheet_1_opposite, …, direction_1, …, direct, opposite, range; of straight lines the layers. */
   name: string;
   from: number;

@@ -20,6 +20,7 @@ const branch_texts: Record<string, TextKey> = {
   great_circle: "curve.great_circle",
   cone: "curve.cone",
   center_line: "curve.center_line",
+  fixed_circle: "curve.fixed_circle",
   direct: "axis.direct",
   opposite: "axis.opposite",
 };

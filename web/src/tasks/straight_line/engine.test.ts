@@ -97,7 +97,8 @@ describe.each(mapped)("$name", ({problem}) => {
     expect(ask("verify", {problem: text, tau: linkage.tau}).verified).toBe(true);
     const profile = profile_plot(linkage)!;
     expect(profile.values[0]).toHaveLength(profile.values[1]!.length);
-    expect(profile.band![1]).toBe(linkage.straight_line!.deviation);
+    const {deviation, strip_middle} = linkage.straight_line!;
+    expect(profile.band).toEqual([strip_middle - deviation, strip_middle + deviation]);
     expect(speed_plot(linkage)!.y[1]).toBeGreaterThan(0);
     for (const format of ["svg", "dxf", "csv", "json", "result"] as const)
       expect(ask("export", {problem: text, tau: linkage.tau, format}).text.length).toBeGreaterThan(100);
@@ -107,8 +108,8 @@ describe.each(mapped)("$name", ({problem}) => {
 
 const program = fileURLToPath(new URL("../../../../build/release/bin/linkwright", import.meta.url));
 /** What the program lists. */
-function listed(problem: Problem) {
-  const options = {...problem.options, region_samples: 40, best: 3},
+function listed(problem: Problem, region_samples = 40) {
+  const options = {...problem.options, region_samples, best: 3},
     folder = mkdtempSync(join(tmpdir(), "linkwright-"));
   try {
     const file = join(folder, "problem.json");
@@ -133,6 +134,36 @@ describe.runIf(existsSync(program)).each(mapped)("$name, as the program lists it
       expect(line.contact_points).toBe(wanted.contact_points);
       expect(Math.abs(line.usable.length / wanted.usable.length - 1)).toBeLessThan(1e-4);
       expect(linkage.min_transmission_angle_deg).toBeCloseTo(wanted.min_transmission_angle_deg, 2);
+    }
+  });
+});
+
+describe("the strip where it lies best", () => {
+  const [, begun] = straight_line_kind.beginnings,
+    made = begun!.make(),
+    problem: Problem = {...made, options: {...made.options, measure: "strip"}};
+  const shares = (most: number) =>
+    ask("best", {problem: engine_text(problem), most}).linkages.map(({stroke_over_longest: share}) => share!);
+  it("has one best, whoever is asked", () => {
+    const [best] = shares(1),
+      [first] = shares(10);
+    expect(best).toBe(first);
+    if (!existsSync(program)) return;
+    const [theirs] = listed(problem, 400);
+    expect(Math.abs(theirs.stroke_over_longest / best! - 1)).toBeLessThan(1e-4);
+  });
+  it("holds the path over all that is usable", () => {
+    const text = engine_text(problem);
+    for (const {tau} of ask("best", {problem: text, most: 5}).linkages) {
+      const {linkage} = ask("linkage", {problem: text, tau}),
+        line = linkage.straight_line!,
+        [low, high] = profile_plot(linkage)!.band!,
+        off = line.profile
+          .filter(([s]) => s >= line.over_usable.s_from && s <= line.over_usable.s_to)
+          .map(([, e]) => e);
+      expect(off.length).toBeGreaterThan(20);
+      expect(Math.max(...off)).toBeLessThanOrEqual(high + 1e-6 * line.deviation);
+      expect(Math.min(...off)).toBeGreaterThanOrEqual(low - 1e-6 * line.deviation);
     }
   });
 });

@@ -37,18 +37,23 @@ export function driven_place(
   return along_line({point: line.point, direction_deg}, [x, y]);
 }
 
+/** Both borders of the strip: about the line, or where it lies at its best. */
+export function strip_of({deviation, strip_middle: middle}: StraightLine): [low: number, high: number] {
+  return [middle - deviation, middle + deviation];
+}
+
 const room = 1.6; // of the strip, above and below
 export function profile_plot({straight_line: line}: Pick<Linkage, "straight_line">): Plot | null {
   if (!line || line.profile.length < 2) return null;
   const s = line.profile.map(([at]) => at),
     e = line.profile.map(([, off]) => off),
-    strip = line.deviation;
+    band = strip_of(line),
+    {s_from, s_to} = line.over_usable,
+    width = line.deviation;
   // Beside what is usable the path soon leaves the strip behind.
-  const inside = line.profile
-    .filter(([at]) => at >= line.usable.from_s && at <= line.usable.to_s)
-    .map(([, off]) => off);
-  const [low, high] = extent([...inside, -strip, strip], 0.1);
-  const dots = [line.usable.from_s, line.usable.to_s].map((at, pose) => {
+  const inside = line.profile.filter(([at]) => at >= s_from && at <= s_to).map(([, off]) => off);
+  const [low, high] = extent([...inside, ...band], 0.1);
+  const dots = [s_from, s_to].map((at, pose) => {
     const near = line.profile.reduce((best, row) => (Math.abs(row[0] - at) < Math.abs(best[0] - at) ? row : best));
     return {pose: pose * 2, angle: near[3], values: [at, near[1]]};
   });
@@ -59,14 +64,18 @@ export function profile_plot({straight_line: line}: Pick<Linkage, "straight_line
     values: [s, e],
     dots,
     x: extent(s, 0.02),
-    y: [Math.max(low, -room * Math.max(strip, high)), Math.min(high, room * Math.max(strip, -low))],
+    y: [
+      Math.max(low, line.strip_middle - room * Math.max(width, high - line.strip_middle)),
+      Math.min(high, line.strip_middle + room * Math.max(width, line.strip_middle - low)),
+    ],
     unit: "",
-    band: [-strip, strip],
+    band,
   };
 }
 export function speed_plot({straight_line: line}: Pick<Linkage, "straight_line">): Plot | null {
   if (!line || line.profile.length < 2) return null;
-  const rows = line.profile.filter(([s]) => s >= line.usable.from_s && s <= line.usable.to_s),
+  const {s_from, s_to} = line.over_usable,
+    rows = line.profile.filter(([s]) => s >= s_from && s <= s_to),
     speeds = rows.map(([, , velocity]) => velocity);
   if (rows.length < 2) return null;
   const sorted = speeds.filter((v) => v !== null).sort((a, b) => a - b),

@@ -32,7 +32,7 @@ declare module "../../state/problem" {
   interface Options {
     /** Half the width of the strip; none: a share of the longest link. */
     deviation?: number | null;
-    /** Over which deviations are looked at, half of it either way. */
+    /** Over which lines are judged, half of it either way. */
     stroke?: number | null;
     measure?: "tangent" | "strip";
   }
@@ -83,8 +83,9 @@ export interface StraightLine {
   longest: number; // links and arms of the point
   contact_points: number;
   deviation_series: Record<string, number>; // e by the powers of s
-  /** Half the width of the strip. */
+  /** Half the width of the strip, and where its middle lies beside the line. */
   deviation: number;
+  strip_middle: number;
   usable: Usable;
   usable_strip: Usable;
   stroke_over_longest: number;

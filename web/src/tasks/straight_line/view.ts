@@ -2,6 +2,7 @@ import type {Component} from "svelte";
 import type {TaskView} from "../view";
 import Editor from "./Editor.svelte";
 import {tracing_four_bar} from "./figure";
+import FindsInTheMiddle from "./FindsInTheMiddle.svelte";
 import {line_handles} from "./line_handles";
 import LineLayer from "./LineLayer.svelte";
 import Magnifier from "./Magnifier.svelte";
@@ -14,6 +15,7 @@ export const straight_line_view: TaskView = {
   Editor,
   Layer: LineLayer,
   Inset: Magnifier,
+  Offer: FindsInTheMiddle,
   handles: line_handles,
   Numbers,
   Picture: Picture as Component<{id: string}>,
