@@ -1,11 +1,9 @@
 #include "linkwright/spherical/axis_curve.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/dense.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -26,18 +24,18 @@ void polish(const OrientationConditions& conditions, Vector3& fixed, Vector3& mo
   constexpr int turns = 3;
   double residual = residual_of(fixed, moving, conditions.rows);
   for (int turn = 0; turn < turns; ++turn) {
-    Eigen::Matrix<double, 3, 6> slope;
-    Eigen::Vector3d off;
-    for (int k = 0; k < 3; ++k) {
-      const Matrix3x3& row = conditions.rows[static_cast<std::size_t>(k)];
+    DenseMatrix<3, 6> slope;
+    std::array<double, 3> off;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Matrix3x3& row = conditions.rows[k];
       const Vector3 by_fixed = row * moving, by_moving = fixed * row;
       const double value = dot(fixed, by_fixed);
       // Along the axes themselves nothing changes but lengths.
       const Vector3 of_fixed = by_fixed - value * fixed, of_moving = by_moving - value * moving;
-      slope.row(k) << of_fixed.x, of_fixed.y, of_fixed.z, of_moving.x, of_moving.y, of_moving.z;
+      slope[k] = {of_fixed.x, of_fixed.y, of_fixed.z, of_moving.x, of_moving.y, of_moving.z};
       off[k] = value;
     }
-    const Eigen::Matrix<double, 6, 1> step = slope.completeOrthogonalDecomposition().solve(off);
+    const auto step = shortest_solution(slope, off);
     const Vector3 next_fixed = normalized(fixed - Vector3{step[0], step[1], step[2]}),
                   next_moving = normalized(moving - Vector3{step[3], step[4], step[5]});
     const double left = residual_of(next_fixed, next_moving, conditions.rows);
@@ -48,54 +46,36 @@ void polish(const OrientationConditions& conditions, Vector3& fixed, Vector3& mo
   }
 }
 
-using Matrix3 = Eigen::Matrix3d;
-
-Matrix3 eigen(const Matrix3x3& m) {
-  Matrix3 same;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) same(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = m(i, j);
-  return same;
-}
-
 // A moving axis that all conditions send one way, and that way.
 struct OneWay {
-  Eigen::Vector3d moving, way;
+  Vector3 moving, way;
   double aside = 1;  // what they leave it by, as a share of how far they send it
 };
 
-OneWay one_way(const std::array<Matrix3, 3>& rows, Eigen::Vector3d moving) {
+OneWay one_way(const std::vector<Matrix3x3>& rows, Vector3 moving) {
   constexpr int turns = 4;
   OneWay found;
   for (int turn = 0; turn < turns; ++turn) {
-    Matrix3 sent;
-    for (int k = 0; k < 3; ++k) sent.col(k) = rows[static_cast<std::size_t>(k)] * moving;
-    const Eigen::JacobiSVD<Matrix3> ways(sent, Eigen::ComputeFullU);
-    const auto& lengths = ways.singularValues();
-    const double aside = lengths[0] > 0 ? lengths[1] / lengths[0] : 1;
-    if (aside < found.aside) found = {moving, ways.matrixU().col(0), aside};
+    const auto ways = singular_values(Matrix3x3::of_columns(rows[0] * moving, rows[1] * moving, rows[2] * moving));
+    const Vector3 way = ways.left.column(0);
+    const double aside = ways.values[0] > 0 ? ways.values[1] / ways.values[0] : 1;
+    if (aside < found.aside) found = {moving, way, aside};
     // The axis that they send aside the least.
-    Eigen::Matrix<double, 9, 3> off;
-    const Matrix3 across = Matrix3::Identity() - ways.matrixU().col(0) * ways.matrixU().col(0).transpose();
-    for (int k = 0; k < 3; ++k) off.middleRows<3>(3 * k) = across * rows[static_cast<std::size_t>(k)];
-    moving = Eigen::JacobiSVD<Eigen::Matrix<double, 9, 3>>(off, Eigen::ComputeFullV).matrixV().col(2);
+    const Matrix3x3 across = Matrix3x3::identity() - dyadic_product(way, way);
+    moving = least_image(std::array{across * rows[0], across * rows[1], across * rows[2]}).vector;
   }
   return found;
 }
 
 // Any two sums of the rows send such an axis one way: it is an eigenvector of the two.
 std::vector<OneWay> axes_sent_one_way(const std::vector<Matrix3x3>& rows) {
-  const std::array<Matrix3, 3> all = {eigen(rows[0]), eigen(rows[1]), eigen(rows[2])};
-  const Matrix3 one = 0.6180 * all[0] + 0.4142 * all[1] - 0.7321 * all[2],
-                other = 0.3028 * all[0] - 0.8284 * all[1] - 0.2361 * all[2];
-  const Eigen::GeneralizedEigenSolver<Matrix3> pencil(one, other);
+  const Matrix3x3 one = 0.6180 * rows[0] + 0.4142 * rows[1] - 0.7321 * rows[2],
+                  other = 0.3028 * rows[0] - 0.8284 * rows[1] - 0.2361 * rows[2];
   std::vector<OneWay> found;
-  if (pencil.info() != Eigen::Success) return found;
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    const Eigen::Vector3d moving = pencil.eigenvectors().col(i).real();
-    if (!(moving.norm() > 0) || !moving.allFinite()) continue;
-    const OneWay next = one_way(all, moving.normalized());
+  for (const Vector3 moving : pencil_vectors(one, other)) {
+    const OneWay next = one_way(rows, moving);
     const bool is_new = std::none_of(found.begin(), found.end(), [&](const OneWay& known) {
-      return known.moving.cross(next.moving).norm() < tolerance::line_of_partners;
+      return norm(cross(known.moving, next.moving)) < tolerance::line_of_partners;
     });
     if (next.aside <= tolerance::line_of_partners && is_new) found.push_back(next);
   }
@@ -114,8 +94,7 @@ AxisCurve::AxisCurve(OrientationConditions conditions)
 
 void AxisCurve::find_fixed_circles() {
   for (const OneWay& found : axes_sent_one_way(conditions_.rows)) {
-    const Vector3 way{found.way[0], found.way[1], found.way[2]},
-        moving{found.moving[0], found.moving[1], found.moving[2]};
+    const auto& [moving, way, aside] = found;
     // From the plane's axis nearest to the moving one on, which belongs to the task, not to its frame.
     const Vector3 near = moving - dot(moving, way) * way;
     constexpr double at_right_angles = 1e-6;
