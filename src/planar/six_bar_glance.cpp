@@ -7,7 +7,7 @@
 namespace linkwright {
 namespace {
 
-constexpr std::size_t directions = 8, positions = 4;
+constexpr std::size_t directions = 8, task_positions = 4;
 constexpr double no_turn = 1e-6;  // of one body to the other: the pole is too far away
 
 std::array<Point, directions> even_directions() {
@@ -24,12 +24,12 @@ Point product(Point a, Point b) {
 /// Positions 2 … 4 of body k seen from body x, as z ↦ turn z + shift.
 struct RelativeMotion {
   RelativeMotion(const BodyPositions& x, const BodyPositions& k) {
-    for (std::size_t j = 1; j < positions; ++j) {
+    for (std::size_t j = 1; j < task_positions; ++j) {
       turn[j - 1] = product(std::conj(x.at[j].turn), k.at[j].turn);
       shift[j - 1] = x.back(k.at[j].reference, j) - product(turn[j - 1], k.at[0].reference);
     }
   }
-  std::array<Point, positions - 1> turn, shift;
+  std::array<Point, task_positions - 1> turn, shift;
 };
 
 /// The condition that the image of pole + s u by a relative position is as far from pole + c as it was itself:
@@ -99,7 +99,7 @@ bool SixBarGlance::is_promising(const LinkHinges& link, BodyPair between, const 
   const Point own = between.b == 2 ? bodies[1].at[0].reference : bodies[3].at[0].reference;  // b, d
   const double least = least_sine_ * std::abs(link[1] - own) * std::abs(link[1] - link[0]);
   double sign = 0;
-  for (std::size_t j = 0; j < positions; ++j) {
+  for (std::size_t j = 0; j < task_positions; ++j) {
     const Point z = guided.moved(link[1], j);
     const double area = cross(z - guided.moved(own, j), centers.moved(link[0], j) - z);
     if (j == 0) sign = area < 0 ? -1 : 1;

@@ -157,6 +157,13 @@ export function none_defect_free_text({pairs, types, order, branch}: Census, tas
   return t(text_for(task, "state.none_defect_free"), {order: percent(order), branch: percent(branch)});
 }
 
+/** Where the map has linkages without defects and none meets all requirements: what was looked at, and what is proved. */
+export function none_left_text({defect_free, inside}: Census): string {
+  if (inside.is_empty) return t("notice.windows_empty");
+  if (inside.looked_at > 0) return t("notice.none_inside", {count: inside.looked_at});
+  return t(defect_free === 1 ? "state.none_left_of_one" : "state.none_left", {n: grouped(defect_free)});
+}
+
 // ---- boxes ----------------------------------------------------------------------------------------------------------
 
 /** A box to begin with where none was drawn: around these points, with room. */
