@@ -221,6 +221,7 @@ test("is never drawn as one of another kind", async ({page}) => {
 // ---- the best -------------------------------------------------------------------------------------------------------
 
 test("a row of the best is taken wherever it is clicked, and no list of another task stays", async ({page}) => {
+  test.setTimeout(150_000);
   await open_settled(page);
   await page.getByTestId("best.tab").click();
   const row = page.locator("tr", {has: page.getByTestId("best.3")});
@@ -232,7 +233,7 @@ test("a row of the best is taken wherever it is clicked, and no list of another 
   await expect(page.getByTestId("best.1")).toHaveCount(0);
   await begin(page, "straight_line_five");
   await until_settled(page);
-  await expect(page.getByTestId("best.1")).toBeVisible();
+  await expect(page.getByTestId("best.1")).toBeVisible({timeout: 90_000}); // it looks long
   const widths = await page
     .locator("td.type")
     .evaluateAll((cells) => cells.map((cell) => cell.getBoundingClientRect().width));
