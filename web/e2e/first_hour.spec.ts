@@ -149,6 +149,8 @@ test("more rows than are taken are refused, and said", async ({page}) => {
 
 test("where nothing is left, the page shows where the task could go, and goes there", async ({page}) => {
   await open_settled(page);
+  await begin(page, "four_positions"); // no boxes for pivots
+  await until_settled(page);
   await paste(page, hatch);
   await until_mapped(page);
   expect(await read_state(page, ({census}) => census!.meeting)).toBe(0);
@@ -219,6 +221,7 @@ test("is never drawn as one of another kind", async ({page}) => {
 // ---- the best -------------------------------------------------------------------------------------------------------
 
 test("a row of the best is taken wherever it is clicked, and no list of another task stays", async ({page}) => {
+  test.setTimeout(150_000);
   await open_settled(page);
   await page.getByTestId("best.tab").click();
   const row = page.locator("tr", {has: page.getByTestId("best.3")});
@@ -230,7 +233,7 @@ test("a row of the best is taken wherever it is clicked, and no list of another 
   await expect(page.getByTestId("best.1")).toHaveCount(0);
   await begin(page, "straight_line_five");
   await until_settled(page);
-  await expect(page.getByTestId("best.1")).toBeVisible();
+  await expect(page.getByTestId("best.1")).toBeVisible({timeout: 90_000}); // it looks long
   const widths = await page
     .locator("td.type")
     .evaluateAll((cells) => cells.map((cell) => cell.getBoundingClientRect().width));
@@ -373,7 +376,7 @@ test("films that cannot be made say why, and a failure is no success", async ({p
   const status = page.getByTestId("export.status");
   await expect(status).toContainText("could not be made");
   await expect(status).toHaveClass(/failed/);
-  complaints.expect_and_forget(/\.js/);
+  complaints.expect_and_forget(/\.js|ERR_FAILED/);
 });
 test("a sphere that cannot be loaded says so, and is there as soon as it can", async ({page, complaints}) => {
   await open_settled(page);
@@ -382,9 +385,12 @@ test("a sphere that cannot be loaded says so, and is there as soon as it can", a
   await expect(page.getByTestId("spherical.view.failed")).toContainText("could not be loaded");
   await expect(page.locator("[data-label]")).toHaveCount(0);
   await keep_screenshot(page, "sphere-not-loaded");
-  complaints.expect_and_forget(/SphereStage/);
+  complaints.expect_and_forget(/SphereStage|ERR_FAILED/);
 });
-test("a browser without WebGL has no sphere, says so in full, and leaves no labels behind", async ({page}) => {
+test("a browser without WebGL has no sphere, says so in full, and leaves no labels behind", async ({
+  page,
+  complaints,
+}) => {
   await page.addInitScript(() => {
     const get_context = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
@@ -397,6 +403,7 @@ test("a browser without WebGL has no sphere, says so in full, and leaves no labe
   await expect(notice).toContainText("WebGL is off");
   expect(await is_within(notice, page.getByTestId("spherical.stage"))).toBe(true);
   await expect(page.locator("[data-label]")).toHaveCount(0);
+  complaints.expect_and_forget(/WebGL/);
 });
 
 // ---- numbers --------------------------------------------------------------------------------------------------------

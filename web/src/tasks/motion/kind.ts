@@ -122,9 +122,9 @@ const beginnings: Beginning[] = [
 /** On a crank-rocker's way, in whole numbers. */
 const five_poses: Pose[] = [
   {x: 0, y: 0, theta_deg: 0},
-  {x: -51, y: 53, theta_deg: 12},
-  {x: -77, y: 160, theta_deg: 42},
-  {x: -75, y: 253, theta_deg: 67},
+  {x: -43, y: 36, theta_deg: 8},
+  {x: -74, y: 138, theta_deg: 36},
+  {x: -78, y: 238, theta_deg: 63},
   {x: -40, y: 300, theta_deg: 85},
 ];
 
