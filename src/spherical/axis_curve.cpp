@@ -65,7 +65,7 @@ struct OneWay {
 
 OneWay one_way(const std::array<Matrix3, 3>& rows, Eigen::Vector3d moving) {
   constexpr int turns = 4;
-  OneWay found;
+  OneWay found{moving, moving};
   for (int turn = 0; turn < turns; ++turn) {
     Matrix3 sent;
     for (int k = 0; k < 3; ++k) sent.col(k) = rows[static_cast<std::size_t>(k)] * moving;
@@ -112,15 +112,23 @@ AxisCurve::AxisCurve(OrientationConditions conditions)
   if (kind() != CubicConeKind::every_axis) find_fixed_circles();
 }
 
+// The axis at right angles to `way` nearest to the moving one or, where that is `way` itself, to a pole: it belongs to
+// the task, not to its frame.
+Vector3 AxisCurve::beginning_of(Vector3 way, Vector3 moving) const {
+  constexpr double apart = 0.1;
+  std::vector<Vector3> directions = {moving};
+  directions.insert(directions.end(), conditions_.poles.begin(), conditions_.poles.end());
+  directions.insert(directions.end(), {{1, 0, 0}, {0, 1, 0}});
+  for (const Vector3 direction : directions)
+    if (const Vector3 across = direction - dot(direction, way) * way; norm(across) > apart) return normalized(across);
+  return normalized(cross(way, moving));
+}
+
 void AxisCurve::find_fixed_circles() {
   for (const OneWay& found : axes_sent_one_way(conditions_.rows)) {
     const Vector3 way{found.way[0], found.way[1], found.way[2]},
         moving{found.moving[0], found.moving[1], found.moving[2]};
-    // From the plane's axis nearest to the moving one on, which belongs to the task, not to its frame.
-    const Vector3 near = moving - dot(moving, way) * way;
-    constexpr double at_right_angles = 1e-6;
-    const Vector3 from =
-        norm(near) > at_right_angles ? normalized(near) : normalized(cross(way, conditions_.rows[0] * way));
+    const Vector3 from = beginning_of(way, moving);
     fixed_circles_.push_back({moving, from, cross(way, from)});
     const double begin = coordinate_length();
     branches_.push_back({"fixed_circle", begin, begin + 1});
