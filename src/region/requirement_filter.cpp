@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <mutex>
 
 #include "linkwright/core/angle.hpp"
@@ -387,7 +388,8 @@ std::vector<Relaxation> RequirementFilter::relaxations(const RequirementCensus& 
   const std::array<Cells, max_requirements> cells = cells_failing_one(progress);
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     const std::int64_t only_this = census.failing_only(kinds_[k]);
-    if (only_this == 0) continue;
+    const bool is_asked = kinds_[k] != RequirementKind::max_deviation || std::isfinite(requirements_.max_deviation);
+    if (only_this == 0 || !is_asked) continue;
     Relaxation relaxation{kinds_[k], only_this, std::nullopt, std::nullopt, census.meeting + only_this};
     put_relaxed(relaxation, cells[k]);
     found.push_back(relaxation);

@@ -54,7 +54,7 @@ struct OneWay {
 
 OneWay one_way(const std::vector<Matrix3x3>& rows, Vector3 moving) {
   constexpr int turns = 4;
-  OneWay found;
+  OneWay found{moving, moving};
   for (int turn = 0; turn < turns; ++turn) {
     const auto ways = singular_values(Matrix3x3::of_columns(rows[0] * moving, rows[1] * moving, rows[2] * moving));
     const Vector3 way = ways.left.column(0);
@@ -92,14 +92,22 @@ AxisCurve::AxisCurve(OrientationConditions conditions)
   if (kind() != CubicConeKind::every_axis) find_fixed_circles();
 }
 
+// The axis at right angles to `way` nearest to the moving one or, where that is `way` itself, to a pole: it belongs to
+// the task, not to its frame.
+Vector3 AxisCurve::beginning_of(Vector3 way, Vector3 moving) const {
+  constexpr double apart = 0.1;
+  std::vector<Vector3> directions = {moving};
+  directions.insert(directions.end(), conditions_.poles.begin(), conditions_.poles.end());
+  directions.insert(directions.end(), {{1, 0, 0}, {0, 1, 0}});
+  for (const Vector3 direction : directions)
+    if (const Vector3 across = direction - dot(direction, way) * way; norm(across) > apart) return normalized(across);
+  return normalized(cross(way, moving));
+}
+
 void AxisCurve::find_fixed_circles() {
   for (const OneWay& found : axes_sent_one_way(conditions_.rows)) {
-    const auto& [moving, way, aside] = found;
-    // From the plane's axis nearest to the moving one on, which belongs to the task, not to its frame.
-    const Vector3 near = moving - dot(moving, way) * way;
-    constexpr double at_right_angles = 1e-6;
-    const Vector3 from =
-        norm(near) > at_right_angles ? normalized(near) : normalized(cross(way, conditions_.rows[0] * way));
+    const Vector3 way = found.way, moving = found.moving;
+    const Vector3 from = beginning_of(way, moving);
     fixed_circles_.push_back({moving, from, cross(way, from)});
     const double begin = coordinate_length();
     branches_.push_back({"fixed_circle", begin, begin + 1});

@@ -27,6 +27,14 @@ Notice nothing_on_map(const StraightLineAnswer& answer) {
   return no_straight_line(answer.task);
 }
 
+// By the map, over the stroke that is asked for.
+bool none_reaches_the_stroke(const StraightLineAnswer& answer) {
+  const std::span<const float> deviation = answer.region.values(measures::deviation);
+  for (std::size_t cell = 0; cell < deviation.size(); ++cell)
+    if (answer.region.type(cell) != LinkageType::degenerate && std::isfinite(deviation[cell])) return false;
+  return true;
+}
+
 // Of none of the linkages that a limit of the deviation alone keeps out: then none goes as far as the stroke.
 bool none_goes_so_far(const StraightLineAnswer& answer) {
   return std::any_of(answer.relax.begin(), answer.relax.end(), [](const Relaxation& without) {
@@ -46,7 +54,9 @@ Notice nothing_meets(const StraightLineAnswer& answer) {
                                   key(answer.relax.front().requirement), grouped_text(answer.relax.front().only_this));
   else if (answer.relax_together)
     notice.message += " " + joint_relaxation_text(*answer.relax_together);
-  if (none_goes_so_far(answer))
+  if (none_reaches_the_stroke(answer))
+    notice.message += " None of them reaches the stroke: their points turn back before the ends of the stroke.";
+  else if (none_goes_so_far(answer))
     notice.message += " These cannot meet it: their points turn back before the ends of the stroke.";
   return notice;
 }

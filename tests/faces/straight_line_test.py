@@ -202,16 +202,27 @@ class StraightLines(FaceTest):
             self.assertEqual((result["status"], result["linkages"]), ("no_solution", []))
             self.assertIn(words, result["reason"])
 
-    def test_a_stroke_that_is_not_reached_fails_a_limit_of_the_deviation_alone(self):
-        far = problem_of("four_point_pivots", stroke=1e9)
-        listed = self.solve(far)["linkages"]
-        self.assertEqual(len(listed), 3)
-        for linkage in listed:
-            self.assertIsNone(linkage["stroke"])
-        by_deviation = copy.deepcopy(far)
-        by_deviation["options"]["objective"] = "deviation"
-        self.assertEqual(self.solve(by_deviation)["status"], "solved")
+    def test_linkages_are_judged_over_the_stroke_that_is_asked_for(self):
+        for objective, figure, sign in (("velocity_uniformity", "velocity_nonuniformity", 1), ("deviation", "max_deviation", 1),
+                                        ("min_transmission_angle", "min_transmission_angle_deg", -1)):
+            with self.subTest(objective):
+                listed = self.solve(problem_of("four_point_pivots", stroke=5, objective=objective))["linkages"]
+                self.assertTrue(listed)
+                for linkage in listed:
+                    self.assertAlmostEqual(linkage["stroke"]["s_to"] - linkage["stroke"]["s_from"], 5)
+                    self.assertEqual(linkage["min_transmission_angle_deg"], linkage["stroke"]["min_transmission_angle_deg"])
+                figures = [sign * linkage["stroke"][figure] for linkage in listed]
+                self.assertEqual(figures, sorted(figures))
 
+    def test_a_stroke_that_is_not_reached_is_not_listed(self):
+        far = problem_of("four_point_pivots", stroke=1e9)
+        for objective in ("stroke", "deviation", "velocity_uniformity", "min_transmission_angle"):
+            far["options"]["objective"] = objective
+            result = self.solve(far)
+            self.assertEqual((result["status"], result["linkages"], result["relax"]), ("no_solution", [], []))
+            self.assertIn("turn back before the ends of the stroke", result["reason"])
+
+        far["options"]["objective"] = "stroke"
         far["requirements"] = {"max_deviation": 1}
         ran = run("solve", self.write("problem.json", far), "-o", "-")
         self.assertNotIn("nan", ran[1].lower())

@@ -51,6 +51,7 @@ class AxisCurve {
   };
 
   void find_fixed_circles();
+  [[nodiscard]] Vector3 beginning_of(Vector3 way, Vector3 moving) const;
 
   OrientationConditions conditions_;
   CubicCone cone_;
