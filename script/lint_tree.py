@@ -5,6 +5,7 @@
 2. Public headers include only public headers and the standard library.
 3. include/linkwright/<folder>/<noun>.hpp has its tests in tests/<folder>/<noun>_test.cpp.
 4. Files are named snake_case; in web/src the components (.svelte) UpperCamel.
+5. What is long to compile is included by one file of the library: Eigen by src/algebra/dense.cpp.
 
 usage: lint_tree.py [--self-test]
 """
@@ -36,6 +37,7 @@ NAMED = ("include", "src", "apps", "bindings", "tests", "bench", "fuzz", "web/sr
 FILE_NAME = re.compile(r"[a-z0-9_]+(\.(test|spec|svelte|d))?\.(cpp|hpp|py|ts)$|[A-Z][A-Za-z0-9]*\.svelte$")
 PUBLIC = Path("include/linkwright")
 PRIVATE = Path("src")
+EIGEN = "src/algebra/dense.cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -45,6 +47,13 @@ def includes_of(file):
         match = INCLUDE.match(line)
         if match:
             yield number, match[1] == '"', match[2]
+
+
+def private_problem(place, included):
+    """What is wrong with `included` in a file of src/; None if nothing is."""
+    if included.startswith("Eigen/") and place.as_posix() != EIGEN:
+        return f"<{included}>: {EIGEN} alone includes Eigen; what is missing in dense.hpp is added there"
+    return None
 
 
 def order_problem(folder, included):
@@ -81,7 +90,7 @@ def file_violations(root, base, file):
         yield f"{place}: the library has no folder {folder}; its folders and their order are in script/lint_tree.py"
         return
     for number, quoted, included in includes_of(file):
-        problem = public_header_problem(quoted, included) if base == PUBLIC else None
+        problem = public_header_problem(quoted, included) if base == PUBLIC else private_problem(place, included)
         if not problem and (quoted or included.startswith("linkwright/")):
             problem = order_problem(folder, included)
         if problem:
@@ -121,7 +130,9 @@ def self_test():
     cases = [
         (tested, []),
         ({header.format("core/angle"): ""}, ["has no tests/core/angle_test.cpp"]),
-        ({"src/planar/a.cpp": '#include "linkwright/core/angle.hpp"\n#include "b.hpp"\n#include <Eigen/Core>\n'}, []),
+        ({"src/planar/a.cpp": '#include "linkwright/core/angle.hpp"\n#include "b.hpp"\n#include <vector>\n'}, []),
+        ({"src/algebra/dense.cpp": "#include <Eigen/Core>\n"}, []),
+        ({"src/algebra/dense.hpp": "#include <Eigen/Core>\n"}, ["dense.hpp:1: <Eigen/Core>: src/algebra/dense.cpp alone"]),
         ({"src/planar/a.cpp": '#include "region/kernel.hpp"\n#include "planar/b.hpp"\n'}, []),
         ({"src/region/a.cpp": '\n #  include "linkwright/planar/b.hpp"\n'}, ["src/region/a.cpp:2: ", "stands above"]),
         ({"src/region/a.cpp": "#include <linkwright/planar/b.hpp>\n"}, ["region may not include planar"]),

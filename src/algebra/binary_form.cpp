@@ -1,9 +1,9 @@
 #include "binary_form.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/dense.hpp"
 #include "linkwright/core/angle.hpp"
 
 namespace linkwright {
@@ -82,17 +82,9 @@ double form_value(std::span<const double> a, double c, double s) {
 
 std::vector<FormRoot> real_roots(std::span<const double> a, double same) {
   const double t0 = direction_of_largest(a);
-  const std::vector<double> seen = turned(a, t0);
-  const auto degree = static_cast<Eigen::Index>(a.size()) - 1;
-  Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(degree, degree);
-  for (Eigen::Index i = 0; i < degree; ++i) {
-    companion(i, degree - 1) = -seen[static_cast<std::size_t>(i)] / seen.back();
-    if (i > 0) companion(i, i - 1) = 1;
-  }
   std::vector<double> near;
-  const Eigen::VectorXcd values = companion.eigenvalues();
-  for (Eigen::Index i = 0; i < degree; ++i) {
-    const double x = values[i].real(), off = std::abs(values[i].imag()) / (1 + x * x);
+  for (const std::complex<double> root : all_roots(turned(a, t0))) {
+    const double x = root.real(), off = std::abs(root.imag()) / (1 + x * x);
     if (off < same) near.push_back(wrap_period(t0 - pi / 2 + std::atan(x), pi));
   }
   std::sort(near.begin(), near.end());

@@ -1,9 +1,9 @@
 #include "linkwright/algebra/circular_cubic.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/dense.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -179,16 +179,10 @@ void CircularCubic::classify_proper(const PlaneCubic& cubic) {
 
 void CircularCubic::classify_with_line_at_infinity(const PlaneCubic& cubic) {
   const auto& c = cubic.coefficient;
-  Eigen::Matrix3d conic;
-  conic << c[0], c[1] / 2, c[2] / 2, c[1] / 2, c[3], c[4] / 2, c[2] / 2, c[4] / 2, c[5];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(conic);
-  std::array<double, 3> value;
+  const auto [value, axes] =
+      principal_axes({{{{c[0], c[1] / 2, c[2] / 2}, {c[1] / 2, c[3], c[4] / 2}, {c[2] / 2, c[4] / 2, c[5]}}}});
   std::array<Homogeneous, 3> axis;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d v = eigen.eigenvectors().col(i);
-    value[static_cast<std::size_t>(i)] = eigen.eigenvalues()[i];
-    axis[static_cast<std::size_t>(i)] = sign_fixed({v[0], v[1], v[2]});
-  }
+  for (std::size_t i = 0; i < 3; ++i) axis[i] = sign_fixed({axes[i].x, axes[i].y, axes[i].z});
   const double zero = tolerance::vanishing_coefficient * std::max(std::abs(value[0]), std::abs(value[2]));
   const auto positive = std::count_if(value.begin(), value.end(), [&](double x) { return x > zero; });
   const auto negative = std::count_if(value.begin(), value.end(), [&](double x) { return x < -zero; });

@@ -1,10 +1,10 @@
 #include "linkwright/algebra/cubic_cone.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "algebra/binary_form.hpp"
+#include "algebra/dense.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -154,17 +154,12 @@ bool CubicCone::take_apart() {
   };
   add_plane(n);
   kind_ = CubicConeKind::great_circles;
-  Eigen::Matrix3d quadric;
-  quadric << 3 * form_.polar(p, p, n), 3 * form_.polar(p, q, n), 1.5 * form_.polar(p, n, n),  //
-      3 * form_.polar(p, q, n), 3 * form_.polar(q, q, n), 1.5 * form_.polar(q, n, n),         //
-      1.5 * form_.polar(p, n, n), 1.5 * form_.polar(q, n, n), form_(n);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(quadric);
-  const double zero = nearly_reducible * axes.eigenvalues().cwiseAbs().maxCoeff();
-  const auto axis = [&](int i) {
-    const Eigen::Vector3d v = axes.eigenvectors().col(i);
-    return v[0] * p + v[1] * q + v[2] * n;
-  };
-  const Eigen::Vector3d l = axes.eigenvalues();  // rising
+  const double pq = 3 * form_.polar(p, q, n), pn = 1.5 * form_.polar(p, n, n), qn = 1.5 * form_.polar(q, n, n);
+  const Matrix3x3 quadric = {
+      {{{3 * form_.polar(p, p, n), pq, pn}, {pq, 3 * form_.polar(q, q, n), qn}, {pn, qn, form_(n)}}}};
+  const auto [l, axes] = principal_axes(quadric);
+  const double zero = nearly_reducible * std::max({std::abs(l[0]), std::abs(l[1]), std::abs(l[2])});
+  const auto axis = [&p, &q, &n, &axes = axes](std::size_t i) { return axes[i].x * p + axes[i].y * q + axes[i].z * n; };
   const bool low = -l[0] > zero, high = l[2] > zero;
   if (std::abs(l[1]) <= zero && low && high) {  // two planes
     const Vector3 first = std::sqrt(-l[0]) * axis(0), second = std::sqrt(l[2]) * axis(2);
@@ -174,7 +169,7 @@ bool CubicCone::take_apart() {
     const Vector3 normal = low ? axis(0) : axis(2);
     if (norm(cross(normal, n)) > same_plane) add_plane(normal);
   } else if (low && high) {
-    const int odd = l[1] > 0 ? 0 : 2, one = odd == 0 ? 1 : 0, other = odd == 0 ? 2 : 1;
+    const std::size_t odd = l[1] > 0 ? 0 : 2, one = odd == 0 ? 1 : 0, other = odd == 0 ? 2 : 1;
     const double height = std::sqrt(std::abs(l[odd]));
     conics_.push_back({(height / std::sqrt(std::abs(l[one]))) * axis(one),
                        (height / std::sqrt(std::abs(l[other]))) * axis(other), axis(odd)});

@@ -1,10 +1,11 @@
 #include "linkwright/analysis/six_bar_check.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
+#include "algebra/dense.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
 
@@ -12,9 +13,17 @@ namespace linkwright {
 namespace {
 
 using Joints = std::array<Point, SixBar::joint_count>;
-constexpr int max_unknowns = 2 * static_cast<int>(SixBar::joint_count);
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_unknowns, max_unknowns>;
-using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_unknowns, 1>;
+using Values = std::array<double, 2 * SixBar::joint_count>;
+
+// Infinite where one of them is no number.
+double largest_of(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
 
 /// The hinges' coordinates under the constraints that bodies set: a distance, and where a third hinge lies to two
 /// others.
@@ -22,7 +31,6 @@ class HingeSystem {
  public:
   explicit HingeSystem(const SixBar& six_bar) : six_bar_(six_bar) {
     for (std::size_t j = 0; j < SixBar::joint_count; ++j) {
-      column_[j] = -1;
       if (six_bar.joints[j].bodies[0] == 0 || six_bar.joints[j].bodies[1] == 0) continue;
       column_[j] = unknowns_;
       unknowns_ += 2;
@@ -39,11 +47,12 @@ class HingeSystem {
     const double enough = tolerance::last_newton_correction * size_;
     for (int i = 0; i < max_corrections; ++i) {
       const auto [jacobian, error] = equations(joints, turn);
-      const Vector change = jacobian.partialPivLu().solve(-error);
-      if (!change.allFinite()) return std::nullopt;
+      const auto change = solve(jacobian, error).x;
+      const double largest = largest_of(change);
+      if (!std::isfinite(largest)) return std::nullopt;
       for (std::size_t j = 0; j < joints.size(); ++j)
-        if (column_[j] >= 0) joints[j] += Point{change[column_[j]], change[column_[j] + 1]};
-      if (change.lpNorm<Eigen::Infinity>() <= enough) return joints;
+        if (column_[j]) joints[j] -= Point{change[*column_[j]], change[*column_[j] + 1]};
+      if (largest <= enough) return joints;
     }
     return std::nullopt;
   }
@@ -56,17 +65,16 @@ class HingeSystem {
   };
   /// Nothing at a dead point.
   [[nodiscard]] std::optional<Rates> rates(const Joints& joints, double turn) const {
-    Vector driven = Vector::Zero(unknowns_);
+    Values driven{};
     const Point rate = Point{0, 1} * direction(turn) * (six_bar_.at(SixBar::b) - six_bar_.at(SixBar::a));
     driven[0] = rate.real();
     driven[1] = rate.imag();
-    const Eigen::PartialPivLU<Matrix> factors(equations(joints, turn).jacobian);
-    const Vector found = factors.solve(driven);
-    if (!found.allFinite()) return std::nullopt;
+    const auto [found, determinant] = solve(equations(joints, turn).jacobian, driven);
+    if (!std::isfinite(largest_of(found))) return std::nullopt;
     Rates result;
-    result.positive = factors.determinant() > 0;
+    result.positive = determinant > 0;
     for (std::size_t j = 0; j < joints.size(); ++j)
-      if (column_[j] >= 0) result.velocity[j] = {found[column_[j]], found[column_[j] + 1]};
+      if (column_[j]) result.velocity[j] = {found[*column_[j]], found[*column_[j] + 1]};
     return result;
   }
 
@@ -98,26 +106,26 @@ class HingeSystem {
   }
 
   struct Equations {
-    Matrix jacobian;
-    Vector error;
+    SmallMatrix jacobian;
+    Values error{};
   };
   /// Row `row` by hinge `joint`: the linear form Re(conj(gradient) · change).
-  void put(Matrix& jacobian, int row, std::size_t joint, Point gradient) const {
-    if (column_[joint] < 0) return;
-    jacobian(row, column_[joint]) += gradient.real();
-    jacobian(row, column_[joint] + 1) += gradient.imag();
+  void put(SmallMatrix& jacobian, std::size_t row, std::size_t joint, Point gradient) const {
+    if (!column_[joint]) return;
+    jacobian(row, *column_[joint]) += gradient.real();
+    jacobian(row, *column_[joint] + 1) += gradient.imag();
   }
   /// Rows `row`, `row + 1`: the complex factor times the change of the hinge.
-  void put_complex(Matrix& jacobian, int row, std::size_t joint, Point factor) const {
+  void put_complex(SmallMatrix& jacobian, std::size_t row, std::size_t joint, Point factor) const {
     put(jacobian, row, joint, std::conj(factor));
     put(jacobian, row + 1, joint, Point{0, 1} * std::conj(factor));
   }
 
   [[nodiscard]] Equations equations(const Joints& joints, double turn) const {
-    Equations e{Matrix::Zero(unknowns_, unknowns_), Vector::Zero(unknowns_)};
+    Equations e{SmallMatrix(unknowns_, unknowns_)};
     const Point a = six_bar_.at(SixBar::a);
     const Point b = a + direction(turn) * (six_bar_.at(SixBar::b) - a);
-    int row = 0;
+    std::size_t row = 0;
     const auto put_error = [&](Point error) {
       e.error[row] = error.real();
       e.error[row + 1] = error.imag();
@@ -141,10 +149,10 @@ class HingeSystem {
   }
 
   SixBar six_bar_;
-  std::array<int, SixBar::joint_count> column_{};
+  std::array<std::optional<std::size_t>, SixBar::joint_count> column_;  ///< of a moving hinge, the first of two
   std::vector<Distance> distances_;
   std::vector<Third> thirds_;
-  int unknowns_ = 0;
+  std::size_t unknowns_ = 0;
   double size_ = 0;
 };
 

@@ -1,9 +1,9 @@
 #include "linkwright/analysis/six_bar_position.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/dense.hpp"
 #include "analysis/six_bar_loops.hpp"
 #include "linkwright/core/tolerance.hpp"
 
@@ -69,16 +69,22 @@ std::optional<SixBarTurns> closed(const SixBar& six_bar, const SixBarTurns& gues
     const LoopValues at(loops, turns);
     error = std::max(std::abs(at.f), std::abs(at.g));
     if (error <= tolerance::closed_to_rounding) return turns;
-    Eigen::Matrix4d jacobian;
-    for (int i = 0; i < 4; ++i) {
-      const Point u = at.u[static_cast<std::size_t>(i) + 1], v = at.v[static_cast<std::size_t>(i) + 1];
-      jacobian.col(i) << -u.imag(), u.real(), -v.imag(), v.real();
+    DenseMatrix<4, 4> jacobian;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Point u = at.u[i + 1], v = at.v[i + 1];
+      jacobian[0][i] = -u.imag();
+      jacobian[1][i] = u.real();
+      jacobian[2][i] = -v.imag();
+      jacobian[3][i] = v.real();
     }
-    const Eigen::Vector4d change =
-        jacobian.partialPivLu().solve(Eigen::Vector4d(-at.f.real(), -at.f.imag(), -at.g.real(), -at.g.imag()));
-    if (!change.allFinite()) return std::nullopt;
-    for (int i = 0; i < 4; ++i) turns[static_cast<std::size_t>(i) + 2] *= direction(change[i]);
-    if (change.norm() < tolerance::closed_to_rounding) break;
+    const auto change = solve(jacobian, {-at.f.real(), -at.f.imag(), -at.g.real(), -at.g.imag()});
+    double square = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      square += change[i] * change[i];
+      turns[i + 2] *= direction(change[i]);
+    }
+    if (!std::isfinite(square)) return std::nullopt;
+    if (std::sqrt(square) < tolerance::closed_to_rounding) break;
   }
   return error <= tolerance::closed ? std::optional(turns) : std::nullopt;
 }

@@ -1,26 +1,12 @@
 #include "linkwright/attitude/nearest_rotation.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 
+#include "algebra/dense.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
 namespace {
-
-Eigen::Matrix3d to_eigen(const Matrix3x3& a) {
-  Eigen::Matrix3d m;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) m(i, j) = a(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-  return m;
-}
-
-Matrix3x3 from_eigen(const Eigen::Matrix3d& m) {
-  Matrix3x3 a;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) a(static_cast<std::size_t>(i), static_cast<std::size_t>(j)) = m(i, j);
-  return a;
-}
 
 /// A power of two near the largest element, which no digit is lost to; 1 for the null matrix.
 double power_of_two(const Matrix3x3& a) {
@@ -38,18 +24,15 @@ Result<NearestRotation> nearest_rotation(const Matrix3x3& c_ij) {
   const double scale = power_of_two(c_ij);
   Matrix3x3 scaled = c_ij;
   for (Vector3& row : scaled.row) row = row / scale;
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(to_eigen(scaled), Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Matrix3d& u = svd.matrixU();
-  const Eigen::Matrix3d& v = svd.matrixV();
-  const double sign = determinant(from_eigen(u * v.transpose())) < 0 ? -1 : 1;
-  const Eigen::Vector3d& s = svd.singularValues();
-  const Matrix3x3 factor = from_eigen(u * Eigen::Vector3d(1, 1, sign).asDiagonal() * v.transpose());
+  const auto [u, v, s] = singular_values(scaled);
+  const double sign = determinant(u * transposed(v)) < 0 ? -1 : 1;
+  const Matrix3x3 factor = Matrix3x3::of_columns(u.column(0), u.column(1), sign * u.column(2)) * transposed(v);
 
   NearestRotation nearest;
   nearest.rotation = Rotation(UnitQuaternion::of_matrix(factor));
   nearest.distance = frobenius_norm(c_ij - nearest.rotation.matrix());
   // The rotation is unique while s₂ + sign s₃ > 0: what a turn between the last two directions would cost.
-  nearest.unique = s(1) + sign * s(2) > tolerance::dependent_rows * s(0);
+  nearest.unique = s[1] + sign * s[2] > tolerance::dependent_rows * s[0];
   return nearest;
 }
 

@@ -30,6 +30,10 @@ struct Kernels {
   void name##_avx2(Task);                      \
   void name##_avx512(Task);                    \
   inline constexpr Kernels<void (*)(Task)> name { name##_scalar, name##_baseline, name##_avx2, name##_avx512 }
+#elif defined(__EMSCRIPTEN__)  // the page chooses none, and a kernel has the same bits whatever its width
+#define LINKWRIGHT_DECLARE_KERNELS(name, Task) \
+  void name##_baseline(Task);                  \
+  inline constexpr Kernels<void (*)(Task)> name { name##_baseline, name##_baseline, name##_baseline, name##_baseline }
 #else
 #define LINKWRIGHT_DECLARE_KERNELS(name, Task) \
   void name##_scalar(Task);                    \

@@ -1,11 +1,11 @@
 #include "linkwright/infinitesimal/stationary_curvature.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "algebra/binary_form.hpp"
+#include "algebra/dense.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 
@@ -37,13 +37,11 @@ struct UnitInstant {
     return {at.k * (y - square) + square, at.k * (a3 * x + b3 * y) + 3 * x,
             at.k * (square + a4 * x + b4 * y) - square + 4 * (b3 * x - a3 * y) - 6 * y + 3};
   }
-  [[nodiscard]] Eigen::Matrix3d slope(const Candidate& at) const {
+  [[nodiscard]] Matrix3x3 slope(const Candidate& at) const {
     const double x = at.z.real(), y = at.z.imag(), k = at.k, square = std::norm(at.z);
-    Eigen::Matrix3d slope;
-    slope << 2 * x * (1 - k), k + 2 * y * (1 - k), y - square,  //
-        k * a3 + 3, k * b3, a3 * x + b3 * y,                    //
-        k * (2 * x + a4) - 2 * x + 4 * b3, k * (2 * y + b4) - 2 * y - 4 * a3 - 6, square + a4 * x + b4 * y;
-    return slope;
+    return {{{{2 * x * (1 - k), k + 2 * y * (1 - k), y - square},
+              {k * a3 + 3, k * b3, a3 * x + b3 * y},
+              {k * (2 * x + a4) - 2 * x + 4 * b3, k * (2 * y + b4) - 2 * y - 4 * a3 - 6, square + a4 * x + b4 * y}}}};
   }
 };
 
@@ -57,8 +55,8 @@ Candidate polished(const UnitInstant& instant, Candidate at) {
   double left = worst(instant.conditions(at));
   for (int turn = 0; turn < turns && left > 0; ++turn) {
     const auto values = instant.conditions(at);
-    const Eigen::Vector3d step = instant.slope(at).fullPivLu().solve(Eigen::Vector3d(values[0], values[1], values[2]));
-    const Candidate next{at.z - Point{step[0], step[1]}, at.k - step[2]};
+    const Vector3 step = solve(instant.slope(at), {values[0], values[1], values[2]});
+    const Candidate next{at.z - Point{step.x, step.y}, at.k - step.z};
     const double then = worst(instant.conditions(next));
     if (!(then < left)) break;
     left = then;

@@ -1,13 +1,12 @@
 #include "linkwright/planar/burmester_points.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
 
+#include "algebra/dense.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "planar/degenerate_task.hpp"
@@ -51,20 +50,20 @@ std::array<Homogeneous, 2> tangents_at(Homogeneous unit) {
 /// The four conditions about a dyad, linear in steps of its unit vectors along two tangents each.
 struct Linearized {
   std::array<Homogeneous, 2> of_circle, of_center;
-  Eigen::Matrix4d slope;
-  Eigen::Vector4d value;
+  DenseMatrix<4, 4> slope;
+  std::array<double, 4> value;
 
   Linearized(const PoseConditions& conditions, const Dyad& dyad)
       : of_circle(tangents_at(dyad.circle)), of_center(tangents_at(dyad.center)) {
-    for (int k = 0; k < 4; ++k) {
-      const HomogeneousMatrix& m = conditions.rows[static_cast<std::size_t>(k)];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const HomogeneousMatrix& m = conditions.rows[k];
       const Homogeneous mc = m * dyad.center, zm = dyad.circle * m;
       value[k] = dot(dyad.circle, mc);
-      slope.row(k) << dot(of_circle[0], mc), dot(of_circle[1], mc), dot(zm, of_center[0]), dot(zm, of_center[1]);
+      slope[k] = {dot(of_circle[0], mc), dot(of_circle[1], mc), dot(zm, of_center[0]), dot(zm, of_center[1])};
     }
   }
   [[nodiscard]] Dyad corrected(const Dyad& dyad) const {
-    const Eigen::Vector4d step = slope.partialPivLu().solve(value);
+    const auto step = solve(slope, value);
     return {normalized(dyad.center - step[2] * of_center[0] - step[3] * of_center[1]),
             normalized(dyad.circle - step[0] * of_circle[0] - step[1] * of_circle[1]), dyad.coordinate};
   }
@@ -86,8 +85,8 @@ Dyad polished(const PoseConditions& conditions, Dyad dyad) {
 
 double condition_of(const PoseConditions& conditions, const Dyad& dyad) {
   constexpr double most = 1 / std::numeric_limits<double>::epsilon();
-  const Eigen::JacobiSVD<Eigen::Matrix4d> svd(Linearized(conditions, dyad).slope);
-  return std::min(conditions.condition() / std::max(svd.singularValues()[3], 1 / most), most);
+  const double least = singular_values(Linearized(conditions, dyad).slope).values.back();
+  return std::min(conditions.condition() / std::max(least, 1 / most), most);
 }
 
 // w ≥ 0; at infinity x ≥ 0: the same point has the same vector.

@@ -1,11 +1,11 @@
 #include "linkwright/planar/pose_conditions.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "algebra/binomial.hpp"
+#include "algebra/dense.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 
@@ -80,27 +80,33 @@ Lengths typical_lengths(const std::vector<PlanarDisplacement>& moves) {
   return {root_mean_square(a), root_mean_square(q)};
 }
 
+using MatrixRow = std::array<double, 9>;  ///< the elements of a 3 × 3 matrix
+
+MatrixRow unit_row(const HomogeneousMatrix& matrix) {
+  MatrixRow row;
+  double square = 0;
+  for (std::size_t i = 0; i < 9; ++i) {
+    const Homogeneous& r = matrix.row[i / 3];
+    row[i] = std::array{r.w, r.x, r.y}[i % 3];
+    square += row[i] * row[i];
+  }
+  if (square > 0)
+    for (double& element : row) element /= std::sqrt(square);
+  return row;
+}
+
 // Unit rows, so that the singular values tell how the conditions lie to each other and not how long the moves are.
 // `lowest_order`: of the derivatives taken, by pose.
 template <class LowestOrder>
-Eigen::MatrixXd stacked_rows(const std::vector<PlanarDisplacement>& moves, int count, const LowestOrder& lowest_order) {
-  Eigen::MatrixXd rows(count, 9);
-  int row = 0;
-  for (std::size_t j = 0; j < moves.size(); ++j) {
-    const PlanarDisplacement& d = moves[j];
-    for (std::size_t m = lowest_order(j); m < d.a.size(); ++m, ++row) {
-      const HomogeneousMatrix matrix = condition_matrix(d, m);
-      for (int i = 0; i < 3; ++i) {
-        const Homogeneous& r = matrix.row[static_cast<std::size_t>(i)];
-        rows.block<1, 3>(row, 3 * i) << r.w, r.x, r.y;
-      }
-      rows.row(row).normalize();
-    }
-  }
-  return rows;
+RowSpace space_of_rows(const std::vector<PlanarDisplacement>& moves, const LowestOrder& lowest_order) {
+  std::vector<MatrixRow> rows;
+  for (std::size_t j = 0; j < moves.size(); ++j)
+    for (std::size_t m = lowest_order(j); m < moves[j].a.size(); ++m)
+      rows.push_back(unit_row(condition_matrix(moves[j], m)));
+  return row_space(rows);
 }
 
-HomogeneousMatrix as_matrix(const Eigen::VectorXd& v) {
+HomogeneousMatrix as_matrix(const MatrixRow& v) {
   return {{{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}}}};
 }
 
@@ -117,7 +123,7 @@ Point common_pole(const std::vector<PlanarDisplacement>& moves) {
 }
 
 // `moves` of the working frame, `condition` of their rows there.
-std::optional<PoleFrame> view_from_pole(std::vector<PlanarDisplacement> moves, int count, double condition) {
+std::optional<PoleFrame> view_from_pole(std::vector<PlanarDisplacement> moves, double condition) {
   PoleFrame view;
   view.frame.origin = common_pole(moves);
   for (std::size_t j = 0; j < moves.size(); ++j) {
@@ -130,15 +136,14 @@ std::optional<PoleFrame> view_from_pole(std::vector<PlanarDisplacement> moves, i
   for (PlanarDisplacement& move : moves)
     for (Point& a : move.a) a /= view.frame.scale;
 
-  const Eigen::MatrixXd rows = stacked_rows(moves, count, first_order);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
+  const RowSpace space = space_of_rows(moves, first_order);
   // Poses that merely lie close together have their poles close together, too: their condition is the inverse square of
   // that distance, and seen from there still its inverse. Worth while are two digits, and no more than the two and a
   // half that rows of well spread poses lose.
   constexpr double worth_while = 1e-2, ordinary = 300;
-  const double seen = svd.singularValues()[0] / svd.singularValues()[count - 1];
+  const double seen = space.values.front() / space.values.back();
   if (!(seen < std::min(worth_while * condition, ordinary))) return std::nullopt;
-  for (int k = 0; k < count; ++k) view.rows.push_back(as_matrix(svd.matrixV().col(k)));
+  for (const MatrixRow& row : space.vectors) view.rows.push_back(as_matrix(row));
   return view;
 }
 
@@ -185,31 +190,26 @@ PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses) {
   conditions.frame = {poses.front().pose.origin, scale > 0 ? scale : 1};
 
   const std::vector<PlanarDisplacement> moves = displacements(conditions.frame.to_working(poses));
-  const int count = position_count(poses) - 1;
-  const Eigen::MatrixXd rows = stacked_rows(moves, count, first_order);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
-  for (int k = 0; k < rows.rows(); ++k) {
-    conditions.rows.push_back(as_matrix(svd.matrixV().col(k)));
-    const double value = svd.singularValues()[k];
-    conditions.singular_values.push_back(value);
-    if (value >= tolerance::dependent_rows * svd.singularValues()[0]) ++conditions.rank;
+  const RowSpace space = space_of_rows(moves, first_order);
+  conditions.singular_values = space.values;
+  for (std::size_t k = 0; k < space.values.size(); ++k) {
+    conditions.rows.push_back(as_matrix(space.vectors[k]));
+    if (space.values[k] >= tolerance::dependent_rows * space.values.front()) ++conditions.rank;
   }
-  if (count == 3 && conditions.are_independent() && !conditions.only_translations)
-    conditions.near_pole = view_from_pole(moves, count, conditions.condition());
+  if (conditions.rows.size() == 3 && conditions.are_independent() && !conditions.only_translations)
+    conditions.near_pole = view_from_pole(moves, conditions.condition());
   return conditions;
 }
 
 std::vector<HomogeneousMatrix> derivative_conditions(const std::vector<PrescribedPose>& poses,
                                                      const WorkingFrame& frame) {
-  const int count = position_count(poses) - static_cast<int>(poses.size());
-  if (count == 0) return {};
-  const Eigen::MatrixXd rows =
-      stacked_rows(displacements(frame.to_working(poses)), count, [](std::size_t) -> std::size_t { return 1; });
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinV);
+  if (position_count(poses) == static_cast<int>(poses.size())) return {};
+  const RowSpace space =
+      space_of_rows(displacements(frame.to_working(poses)), [](std::size_t) -> std::size_t { return 1; });
   std::vector<HomogeneousMatrix> conditions;
-  for (int k = 0; k < count; ++k)
-    if (svd.singularValues()[k] >= tolerance::dependent_rows * svd.singularValues()[0])
-      conditions.push_back(as_matrix(svd.matrixV().col(k)));
+  for (std::size_t k = 0; k < space.values.size(); ++k)
+    if (space.values[k] >= tolerance::dependent_rows * space.values.front())
+      conditions.push_back(as_matrix(space.vectors[k]));
   return conditions;
 }
 

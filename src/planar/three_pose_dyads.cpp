@@ -1,9 +1,9 @@
 #include "linkwright/planar/three_pose_dyads.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/dense.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -71,14 +71,10 @@ std::vector<double> possible_zeros(const std::array<Point, degree + 1>& c) {
     const Point v = c[static_cast<std::size_t>(std::abs(power - m))];
     return power < m ? std::conj(v) : v;
   };
-  Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(2 * m, 2 * m);
-  for (int i = 0; i < 2 * m; ++i) {
-    if (i > 0) companion(i, i - 1) = 1;
-    companion(i, 2 * m - 1) = -coefficient(i) / coefficient(2 * m);
-  }
-  const Eigen::VectorXcd roots = Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues();
+  std::vector<Point> coefficients;
+  for (int power = 0; power <= 2 * m; ++power) coefficients.push_back(coefficient(power));
   std::vector<double> zeros;
-  for (const Point root : roots)
+  for (const Point root : all_roots(coefficients))
     if (std::abs(std::abs(root) - 1) < near_circle) zeros.push_back(wrap_positive(std::arg(root)));
   std::sort(zeros.begin(), zeros.end());
   return zeros;

@@ -1,6 +1,5 @@
 #include "robust/six_bar_distances.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "linkwright/core/tolerance.hpp"
@@ -11,16 +10,20 @@ namespace {
 constexpr Point quarter_turn{0, 1};
 
 // Coordinates of the moving hinges by all parameters.
-std::optional<SixBarDistances::Matrix> hinges_by_parameters(const SixBarDistances& distances,
-                                                            const SixBarDistances::Joints& joints) {
+std::optional<SmallMatrix> hinges_by_parameters(const SixBarDistances& distances,
+                                                const SixBarDistances::Joints& joints) {
   const auto inverse = distances.inverse(joints);
   if (!inverse) return std::nullopt;
-  const auto lengths = static_cast<int>(distances.lengths().size());
-  const auto parameters = static_cast<int>(distances.parameters());
-  SixBarDistances::Matrix by = SixBarDistances::Matrix::Zero(distances.equations(), parameters);
-  by.leftCols(lengths) = inverse->leftCols(lengths);
-  by.middleCols(lengths, parameters - lengths - 3) = -*inverse * distances.jacobian(joints, distances.ground());
-  by.rightCols(1) = std::abs(joints[SixBar::b] - joints[SixBar::a]) * inverse->rightCols(1);
+  const std::size_t equations = distances.equations(), lengths = distances.lengths().size();
+  const SmallMatrix ground = distances.jacobian(joints, distances.ground());
+  const double driver = std::abs(joints[SixBar::b] - joints[SixBar::a]);
+  SmallMatrix by(equations, distances.parameters());
+  for (std::size_t i = 0; i < equations; ++i) {
+    for (std::size_t j = 0; j < lengths; ++j) by(i, j) = (*inverse)(i, j);
+    for (std::size_t j = 0; j < ground.columns(); ++j)
+      for (std::size_t k = 0; k < equations; ++k) by(i, lengths + j) -= (*inverse)(i, k) * ground(k, j);
+    by(i, by.columns() - 1) = driver * (*inverse)(i, equations - 1);
+  }
   return by;
 }
 
@@ -47,23 +50,21 @@ SixBarDistances::SixBarDistances(const SixBar& six_bar) : lengths_(six_bar.lengt
   guided_ = {own.at(0), own.at(1)};
 }
 
-SixBarDistances::Matrix SixBarDistances::jacobian(const Joints& joints, const std::vector<std::size_t>& by) const {
-  const int rows = equations(), driver = rows - 1;
-  Matrix matrix = Matrix::Zero(rows, 2 * static_cast<int>(by.size()));
-  std::array<int, SixBar::joint_count> column_of{};
-  column_of.fill(-1);
-  for (std::size_t k = 0; k < by.size(); ++k) column_of[by[k]] = 2 * static_cast<int>(k);
-  const auto add = [&](int row, std::size_t joint, Point along) {
-    const int column = column_of[joint];
-    if (column < 0) return;
+SmallMatrix SixBarDistances::jacobian(const Joints& joints, const std::vector<std::size_t>& by) const {
+  const std::size_t driver = equations() - 1;
+  SmallMatrix matrix(equations(), 2 * by.size());
+  const auto add = [&](std::size_t row, std::size_t joint, Point along) {
+    const auto found = std::find(by.begin(), by.end(), joint);
+    if (found == by.end()) return;
+    const auto column = 2 * static_cast<std::size_t>(found - by.begin());
     matrix(row, column) = along.real();
     matrix(row, column + 1) = along.imag();
   };
   const auto unit_vector = [&](std::size_t from, std::size_t to) {
     return (joints[to] - joints[from]) / std::abs(joints[to] - joints[from]);
   };
-  for (int row = 0; row < driver; ++row) {
-    const auto [from, to] = lengths_[static_cast<std::size_t>(row)].joints;
+  for (std::size_t row = 0; row < driver; ++row) {
+    const auto [from, to] = lengths_[row].joints;
     const Point along = unit_vector(from, to);
     add(row, to, along);
     add(row, from, -along);
@@ -74,11 +75,8 @@ SixBarDistances::Matrix SixBarDistances::jacobian(const Joints& joints, const st
   return matrix;
 }
 
-std::optional<SixBarDistances::Matrix> SixBarDistances::inverse(const Joints& joints) const {
-  const Eigen::FullPivLU<Matrix> factors(jacobian(joints, moving_));
-  const auto pivots = factors.matrixLU().diagonal().cwiseAbs();
-  if (!(pivots.minCoeff() >= tolerance::dead_point_sine * pivots.maxCoeff())) return std::nullopt;
-  return Matrix(factors.inverse());
+std::optional<SmallMatrix> SixBarDistances::inverse(const Joints& joints) const {
+  return linkwright::inverse(jacobian(joints, moving_), tolerance::dead_point_sine);
 }
 
 std::optional<SensitivityMatrix> six_bar_sensitivities(const SixBarOutput& output) {
@@ -86,7 +84,7 @@ std::optional<SensitivityMatrix> six_bar_sensitivities(const SixBarOutput& outpu
   const auto [from, to] = distances.guided();
   const auto& moving = distances.moving();
   const auto row_of = [&](std::size_t joint) {
-    return 2 * (std::find(moving.begin(), moving.end(), joint) - moving.begin());
+    return 2 * static_cast<std::size_t>(std::find(moving.begin(), moving.end(), joint) - moving.begin());
   };
   const auto from_row = row_of(from), to_row = row_of(to);
   SensitivityMatrix matrix(output.positions.size(), 3, distances.parameters());
@@ -97,9 +95,7 @@ std::optional<SensitivityMatrix> six_bar_sensitivities(const SixBarOutput& outpu
     const auto by = hinges_by_parameters(distances, joints);
     if (!by) return std::nullopt;
     for (std::size_t i = 0; i < matrix.parameters(); ++i) {
-      const auto moved = [&](auto row) {
-        return Point{(*by)(row, static_cast<int>(i)), (*by)(row + 1, static_cast<int>(i))};
-      };
+      const auto moved = [&](std::size_t row) { return Point{(*by)(row, i), (*by)(row + 1, i)}; };
       FrameMotion motion = frame_motion(joints[from], joints[to], origin, moved(from_row), moved(to_row));
       if (i == along || i == across)
         motion.shift =

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "algebra/dense.hpp"
 #include "linkwright/analysis/six_bar_position.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 #include "linkwright/robust/linkage_output.hpp"
@@ -17,8 +17,6 @@ class SixBarDistances {
  public:
   static constexpr int most_equations = 10, most_parameters = 16;
   using Joints = std::array<Point, SixBar::joint_count>;
-  using Matrix =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_equations, most_parameters>;
 
   explicit SixBarDistances(const SixBar& six_bar);
 
@@ -31,13 +29,13 @@ class SixBarDistances {
   [[nodiscard]] std::array<std::size_t, 2> guided() const { return guided_; }
   /// Of a linkage; after the lengths and pivots that is two of the point and the driver.
   [[nodiscard]] std::size_t parameters() const { return lengths_.size() + 2 * ground_.size() + 3; }
-  [[nodiscard]] int equations() const { return 2 * static_cast<int>(moving_.size()); }
+  [[nodiscard]] std::size_t equations() const { return 2 * moving_.size(); }
 
   /// Derivatives of the equations by the coordinates of some hinges: a row for each length, of that length's own size,
   /// and one for the driver's angle, as a length at b.
-  [[nodiscard]] Matrix jacobian(const Joints& joints, const std::vector<std::size_t>& by) const;
+  [[nodiscard]] SmallMatrix jacobian(const Joints& joints, const std::vector<std::size_t>& by) const;
   /// Inverse of jacobian() by the moving hinges; nothing at a dead point, nor where a ternary body is flat.
-  [[nodiscard]] std::optional<Matrix> inverse(const Joints& joints) const;
+  [[nodiscard]] std::optional<SmallMatrix> inverse(const Joints& joints) const;
 
  private:
   std::vector<SixBarLength> lengths_;

@@ -1,6 +1,5 @@
 #include "robust/six_bar_solver.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,11 +34,10 @@ SixBarSolver::SixBarSolver(const SixBarDistances& distances, const SixBarOutput&
   for (const SixBarLength& length : distances.lengths()) longest_ = std::max(longest_, length.length);
   const auto inverse = distances.inverse(nominal_.joints);
   if (!inverse) return;
-  positive_ = distances.jacobian(nominal_.joints, distances.moving()).partialPivLu().determinant() > 0;
+  positive_ = solve(distances.jacobian(nominal_.joints, distances.moving()), Values{}).determinant > 0;
   inverse_.emplace();
-  for (int column = 0; column < distances.equations(); ++column)
-    for (int row = 0; row < distances.equations(); ++row)
-      (*inverse_)[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)] = (*inverse)(row, column);
+  for (std::size_t column = 0; column < distances.equations(); ++column)
+    for (std::size_t row = 0; row < distances.equations(); ++row) (*inverse_)[column][row] = (*inverse)(row, column);
 }
 
 SixBarSolver::Target SixBarSolver::target(const SixBarDeviations& deviations, double share) const {
@@ -97,17 +95,18 @@ bool SixBarSolver::close_by_newton(Joints& joints, const Target& target) const {
   const auto& lengths = distances_.lengths();
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_corrections; ++step) {
-    SixBarDistances::Matrix jacobian = distances_.jacobian(joints, moving);
-    for (std::size_t k = 0; k < lengths.size(); ++k)
-      jacobian.row(static_cast<int>(k)) *=
-          std::abs(joints[lengths[k].joints[1]] - joints[lengths[k].joints[0]]) / lengths[k].length;
-    const auto factors = jacobian.partialPivLu();
-    const Values error = errors(joints, target);
-    const Eigen::VectorXd change = factors.solve(Eigen::Map<const Eigen::VectorXd>(error.data(), jacobian.rows()));
-    const double size = change.cwiseAbs().maxCoeff();
-    for (std::size_t k = 0; k < moving.size(); ++k)
-      joints[moving[k]] -= Point{change[2 * static_cast<int>(k)], change[2 * static_cast<int>(k) + 1]};
-    if (size <= tolerance::last_newton_correction * longest_) return (factors.determinant() > 0) == positive_;
+    SmallMatrix jacobian = distances_.jacobian(joints, moving);
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      const double share = std::abs(joints[lengths[k].joints[1]] - joints[lengths[k].joints[0]]) / lengths[k].length;
+      for (std::size_t column = 0; column < jacobian.columns(); ++column) jacobian(k, column) *= share;
+    }
+    const auto [change, determinant] = solve(jacobian, errors(joints, target));
+    double size = 0;
+    for (std::size_t k = 0; k < moving.size(); ++k) {
+      joints[moving[k]] -= Point{change[2 * k], change[2 * k + 1]};
+      size = std::max({size, std::abs(change[2 * k]), std::abs(change[2 * k + 1])});
+    }
+    if (size <= tolerance::last_newton_correction * longest_) return (determinant > 0) == positive_;
     if (!(size <= 0.5 * last)) return false;
     last = size;
   }

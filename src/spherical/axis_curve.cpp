@@ -1,9 +1,9 @@
 #include "linkwright/spherical/axis_curve.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/dense.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 
@@ -23,18 +23,18 @@ void polish(const OrientationConditions& conditions, Vector3& fixed, Vector3& mo
   constexpr int turns = 3;
   double residual = residual_of(fixed, moving, conditions.rows);
   for (int turn = 0; turn < turns; ++turn) {
-    Eigen::Matrix<double, 3, 6> slope;
-    Eigen::Vector3d off;
-    for (int k = 0; k < 3; ++k) {
-      const Matrix3x3& row = conditions.rows[static_cast<std::size_t>(k)];
+    DenseMatrix<3, 6> slope;
+    std::array<double, 3> off;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Matrix3x3& row = conditions.rows[k];
       const Vector3 by_fixed = row * moving, by_moving = fixed * row;
       const double value = dot(fixed, by_fixed);
       // Along the axes themselves nothing changes but lengths.
       const Vector3 of_fixed = by_fixed - value * fixed, of_moving = by_moving - value * moving;
-      slope.row(k) << of_fixed.x, of_fixed.y, of_fixed.z, of_moving.x, of_moving.y, of_moving.z;
+      slope[k] = {of_fixed.x, of_fixed.y, of_fixed.z, of_moving.x, of_moving.y, of_moving.z};
       off[k] = value;
     }
-    const Eigen::Matrix<double, 6, 1> step = slope.completeOrthogonalDecomposition().solve(off);
+    const auto step = shortest_solution(slope, off);
     const Vector3 next_fixed = normalized(fixed - Vector3{step[0], step[1], step[2]}),
                   next_moving = normalized(moving - Vector3{step[3], step[4], step[5]});
     const double left = residual_of(next_fixed, next_moving, conditions.rows);

@@ -1,10 +1,9 @@
 #include "spherical/common_lines.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <cmath>
 #include <complex>
 
+#include "algebra/dense.hpp"
 #include "algebra/monomial_order.hpp"
 #include "linkwright/core/tolerance.hpp"
 
@@ -12,59 +11,54 @@ namespace linkwright {
 namespace {
 
 constexpr std::size_t cubics = monomial_count(3), quartics = monomial_count(4);
-constexpr int lines_in_all = 6, multiples = 12, independent_multiples = 9;
+constexpr std::size_t lines_in_all = 6, multiples = 12;
 
 /// A column for each of six functionals that vanish on the ideal; a row for each monomial.
-using OnQuartics = Eigen::Matrix<double, static_cast<int>(quartics), lines_in_all>;
-using OnCubics = Eigen::Matrix<double, static_cast<int>(cubics), lines_in_all>;
-using Multiplication = Eigen::Matrix<double, lines_in_all, lines_in_all>;
+using OnQuartics = DenseMatrix<quartics, lines_in_all>;
+using OnCubics = DenseMatrix<cubics, lines_in_all>;
 
 // The functionals on quartic forms that vanish on x, y and z times each minor. These twelve have three linear relations
 // (Hilbert and Burch), and no more where the lines are finitely many.
 std::optional<OnQuartics> functionals(const std::array<CubicForm, 4>& minors) {
-  Eigen::Matrix<double, static_cast<int>(quartics), multiples> ideal;
-  ideal.setZero();
-  int column = 0;
+  DenseMatrix<quartics, multiples> ideal{};
+  std::size_t column = 0;
   for (const CubicForm& minor : minors) {
     const double size = minor.largest_coefficient();
     if (!(size > 0)) return std::nullopt;
     for (std::size_t axis = 0; axis < 3; ++axis, ++column)
-      for (std::size_t i = 0; i < cubics; ++i)
-        ideal(static_cast<Eigen::Index>(times_axis[i][axis]), column) = minor.coefficient[i] / size;
+      for (std::size_t i = 0; i < cubics; ++i) ideal[times_axis[i][axis]][column] = minor.coefficient[i] / size;
   }
-  const Eigen::ColPivHouseholderQR<decltype(ideal)> qr(ideal);
-  const auto& triangle = qr.matrixQR();
-  if (!(std::abs(triangle(independent_multiples - 1, independent_multiples - 1)) >
-        tolerance::dependent_minors * std::abs(triangle(0, 0))))
-    return std::nullopt;
-  OnQuartics found = OnQuartics::Zero();
-  found.bottomRows<lines_in_all>().setIdentity();
-  for (int k = independent_multiples - 1; k >= 0; --k) {
-    const auto tail = static_cast<int>(quartics) - k - 1;
-    Eigen::Matrix<double, 1, lines_in_all> workspace;
-    found.bottomRows(tail + 1).applyHouseholderOnTheLeft(triangle.col(k).tail(tail), qr.hCoeffs()[k], workspace.data());
-  }
-  return found;
+  return left_null_space(ideal, tolerance::dependent_minors);
 }
 
 /// The functionals applied to a linear form times cubic forms.
 OnCubics times(const OnQuartics& functional, Vector3 linear) {
   OnCubics found;
-  for (std::size_t i = 0; i < cubics; ++i) {
-    const auto row = [&](std::size_t axis) { return functional.row(static_cast<Eigen::Index>(times_axis[i][axis])); };
-    found.row(static_cast<Eigen::Index>(i)) = linear.x * row(0) + linear.y * row(1) + linear.z * row(2);
-  }
+  for (std::size_t i = 0; i < cubics; ++i)
+    for (std::size_t k = 0; k < lines_in_all; ++k) {
+      const auto value = [&](std::size_t axis) { return functional[times_axis[i][axis]][k]; };
+      found[i][k] = linear.x * value(0) + linear.y * value(1) + linear.z * value(2);
+    }
   return found;
 }
 
 using ComplexVector = std::array<std::complex<double>, 3>;
 
 // Of a line by the values of the cubic monomials: those of x³, x²y, x²z, or of the same with y or z first.
-ComplexVector line_of(const Eigen::Matrix<std::complex<double>, static_cast<int>(cubics), 1>& values) {
+ComplexVector line_of(const std::array<std::complex<double>, cubics>& values) {
   const double x = std::norm(values[0]), y = std::norm(values[6]), z = std::norm(values[9]);
   if (x >= y && x >= z) return {values[0], values[1], values[2]};
   if (y >= z) return {values[3], values[6], values[7]};
   return {values[5], values[8], values[9]};
+}
+
+// The cubic monomials where the functionals take the values of an eigenvector.
+std::array<std::complex<double>, cubics> monomials(const OnCubics& functional,
+                                                   const std::array<std::complex<double>, lines_in_all>& vector) {
+  std::array<std::complex<double>, cubics> values{};
+  for (std::size_t i = 0; i < cubics; ++i)
+    for (std::size_t k = 0; k < lines_in_all; ++k) values[i] += functional[i][k] * vector[k];
+  return values;
 }
 
 /// A complex line, turned by a phase to lie as near a real one as it can.
@@ -110,13 +104,11 @@ std::optional<CommonLines> common_lines(const std::array<CubicForm, 4>& minors, 
   if (!functional) return std::nullopt;
   const auto& [denominator, numerator] = pencils[static_cast<std::size_t>(pencil)];
   const OnCubics below = times(*functional, denominator);
-  const Multiplication multiplication = below.householderQr().solve(times(*functional, numerator));
-  const Eigen::EigenSolver<Multiplication> eigen(multiplication);
-  const auto vectors = eigen.eigenvectors();
+  const EigenPairs multiplication = eigen_pairs(least_squares(below, times(*functional, numerator)));
   CommonLines found;
-  for (int k = 0; k < lines_in_all; ++k) {
-    const bool is_complex = eigen.eigenvalues()[k].imag() != 0;
-    const NearestReal line(line_of(below * vectors.col(k)));
+  for (std::size_t k = 0; k < lines_in_all; ++k) {
+    const bool is_complex = multiplication.values[k].imag() != 0;
+    const NearestReal line(line_of(monomials(below, multiplication.vectors[k])));
     if (is_complex) ++k;  // its conjugate
     if (!is_complex || line.distance < tolerance::nearly_double_line)
       found.lines[static_cast<std::size_t>(found.count++)] = {line.axis, is_complex};

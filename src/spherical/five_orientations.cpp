@@ -1,13 +1,11 @@
 #include "linkwright/spherical/five_orientations.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
+#include "algebra/dense.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "spherical/common_lines.hpp"
@@ -25,38 +23,40 @@ std::array<Vector3, 2> tangents_at(Vector3 unit) {
           Vector3{mixed, sign + unit.y * unit.y * part, -unit.y}};
 }
 
+using Step = std::array<double, 4>;  ///< along both tangents of the fixed axis, then of the moving one
+
+Step operator-(const Step& step) { return {-step[0], -step[1], -step[2], -step[3]}; }
+double dot(const Step& a, const Step& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
+Step column(const DenseMatrix<4, 4>& a, std::size_t j) { return {a[0][j], a[1][j], a[2][j], a[3][j]}; }
+
 /// The four conditions about a dyad, bilinear in steps of its unit vectors along two tangents each.
 struct ConditionSteps {
   SphericalDyad dyad;
   std::array<Vector3, 2> of_fixed, of_moving;
-  Eigen::Matrix4d slope;
-  Eigen::Vector4d value;
+  DenseMatrix<4, 4> slope;
+  std::array<double, 4> value;
 
   ConditionSteps(const OrientationConditions& conditions, const SphericalDyad& at)
       : dyad(at), of_fixed(tangents_at(at.fixed_axis)), of_moving(tangents_at(at.moving_axis)) {
-    for (int k = 0; k < 4; ++k) {
-      const Matrix3x3& d = conditions.rows[static_cast<std::size_t>(k)];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Matrix3x3& d = conditions.rows[k];
       const Vector3 dw = d * dyad.moving_axis, gd = dyad.fixed_axis * d;
       value[k] = dot(dyad.fixed_axis, dw);
-      slope.row(k) << dot(of_fixed[0], dw), dot(of_fixed[1], dw), dot(gd, of_moving[0]), dot(gd, of_moving[1]);
+      slope[k] = {dot(of_fixed[0], dw), dot(of_fixed[1], dw), dot(gd, of_moving[0]), dot(gd, of_moving[1])};
     }
   }
-  [[nodiscard]] double residual() const { return value.cwiseAbs().maxCoeff(); }
-  [[nodiscard]] Vector3 fixed_step(const Eigen::Vector4d& step) const {
-    return step[0] * of_fixed[0] + step[1] * of_fixed[1];
+  [[nodiscard]] double residual() const {
+    return std::max({std::abs(value[0]), std::abs(value[1]), std::abs(value[2]), std::abs(value[3])});
   }
-  [[nodiscard]] Vector3 moving_step(const Eigen::Vector4d& step) const {
-    return step[2] * of_moving[0] + step[3] * of_moving[1];
-  }
-  [[nodiscard]] SphericalDyad dyad_after(const Eigen::Vector4d& step) const {
+  [[nodiscard]] Vector3 fixed_step(const Step& step) const { return step[0] * of_fixed[0] + step[1] * of_fixed[1]; }
+  [[nodiscard]] Vector3 moving_step(const Step& step) const { return step[2] * of_moving[0] + step[3] * of_moving[1]; }
+  [[nodiscard]] SphericalDyad dyad_after(const Step& step) const {
     return {normalized(dyad.fixed_axis + fixed_step(step)), normalized(dyad.moving_axis + moving_step(step)), 0};
   }
   /// What a step adds to the conditions beside the slope: nothing but this.
-  [[nodiscard]] Eigen::Vector4d second_order(const OrientationConditions& conditions,
-                                             const Eigen::Vector4d& step) const {
-    Eigen::Vector4d found;
-    for (int k = 0; k < 4; ++k)
-      found[k] = dot(fixed_step(step), conditions.rows[static_cast<std::size_t>(k)] * moving_step(step));
+  [[nodiscard]] std::array<double, 4> second_order(const OrientationConditions& conditions, const Step& step) const {
+    std::array<double, 4> found;
+    for (std::size_t k = 0; k < 4; ++k) found[k] = dot(fixed_step(step), conditions.rows[k] * moving_step(step));
     return found;
   }
 };
@@ -66,38 +66,17 @@ SphericalDyad polished(const OrientationConditions& conditions, const SphericalD
   constexpr int max_steps = 6;
   ConditionSteps at(conditions, dyad);
   for (int step = 0; step < max_steps; ++step) {
-    const ConditionSteps next(conditions, at.dyad_after(at.slope.partialPivLu().solve(-at.value)));
+    const ConditionSteps next(conditions, at.dyad_after(solve(at.slope, -at.value)));
     if (!(next.residual() < at.residual())) break;
     at = next;
   }
   return at.dyad;
 }
 
-// Of a symmetric matrix without negative ones: Newton's method on the characteristic polynomial, its coefficients from
-// the traces of powers, comes down to its largest root from above without passing it.
-double largest_eigenvalue(const Eigen::Matrix4d& matrix) {
-  constexpr double resolution = 1e-10;
-  constexpr int most_steps = 50;
-  const double trace = matrix.trace();
-  const Eigen::Matrix4d unit = matrix / trace, square = unit * unit;
-  const double p2 = square.trace(), p3 = square.cwiseProduct(unit).sum(), p4 = square.squaredNorm();
-  const double e2 = (1 - p2) / 2, e3 = (e2 - p2 + p3) / 3, e4 = (e3 - e2 * p2 + p3 - p4) / 4;
-  double root = std::sqrt(p2);
-  for (int step = 0; step < most_steps; ++step) {
-    const double value = (((root - 1) * root + e2) * root - e3) * root + e4;
-    const double slope = ((4 * root - 3) * root + 2 * e2) * root - e3;
-    const double next = root - value / slope;
-    if (!(next < (1 - resolution) * root)) break;
-    root = next;
-  }
-  return trace * root;
-}
-
 // The norm of the inverse of the slope, whose largest singular value is well conditioned.
 double condition_of(const ConditionSteps& at) {
   constexpr double most = 1 / std::numeric_limits<double>::epsilon();
-  const Eigen::Matrix4d inverse = at.slope.inverse(), square = inverse * inverse.transpose();
-  return square.allFinite() ? std::min(std::sqrt(largest_eigenvalue(square)), most) : most;
+  return std::min(norm_of_inverse(at.slope), most);
 }
 
 /// Dyads found by one pencil.
@@ -131,21 +110,25 @@ void add_single(const OrientationConditions& conditions, Vector3 moving, FoundDy
 void add_pair(const OrientationConditions& conditions, Vector3 moving, FoundDyads& found) {
   constexpr double far = 1e2 * tolerance::nearly_double_line;
   ConditionSteps at(conditions, {fixed_axis_of(moving, conditions), moving, 0});
-  Eigen::JacobiSVD<Eigen::Matrix4d> svd(at.slope, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  auto svd = singular_values(at.slope);
   for (int turn = 0; turn < 3; ++turn) {
-    Eigen::Vector4d step = svd.matrixU().transpose() * -at.value;
-    step.array() /= svd.singularValues().array();
-    step[3] = 0;
-    if (!step.allFinite()) break;
-    at = ConditionSteps(conditions, at.dyad_after(svd.matrixV() * step));
-    svd.compute(at.slope);
+    Step step{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double size = -dot(column(svd.left, k), at.value) / svd.values[k];
+      for (std::size_t i = 0; i < 4; ++i) step[i] += size * svd.right[i][k];
+    }
+    if (!std::all_of(step.begin(), step.end(), [](double part) { return std::isfinite(part); })) break;
+    at = ConditionSteps(conditions, at.dyad_after(step));
+    svd = singular_values(at.slope);
   }
-  const Eigen::Vector4d along = svd.matrixV().col(3), across = svd.matrixU().col(3);
-  const double value = across.dot(at.value), slope = svd.singularValues()[3];
-  const double bend = across.dot(at.second_order(conditions, along));
+  const Step along = column(svd.right, 3), across = column(svd.left, 3);
+  const double value = dot(across, at.value), slope = svd.values[3];
+  const double bend = dot(across, at.second_order(conditions, along));
   const double middle = -0.5 * slope / bend, square = middle * middle - value / bend;
   const double half = std::sqrt(std::abs(square));
-  const auto at_step = [&](double t) { return at.dyad_after(t * along); };
+  const auto at_step = [&](double t) {
+    return at.dyad_after({t * along[0], t * along[1], t * along[2], t * along[3]});
+  };
   if (!(std::abs(middle) + half < far)) {
     found.add(at.dyad, 2);
   } else if (2 * half < tolerance::double_point) {
@@ -161,17 +144,15 @@ void add_pair(const OrientationConditions& conditions, Vector3 moving, FoundDyad
 // costs nothing, and small orientations keep what makes their conditions different.
 std::array<ConditionParts, 4> one_of_them_symmetric(const OrientationConditions& conditions) {
   std::array<ConditionParts, 4> parts;
-  Eigen::Matrix<double, 4, 3> skew;
+  DenseMatrix<4, 3> skew;
   for (std::size_t k = 0; k < 4; ++k) {
     parts[k] = parts_of(conditions, k);
-    skew.row(static_cast<Eigen::Index>(k)) << parts[k].skew.x, parts[k].skew.y, parts[k].skew.z;
+    skew[k] = {parts[k].skew.x, parts[k].skew.y, parts[k].skew.z};
   }
-  const Eigen::HouseholderQR<Eigen::Matrix<double, 4, 3>> qr(skew);
-  const Eigen::Matrix4d turn = qr.householderQ();
+  const DenseMatrix<4, 4> turn = completed_basis(skew);
   std::array<ConditionParts, 4> turned;
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < 4; ++k)
-      turned[i] = turned[i] + turn(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) * parts[k];
+    for (std::size_t k = 0; k < 4; ++k) turned[i] = turned[i] + turn[k][i] * parts[k];
     if (i == 3) turned[i].skew = {};
     const double size = frobenius_norm(turned[i].matrix());
     if (size > 0) turned[i] = (1 / size) * turned[i];

@@ -1,13 +1,12 @@
 #include "linkwright/spherical/orientation_conditions.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <functional>
 #include <limits>
 
 #include "algebra/binomial.hpp"
+#include "algebra/dense.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "spherical/minor_forms.hpp"
@@ -55,55 +54,16 @@ void add_derivatives(OrientationConditions& conditions, const UnitQuaternion& tu
   }
 }
 
-// Rows as columns of nine, turned in pairs until all are at right angles; their lengths are the singular values, each
-// with digits of its own (M. R. Hestenes, Inversion of matrices by biorthogonalization and related results, 1958).
-void find_singular_values(OrientationConditions& conditions) {
-  constexpr int most_rows = 4, most_sweeps = 30;  // of five positions; six sweeps are usual
-  constexpr double right_angle = 1e-15;
-  require(conditions.rows.size() <= most_rows, "at most five positions are asked for");
-  Eigen::Matrix<double, 9, Eigen::Dynamic, Eigen::ColMajor, 9, most_rows> columns(
-      9, static_cast<Eigen::Index>(conditions.rows.size()));
-  for (std::size_t k = 0; k < conditions.rows.size(); ++k)
-    for (std::size_t i = 0; i < 9; ++i)
-      columns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = conditions.rows[k](i / 3, i % 3);
-  bool turned = true;
-  for (int sweep = 0; turned && sweep < most_sweeps; ++sweep) {
-    turned = false;
-    for (Eigen::Index j = 1; j < columns.cols(); ++j)
-      for (Eigen::Index i = 0; i < j; ++i) {
-        const double p = columns.col(i).squaredNorm(), q = columns.col(j).squaredNorm(),
-                     inner = columns.col(i).dot(columns.col(j));
-        if (!(std::abs(inner) > right_angle * std::sqrt(p * q))) continue;
-        const double cotangent = (q - p) / (2 * inner);
-        const double tangent =
-            std::copysign(1.0, cotangent) / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent));
-        const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
-        const Eigen::Matrix<double, 9, 1> before = columns.col(i);
-        columns.col(i) = cosine * before - sine * columns.col(j);
-        columns.col(j) = sine * before + cosine * columns.col(j);
-        turned = true;
-      }
-  }
-  for (Eigen::Index i = 0; i < columns.cols(); ++i) conditions.singular.push_back(columns.col(i).norm());
-  std::sort(conditions.singular.begin(), conditions.singular.end(), std::greater<>());
-}
-
 CubicForm form_unless_rounding(const CubicForm& form, double noise) {
   return form.largest_coefficient() > tolerance::vanishing_cone * noise ? form : CubicForm{};
 }
 
 constexpr double nearly_one_axis = 1e-3;
 
-// Singular values of the rows side by side: an axis that all of them leave where it is.
+// An axis that all rows leave where it is.
 std::optional<Vector3> common_axis(const std::vector<Matrix3x3>& rows, double least) {
-  Eigen::MatrixXd stacked(static_cast<Eigen::Index>(3 * rows.size()), 3);
-  for (std::size_t k = 0; k < 3 * rows.size(); ++k)
-    for (std::size_t j = 0; j < 3; ++j)
-      stacked(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)) = rows[k / 3](k % 3, j);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> values(stacked, Eigen::ComputeFullV);
-  if (values.singularValues()[2] > least) return std::nullopt;
-  const Eigen::Vector3d axis = values.matrixV().col(2);
-  return Vector3{axis[0], axis[1], axis[2]};
+  const LeastImage axis = least_image(rows);
+  return axis.length > least ? std::nullopt : std::optional(axis.vector);
 }
 
 }  // namespace
@@ -122,7 +82,7 @@ OrientationConditions orientation_conditions(std::span<const PrescribedOrientati
     if (&there != &orientations.front()) add_turn(conditions, turn);
     add_derivatives(conditions, turn, there.derivatives);
   }
-  find_singular_values(conditions);
+  conditions.singular = graded_singular_values(conditions.rows);
   return conditions;
 }
 
@@ -130,7 +90,7 @@ OrientationConditions conditions_of_turns(std::span<const UnitQuaternion> turns)
   OrientationConditions conditions;
   conditions.are_finite = true;
   for (const UnitQuaternion& turn : turns) add_turn(conditions, turn.canonical());
-  find_singular_values(conditions);
+  conditions.singular = graded_singular_values(conditions.rows);
   return conditions;
 }
 
@@ -139,7 +99,7 @@ OrientationConditions without_row(OrientationConditions conditions, std::size_t 
   conditions.rows.erase(conditions.rows.begin() + at);
   if (conditions.are_finite) conditions.turns.erase(conditions.turns.begin() + at);
   conditions.singular.clear();
-  find_singular_values(conditions);
+  conditions.singular = graded_singular_values(conditions.rows);
   return conditions;
 }
 

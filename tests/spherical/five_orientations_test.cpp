@@ -1,12 +1,11 @@
 #include "linkwright/spherical/five_orientations.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 
+#include "algebra/dense.hpp"
 #include "linkwright/attitude/rotation_vector.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
@@ -115,19 +114,25 @@ std::vector<SphericalDyad> by_newton(const Orientations& orientations, std::mt19
     Vector3 g = testing::random_direction(random), w = testing::random_direction(random);
     double last = 1;
     for (int turn = 0; turn < 40 && last > 1e-13; ++turn) {
-      Eigen::Matrix<double, 6, 6> slope = Eigen::Matrix<double, 6, 6>::Zero();
-      Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
-      for (int k = 0; k < 4; ++k) {
-        const Vector3 dw = d[static_cast<std::size_t>(k)] * w, gd = g * d[static_cast<std::size_t>(k)];
-        slope.row(k) << dw.x, dw.y, dw.z, gd.x, gd.y, gd.z;
+      SmallMatrix slope(6, 6);
+      std::array<double, 6> value{};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Vector3 dw = d[k] * w, gd = g * d[k];
+        for (std::size_t i = 0; i < 3; ++i) {
+          slope(k, i) = dw[i];
+          slope(k, i + 3) = gd[i];
+        }
         value[k] = dot(g, dw);
       }
-      slope.row(4) << g.x, g.y, g.z, 0, 0, 0;
-      slope.row(5) << 0, 0, 0, w.x, w.y, w.z;
-      const Eigen::Matrix<double, 6, 1> step = slope.partialPivLu().solve(value);
-      g = normalized(g - Vector3{step[0], step[1], step[2]});
-      w = normalized(w - Vector3{step[3], step[4], step[5]});
-      last = step.norm();
+      for (std::size_t i = 0; i < 3; ++i) {
+        slope(4, i) = g[i];
+        slope(5, i + 3) = w[i];
+      }
+      const auto step = solve(slope, value).x;
+      const Vector3 of_fixed{step[0], step[1], step[2]}, of_moving{step[3], step[4], step[5]};
+      g = normalized(g - of_fixed);
+      w = normalized(w - of_moving);
+      last = std::hypot(norm(of_fixed), norm(of_moving));
     }
     const SphericalDyad dyad{g, w, 0};
     if (!(last < 1e-12)) continue;
@@ -503,13 +508,13 @@ TEST(FiveOrientations, ConditionIsTheNormOfTheInverseOfTheSlope) {
         const Vector3 one = normalized(cross(axis, std::abs(axis.x) < 0.8 ? Vector3{1, 0, 0} : Vector3{0, 1, 0}));
         return std::array{one, cross(axis, one)};
       };
-      Eigen::Matrix4d slope;
-      for (int k = 0; k < 4; ++k) {
-        const Matrix3x3& d = conditions.rows[static_cast<std::size_t>(k)];
-        slope.row(k) << dot(across(g)[0], d * w), dot(across(g)[1], d * w), dot(g, d * across(w)[0]),
-            dot(g, d * across(w)[1]);
+      DenseMatrix<4, 4> slope;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Matrix3x3& d = conditions.rows[k];
+        slope[k] = {dot(across(g)[0], d * w), dot(across(g)[1], d * w), dot(g, d * across(w)[0]),
+                    dot(g, d * across(w)[1])};
       }
-      const double least = Eigen::JacobiSVD<Eigen::Matrix4d>(slope).singularValues()[3];
+      const double least = singular_values(slope).values.back();
       if (least < 1e-5) continue;
       EXPECT_NEAR(point.condition * least, 1, 1e-8);
       ++compared;
