@@ -268,8 +268,7 @@ std::vector<Vector3> pencil_vectors(const Matrix3x3& a, const Matrix3x3& b) {
   if (pencil.info() != Eigen::Success) return found;
   for (Index i = 0; i < 3; ++i) {
     const Eigen::Vector3d real = pencil.eigenvectors().col(i).real();
-    if (real.norm() > 0 && real.allFinite())
-      found.push_back(normalized(Vector3{real[0], real[1], real[2]}));
+    if (real.norm() > 0 && real.allFinite()) found.push_back(normalized(Vector3{real[0], real[1], real[2]}));
   }
   return found;
 }

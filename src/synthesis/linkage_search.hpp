@@ -54,8 +54,7 @@ class LinkageSearch {
         maps_(std::move(maps)),
         options_(findings.options),
         progress_(progress),
-        is_discrete_(kind.family().axis(Side::input).is_discrete() && kind.family().axis(Side::output).is_discrete()) {
-  }
+        is_discrete_(kind.family().axis(Side::input).is_discrete() && kind.family().axis(Side::output).is_discrete()) {}
 
   /// The tops of the hills, then the best that differ clearly from all before.
   [[nodiscard]] BestLinkages<Solution> best() && {
@@ -264,7 +263,7 @@ class LinkageSearch {
   std::vector<SearchMap> maps_;
   const SynthesisOptions& options_;
   const Progress& progress_;
-  bool is_discrete_;  ///< few dyads: every pair is listed
+  bool is_discrete_;             ///< few dyads: every pair is listed
   double size_ = 0;              ///< design_size of the hills
   std::vector<Candidate> held_;  ///< as in found_
   std::vector<Found> found_;

@@ -45,7 +45,7 @@ const unit_names: readonly [number, string][] = [
   [1e6, "km kilometre kilometres kilometer kilometers 千米"],
   [25.4e-6, "µin μin uin microinch microinches"],
   [0.0254, "mil mils thou"],
-  [25.4, "in inch inches \" ″ ” 英寸"],
+  [25.4, 'in inch inches " ″ ” 英寸'],
   [304.8, "ft foot feet ' ′ ’ 英尺"],
   [914.4, "yd yard yards 码"],
   [1609344, "mi mile miles 英里"],
