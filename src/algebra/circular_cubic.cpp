@@ -227,7 +227,7 @@ std::optional<std::array<Point, 2>> CircularCubic::asymptote() const {
 
 Homogeneous CircularCubic::from_focal(double w, double x, double y) const {
   const Point p = focal_.axis * Point{x, y} + w * focal_.focus;
-  return normalized({w, p.real(), p.imag()});
+  return normalized(Homogeneous{w, p.real(), p.imag()});
 }
 
 Homogeneous CircularCubic::line_or_circle_point(double tau) const {

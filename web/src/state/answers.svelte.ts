@@ -2,7 +2,6 @@
 // linkage; what belongs to an earlier problem than the one in force is outdated once it has been so for a moment.
 import {gives_linkage, kind_of} from "../tasks/kinds";
 import type {Census, Linkage, MapAnswer, Replies, TaskAnswer, TauPair} from "../engine/protocol";
-import {kind_of} from "../tasks/kinds";
 import {same_tau} from "./document";
 import {same_question, type Problem} from "./problem";
 
