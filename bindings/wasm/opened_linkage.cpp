@@ -61,7 +61,7 @@ void write_rates_at(JsonWriter& json, const RatedLinkage& linkage, const RatedSt
     json.value(turning(linkage, static_cast<int>(body), (*rates)[body].turning_up, state));
   }
   if (state.point) {
-    const BodyRates& guided = (*rates)[static_cast<std::size_t>(linkage.guided)];
+    const HingedBodyRates& guided = (*rates)[static_cast<std::size_t>(linkage.guided)];
     const Vector3 velocity = sense * guided.velocity(*state.point), acceleration = guided.acceleration(*state.point);
     for (const double value : {velocity.x, velocity.y, acceleration.x, acceleration.y}) json.value(value);
   }

@@ -49,16 +49,16 @@ class Equations {
     for (const Vector3 point : at) at_.push_back((point - origin_) / size_);
   }
 
-  [[nodiscard]] std::optional<std::vector<BodyRates>> rates() const {
-    std::vector<BodyRates> found(static_cast<std::size_t>(linkage_.bodies));
+  [[nodiscard]] std::optional<std::vector<HingedBodyRates>> rates() const {
+    std::vector<HingedBodyRates> found(static_cast<std::size_t>(linkage_.bodies));
     found[1].turning = linkage_.spherical ? at_[driver_hinge()] : Vector3{0, 0, 1};
-    if (!put_unknowns(found, &BodyRates::drift, &BodyRates::turning,
-                      [&](const BodyRates& body, Vector3 point) { return body.velocity(point); }))
+    if (!put_unknowns(found, &HingedBodyRates::drift, &HingedBodyRates::turning,
+                      [&](const HingedBodyRates& body, Vector3 point) { return body.velocity(point); }))
       return std::nullopt;
-    if (!put_unknowns(found, &BodyRates::drift_up, &BodyRates::turning_up,
-                      [&](const BodyRates& body, Vector3 point) { return body.acceleration(point); }))
+    if (!put_unknowns(found, &HingedBodyRates::drift_up, &HingedBodyRates::turning_up,
+                      [&](const HingedBodyRates& body, Vector3 point) { return body.acceleration(point); }))
       return std::nullopt;
-    for (BodyRates& body : found) to_user(body);
+    for (HingedBodyRates& body : found) to_user(body);
     return found;
   }
 
@@ -83,8 +83,8 @@ class Equations {
   }
   /// What is unknown of `found` is 0 yet: `told` says what all else does to a hinge, and both bodies do the same.
   template <class Told>
-  [[nodiscard]] bool put_unknowns(std::vector<BodyRates>& found, Vector3 BodyRates::*drift, Vector3 BodyRates::*turning,
-                                  const Told& told) const {
+  [[nodiscard]] bool put_unknowns(std::vector<HingedBodyRates>& found, Vector3 HingedBodyRates::*drift,
+                                  Vector3 HingedBodyRates::*turning, const Told& told) const {
     Rows rows;
     for (std::size_t hinge = 0; hinge < at_.size(); ++hinge) {
       if (hinge == driver_hinge()) continue;
@@ -110,7 +110,7 @@ class Equations {
     return numbers.has_value();
   }
   /// About the user's origin, in the user's unit.
-  void to_user(BodyRates& body) const {
+  void to_user(HingedBodyRates& body) const {
     const Vector3 to = -origin_ / size_;  // the user's origin
     const Vector3 drift = body.velocity(to), up = body.acceleration(to) - cross(body.turning, drift);
     body.drift = size_ * drift;
@@ -126,7 +126,7 @@ class Equations {
 
 }  // namespace
 
-std::optional<std::vector<BodyRates>> body_rates(const HingedBodies& linkage, std::span<const Vector3> at) {
+std::optional<std::vector<HingedBodyRates>> body_rates(const HingedBodies& linkage, std::span<const Vector3> at) {
   return Equations(linkage, at).rates();
 }
 

@@ -21,7 +21,7 @@ std::array<Vector3, 4> hinges_of(const LinkLengths& l, const Configuration& c, P
 }
 
 // The closed form of four-bars, wherever the linkage lies and however large it is.
-TEST(BodyRates, OfFourBarsAreTheRatesOfTheirAngles) {
+TEST(HingedBodyRates, OfFourBarsAreTheRatesOfTheirAngles) {
   testing::RandomFourBars random(71);
   int compared = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -47,7 +47,7 @@ TEST(BodyRates, OfFourBarsAreTheRatesOfTheirAngles) {
   EXPECT_GT(compared, 2000);
 }
 
-TEST(BodyRates, AreUnboundedAtADeadPoint) {
+TEST(HingedBodyRates, AreUnboundedAtADeadPoint) {
   // Ground 4, input 3, coupler 1.5, output 2.5: coupler and output in one line.
   const double angle = std::acos((16.0 + 9.0 - 16.0) / 24.0);
   const Point a = std::polar(3.0, angle), b = 4.0 + 2.5 * (a - 4.0) / std::abs(a - 4.0);
@@ -76,12 +76,12 @@ Compared compared(const MovingLinkage& linkage) {
     const auto rates = body_rates(hinged, at);
     if (!rates) continue;
     double fastest = 0;
-    for (const BodyRates& body : *rates) fastest = std::max(fastest, norm(body.turning));
+    for (const HingedBodyRates& body : *rates) fastest = std::max(fastest, norm(body.turning));
     if (fastest > 3) continue;  // differences are rough near dead points
     const double size = linkage.spherical ? 1 : linkage.longest_link();
     for (std::size_t hinge = 0; hinge < at.size(); ++hinge)
       for (const int body : linkage.hinges[hinge].bodies) {
-        const BodyRates& of = (*rates)[static_cast<std::size_t>(body)];
+        const HingedBodyRates& of = (*rates)[static_cast<std::size_t>(body)];
         const Vector3 last = place(k - 1, hinge), next = place(k + 1, hinge);
         worst.velocity = std::max(worst.velocity, norm(of.velocity(at[hinge]) - (next - last) / (2 * after)) / size);
         const Vector3 curving = (next + last - 2 * at[hinge]) / (after * after);
@@ -93,7 +93,7 @@ Compared compared(const MovingLinkage& linkage) {
 }
 
 // Both bodies of every hinge, of four-bars, six-bars and spherical linkages.
-TEST(BodyRates, AreThoseOfTheTravelOfTheExamples) {
+TEST(HingedBodyRates, AreThoseOfTheTravelOfTheExamples) {
   int linkages = 0;
   for (const AnyStoredLinkage& stored : testing::stored_linkages_of_examples()) {
     const MovingLinkage linkage = moving_linkage(stored);

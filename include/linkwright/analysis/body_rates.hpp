@@ -19,7 +19,7 @@ struct HingedBodies {
 
 /// How a body moves while the driver turns counter-clockwise (about a centre right-handed about its hinge on body 0) by
 /// one radian per unit of time, at a constant rate. Fixed frame.
-struct BodyRates {
+struct HingedBodyRates {
   Vector3 turning;          ///< angular velocity
   Vector3 turning_up;       ///< angular acceleration
   Vector3 drift, drift_up;  ///< velocity and acceleration of what of the body is at the origin, but for the centripetal
@@ -33,7 +33,7 @@ struct BodyRates {
 /// By body, with each hinge where `at` has it (about a centre unit vectors). Both bodies of a hinge have its velocity
 /// and its acceleration, which is as many linear equations as there are unknowns (Uicker, Pennock, Shigley: Theory of
 /// Machines and Mechanisms, 2003, chapters 3 and 4). Nothing at a dead point, where they are unbounded.
-[[nodiscard]] std::optional<std::vector<BodyRates>> body_rates(const HingedBodies& linkage,
-                                                               std::span<const Vector3> at);
+[[nodiscard]] std::optional<std::vector<HingedBodyRates>> body_rates(const HingedBodies& linkage,
+                                                                     std::span<const Vector3> at);
 
 }  // namespace linkwright
