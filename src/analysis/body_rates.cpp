@@ -83,8 +83,8 @@ class Equations {
   }
   /// What is unknown of `found` is 0 yet: `told` says what all else does to a hinge, and both bodies do the same.
   template <class Told>
-  [[nodiscard]] bool put_unknowns(std::vector<HingedBodyRates>& found, Vector3 HingedBodyRates::*drift, Vector3 HingedBodyRates::*turning,
-                                  const Told& told) const {
+  [[nodiscard]] bool put_unknowns(std::vector<HingedBodyRates>& found, Vector3 HingedBodyRates::*drift,
+                                  Vector3 HingedBodyRates::*turning, const Told& told) const {
     Rows rows;
     for (std::size_t hinge = 0; hinge < at_.size(); ++hinge) {
       if (hinge == driver_hinge()) continue;

@@ -59,7 +59,7 @@ test("1 · first start: a map, a count, the tour, nothing in anyone's way", asyn
   await expect(page.getByTestId("chip.title")).toContainText(
     /159.600 four-bars.*97.477 free of defects.*25.608 meet your requirements/,
   );
-  await expect(page.locator(".tour_hint")).toContainText("1 of 3 · Drag position 4 into the green.");
+  await expect(page.locator(".tour_hint")).toContainText("1 of 3 · Drag position 4 within the green.");
   await until_ready(page);
   await expect(page.getByTestId("chip.title")).toContainText(/159.600 four-bars/);
   await expect(page.getByTestId("drawing.halo")).toHaveAttribute("data-squares", /\d{2}/); // where to drag it, before it is touched

@@ -14,6 +14,8 @@ const times = (text: string) => page().split(text).length - 1;
 
 beforeAll(async () => {
   vi.resetModules();
+  vi.stubGlobal("document", {documentElement: {}});
+  vi.stubGlobal("getComputedStyle", () => ({getPropertyValue: () => "#000000"}));
   vi.doMock("../src/shell/start", () => ({first_workbench: () => workbench, begin: () => () => {}}));
   await (await import("../src/tasks/views")).load_views();
   const {Workbench} = await import("../src/state/workbench.svelte"),
@@ -28,6 +30,7 @@ afterEach(async () => {
   workbench.open(problem);
 });
 afterAll(() => {
+  vi.unstubAllGlobals();
   vi.doUnmock("../src/shell/start");
   vi.resetModules();
 });

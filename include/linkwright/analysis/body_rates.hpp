@@ -34,6 +34,6 @@ struct HingedBodyRates {
 /// and its acceleration, which is as many linear equations as there are unknowns (Uicker, Pennock, Shigley: Theory of
 /// Machines and Mechanisms, 2003, chapters 3 and 4). Nothing at a dead point, where they are unbounded.
 [[nodiscard]] std::optional<std::vector<HingedBodyRates>> body_rates(const HingedBodies& linkage,
-                                                               std::span<const Vector3> at);
+                                                                     std::span<const Vector3> at);
 
 }  // namespace linkwright

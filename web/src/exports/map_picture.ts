@@ -8,7 +8,7 @@ const pixels = 720;
 
 /** Draws into the canvas what `map` shows; `place` by the axes' places. */
 export function draw_map(canvas: HTMLCanvasElement, map: MapAnswer, axes: Axes, place: TauPair | null): void {
-  const palette = read_palette(getComputedStyle(document.documentElement));
+  const palette = read_palette();
   canvas.width = canvas.height = pixels;
   const context = canvas.getContext("2d")!;
   context.fillStyle = context.createPattern(hatch_tile(0, 1.5, palette), "repeat")!;

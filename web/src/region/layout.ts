@@ -9,7 +9,7 @@ export interface MapSizes {
 const ridge = 18;
 const chrome = {wide: 48 + 26 + 24 + 46 + 60, laptop: 48 + 26 + 24 + 46 + 60}; // bars, gaps, card head and legend
 const phone_share = 0.4, // of the height: the rest is the drawing's and the legend's
-  phone_rest = 396; // which needs so much: bars, heads, drive and a drawing that one can see
+  phone_rest = 430; // which needs so much: bars, heads, drive and a drawing that one can see
 const numbers = {wide: 236, laptop: 196}; // what the numbers card needs below
 
 export function map_sizes(

@@ -1,5 +1,6 @@
 // Colours of the map: the page's tokens, and the table from what a cell is to its pixel.
 import {degenerate, linkage_types} from "../engine/protocol";
+import {css_values} from "../state/css_values";
 
 export type Rgb = readonly [number, number, number];
 export interface Palette {
@@ -15,8 +16,9 @@ export function rgb_of(hex: string): Rgb {
   const long = digits.length === 3 ? [...digits].map((d) => d + d).join("") : digits;
   return [0, 2, 4].map((i) => parseInt(long.slice(i, i + 2), 16)) as unknown as Rgb;
 }
-export function read_palette(style: Pick<CSSStyleDeclaration, "getPropertyValue">): Palette {
-  const token = (name: string) => rgb_of(style.getPropertyValue(`--${name}`));
+export function read_palette(): Palette {
+  const values = css_values(document.documentElement, [...linkage_types, "paper", "defect", "hatch", "ink"]),
+    token = (name: keyof typeof values) => rgb_of(values[name]);
   return {
     types: linkage_types.map(token),
     paper: token("paper"),

@@ -3,7 +3,7 @@ import {read_palette, type Palette} from "./palette";
 
 /** The colours in force, read anew when the theme changes. Made in a component, ends with it. */
 export class Theme {
-  palette = $state.raw<Palette>(read_palette(getComputedStyle(document.documentElement)));
+  palette = $state.raw<Palette>(read_palette());
   /** Device pixels per CSS pixel. */
   get ratio(): number {
     return screen_size.ratio;
@@ -11,7 +11,7 @@ export class Theme {
 
   constructor() {
     $effect(() => {
-      const read = () => (this.palette = read_palette(getComputedStyle(document.documentElement)));
+      const read = () => (this.palette = read_palette());
       const observer = new MutationObserver(read);
       observer.observe(document.documentElement, {attributes: true, attributeFilter: ["data-theme"]});
       read();

@@ -16,8 +16,12 @@ function resolved(element: Element, value: string): string {
   const probe = document.createElement("i");
   probe.style.cssText = `display:none;forced-color-adjust:none;color:${value}`;
   element.append(probe);
-  const painted = document.createElement("canvas").getContext("2d");
-  if (painted) painted.fillStyle = getComputedStyle(probe).color;
+  const {color} = getComputedStyle(probe),
+    context = document.createElement("canvas").getContext("2d");
   probe.remove();
-  return String(painted?.fillStyle ?? value);
+  if (!context) return value;
+  context.fillStyle = color;
+  context.fillRect(0, 0, 1, 1);
+  const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
+  return `#${[red!, green!, blue!].map((part) => part.toString(16).padStart(2, "0")).join("")}`;
 }

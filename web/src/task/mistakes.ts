@@ -1,12 +1,13 @@
 // The engine's refusals, by place in the problem file.
 import type {Mistake} from "../engine/protocol";
 import {mistake_text} from "../texts/mistakes";
+import {unbroken} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 
 /** The sentence of a mistake, its positions counted from 1. */
 export function mistake_sentence(mistake: Mistake): string {
   const {code, place} = mistake,
-    words = mistake_text({...mistake, place: ""});
+    words = unbroken(mistake_text({...mistake, place: ""}));
   const position = place_of_pose(place)?.index;
   if (code === "repeated_pose" && position !== undefined) return t("task.same_position", {j: position + 1});
   return position === undefined ? words : `${t("task.position")} ${position + 1}: ${words}`;

@@ -1,7 +1,6 @@
 // What is wrong with a file, in the language in force.
 import type {Mistake} from "../engine/protocol";
 import {preferences} from "../state/preferences.svelte";
-import {unbroken} from "./numbers";
 import {notice_text, t} from "./texts.svelte";
 
 /** "line 3, column 7" in the language in force; places in the file's own words stay. */
@@ -14,7 +13,7 @@ function place_text(place: string): string {
 export function mistake_text(mistake: Mistake): string {
   const {code, place} = mistake;
   const before = place ? `${place_text(place)}${t("mistakes.after_place")}` : "";
-  return before + unbroken(notice_text(mistake, `mistake.${code}`));
+  return before + notice_text(mistake, `mistake.${code}`);
 }
 
 const most_told = 3;

@@ -112,7 +112,7 @@ export class Chart {
       height: 124,
       legend: {show: false},
       cursor: {show: false},
-      padding: [title_height, 12, 0, 0],
+      padding: [title_height + 5, 12, 0, 0],
       scales: {x: {time: false, auto: false}, y: {auto: false}},
       axes: [
         {
