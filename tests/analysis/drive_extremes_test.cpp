@@ -97,12 +97,12 @@ void expect_extremes(const LinkLengths& lengths) {
 
 TEST(DriveExtremes, VelocityRatiosOfACrankAreThoseOfManySteps) {
   int cranks = 0;
-  for (const LinkLengths& lengths : drawn_lengths(120)) {
+  for (const LinkLengths& lengths : drawn_lengths(40)) {
     if (!input_is_crank(linkage_type(lengths))) continue;
     ++cranks;
     expect_extremes(lengths);
   }
-  EXPECT_GT(cranks, 10);
+  EXPECT_GT(cranks, 3);
 }
 
 TEST(DriveExtremes, NearAChangePointTheyLieWithinADegree) {
