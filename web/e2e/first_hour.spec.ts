@@ -258,8 +258,9 @@ test("a row of the best is taken wherever it is clicked, and no list of another 
     .locator("td.type")
     .evaluateAll((cells) => cells.map((cell) => cell.getBoundingClientRect().width));
   for (const width of widths) expect(width).toBeGreaterThan(80);
-  const table = page.locator("section.best .scroll");
-  expect(await is_within(table, page.getByTestId("best.title"))).toBe(true);
+  const table = (await page.locator("section.best .scroll").boundingBox())!,
+    card = (await page.getByTestId("best.title").boundingBox())!;
+  expect(table.x + table.width).toBeLessThanOrEqual(card.x + card.width);
   await keep_screenshot(page, "best-of-a-straight-line");
 });
 test("a list that comes to lie under the pointer at rest shows none of its rows", async ({page}) => {
