@@ -238,9 +238,18 @@ test("a row of the best is taken wherever it is clicked, and no list of another 
     // A search takes a minute: ten such linkages with long numbers stand for what it finds.
     const {tau, type, input, output} = picked_linkage!,
       numbers = Object.fromEntries(
-        ["min_transmission_angle_deg", "link_ratio", "longest", "longest_link", "straightness", "usable_length"].map(
-          (key) => [key, 1234.5678],
-        ),
+        [
+          "min_transmission_angle_deg",
+          "link_ratio",
+          "longest",
+          "longest_link",
+          "stroke_over_longest",
+          "usable_stroke",
+          "usable_strip",
+          "deviation",
+          "velocity_uniformity",
+          "driver_sweep_deg",
+        ].map((key) => [key, 1234.5678]),
       ),
       pivots = [input.center, input.circle, output.center, output.circle],
       linkages = Array.from({length: 10}, () => ({
