@@ -67,9 +67,15 @@ export class WayOutSeeker {
         if (!this.is_wanted(problem)) return;
         if (meeting === 0) continue;
         this.found = {pose: move.halo.part, by: move.by, meeting};
-        this.stuck.answers.halo = this.shown = move.halo;
+        const halo = times < 1 ? await this.wider(problem, move.halo) : move.halo;
+        if (this.is_wanted(problem)) this.stuck.answers.halo = this.shown = halo;
         return;
       }
+  }
+  /** What is near is hidden by the position itself: the halo shows what lies about it, too. */
+  private async wider(problem: Problem, halo: Halo): Promise<Halo> {
+    const usual = await this.halo_of(problem, halo.part, halo_reach(poses_of(problem.task)));
+    return usual && nearest(usual, 1) ? usual : halo;
   }
   private is_wanted(problem: Problem): boolean {
     return this.sought_for === problem && this.stuck.problem === problem && !this.stuck.gesture;
