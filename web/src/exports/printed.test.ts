@@ -24,8 +24,8 @@ it.each(["tailgate", "straight_watt_suspension", "wrist_orthosis"])(
       words: words!,
     }));
     const all = [problem.title!.slice(0, 12), "coupler"];
-  for (const said of name === "wrist_orthosis" ? all.slice(0, 1) : all) {
-    // on the ball the links are named in the drawing itself
+    for (const said of name === "wrist_orthosis" ? all.slice(0, 1) : all) {
+      // on the ball the links are named in the drawing itself
       const found = rows.filter(({words}) => words.includes(said));
       expect(found.length, said).toBeGreaterThan(0);
       for (const {y} of found) expect(y < top! || y > top! + height!, said).toBe(true);
