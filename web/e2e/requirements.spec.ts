@@ -226,5 +226,5 @@ test("what a box made larger would leave fits its button, and what is wrong is t
   await field.fill("0.5");
   await field.press("Enter");
   const described = await field.getAttribute("aria-describedby");
-  await expect(page.locator(`#${described}`)).toContainText("at least 1");
+  await expect(page.locator(`#${described}`)).toContainText("not below 1");
 });
