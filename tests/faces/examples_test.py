@@ -17,7 +17,7 @@ EXAMPLES = [path for path in ALL if path not in LINES]
 
 PATTERNS = {"tailgate": "P-P-P-P", "drawer_hinge": "P-P-P-P", "dump_bucket": "P-P-P-P", "landing_gear": "P-P-P-P",
             "folding_table": "P-P-P-P", "lift_platform": "P-P-P-P", "hood_hinge": "PP-P-P", "corner_drawer": "PPP-P",
-            "latch": "P-P-P", "bin_lid": "P-P-P", "bracket_hatch": "P-P-P", "tilting_tray": "P-P-P", "rail_tailgate": "P-P-P-P",
+            "latch": "P-P-P", "bin_lid": "P-P-P", "bracket_hatch": "P-P-P", "rail_tailgate": "P-P-P-P",
             "airtight_hatch": "P-P-P", "footrest": "P-P-P", "nose_gear": "P-P-P-P-P", "transfer_arm": "PP-P-PP",
             "sine_generator": "P-P-P-P", "log_generator": "P-P-P-P-P", "flow_meter": "P-P-P-P", "flow_meter_as_made": "P-P-P-P", "tailgate_as_made": "P-P-P-P",
             "loader_bucket": "P-P-P-P", "loader_bucket_chain": "P-P-P-P",
@@ -240,8 +240,6 @@ class Examples(FaceTest):
         [hatch] = self.results["bracket_hatch"]["linkages"]
         for side, at in (("input", (120, 340)), ("output", (200, 340))):
             self.assertEqual(tuple(round(value, 9) for value in hatch[side]["center_point"]), at)
-        for tray in self.results["tilting_tray"]["linkages"]:
-            self.assertEqual(tuple(round(value, 9) for value in tray["input"]["center_point"]), (-80, -160))
         for gate in self.results["rail_tailgate"]["linkages"]:
             for side in ("input", "output"):
                 self.assertAlmostEqual(gate[side]["center_point"][1], 340, places=9)
