@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -16,7 +17,8 @@ namespace linkwright {
 /// What a straight line is worth, quickly, as maps have it, or exactly.
 struct LineEstimate {
   double usable_stroke = 0, usable_strip = 0;
-  double deviation = 0;              ///< over the stroke, or the usable length; infinite where it is not reached
+  double deviation = std::numeric_limits<double>::infinity();  ///< over the stroke, or the usable length; infinite
+                                                               ///< where it is not reached
   double min_transmission_sine = 0;  ///< of the angle, over the same; where it is not reached over the usable length
   double velocity_nonuniformity = 0;
   double contact_coefficient = 0;  ///< |K| of s^contact

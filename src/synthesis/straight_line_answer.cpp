@@ -67,6 +67,10 @@ void state_what_was_found(StraightLineAnswer& answer) {
     answer.status = SolutionStatus::no_solution;
     answer.reason = nothing_on_map(answer);
   } else if (nothing_meets_requirements(answer)) {
+    if (!std::isfinite(answer.requirements.max_deviation) && answer.relax_together &&
+        std::count(answer.relax_together->requirements.begin(), answer.relax_together->requirements.end(),
+                   RequirementKind::max_deviation) > 0)
+      answer.relax_together.reset();  // nobody set it: the stroke is not reached
     answer.status = SolutionStatus::no_solution;
     answer.reason = nothing_meets(answer);
   } else {
