@@ -59,7 +59,9 @@ void expect_kept(const GivenPivots& given, const FourBarSolution& found) {
 }
 
 void expect_on(const std::optional<LineAtAngle>& line, Point pivot) {
-  if (line) EXPECT_NEAR(line->to_line(pivot).imag(), 0, 1e-9 * (1 + std::abs(pivot)));
+  if (line) {
+    EXPECT_NEAR(line->to_line(pivot).imag(), 0, 1e-9 * (1 + std::abs(pivot)));
+  }
 }
 
 void expect_kept(const PivotLines& given, const FourBarSolution& found) {
@@ -223,7 +225,9 @@ TEST(ThreePosesLaw, GivenPivotsAreKeptAndTheirLinkagesAreDrivenThroughThePositio
           std::visit([&](const auto& given) { expect_kept(given, linkage); }, all[kind]);
           ++found[kind];
           mixed += pattern.size() < 3;
-          if (pattern.size() < 3) EXPECT_LT(linkage.residual_derivatives.value_or(1), 1e-9);
+          if (pattern.size() < 3) {
+            EXPECT_LT(linkage.residual_derivatives.value_or(1), 1e-9);
+          }
         }
     }
   for (const int count : found) EXPECT_GT(count, 5);
@@ -244,10 +248,14 @@ TEST(ThreePosesLaw, WhatIsWhollyGivenHasItsOneLinkage) {
       const auto all = given_all(random);
       for (std::size_t kind = 0; kind < all.size(); ++kind) {
         const MotionAnswer answer = testing::solved(MotionTask{poses, all[kind]}, any, small());
-        if (kind < 3) EXPECT_EQ(answer.counts.pairs, 1);
+        if (kind < 3) {
+          EXPECT_EQ(answer.counts.pairs, 1);
+        }
         for (const FourBarSolution& linkage : answer.linkages) {
           EXPECT_LT(linkage.residual, 1e-8);
-          if (linkage.report.defects.none()) EXPECT_TRUE(linkage.verified_by_driving);
+          if (linkage.report.defects.none()) {
+            EXPECT_TRUE(linkage.verified_by_driving);
+          }
           std::visit([&](const auto& given) { expect_kept(given, linkage); }, all[kind]);
           ++found[kind];
         }

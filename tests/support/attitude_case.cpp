@@ -58,7 +58,7 @@ UnitQuaternion random_rotation(std::mt19937_64& random) {
 
 Vector3 random_direction(std::mt19937_64& random) {
   const double z = uniform(random, -1, 1), angle = uniform(random, 0, two_pi), r = std::sqrt(1 - z * z);
-  return normalized({r * std::cos(angle), r * std::sin(angle), z});
+  return normalized(Vector3{r * std::cos(angle), r * std::sin(angle), z});
 }
 
 double ulps_between(double a, double b) {
