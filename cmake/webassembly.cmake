@@ -26,9 +26,8 @@ add_link_options(-fwasm-exceptions)
 # Pictures with a PNG inside need zlib; the page paints the region itself. STEP files are OpenCASCADE's.
 set(linkwright_not_in_webassembly src/drawing/png_image.cpp src/drawing/region_picture.cpp src/drawing/region_figure.cpp
                                   src/drawing/solution_drawing.cpp src/machine/step_file.cpp)
-# The page makes what is printed or cut, no models for simulators.
-file(GLOB linkwright_simulator_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/machine/simulator/*.cpp)
-list(APPEND linkwright_not_in_webassembly src/machine/machine_export.cpp ${linkwright_simulator_sources})
+# The page asks for each file by itself.
+list(APPEND linkwright_not_in_webassembly src/machine/machine_export.cpp)
 # Nor does the engine read drawings of other programs: the page does.
 file(GLOB linkwright_outline_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/files/outline/*.cpp)
 list(APPEND linkwright_not_in_webassembly ${linkwright_outline_sources})

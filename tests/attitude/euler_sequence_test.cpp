@@ -26,8 +26,8 @@ TEST(EulerSequence, AreTwelveOfEitherKind) {
     EXPECT_EQ(EulerSequence::named(sequence.name(), Turning::extrinsic).value(), sequence);
 }
 
-TEST(EulerSequence, TakesDigitsAndHyphens) {
-  for (const char* name : {"zxz", "313", "3-1-3", "z-x-z"})
+TEST(EulerSequence, TakesDigitsHyphensAndCapitals) {
+  for (const char* name : {"zxz", "313", "3-1-3", "z-x-z", "ZXZ", "Z-X-Z"})
     EXPECT_EQ(EulerSequence::named(name).value(), EulerSequence::euler_313()) << name;
   EXPECT_EQ(EulerSequence::named("1-2-3").value(), EulerSequence::cardan_123());
   EXPECT_EQ(EulerSequence::named("zyx").value(), EulerSequence::book_zyx());
@@ -36,7 +36,7 @@ TEST(EulerSequence, TakesDigitsAndHyphens) {
 
 TEST(EulerSequence, RefusesOthersAndListsTheTwelve) {
   for (const char* name :
-       {"", "x", "xx", "xxy", "xyy", "xyw", "XYZ", "xyzx", "3--13", "012", "x-yz", "xyz-", "--x--"}) {
+       {"", "x", "xx", "xxy", "xyy", "xyw", "XYW", "xyzx", "3--13", "012", "x-yz", "xyz-", "--x--"}) {
     const auto result = EulerSequence::named(name);
     ASSERT_FALSE(result.ok()) << name;
     EXPECT_EQ(result.errors().front().code, "unknown_sequence");

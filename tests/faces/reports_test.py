@@ -145,7 +145,7 @@ class Reports(FaceTest):
 
     def test_all_pairs_of_five_positions_that_meet_the_requirements_are_listed(self):
         result = json.loads(self.ran("solve", self.write("five.json", FIVE), "-o", "-"))
-        listed = {tuple(sorted(round(linkage[side]["coordinate"]) for side in ("input", "output"))) for linkage in result["linkages"]}
+        listed = {tuple(sorted(int(linkage[side]["coordinate"]) for side in ("input", "output"))) for linkage in result["linkages"]}
         self.assertEqual(len(listed), len(result["linkages"]))
         meeting = [pair for pair in result["pairs"] if not any(pair["defects"].values())]
         self.assertEqual(len(listed), len(meeting))
@@ -176,7 +176,7 @@ class Reports(FaceTest):
             problem["options"] = {"at": [place, place], "region_samples": 40}
             result = json.loads(self.ran("solve", self.write("p.json", problem), "-o", "-"))
             if not result["linkages"]:
-                reasons.append(result["reason"]["message"])
+                reasons.append(result["reason"])
         self.assertTrue(any("lies in a gap of the first axis" in reason for reason in reasons) or not reasons, reasons)
         self.assertFalse(any("of the solution region: a hinge is at infinity" in reason for reason in reasons), reasons)
 
@@ -187,7 +187,7 @@ class Reports(FaceTest):
         result = json.loads(self.ran("solve", self.write("p.json", problem), "--samples", 100, "-o", "-"))
         self.assertTrue(result["linkages"])
         for linkage in result["linkages"]:
-            self.assertGreaterEqual(linkage["tolerance"]["yield"]["share"], 0.8)
+            self.assertGreaterEqual(linkage["tolerance"]["yield"], 0.8)
 
 
 if __name__ == "__main__":

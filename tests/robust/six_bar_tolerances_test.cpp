@@ -181,7 +181,9 @@ SixBarOutput well_made(std::mt19937_64& random, const SixBarRow& row, double tur
     double largest = 0;
     for (const SixBarTurns& turns : output.positions)
       if (const auto inverse = distances.inverse(joints_at(output.six_bar, turns)))
-        largest = std::max(largest, inverse->cwiseAbs().maxCoeff());
+        for (std::size_t row_of = 0; row_of < inverse->rows(); ++row_of)
+          for (std::size_t column = 0; column < inverse->columns(); ++column)
+            largest = std::max(largest, std::abs((*inverse)(row_of, column)));
     if (least > 0.3 && most < 12 && largest > 0 && largest < 5) return output;
   }
 }
