@@ -38,7 +38,7 @@ TEST_P(EachKindOfResult, IsAskedAgainAtThePlaceOfALinkage) {
     EXPECT_NEAR(
         same["min_transmission_angle_deg"].is_number() ? same["min_transmission_angle_deg"].get<double>() : 0,
         listed[i]["min_transmission_angle_deg"].is_number() ? listed[i]["min_transmission_angle_deg"].get<double>() : 0,
-        1e-6);
+        1e-3);  // of a search over its stroke, which is the strip to a millionth
     const char* lengths = listed[i].contains("lengths") ? "lengths" : "angles_deg";
     for (const auto& [name, length] : listed[i][lengths].items())
       EXPECT_NEAR(same[lengths][name].get<double>(), length.get<double>(), 1e-9 * length.get<double>()) << name;

@@ -237,12 +237,14 @@ TEST(SixBarFile, TableFollowsTheTravel) {
   const StoredSixBar linkage = stored();
   const auto rows = cells(motion_table(tabulated_motion(linkage.six_bar, framed_poses(linkage))));
   ASSERT_GT(rows.size(), 60u);
-  EXPECT_EQ(rows[0].size(), 20u);
-  EXPECT_EQ(rows[0].back(), "position");
+  constexpr std::size_t position = 19;
+  EXPECT_EQ(rows[0].size(), 22u);
+  EXPECT_EQ(rows[0][position], "position");
+  EXPECT_EQ(rows[0].back(), "orientation_error_deg");
   std::string met;
   double before = -1;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    ASSERT_EQ(rows[i].size(), 20u);
+    ASSERT_EQ(rows[i].size(), 22u);
     const auto number = [&](std::size_t column) { return std::stod(rows[i][column]); };
     EXPECT_GT(number(0), before);
     EXPECT_LE(number(0) - std::max(before, 0.0), 1.0001);
@@ -251,9 +253,10 @@ TEST(SixBarFile, TableFollowsTheTravel) {
       const auto at = [&](std::size_t joint) { return Point{number(1 + 2 * joint), number(2 + 2 * joint)}; };
       EXPECT_NEAR(std::abs(at(length.joints[1]) - at(length.joints[0])) / length.length, 1, 1e-9);
     }
-    met += rows[i].back();
-    if (rows[i].back().empty()) continue;
-    const Pose& pose = linkage.poses[std::stoul(rows[i].back()) - 1].pose;
+    met += rows[i][position];
+    if (rows[i][position].empty()) continue;
+    const Pose& pose = linkage.poses[std::stoul(rows[i][position]) - 1].pose;
+    EXPECT_LT(number(position + 1), 1e-9 * (1 + std::abs(pose.origin)));
     EXPECT_NEAR(number(15), pose.origin.real(), 1e-6);
     EXPECT_NEAR(number(16), pose.origin.imag(), 1e-6);
     EXPECT_NEAR(number(17), degrees(pose.angle), 1e-9);
