@@ -72,10 +72,10 @@ describe("a linkage as plates on pins", () => {
       {bytes} = engine.ask("machine_file", {...of, sizes, format});
     const folder = mkdtempSync(join(tmpdir(), "linkwright-machine-"));
     try {
-      const result = join(folder, "result.json"),
+      const linkage = join(folder, "linkage.json"), // a result's title would say which of its linkages this is
         made = join(folder, "made");
-      writeFileSync(result, engine.ask("export", {...of, format: "result"}).text);
-      execFileSync(program, ["export", result, "--format", format, ...options, "-o", made], {stdio: "pipe"});
+      writeFileSync(linkage, engine.ask("export", {...of, format: "json"}).text);
+      execFileSync(program, ["export", linkage, "--format", format, ...options, "-o", made], {stdio: "pipe"});
       expect_same[format](bytes, readFileSync(made));
     } finally {
       rmSync(folder, {recursive: true});
