@@ -1,12 +1,12 @@
 // What a new task begins with does what it requires itself, by the engine's count.
 import {expect, it} from "vitest";
 import {bench, until} from "../state/workbench_bench";
-import {has_linkages, incompleteness} from "../tasks/kinds";
+import {incompleteness, seeks_linkages} from "../tasks/kinds";
 import {beginnings} from "./new_task";
 
 const asked = beginnings
   .map(({id, make}) => ({id, problem: make()}))
-  .filter(({problem}) => has_linkages(problem.task) && !incompleteness(problem));
+  .filter(({problem}) => seeks_linkages(problem.task) && !incompleteness(problem));
 
 it.each(asked)("$id meets its own requirements", async ({problem}) => {
   const {workbench} = bench(problem);

@@ -66,7 +66,7 @@ describe("an export that is opened", () => {
     expect(problem!.task).toEqual(first_example.problem.task);
   });
   it("as a linkage that does not hold its task is opened as one", () => {
-    for (const name of ["log_generator", "loader_bucket_chain", "wrist_orthosis"]) {
+    for (const name of ["log_generator", "wheel_loader", "wrist_orthosis"]) {
       const {problem: sought} = examples.find((example) => example.name === name)!,
         {kind, problem} = opened(exported(sought, "json").text);
       expect([kind, problem?.task.kind, problem?.task.mechanism]).toEqual([
