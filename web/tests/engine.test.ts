@@ -215,7 +215,8 @@ describe.each([...examples(), ...worked_cases()])("$name", ({problem}) => {
       1e-12 * result.characteristic_length,
       "length",
     );
-    expect(task.axes.input.branches).toEqual(result.curve.branches);
+    const {pivot_on} = result.problem.task; // where they leave single dyads of the curve, those are the axes
+    if (!pivot_on) expect(task.axes.input.branches).toEqual(result.curve.branches);
     if (task.reason) expect(task.reason.message).toBe(result.reason);
     const of_task = result.warnings.filter(({code}: {code: string}) => !of_its_samples.has(code));
     expect(task.warnings.map(({code, message}) => ({code, message}))).toEqual(of_task);
