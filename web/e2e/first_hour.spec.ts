@@ -258,7 +258,7 @@ test("a row of the best is taken wherever it is clicked, and no list of another 
         pivots,
         ...numbers,
       }));
-    engine!.run = (() => Promise.resolve({linkages, notices: []})) as unknown as typeof engine.run;
+    engine!.run = (() => Promise.resolve({linkages, notices: []})) as unknown as NonNullable<typeof engine>["run"];
     (best_list as unknown as {asked: null}).asked = null;
     return best_list.fetch();
   });
