@@ -99,8 +99,6 @@ Result<ListedProblem> read_listed_problem(std::string_view text, int linkage) {
   if (!place) return no_place();
   problem["options"]["at"] = *place;
   problem["options"].erase("box");
-  // A search lays the stroke where the strip runs, a map half of it either way of the point.
-  if (element.contains("task")) problem["options"].erase("stroke");
   auto read = read_problem(problem.dump());
   if (!read) return read.errors();
   put_on_map(*read);

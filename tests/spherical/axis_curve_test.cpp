@@ -185,7 +185,10 @@ TEST(AxisCurve, HasEveryDyadOfTheConeOfFixedAxes) {
     for (int i = 0; i < samples; ++i) {
       const Vector3 fixed = fixed_axes.axis(length * (i + 0.37) / samples), moving = fixed_axis_of(fixed, other_way);
       const SphericalDyad ours = curve.dyad(*curve.coordinate_of(moving));
-      const bool on_cone = off_line(ours.moving_axis, moving) < 1e-6 && off_line(ours.fixed_axis, fixed) < 1e-6;
+      // Where a whole circle of moving axes goes with the fixed one, which of them is found is rounding's.
+      const bool is_one_of_many = angle_change({fixed, moving, 0}, task.orientations) > 1e-9;
+      const bool on_cone =
+          (is_one_of_many || off_line(ours.moving_axis, moving) < 1e-6) && off_line(ours.fixed_axis, fixed) < 1e-6;
       EXPECT_TRUE(on_cone || is_on_a_fixed_circle(curve, moving, fixed)) << task.circles << " " << i;
     }
   }
