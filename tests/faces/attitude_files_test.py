@@ -211,7 +211,7 @@ class Refusals(AttitudeTest):
             ("screw", {"displacement": {"matrix": [[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}}, "displacement.matrix", "rotation"),
             ("screw", {"displacement": {"screw": {"angle_deg": 1}}}, "displacement.screw.axis", "missing"),
             ("screw", {"displacement": {"screw": {"axis": [0, 0, 0]}}}, "displacement.screw.axis", "null vector"),
-            ("screw", {"displacement": {"screw": {"axis": [0, 0, 1], "pitch": 1}}}, "displacement.screw.pitch", "nearest known"),
+            ("screw", {"displacement": {"screw": {"axis": [0, 0, 1], "pitch": 1}}}, "displacement.screw.pitch", "known are"),
             ("screw", {"displacement": {"screw": {"axis": [0, 0, 1]}, "translation": [0, 0, 1]}}, "displacement", "more than one"),
             ("screw", {"displacement": {"from": {"translation": [0, 0, 1]}}}, "displacement.to", "missing"),
             ("twist", {}, "twist", "missing"), ("twist", {"twist": {}}, "twist", "one form"),

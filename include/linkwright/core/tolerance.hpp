@@ -244,8 +244,8 @@ inline constexpr double dependent_minors = 1e-13;
 /// together: eigenvalues part lines that coincide by the root of their rounding, 1e-7, three of them by 1e-5.
 inline constexpr double nearly_double_line = 1e-4;
 
-/// How far outside a window for pivots, over its longer side (of a cone: radians), a pivot counts as on its border: a
-/// border met by solving for it carries 1e-12, and nobody measures the ninth digit of a place.
+/// How far outside a window without width or height, over its longer side, a pivot counts as on it: a border met by
+/// solving for it carries 1e-12, and nobody measures the ninth digit of a place.
 inline constexpr double on_border = 1e-9;
 
 /// Share of a coordinate that a pivot's carries in rounding: two rotations and the way back from the working frame

@@ -17,13 +17,14 @@ namespace linkwright {
 /// Axis-parallel rectangle, borders included, user's unit.
 struct Box {
   double x_low = 0, x_high = 0, y_low = 0, y_high = 0;
-  /// Borders included, to tolerance::on_border of its longer side: a point computed to lie on one is inside, and so a
-  /// box may be without width or height. Far from the origin rounding of the coordinates counts.
+  /// Borders included, to the rounding of coordinates. A box without width or height, on which points lie only as
+  /// exactly as they are solved for, takes them to tolerance::on_border of its longer side.
   [[nodiscard]] bool contains(Point p) const {
     const double farthest =
         std::max(std::max(std::abs(x_low), std::abs(x_high)), std::max(std::abs(y_low), std::abs(y_high)));
-    const double slack =
-        tolerance::on_border * std::max(x_high - x_low, y_high - y_low) + tolerance::rounded_coordinate * farthest;
+    const bool is_flat = x_low == x_high || y_low == y_high;
+    const double slack = tolerance::rounded_coordinate * farthest +
+                         (is_flat ? tolerance::on_border * std::max(x_high - x_low, y_high - y_low) : 0);
     return p.real() >= x_low - slack && p.real() <= x_high + slack && p.imag() >= y_low - slack &&
            p.imag() <= y_high + slack;
   }
@@ -43,8 +44,10 @@ struct Cone {
   [[nodiscard]] double angle_to(Vector3 line) const {
     return std::atan2(norm(cross(normalized(axis), line)), std::fabs(dot(normalized(axis), line)));
   }
-  /// Borders included, to tolerance::on_border.
-  [[nodiscard]] bool contains(Vector3 line) const { return angle_to(line) <= half_angle + tolerance::on_border; }
+  /// Borders included, to the rounding of coordinates.
+  [[nodiscard]] bool contains(Vector3 line) const {
+    return angle_to(line) <= half_angle + tolerance::rounded_coordinate;
+  }
 
   friend bool operator==(const Cone&, const Cone&) = default;
 };
