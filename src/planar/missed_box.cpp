@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <span>
 
+#include "linkwright/algebra/line_search.hpp"
+
 namespace linkwright {
 namespace {
 
@@ -39,6 +41,8 @@ class CurveBesideBox {
   }
 
  private:
+  static constexpr int turns = 34;  // to a ten-millionth of the way
+
   [[nodiscard]] std::optional<Point> point_of(const Dyad& dyad) const {
     const auto p = finite_point(dyad.*end_);
     return p ? std::optional(family_.frame().to_user(*p)) : std::nullopt;
@@ -65,29 +69,10 @@ class CurveBesideBox {
     return stretches;
   }
 
-  /// Where between them a function that falls and then rises is least, to a ten-millionth of the way: golden section.
-  template <class Function>
-  [[nodiscard]] static double least_between(double low, double high, const Function& value_at) {
-    constexpr int turns = 34;
-    constexpr double golden = 0.6180339887498949;
-    double one = high - golden * (high - low), other = low + golden * (high - low);
-    double at_one = value_at(one), at_other = value_at(other);
-    for (int i = 0; i < turns; ++i) {
-      const bool first_is_less = at_one <= at_other;
-      (first_is_less ? high : low) = first_is_less ? other : one;
-      (first_is_less ? other : one) = first_is_less ? one : other;
-      (first_is_less ? at_other : at_one) = first_is_less ? at_one : at_other;
-      const double next = first_is_less ? high - golden * (high - low) : low + golden * (high - low);
-      (first_is_less ? one : other) = next;
-      (first_is_less ? at_one : at_other) = value_at(next);
-    }
-    return (low + high) / 2;
-  }
-
   /// The distance from a box is convex along a line.
   [[nodiscard]] double chord_distance(Point p, Point q) const {
     const auto distance_at = [&](double share) { return distance_to(box_, p + share * (q - p)); };
-    return distance_at(least_between(0, 1, distance_at));
+    return distance_at(least_between(0, 1, turns, distance_at));
   }
 
   [[nodiscard]] std::optional<Point> nearest_on(const Stretch& stretch) const {
@@ -95,7 +80,7 @@ class CurveBesideBox {
       const auto p = at(tau);
       return p ? distance_to(box_, *p) : Requirements::unlimited;
     };
-    return at(least_between(stretch.from, stretch.to, distance_at));
+    return at(least_between(stretch.from, stretch.to, turns, distance_at));
   }
 
   const ProductFamily& family_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "linkwright/algebra/line_search.hpp"
+
 namespace linkwright {
 namespace {
 
@@ -19,30 +21,6 @@ double sign_change(double low, double high, double at_low, const Function& value
     const auto value = value_at(middle);
     if (middle <= low || middle >= high || !value) break;
     ((*value < 0) == (at_low < 0) ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-
-// Of a function with one extremum between two places, on one side of zero at both, where it comes nearest to zero or
-// goes farthest beyond; golden section. `sign`: of the function at the places.
-template <class Function>
-double turning_point(double low, double high, double sign, const Function& value_at) {
-  constexpr int turns = 40;
-  constexpr double golden = 0.6180339887498949;
-  const auto size_at = [&](double x) {
-    const auto value = value_at(x);
-    return value ? sign * *value : std::numeric_limits<double>::infinity();
-  };
-  double one = high - golden * (high - low), other = low + golden * (high - low);
-  double at_one = size_at(one), at_other = size_at(other);
-  for (int i = 0; i < turns; ++i) {
-    const bool first = at_one <= at_other;
-    (first ? high : low) = first ? other : one;
-    (first ? other : one) = first ? one : other;
-    (first ? at_other : at_one) = first ? at_one : at_other;
-    const double next = first ? high - golden * (high - low) : low + golden * (high - low);
-    (first ? one : other) = next;
-    (first ? at_one : at_other) = size_at(next);
   }
   return (low + high) / 2;
 }
@@ -70,7 +48,12 @@ class BorderSearch {
     // A parabola through the three that stays well away from zero has no root that a smooth function could hide.
     if (std::abs(b) > 2 * std::max(std::abs(a - b), std::abs(c - b))) return;
     const auto value_at = [&](double x) { return at(x); };
-    const double top = turning_point(places[0], places[2], b < 0 ? -1 : 1, value_at);
+    constexpr int turns = 40;
+    const auto above_zero = [&, sign = b < 0 ? -1.0 : 1.0](double x) {
+      const auto value = at(x);
+      return value ? sign * *value : std::numeric_limits<double>::infinity();
+    };
+    const double top = least_between(places[0], places[2], turns, above_zero);
     const auto there = value_at(top);
     if (!there) return;
     borders.push_back(top);

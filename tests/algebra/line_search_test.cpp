@@ -80,5 +80,10 @@ TEST(LineSearch, LooksNowhereElseOnAPlain) {
   EXPECT_EQ(found.top.at, 0.5);
 }
 
+TEST(LineSearch, GoldenSectionFindsTheLeastBetweenTwoPlaces) {
+  EXPECT_NEAR(least_between(-1, 4, 40, [](double x) { return std::abs(x - 1.25); }), 1.25, 1e-7);
+  EXPECT_NEAR(least_between(0, 1, 40, [](double x) { return x; }), 0, 1e-7) << "an end";
+}
+
 }  // namespace
 }  // namespace linkwright::line_search_test

@@ -50,6 +50,25 @@ struct LineSearchResult {
 template <class Found, class At>
 [[nodiscard]] LineSearchResult<Found> climb_line(LinePlace<Found> start, const LineSearchOptions& options, At at);
 
+/// Where between two places a function that falls and then rises is least: a golden section, each turn of which leaves
+/// 0.618 of the way. `value_at(x)` may be infinite.
+template <class Function>
+[[nodiscard]] double least_between(double low, double high, int turns, const Function& value_at) {
+  constexpr double share = 0.6180339887498949;  // (√5 − 1)/2
+  double one = high - share * (high - low), other = low + share * (high - low);
+  double at_one = value_at(one), at_other = value_at(other);
+  for (int i = 0; i < turns; ++i) {
+    const bool first_is_less = at_one <= at_other;
+    (first_is_less ? high : low) = first_is_less ? other : one;
+    (first_is_less ? other : one) = first_is_less ? one : other;
+    (first_is_less ? at_other : at_one) = first_is_less ? at_one : at_other;
+    const double next = first_is_less ? high - share * (high - low) : low + share * (high - low);
+    (first_is_less ? one : other) = next;
+    (first_is_less ? at_one : at_other) = value_at(next);
+  }
+  return (low + high) / 2;
+}
+
 namespace line_search {
 
 inline constexpr double nowhere = -std::numeric_limits<double>::infinity();
