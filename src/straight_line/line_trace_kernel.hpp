@@ -26,7 +26,7 @@ struct LineTraceBlock {
       dturn[samples][size], sine[samples][size];
   double step[samples][size];             ///< way of the turns from the next sample towards the middle
   unsigned char first[size], last[size];  ///< samples from where to where the point goes on along the line
-  bool doubtful[size];                    ///< the path goes on, or a step did not close the loop
+  bool doubtful[size];                    ///< the path goes on, or a step was too long for it
 };
 
 LINKWRIGHT_DECLARE_KERNELS(line_trace_kernel, LineTraceBlock&);

@@ -220,7 +220,7 @@ struct Walk {
   R onward;           ///< ±1: the sense in which the walk runs along turning_of()
   R step, input_turn;
 
-  /// Lanes in which the loop is closed well enough for deviations of this size.
+  /// Lanes in which the loop is closed well enough for deviations of this size, and the way did not swing round.
   LINKWRIGHT_INLINE Mask go(R deviation) {
     Links<R> next;
     const auto ahead = [&](int j) { return step * (way[j] + 0.5 * step * bend[j]); };
@@ -233,14 +233,18 @@ struct Walk {
       for (int j = 0; j < 3; ++j) next.link[j] = turned<R>(next.link[j], turning.correction(j, gap));
       input_turn = input_turn + turning.correction(0, gap);
     }
+    R swung = R{};
     for (int j = 0; j < 3; ++j) {
-      const R there = onward * turning.way[j];
-      bend[j] = (there - way[j]) / step;
+      const R there = onward * turning.way[j], change = there - way[j];
+      swung = swung + change * change;
+      bend[j] = change / step;
       way[j] = there;
     }
     links = next;
-    constexpr double left = 0.1;  // of the deviation, before the last correction
-    return less<Width>(dot(gap, gap), left * left * deviation * deviation);
+    constexpr double left = 0.1;        // of the deviation, before the last correction
+    constexpr double most_swung = 0.5;  // of the way, in radians: next to a change point it may end on the other branch
+    return less<Width>(dot(gap, gap), left * left * deviation * deviation) &
+           less<Width>(swung, R{} + most_swung * most_swung);
   }
   /// The longer the way behind, the longer the step; where it bends, none that turns it by much.
   LINKWRIGHT_INLINE void lengthen() {
@@ -278,6 +282,7 @@ LINKWRIGHT_INLINE void walk(LineTraceBlock& block, int lane, const Linkage<Real<
     place = {chosen(place.s, turn.s),      chosen(place.e, turn.e),   chosen(place.turn, turn.turn),
              chosen(place.ds, turn.ds),    chosen(place.de, turn.de), chosen(place.dturn, turn.dturn),
              chosen(place.sine, turn.sine)};
+    doubtful |= on & negated<Width>(less<Width>(R{}, static_cast<double>(sense) * (place.s - before.s)));
     const int row = LineTraceBlock::steps + sense * i;
     put<Width>(block, row, lane, place);
     store<Width>(share * length, block.step[row] + lane);

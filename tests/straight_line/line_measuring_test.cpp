@@ -29,7 +29,8 @@ TEST(LineMeasuring, TakesAShareOfTheLongestUnlessTold) {
   EXPECT_EQ(name(LineMeasure::tangent), "tangent");
 }
 
-std::vector<TracingFourBar> linkages_of(const StraightLineTask& task, int count, unsigned seed) {
+std::vector<TracingFourBar> linkages_of(const StraightLineTask& task, int count, unsigned seed,
+                                        double longest_to_shortest = 20) {
   std::mt19937 draw(seed);
   std::uniform_real_distribution<double> share(0, 1);
   const auto axes = axes_of(task);
@@ -41,7 +42,7 @@ std::vector<TracingFourBar> linkages_of(const StraightLineTask& task, int count,
     const auto first = place(axes[0]), second = place(axes[1]);
     for (const LineDesign& design : designs_at(task, first, second))
       if (design.kind == DesignKind::four_bar &&
-          design.linkage.longest() < 20 * design.linkage.bars.lengths().shortest())
+          design.linkage.longest() < longest_to_shortest * design.linkage.bars.lengths().shortest())
         found.push_back(design.linkage);
   }
   return found;
@@ -91,6 +92,27 @@ TEST(LineEstimate, IsCloseToTheExactPath) {
     EXPECT_LT(quantile(strip, 0.95), 0.01) << of;
     EXPECT_LT(quantile(angle, 0.5), 0.002) << of;
     EXPECT_LT(quantile(angle, 0.95), 0.02) << of;
+  }
+}
+
+// Next to a change point the links swing round within a step of the tracer: such a path is traced exactly.
+TEST(LineEstimate, OfLinkagesOfAllProportionsIsSeldomOff) {
+  for (const Sample& sample : samples()) {
+    const auto linkages = linkages_of(sample.task, testing::draws(2000), 12, 1e4);
+    std::vector<LineEstimate> estimates(linkages.size());
+    const Point along = sample.task.line.direction;
+    estimate_lines(linkages, {along, sample.contact, {}, {}, Simd::automatic}, estimates);
+    int off = 0, far = 0, all = 0;
+    for (std::size_t i = 0; i < linkages.size(); ++i) {
+      const auto path = StraightPath::of(linkages[i], along);
+      if (!path) continue;
+      const double exact = path->usable(LineMeasuring{}.deviation_of(linkages[i])).length();
+      off += std::abs(estimates[i].usable_stroke - exact) > 0.01 * exact;
+      far += std::abs(estimates[i].usable_stroke - exact) > 0.1 * exact;
+      ++all;
+    }
+    EXPECT_LT(off, 0.01 * all) << name(sample.task.given);
+    EXPECT_EQ(far, 0) << name(sample.task.given);
   }
 }
 
