@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
@@ -12,7 +14,7 @@
 namespace linkwright {
 namespace {
 
-constexpr int middle = LineTraceBlock::steps;
+constexpr int middle = LineTraceBlock::most_steps;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Stretch {
@@ -291,20 +293,49 @@ LineEstimate estimate_of(const LineTraceBlock& block, std::size_t lane, const Li
   return estimate;
 }
 
-void fill(LineTraceBlock& block, std::span<const TracingFourBar> linkages, const LineMeasuring& measuring) {
-  for (std::size_t lane = 0; lane < LineTraceBlock::size; ++lane) {
-    const TracingFourBar& linkage = linkages[std::min(lane, linkages.size() - 1)];  // the last fills what is left
-    const auto put = [&](double(&numbers)[2][LineTraceBlock::size], Point p) {
-      numbers[0][lane] = p.real();
-      numbers[1][lane] = p.imag();
-    };
-    put(block.input_center, linkage.bars.input_center);
-    put(block.input_circle, linkage.bars.input_circle);
-    put(block.output_center, linkage.bars.output_center);
-    put(block.output_circle, linkage.bars.output_circle);
-    put(block.point, linkage.point);
-    block.deviation[lane] = measuring.deviation_of(linkage);
+// Linkages whose lines are estimated, and a δ for each.
+struct Estimated {
+  std::span<const TracingFourBar> linkages;
+  std::vector<double> deviations;
+  std::span<LineEstimate> estimates;
+};
+
+void fill(LineTraceBlock& block, std::size_t lane, const TracingFourBar& linkage, double deviation) {
+  const auto put = [&](double(&numbers)[2][LineTraceBlock::size], Point p) {
+    numbers[0][lane] = p.real();
+    numbers[1][lane] = p.imag();
+  };
+  put(block.input_center, linkage.bars.input_center);
+  put(block.input_circle, linkage.bars.input_circle);
+  put(block.output_center, linkage.bars.output_center);
+  put(block.output_circle, linkage.bars.output_circle);
+  put(block.point, linkage.point);
+  block.deviation[lane] = deviation;
+}
+
+// Of some of them by the block's steps; left are those that these do not tell.
+std::vector<std::size_t> estimate_some(const Estimated& of, std::span<const std::size_t> some,
+                                       const LineEstimateTask& task, LineTraceBlock& block) {
+  const auto kernel = line_trace_kernel.for_simd(task.simd);
+  std::vector<std::size_t> left;
+  for (; !some.empty(); some = some.subspan(std::min(some.size(), LineTraceBlock::size))) {
+    const auto lanes = some.first(std::min(some.size(), LineTraceBlock::size));
+    for (std::size_t lane = 0; lane < LineTraceBlock::size; ++lane) {
+      const std::size_t i = lanes[std::min(lane, lanes.size() - 1)];  // the last fills what is left
+      fill(block, lane, of.linkages[i], of.deviations[i]);
+    }
+    kernel(block);
+    for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+      LineEstimate& estimate = of.estimates[lanes[lane]];
+      if (block.doubtful[lane]) {
+        estimate.contact_coefficient = std::abs(block.coefficient[lane]);
+        left.push_back(lanes[lane]);
+      } else {
+        estimate = estimate_of(block, lane, task);
+      }
+    }
   }
+  return left;
 }
 
 // Over the stroke that is asked for; nothing where the path does not reach so far. Traced no farther than that.
@@ -324,28 +355,25 @@ std::optional<StrokeFigures> figures_over(const TracingFourBar& linkage, const L
 void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimateTask& task,
                     std::span<LineEstimate> estimates, std::span<const double> deviations) {
   require(estimates.size() >= linkages.size(), "there is room for each estimate");
-  const auto kernel = line_trace_kernel.for_simd(task.simd);
+  Estimated of{linkages, {deviations.begin(), deviations.end()}, estimates};
+  for (std::size_t i = deviations.size(); i < linkages.size(); ++i)
+    of.deviations.push_back(task.measuring.deviation_of(linkages[i]));
   LineTraceBlock block;
   block.direction[0] = task.direction.real();
   block.direction[1] = task.direction.imag();
   block.contact = task.contact;
   if (task.stroke) block.half_stroke = std::max(-(*task.stroke)[0], (*task.stroke)[1]);
-  constexpr std::size_t size = LineTraceBlock::size;
-  for (std::size_t begin = 0; begin < linkages.size(); begin += size) {
-    const auto some = linkages.subspan(begin, std::min(size, linkages.size() - begin));
-    fill(block, some, task.measuring);
-    for (std::size_t lane = 0; lane < size && !deviations.empty(); ++lane)
-      block.deviation[lane] = deviations[std::min(begin + lane, linkages.size() - 1)];
-    kernel(block);
-    for (std::size_t lane = 0; lane < some.size(); ++lane) {
-      LineEstimate& estimate = estimates[begin + lane];
-      if (!block.doubtful[lane]) {
-        estimate = estimate_of(block, lane, task);
-        continue;
-      }
-      estimate = exact_line(some[lane], task, block.deviation[lane], true).value_or(LineEstimate{});
-      estimate.contact_coefficient = std::abs(block.coefficient[lane]);
-    }
+  std::vector<std::size_t> left(linkages.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  left = estimate_some(of, left, task, block);
+  block.steps = LineTraceBlock::most_steps;
+  block.growth = 1.15;
+  block.tries = 8;
+  left = estimate_some(of, left, task, block);
+  for (const std::size_t i : left) {
+    const double coefficient = estimates[i].contact_coefficient;
+    estimates[i] = exact_line(linkages[i], task, of.deviations[i], true).value_or(LineEstimate{});
+    estimates[i].contact_coefficient = coefficient;
   }
 }
 

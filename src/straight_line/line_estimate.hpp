@@ -41,7 +41,8 @@ struct LineEstimateTask {
 };
 
 /// `estimates` has a place for each linkage. `deviations`: of each, instead of what the task measures by; none: as it
-/// does. Exact where steps along the path do not tell it: where it is longer than they lead, or bends too sharply.
+/// does. Exact where steps along the path, shorter and more the second time, do not tell it: where it is longer than
+/// they lead, or bends too sharply.
 void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimateTask& task,
                     std::span<LineEstimate> estimates, std::span<const double> deviations = {});
 

@@ -246,9 +246,20 @@ struct Walk {
     return less<Width>(dot(gap, gap), left * left * deviation * deviation) &
            less<Width>(swung, R{} + most_swung * most_swung);
   }
+  /// By a shorter step where one is too long, so many times.
+  LINKWRIGHT_INLINE Mask go_carefully(R deviation, Mask on, int tries) {
+    constexpr double shorter = 0.3;
+    for (; tries > 1; --tries) {
+      Walk trial = *this;
+      const Mask too_long = on & negated<Width>(trial.go(deviation));
+      if (too_long == 0) break;
+      step = select<Width>(too_long, shorter * step, step);
+    }
+    return go(deviation);
+  }
   /// The longer the way behind, the longer the step; where it bends, none that turns it by much.
-  LINKWRIGHT_INLINE void lengthen() {
-    constexpr double growth = 1.1, longest = 0.08, most_turned = 0.1;
+  LINKWRIGHT_INLINE void lengthen(double growth) {
+    constexpr double longest = 0.08, most_turned = 0.1;
     const R square = bend[0] * bend[0] + bend[1] * bend[1] + bend[2] * bend[2];
     const R grown = smaller<R>(growth * step, R{} + longest);
     step = select<Width>(less<Width>(R{} + most_turned * most_turned, step * step * square), 0.6 * step, grown);
@@ -270,9 +281,9 @@ LINKWRIGHT_INLINE void walk(LineTraceBlock& block, int lane, const Linkage<Real<
   Mask on = all_lanes<Width>;
   int last[Width] = {};
   const R enough = R{} + block.half_stroke, off = 2.0 * deviation;
-  for (int i = 1; i <= LineTraceBlock::steps && on != 0; ++i) {
+  for (int i = 1; i <= block.steps && on != 0; ++i) {
+    doubtful |= on & negated<Width>(along.go_carefully(deviation, on, block.tries));
     const R length = along.step;
-    doubtful |= on & negated<Width>(along.go(deviation));
     Place<R> place = place_of<Width>(start, along.links, along.way, along.input_turn);
     for (R* slope : {&place.ds, &place.de, &place.dturn}) *slope = static_cast<double>(sense) * *slope;  // by rising s
     const Mask ahead = less<Width>(R{}, place.ds);
@@ -283,18 +294,17 @@ LINKWRIGHT_INLINE void walk(LineTraceBlock& block, int lane, const Linkage<Real<
              chosen(place.ds, turn.ds),    chosen(place.de, turn.de), chosen(place.dturn, turn.dturn),
              chosen(place.sine, turn.sine)};
     doubtful |= on & negated<Width>(less<Width>(R{}, static_cast<double>(sense) * (place.s - before.s)));
-    const int row = LineTraceBlock::steps + sense * i;
+    const int row = LineTraceBlock::most_steps + sense * i;
     put<Width>(block, row, lane, place);
     store<Width>(share * length, block.step[row] + lane);
     for (int k = 0; k < Width; ++k) last[k] += static_cast<int>(on >> k & 1);
     on &= ahead & (less<Width>(magnitude<Width>(place.e), off) | less<Width>(magnitude<Width>(place.s), enough));
     before = place;
-    along.lengthen();
+    along.lengthen(block.growth);
   }
   doubtful |= on;  // the path goes on
   for (int k = 0; k < Width; ++k)
-    (sense > 0 ? block.last : block.first)[lane + k] =
-        static_cast<unsigned char>(LineTraceBlock::steps + sense * last[k]);
+    (sense > 0 ? block.last : block.first)[lane + k] = static_cast<short>(LineTraceBlock::most_steps + sense * last[k]);
 }
 
 template <int Width>
@@ -313,7 +323,7 @@ LINKWRIGHT_INLINE void trace(LineTraceBlock& block, int lane) {
   const R rises = with_sign_of<Width>(R{} + 1.0, here.ds);
   for (R* slope : {&here.ds, &here.de, &here.dturn}) *slope = rises * *slope;
   here.s = here.e = R{};
-  put<Width>(block, LineTraceBlock::steps, lane, here);
+  put<Width>(block, LineTraceBlock::most_steps, lane, here);
   Mask doubtful = 0;
   walk<Width>(block, lane, start, begins, step, deviation, 1, here, doubtful);
   walk<Width>(block, lane, start, begins, step, deviation, -1, here, doubtful);
@@ -322,7 +332,7 @@ LINKWRIGHT_INLINE void trace(LineTraceBlock& block, int lane) {
 
 template <int Width>
 LINKWRIGHT_INLINE void line_trace_kernel(LineTraceBlock& block) {
-  for (int lane = 0; lane < LineTraceBlock::size; lane += Width) trace<Width>(block, lane);
+  for (int lane = 0; lane < static_cast<int>(LineTraceBlock::size); lane += Width) trace<Width>(block, lane);
 }
 
 }  // namespace linkwright::LINKWRIGHT_ISA::line_trace
