@@ -39,7 +39,7 @@ BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in 
                     "does not change", "no value", "precision points", "lies outside of", "whole turn", "low below high",
                     "at one place", "sort them", "is empty", "cannot reach", "on one line", "coincide", "the elbow is",
                     "are given and four or five are needed", "add up to", "by rising s", "a tenth of the stroke",
-                    "lies on the line", "is where the coupler point is")
+                    "lies on the line", "is where the coupler point is", "above the largest", "keep x within", "are the most that")
 
 
 def schemas():
@@ -310,7 +310,7 @@ class Schemas(FaceTest):
 BOUNDS = {"minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum", "minItems", "maxItems", "minProperties", "maxProperties"}
 
 # Parts of the schema that say what a place is not, or which positions count how often: tasks of all patterns are tried above.
-NO_BOUNDS_OF_A_PLACE = ("_positions/", "/if/", "#/$defs/single", "#/$defs/double", "#/$defs/triple", "#/$defs/quadruple", "#/$defs/quintuple",
+NO_BOUNDS_OF_A_PLACE = ("_positions/", "/if/", "/not", "#/$defs/single", "#/$defs/double", "#/$defs/triple", "#/$defs/quadruple", "#/$defs/quintuple",
                         "#/$defs/zero")
 
 
@@ -416,8 +416,13 @@ def problems_with_everything():
     yield "mixed", problem(hood)
     poses = tailgate["poses"][:3]
     for given in ({"side_lengths": [180, 240]}, {"side_length": 180}, {"side_angle_deg": 30, "input_length": 180},
-                  {"instant_center": [200, 0]}):
-        yield "three", problem({"kind": "motion", "mechanism": "four_bar", "poses": poses, "given": given})
+                  {"instant_center": [200, 0]}, {"ground_pivots": [[200, -200], [400, -200]]},
+                  {"ground_pivot_on": {"point": [0, -200], "direction_deg": 0}}):
+        yield "three", problem({"kind": "motion", "mechanism": "four_bar", "poses": poses, "given": given, "pivot_on": []})
+    line = {"which": "input", "pivot": "ground", "line": {"point": [0, -20], "direction_deg": 0}}
+    yield "on a line", problem(tailgate | {"pivot_on": [line]})
+    by_points = [{"points": points} for points in ([[0, 0], [5, 0]], [[4, 10], [8, 7]], [[34, 14], [34, 9]])]
+    yield "by points", problem({"kind": "motion", "mechanism": "four_bar", "poses": by_points, "given": {"side_lengths": [18, 24]}})
     yield "freed", problem(task_of("five_hatch") | {"freed_pose": 2} if (ROOT / "examples/five_hatch.json").exists() else
                            {"kind": "motion", "mechanism": "four_bar", "freed_pose": 2, "poses": tailgate["poses"] + [
                                {"x": 900, "y": 300, "theta_deg": 95}]})

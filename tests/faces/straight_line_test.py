@@ -179,7 +179,7 @@ class StraightLines(FaceTest):
         x, y = (f"{value!r}".removesuffix(".0") for value in linkage["pivots"]["point"])
         self.assertIn(f"\n10\n{x}\n20\n{y}\n", (self.folder / "linkage.dxf").read_text())
         head, first, *_ = (self.folder / "linkage.csv").read_text().splitlines()
-        self.assertTrue(head.endswith(",position,point_x,point_y"))
+        self.assertTrue(head.endswith(",position_error,orientation_error_deg,point_x,point_y"))
         self.assertEqual([float(cell) for cell in first.split(",")[-2:]], linkage["pivots"]["point"])
         analysed = run("analyze", self.folder / "linkage.json")
         self.assertEqual((analysed[0], analysed[2]), (0, ""))
