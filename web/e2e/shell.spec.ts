@@ -74,7 +74,7 @@ test("1 · first start: a map, a count, the tour, nothing in anyone's way", asyn
   await page.keyboard.press("Escape");
   await expect(page.getByTestId("term.tip")).toBeHidden();
   await page.getByTestId("task.kind").click();
-  await expect(page.getByTestId("dialog.new").locator(".picture")).toHaveCount(12);
+  await expect(page.getByTestId("dialog.new").locator(".picture")).toHaveCount(13);
   await keep_screenshot(page, "new-task");
 });
 
@@ -236,23 +236,23 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
 
 // ---- 21 ---------------------------------------------------------------------------------------------------------
 
-/** Words of Latin letters that are seen or spoken, but for names, units and signs. */
+/** Words of Latin letters that are seen or spoken, but for names, units, signs, commands and files. */
 function latin_words(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const allowed =
-      /^(Linkwright|linkwright|solve|analyze|English|mm|DXF|SVG|PNG|CSV|JSON|GIF|MP|MF|STL|WebM|A4|A3|MB|kB|PP?P?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
+      /^(Linkwright|linkwright|solve|analyze|English|mm|DXF|SVG|PNG|CSV|JSON|GIF|MP|MF|STL|WebM|URDF|ROS|SDF|Gazebo|SDFormat|MJCF|MuJoCo|STEP|CAD|A4|A3|MB|kB|PP?P?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
     const texts: string[] = [];
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
       if (node instanceof Text) {
         const parent = node.parentElement!;
-        if (!["SCRIPT", "STYLE"].includes(parent.tagName) && parent.checkVisibility()) texts.push(node.data);
+        if (!["SCRIPT", "STYLE", "CODE"].includes(parent.tagName) && parent.checkVisibility()) texts.push(node.data);
       } else if (node instanceof Element && node.checkVisibility()) {
         for (const name of ["aria-label", "title", "placeholder", "aria-valuetext"])
           texts.push(node.getAttribute(name) ?? "");
       }
     }
-    const words = texts.flatMap((text) => text.match(/[A-Za-z][A-Za-z'’]*/g) ?? []);
+    const words = texts.flatMap((text) => text.replace(/“[^”]*\.json”/g, "").match(/[A-Za-z][A-Za-z'’]*/g) ?? []);
     return [...new Set(words.filter((word) => !allowed.test(word)))];
   });
 }

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {Problem} from "../state/problem";
-import {border_hit, curvature_place, inside, pose_handles, within_reach} from "./handles";
+import {border_hit, curvature_place, inside, pose_handles, task_handle, within_reach} from "./handles";
 import {Plane} from "./space";
 
 const space = new Plane({x: 0, y: 0, scale: 1, width: 400, height: 400}, true);
@@ -26,6 +26,13 @@ describe("handles", () => {
     expect(ids(null, [258, 199])).toEqual(["disc_3", "knob_1"]);
     expect(ids(0, [258, 199])).toEqual(["knob_1", "disc_3"]);
     expect(ids(null, [20, 20])).toEqual([]);
+  });
+  it("come before those of a higher priority that are only near", () => {
+    const part = {part: "hinge", label: () => "", drag: () => null!, nudge: () => {}},
+      handles = [...pose_handles(problem, space, null, false), task_handle(part, [200, 213])];
+    const first = (at: readonly [number, number]) => within_reach(handles, at, false)[0]!.id;
+    expect(first([200, 213])).toBe("hinge");
+    expect(first([200, 209])).toBe("disc_1");
   });
   it("reach farther under a finger, and a phone shows the selected knob only", () => {
     expect(within_reach(pose_handles(problem, space, null, true), [200, 220], false)).toEqual([]);

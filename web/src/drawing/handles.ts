@@ -220,11 +220,17 @@ export function inside(polygon: readonly Point[], at: Point): boolean {
   return within;
 }
 
-/** Handles within reach, the first to be taken first. */
+const seen = 0.75; // of a handle's reach: what is drawn; the rest helps who aims beside it
+
+/** Handles within reach, the first to be taken first: of those under the pointer, then of those beside it. */
 export function within_reach(handles: readonly Handle[], at: Point, touch: boolean): Handle[] {
   return handles
-    .map((h) => ({h, distance: h.distance?.(at) ?? Math.hypot(h.at[0] - at[0], h.at[1] - at[1])}))
-    .filter(({h, distance}) => distance <= h.reach[touch ? 1 : 0])
-    .sort((a, b) => a.h.rank - b.h.rank || a.distance - b.distance)
+    .map((h) => {
+      const distance = h.distance?.(at) ?? Math.hypot(h.at[0] - at[0], h.at[1] - at[1]),
+        reach = h.reach[touch ? 1 : 0];
+      return {h, distance, reach, beside: Number(distance > seen * reach)};
+    })
+    .filter(({distance, reach}) => distance <= reach)
+    .sort((a, b) => a.beside - b.beside || a.h.rank - b.h.rank || a.distance - b.distance)
     .map(({h}) => h);
 }
