@@ -178,6 +178,7 @@ std::vector<SixBarDriveReport> drive_six_bars(std::span<const SixBarToDrive> six
   const auto sure = judge_six_bars(six_bars, simd);
   SixBarDriveOptions options;
   options.circuits = false;
+  options.max_steps = most_steps_of_many;
   std::vector<SixBarDriveReport> reports;
   for (std::size_t i = 0; i < six_bars.size(); ++i) {
     const auto& [loops, wanted] = six_bars[i];

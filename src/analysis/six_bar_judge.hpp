@@ -24,8 +24,11 @@ struct SixBarToDrive {
 [[nodiscard]] std::vector<std::optional<SixBarDriveReport>> judge_six_bars(std::span<const SixBarToDrive> six_bars,
                                                                            Simd simd = Simd::automatic);
 
+/// Of the few that take longer than this one in two is never decided, and each takes as long as thousands of others.
+inline constexpr int most_steps_of_many = 5'000;
+
 /// Of six-bars whose signs agree, of each what drive_six_bar() says without circuits: judged where that is sure, driven
-/// where it is not.
+/// by at most most_steps_of_many where it is not.
 [[nodiscard]] std::vector<SixBarDriveReport> drive_six_bars(std::span<const SixBarToDrive> six_bars,
                                                             Simd simd = Simd::automatic);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "analysis/six_bar_judge.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/draws.hpp"
 #include "support/random_six_bar.hpp"
@@ -47,7 +48,7 @@ std::vector<SixBarMember> members_of(const testing::ReachedTask& task, const Six
 TEST(SixBarSolution, ManyAtOnceAreJudgedAsDrivingJudgesEach) {
   std::mt19937_64 random(43);
   constexpr int samples = 14;
-  int free_ones = 0, order = 0, branch = 0;
+  int free_ones = 0, order = 0, branch = 0, given_up = 0;
   double worst_sine = 0;
   for (int chain = 0; chain < testing::draws(20); ++chain)
     for (const SixBarRow& row : six_bar_rows()) {
@@ -65,6 +66,10 @@ TEST(SixBarSolution, ManyAtOnceAreJudgedAsDrivingJudgesEach) {
           options.exact_steps = true;
           driven = drive_six_bar(members[i].six_bar, members[i].turns, options);
         }
+        if (!judged.completed && driven.steps > most_steps_of_many) {
+          ++given_up;
+          continue;
+        }
         ASSERT_EQ(judged.completed, driven.completed) << text(row.added[0]) << " " << text(row.added[1]) << " " << i;
         ASSERT_EQ(judged.defects, driven.defects) << text(row.added[0]) << " " << text(row.added[1]) << " " << i;
         ASSERT_EQ(judged.sense, driven.sense);
@@ -76,6 +81,7 @@ TEST(SixBarSolution, ManyAtOnceAreJudgedAsDrivingJudgesEach) {
   EXPECT_GT(free_ones, testing::draws(500));
   EXPECT_GE(order, testing::draws(20) / 20);
   EXPECT_GT(branch, testing::draws(20'000));
+  EXPECT_LE(given_up, 5);
   EXPECT_LT(worst_sine, 0.02);  // driving looks at its steps only, the judge between its own, too
 }
 
