@@ -22,19 +22,14 @@ LineContact contact_with_line(const MotionSeries& motion, Point point, Point dir
     contact.points = 1;
     return contact;
   }
-  const RealSeries<motion_order> time = inverse(along);
-  contact.deviation = composed(off, time).c;
-  // What the terms of a coefficient are without their signs: its rounding is a share of that, in any unit.
+  contact.deviation = composed(off, inverse(along)).c;
+  // As long as the point moves along the line, e vanishes by s to the order to which it does by the motion's parameter,
+  // in which rounding is a share of what the terms are without their signs, in any unit and next to a cusp, too.
   const auto turned = rotation(motion.turn);
-  RealSeries<motion_order> travel, delay;
-  for (std::size_t k = 1; k <= motion.order; ++k) {
-    travel.c[k] = std::abs(motion.path.c[k]) + arm * std::abs(turned.c[k]);
-    delay.c[k] = std::abs(time.c[k]);
-  }
-  const auto terms = composed(travel, delay).c;
   contact.points = static_cast<int>(motion.order) + 1;
   for (std::size_t k = 1; k <= motion.order; ++k)
-    if (std::abs(contact.deviation[k]) > tolerance::vanishing_deviation * terms[k]) {
+    if (std::abs(off.c[k]) >
+        tolerance::vanishing_deviation * (std::abs(motion.path.c[k]) + arm * std::abs(turned.c[k]))) {
       contact.points = static_cast<int>(k);
       break;
     }

