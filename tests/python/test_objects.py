@@ -263,8 +263,10 @@ def test_what_progress_raises_ends_the_work() -> None:
 
 
 def test_control_c_stops() -> None:
+    # A shell's job in the background is begun with the signal ignored.
     program = f"""
-import json, linkwright as lw
+import json, signal, linkwright as lw
+signal.signal(signal.SIGINT, signal.default_int_handler)
 problem = lw.read_problem({str(EXAMPLES / "loader_bucket.json")!r})
 problem["options"]["effort"] = 10_000_000
 print("begun", flush=True)
