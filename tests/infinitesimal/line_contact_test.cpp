@@ -42,6 +42,12 @@ TEST(LineContact, OtherLinesCrossThePathOnce) {
   EXPECT_EQ(contact_of(watt, 0, std::polar(1.0, 1.0)).points, 1);
 }
 
+TEST(LineContact, IsCountedNextToACusp) {
+  const FourBar bars{
+      {0, 0}, {3.7502345521529015, 9.052354397052609}, {-2.5, 4.5}, {1.1949251112630135, 9.154820081494467}};
+  EXPECT_EQ(contact_of(bars, {6.628524572562647, 16}, {1, 0}).points, 4) << "the pole is 2e-7 away";
+}
+
 TEST(LineContact, APointAtRestHasNone) {
   const FourBar bars{{0, 0}, {1, 1}, {4, 0}, {3, 1}};  // the pole lies at (2, 2)
   EXPECT_EQ(contact_of(bars, {2, 2}, {1, 0}).points, 0);

@@ -122,6 +122,13 @@ TEST(StraightPath, LambdaRunsAsTheTableSays) {
   EXPECT_NEAR(std::abs(degrees(report->drive->sweep)), 92, 0.5);
 }
 
+TEST(StraightPath, ThereIsNoneOfAPointThatAllButRests) {
+  const FourBar bars{
+      {0, 0}, {3.7502345521529015, 9.052354397052609}, {-2.5, 4.5}, {1.1949251112630135, 9.154820081494467}};
+  EXPECT_FALSE(StraightPath::of({bars, {6.628524572562647, 16}}, {1, 0})) << "the pole is 2e-7 away";
+  EXPECT_TRUE(StraightPath::of({bars, {6.6, 16.5}}, {1, 0}));
+}
+
 TEST(StraightPath, ThereIsNoneAcrossThePathOrOfLinksInOneLine) {
   EXPECT_FALSE(StraightPath::of(watt, {1, 0}));
   EXPECT_FALSE(StraightPath::of({{{0, 0}, {1, 0}, {4, 0}, {3, 0}}, {2, 1}}, {1, 0}));

@@ -10,9 +10,9 @@ namespace linkwright {
 struct LineContact {
   /// e(s) = Σ deviation[k] s^k: signed distance to the left of the line, by the way along it; user's unit.
   std::array<double, motion_order + 1> deviation{};
-  /// Points that path and line have in common here: the power of the first term that does not vanish, to
-  /// tolerance::vanishing_deviation of its terms; one more than the motion's order where none of those known is left; 0
-  /// where the point rests now (a cusp: there is no such series).
+  /// Points that path and line have in common here: the power of the first term of e, by the motion's parameter, that
+  /// does not vanish to tolerance::vanishing_deviation of what it is made of; one more than the motion's order where
+  /// none of those known is left; 0 where the point rests now (a cusp: there is no such series).
   int points = 0;
 };
 
