@@ -268,7 +268,7 @@ std::vector<SampledArc> columns_at(const LinkageFamily& family, double input, co
 // Where the stretches of one axis are known, on them alone.
 WindowLook look_closer(const LinkageFamily& family, const PivotWindows& windows, const SearchMap& seen,
                        const Requirements& requirements, const MapMaking& making, const Progress& progress) {
-  if (seen.filter->census(progress).meeting > 0) return {};
+  if (seen.filter->census(progress).meeting >= static_cast<std::int64_t>(making.followed)) return {};
   const auto rows = arcs_inside(family, Side::input, windows, making.window);
   CloserLook look(family, requirements, making, progress);
   if (!rows) return std::move(look).from(seen);

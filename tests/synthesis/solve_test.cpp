@@ -586,6 +586,20 @@ TEST(SolveSphericalFunction, FivePairsListEveryLinkageWhateverItsDefects) {
   }
 }
 
+TEST(SolveSixBars, LooksCloserAtWindowsForHingesWhereTheMapShowsLittle) {
+  Problem problem = testing::example("loader_bucket_chain.json", 300);
+  const auto solved_now = [&] { return solve(problem.task, problem.requirements, problem.options).value(); };
+  const Answer of_many = solved_now();
+  const Findings& many = findings(of_many);
+  EXPECT_GT(many.meeting_requirements, 40);
+  EXPECT_FALSE(many.inside) << "the map has enough to climb from";
+  problem.requirements.max_length = 1400;
+  const Answer of_none = solved_now();
+  const Findings& none = findings(of_none);
+  ASSERT_TRUE(none.inside);
+  EXPECT_GT(none.inside->looked_at, 1000);
+}
+
 TEST(SolveSixBars, LooksAtAWindowOnly) {
   Problem problem = testing::example("loader_bucket_chain.json", 160);
   problem.options.window = MapWindow{{0.2, 0.45}, {0.1, 0.4}};
