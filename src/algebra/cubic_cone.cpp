@@ -110,6 +110,29 @@ double CubicForm::largest_coefficient() const {
   return largest;
 }
 
+// Along p c² + q cs + r s², the circle of these lines by half the angle round the axis, F is a form of degree 6.
+std::optional<std::vector<Vector3>> lines_at_angle(const CubicForm& form, Vector3 axis, double angle) {
+  const Vector3 e = normalized(axis), u = any_normal(e), v = cross(e, u);
+  const Vector3 p = std::cos(angle) * e + std::sin(angle) * u, q = 2 * std::sin(angle) * v,
+                r = std::cos(angle) * e - std::sin(angle) * u;
+  const std::array<double, 7> on_circle = {form.polar(p, p, p),
+                                           3 * form.polar(p, p, q),
+                                           3 * (form.polar(p, p, r) + form.polar(p, q, q)),
+                                           6 * form.polar(p, q, r) + form.polar(q, q, q),
+                                           3 * (form.polar(p, r, r) + form.polar(q, q, r)),
+                                           3 * form.polar(q, r, r),
+                                           form.polar(r, r, r)};
+  const double largest = std::abs(*std::max_element(on_circle.begin(), on_circle.end(),
+                                                    [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  if (!(largest > tolerance::vanishing_coefficient * form.largest_coefficient())) return std::nullopt;
+  std::vector<Vector3> lines;
+  for (const FormRoot& root : real_roots(on_circle, tolerance::touching_line)) {
+    const double c = std::cos(root.angle), s = std::sin(root.angle);
+    lines.push_back(normalized(c * c * p + c * s * q + s * s * r));
+  }
+  return lines;
+}
+
 CubicForm product(Vector3 a, Vector3 b, Vector3 c) {
   CubicForm form;
   for (std::size_t i = 0; i < 3; ++i)

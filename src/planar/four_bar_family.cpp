@@ -69,8 +69,7 @@ std::vector<AxisArc> FourBarFamily::arcs_of_dyads(Side side, const PivotWindows&
   for (const CurveBranch& branch : axis(side).branches)
     for (int i = 0; i < knots_of_a_branch; ++i)
       knots.push_back(branch.from + (branch.to - branch.from) * i / knots_of_a_branch);
-  std::sort(knots.begin(), knots.end());
-  return linkwright::arcs_within(axis(side), knots, windows, [&](double tau) {
+  return linkwright::arcs_within(axis(side), std::move(knots), windows, [&](double tau) {
     const auto link = dyad_at(tau);
     return link ? user_pivots(frame(), *link) : GroundedLinkPivots{};
   });
@@ -106,8 +105,9 @@ std::vector<GroundedLinkPivots> ProductFamily::pivots_of(const std::vector<Dyad>
   return found;
 }
 
-std::optional<std::vector<AxisArc>> ProductFamily::arcs_within(Side side, const PivotWindows& windows) const {
-  return arcs_of_dyads(side, windows, [&](double tau) { return dyad(side, tau); });
+std::optional<AxisArcs> ProductFamily::arcs_within(Side side, const PivotWindows& windows) const {
+  const bool are_all = axis(side).is_discrete();
+  return AxisArcs{arcs_of_dyads(side, windows, [&](double tau) { return dyad(side, tau); }), are_all};
 }
 
 std::vector<Dyad> ProductFamily::polygon(Side side) const {
@@ -164,7 +164,7 @@ std::vector<double> CurveFamily::samples(Side /*side*/, int count, Spacing spaci
   return curve_->samples(count, spacing);
 }
 
-std::optional<std::vector<AxisArc>> CurveFamily::arcs_within(Side side, const PivotWindows& windows) const {
+std::optional<AxisArcs> CurveFamily::arcs_within(Side side, const PivotWindows& windows) const {
   std::vector<double> borders;
   const auto append = [&](const std::vector<double>& more) { borders.insert(borders.end(), more.begin(), more.end()); };
   const auto meet = [&](const std::optional<PivotWindow>& window, auto coordinates_on) {
@@ -180,7 +180,10 @@ std::optional<std::vector<AxisArc>> CurveFamily::arcs_within(Side side, const Pi
   };
   meet(windows.ground, [&](Homogeneous line) { return curve_->coordinates_of_centers_on(line); });
   meet(windows.moving, [&](Homogeneous line) { return curve_->coordinates_of_circles_on(line); });
-  return arcs_where(axis(side), std::move(borders), [&](double tau) { return windows.hold(pivots_at(side, tau)); });
+  constexpr bool are_all = true;
+  return AxisArcs{
+      arcs_where(axis(side), std::move(borders), [&](double tau) { return windows.hold(pivots_at(side, tau)); }),
+      are_all};
 }
 
 std::vector<Dyad> CurveFamily::polygon(Side /*side*/) const {

@@ -111,7 +111,7 @@ std::vector<MissedBox> missed_boxes(const FourBarFamily& family, const Requireme
     const bool of_ground = kind == RequirementKind::ground_pivots_within;
     const PivotWindows window = of_ground ? PivotWindows{*box, std::nullopt} : PivotWindows{std::nullopt, *box};
     const auto arcs = product->arcs_within(input, window);
-    if (!arcs || !arcs->empty()) return;
+    if (!arcs || !arcs->are_all || !arcs->arcs.empty()) return;
     if (const auto nearest = CurveBesideBox(*product, corners, end, *box).nearest())
       found.push_back({kind, *nearest, *nearest - nearest_in(*box, *nearest)});
   };

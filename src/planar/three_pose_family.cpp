@@ -191,9 +191,9 @@ std::vector<Dyad> SideAngleFamily::polygon(Side side) const {
   return side == Side::input ? input_.polygon() : std::vector<Dyad>{};
 }
 
-std::optional<std::vector<AxisArc>> SideAngleFamily::arcs_within(Side side, const PivotWindows& windows) const {
+std::optional<AxisArcs> SideAngleFamily::arcs_within(Side side, const PivotWindows& windows) const {
   if (side == Side::output) return std::nullopt;
-  return arcs_of_dyads(side, windows, [&](double tau) { return input_.dyad(tau); });
+  return AxisArcs{arcs_of_dyads(side, windows, [&](double tau) { return input_.dyad(tau); })};
 }
 
 std::optional<std::vector<AxisArc>> SideAngleFamily::output_arcs_within(double input,

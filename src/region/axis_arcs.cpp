@@ -6,11 +6,22 @@
 #include <limits>
 
 #include "linkwright/algebra/line_search.hpp"
+#include "linkwright/core/angle.hpp"
 
 namespace linkwright {
 namespace {
 
-bool are_on_one_branch(double from, double to) { return to <= std::floor(from) + 1; }
+bool are_on_one_branch(double from, double to) { return std::floor(to) == std::floor(from); }
+
+/// The extreme value of the parabola through three points, `places` rising.
+double vertex_value(const std::array<double, 3>& places, const std::array<double, 3>& values) {
+  const double first = (values[1] - values[0]) / (places[1] - places[0]),
+               second = (values[2] - values[1]) / (places[2] - places[1]),
+               curvature = (second - first) / (places[2] - places[0]);
+  if (curvature == 0) return values[1];
+  const double slope = first + curvature * (places[1] - places[0]);
+  return values[1] - slope * slope / (4 * curvature);
+}
 
 // Where a function with values of different signs at both ends changes its sign, to the last digit.
 template <class Function>
@@ -46,7 +57,9 @@ class BorderSearch {
     if ((a < 0) != (b < 0) || (b < 0) != (c < 0)) return;
     if (std::abs(b) > std::abs(a) || std::abs(b) > std::abs(c)) return;
     // A parabola through the three that stays well away from zero has no root that a smooth function could hide.
-    if (std::abs(b) > 2 * std::max(std::abs(a - b), std::abs(c - b))) return;
+    constexpr double well_away = 0.75;
+    const double extreme = vertex_value(places, values);
+    if ((extreme < 0) == (b < 0) && std::abs(extreme) > well_away * std::abs(b)) return;
     const auto value_at = [&](double x) { return at(x); };
     constexpr int turns = 40;
     const auto above_zero = [&, sign = b < 0 ? -1.0 : 1.0](double x) {
@@ -128,10 +141,22 @@ std::vector<double> borders_between(std::span<const double> knots, const BorderV
   return borders;
 }
 
-std::vector<AxisArc> clipped(const std::vector<AxisArc>& arcs, double low, double high) {
+std::vector<AxisArc> arcs_of(const MapAxis& axis, const std::array<double, 2>& interval) {
+  const auto [low, high] = interval;
+  const double length = axis.coordinate_length();
+  if (axis.is_discrete()) return {{0, length}};
+  if (!axis.is_closed() || (low >= 0 && high <= length) || !(length > 0)) return {{low, high}};
+  if (high - low >= length) return {{0, length}};
+  const double from = wrap_period(low, length), to = from + (high - low);
+  if (to <= length) return {{from, to}};
+  return {{0, to - length}, {from, length}};
+}
+
+std::vector<AxisArc> clipped(const std::vector<AxisArc>& arcs, const std::vector<AxisArc>& within) {
   std::vector<AxisArc> kept;
   for (const AxisArc& arc : arcs)
-    if (arc.to >= low && arc.from <= high) kept.push_back({std::max(arc.from, low), std::min(arc.to, high)});
+    for (const auto& [low, high] : within)
+      if (arc.to >= low && arc.from <= high) kept.push_back({std::max(arc.from, low), std::min(arc.to, high)});
   return kept;
 }
 

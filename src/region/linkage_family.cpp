@@ -1,5 +1,9 @@
 #include "linkwright/region/linkage_family.hpp"
 
+#include <algorithm>
+
+#include "linkwright/region/axis_arcs.hpp"
+
 namespace linkwright {
 
 double LinkageFamily::axis_value(Side /*side*/, double coordinate) const { return coordinate; }
@@ -19,18 +23,20 @@ std::vector<double> LinkageFamily::samples(Side side, int count, Spacing /*spaci
 std::vector<double> samples_within(const LinkageFamily& family, Side side, const std::optional<MapWindow>& window,
                                    int count, Spacing spacing) {
   if (!window || family.axis(side).is_discrete()) return family.samples(side, count, spacing);
-  const auto [low, high] = side == Side::input ? window->input : window->output;
+  const auto [low, high] = window->of(side);
   std::vector<double> coordinates;
   for (int i = 0; i < count; ++i) coordinates.push_back(low + (high - low) * (i + 0.5) / count);
   return coordinates;
 }
 
 bool is_within(const LinkageFamily& family, const std::optional<MapWindow>& window, MapPoint point) {
-  const auto holds = [&](Side side, const std::array<double, 2>& interval, double coordinate) {
-    return family.axis(side).is_discrete() || (coordinate >= interval[0] && coordinate <= interval[1]);
+  const auto holds = [&](Side side, double coordinate) {
+    if (family.axis(side).is_discrete()) return true;
+    const auto arcs = arcs_of(family.axis(side), window->of(side));
+    return std::any_of(arcs.begin(), arcs.end(),
+                       [&](const AxisArc& arc) { return coordinate >= arc.from && coordinate <= arc.to; });
   };
-  return !window ||
-         (holds(Side::input, window->input, point.input) && holds(Side::output, window->output, point.output));
+  return !window || (holds(Side::input, point.input) && holds(Side::output, point.output));
 }
 
 }  // namespace linkwright

@@ -41,10 +41,19 @@ std::optional<std::vector<double>> PivotWindows::border_values(const GroundedLin
   return values;
 }
 
-std::vector<AxisArc> arcs_within(const MapAxis& axis, std::span<const double> knots, const PivotWindows& windows,
-                                 const std::function<GroundedLinkPivots(double)>& pivots_at) {
+std::vector<AxisArc> arcs_within(const MapAxis& axis, std::vector<double> knots, const PivotWindows& windows,
+                                 const std::function<GroundedLinkPivots(double)>& pivots_at,
+                                 std::vector<double> borders) {
+  for (const CurveBranch& branch : axis.branches) {
+    knots.push_back(branch.from);
+    if (branch.to > branch.from) knots.push_back(std::nextafter(branch.to, branch.from));
+  }
+  std::sort(knots.begin(), knots.end());
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
   const auto values_at = [&](double coordinate) { return windows.border_values(pivots_at(coordinate)); };
-  return arcs_where(axis, borders_between(knots, values_at),
+  const std::vector<double> between = borders_between(knots, values_at);
+  borders.insert(borders.end(), between.begin(), between.end());
+  return arcs_where(axis, std::move(borders),
                     [&](double coordinate) { return windows.hold(pivots_at(coordinate)); });
 }
 

@@ -29,17 +29,34 @@ bool keep(WindowLook& look, std::unique_ptr<JudgedMap> made, std::int64_t inside
   return meeting > 0;
 }
 
-std::int64_t linkages_of(const RegionMap& map) {
-  const RegionCounts counts = map.counts();
-  return counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+// Its linkages with all hinges in the windows.
+std::int64_t linkages_inside(const JudgedMap& made) {
+  std::int64_t count = 0;
+  for (std::size_t row = 0; row < made.map.rows(); ++row)
+    for (std::size_t column = 0; column < made.map.columns(); ++column)
+      count += made.filter->distance_to_windows(row, column) == 0;
+  return count;
+}
+
+/// Of arcs of an axis what lies in the part of the map that is looked at.
+std::vector<AxisArc> arcs_seen(std::vector<AxisArc> arcs, const LinkageFamily& family, Side side,
+                               const std::optional<MapWindow>& window) {
+  if (!window || family.axis(side).is_discrete()) return arcs;
+  return clipped(arcs, arcs_of(family.axis(side), window->of(side)));
 }
 
 std::optional<std::vector<AxisArc>> arcs_inside(const LinkageFamily& family, Side side, const PivotWindows& windows,
                                                 const std::optional<MapWindow>& window) {
-  auto arcs = family.arcs_within(side, windows);
-  if (!arcs || !window || family.axis(side).is_discrete()) return arcs;
-  const auto [low, high] = side == Side::input ? window->input : window->output;
-  return clipped(*arcs, low, high);
+  auto found = family.arcs_within(side, windows);
+  if (!found) return std::nullopt;
+  return arcs_seen(std::move(found->arcs), family, side, window);
+}
+
+bool is_proved_empty(const LinkageFamily& family, const PivotWindows& windows) {
+  for (const Side side : {Side::input, Side::output})
+    if (const auto found = family.arcs_within(side, windows); found && found->are_all && found->arcs.empty())
+      return true;
+  return false;
 }
 
 // Their share of the samples of an axis, and enough of each to climb from.
@@ -71,7 +88,7 @@ class CloserLook {
   [[nodiscard]] WindowLook from(const SearchMap& seen) && {
     const std::size_t stride = std::max(seen.map->rows(), seen.map->columns()) / looked_at_first + 1;
     const auto step = [&](Side side, std::size_t count) {
-      return static_cast<double>(stride) * family_.axis(side).coordinate_length() / static_cast<double>(count);
+      return static_cast<double>(stride) * seen_length(side) / static_cast<double>(count);
     };
     follow(nearest_of(seen, stride, {step(Side::input, seen.map->rows()), step(Side::output, seen.map->columns())},
                       making_.followed));
@@ -83,7 +100,7 @@ class CloserLook {
     for (auto& map : begun) {
       const std::vector<Spot> nearest = nearest_of(map->view(), 1, map->step, making_.followed);
       spots.insert(spots.end(), nearest.begin(), nearest.end());
-      const std::int64_t within = inside(*map);
+      const std::int64_t within = linkages_inside(*map);
       keep(look_, std::move(map), within);
     }
     follow(best_of(std::move(spots)));
@@ -100,6 +117,13 @@ class CloserLook {
     MapPoint at, step;
     double badness = 0;  ///< distance from the windows, and requirements failed
   };
+
+  [[nodiscard]] double seen_length(Side side) const {
+    const double whole = family_.axis(side).coordinate_length();
+    if (!making_.window || family_.axis(side).is_discrete()) return whole;
+    const auto [low, high] = making_.window->of(side);
+    return std::min(whole, high - low);
+  }
 
   /// Distance first; among places inside, those that fail fewer requirements.
   [[nodiscard]] static double badness(const RequirementFilter& filter, std::size_t row, std::size_t column) {
@@ -132,14 +156,6 @@ class CloserLook {
       spots.push_back({{input(cell.row), output(cell.column)}, step, -cell.score});
     return spots;
   }
-  [[nodiscard]] static std::int64_t inside(const JudgedMap& made) {
-    std::int64_t count = 0;
-    for (std::size_t row = 0; row < made.map.rows(); ++row)
-      for (std::size_t column = 0; column < made.map.columns(); ++column)
-        count += made.filter->distance_to_windows(row, column) == 0;
-    return count;
-  }
-
   [[nodiscard]] std::vector<Spot> best_of(std::vector<Spot> spots) const {
     std::sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) { return a.badness < b.badness; });
     if (spots.size() > making_.followed) spots.resize(making_.followed);
@@ -161,10 +177,10 @@ class CloserLook {
     const MapAxis& axis = family_.axis(side);
     if (axis.is_discrete()) return {at};
     AxisStretch stretch = axis.stretch_around(at);
-    if (making_.window) {
-      const auto [low, high] = side == Side::input ? making_.window->input : making_.window->output;
-      stretch = {std::max(stretch.from, low), std::min(stretch.to, high), false};
-    }
+    if (making_.window)
+      for (const AxisArc& arc : arcs_of(axis, making_.window->of(side)))
+        if (at >= arc.from && at <= arc.to && (arc.from > stretch.from || arc.to < stretch.to))
+          stretch = {std::max(stretch.from, arc.from), std::min(stretch.to, arc.to), false};
     std::vector<double> coordinates;
     for (int i = 0; i <= cells; ++i) {
       const double there = stretch.onto(at + step * (2.0 * i / cells - 1));
@@ -182,7 +198,7 @@ class CloserLook {
     constexpr std::size_t branches = 2;
     std::vector<Spot> nearest =
         nearest_of(made->view(), 1, {narrowing * spot.step.input, narrowing * spot.step.output}, branches);
-    const std::int64_t within = inside(*made);
+    const std::int64_t within = linkages_inside(*made);
     if (keep(look_, std::move(made), within)) return {};  // from there on it is climbed
     return nearest;
   }
@@ -253,15 +269,13 @@ class RelaxationSearch {
   std::vector<Relaxation> found_;
 };
 
-}  // namespace
-
-namespace {
-
-// The output's stretches at an input, or all of its axis.
-std::vector<SampledArc> columns_at(const LinkageFamily& family, double input, const PivotWindows& windows) {
+// The output's stretches at an input, or all of its axis; of either what is looked at.
+std::vector<SampledArc> columns_at(const LinkageFamily& family, double input, const PivotWindows& windows,
+                                   const std::optional<MapWindow>& window) {
   constexpr int samples = 60;
-  if (const auto arcs = family.output_arcs_within(input, windows)) return sampled(*arcs, samples);
-  const std::vector<double> columns = family.samples(Side::output, samples, Spacing::coordinate);
+  if (auto arcs = family.output_arcs_within(input, windows))
+    return sampled(arcs_seen(*std::move(arcs), family, Side::output, window), samples);
+  const std::vector<double> columns = samples_within(family, Side::output, window, samples, Spacing::coordinate);
   return {{columns, family.axis(Side::output).coordinate_length() / static_cast<double>(columns.size())}};
 }
 
@@ -271,11 +285,11 @@ WindowLook look_closer(const LinkageFamily& family, const PivotWindows& windows,
   if (seen.filter->census(progress).meeting >= static_cast<std::int64_t>(making.followed)) return {};
   const auto rows = arcs_inside(family, Side::input, windows, making.window);
   CloserLook look(family, requirements, making, progress);
-  if (!rows) return std::move(look).from(seen);
+  if (!rows || rows->empty()) return std::move(look).from(seen);
   JudgedMaps begun;
   for (const SampledArc& arc : sampled(*rows, making.samples))
     for (const double row : arc.coordinates)
-      for (const SampledArc& columns : columns_at(family, row, windows))
+      for (const SampledArc& columns : columns_at(family, row, windows, making.window))
         begun.push_back(judged(family, requirements, making, {arc.step, columns.step}, {row}, columns.coordinates));
   return std::move(look).from(begun);
 }
@@ -300,14 +314,12 @@ WindowLook look_into_windows(const LinkageFamily& family, const SearchMap& seen,
   const PivotWindows windows = windows_of(requirements, family.linkages());
   if (!windows.any() || seen.map->rows() == 0 || seen.map->columns() == 0) return {};
   if (family.axis(Side::input).is_discrete() && family.axis(Side::output).is_discrete()) return {};
-  for (const Side side : {Side::input, Side::output})
-    if (const auto arcs = arcs_inside(family, side, windows, making.window); arcs && arcs->empty())
-      return {{}, 0, 0, true};
+  if (is_proved_empty(family, windows)) return {{}, 0, 0, true};
   auto made = maps_within(family, windows, requirements, making);
-  if (!made) return look_closer(family, windows, seen, requirements, making, progress);
+  if (!made || made->empty()) return look_closer(family, windows, seen, requirements, making, progress);
   WindowLook look;
   for (auto& map : *made) {
-    const std::int64_t inside = linkages_of(map->map);
+    const std::int64_t inside = linkages_inside(*map);
     keep(look, std::move(map), inside);
   }
   return look;

@@ -50,7 +50,7 @@ struct WindowLook {
 };
 
 /// `seen`: the family's map under the same requirements. Where a grounded link depends on its own coordinate alone, its
-/// stretches are computed (LinkageFamily::arcs_within); otherwise a map of which less meets the requirements than
+/// stretches are computed (LinkageFamily::arcs_within); otherwise, or where samples find no stretch, a map of which less meets the requirements than
 /// places would be followed is looked at closer and closer where its hinges come nearest to their windows, a bounded
 /// number of times. Nothing to look at without windows, and where the map holds all linkages that there are.
 [[nodiscard]] WindowLook look_into_windows(const LinkageFamily& family, const SearchMap& seen,

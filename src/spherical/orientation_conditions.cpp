@@ -103,6 +103,13 @@ OrientationConditions without_row(OrientationConditions conditions, std::size_t 
   return conditions;
 }
 
+OrientationConditions inverted(OrientationConditions conditions) {
+  for (Matrix3x3& row : conditions.rows) row = transposed(row);
+  for (UnitQuaternion& turn : conditions.turns) turn = turn.inverse();
+  conditions.poles.clear();
+  return conditions;
+}
+
 CubicForm moving_axis_form(const OrientationConditions& conditions) {
   require(conditions.rows.size() >= 3, "a cone is left by three conditions");
   const CubicForm form = minor_form(parts_of(conditions, 0), parts_of(conditions, 1), parts_of(conditions, 2));

@@ -61,10 +61,17 @@ MapPivots SphericalProductFamily::pivots(const RegionMap& map) const {
   return {hinges_at(map.input_coordinates()), hinges_at(map.output_coordinates()), {}};
 }
 
-std::optional<std::vector<AxisArc>> SphericalProductFamily::arcs_within(Side side, const PivotWindows& windows) const {
+std::optional<AxisArcs> SphericalProductFamily::arcs_within(Side side, const PivotWindows& windows) const {
+  return AxisArcs{arcs_with_borders(side, windows, {}), axis(side).is_discrete()};
+}
+
+std::vector<AxisArc> SphericalProductFamily::arcs_with_borders(Side side, const PivotWindows& windows,
+                                                               std::vector<double> borders) const {
   std::vector<double> knots;
   for (const SphericalDyad& corner : polygon(side)) knots.push_back(corner.coordinate);
-  return linkwright::arcs_within(axis(side), knots, windows, [&](double coordinate) { return pivots_at(coordinate); });
+  return linkwright::arcs_within(
+      axis(side), std::move(knots), windows, [&](double coordinate) { return pivots_at(coordinate); },
+      std::move(borders));
 }
 
 void SphericalProductFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
@@ -92,6 +99,25 @@ std::vector<double> SphericalCurveFamily::samples(Side /*side*/, int count, Spac
 }
 
 std::vector<SphericalDyad> SphericalCurveFamily::polygon(Side /*side*/) const { return curve_->polygon(); }
+
+std::optional<AxisArcs> SphericalCurveFamily::arcs_within(Side side, const PivotWindows& windows) const {
+  std::vector<double> borders;
+  bool are_all = true;
+  const auto meet = [&](const std::optional<PivotWindow>& window, const CubicForm& form, auto moving_axis_of) {
+    if (!window) return;
+    const Cone& cone = std::get<Cone>(*window);
+    const auto lines = lines_at_angle(form, cone.axis, cone.half_angle);
+    are_all &= lines.has_value();
+    if (!lines) return;
+    for (const Vector3 line : *lines)
+      if (const auto coordinate = curve_->coordinate_of(moving_axis_of(line))) borders.push_back(*coordinate);
+  };
+  const OrientationConditions seen_from_body = inverted(curve_->conditions());
+  meet(windows.ground, moving_axis_form(seen_from_body),
+       [&](Vector3 fixed) { return fixed_axis_of(fixed, seen_from_body); });
+  meet(windows.moving, curve_->cone().form(), [](Vector3 moving) { return moving; });
+  return AxisArcs{arcs_with_borders(side, windows, std::move(borders)), are_all};
+}
 
 SphericalPointFamily::SphericalPointFamily(std::vector<PrescribedOrientation> orientations,
                                            std::vector<SphericalDyad> dyads)

@@ -76,7 +76,7 @@ StraightLineFamily::StraightLineFamily(StraightLineTask task, LineMeasuring meas
     ranges_[i] = {axes[i].low, axes[i].high};
     if (!window || axes[i].quantity == AxisQuantity::nothing) continue;
     for (std::size_t end = 0; end < 2; ++end) {
-      const double wanted = i == 0 ? window->input[end] : window->output[end];
+      const double wanted = window->of(static_cast<Side>(i))[end];
       ranges_[i][end] = is_angle(axes[i].quantity) ? radians(wanted) : wanted;
     }
   }

@@ -94,7 +94,7 @@ std::vector<SixBarSolution> along_the_front(const SixBarAnswer& answer, const Pr
 MapPoint cell_size(const ChainFamily& family, const RegionMap& map, const std::optional<MapWindow>& window) {
   const auto length = [&](Side side) {
     if (!window) return family.axis(side).coordinate_length();
-    const auto [low, high] = side == Side::input ? window->input : window->output;
+    const auto [low, high] = window->of(side);
     return high - low;
   };
   return {length(Side::input) / static_cast<double>(map.rows()),

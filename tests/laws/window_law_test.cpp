@@ -95,17 +95,18 @@ TEST(WindowLaw, AnEmptyWindowHoldsNoSampleOfTheCurve) {
       const auto center = links ? finite_point(links->input.center) : std::nullopt;
       if (!center || !box.contains(given.frame().to_user(*center))) continue;
       holds = true;
-      EXPECT_TRUE(std::any_of(arcs->begin(), arcs->end(), [&](const AxisArc& arc) {
+      EXPECT_TRUE(std::any_of(arcs->arcs.begin(), arcs->arcs.end(), [&](const AxisArc& arc) {
         return tau >= arc.from - 1e-9 && tau <= arc.to + 1e-9;
       })) << trial;
     }
-    for (const AxisArc& arc : *arcs) {
+    for (const AxisArc& arc : arcs->arcs) {
       const auto links = given.family->dyad_pair({(arc.from + arc.to) / 2, (arc.from + arc.to) / 2});
       ASSERT_TRUE(links);
       EXPECT_TRUE(box.contains(given.frame().to_user(*finite_point(links->input.center))));
     }
-    (arcs->empty() ? empty : entered) += 1;
-    if (arcs->empty()) {
+    EXPECT_TRUE(arcs->are_all);
+    (arcs->arcs.empty() ? empty : entered) += 1;
+    if (arcs->arcs.empty()) {
       EXPECT_FALSE(holds);
     }
   }

@@ -61,7 +61,22 @@ TEST(AxisArcs, WhereValuesEndIsABorder) {
 }
 
 TEST(AxisArcs, AreClipped) {
-  EXPECT_EQ(clipped({{0, 0.2}, {0.4, 0.6}, {0.8, 0.9}}, 0.1, 0.5), (std::vector<AxisArc>{{0.1, 0.2}, {0.4, 0.5}}));
+  EXPECT_EQ(clipped({{0, 0.2}, {0.4, 0.6}, {0.8, 0.9}}, {{0.1, 0.5}, {0.85, 1}}),
+            (std::vector<AxisArc>{{0.1, 0.2}, {0.4, 0.5}, {0.85, 0.9}}));
+}
+
+TEST(AxisArcs, OfAnAxisThatClosesMayReachBeyondItsEnds) {
+  using Arcs = std::vector<AxisArc>;
+  const MapAxis closed{AxisQuantity::curve_coordinate, {{"closed", 0, 1}, {"odd", 1, 2}}};
+  EXPECT_EQ(arcs_of(closed, {0.25, 0.5}), (Arcs{{0.25, 0.5}}));
+  EXPECT_EQ(arcs_of(closed, {-0.5, -0.25}), (Arcs{{1.5, 1.75}}));
+  EXPECT_EQ(arcs_of(closed, {-0.5, 0.25}), (Arcs{{0, 0.25}, {1.5, 2}}));
+  EXPECT_EQ(arcs_of(closed, {1.5, 2.25}), (Arcs{{0, 0.25}, {1.5, 2}}));
+  EXPECT_EQ(arcs_of(closed, {-1, 3}), (Arcs{{0, 2}}));
+  const MapAxis open{AxisQuantity::center_x, {{"range", 0, 1}}};
+  EXPECT_EQ(arcs_of(open, {-0.5, 0.25}), (Arcs{{-0.5, 0.25}}));
+  const MapAxis discrete{AxisQuantity::burmester_point, {{"point", 0, 1}, {"point", 1, 2}}};
+  EXPECT_EQ(arcs_of(discrete, {0.25, 0.5}), (Arcs{{0, 2}}));
 }
 
 TEST(AxisArcs, AreSampledWithoutTheirEnds) {

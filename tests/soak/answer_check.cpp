@@ -49,6 +49,7 @@ const std::set<std::string>& keys_that_may_be_null() {
                                              "given",
                                              "free",
                                              "window",
+                                             "values",  // of an axis: the window reaches beyond it
                                              "chain",
                                              "box",
                                              "x",

@@ -31,6 +31,9 @@ class CurveOnLinesFamily : public ProductFamily {
     return of(side).samples(side, count, spacing);
   }
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override { return of(side).polygon(side); }
+  [[nodiscard]] std::optional<AxisArcs> arcs_within(Side side, const PivotWindows& windows) const override {
+    return of(side).arcs_within(side, windows);
+  }
 
  private:
   [[nodiscard]] const ProductFamily& of(Side side) const { return side == Side::input ? *inputs_ : *outputs_; }

@@ -110,7 +110,7 @@ class ProductFamily : public MotionFamily {
   [[nodiscard]] DyadPairsOfCells dyad_pairs_of_cells(std::span<const double> input,
                                                      std::span<const double> output) const override;
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
-  [[nodiscard]] std::optional<std::vector<AxisArc>> arcs_within(Side side, const PivotWindows& windows) const override;
+  [[nodiscard]] std::optional<AxisArcs> arcs_within(Side side, const PivotWindows& windows) const override;
   /// Evenly in τ; a place without a dyad is left out.
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
 
@@ -136,7 +136,7 @@ class CurveFamily : public ProductFamily {
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
   /// In closed form: where a curve meets the sides of a box.
-  [[nodiscard]] std::optional<std::vector<AxisArc>> arcs_within(Side side, const PivotWindows& windows) const override;
+  [[nodiscard]] std::optional<AxisArcs> arcs_within(Side side, const PivotWindows& windows) const override;
 
  private:
   std::shared_ptr<const BurmesterCurve> curve_;

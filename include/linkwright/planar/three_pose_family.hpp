@@ -80,7 +80,7 @@ class SideAngleFamily : public MotionFamily {
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
   /// Of the input; the output depends on it.
-  [[nodiscard]] std::optional<std::vector<AxisArc>> arcs_within(Side side, const PivotWindows& windows) const override;
+  [[nodiscard]] std::optional<AxisArcs> arcs_within(Side side, const PivotWindows& windows) const override;
   [[nodiscard]] std::optional<std::vector<AxisArc>> output_arcs_within(double input,
                                                                        const PivotWindows& windows) const override;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,

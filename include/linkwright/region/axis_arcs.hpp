@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -16,6 +17,12 @@ struct AxisArc {
   friend bool operator==(const AxisArc&, const AxisArc&) = default;
 };
 
+/// The stretches of an axis on which a condition holds.
+struct AxisArcs {
+  std::vector<AxisArc> arcs;
+  bool are_all = false;  ///< proved: it can change at roots that were all computed; else these were sought by samples
+};
+
 /// Where along an axis a condition holds that can change only at `borders` (in any order; others than those where it
 /// changes do no harm): by rising coordinate, each within a branch. A border at which alone it holds, where a curve
 /// touches a window or crosses one without height, is an arc of its own.
@@ -24,13 +31,18 @@ struct AxisArc {
 
 /// Where functions of one coordinate vanish that are smooth between `knots` (rising, those of a branch after those of
 /// the one before), each knot with the value of every function there, nothing where they have none. Between two knots a
-/// function may turn round once: its extremum is found first. Infinite values between two knots are taken for a border.
-/// A coordinate at which one only touches zero to rounding is given, too.
+/// function may turn round once: where three knots show an extremum that comes near zero, it is found first. A pole
+/// between two knots is taken for a border where the sign changes, and may hide others. A coordinate at which one only
+/// touches zero to rounding is given, too.
 using BorderValues = std::function<std::optional<std::vector<double>>(double coordinate)>;
 [[nodiscard]] std::vector<double> borders_between(std::span<const double> knots, const BorderValues& values_at);
 
-/// The arcs within [low, high].
-[[nodiscard]] std::vector<AxisArc> clipped(const std::vector<AxisArc>& arcs, double low, double high);
+/// What an interval of the coordinate names of an axis: where that closes it may begin before the beginning, or go on
+/// behind the end, which are one place; all of an axis that is discrete.
+[[nodiscard]] std::vector<AxisArc> arcs_of(const MapAxis& axis, const std::array<double, 2>& interval);
+
+/// What of the arcs lies within others, which do not meet.
+[[nodiscard]] std::vector<AxisArc> clipped(const std::vector<AxisArc>& arcs, const std::vector<AxisArc>& within);
 
 /// `count` coordinates over an arc, its ends left out; one of an arc that is a single place.
 [[nodiscard]] std::vector<double> samples_over(const AxisArc& arc, int count);

@@ -62,10 +62,9 @@ class LinkageFamily {
     fill(map, input, output, respect_direction, options, progress);
   }
 
-  /// The stretches of an axis on which the grounded link has its hinges in the windows, all of them. Nothing where that
-  /// depends on the other coordinate, too.
-  [[nodiscard]] virtual std::optional<std::vector<AxisArc>> arcs_within(Side /*side*/,
-                                                                        const PivotWindows& /*windows*/) const {
+  /// The stretches of an axis on which the grounded link has its hinges in the windows. Nothing where that depends on the
+  /// other coordinate, too.
+  [[nodiscard]] virtual std::optional<AxisArcs> arcs_within(Side /*side*/, const PivotWindows& /*windows*/) const {
     return std::nullopt;
   }
 

@@ -21,6 +21,8 @@ struct MapPoint {
 /// Part of a map: intervals of both coordinates. A discrete axis has no parts: its interval is ignored.
 struct MapWindow {
   std::array<double, 2> input{}, output{};
+
+  [[nodiscard]] const std::array<double, 2>& of(Side side) const { return side == Side::input ? input : output; }
 };
 
 /// What the coordinate along an axis of a map stands for.

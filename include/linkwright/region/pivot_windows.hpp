@@ -38,10 +38,12 @@ struct PivotWindows {
 };
 
 /// Where along an axis a grounded link has its hinges in the windows, by its hinges at any coordinate (none: there is
-/// no link) and its knots, between which they move smoothly: as borders_between().
-[[nodiscard]] std::vector<AxisArc> arcs_within(const MapAxis& axis, std::span<const double> knots,
+/// no link) and knots in any order, between which and the ends of branches they move smoothly: by borders_between()
+/// and the `borders` that are known.
+[[nodiscard]] std::vector<AxisArc> arcs_within(const MapAxis& axis, std::vector<double> knots,
                                                const PivotWindows& windows,
-                                               const std::function<GroundedLinkPivots(double)>& pivots_at);
+                                               const std::function<GroundedLinkPivots(double)>& pivots_at,
+                                               std::vector<double> borders = {});
 
 /// Those that the requirements name and the class of linkages has.
 [[nodiscard]] PivotWindows windows_of(const Requirements& wanted, const LinkageClass& linkages);

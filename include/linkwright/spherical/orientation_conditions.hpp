@@ -36,6 +36,9 @@ struct OrientationConditions {
 /// The same without one of the rows (from 0). Poles are kept: meant for a row that depends on the others.
 [[nodiscard]] OrientationConditions without_row(OrientationConditions conditions, std::size_t row);
 
+/// The same with body and ground changing places: of the fixed axes what these are of the moving ones.
+[[nodiscard]] OrientationConditions inverted(OrientationConditions conditions);
+
 /// The cone of moving axes of the first three rows: det [D₂W D₃W D₄W], expanded by the rows' skew and symmetric parts,
 /// since for small turns the terms of third order vanish identically and the bare determinant keeps nothing. Zero where
 /// rounding has left nothing of it, and then every axis is a moving axis.

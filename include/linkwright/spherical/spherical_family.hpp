@@ -60,7 +60,12 @@ class SphericalProductFamily : public SphericalFamily {
     return orientations_;
   }
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
-  [[nodiscard]] std::optional<std::vector<AxisArc>> arcs_within(Side side, const PivotWindows& windows) const override;
+  [[nodiscard]] std::optional<AxisArcs> arcs_within(Side side, const PivotWindows& windows) const override;
+
+ protected:
+  /// arcs_within() with borders that are known beside those that are found between samples.
+  [[nodiscard]] std::vector<AxisArc> arcs_with_borders(Side side, const PivotWindows& windows,
+                                                       std::vector<double> borders) const;
 
  private:
   /// None where there is no dyad.
@@ -80,6 +85,8 @@ class SphericalCurveFamily : public SphericalProductFamily {
   [[nodiscard]] std::optional<SphericalDyad> dyad(double coordinate) const override;
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] std::vector<SphericalDyad> polygon(Side side) const override;
+  /// In closed form: where both cones of axes meet those of the windows.
+  [[nodiscard]] std::optional<AxisArcs> arcs_within(Side side, const PivotWindows& windows) const override;
 
  private:
   std::shared_ptr<const AxisCurve> curve_;
