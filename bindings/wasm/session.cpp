@@ -100,13 +100,13 @@ void Session::set_tolerances(bool task_is_new) {
 }
 
 std::string Session::read(std::string_view text) {
+  notices_ = "[]";
   if (const auto opened = opened_linkage(text)) {
     mistakes_ = *opened ? "[]" : mistakes_json(opened->errors());
     return *opened ? std::string(text) : "";
   }
   const auto problem = read_problem(text);
   mistakes_ = problem ? "[]" : mistakes_json(problem.errors());
-  notices_ = "[]";
   if (!problem) return "";
   const auto notice = points_notice(points_of(problem->task));
   if (notice)

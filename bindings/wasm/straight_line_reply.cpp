@@ -5,6 +5,7 @@
 
 #include "files/straight_line/straight_line_kind.hpp"
 #include "linkage_reply.hpp"
+#include "linkwright/analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
 #include "reply_json.hpp"
@@ -49,9 +50,12 @@ FourBar carried(const FourBar& bars, const Pose& from, const Pose& to) {
           displaced(bars.output_circle, from, to)};
 }
 
+/// A driver that turns back on the way does not drive the stroke: there the linkage locks.
 DefectReport report_of(const StraightLineFamily& family, const TracingFourBar& linkage, const StrokeFigures& judged) {
   DefectReport report;
   report.type = linkage_type(linkage.bars.lengths());
+  if (input_is_crank(report.type))
+    report.min_transmission_angle_full_turn = least_transmission_angle_full_turn(linkage.bars.lengths());
   constexpr double a_hair = 1e-6;
   const double beyond = a_hair * (judged.to - judged.from);
   PathLimits limits;
@@ -60,12 +64,13 @@ DefectReport report_of(const StraightLineFamily& family, const TracingFourBar& l
   const auto path = StraightPath::of(linkage, family.task().line.direction, limits);
   const auto over =
       path ? path->stroke_figures(std::max(judged.from, path->from()), std::min(judged.to, path->to())) : std::nullopt;
-  if (!over) return report;
-  report.min_transmission_angle = over->min_transmission_angle;
-  if (over->drive) {
-    report.sweep = std::abs(over->drive->sweep);
-    report.sense = over->drive->sweep > 0 ? DriveSense::ccw : DriveSense::cw;
+  if (!over || !over->drive) {
+    report.defects = Defects{Defects::branch_bit};
+    return report;
   }
+  report.min_transmission_angle = over->min_transmission_angle;
+  report.sweep = std::abs(over->drive->sweep);
+  report.sense = over->drive->sweep > 0 ? DriveSense::ccw : DriveSense::cw;
   return report;
 }
 

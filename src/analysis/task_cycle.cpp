@@ -53,10 +53,16 @@ class Cycle {
     return {{0, ahead, here}, {ahead, behind, opposite(here)}, {behind, 0, here}};
   }
 
+  /// Of a crank the same place within the turn that it makes; a rocker's turn as it is.
+  [[nodiscard]] double within_a_turn(double turn) const {
+    if (!visits_.full_turn) return turn;
+    return visits_.counter_clockwise ? wrap_positive(turn) : -wrap_positive(-turn);
+  }
+
   /// The turn at which a pose wants the input to be, within its reach.
   [[nodiscard]] double wanted_turn(std::size_t pose) const {
     const double turn = configuration_of(visits_.four_bars[pose]).input_angle - start_.input_angle;
-    if (visits_.full_turn) return visits_.counter_clockwise ? wrap_positive(turn) : -wrap_positive(-turn);
+    if (visits_.full_turn) return within_a_turn(turn);
     const double middle = (range_.from + range_.to) / 2;
     return std::clamp(middle + wrap_signed(turn - middle), range_.from, range_.to);
   }
@@ -122,7 +128,7 @@ class Cycle {
     std::vector<CycleStop> stops;
     for (std::size_t pose = 1; pose < poses_.size(); ++pose) {
       if (!visits_.on_circuit[pose] || visits_.assembly[pose] != leg.assembly) continue;
-      const double turn = nearest_turn(pose, leg.assembly);
+      const double turn = within_a_turn(nearest_turn(pose, leg.assembly));
       if (turn >= std::min(leg.from, leg.to) && turn <= std::max(leg.from, leg.to))
         stops.push_back({turn, static_cast<int>(pose)});
     }

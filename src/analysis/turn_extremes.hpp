@@ -58,7 +58,7 @@ template <class Ratio>
     values.push_back(*value);
   }
   const auto most_of = [&](double sign) {
-    const auto quantity = [&](double place) { return sign * ratio(place).value_or(sign * values.front()); };
+    const auto quantity = [&](double place) { return sign * ratio(place).value_or(values.front()); };
     double most = sign * values.front();
     for (std::size_t i = 0; i < places.size(); ++i) {
       const std::size_t before = i > 0 ? i - 1 : i, after = i + 1 < places.size() ? i + 1 : i;

@@ -99,29 +99,81 @@ class LengthTrials {
   int tried_ = 0;
 };
 
-// What the requirements leave of a length, shortest and longest, user's unit.
-std::array<double, 2> allowed_lengths(const WorkingFrame& frame, const Requirements& requirements, double partner) {
+LengthRange common(const LengthRange& a, const LengthRange& b) { return {std::max(a[0], b[0]), std::min(a[1], b[1])}; }
+
+/// Of the dyads with a pivot in the box; an empty range where none of those looked at is finite.
+LengthRange lengths_with_pivot_in(const Box& box, PivotKind kind, const ThreePoseDyads& dyads,
+                                  const WorkingFrame& frame) {
+  constexpr int sides = 12;
+  constexpr double wider = 0.1;  // what lies between places looked at
+  LengthRange found = {std::numeric_limits<double>::infinity(), 0};
+  for (int i = 0; i <= sides; ++i)
+    for (int j = 0; j <= sides; ++j) {
+      const Point place{std::lerp(box.x_low, box.x_high, static_cast<double>(i) / sides),
+                        std::lerp(box.y_low, box.y_high, static_cast<double>(j) / sides)};
+      const auto dyad = dyads.dyad_with(kind, frame.to_working(Homogeneous::of(place)));
+      const auto center = dyad ? finite_point(dyad->center) : std::nullopt,
+                 circle = dyad ? finite_point(dyad->circle) : std::nullopt;
+      if (!center || !circle) continue;
+      const double length = frame.scale * std::abs(*circle - *center);
+      found = {std::min(found[0], length), std::max(found[1], length)};
+    }
+  const double margin = wider * std::max(found[1] - found[0], 0.0);
+  return {found[0] - margin, found[1] + margin};
+}
+
+/// From a point of one box to one of the other.
+LengthRange distances_between(const Box& a, const Box& b) {
+  const auto nearest = [](double low, double high, double other_low, double other_high) {
+    return std::max({other_low - high, low - other_high, 0.0});
+  };
+  const auto farthest = [](double low, double high, double other_low, double other_high) {
+    return std::max(other_high - low, high - other_low);
+  };
+  return {std::hypot(nearest(a.x_low, a.x_high, b.x_low, b.x_high), nearest(a.y_low, a.y_high, b.y_low, b.y_high)),
+          std::hypot(farthest(a.x_low, a.x_high, b.x_low, b.x_high), farthest(a.y_low, a.y_high, b.y_low, b.y_high))};
+}
+
+// What the requirements leave of a length.
+LengthRange allowed_lengths(const WorkingFrame& frame, const Requirements& requirements,
+                            const std::optional<LengthRange>& within, double partner) {
   // A grounded link longer than the longest link allowed is of no use: with small turns L is far larger than the
   // machine.
   double longest = std::min(ChosenLength::longest * frame.scale, *requirements.max_length);
   double shortest = longest / ChosenLength::range;
+  const auto narrow = [&](double least, double most) {
+    if (!(std::max(least, shortest) < std::min(most, longest))) return;
+    shortest = std::max(least, shortest);
+    longest = std::min(most, longest);
+  };
   if (partner > 0 && std::isfinite(requirements.max_link_ratio)) {
     const double least = std::max(partner / requirements.max_link_ratio, requirements.min_length.value_or(0)),
                  most = std::min(partner * requirements.max_link_ratio, *requirements.max_length);
-    if (least < most) {
-      longest = std::min(longest, most);
-      shortest = std::min(std::max(shortest, least), longest);
-    }
+    narrow(least, most);
+  } else {
+    narrow(requirements.min_length.value_or(0), longest);
   }
+  if (within) narrow((*within)[0], (*within)[1]);
   return {shortest, longest};
 }
 
 }  // namespace
 
+std::optional<LengthRange> lengths_in_windows(const ThreePoseDyads& dyads, const WorkingFrame& frame,
+                                              const Requirements& requirements) {
+  const auto &ground = requirements.ground_pivots_within, &moving = requirements.moving_pivots_within;
+  if (!ground && !moving) return std::nullopt;
+  LengthRange left = {0, std::numeric_limits<double>::infinity()};
+  if (ground) left = common(left, lengths_with_pivot_in(*ground, PivotKind::ground, dyads, frame));
+  if (moving) left = common(left, lengths_with_pivot_in(*moving, PivotKind::moving, dyads, frame));
+  if (ground && moving) left = common(left, distances_between(*ground, *moving));
+  return left[0] < left[1] ? std::optional(left) : std::nullopt;
+}
+
 ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& frame, const Requirements& requirements,
-                           Objective objective, double partner) {
+                           Objective objective, const std::optional<LengthRange>& within, double partner) {
   require(requirements.max_length.has_value(), "max_length is set");
-  const auto [shortest, longest] = allowed_lengths(frame, requirements, partner);
+  const auto [shortest, longest] = allowed_lengths(frame, requirements, within, partner);
   const double whole = std::log(longest / shortest);
   // The longest itself, not what rounding makes of it: there may be linkages at the limit.
   const auto length_at = [&, shortest = shortest, longest = longest](double share) {

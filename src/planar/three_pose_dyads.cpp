@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/binary_form.hpp"
 #include "algebra/dense.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
@@ -250,8 +251,10 @@ std::optional<Dyad> ThreePoseDyads::dyad_round(Point arm, double turn) const {
 // With z = P + s e and C = Q + t f each condition is α st + β s + γ t + δ = 0; t eliminated, s is one of two roots.
 std::optional<std::vector<Dyad>> ThreePoseDyads::dyads_on_lines(const DirectedLine& of_centers,
                                                                 const DirectedLine& of_circles) const {
-  const Homogeneous p = Homogeneous::of(of_circles.point), e = Homogeneous::at_infinity(of_circles.direction),
-                    q = Homogeneous::of(of_centers.point), f = Homogeneous::at_infinity(of_centers.direction);
+  // A line's point may lie far away on it.
+  const auto foot = [](const DirectedLine& line) { return Homogeneous::of(line.to_fixed(line.to_line(0).real())); };
+  const Homogeneous p = foot(of_circles), e = Homogeneous::at_infinity(of_circles.direction), q = foot(of_centers),
+                    f = Homogeneous::at_infinity(of_centers.direction);
   struct Bilinear {
     double alpha, beta, gamma, delta;
     // The center that goes with the circle point w p + s e: w₂ q + t f with (w₂ : t) = (αs + γw : −βs − δw).
@@ -268,7 +271,8 @@ std::optional<std::vector<Dyad>> ThreePoseDyads::dyads_on_lines(const DirectedLi
                b = one.beta * other.gamma + one.delta * other.alpha - other.beta * one.gamma - other.delta * one.alpha;
   if (std::max({std::abs(a), std::abs(b), std::abs(c)}) < tolerance::dependent_rows) return std::nullopt;
   std::vector<Dyad> found;
-  for (const auto& [w, s] : projective_roots(a, b, c)) {
+  for (const FormRoot& root : real_roots(std::array{c, b, a}, tolerance::touching_line)) {
+    const double w = std::cos(root.angle), s = std::sin(root.angle);
     const auto by_one = one.center(w, s), by_other = other.center(w, s);
     const auto [v, t] = std::hypot(by_one[0], by_one[1]) > std::hypot(by_other[0], by_other[1]) ? by_one : by_other;
     const Homogeneous circle = w * p + s * e, center = v * q + t * f;

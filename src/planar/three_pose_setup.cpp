@@ -149,7 +149,8 @@ ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vec
     if (auto reason = no_side_link(start, *given.output, "output")) return closed(std::move(reason));
     return opened(start, family_of(*given.output));
   }
-  const ChosenLength output = chosen_length(family_of, start.frame, start.requirements, objective, given.input);
+  const ChosenLength output = chosen_length(family_of, start.frame, start.requirements, objective,
+                                            lengths_in_windows(*start.dyads, start.frame, requirements), given.input);
   ThreePoseSetup setup = opened(start, family_of(output.length));
   setup.notices.push_back(chosen_notice("output", output));
   return setup;
@@ -163,7 +164,9 @@ ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vec
     return std::make_unique<const SideAngleFamily>(start.frame, poses, start.dyads, given.angle, given.directed, input);
   };
   std::optional<ChosenLength> chosen;
-  if (!given.input_length) chosen = chosen_length(family_of, start.frame, start.requirements, objective);
+  if (!given.input_length)
+    chosen = chosen_length(family_of, start.frame, start.requirements, objective,
+                           lengths_in_windows(*start.dyads, start.frame, requirements));
   const double input = chosen ? chosen->length : *given.input_length;
   if (auto reason = no_side_link(start, input, "input")) return closed(std::move(reason));
   if (!has_output(*start.dyads, given, input / start.frame.scale)) return closed(no_side_link_at_angle(input));

@@ -53,8 +53,7 @@ std::vector<AxisArc> arcs_within(const MapAxis& axis, std::vector<double> knots,
   const auto values_at = [&](double coordinate) { return windows.border_values(pivots_at(coordinate)); };
   const std::vector<double> between = borders_between(knots, values_at);
   borders.insert(borders.end(), between.begin(), between.end());
-  return arcs_where(axis, std::move(borders),
-                    [&](double coordinate) { return windows.hold(pivots_at(coordinate)); });
+  return arcs_where(axis, std::move(borders), [&](double coordinate) { return windows.hold(pivots_at(coordinate)); });
 }
 
 PivotWindows windows_of(const Requirements& wanted, const LinkageClass& linkages) {

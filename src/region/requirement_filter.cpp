@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <mutex>
+#include <tuple>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
@@ -179,10 +180,15 @@ std::string joint_relaxation_text(const JointRelaxation& joint) {
 
 std::optional<JointRelaxation> RequirementCensus::joint_relaxation() const {
   std::size_t best = 0;
-  const auto fewer = [](std::size_t a, std::size_t b) { return std::popcount(a) < std::popcount(b); };
+  // A linkage with a defect does not do the task: that is given up last.
+  const auto dearness = [&](std::size_t set) {
+    bool takes_defects = false;
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+      takes_defects |= kinds[k] == RequirementKind::no_defects && (set >> k & 1) != 0;
+    return std::tuple(takes_defects, std::popcount(set), -failing[set]);
+  };
   for (std::size_t set = 1; set < failing.size(); ++set)
-    if (failing[set] > 0 && (best == 0 || fewer(set, best) || (!fewer(best, set) && failing[set] > failing[best])))
-      best = set;
+    if (failing[set] > 0 && (best == 0 || dearness(set) < dearness(best))) best = set;
   if (best == 0 || meeting > 0) return std::nullopt;
   JointRelaxation joint{{}, failing[best]};  // no smaller set holds a cell
   for (std::size_t k = 0; k < kinds.size(); ++k)

@@ -1,5 +1,6 @@
 #include "reason.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <string>
 #include <vector>
@@ -41,8 +42,13 @@ Notice nothing_defect_free(const Findings& answer, const TaskWords& words, const
 std::string nothing_left_text(const Findings& answer, const TaskWords& words, const ReasonFacts& facts) {
   if (const std::string inside = inside_text(answer, words.linkages); !inside.empty())
     return inside.substr(1) + facts.missed;
-  return fmt::format("None of the {}{} that are free of defects ({}) meets all requirements.", words.linkages,
-                     looked_at(facts), grouped_text(answer.counts.defect_free)) +
+  const RegionCounts& counts = answer.counts;
+  const bool may_have_defects = !answer.requirements.no_defects;
+  const std::int64_t count = may_have_defects
+                                 ? counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)]
+                                 : counts.defect_free;
+  return fmt::format("None of the {}{}{} ({}) meets all requirements.", words.linkages, looked_at(facts),
+                     may_have_defects ? "" : " that are free of defects", grouped_text(count)) +
          facts.missed;
 }
 
@@ -97,6 +103,15 @@ bool nothing_meets_requirements(const Findings& found) {
   return found.meeting_requirements == 0 && !(found.inside && found.inside->meeting > 0);
 }
 
+namespace {
+
+bool has_warning(const Findings& found, std::string_view code) {
+  return std::any_of(found.warnings.begin(), found.warnings.end(),
+                     [&](const Notice& notice) { return notice.code == code; });
+}
+
+}  // namespace
+
 void explain_empty_list(Findings& found, bool nothing_listed) {
   if (found.options.best == 0 || !nothing_listed) return;
   const bool erased = found.left_out > 0 && found.reason.code == "searched";
@@ -108,6 +123,12 @@ void explain_empty_list(Findings& found, bool nothing_listed) {
                     "What meets all requirements lies so near a change point or a dead point that round-off decides "
                     "what it does: simulation of the motion verified none. Require a minimum transmission angle.",
                     {{"count", meeting}}};
+  else if (has_warning(found, "left_out_by_tolerances"))
+    found.reason = {
+        "none_by_samples",
+        "What meets all requirements by the few samples of the solution region does not by the figures "
+        "that would be listed. Optimise for the yield or the error by tolerances, or require a little less.",
+        {{"count", meeting}}};
   else if (found.options.objective == Objective::structural_error)
     found.reason = {
         "none_reaches",

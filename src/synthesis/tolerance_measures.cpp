@@ -265,7 +265,7 @@ AddedMeasures tolerance_measures(const Task& task, const LinkageFamily& family, 
 double margin_of_yield(double required, const Tolerances& tolerances) {
   constexpr double deviations = 2.5;
   if (!(required > 0) || tolerances.samples <= map_samples) return 0;
-  return deviations * std::sqrt(required * (1 - required) / map_samples);
+  return std::min(deviations * std::sqrt(required * (1 - required) / map_samples), 1 - required);
 }
 
 double readable_error(const LinkageOutput& output, double error) { return is_angle(output) ? degrees(error) : error; }

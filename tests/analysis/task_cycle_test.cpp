@@ -111,6 +111,18 @@ TEST(TaskCycle, OfALinkageThatMissesItsPosesIsItsOwnMotion) {
   }
 }
 
+// Which lies, beside where the task wants it, on the other side of the beginning of the turn.
+TEST(TaskCycle, OfACrankComesToAPoseHardByTheFirst) {
+  for (const double beside : {-0.02, 0.02})
+    for (const double second : {-1e-4, 1e-4}) {
+      std::vector<PrescribedPose> poses = poses_at(crank_rocker, {0, second, 2});
+      poses[1].pose.origin += Point{0.03, beside};
+      const auto cycle = task_cycle(crank_rocker, poses, step);
+      const std::vector<int> poses_met = met(cycle);
+      EXPECT_TRUE(std::find(poses_met.begin(), poses_met.end(), 1) != poses_met.end()) << beside << " " << second;
+    }
+}
+
 TEST(TaskCycle, OfALinkWithoutLengthIsEmpty) {
   EXPECT_TRUE(task_cycle({{0, 0}, {0, 0}, {4, 0}, {3, 3}}, poses_at(crank_rocker, {0}), step).empty());
 }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "support/draws.hpp"
 #include "support/random_task.hpp"
@@ -112,6 +113,81 @@ TEST(WindowLaw, AnEmptyWindowHoldsNoSampleOfTheCurve) {
   }
   EXPECT_GT(empty, testing::draws(10));
   EXPECT_GT(entered, testing::draws(5));
+}
+
+MotionAnswer solved_text(std::string_view text) {
+  const auto problem = read_problem(text);
+  EXPECT_TRUE(problem);
+  return testing::solved(std::get<MotionTask>(problem->task), problem->requirements, problem->options);
+}
+
+// All pivots on the line through a pole but that one: the moving pivots that go with it fill a line of their own, which
+// no place on the map has.
+TEST(WindowLaw, WhatSamplesDoNotShowIsNotProved) {
+  const MotionAnswer answer = solved_text(R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar",
+    "poses": [{"x": 100, "y": 80, "theta_deg": 11.459155902616466},
+              {"x": 2.995205519135702, "y": 128.02745308682097, "theta_deg": 61.459155902616466},
+              {"x": -60, "y": 150, "theta_deg": 108.8619810748564}],
+    "given": {"ground_pivot_on": {"point": [-50, 0], "direction_deg": 0}}},
+    "requirements": {"no_defects": false, "max_link_ratio": 1e6, "max_length": 1e5, "min_length": 0,
+      "moving_pivots_within": {"x": [-63.317, -62.317], "y": [-29.62174, -28.62174]}}})");
+  EXPECT_FALSE(answer.inside && answer.inside->is_empty);
+  EXPECT_EQ(answer.reason.code, "none_left");
+  EXPECT_EQ(answer.reason.message.find("free of defects"), std::string::npos) << "defects are allowed";
+}
+
+// A curve that enters a window by a millionth of the task between samples.
+TEST(WindowLaw, AWindowThatACurveTouchesIsMet) {
+  const MotionAnswer answer = solved_text(R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar",
+    "poses": [{"x": -20.1453694136351, "y": -35.2858128369896, "theta_deg": -104.432119590753},
+              {"x": -63.9045854426554, "y": -8.78911015258235, "theta_deg": 81.9048644897945},
+              {"x": 81.7211889152524, "y": -41.324380224159, "theta_deg": -8.2819303574048}],
+    "given": {"side_lengths": [92.039832642836, 92.039832642836]}},
+    "requirements": {"no_defects": false, "max_link_ratio": 1e12, "max_length": 1e9, "min_length": 0,
+      "ground_pivots_within": {"x": [32, 42], "y": [24.293486185786858, 29]}}})");
+  EXPECT_FALSE(answer.linkages.empty()) << answer.reason.message;
+}
+
+// The curve enters just where its axis ends: two positions are parallel.
+TEST(WindowLaw, AWindowAtTheEndOfAnAxisIsMet) {
+  const MotionAnswer answer = solved_text(R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar",
+    "poses": [{"x": 31.5966792563, "y": 91.353820865, "theta_deg": 0},
+              {"x": 4.59661866722, "y": -83.5967851739, "theta_deg": 0},
+              {"x": -92.5941060128, "y": 73.475081901, "theta_deg": -38.8271953738}],
+    "given": {"side_lengths": [183.964049611, 183.964049611]}},
+    "requirements": {"no_defects": false, "max_link_ratio": 1e12, "max_length": 1e9, "min_length": 0,
+      "ground_pivots_within": {"x": [452.815585, 452.815636], "y": [409.542417, 409.542468]}}})");
+  EXPECT_FALSE(answer.linkages.empty()) << answer.reason.message;
+}
+
+// Of one task: what is required lies elsewhere on the map, or beyond the ends of τ on a curve that closes.
+TEST(WindowLaw, APartOfTheMapProvesNothingOfTheWhole) {
+  const MotionTask task{{{{{8.4, 10.4}, 0}, {}},
+                         {{{15.75307999925125, 6.635448633158675}, radians(1.6616734751610893)}, {}},
+                         {{{22.17995730186216, 14.34686035802784}, radians(43.4681702286939)}, {}},
+                         {{{12.61818756779844, 15.25966971714668}, radians(-270.3228804174674)}, {}}},
+                        {}};
+  Requirements wanted;
+  wanted.ground_pivots_within = Box{8.5, 24, 4.485, 4.515};
+  SynthesisOptions options = usual();
+  options.window = MapWindow{{0, 0.02}, {0, 0.02}};
+  const MotionAnswer part = testing::solved(task, wanted, options);
+  EXPECT_TRUE(part.linkages.empty());
+  EXPECT_FALSE(part.inside && part.inside->is_empty);
+  options.window.reset();
+  const MotionAnswer whole = testing::solved(task, wanted, options);
+  ASSERT_FALSE(whole.linkages.empty());
+  const MapPoint best = whole.point_of(whole.linkages.front());
+  const double length = whole.family()->axis(Side::input).coordinate_length();
+  for (const double turns : {-2.0, -1.0, 1.0, 3.0}) {
+    const double by = turns * length;
+    options.window =
+        MapWindow{{best.input + by - 0.02, best.input + by + 0.02}, {best.output + by - 0.02, best.output + by + 0.02}};
+    const MotionAnswer beyond = testing::solved(task, wanted, options);
+    ASSERT_FALSE(beyond.linkages.empty()) << beyond.reason.message;
+    EXPECT_NEAR(beyond.linkages.front().report.min_transmission_angle,
+                whole.linkages.front().report.min_transmission_angle, 1e-4);
+  }
 }
 
 TEST(WindowLaw, AProvedNoneSaysSo) {

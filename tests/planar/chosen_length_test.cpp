@@ -65,16 +65,41 @@ TEST(ChosenLength, IsSearchedWhereLinkagesAre) {
     return std::make_unique<const SideLengthsFamily>(conditions.frame, bracket, dyads, 134.33066801135183, output);
   };
   const ChosenLength chosen =
-      chosen_length(family_of, conditions.frame, wanted, Objective::min_transmission_angle, 134.33066801135183);
+      chosen_length(family_of, conditions.frame, wanted, Objective::min_transmission_angle, {}, 134.33066801135183);
   EXPECT_GT(chosen.meeting, 0);
 }
 
 TEST(ChosenLength, KeepsToTheLinkRatio) {
   const Given given;
   const ChosenLength chosen = chosen_length(given.family_of(2), given.conditions.frame, given.requirements,
-                                            Objective::min_transmission_angle, 2);
+                                            Objective::min_transmission_angle, {}, 2);
   EXPECT_GE(chosen.within[0], 2 / given.requirements.max_link_ratio);
   EXPECT_LE(chosen.within[1], 2 * given.requirements.max_link_ratio);
+}
+
+// The length of a dyad is told by where its pivots are to lie, however small the window.
+TEST(ChosenLength, KeepsToWhatWindowsLeave) {
+  Given given;
+  const ThreePoseDyads dyads(given.conditions);
+  const WorkingFrame& frame = given.conditions.frame;
+  for (const Point center : {Point{1.5, -0.7}, Point{-2, 3}, Point{0.3, 0.9}}) {
+    const auto dyad = dyads.dyad_with(PivotKind::ground, frame.to_working(Homogeneous::of(center)));
+    ASSERT_TRUE(dyad);
+    const double length = frame.scale * std::abs(*finite_point(dyad->circle) - *finite_point(dyad->center));
+    for (const double margin : {0.1, 1e-3}) {
+      Requirements wanted = given.requirements;
+      wanted.ground_pivots_within =
+          Box{center.real() - margin, center.real() + margin, center.imag() - margin, center.imag() + margin};
+      const auto within = lengths_in_windows(dyads, frame, wanted);
+      ASSERT_TRUE(within);
+      EXPECT_LT((*within)[0], length);
+      EXPECT_GT((*within)[1], length);
+      if (margin < 0.01) {
+        EXPECT_LT((*within)[1] / (*within)[0], 1.1);
+      }
+    }
+  }
+  EXPECT_FALSE(lengths_in_windows(dyads, frame, given.requirements));
 }
 
 TEST(ChosenLength, FollowsTheObjective) {

@@ -166,6 +166,34 @@ TEST(PivotsOnLineFamily, HasItsPivotsOnTheLineAtTheirPlaces) {
     }
 }
 
+// In round numbers two dyads may be one: rounding is not to part them, nor to lose them both.
+TEST(DyadsOnLines, ThatAreOneAreToldOnce) {
+  const std::vector<PrescribedPose> poses = {{{{10, 20}, pi}, {}}, {{{0, 10}, 0}, {}}, {{{-10, 20}, 0}, {}}};
+  const Given task(poses);
+  const WorkingFrame& frame = task.conditions.frame;
+  const auto found = task.dyads->dyads_on_lines({frame.to_working(Point{-10, 20}), direction(radians(135))},
+                                                {frame.to_working(Point{0, 20}), direction(0)});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->size(), 1u);
+}
+
+TEST(DyadsOnLines, DoNotDependOnWhereTheLinesPointsLie) {
+  std::mt19937_64 random(15);
+  for (int trial = 0; trial < 40; ++trial) {
+    const Given task(testing::random_poses(random, 3));
+    const DirectedLine ground{drawn_point(random), direction(uniform(random, -pi, pi))},
+        moving{drawn_point(random), direction(uniform(random, -pi, pi))};
+    const auto along = [](const DirectedLine& line, double by) {
+      return DirectedLine{line.to_fixed(by), line.direction};
+    };
+    const auto near = task.dyads->dyads_on_lines(ground, moving),
+               far = task.dyads->dyads_on_lines(along(ground, 1e6), along(moving, -1e6));
+    ASSERT_TRUE(near && far);
+    ASSERT_EQ(near->size(), far->size());
+    for (std::size_t i = 0; i < near->size(); ++i) EXPECT_LT(norm(cross((*near)[i].center, (*far)[i].center)), 1e-6);
+  }
+}
+
 // Both unknowns at once: places along both lines, from a grid of starts.
 TEST(DyadsOnLines, AreThoseThatNewtonsMethodFinds) {
   std::mt19937_64 random(14);

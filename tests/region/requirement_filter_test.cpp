@@ -219,6 +219,20 @@ TEST_F(LandingGearFilter, NamesTheRequirementsThatLeaveNothingTogether) {
   EXPECT_EQ(meeting(), joint->leaves);
 }
 
+TEST(RequirementCensus, GivesUpFreedomFromDefectsLast) {
+  using enum RequirementKind;
+  RequirementCensus census;
+  const std::vector kinds = {no_defects, max_length, min_transmission_angle, ground_pivots_within};
+  census.kinds = kinds;
+  census.failing[0b0011] = 1000;  // with a defect, and too long
+  census.failing[0b1110] = 3;
+  census.failing[0b1010] = 2;
+  EXPECT_EQ(census.joint_relaxation()->requirements, (std::vector{max_length, ground_pivots_within}));
+  EXPECT_EQ(census.joint_relaxation()->leaves, 2);
+  census.failing[0b1110] = census.failing[0b1010] = 0;
+  EXPECT_EQ(census.joint_relaxation()->requirements, (std::vector{no_defects, max_length}));
+}
+
 TEST_F(LandingGearFilter, RelaxedValuesHaveTwoDigits) {
   int told = 0;
   wanted.ground_pivots_within.reset();

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "linkwright/planar/four_bar_family.hpp"
+#include "linkwright/planar/three_pose_dyads.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -28,12 +30,22 @@ struct ChosenLength {
 /// The family that goes with a length (user's unit).
 using FamilyOfLength = std::function<std::unique_ptr<const FourBarFamily>(double length)>;
 
+/// Shortest and longest, user's unit.
+using LengthRange = std::array<double, 2>;
+
+/// What windows for pivots leave of the length of a grounded link through three positions: of the dyads whose pivots
+/// lie in each, sampled and widened a little, and of both what they have in common. Nothing without windows, and where
+/// they leave none.
+[[nodiscard]] std::optional<LengthRange> lengths_in_windows(const ThreePoseDyads& dyads, const WorkingFrame& frame,
+                                                            const Requirements& requirements);
+
 /// The length whose best linkage is best by the objective: of lengths in equal ratios between those that the
 /// requirements leave, windows for pivots looked into for themselves, then climbed. Where none has a linkage that meets
 /// the requirements, the one with most that fail a single one, so that what is advised of its map holds of all lengths
-/// tried. `requirements` with both lengths set; `frame`: that of the families; `partner`: the other grounded link's
-/// length, 0 where it is open.
+/// tried. `requirements` with both lengths set; `frame`: that of the families; `within`: none is tried beyond, where
+/// that leaves any; `partner`: the other grounded link's length, 0 where it is open.
 [[nodiscard]] ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& frame,
-                                         const Requirements& requirements, Objective objective, double partner = 0);
+                                         const Requirements& requirements, Objective objective,
+                                         const std::optional<LengthRange>& within = {}, double partner = 0);
 
 }  // namespace linkwright

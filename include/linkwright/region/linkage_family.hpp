@@ -62,8 +62,8 @@ class LinkageFamily {
     fill(map, input, output, respect_direction, options, progress);
   }
 
-  /// The stretches of an axis on which the grounded link has its hinges in the windows. Nothing where that depends on the
-  /// other coordinate, too.
+  /// The stretches of an axis on which the grounded link has its hinges in the windows. Nothing where that depends on
+  /// the other coordinate, too.
   [[nodiscard]] virtual std::optional<AxisArcs> arcs_within(Side /*side*/, const PivotWindows& /*windows*/) const {
     return std::nullopt;
   }

@@ -52,7 +52,8 @@ struct RequirementCensus {
   [[nodiscard]] std::int64_t failing_only(RequirementKind kind) const;
   /// Cells that meet this requirement of the class and all that come before it.
   [[nodiscard]] std::int64_t left_after(RequirementKind kind) const;
-  /// The fewest requirements whose dropping would leave cells, and of those the ones that leave most. Nothing where
+  /// The fewest requirements whose dropping would leave cells, without freedom from defects if that can be, and of
+  /// those the ones that leave most. Nothing where
   /// cells meet all of them, and where there are none at all.
   [[nodiscard]] std::optional<JointRelaxation> joint_relaxation() const;
 };

@@ -37,13 +37,27 @@ describe("paste", () => {
     expect(rows("10 mm\t20 mm\t0.5rad")).toEqual([[10, 20, expect.closeTo(28.64788975654116, 10)]]);
     expect(rows("=410/2\t1\t90°")).toEqual([[205, 1, 90]]);
     expect(rows("5\n6", 1)).toEqual([[5], [6]]);
-    expect(rows("1\t2\t3\t4\n5\t6\t7\t8")).toEqual([
+    expect(rows("1\t2\t3\t4\n5\t6\t7\t9")).toEqual([
       [1, 2, 3],
       [5, 6, 7],
     ]);
     expect(rows("5\t30\n6\t40", 1)).toEqual([
       [5, 30],
       [6, 40],
+    ]);
+  });
+  it("takes four columns that keep their distance for two points of the body", () => {
+    expect(block_of("x1 y1 x2 y2\n0 0 120 0\n10 20 10 140\n-5 3 -101 75")).toEqual({
+      rows: [
+        [0, 0, 0],
+        [10, 20, 90],
+        [-5, 3, expect.closeTo(143.13010235415598, 10)],
+      ],
+      from_points: true,
+    });
+    expect(rows("0 0 120 0\n10 20 10 160")).toEqual([
+      [0, 0, 120],
+      [10, 20, 10],
     ]);
   });
   it("names the cell that is no number", () => {

@@ -1,7 +1,8 @@
 // A block of numbers from a spreadsheet or a text file, as it comes from the clipboard.
 import {evaluated, type Quantity} from "./arithmetic";
 
-export type Block = {rows: number[][]} | {fault: {row: number; column: number; text: string}} | {too_many: number}; // rows
+export type Block =
+  {rows: number[][]; from_points?: boolean} | {fault: {row: number; column: number; text: string}} | {too_many: number}; // rows
 
 export const most_pasted_rows = 100;
 
@@ -33,13 +34,16 @@ export function is_block(text: string): boolean {
 }
 
 /** Numbers of the block whose first column is column `from` of x, y, θ. A heading and a counting first column are left
- *  out. */
+ *  out. Four columns x₁ y₁ x₂ y₂ that keep their distance from row to row are two points of the body: its place is the
+ *  first, its direction that to the second. */
 export function block_of(text: string, from = 0, unit = ""): Block {
   let cells = cells_of(text);
   const [head, ...body] = cells;
   const skipped = head && body.length > 0 && head.every((cell) => !("value" in evaluated(cell, "angle", unit))) ? 1 : 0;
   cells = without_numbering(cells.slice(skipped), 3 - from);
   if (cells.length > most_pasted_rows) return {too_many: cells.length};
+  const points = from === 0 ? two_points_of(cells, unit) : null;
+  if (points) return {rows: points, from_points: true};
   const rows: number[][] = [];
   for (const [r, row] of cells.entries()) {
     const numbers: number[] = [];
@@ -52,6 +56,20 @@ export function block_of(text: string, from = 0, unit = ""): Block {
     rows.push(numbers);
   }
   return {rows};
+}
+function two_points_of(cells: string[][], unit: string): number[][] | null {
+  const within = 0.01, // of the distance, as drawings are measured
+    quads: number[][] = [];
+  for (const row of cells) {
+    const numbers = row.map((cell) => evaluated(cell, "length", unit));
+    if (row.length !== 4 || !numbers.every((reading) => "value" in reading)) return null;
+    quads.push(numbers.map(({value}) => value));
+  }
+  const lengths = quads.map(([x1, y1, x2, y2]) => Math.hypot(x2! - x1!, y2! - y1!)),
+    [first] = lengths;
+  if (quads.length < 2 || !lengths.every((length) => length > 0 && Math.abs(length - first!) <= within * first!))
+    return null;
+  return quads.map(([x1, y1, x2, y2]) => [x1!, y1!, (Math.atan2(y2! - y1!, x2! - x1!) * 180) / Math.PI]);
 }
 function without_numbering(cells: string[][], wanted: number): string[][] {
   const counts =
