@@ -30,8 +30,10 @@ struct LengthSummary {
 /// Tries lengths, the best so far in hand.
 class LengthTrials {
  public:
-  LengthTrials(const FamilyOfLength& family_of, const Requirements& requirements, Objective objective)
+  LengthTrials(const FamilyOfLength& family_of, const Requirements& requirements, Objective objective,
+               const Progress& progress)
       : family_of_(family_of),
+        progress_(progress),
         requirements_(requirements),
         // Tolerances are measured of one map, that of the length chosen.
         objective_(is_of_tolerances(objective) ? Objective::min_transmission_angle : objective) {}
@@ -47,6 +49,8 @@ class LengthTrials {
     return summary.best_score > no_score ? std::optional(summary.best_score) : std::nullopt;
   }
 
+  /// At least one is tried.
+  [[nodiscard]] bool goes_on() const { return tried_ == 0 || !progress_.is_cancelled(); }
   [[nodiscard]] bool has_linkage() const { return best_.best_score > no_score; }
   [[nodiscard]] double best_score() const { return best_.best_score; }
   [[nodiscard]] double length() const { return length_; }
@@ -55,17 +59,19 @@ class LengthTrials {
 
  private:
   static constexpr std::size_t followed = 6;  // of many lengths each is looked at less closely
+  static constexpr bool doubts_samples = false;
 
   [[nodiscard]] LengthSummary summary_of(const FourBarFamily& family) {
     const std::vector<double> input = family.samples(Side::input, ChosenLength::samples, Spacing::coordinate),
                               output = family.samples(Side::output, ChosenLength::samples, Spacing::coordinate);
     if (input.empty() || output.empty()) return {};
     const MapMaking making{[&](RegionMap& map, std::span<const double> rows, std::span<const double> columns) {
-                             family.classify(map, rows, columns, requirements_.respect_direction);
+                             family.classify(map, rows, columns, requirements_.respect_direction, {}, progress_);
                            },
                            ChosenLength::samples,
                            {},
-                           followed};
+                           followed,
+                           doubts_samples};
     making.fill(map_, input, output);
     const RequirementFilter filter = filter_of(family, map_, requirements_);
     LengthSummary summary;
@@ -76,7 +82,8 @@ class LengthTrials {
                            family.axis(Side::output).coordinate_length() / static_cast<double>(output.size())};
     add({&map_, &filter, step}, summary);
     if (summary.meeting == 0)
-      for (const auto& closer : look_into_windows(family, {&map_, &filter, step}, requirements_, making).maps)
+      for (const auto& closer :
+           look_into_windows(family, {&map_, &filter, step}, requirements_, making, progress_).maps)
         add(closer->view(), summary);
     return summary;
   }
@@ -91,6 +98,7 @@ class LengthTrials {
   }
 
   const FamilyOfLength& family_of_;
+  const Progress& progress_;
   const Requirements& requirements_;
   Objective objective_;
   RegionMap map_;
@@ -171,7 +179,8 @@ std::optional<LengthRange> lengths_in_windows(const ThreePoseDyads& dyads, const
 }
 
 ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& frame, const Requirements& requirements,
-                           Objective objective, const std::optional<LengthRange>& within, double partner) {
+                           Objective objective, const std::optional<LengthRange>& within, double partner,
+                           const Progress& progress) {
   require(requirements.max_length.has_value(), "max_length is set");
   const auto [shortest, longest] = allowed_lengths(frame, requirements, within, partner);
   const double whole = std::log(longest / shortest);
@@ -179,13 +188,14 @@ ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& 
   const auto length_at = [&, shortest = shortest, longest = longest](double share) {
     return share >= 1 ? longest : std::min(longest, shortest * std::exp(whole * share));
   };
-  LengthTrials trials(family_of, requirements, objective);
+  LengthTrials trials(family_of, requirements, objective, progress);
   int count = ChosenLength::first_trials;
-  for (int i = 0; i < count; ++i) trials.try_length(length_at(static_cast<double>(i) / (count - 1)));
+  for (int i = 0; i < count && trials.goes_on(); ++i)
+    trials.try_length(length_at(static_cast<double>(i) / (count - 1)));
   double step = 1.0 / (count - 1);
   for (int doubling = 0; doubling < ChosenLength::doublings && !trials.has_linkage(); ++doubling, step /= 2) {
     count = static_cast<int>(std::lround(1 / step));
-    for (int i = 0; i < count; ++i) trials.try_length(length_at((i + 0.5) * step));
+    for (int i = 0; i < count && trials.goes_on(); ++i) trials.try_length(length_at((i + 0.5) * step));
   }
   if (trials.has_linkage()) {
     constexpr int turns = 16;
@@ -196,7 +206,7 @@ ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& 
     };
     const double share = std::log(trials.length() / shortest) / whole;
     const auto at = [&](double there, const LinePlace<Score>& /*best*/) -> std::optional<Score> {
-      if (!(there >= 0 && there <= 1)) return std::nullopt;
+      if (!(there >= 0 && there <= 1) || !trials.goes_on()) return std::nullopt;
       const auto score = trials.try_length(length_at(there));
       return score ? std::optional(Score{*score}) : std::nullopt;
     };

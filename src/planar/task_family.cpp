@@ -135,27 +135,30 @@ void warn_of_points(TaskFamily& given, const MotionTask& task) {
   if (auto notice = points_notice(task.points)) given.warnings.push_back(*std::move(notice));
 }
 
-TaskFamily family_of_three(const MotionTask& task, const Requirements& requirements, Objective objective) {
+TaskFamily family_of_three(const MotionTask& task, const Requirements& requirements, Objective objective,
+                           const Progress& progress) {
   const ThreePoseGiven given = task.given.value_or(SideLengths{});
   if (const auto* center = std::get_if<InstantCenter>(&given)) return family_of_center(task, *center);
-  if (const auto* angle = std::get_if<SideAngle>(&given)) return family_of_given(task, *angle, requirements, objective);
+  if (const auto* angle = std::get_if<SideAngle>(&given))
+    return family_of_given(task, *angle, requirements, objective, progress);
   if (const auto* pivots = std::get_if<GivenPivots>(&given)) return family_of_given(task, *pivots);
   if (const auto* lines = std::get_if<PivotLines>(&given)) return family_of_given(task, *lines);
-  return family_of_given(task, std::get<SideLengths>(given), requirements, objective);
+  return family_of_given(task, std::get<SideLengths>(given), requirements, objective, progress);
 }
 
 }  // namespace
 
-TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective) {
+TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective,
+                       const Progress& progress) {
   if (task.relaxed) {
     const RelaxedTask left = relaxed_task(task, *task.relaxed);
-    TaskFamily given = task_family(left.task, requirements, objective);
+    TaskFamily given = task_family(left.task, requirements, objective, progress);
     given.relaxed = left.relaxed;
     warn_of_points(given, task);
     return given;
   }
   const int positions = position_count(task.poses);
-  TaskFamily given = positions == 3   ? family_of_three(task, requirements, objective)
+  TaskFamily given = positions == 3   ? family_of_three(task, requirements, objective, progress)
                      : positions == 4 ? family_of_curve(task)
                                       : family_of_points(task);
   given.has_directions = std::any_of(task.poses.begin(), task.poses.end(),

@@ -138,7 +138,8 @@ Notice no_side_link_at_angle(double input_length) {
 }  // namespace
 
 ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vector<PrescribedPose>& poses,
-                                const SideLengths& given, const Requirements& requirements, Objective objective) {
+                                const SideLengths& given, const Requirements& requirements, Objective objective,
+                                const Progress& progress) {
   const Start start(conditions, requirements);
   if (start.degeneracy) return closed(start.degeneracy);
   if (auto reason = no_side_link(start, given.input, "input")) return closed(std::move(reason));
@@ -149,15 +150,17 @@ ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vec
     if (auto reason = no_side_link(start, *given.output, "output")) return closed(std::move(reason));
     return opened(start, family_of(*given.output));
   }
-  const ChosenLength output = chosen_length(family_of, start.frame, start.requirements, objective,
-                                            lengths_in_windows(*start.dyads, start.frame, requirements), given.input);
+  const ChosenLength output =
+      chosen_length(family_of, start.frame, start.requirements, objective,
+                    lengths_in_windows(*start.dyads, start.frame, requirements), given.input, progress);
   ThreePoseSetup setup = opened(start, family_of(output.length));
   setup.notices.push_back(chosen_notice("output", output));
   return setup;
 }
 
 ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vector<PrescribedPose>& poses,
-                                const SideAngle& given, const Requirements& requirements, Objective objective) {
+                                const SideAngle& given, const Requirements& requirements, Objective objective,
+                                const Progress& progress) {
   const Start start(conditions, requirements);
   if (start.degeneracy) return closed(start.degeneracy);
   const auto family_of = [&](double input) {
@@ -166,7 +169,7 @@ ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vec
   std::optional<ChosenLength> chosen;
   if (!given.input_length)
     chosen = chosen_length(family_of, start.frame, start.requirements, objective,
-                           lengths_in_windows(*start.dyads, start.frame, requirements));
+                           lengths_in_windows(*start.dyads, start.frame, requirements), 0, progress);
   const double input = chosen ? chosen->length : *given.input_length;
   if (auto reason = no_side_link(start, input, "input")) return closed(std::move(reason));
   if (!has_output(*start.dyads, given, input / start.frame.scale)) return closed(no_side_link_at_angle(input));

@@ -1,6 +1,7 @@
 #include "region/window_look.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -45,19 +46,30 @@ std::vector<AxisArc> arcs_seen(std::vector<AxisArc> arcs, const LinkageFamily& f
   return clipped(arcs, arcs_of(family.axis(side), window->of(side)));
 }
 
-std::optional<std::vector<AxisArc>> arcs_inside(const LinkageFamily& family, Side side, const PivotWindows& windows,
-                                                const std::optional<MapWindow>& window) {
-  auto found = family.arcs_within(side, windows);
-  if (!found) return std::nullopt;
-  return arcs_seen(std::move(found->arcs), family, side, window);
-}
+/// The stretches of both axes whose grounded links have their hinges in windows.
+class StretchesInside {
+ public:
+  StretchesInside(const LinkageFamily& family, const PivotWindows& windows, const std::optional<MapWindow>& window)
+      : family_(family),
+        window_(window),
+        found_{family.arcs_within(Side::input, windows), family.arcs_within(Side::output, windows)} {}
 
-bool is_proved_empty(const LinkageFamily& family, const PivotWindows& windows) {
-  for (const Side side : {Side::input, Side::output})
-    if (const auto found = family.arcs_within(side, windows); found && found->are_all && found->arcs.empty())
-      return true;
-  return false;
-}
+  [[nodiscard]] bool prove_it_empty() const {
+    return std::any_of(found_.begin(), found_.end(),
+                       [](const auto& of_axis) { return of_axis && of_axis->are_all && of_axis->arcs.empty(); });
+  }
+  /// Of the part of the map that is looked at; nothing where the links of that axis depend on both coordinates.
+  [[nodiscard]] std::optional<std::vector<AxisArc>> seen(Side side) const {
+    const auto& found = found_[static_cast<std::size_t>(side)];
+    if (!found) return std::nullopt;
+    return arcs_seen(found->arcs, family_, side, window_);
+  }
+
+ private:
+  const LinkageFamily& family_;
+  const std::optional<MapWindow>& window_;
+  std::array<std::optional<AxisArcs>, 2> found_;
+};
 
 // Their share of the samples of an axis, and enough of each to climb from.
 struct SampledArc {
@@ -232,6 +244,20 @@ bool is_moving_window(RequirementKind kind) {
   return kind == RequirementKind::moving_pivots_within || kind == RequirementKind::moving_axes_within;
 }
 
+// One map to each pair of stretches; nothing where a grounded link depends on both coordinates, none where on one of
+// the axes none has its hinges inside.
+std::optional<JudgedMaps> maps_on(const StretchesInside& stretches, const LinkageFamily& family,
+                                  const Requirements& judged_by, const MapMaking& making) {
+  const auto input = stretches.seen(Side::input), output = stretches.seen(Side::output);
+  if (!input || !output) return std::nullopt;
+  JudgedMaps maps;
+  const std::vector<SampledArc> rows = sampled(*input, making.samples), columns = sampled(*output, making.samples);
+  for (const SampledArc& row : rows)
+    for (const SampledArc& column : columns)
+      maps.push_back(judged(family, judged_by, making, {row.step, column.step}, row.coordinates, column.coordinates));
+  return maps;
+}
+
 /// What relaxing a single requirement would leave: of the map, and of what lies in the windows that stay.
 class RelaxationSearch {
  public:
@@ -258,7 +284,7 @@ class RelaxationSearch {
     add_dearer(found_, map.filter->relaxations(map.filter->census(progress_), progress_), wanted);
   }
   void add_of(const PivotWindows& kept, const std::function<bool(RequirementKind)>& wanted) {
-    if (const auto maps = maps_within(family_, kept, requirements_, making_))
+    if (const auto maps = maps_on({family_, kept, making_.window}, family_, requirements_, making_))
       for (const auto& map : *maps) add(map->view(), wanted);
   }
 
@@ -280,12 +306,13 @@ std::vector<SampledArc> columns_at(const LinkageFamily& family, double input, co
 }
 
 // Where the stretches of one axis are known, on them alone.
-WindowLook look_closer(const LinkageFamily& family, const PivotWindows& windows, const SearchMap& seen,
-                       const Requirements& requirements, const MapMaking& making, const Progress& progress) {
+WindowLook look_closer(const LinkageFamily& family, const PivotWindows& windows, const StretchesInside& stretches,
+                       const SearchMap& seen, const Requirements& requirements, const MapMaking& making,
+                       const Progress& progress) {
   if (seen.filter->census(progress).meeting >= static_cast<std::int64_t>(making.followed)) return {};
-  const auto rows = arcs_inside(family, Side::input, windows, making.window);
+  const auto rows = stretches.seen(Side::input);
   CloserLook look(family, requirements, making, progress);
-  if (!rows || rows->empty()) return std::move(look).from(seen);
+  if (!rows || (rows->empty() && making.doubts_samples)) return std::move(look).from(seen);
   JudgedMaps begun;
   for (const SampledArc& arc : sampled(*rows, making.samples))
     for (const double row : arc.coordinates)
@@ -296,27 +323,15 @@ WindowLook look_closer(const LinkageFamily& family, const PivotWindows& windows,
 
 }  // namespace
 
-std::optional<JudgedMaps> maps_within(const LinkageFamily& family, const PivotWindows& windows,
-                                      const Requirements& judged_by, const MapMaking& making) {
-  const auto input = arcs_inside(family, Side::input, windows, making.window),
-             output = arcs_inside(family, Side::output, windows, making.window);
-  if (!input || !output) return std::nullopt;
-  JudgedMaps maps;
-  const std::vector<SampledArc> rows = sampled(*input, making.samples), columns = sampled(*output, making.samples);
-  for (const SampledArc& row : rows)
-    for (const SampledArc& column : columns)
-      maps.push_back(judged(family, judged_by, making, {row.step, column.step}, row.coordinates, column.coordinates));
-  return maps;
-}
-
 WindowLook look_into_windows(const LinkageFamily& family, const SearchMap& seen, const Requirements& requirements,
                              const MapMaking& making, const Progress& progress) {
   const PivotWindows windows = windows_of(requirements, family.linkages());
   if (!windows.any() || seen.map->rows() == 0 || seen.map->columns() == 0) return {};
   if (family.axis(Side::input).is_discrete() && family.axis(Side::output).is_discrete()) return {};
-  if (is_proved_empty(family, windows)) return {{}, 0, 0, true};
-  auto made = maps_within(family, windows, requirements, making);
-  if (!made || made->empty()) return look_closer(family, windows, seen, requirements, making, progress);
+  const StretchesInside stretches(family, windows, making.window);
+  if (stretches.prove_it_empty()) return {{}, 0, 0, true};
+  auto made = maps_on(stretches, family, requirements, making);
+  if (!made || made->empty()) return look_closer(family, windows, stretches, seen, requirements, making, progress);
   WindowLook look;
   for (auto& map : *made) {
     const std::int64_t inside = linkages_inside(*map);

@@ -30,15 +30,10 @@ struct MapMaking {
   int samples = 0;                  ///< a side of the usual map
   std::optional<MapWindow> window;  ///< nothing: the whole region
   std::size_t followed = 40;        ///< where links depend on each other: places that are looked at closer at a time
+  bool doubts_samples = true;       ///< an axis of which these find no stretch in the windows is looked at closer, too
 };
 
 using JudgedMaps = std::vector<std::unique_ptr<JudgedMap>>;
-
-/// The maps of what of a family has its hinges in windows, judged by requirements: one to each pair of stretches of the
-/// axes. Nothing where a grounded link depends on both coordinates; none where on one of the axes none has its hinges
-/// there.
-[[nodiscard]] std::optional<JudgedMaps> maps_within(const LinkageFamily& family, const PivotWindows& windows,
-                                                    const Requirements& judged_by, const MapMaking& making);
 
 /// What of a family has its hinges in the windows required of them, looked at more closely than a map of the whole
 /// family can: however small a window is, the stretches of the axes whose hinges lie in it are sampled for themselves.
@@ -50,9 +45,10 @@ struct WindowLook {
 };
 
 /// `seen`: the family's map under the same requirements. Where a grounded link depends on its own coordinate alone, its
-/// stretches are computed (LinkageFamily::arcs_within); otherwise, or where samples find no stretch, a map of which less meets the requirements than
-/// places would be followed is looked at closer and closer where its hinges come nearest to their windows, a bounded
-/// number of times. Nothing to look at without windows, and where the map holds all linkages that there are.
+/// stretches are computed (LinkageFamily::arcs_within); otherwise, or where samples find no stretch, a map of which
+/// less meets the requirements than places would be followed is looked at closer and closer where its hinges come
+/// nearest to their windows, a bounded number of times. Nothing to look at without windows, and where the map holds all
+/// linkages that there are.
 [[nodiscard]] WindowLook look_into_windows(const LinkageFamily& family, const SearchMap& seen,
                                            const Requirements& requirements, const MapMaking& making,
                                            const Progress& progress = {});

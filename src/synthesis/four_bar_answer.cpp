@@ -106,8 +106,8 @@ Result<Answer> solve_of_kind(const MotionTask& task, const Requirements& require
                              const Progress& progress) {
   const bool five = position_count(task.poses) == 5;
   const double here = five ? 0.5 : 1;
-  auto answer =
-      begin_answer<MotionAnswer>(task, task_family(task, requirements, options.objective), requirements, options);
+  auto answer = begin_answer<MotionAnswer>(
+      task, task_family(task, requirements, options.objective, {{}, progress.cancelled}), requirements, options);
   if (!find_four_bars(answer, part_of(progress, 0, here), {})) return cancelled();
   if (five && !answer.given.curve && answer.linkages.empty() && options.best > 0 && !options.at) {
     answer.relaxed = drop_one_position(task, requirements, {.region = options.region}, part_of(progress, here, 1));

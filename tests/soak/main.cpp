@@ -25,7 +25,7 @@ struct Arguments {
   std::uint64_t seed = 1;
   std::optional<std::size_t> only;
   std::string kind;
-  double limit = 2;
+  double limit = 60;  // against hanging: ten times what the slowest takes on a busy machine
   int at_once = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::filesystem::path folder = "build/soak";
   std::vector<std::filesystem::path> files;

@@ -167,6 +167,7 @@ test("where nothing is left, the page shows where the task could go, and goes th
   expect(await read_state(page, ({census}) => census!.meeting)).toBe(meeting); // what was said
   await expect(page.getByTestId("region.notice")).toHaveCount(0);
   await expect(page.getByTestId("drawing.halo")).toHaveCount(0);
+  await expect.poll(() => read_state(page, ({hand}) => hand?.fails)).toBe(0); // the best of what is left now
 });
 
 // ---- the linkage in hand --------------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "linkwright/core/progress.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/three_pose_dyads.hpp"
 #include "linkwright/region/best_cells.hpp"
@@ -43,9 +44,11 @@ using LengthRange = std::array<double, 2>;
 /// requirements leave, windows for pivots looked into for themselves, then climbed. Where none has a linkage that meets
 /// the requirements, the one with most that fail a single one, so that what is advised of its map holds of all lengths
 /// tried. `requirements` with both lengths set; `frame`: that of the families; `within`: none is tried beyond, where
-/// that leaves any; `partner`: the other grounded link's length, 0 where it is open.
+/// that leaves any; `partner`: the other grounded link's length, 0 where it is open. Cancelled, the best of those tried
+/// so far.
 [[nodiscard]] ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& frame,
                                          const Requirements& requirements, Objective objective,
-                                         const std::optional<LengthRange>& within = {}, double partner = 0);
+                                         const std::optional<LengthRange>& within = {}, double partner = 0,
+                                         const Progress& progress = {});
 
 }  // namespace linkwright

@@ -7,6 +7,7 @@
 
 #include "linkwright/analysis/pose_error.hpp"
 #include "linkwright/core/notice.hpp"
+#include "linkwright/core/progress.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
@@ -42,8 +43,10 @@ struct TaskFamily {
 };
 
 /// `task` without mistakes (mistakes_in). Requirements and objective choose what the task leaves to be chosen before
-/// there is a map: the length of a grounded link among three positions.
-[[nodiscard]] TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective);
+/// there is a map: the length of a grounded link among three positions, of which fewer are tried where that is
+/// cancelled.
+[[nodiscard]] TaskFamily task_family(const MotionTask& task, const Requirements& requirements, Objective objective,
+                                     const Progress& progress = {});
 
 /// The requirements with the defaults of both lengths filled in, by TaskFamily::size.
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const TaskFamily& given);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "linkwright/core/notice.hpp"
+#include "linkwright/core/progress.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "linkwright/planar/three_pose_given.hpp"
@@ -27,10 +28,12 @@ struct ThreePoseSetup {
 /// the one of 25 whose map, 100 × 100, has the best linkage under requirements and objective.
 [[nodiscard]] ThreePoseSetup three_pose_setup(const PoseConditions& conditions,
                                               const std::vector<PrescribedPose>& poses, const SideLengths& given,
-                                              const Requirements& requirements, Objective objective);
+                                              const Requirements& requirements, Objective objective,
+                                              const Progress& progress = {});
 [[nodiscard]] ThreePoseSetup three_pose_setup(const PoseConditions& conditions,
                                               const std::vector<PrescribedPose>& poses, const SideAngle& given,
-                                              const Requirements& requirements, Objective objective);
+                                              const Requirements& requirements, Objective objective,
+                                              const Progress& progress = {});
 
 /// Given pivots have nothing to be chosen: one linkage, or a map over the place of the other link's pivot.
 [[nodiscard]] ThreePoseSetup three_pose_setup(const PoseConditions& conditions,
