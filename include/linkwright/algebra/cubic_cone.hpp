@@ -33,8 +33,8 @@ struct CubicForm {
 /// det [D₁v D₂v D₃v].
 [[nodiscard]] CubicForm determinant_form(const std::array<Matrix3x3, 3>& d);
 
-/// The lines of the cone F = 0 at an angle to an axis (radians, in (0, π/2]), at most six, unit vectors; two that all but
-/// touch are one. Nothing where all lines at that angle lie on the cone.
+/// The lines of the cone F = 0 at an angle to an axis (radians, in (0, π/2]), at most six, unit vectors; two that all
+/// but touch are one. Nothing where all lines at that angle lie on the cone.
 [[nodiscard]] std::optional<std::vector<Vector3>> lines_at_angle(const CubicForm& form, Vector3 axis, double angle);
 
 /// What the lines of a cubic cone look like on the sphere, where each is a pair of antipodes.
