@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "linkwright/analysis/transmission_angle.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "session.hpp"
@@ -310,6 +312,36 @@ TEST(SessionOfAStraightLine, HasALayerToEachLinkageOfAPlaceAndMeasuresWhatIsTher
     EXPECT_LE(std::abs(at[1].get<double>()), 0.01 * (1 + 1e-9));
   }
   EXPECT_TRUE(json::parse(explored.session.verify(input, output))["verified"].get<bool>());
+}
+
+TEST(SessionOfAStraightLine, TellsWhatEitherDriverCan) {
+  Explored explored(
+      R"({"linkwright": 1, "task": {"kind": "straight_line", "mechanism": "four_bar", "case": "four_point_pivots",
+      "line": {"point": [0, 120], "direction_deg": 0}, "ground_pivots": {"input": [0, 0], "output": [90, 20]}}})",
+      24);
+  int cranks = 0, other_drivers = 0, locked = 0;
+  for (const double input : explored.reply.input_tau)
+    for (const double output : explored.reply.output_tau) {
+      const json found = json::parse(explored.session.linkage(input, output).linkage);
+      if (!found["reason"].is_null()) continue;
+      const json &turning = found["min_transmission_angle_full_turn_deg"], &swapped = found["swapped"];
+      if (!turning.is_null()) {
+        const auto [ground, crank, coupler, rocker] =
+            std::array<double, 4>{found["lengths"]["ground"], found["lengths"]["input"], found["lengths"]["coupler"],
+                                  found["lengths"]["output"]};
+        EXPECT_NEAR(turning, degrees(least_transmission_angle_full_turn({ground, crank, coupler, rocker})), 1e-9);
+        ++cranks;
+      }
+      const json& angle = swapped["min_transmission_angle_deg"];
+      (angle.is_null() ? locked : other_drivers) += 1;
+      EXPECT_EQ(angle.is_null(), swapped["defects"]["branch"].get<bool>());
+      if (!angle.is_null()) {
+        EXPECT_GT(angle, 0);
+      }
+    }
+  EXPECT_GT(cranks, 10);
+  EXPECT_GT(other_drivers, 10);
+  EXPECT_GT(locked, 10);
 }
 
 TEST(SessionOfAStraightLine, SearchesAllCasesAndTellsTheMapOfEachLinkage) {
