@@ -189,6 +189,24 @@ class Reports(FaceTest):
         for linkage in result["linkages"]:
             self.assertGreaterEqual(linkage["tolerance"]["yield"], 0.8)
 
+    def test_what_all_fails_under_tolerances_is_not_blamed_on_rounding(self):
+        problem = load(ROOT / "examples/tailgate_as_made.json")
+        problem["requirements"] = problem.get("requirements", {}) | {"min_yield": 1, "min_transmission_angle_deg": 45}
+        problem["tolerances"]["limit"] = {"position": 0.8}
+
+        def solved(objective):
+            problem["options"] = {"objective": objective}
+            return json.loads(self.ran("solve", self.write("p.json", problem), "--samples", 100, "-o", "-"))
+
+        nothing = solved("min_transmission_angle")
+        self.assertFalse(nothing["linkages"])
+        self.assertIn("by the few samples of the solution region does not", nothing["reason"])
+        self.assertIn("Optimise for the yield", nothing["reason"])
+        advised = solved("yield")["linkages"]
+        self.assertTrue(advised)
+        for linkage in advised:
+            self.assertEqual(linkage["tolerance"]["yield"], 1)
+
 
 if __name__ == "__main__":
     unittest.main()
