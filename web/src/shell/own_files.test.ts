@@ -101,6 +101,7 @@ describe("an export that is opened", () => {
       expect(told("renamed.txt", text.slice(0, 4096), text), format).toEqual({kind});
     }
     expect(told("motion.csv", "phi,x", "phi,x")).toEqual({kind: "table"});
+    expect(told("poses.txt", "0 0 0\n60 35 22", "0 0 0\n60 35 22")).toEqual({kind: "table"});
     expect(told("a", "\x89PNG\r\n", null)).toEqual({kind: "drawing"});
     expect(told("hinge.txt", "ISO-10303-21;\nHEADER;", "ISO-10303-21;\nHEADER;")).toEqual({kind: "solid"});
     expect(told("part.STL", "\0\0", null)).toEqual({kind: "solid"});
@@ -114,6 +115,7 @@ describe("an export that is opened", () => {
     const text = JSON.stringify(first_example.problem);
     expect(told("task.json", text, text)).toEqual({kind: "problem", text});
     expect(told("task.csv", text, text)).toEqual({kind: "problem", text});
+    expect(told("task.txt", text, text)).toEqual({kind: "problem", text});
     expect(told("broken.json", '{"linkages":', '{"linkages":')).toEqual({kind: "problem", text: '{"linkages":'});
   });
 });

@@ -23,7 +23,7 @@ const starts: readonly (readonly [RegExp, "drawing" | "film" | "solid" | "other"
 ];
 const endings = {
   drawing: /\.(dxf|svg|png|jpe?g|webp)$/i,
-  table: /\.(csv|tsv)$/i,
+  table: /\.(csv|tsv|txt)$/i,
   film: /\.(gif|mp4|webm)$/i,
   solid: /\.(step|stp|stl|3mf|igs|iges)$/i,
   other: /\.(pdf|xlsx?|ods|docx?|zip)$/i,
