@@ -55,6 +55,8 @@ export interface TaskView {
   Offer?: Component;
   /** Beside the numbers of the linkage in hand. */
   Numbers?: Component<{hand: Linkage}>;
+  /** Below what all linkages have. */
+  NumbersBelow?: Component<{hand: Linkage}>;
   /** How plots count the driver's angle of a linkage, where not from position 1. */
   dial?(linkage: Linkage): Dial | null;
   /** The first one is shown first. */

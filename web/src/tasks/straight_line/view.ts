@@ -6,6 +6,7 @@ import FindsInTheMiddle from "./FindsInTheMiddle.svelte";
 import {line_handles} from "./line_handles";
 import LineLayer from "./LineLayer.svelte";
 import Magnifier from "./Magnifier.svelte";
+import Cognates from "./Cognates.svelte";
 import Numbers from "./Numbers.svelte";
 import Picture from "./Picture.svelte";
 import {profile, speed} from "./profile";
@@ -18,6 +19,7 @@ export const straight_line_view: TaskView = {
   Offer: FindsInTheMiddle,
   handles: line_handles,
   Numbers,
+  NumbersBelow: Cognates,
   Picture: Picture as Component<{id: string}>,
   plots: () => [profile, speed, "transmission", "output"],
 };
