@@ -89,6 +89,8 @@ PickedLinkage picked_line(const StraightLineFamily& family, const std::optional<
   picked.bars.emplace();
   picked.bars->four_bar = bars;
   picked.bars->lengths = found->lengths;
+  // Told as a length: of this kind how far off its line the point is.
+  picked.bars->input_residual = found->residual / found->lengths.input;
   picked.bars->report = report_of(family, found->linkage, found->judged());
   picked.bars->report.defects = found->defects;
   picked.bars->swapped = report_of(family, found->linkage.swapped(), found->judged());

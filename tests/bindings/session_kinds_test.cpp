@@ -320,10 +320,12 @@ TEST(SessionOfAStraightLine, TellsWhatEitherDriverCan) {
       "line": {"point": [0, 120], "direction_deg": 0}, "ground_pivots": {"input": [0, 0], "output": [90, 20]}}})",
       24);
   int cranks = 0, other_drivers = 0, locked = 0;
+  double farthest = 0;
   for (const double input : explored.reply.input_tau)
     for (const double output : explored.reply.output_tau) {
       const json found = json::parse(explored.session.linkage(input, output).linkage);
       if (!found["reason"].is_null()) continue;
+      farthest = std::max(farthest, found["residual"].get<double>());
       const json &turning = found["min_transmission_angle_full_turn_deg"], &swapped = found["swapped"];
       if (!turning.is_null()) {
         const auto [ground, crank, coupler, rocker] =
@@ -339,6 +341,8 @@ TEST(SessionOfAStraightLine, TellsWhatEitherDriverCan) {
         EXPECT_GT(angle, 0);
       }
     }
+  EXPECT_GT(farthest, 0) << "what rounding leaves";
+  EXPECT_LT(farthest, 1e-9);
   EXPECT_GT(cranks, 10);
   EXPECT_GT(other_drivers, 10);
   EXPECT_GT(locked, 10);

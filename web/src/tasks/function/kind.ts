@@ -157,6 +157,8 @@ export const angles_kind = {
     };
   },
   texts: {
+    "num.residual": "function.residual",
+    "status.residual": "function.status_residual",
     "notice.branch_defect": "function.branch_defect",
     "notice.change_point_defect": "function.change_point_defect",
     "notice.circuit_defect": "function.circuit_defect",

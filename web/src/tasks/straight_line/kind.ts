@@ -289,6 +289,8 @@ export const straight_line_kind: TaskKind<StraightLineTask> = {
   lengths,
   joints,
   texts: {
+    "num.residual": "straight.residual",
+    "status.residual": "straight.status_residual",
     "region.driver_axis": "straight.first_axis",
     "region.other_axis": "straight.second_axis",
   },
