@@ -126,6 +126,7 @@ TaskFamily family_of_given(const MotionTask& task, const Given& beside_poses, co
   given.family = std::move(setup.family);
   given.degeneracy = std::move(setup.degeneracy);
   given.warnings = std::move(setup.notices);
+  given.chose_length = setup.chose_length;
   if (!given.degeneracy)
     for (Notice& warning : pose_warnings(task.poses, given.conditions)) given.warnings.push_back(std::move(warning));
   return given;

@@ -155,6 +155,7 @@ ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vec
                     lengths_in_windows(*start.dyads, start.frame, requirements), given.input, progress);
   ThreePoseSetup setup = opened(start, family_of(output.length));
   setup.notices.push_back(chosen_notice("output", output));
+  setup.chose_length = true;
   return setup;
 }
 
@@ -175,6 +176,7 @@ ThreePoseSetup three_pose_setup(const PoseConditions& conditions, const std::vec
   if (!has_output(*start.dyads, given, input / start.frame.scale)) return closed(no_side_link_at_angle(input));
   ThreePoseSetup setup = opened(start, family_of(input));
   if (chosen) setup.notices.push_back(chosen_notice("input", *chosen));
+  setup.chose_length = chosen.has_value();
   return setup;
 }
 

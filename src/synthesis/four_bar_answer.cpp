@@ -10,6 +10,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/planar/chosen_length.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
 #include "picked_place.hpp"
@@ -57,8 +58,10 @@ bool find_four_bars(KindAnswer& answer, const Progress& progress, const TaskWord
     answer.reason = given.degeneracy.value_or(Notice{});
     return true;
   }
+  // What a length was chosen for is to be seen again.
+  const int inside = given.chose_length ? ChosenLength::samples : 0;
   const CountedRegion counted = count_region(answer, answer.task, *given.family,
-                                             {answer.options.region_samples, answer.options.window}, progress);
+                                             {answer.options.region_samples, answer.options.window, inside}, progress);
   warn_of_map(answer);
   if (nothing_meets_requirements(answer)) answer.missed_boxes = missed_boxes(*given.family, answer.requirements);
   if (!answer.options.at) {

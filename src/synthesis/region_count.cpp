@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "linkwright/planar/chosen_length.hpp"
 #include "linkwright/synthesis/tolerance_measures.hpp"
 #include "region/ordered_axes.hpp"
 
@@ -56,13 +55,12 @@ CountedRegion count_region(Findings& found, const Task& task, const LinkageFamil
     return samples_within(family, side, extent.window, extent.samples, found.options.spacing);
   };
   if (found.options.tolerances) found.added = tolerance_measures(task, family, *found.options.tolerances);
-  // Windows are looked into no less closely than where a length was chosen by what lies in them.
   const MapMaking making{[&](RegionMap& map, std::span<const double> input, std::span<const double> output) {
                            family.classify(map, input, output, found.requirements.respect_direction,
                                            found.options.region, progress);
                            if (found.options.tolerances) measure_added(map, family, found, progress);
                          },
-                         std::max(extent.samples, ChosenLength::samples), extent.window};
+                         std::max(extent.samples, extent.inside), extent.window};
   progress(0.1);
   making.fill(found.region, samples(Side::input), samples(Side::output));
   found.counts = found.region.counts();

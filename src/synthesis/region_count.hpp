@@ -13,6 +13,7 @@ namespace linkwright {
 struct MapExtent {
   int samples = 0;                  ///< N of the N×N map
   std::optional<MapWindow> window;  ///< nothing: the whole region
+  int inside = 0;                   ///< windows for hinges are looked into by so many samples a side, if that is more
 };
 
 /// Adds what is asked of a map beside what its family measures, yields only of the cells that meet all else.

@@ -34,6 +34,7 @@ struct TaskFamily {
   bool has_no_dyads = false;                    ///< because no two dyads do the task
   std::shared_ptr<const FourBarFamily> family;  ///< none where degenerate
 
+  bool chose_length = false;  ///< of a grounded link, by maps of all lengths (chosen_length)
   /// The reference for long and short links, user's unit: the characteristic length, for functions the ground link.
   double size = 1;
 

@@ -22,6 +22,7 @@ struct ThreePoseSetup {
   /// no_side_link_of_length {side, length, nearest}, no_side_link_at_angle, pivot_at_pole {side, pivot, x, y},
   /// pivot_of_slider {side, pivot, x, y}, pivots_of_one_link, no_dyad_on_lines, one_dyad_on_lines, lines_of_dyads.
   std::optional<Notice> degeneracy;
+  bool chose_length = false;  ///< the one that was left open
 };
 
 /// `conditions`: of these three-position `poses` (user's frame). A length that is left open is chosen (chosen_length):
