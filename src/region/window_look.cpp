@@ -39,6 +39,23 @@ std::int64_t linkages_inside(const JudgedMap& made) {
   return count;
 }
 
+// The same where each link depends on its own coordinate alone: by rows and columns, of which there are fewer than
+// cells.
+std::int64_t linkages_inside(const JudgedMap& made, const LinkageFamily& family, const PivotWindows& windows) {
+  const MapPivots pivots = family.pivots(made.map);
+  if (pivots.of_cell) return linkages_inside(made);
+  std::vector<std::size_t> columns;
+  for (std::size_t column = 0; column < made.map.columns(); ++column)
+    if (windows.hold(pivots.columns[column])) columns.push_back(column);
+  std::int64_t count = 0;
+  for (std::size_t row = 0; row < made.map.rows(); ++row) {
+    if (!windows.hold(pivots.rows[row])) continue;
+    for (const std::size_t column : columns)
+      count += made.map.type(made.map.index(row, column)) != LinkageType::degenerate;
+  }
+  return count;
+}
+
 /// Of arcs of an axis what lies in the part of the map that is looked at.
 std::vector<AxisArc> arcs_seen(std::vector<AxisArc> arcs, const LinkageFamily& family, Side side,
                                const std::optional<MapWindow>& window) {
@@ -334,7 +351,7 @@ WindowLook look_into_windows(const LinkageFamily& family, const SearchMap& seen,
   if (!made || made->empty()) return look_closer(family, windows, stretches, seen, requirements, making, progress);
   WindowLook look;
   for (auto& map : *made) {
-    const std::int64_t inside = linkages_inside(*map);
+    const std::int64_t inside = linkages_inside(*map, family, windows);
     keep(look, std::move(map), inside);
   }
   return look;
