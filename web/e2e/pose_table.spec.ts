@@ -135,8 +135,9 @@ test("reorders by keys and by drag, doubles, adds, removes, changes the referenc
   await read_state(page, (workbench) => workbench.undo());
   await until_settled(page);
   const original = await read_state(page, (workbench) => workbench.hand!.lengths!);
+  // Found again by its place, from a map whose own linkage may just have been followed.
   for (const link of ["ground", "input", "coupler", "output"] as const)
-    expect(lengths![link] / original[link]).toBeCloseTo(1, 9);
+    expect(lengths![link] / original[link]).toBeCloseTo(1, 6);
 });
 
 test("holds directions and curvatures of travel", async ({page}) => {
