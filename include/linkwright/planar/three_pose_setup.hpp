@@ -26,7 +26,7 @@ struct ThreePoseSetup {
 };
 
 /// `conditions`: of these three-position `poses` (user's frame). A length that is left open is chosen (chosen_length):
-/// the one of 25 whose map, 100 × 100, has the best linkage under requirements and objective.
+/// the one whose map has the best linkage under requirements and objective, of those that windows for pivots leave.
 [[nodiscard]] ThreePoseSetup three_pose_setup(const PoseConditions& conditions,
                                               const std::vector<PrescribedPose>& poses, const SideLengths& given,
                                               const Requirements& requirements, Objective objective,
