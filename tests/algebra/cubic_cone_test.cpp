@@ -209,5 +209,42 @@ TEST(CubicCone, OfNoFormIsEveryAxis) {
   EXPECT_EQ(name(cone.kind()), "every_axis");
 }
 
+// Against the signs of F all round the circle of lines at that angle.
+TEST(LinesAtAngle, AreAllThatThereAre) {
+  RandomForms random(44);
+  int found = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const CubicForm form = random.form();
+    const Vector3 axis = 3 * random.axis();
+    const double angle = 0.05 + 1.4 * trial / 200;
+    const auto lines = lines_at_angle(form, axis, angle);
+    ASSERT_TRUE(lines);
+    for (const Vector3 line : *lines) {
+      EXPECT_NEAR(form(line), 0, 1e-9 * form.largest_coefficient());
+      EXPECT_NEAR(std::abs(dot(line, normalized(axis))), std::cos(angle), 1e-12);
+    }
+    const Vector3 e = normalized(axis),
+                  u = normalized(cross(e, std::abs(e.x) < 0.9 ? Vector3{1, 0, 0} : Vector3{0, 1, 0})), v = cross(e, u);
+    constexpr int steps = 20000;
+    int changes = 0;
+    const auto value = [&](int i) {
+      const double turn = two_pi * i / steps;
+      return form(std::cos(angle) * e + std::sin(angle) * (std::cos(turn) * u + std::sin(turn) * v));
+    };
+    for (int i = 0; i < steps; ++i) changes += (value(i) < 0) != (value(i + 1) < 0);
+    EXPECT_EQ(std::ssize(*lines), changes) << trial;
+    found += changes;
+  }
+  EXPECT_GT(found, 300);
+}
+
+TEST(LinesAtAngle, AreNotToldWhereAllLieOnTheCone) {
+  // (x² + y² − z² tan² 30°) z
+  const double square = 1.0 / 3;
+  const CubicForm form{{0, 0, 1, 0, 0, 0, 0, 1, 0, -square}};
+  EXPECT_FALSE(lines_at_angle(form, {0, 0, 2}, radians(30)));
+  EXPECT_TRUE(lines_at_angle(form, {0, 0, 2}, radians(31)));
+}
+
 }  // namespace
 }  // namespace linkwright::cubic_cone_test
