@@ -18,7 +18,10 @@ namespace {
 struct LengthSummary {
   double best_score = no_score;
   std::int64_t meeting = 0, failing_one = 0, defect_free = 0, whole = 0;
+  /// How far from their windows the hinges of the nearest linkage lie that meets all else, user's unit.
+  double off_windows = std::numeric_limits<double>::infinity();
 
+  [[nodiscard]] bool has_linkage() const { return best_score > no_score; }
   [[nodiscard]] bool beats(const LengthSummary& other) const {
     const auto rank = [](const LengthSummary& s) {
       return std::tie(s.best_score, s.meeting, s.failing_one, s.defect_free, s.whole);
@@ -38,24 +41,38 @@ class LengthTrials {
         // Tolerances are measured of one map, that of the length chosen.
         objective_(is_of_tolerances(objective) ? Objective::min_transmission_angle : objective) {}
 
-  /// Score of its best linkage; nothing where none meets the requirements.
-  std::optional<double> try_length(double length) {
-    ++tried_;
+  LengthSummary try_length(double length) {
     const LengthSummary summary = summary_of(*family_of_(length));
-    if (tried_ == 1 || summary.beats(best_)) {
+    if (tried_.empty() || summary.beats(best_)) {
       best_ = summary;
       length_ = length;
     }
-    return summary.best_score > no_score ? std::optional(summary.best_score) : std::nullopt;
+    tried_.push_back({length, summary.off_windows});
+    return summary;
   }
 
   /// At least one is tried.
-  [[nodiscard]] bool goes_on() const { return tried_ == 0 || !progress_.is_cancelled(); }
-  [[nodiscard]] bool has_linkage() const { return best_.best_score > no_score; }
+  [[nodiscard]] bool goes_on() const { return tried_.empty() || !progress_.is_cancelled(); }
+  [[nodiscard]] bool has_linkage() const { return best_.has_linkage(); }
   [[nodiscard]] double best_score() const { return best_.best_score; }
   [[nodiscard]] double length() const { return length_; }
-  [[nodiscard]] int tried() const { return tried_; }
+  [[nodiscard]] int tried() const { return static_cast<int>(tried_.size()); }
   [[nodiscard]] std::int64_t meeting() const { return best_.meeting; }
+
+  struct Tried {
+    double length, off_windows;
+  };
+  /// Those whose linkages come nearest to the windows, at most so many.
+  [[nodiscard]] std::vector<Tried> nearest_to_windows(std::size_t most) const {
+    std::vector<Tried> nearest;
+    for (const Tried& one : tried_)
+      if (std::isfinite(one.off_windows)) nearest.push_back(one);
+    std::sort(nearest.begin(), nearest.end(), [](const Tried& a, const Tried& b) {
+      return std::tie(a.off_windows, a.length) < std::tie(b.off_windows, b.length);
+    });
+    nearest.resize(std::min(nearest.size(), most));
+    return nearest;
+  }
 
  private:
   static constexpr std::size_t followed = 6;  // of many lengths each is looked at less closely
@@ -95,6 +112,22 @@ class LengthTrials {
       if (std::has_single_bit(set)) summary.failing_one += census.failing[set];
     if (const auto best = tile_bests(*of.map, *of.filter, objective_, 1); !best.empty())
       summary.best_score = std::max(summary.best_score, best.front().score);
+    if (requirements_.ground_pivots_within || requirements_.moving_pivots_within)
+      summary.off_windows = std::min(summary.off_windows, off_windows(of));
+  }
+
+  [[nodiscard]] double off_windows(const SearchMap& of) const {
+    const std::size_t columns = of.map->columns();
+    std::vector<FailureBits> failures(of.map->rows() * columns);
+    of.filter->failures_of_all(failures, progress_);
+    unsigned places = 0;
+    for (const RequirementKind kind : {RequirementKind::ground_pivots_within, RequirementKind::moving_pivots_within})
+      places |= 1U << place_among(of.filter->kinds(), kind);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t cell = 0; cell < failures.size(); ++cell)
+      if ((failures[cell] & ~places) == 0)
+        nearest = std::min(nearest, of.filter->distance_to_windows(cell / columns, cell % columns));
+    return nearest;
   }
 
   const FamilyOfLength& family_of_;
@@ -104,8 +137,58 @@ class LengthTrials {
   RegionMap map_;
   LengthSummary best_;
   double length_ = 0;
-  int tried_ = 0;
+  std::vector<Tried> tried_;
 };
+
+/// Lengths in equal ratios by their share of the way from the shortest to the longest.
+class LengthScale {
+ public:
+  explicit LengthScale(const LengthRange& range) : range_(range), whole_(std::log(range[1] / range[0])) {}
+
+  [[nodiscard]] bool is_single() const { return !(whole_ > 0); }
+  [[nodiscard]] double share(double length) const { return std::log(length / range_[0]) / whole_; }
+  /// The longest itself, not what rounding makes of it: there may be linkages at the limit.
+  [[nodiscard]] double length(double share) const {
+    return share >= 1 ? range_[1] : std::min(range_[1], range_[0] * std::exp(whole_ * share));
+  }
+
+ private:
+  LengthRange range_;
+  double whole_;
+};
+
+struct Score {
+  double score;
+};
+
+/// From the lengths whose linkages come nearest to the windows to those beside them, nearer and nearer: what stands in
+/// small windows may do so at lengths between any two in a row.
+void approach_windows(LengthTrials& trials, const LengthScale& scale, double step) {
+  constexpr std::size_t followed = 4;
+  constexpr int turns = 12;
+  constexpr double resolution = 1e-3;  // of a step
+  for (const auto& [length, off] : trials.nearest_to_windows(followed)) {
+    const auto at = [&](double there, const LinePlace<Score>& /*best*/) -> std::optional<Score> {
+      if (!(there >= 0 && there <= 1) || trials.has_linkage() || !trials.goes_on()) return std::nullopt;
+      return Score{-trials.try_length(scale.length(there)).off_windows};
+    };
+    static_cast<void>(
+        climb_line(LinePlace<Score>{scale.share(length), {-off}}, {step / 2, resolution * step, turns}, at));
+  }
+}
+
+/// To the length whose best linkage is best.
+void climb(LengthTrials& trials, const LengthScale& scale, double step) {
+  constexpr int turns = 16;
+  constexpr double resolution = 0.02;  // of a step: lengths that near have the same best linkage to a part in a hundred
+  const auto at = [&](double there, const LinePlace<Score>& /*best*/) -> std::optional<Score> {
+    if (!(there >= 0 && there <= 1) || !trials.goes_on()) return std::nullopt;
+    const LengthSummary found = trials.try_length(scale.length(there));
+    return found.has_linkage() ? std::optional(Score{found.best_score}) : std::nullopt;
+  };
+  static_cast<void>(climb_line(LinePlace<Score>{scale.share(trials.length()), {trials.best_score()}},
+                               {step / 4, resolution * step, turns}, at));
+}
 
 LengthRange common(const LengthRange& a, const LengthRange& b) { return {std::max(a[0], b[0]), std::min(a[1], b[1])}; }
 
@@ -182,39 +265,20 @@ ChosenLength chosen_length(const FamilyOfLength& family_of, const WorkingFrame& 
                            Objective objective, const std::optional<LengthRange>& within, double partner,
                            const Progress& progress) {
   require(requirements.max_length.has_value(), "max_length is set");
-  const auto [shortest, longest] = allowed_lengths(frame, requirements, within, partner);
-  const double whole = std::log(longest / shortest);
-  // The longest itself, not what rounding makes of it: there may be linkages at the limit.
-  const auto length_at = [&, shortest = shortest, longest = longest](double share) {
-    return share >= 1 ? longest : std::min(longest, shortest * std::exp(whole * share));
-  };
+  const LengthRange range = allowed_lengths(frame, requirements, within, partner);
+  const LengthScale scale(range);
   LengthTrials trials(family_of, requirements, objective, progress);
   int count = ChosenLength::first_trials;
   for (int i = 0; i < count && trials.goes_on(); ++i)
-    trials.try_length(length_at(static_cast<double>(i) / (count - 1)));
+    trials.try_length(scale.length(static_cast<double>(i) / (count - 1)));
   double step = 1.0 / (count - 1);
   for (int doubling = 0; doubling < ChosenLength::doublings && !trials.has_linkage(); ++doubling, step /= 2) {
     count = static_cast<int>(std::lround(1 / step));
-    for (int i = 0; i < count && trials.goes_on(); ++i) trials.try_length(length_at((i + 0.5) * step));
+    for (int i = 0; i < count && trials.goes_on(); ++i) trials.try_length(scale.length((i + 0.5) * step));
   }
-  if (trials.has_linkage()) {
-    constexpr int turns = 16;
-    constexpr double resolution =
-        0.02;  // of a step: lengths that near have the same best linkage to a part in a hundred
-    struct Score {
-      double score;
-    };
-    const double share = std::log(trials.length() / shortest) / whole;
-    const auto at = [&](double there, const LinePlace<Score>& /*best*/) -> std::optional<Score> {
-      if (!(there >= 0 && there <= 1) || !trials.goes_on()) return std::nullopt;
-      const auto score = trials.try_length(length_at(there));
-      return score ? std::optional(Score{*score}) : std::nullopt;
-    };
-    if (whole > 0)
-      static_cast<void>(
-          climb_line(LinePlace<Score>{share, {trials.best_score()}}, {step / 4, resolution * step, turns}, at));
-  }
-  return {trials.length(), trials.meeting(), trials.tried(), {shortest, longest}};
+  if (!scale.is_single() && !trials.has_linkage()) approach_windows(trials, scale, step);
+  if (!scale.is_single() && trials.has_linkage()) climb(trials, scale, step);
+  return {trials.length(), trials.meeting(), trials.tried(), range};
 }
 
 }  // namespace linkwright

@@ -77,14 +77,14 @@ FunctionError FunctionFamily::error_of(const FourBar& bars, MapPoint place, cons
 
 std::optional<double> FunctionFamily::rate_residual(MapPoint place) const {
   const Columns::Column column = columns_->recent_at(place.output);
-  const auto coupler = column.couplers->coupler(place.input);
+  const auto coupler = column.couplers->coupler(axis(Side::input).onto(place.input));
   const auto rows = column.couplers->given.derivative_rows();
   return coupler && !rows.empty() ? std::optional(residual_of(*coupler, rows)) : std::nullopt;
 }
 
 // In the frame of the family: the frames of all columns have their origin in the input's ground pivot.
 std::optional<Dyad> FunctionFamily::coupler(const Columns::Column& column, double tau) const {
-  auto found = column.couplers->coupler(tau);
+  auto found = column.couplers->coupler(axis(Side::input).onto(tau));
   if (!found) return std::nullopt;
   const double larger = column.couplers->frame().scale / frame().scale;
   for (Homogeneous* p : {&found->center, &found->circle})

@@ -69,10 +69,11 @@ DyadsOfLength::DyadsOfLength(std::shared_ptr<const ThreePoseDyads> dyads, double
 double DyadsOfLength::side_direction(double tau) const {
   if (dyads_->freedom() == DirectionFreedom::free) return two_pi * place_in_branch(tau);
   if (arcs_.empty()) return 0;
-  return arcs_[std::min(static_cast<std::size_t>(std::max(tau, 0.0)), arcs_.size() - 1)].from;
+  return arcs_[std::min(static_cast<std::size_t>(std::max(axis_.onto(tau), 0.0)), arcs_.size() - 1)].from;
 }
 
-std::optional<Dyad> DyadsOfLength::dyad(double tau) const {
+std::optional<Dyad> DyadsOfLength::dyad(double coordinate) const {
+  const double tau = axis_.onto(coordinate);
   if (is_empty() || !(tau >= 0 && tau < axis_.coordinate_length())) return std::nullopt;
   const Point arm = length_ * direction(side_direction(tau));
   auto found = dyads_->freedom() == DirectionFreedom::free ? dyads_->dyad(arm, static_cast<int>(tau))
@@ -155,7 +156,8 @@ double SideAngleFamily::output_length(double tau) const {
   return input_.length() * std::tan(pi / 2 * place_in_branch(tau));
 }
 
-std::optional<Dyad> SideAngleFamily::output_at(double input_direction, double tau) const {
+std::optional<Dyad> SideAngleFamily::output_at(double input_direction, double coordinate) const {
+  const double tau = axis(Side::output).onto(coordinate);
   if (!(tau >= 0 && tau < axis(Side::output).coordinate_length())) return std::nullopt;
   const int branch = static_cast<int>(tau);
   const bool is_free = dyads_->freedom() == DirectionFreedom::free;

@@ -33,8 +33,10 @@ bool is_within(const LinkageFamily& family, const std::optional<MapWindow>& wind
   const auto holds = [&](Side side, double coordinate) {
     if (family.axis(side).is_discrete()) return true;
     const auto arcs = arcs_of(family.axis(side), window->of(side));
-    return std::any_of(arcs.begin(), arcs.end(),
-                       [&](const AxisArc& arc) { return coordinate >= arc.from && coordinate <= arc.to; });
+    const double folded = family.axis(side).onto(coordinate);
+    return std::any_of(arcs.begin(), arcs.end(), [&](const AxisArc& arc) {
+      return (coordinate >= arc.from && coordinate <= arc.to) || (folded >= arc.from && folded <= arc.to);
+    });
   };
   return !window || (holds(Side::input, point.input) && holds(Side::output, point.output));
 }

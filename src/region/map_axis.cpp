@@ -39,6 +39,12 @@ double AxisStretch::onto(double coordinate) const {
   return std::clamp(coordinate, from, std::max(from, std::nextafter(to, from)));
 }
 
+double MapAxis::onto(double coordinate) const {
+  const double length = coordinate_length();
+  const bool is_on = coordinate >= 0 && coordinate < length;
+  return is_on || !is_closed() || !(length > 0) ? coordinate : wrap_period(coordinate, length);
+}
+
 AxisStretch MapAxis::stretch_around(double coordinate) const {
   const double branch = std::floor(coordinate);
   return {branch, branch + 1, is_closed()};

@@ -65,7 +65,7 @@ FunctionError SphericalFunctionFamily::error_of(const SphericalFourBar& bars, Ma
 
 std::optional<double> SphericalFunctionFamily::rate_residual(MapPoint place) const {
   const Columns::Column column = columns_->recent_at(place.output);
-  const auto coupler = column.couplers->coupler(place.input);
+  const auto coupler = column.couplers->coupler(axis(Side::input).onto(place.input));
   const auto rows = derivative_rows(column.pairs, column.couplers->conditions);
   if (!coupler || rows.empty()) return std::nullopt;
   return residual_of(coupler->fixed_axis, coupler->moving_axis, rows);
@@ -76,7 +76,7 @@ SphericalDyadPair SphericalFunctionFamily::links_of(const SphericalDyad& coupler
 }
 
 std::optional<SphericalDyadPair> SphericalFunctionFamily::dyad_pair(MapPoint place) const {
-  const auto found = columns_->recent_at(place.output).couplers->coupler(place.input);
+  const auto found = columns_->recent_at(place.output).couplers->coupler(axis(Side::input).onto(place.input));
   return found ? std::optional(links_of(*found, place)) : std::nullopt;
 }
 
@@ -105,7 +105,7 @@ MapPivots SphericalFunctionFamily::pivots(const RegionMap& map) const {
   const auto columns =
       std::make_shared<const std::vector<Columns::Column>>(columns_->along(map.output_coordinates(), any_threads));
   const auto of_cell = [this, columns, &map](std::size_t row, std::size_t column) -> std::optional<Pivots> {
-    const auto found = (*columns)[column].couplers->coupler(map.input_coordinates()[row]);
+    const auto found = (*columns)[column].couplers->coupler(axis(Side::input).onto(map.input_coordinates()[row]));
     if (!found) return std::nullopt;
     return Pivots{{axes_[0], axes_[1]}, {found->fixed_axis, found->moving_axis}};
   };
@@ -139,7 +139,7 @@ void SphericalFunctionFamily::fill(RegionMap& map, std::span<const double> input
     SphericalRow links{{columns.size(), input_turns.size()}, {columns.size(), input_turns.size()}};
     for (std::size_t k = 0; k < columns.size(); ++k) {
       links.input.put(k, order);
-      const auto found = columns[k].couplers->coupler(input[row]);
+      const auto found = columns[k].couplers->coupler(axis(Side::input).onto(input[row]));
       if (!found) continue;
       const SphericalDyadPair both = links_of(*found, {input[row], output[k]});
       put(links.input, k, both.input, input_turns);

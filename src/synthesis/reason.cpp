@@ -156,7 +156,7 @@ ReasonFacts reason_facts(const FourBarAnswer& answer) {
 void state_reason(Findings& answer, const TaskWords& words, const ReasonFacts& facts) {
   const RegionCounts& counts = answer.counts;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
-  if (whole == 0) {
+  if (whole == 0 && !(answer.inside && answer.inside->looked_at > 0)) {
     answer.status = SolutionStatus::no_solution;
     answer.reason = {"no_pair", facts.no_pair, {}};
   } else if (nothing_meets_requirements(answer) && counts.defect_free == 0 && answer.requirements.no_defects &&

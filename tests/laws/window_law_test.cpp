@@ -2,6 +2,7 @@
 // the curves say that there is none, no sample says otherwise.
 
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -188,6 +189,79 @@ TEST(WindowLaw, APartOfTheMapProvesNothingOfTheWhole) {
     EXPECT_NEAR(beyond.linkages.front().report.min_transmission_angle,
                 whole.linkages.front().report.min_transmission_angle, 1e-4);
   }
+}
+
+// The same window on every axis that closes, of every kind that has one.
+TEST(WindowLaw, AWindowBeyondTheEndOfAClosedAxisIsThatAWholeTurnAway) {
+  const auto poses =
+      R"([{"x": 2429.04, "y": -1214.52, "theta_deg": -45}, {"x": 3643.56, "y": 4858.08, "theta_deg": -45},
+                         {"x": -2429.04, "y": 4858.08, "theta_deg": 90}])";
+  const auto problem = read_problem(fmt::format(
+      R"({{"linkwright": 1, "task": {{"kind": "motion", "mechanism": "four_bar", "poses": {},
+          "given": {{"side_angle_deg": 150, "directed": false, "input_length": 3262.6}}}}}})",
+      poses));
+  ASSERT_TRUE(problem);
+  const auto& task = std::get<MotionTask>(problem->task);
+  SynthesisOptions options = usual();
+  options.window = MapWindow{{0.6, 0.8}, {1.1, 1.3}};
+  const MotionAnswer here = testing::solved(task, {}, options);
+  ASSERT_FALSE(here.linkages.empty());
+  for (const double turns : {-2.0, 2.0, 4.0}) {
+    options.window = MapWindow{{0.6 + turns, 0.8 + turns}, {1.1 - turns, 1.3 - turns}};
+    const MotionAnswer beyond = testing::solved(task, {}, options);
+    EXPECT_EQ(beyond.status, SolutionStatus::solved);
+    EXPECT_EQ(beyond.meeting_requirements, here.meeting_requirements);
+    ASSERT_FALSE(beyond.linkages.empty()) << beyond.reason.message;
+    EXPECT_NEAR(beyond.linkages.front().report.min_transmission_angle,
+                here.linkages.front().report.min_transmission_angle, 1e-4);
+  }
+}
+
+template <class KindAnswer>
+void expect_the_same_whole_turns_away(std::string_view text) {
+  auto problem = read_problem(text);
+  ASSERT_TRUE(problem);
+  problem->options = usual();
+  problem->options.window = MapWindow{{0.1, 0.6}, {0.1, 0.6}};
+  const auto here = std::get<KindAnswer>(solve(*problem).value());
+  ASSERT_FALSE(here.linkages.empty());
+  const double turn = here.family()->axis(Side::input).coordinate_length();
+  for (const double by : {-2 * turn, -turn, turn}) {
+    problem->options.window = MapWindow{{0.1 + by, 0.6 + by}, {0.1, 0.6}};
+    const auto beyond = std::get<KindAnswer>(solve(*problem).value());
+    EXPECT_NEAR(static_cast<double>(beyond.meeting_requirements), static_cast<double>(here.meeting_requirements), 1);
+    ASSERT_FALSE(beyond.linkages.empty()) << beyond.reason.message;
+    EXPECT_NEAR(beyond.linkages.front().report.min_transmission_angle,
+                here.linkages.front().report.min_transmission_angle, 1e-3);
+  }
+}
+
+TEST(WindowLaw, SoItIsOfFunctions) {
+  const std::string_view pairs = R"("pairs": [{"input_deg": 0, "output_deg": 0}, {"input_deg": 20, "output_deg": 30},
+      {"input_deg": 45, "output_deg": 55}, {"input_deg": 70, "output_deg": 75}])";
+  expect_the_same_whole_turns_away<FunctionAnswer>(
+      fmt::format(R"({{"linkwright": 1, "task": {{"kind": "function", "mechanism": "four_bar", {}}},
+        "requirements": {{"no_defects": false}}}})",
+                  pairs));
+  expect_the_same_whole_turns_away<SphericalFunctionAnswer>(
+      fmt::format(R"({{"linkwright": 1, "task": {{"kind": "function", "mechanism": "spherical_four_bar",
+        "ground_angle_deg": 70, {}}}, "requirements": {{"no_defects": false}}}})",
+                  pairs));
+}
+
+// Lengths tried in equal ratios pass it by on both sides.
+TEST(WindowLaw, AnOpenLengthIsFoundBetweenThoseTried) {
+  const MotionAnswer answer = solved_text(R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar",
+    "poses": [{"x": -1.9303060737770954, "y": 1.3784446613414894, "theta_deg": 35.417675248},
+              {"x": -1.0865903964788604, "y": -0.24559328009620043, "theta_deg": -130.79051363},
+              {"x": -0.21823178117297573, "y": 1.8964289352242865, "theta_deg": -130.79051363}],
+    "given": {"side_angle_deg": 140.90445656848254, "directed": false}},
+    "requirements": {"types": ["double_crank"], "no_defects": false, "max_link_ratio": 20,
+      "max_length": 9.113622726558205, "min_length": 0.0005,
+      "ground_pivots_within": {"x": [-1.1803774635774194, -0.6384394682214738], "y": [0.501182789047, 1.532868]},
+      "moving_pivots_within": {"x": [-1.476417416072349, -1.25253539481], "y": [0.066102868807, 1.6728993612694]}},
+    "options": {"region_samples": 65, "objective": "size"}})");
+  EXPECT_FALSE(answer.linkages.empty()) << answer.reason.message;
 }
 
 TEST(WindowLaw, AProvedNoneSaysSo) {

@@ -23,6 +23,15 @@ TEST(MapAxis, KeepsAClimbOnABranch) {
   EXPECT_LT(open.onto(3), 1);
 }
 
+TEST(MapAxis, RunsRoundWhereItsBranchesClose) {
+  EXPECT_NEAR(two_branches.onto(-0.75), 1.25, 1e-15);
+  EXPECT_NEAR(two_branches.onto(2.25), 0.25, 1e-15);
+  EXPECT_EQ(two_branches.onto(1.75), 1.75);
+  const MapAxis open = {AxisQuantity::side_length, {{"", 0, 1}}};
+  EXPECT_EQ(open.onto(-3), -3);
+  EXPECT_EQ(open.onto(3), 3);
+}
+
 TEST(MapAxis, IsDiscreteWhereABranchIsOnePlace) {
   EXPECT_FALSE(two_branches.is_discrete());
   EXPECT_TRUE((MapAxis{AxisQuantity::burmester_point, {}}).is_discrete());

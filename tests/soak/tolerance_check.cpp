@@ -71,7 +71,7 @@ double listed_error(const json& report) {
 void check_wanted(const json& wanted, const json& report, Wrongs& wrongs) {
   constexpr double luck = 0.1;
   if (wanted.contains("max_tolerance_error") && !wanted["max_tolerance_error"].is_null() &&
-      number_of(report, "error") > number_of(wanted, "max_tolerance_error") * (1 + rounding_of_files))
+      listed_error(report) > number_of(wanted, "max_tolerance_error") * (1 + rounding_of_files))
     wrongs.push_back("more than max_tolerance_error");
   if (wanted.contains("min_yield") && !wanted["min_yield"].is_null() &&
       number_of(report, "yield") < number_of(wanted, "min_yield") - luck)

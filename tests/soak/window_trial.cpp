@@ -86,6 +86,16 @@ bool stands_there(const LinkageFamily& family, const Requirements& wanted, const
   return filter_of(family, cell, wanted).passes(0, 0);
 }
 
+// What lies at a limit by rounding alone, as a change point, nobody need find.
+template <class KindAnswer>
+bool is_confirmed(Problem problem, const Known& known) {
+  problem.options.at = known.place;
+  const auto there = solve(problem.task, problem.requirements, problem.options);
+  if (!there) return false;
+  const auto& linkages = std::get<KindAnswer>(*there).linkages;
+  return !linkages.empty() && linkages.front().verified_by_driving;
+}
+
 template <class KindAnswer>
 std::vector<std::string> wrongs_of_kind(const Problem& problem, const KindAnswer& answer, Draw& draw) {
   const auto* family = answer.family();
@@ -104,8 +114,9 @@ std::vector<std::string> wrongs_of_kind(const Problem& problem, const KindAnswer
   if (!again) return {"with windows it is not solved: " + again.errors().front().message};
   const Findings& found = findings(*again);
   if (linkage_count(*again) > 0 || found.left_out > 0 || found.reason.code == "none_reaches") return {};
-  return {fmt::format("a linkage stands at ({}, {}) in its windows, and none is found: {}", known->place.input,
-                      known->place.output, found.reason.message)};
+  if (!is_confirmed<KindAnswer>(within, *known)) return {};
+  return {fmt::format("a linkage stands at ({}, {}) in its windows, and none is found: {} {}", known->place.input,
+                      known->place.output, found.reason.message, write_problem(within))};
 }
 
 }  // namespace

@@ -86,6 +86,8 @@ struct MapAxis {
   [[nodiscard]] bool is_closed() const {
     return quantity == AxisQuantity::curve_coordinate || quantity == AxisQuantity::side_direction;
   }
+  /// The coordinate on the axis: wrapped where branches close. Elsewhere beyond its ends there is nothing.
+  [[nodiscard]] double onto(double coordinate) const;
   /// Every place of a branch is the same.
   [[nodiscard]] bool is_discrete() const {
     return quantity == AxisQuantity::burmester_point || quantity == AxisQuantity::nothing;
